@@ -1,0 +1,194 @@
+#include "cli/cli.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <new>
+#include <ostream>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/commands.h"
+#include "cli/view_options.h"
+#include "scene/error.h"
+#include "session/content.h"
+#include "session/nearest_name.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// The command line with a place for everything that can stand on it.
+struct CommandLine {
+    CLI::App app{"Walk through a software rasterizer, stage by stage.", "rasterwalk"};
+    std::string file;
+    ViewOptions view;
+    RenderOptions render;
+    StatsOptions stats;
+    RowsOptions rows;
+    TriangleOptions triangle;
+    PixelOptions pixel;
+    SettingsOptions settings;
+    PresetsOptions presets;
+    /// What is to be done once everything is understood; empty: open the window.
+    std::function<void()> command;
+};
+
+CLI::App& add_command(CommandLine& line, const char* name, const char* about,
+                      std::function<void()> command) {
+    CLI::App& added = *line.app.add_subcommand(name, about);
+    added.callback([&line, command = std::move(command)] { line.command = command; });
+    return added;
+}
+
+void add_json(CLI::App& command, bool& json) {
+    command.add_flag("--json", json, "Print JSON");
+}
+
+void describe(CommandLine& line, std::ostream& out, std::ostream& err) {
+    line.app.set_version_flag("--version", "rasterwalk " + version_text());
+    line.app.require_subcommand(0, 1);
+    line.app.add_option("FILE", line.file, "Scene to open in the window (.toml)")->type_name("");
+    add_view_options(line.app, line.view);
+
+    CLI::App& render = add_command(line, "render", "Write the picture as a PNG",
+                                   [&] { render_command(line.render, err); });
+    render.add_option("-o,--output", line.render.output, "PNG file to write")
+        ->type_name("FILE")
+        ->required();
+    render.add_option("--view", line.render.plane, "colour, depth, triangle or overdraw")
+        ->type_name("PLANE");
+    add_view_options(render, line.render.view);
+
+    CLI::App& stats = add_command(line, "stats", "Count triangles, fragments, overdraw ...",
+                                  [&] { stats_command(line.stats, out, err); });
+    add_json(stats, line.stats.json);
+    add_view_options(stats, line.stats.view);
+
+    CLI::App& rows = add_command(line, "rows", "Print the row table of a polygon",
+                                 [&] { rows_command(line.rows, out, err); });
+    rows.add_option("POINTS", line.rows.points, "Vertices in pixels, in order")
+        ->type_name("X,Y")
+        ->required();
+    add_json(rows, line.rows.json);
+    rows.add_option("--preset", line.rows.presets, "Named set of settings; repeatable")
+        ->type_name("NAME")
+        ->allow_extra_args(false);
+    rows.add_option("--set", line.rows.assignments,
+                    "rounding, line_walk or edge_samples: name=value; repeatable")
+        ->type_name("NAME=VALUE")
+        ->allow_extra_args(false);
+
+    CLI::App& triangle = add_command(line, "triangle", "Tell a triangle's vertices, edges and rows",
+                                     [&] { triangle_command(line.triangle, out); });
+    triangle.add_option("N", line.triangle.triangle, "Number of the triangle, from 0")
+        ->type_name("")
+        ->required();
+    add_json(triangle, line.triangle.json);
+    add_view_options(triangle, line.triangle.view);
+
+    CLI::App& pixel = add_command(line, "pixel", "Tell everything that fell on a pixel, and why",
+                                  [&] { pixel_command(line.pixel, out); });
+    pixel.add_option("PIXEL", line.pixel.pixel, "Column and row of the picture")
+        ->type_name("X,Y")
+        ->required();
+    add_json(pixel, line.pixel.json);
+    add_view_options(pixel, line.pixel.view);
+
+    CLI::App& settings = add_command(line, "settings", "List all settings with their values",
+                                     [&] { settings_command(line.settings, out); });
+    add_json(settings, line.settings.json);
+    add_view_options(settings, line.settings.view);
+
+    CLI::App& presets = add_command(line, "presets", "List the named sets of settings",
+                                    [&] { presets_command(line.presets, out); });
+    add_json(presets, line.presets.json);
+    // Last, because commands take over the footer that stands when they are added.
+    line.app.footer("Without a command the window opens.\n"
+                    "Exit codes: 0 done, 1 a check found a difference, 2 wrong usage, 3 bad "
+                    "input,\n4 could not read or write, 5 no display.");
+}
+
+/// The word is not a file: perhaps a command was meant.
+void check_file(const CommandLine& line) {
+    std::error_code ignored;
+    const std::string& file = line.file;
+    if (file.find_first_of("./") != std::string::npos || std::filesystem::exists(file, ignored)) {
+        return;
+    }
+    std::vector<std::string_view> names;
+    for (const CLI::App* command : line.app.get_subcommands({})) {
+        names.push_back(command->get_name());
+    }
+    throw UsageError("there is neither a command nor a file named '" + file + "'." +
+                     did_you_mean(file, names));
+}
+
+Session open_window_session(CommandLine& line) {
+    if (!line.file.empty()) {
+        if (!line.view.scene.empty()) {
+            throw UsageError("the scene is named twice: as FILE and by --scene.");
+        }
+        check_file(line);
+        line.view.scene = line.file;
+    }
+    return open_view(line.view);
+}
+
+/// Reads the arguments. Prints help or version if they ask for it, and then returns false.
+bool parse(CommandLine& line, std::vector<std::string> arguments, std::ostream& out,
+           std::ostream& err) {
+    std::reverse(arguments.begin(), arguments.end()); // as CLI11 wants them
+    try {
+        line.app.parse(std::move(arguments));
+        return true;
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) {
+            line.app.exit(error, out, err);
+            return false;
+        }
+        std::string sentence = error.what();
+        if (!sentence.ends_with('.')) sentence += '.';
+        throw UsageError(sentence + " See rasterwalk --help.");
+    }
+}
+
+void run(CommandLine& line, CliRequest& request) {
+    if (!line.command) {
+        request.session = open_window_session(line);
+        request.open_window = true;
+        return;
+    }
+    if (!line.file.empty() || !(line.view == ViewOptions{})) {
+        throw UsageError("the options of a command stand behind its name.");
+    }
+    line.command();
+}
+
+int to_int(ExitCode code) {
+    return static_cast<int>(code);
+}
+
+} // namespace
+
+int run_cli(int argc, const char* const* argv, std::ostream& out, std::ostream& err,
+            CliRequest& request) {
+    const auto complain = [&](const std::string& sentence, ExitCode code) {
+        err << "rasterwalk: " << sentence << '\n';
+        return to_int(code);
+    };
+    try {
+        CommandLine line;
+        describe(line, out, err);
+        if (parse(line, command_arguments(argc, argv), out, err)) run(line, request);
+        out.flush();
+        if (!out) return complain("the output could not be written.", ExitCode::no_access);
+        return to_int(ExitCode::done);
+    } catch (const Error& error) {
+        return complain(error.what(), error.code);
+    } catch (const std::bad_alloc&) {
+        return complain("there is not enough memory for this.", ExitCode::no_access);
+    }
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <iosfwd>
+
+#include "session/session.h"
+
+namespace rasterwalk {
+
+/// What the command line leaves to its caller.
+struct CliRequest {
+    bool open_window = false; ///< there was no command: show the session in a window
+    Session session;          ///< open if `open_window`
+};
+
+/// Carries out the command line of `rasterwalk`: data on `out`, messages on `err`. Never throws for
+/// what a user may do wrong. Returns the exit code (see ExitCode).
+int run_cli(int argc, const char* const* argv, std::ostream& out, std::ostream& err,
+            CliRequest& request);
+
+} // namespace rasterwalk

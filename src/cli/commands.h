@@ -1,0 +1,63 @@
+#pragma once
+
+// The commands: each takes its options, prints data on `out` and messages on `err`, and throws
+// Error.
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "cli/view_options.h"
+
+namespace rasterwalk {
+
+struct RenderOptions {
+    ViewOptions view;
+    std::string plane = "colour"; ///< colour, depth, triangle or overdraw
+    std::string output;
+};
+void render_command(const RenderOptions& options, std::ostream& err);
+
+struct StatsOptions {
+    ViewOptions view;
+    bool json = false;
+};
+void stats_command(const StatsOptions& options, std::ostream& out, std::ostream& err);
+
+struct RowsOptions {
+    std::vector<std::string> points; ///< X,Y
+    std::vector<std::string> presets;
+    std::vector<std::string> assignments;
+    bool json = false;
+};
+void rows_command(const RowsOptions& options, std::ostream& out, std::ostream& err);
+
+struct TriangleOptions {
+    ViewOptions view;
+    std::string triangle; ///< its number, from 0
+    bool json = false;
+};
+void triangle_command(const TriangleOptions& options, std::ostream& out);
+
+struct PixelOptions {
+    ViewOptions view;
+    std::string pixel; ///< X,Y
+    bool json = false;
+};
+void pixel_command(const PixelOptions& options, std::ostream& out);
+
+struct SettingsOptions {
+    ViewOptions view;
+    bool json = false;
+};
+void settings_command(const SettingsOptions& options, std::ostream& out);
+
+struct PresetsOptions {
+    bool json = false;
+};
+void presets_command(const PresetsOptions& options, std::ostream& out);
+
+/// The most vertices that `rows` takes.
+inline constexpr std::size_t max_polygon_vertices = 1000;
+
+} // namespace rasterwalk

@@ -1,0 +1,78 @@
+#include "cli/commands.h"
+
+#include <algorithm>
+#include <ostream>
+
+#include "cli/json.h"
+#include "session/content.h"
+#include "session/setting_table.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// A heading for each group, and under it each setting with its value and what it means.
+void print_settings(const Settings& settings, const Settings& defaults, std::ostream& out) {
+    std::string_view group;
+    for (const Setting& setting : setting_table()) {
+        if (setting.group != group) {
+            out << (group.empty() ? "" : "\n") << setting.group << '\n';
+            group = setting.group;
+        }
+        const std::string value = value_text(setting, settings);
+        const std::string usual = value_text(setting, defaults);
+        out << "  " << setting.name << '=' << value;
+        if (value != usual) out << "   (default: " << usual << ')';
+        out << "\n      " << setting.help << "\n      Takes " << allowed_text(setting);
+        if (!setting.unit.empty()) out << "; in " << setting.unit;
+        out << ".\n";
+    }
+}
+
+toml::table to_json(const Settings& settings, const Settings& defaults) {
+    toml::array list;
+    for (const Setting& setting : setting_table()) {
+        list.push_back(toml::table{{"name", setting.name},
+                                   {"value", value_text(setting, settings)},
+                                   {"default", value_text(setting, defaults)},
+                                   {"takes", allowed_text(setting)},
+                                   {"group", setting.group},
+                                   {"help", setting.help},
+                                   {"section", setting.section},
+                                   {"unit", setting.unit}});
+    }
+    return toml::table{{"settings", std::move(list)}};
+}
+
+} // namespace
+
+void settings_command(const SettingsOptions& options, std::ostream& out) {
+    const Session session = open_view(options.view);
+    const Settings defaults = default_settings(*session.scene);
+    if (options.json) {
+        print_json(to_json(session.settings, defaults), out);
+    } else {
+        print_settings(session.settings, defaults, out);
+    }
+}
+
+void presets_command(const PresetsOptions& options, std::ostream& out) {
+    const std::vector<Preset> presets = read_presets(lessons_folder() + "/presets.toml");
+    toml::array list;
+    for (const Preset& preset : presets) {
+        toml::array values;
+        for (const auto& [name, value] : preset.values)
+            values.push_back(name + "=" + value);
+        if (!options.json) {
+            out << preset.name << "\n    " << preset.about << '\n';
+            for (const toml::node& value : values) {
+                out << "    " << value.value_or(std::string()) << '\n';
+            }
+        }
+        list.push_back(toml::table{
+            {"name", preset.name}, {"about", preset.about}, {"set", std::move(values)}});
+    }
+    if (options.json) print_json(toml::table{{"presets", std::move(list)}}, out);
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,108 @@
+#include "cli/moments.h"
+
+#include <optional>
+#include <string_view>
+
+#include "pipeline/timeline.h"
+#include "scene/error.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// "the samples s0 to s103", or "only the sample s0". The letter is the one the word begins with.
+std::string pieces(const std::string& word, int first, int last) {
+    const auto numbered = [&word](int number) {
+        return word.substr(0, 1).append(std::to_string(number));
+    };
+    if (first == last) return "only the " + word + " " + numbered(first);
+    return "the " + word + "s " + numbered(first) + " to " + numbered(last);
+}
+
+std::string stage_name(const Frame& frame) {
+    return std::string(stage_list()[static_cast<std::size_t>(frame.settings.stage)].name);
+}
+
+std::string edge_sentence(const Frame& frame, const Cursor& cursor, const std::string& triangle) {
+    if (frame.settings.stage < Stage::edges) {
+        return "in stage " + stage_name(frame) + " a triangle has no edges";
+    }
+    if (cursor.index > 2) return "a triangle has the edges e0 to e2";
+    const Timeline timeline(frame);
+    const int samples = timeline.moments(cursor.triangle).samples[cursor.index];
+    return "edge e" + std::to_string(cursor.index) + " of " + triangle + " has " +
+           pieces("sample", 0, samples - 1);
+}
+
+std::string row_sentence(const Frame& frame, const Cursor& cursor, const std::string& triangle) {
+    if (frame.settings.stage < Stage::rows) {
+        return "in stage " + stage_name(frame) + " a triangle has no rows";
+    }
+    const Timeline timeline(frame);
+    const TriangleMoments& moments = timeline.moments(cursor.triangle);
+    return triangle + " has " + pieces("row", 0, moments.rows.size() - 1);
+}
+
+/// What would be possible in the place of a cursor that does not exist.
+std::string possible(const Frame& frame, const Cursor& cursor) {
+    if (cursor.triangle >= frame.triangle_count()) {
+        return "the scene has " + pieces("triangle", 0, frame.triangle_count() - 1);
+    }
+    const std::string triangle = "triangle t" + std::to_string(cursor.triangle);
+    if (!frame.is_drawn(cursor.triangle)) {
+        return triangle + " is left out: " +
+               fault_text(frame.left_out[static_cast<std::size_t>(cursor.triangle)]);
+    }
+    switch (cursor.phase) {
+    case Phase::vertices:
+        return "a triangle has the vertices v0 to v2";
+    case Phase::edges:
+        return edge_sentence(frame, cursor, triangle);
+    case Phase::rows:
+        return row_sentence(frame, cursor, triangle);
+    }
+    return {};
+}
+
+/// Does the cursor name a row of a row table?
+bool is_row(const Timeline& timeline, const Cursor& cursor) {
+    const Frame& frame = timeline.frame();
+    return cursor.phase == Phase::rows && frame.settings.stage >= Stage::rows &&
+           cursor.triangle < frame.triangle_count() && frame.is_drawn(cursor.triangle) &&
+           cursor.index < timeline.moments(cursor.triangle).rows.size();
+}
+
+} // namespace
+
+std::string fault_text(VertexFault fault) {
+    switch (fault) {
+    case VertexFault::none:
+        break;
+    case VertexFault::not_finite:
+        return "a coordinate is not a finite number";
+    case VertexFault::behind_camera:
+        return "a vertex lies on or behind the camera plane";
+    case VertexFault::too_far_out:
+        return "a vertex is projected too far out";
+    }
+    return {};
+}
+
+Cursor moment_of(const Frame& frame, const std::string& text) {
+    const std::optional<Cursor> cursor = parse_cursor(text);
+    if (!cursor) {
+        throw UsageError("'" + text +
+                         "' is not a moment; one is written t12, t12/v1, t12/e2/s14, t12/r37/c5 "
+                         "or end.");
+    }
+    const Timeline timeline(frame);
+    // How many columns a row has, and where the picture begins in it, is not for the asker to know:
+    // outside of them the next moment is meant.
+    if (is_row(timeline, *cursor)) return timeline.at_or_after(*cursor);
+    if (!timeline.exists(*cursor)) {
+        throw UsageError("there is no moment " + text + ": " + possible(frame, *cursor) + ".");
+    }
+    return *cursor;
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "pipeline/cursor.h"
+#include "pipeline/frame.h"
+
+namespace rasterwalk {
+
+/// Why a triangle is left out, to follow a colon: "a vertex lies on or behind the camera plane".
+std::string fault_text(VertexFault fault);
+
+/// The moment of a frame that --to names. In a row that exists, a column that does
+/// not (`t12/r37`, `t12/r37/c9999`) stands for the next moment after it. Throws UsageError that
+/// says which moments there would be.
+Cursor moment_of(const Frame& frame, const std::string& text);
+
+} // namespace rasterwalk

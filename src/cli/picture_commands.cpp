@@ -1,0 +1,81 @@
+#include "cli/commands.h"
+
+#include <array>
+#include <ostream>
+
+#include "cli/json.h"
+#include "inspect/stats.h"
+#include "pipeline/draw.h"
+#include "scene/error.h"
+#include "session/nearest_name.h"
+
+namespace rasterwalk {
+
+namespace {
+
+View find_plane(const std::string& name) {
+    constexpr std::array<std::string_view, 4> names{"colour", "depth", "triangle", "overdraw"};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (names[i] == name) return static_cast<View>(i);
+    }
+    throw UsageError("--view is colour, depth, triangle or overdraw, not '" + name + "'." +
+                     did_you_mean(name, names));
+}
+
+void report_left_out(const LeftOut& left_out, std::ostream& err) {
+    const auto report = [&](int count, const char* reason) {
+        if (count == 0) return;
+        err << "rasterwalk: " << count << (count == 1 ? " triangle is" : " triangles are")
+            << " left out: " << reason << ".\n";
+    };
+    report(left_out.not_finite, "a coordinate is not a finite number");
+    report(left_out.behind_camera, "a vertex lies on or behind the camera plane");
+    report(left_out.too_far_out, "a vertex is projected too far out");
+}
+
+toml::table to_json(const FrameStats& stats) {
+    return toml::table{
+        {"triangles", stats.triangles},
+        {"fragments", stats.fragments},
+        {"max_overdraw", static_cast<std::int64_t>(stats.max_overdraw)},
+        {"uncovered", stats.uncovered},
+        {"rows_outside", stats.rows_outside},
+        {"rows_outside_triangles", stats.rows_outside_triangles},
+        {"left_out", toml::table{{"not_finite", stats.left_out.not_finite},
+                                 {"behind_camera", stats.left_out.behind_camera},
+                                 {"too_far_out", stats.left_out.too_far_out}}},
+    };
+}
+
+} // namespace
+
+void render_command(const RenderOptions& options, std::ostream& err) {
+    const View plane = find_plane(options.plane);
+    const Session session = open_view(options.view);
+    const Frame frame = prepare_frame(*session.scene, session.settings);
+    Framebuffer framebuffer;
+    clear(framebuffer, session.settings.viewport);
+    draw(frame, {.from = cursor_begin, .to = session.cursor, .scissor = {}}, framebuffer);
+    write_png(view_image(framebuffer, plane), options.output);
+    report_left_out(count_left_out(frame), err);
+}
+
+void stats_command(const StatsOptions& options, std::ostream& out, std::ostream& err) {
+    const Session session = open_view(options.view);
+    const Frame frame = prepare_frame(*session.scene, session.settings);
+    Framebuffer framebuffer;
+    const FrameStats stats = frame_stats(frame, session.cursor, framebuffer);
+    if (options.json) {
+        print_json(to_json(stats), out);
+    } else {
+        out << "triangles               " << stats.triangles << '\n'
+            << "fragments               " << stats.fragments << '\n'
+            << "max_overdraw            " << stats.max_overdraw << '\n'
+            << "uncovered               " << stats.uncovered << '\n'
+            << "rows_outside            " << stats.rows_outside << '\n'
+            << "rows_outside_triangles  " << stats.rows_outside_triangles << '\n';
+    }
+    report_left_out(stats.left_out, err);
+}
+
+} // namespace rasterwalk

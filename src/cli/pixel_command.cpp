@@ -1,0 +1,181 @@
+#include "cli/commands.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdio>
+#include <optional>
+#include <ostream>
+
+#include "cli/json.h"
+#include "inspect/pixel_history.h"
+#include "scene/error.h"
+
+namespace rasterwalk {
+
+namespace {
+
+std::optional<int> parse_number(std::string_view text) {
+    // A number may be quoted with blanks before it.
+    text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+    int value = 0;
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool is_whole = fault == std::errc{} && end == text.data() + text.size();
+    return is_whole ? std::optional(value) : std::nullopt;
+}
+
+glm::ivec2 parse_pixel(const std::string& text, Viewport size) {
+    const std::string range = "columns 0 to " + std::to_string(size.width - 1) + ", rows 0 to " +
+                              std::to_string(size.height - 1);
+    const std::size_t comma = std::min(text.find(','), text.size());
+    const std::optional<int> column = parse_number(std::string_view(text).substr(0, comma));
+    const std::optional<int> row =
+        parse_number(std::string_view(text).substr(std::min(comma + 1, text.size())));
+    if (!column || !row) {
+        throw UsageError("'" + text +
+                         "' is not a pixel: it is written COLUMN,ROW; the picture has " + range +
+                         ".");
+    }
+    if (*column < 0 || *column >= size.width || *row < 0 || *row >= size.height) {
+        throw UsageError("there is no pixel " + std::to_string(*column) + "," +
+                         std::to_string(*row) + ": the picture has " + range + ".");
+    }
+    return {*column, *row};
+}
+
+toml::array to_json(const glm::vec3& colour) {
+    return toml::array{static_cast<double>(colour.r), static_cast<double>(colour.g),
+                       static_cast<double>(colour.b)};
+}
+
+toml::table to_json(const Scene& scene, const PixelEntry& entry, bool stays, const Cursor& to) {
+    toml::table table{{"triangle", entry.cursor.triangle},
+                      {"name", part_name(scene, entry.cursor.triangle)},
+                      {"cursor", to_text(entry.cursor)},
+                      {"zinv", static_cast<double>(entry.zinv)},
+                      {"depth", static_cast<double>(entry.depth)},
+                      {"stored_zinv", static_cast<double>(entry.stored)},
+                      {"margin", static_cast<double>(entry.margin)},
+                      {"margin_to_winner", static_cast<double>(entry.margin_to_winner)},
+                      {"fate", entry.fate == Fate::written ? "written" : "depth_failed"},
+                      {"stays", stays},
+                      {"drawn", entry.cursor < to},
+                      {"colour_before", to_json(entry.colour_before)},
+                      {"colour_after", to_json(entry.colour_after)}};
+    if (entry.row >= 0) {
+        table.insert("row", entry.row);
+        table.insert("column", entry.column);
+    }
+    return table;
+}
+
+toml::table to_json(const Scene& scene, const NearTriangle& near, const glm::ivec2& pixel) {
+    toml::array rules;
+    for (const OtherRule& rule : near.rules) {
+        rules.push_back(
+            toml::table{{"rule", rule.rule}, {"left", rule.left}, {"right", rule.right}});
+    }
+    toml::table table{{"triangle", near.triangle},
+                      {"name", part_name(scene, near.triangle)},
+                      {"row", near.row},
+                      {"rows_away", near.rows_away},
+                      {"columns_away", near.columns_away},
+                      {"why", miss_text(near)},
+                      {"would_need", rules_text(near, pixel)},
+                      {"rules", std::move(rules)}};
+    if (!near.is_empty) {
+        table.insert("left", near.left);
+        table.insert("right", near.right);
+    }
+    return table;
+}
+
+/// Room for the name of a part; longer ones push the rest of their line to the right.
+constexpr std::size_t name_width = 16;
+
+/// The pixel's colour when everything before `to` is drawn.
+glm::vec3 colour_at(const PixelHistory& history, const Cursor& to) {
+    glm::vec3 colour(0.0f);
+    for (const PixelEntry& entry : history.entries) {
+        if (entry.cursor < to) colour = entry.colour_after;
+    }
+    return colour;
+}
+
+toml::table to_json(const Scene& scene, const PixelHistory& history, const Cursor& to) {
+    toml::array entries, nearest;
+    for (std::size_t i = 0; i < history.entries.size(); ++i) {
+        const bool stays = static_cast<int>(i) == history.winner;
+        entries.push_back(to_json(scene, history.entries[i], stays, to));
+    }
+    for (const NearTriangle& near : history.nearest)
+        nearest.push_back(to_json(scene, near, history.pixel));
+    return toml::table{{"column", history.pixel.x},
+                       {"row", history.pixel.y},
+                       {"colour", to_json(colour_at(history, to))},
+                       {"covered", !history.entries.empty()},
+                       {"depth_tested", history.depth_tested},
+                       {"history", std::move(entries)},
+                       {"uncovered", std::move(nearest)}};
+}
+
+std::string entry_line(const Scene& scene, const PixelHistory& history, std::size_t i,
+                       const Cursor& to) {
+    const PixelEntry& entry = history.entries[i];
+    const auto number = [](float value) { return static_cast<double>(value); };
+    std::string name = part_name(scene, entry.cursor.triangle);
+    name.resize(std::max(name.size(), name_width), ' ');
+    std::array<char, 48> moment;
+    std::snprintf(moment.data(), moment.size(), "%3zu  %-15s  ", i + 1,
+                  to_text(entry.cursor).c_str());
+    std::array<char, 256> numbers;
+    std::snprintf(numbers.data(), numbers.size(),
+                  "  %9.6f  %9.6f  %+9.6f  %+9.6f  %-7s  %.4f %.4f %.4f", number(entry.zinv),
+                  number(entry.stored), number(entry.margin), number(entry.margin_to_winner),
+                  entry.fate == Fate::written ? "written" : "hidden", number(entry.colour_after.r),
+                  number(entry.colour_after.g), number(entry.colour_after.b));
+    std::string line = moment.data() + name + numbers.data();
+    if (static_cast<int>(i) == history.winner) line += "  stays";
+    if (entry.cursor >= to) line += "  not drawn yet";
+    return line + "\n";
+}
+
+void print_text(const Frame& frame, const PixelHistory& history, const Cursor& to,
+                std::ostream& out) {
+    const Scene& scene = *frame.scene;
+    const Stage stage = frame.settings.stage;
+    out << "pixel " << history.pixel.x << ',' << history.pixel.y << ", stage "
+        << stage_list()[static_cast<std::size_t>(stage)].name << ": ";
+    if (history.entries.empty()) {
+        out << "nothing falls on it.\n" << uncovered_text(frame) << '\n';
+        for (const NearTriangle& near : history.nearest) {
+            const std::string rules = rules_text(near, history.pixel);
+            out << "t" << near.triangle << " " << part_name(scene, near.triangle) << ": "
+                << miss_text(near) << (rules.empty() ? "" : "; ") << rules << ".\n";
+        }
+        return;
+    }
+    const char* const what = has_fragments(stage) ? "fragment" : "mark";
+    out << history.entries.size() << ' ' << what << (history.entries.size() == 1 ? "" : "s")
+        << ".\n"
+        << "  #  moment           part                   1/z     stored     margin  to winner  "
+           "fate     colour after\n";
+    for (std::size_t i = 0; i < history.entries.size(); ++i)
+        out << entry_line(scene, history, i, to);
+}
+
+} // namespace
+
+void pixel_command(const PixelOptions& options, std::ostream& out) {
+    const Session session = open_view(options.view);
+    const glm::ivec2 pixel = parse_pixel(options.pixel, session.settings.viewport);
+    const Frame frame = prepare_frame(*session.scene, session.settings);
+    const PixelHistory history = pixel_history(frame, pixel);
+    if (options.json) {
+        print_json(to_json(*session.scene, history, session.cursor), out);
+    } else {
+        print_text(frame, history, session.cursor, out);
+    }
+}
+
+} // namespace rasterwalk

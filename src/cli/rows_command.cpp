@@ -1,0 +1,106 @@
+#include "cli/commands.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdio>
+#include <ostream>
+
+#include "cli/json.h"
+#include "cli/row_json.h"
+#include "inspect/row_history.h"
+#include "scene/error.h"
+#include "session/content.h"
+#include "session/setting_table.h"
+
+namespace rasterwalk {
+
+namespace {
+
+[[noreturn]] void refuse_point(const std::string& text) {
+    const int largest = static_cast<int>(largest_pixel_coordinate);
+    throw UsageError("'" + text + "' is not a point: it is written X,Y in whole numbers from -" +
+                     std::to_string(largest) + " to " + std::to_string(largest) + ".");
+}
+
+int parse_coordinate(std::string_view part, const std::string& whole) {
+    int value = 0;
+    const char* const last = part.data() + part.size();
+    const auto [end, fault] = std::from_chars(part.data(), last, value);
+    const int largest = static_cast<int>(largest_pixel_coordinate);
+    if (fault != std::errc{} || end != last || value < -largest || value > largest) {
+        refuse_point(whole);
+    }
+    return value;
+}
+
+Fragment parse_point(const std::string& text) {
+    std::string_view rest = text;
+    // A point may be quoted with blanks around it.
+    rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
+    const std::size_t comma = rest.find(',');
+    if (comma == std::string_view::npos) refuse_point(text);
+    Fragment point;
+    point.column = parse_coordinate(rest.substr(0, comma), text);
+    point.row = parse_coordinate(rest.substr(comma + 1), text);
+    point.zinv = point.z = 1.0f;
+    return point;
+}
+
+/// Nine digits tell every float from its neighbours.
+std::string nine_digits(float value) {
+    std::array<char, 32> text;
+    std::snprintf(text.data(), text.size(), "%.9g", static_cast<double>(value));
+    return text.data();
+}
+
+void check_assignment(const std::string& assignment) {
+    constexpr std::array<std::string_view, 3> known{"rounding", "line_walk", "edge_samples"};
+    const std::string_view name = std::string_view(assignment).substr(0, assignment.find('='));
+    if (find_setting(name) == nullptr) return; // set_from_text has a better sentence for it
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+        throw UsageError("rows depend on rounding, line_walk and edge_samples, not on " +
+                         std::string(name) + ".");
+    }
+}
+
+Settings read_rules(const RowsOptions& options) {
+    Settings settings;
+    if (!options.presets.empty()) {
+        const std::vector<Preset> presets = read_presets(lessons_folder() + "/presets.toml");
+        for (const std::string& name : options.presets) {
+            apply_preset(find_preset(presets, name), settings);
+        }
+    }
+    for (const std::string& assignment : options.assignments) {
+        check_assignment(assignment);
+        set_from_text(settings, assignment);
+    }
+    return settings;
+}
+
+} // namespace
+
+void rows_command(const RowsOptions& options, std::ostream& out, std::ostream& err) {
+    if (options.points.size() > max_polygon_vertices) {
+        throw UsageError("a polygon may have at most " + std::to_string(max_polygon_vertices) +
+                         " points.");
+    }
+    std::vector<Fragment> vertices;
+    for (const std::string& point : options.points)
+        vertices.push_back(parse_point(point));
+    const RowHistory history = row_history(vertices, edge_rules(read_rules(options)));
+    if (options.json) {
+        print_json(toml::table{{"rows", rows_json(history)}, {"outside", outside_json(history)}},
+                   out);
+    } else {
+        out << rows_text(history.rows);
+    }
+    for (const OutsideSample& sample : history.outside) {
+        err << "rasterwalk: sample " << sample.sample << " of edge " << sample.edge << " at ("
+            << nine_digits(sample.x) << ", " << nine_digits(sample.y) << ") falls in row "
+            << sample.row << ", outside the table; it is not written.\n";
+    }
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,97 @@
+#include "inspect/carried_row.h"
+
+namespace rasterwalk {
+
+const std::array<QuantityInfo, quantity_count>& quantity_list() {
+    static constexpr std::array<QuantityInfo, quantity_count> list{{
+        {Quantity::zinv, "zinv", "1/z", "1/z",
+         "1/z in camera space: changes in equal steps along a row, and is right everywhere."},
+        {Quantity::z, "z", "z", "1/z",
+         "Depth in camera space: interpolated as it is, or as 1 / (1/z)."},
+        {Quantity::x, "x", "x", "x/z", "x of the place in the world."},
+        {Quantity::y, "y", "y", "y/z", "y of the place in the world; points down."},
+        {Quantity::z_world, "z_world", "z world", "zw/z",
+         "z of the place in the world; not the depth, which counts from the camera."},
+        {Quantity::red, "red", "red", "red/z", "Red of the light per vertex, interpolated."},
+        {Quantity::green, "green", "green", "green/z",
+         "Green of the light per vertex, interpolated."},
+        {Quantity::blue, "blue", "blue", "blue/z", "Blue of the light per vertex, interpolated."},
+    }};
+    return list;
+}
+
+std::optional<Quantity> find_quantity(std::string_view id) {
+    for (const QuantityInfo& info : quantity_list()) {
+        if (info.id == id) return info.quantity;
+    }
+    return std::nullopt;
+}
+
+float part_of(const Varyings& varyings, Quantity quantity) {
+    switch (quantity) {
+    case Quantity::x:
+        return varyings.position_world.x;
+    case Quantity::y:
+        return varyings.position_world.y;
+    case Quantity::z_world:
+        return varyings.position_world.z;
+    case Quantity::red:
+        return varyings.illumination.r;
+    case Quantity::green:
+        return varyings.illumination.g;
+    case Quantity::blue:
+        return varyings.illumination.b;
+    case Quantity::zinv:
+    case Quantity::z:
+        break;
+    }
+    return 0.0f;
+}
+
+std::array<ShadedVertex, 3> shade_triangle(const Frame& frame, int triangle,
+                                           const Settings& settings) {
+    const glm::mat3 rotation = camera_rotation(settings.camera);
+    const VertexRules rules = vertex_rules(settings, frame.scene->space);
+    const Triangle& corners = frame.scene->triangles[static_cast<std::size_t>(triangle)];
+    std::array<ShadedVertex, 3> shaded;
+    for (std::size_t v = 0; v < shaded.size(); ++v)
+        shaded[v] = frame.stages->vertex_shader(corners.vertices[v], rotation, rules);
+    return shaded;
+}
+
+Fragment CarriedRow::at(Interpolation way, int step) const {
+    LineWalker walker = walk(way);
+    walker.advance_to(step);
+    return walker.sample_at(under(way).left.column + step, row);
+}
+
+std::optional<CarriedRow> carried_row(const Frame& frame, int triangle, int index) {
+    CarriedRow row;
+    row.triangle = triangle;
+    row.index = index;
+    row.line = line_rules(frame.settings);
+    const EdgeRules edges = edge_rules(frame.settings);
+    for (const Interpolation way : {Interpolation::perspective, Interpolation::affine}) {
+        Settings settings = frame.settings;
+        settings.interpolation = way;
+        settings.stage = Stage::vertex_light;
+        const std::array<ShadedVertex, 3> shaded = shade_triangle(frame, triangle, settings);
+        const std::array<Fragment, 3> corners{shaded[0].pixel, shaded[1].pixel, shaded[2].pixel};
+        PolygonRows rows;
+        frame.stages->compute_polygon_rows(corners, edges, rows);
+        if (index < 0 || index >= rows.size() || rows.is_empty_row(index)) return std::nullopt;
+        const auto i = static_cast<std::size_t>(index);
+        row.ends[static_cast<std::size_t>(way)] = {rows.left[i], rows.right[i]};
+        row.row = rows.left[i].row;
+        row.row_count = rows.size();
+        row.count = rows.pixel_count(index);
+    }
+    const RowHistory history = row_history(frame.triangle_vertices(triangle), edges);
+    if (index < history.rows.size()) {
+        row.left_by = history.left_by[static_cast<std::size_t>(index)];
+        row.right_by = history.right_by[static_cast<std::size_t>(index)];
+    }
+    return row;
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,75 @@
+#pragma once
+
+// What one row of a triangle carries from its left to its right end, under both interpolations at
+// once: so that the right way and the wrong way can be laid side by side. Prepares the one triangle
+// only, whatever the size of the scene.
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "inspect/row_history.h"
+#include "pipeline/frame.h"
+
+namespace rasterwalk {
+
+/// A value that changes along a row.
+enum class Quantity : std::uint8_t { zinv, z, x, y, z_world, red, green, blue };
+
+inline constexpr int quantity_count = 8;
+
+/// What is said of a quantity.
+struct QuantityInfo {
+    Quantity quantity;
+    std::string_view id;           ///< "z_world"
+    std::string_view name;         ///< "z world"
+    std::string_view carried_name; ///< divided by z, as perspective-correct rows carry it: "z/z"
+    std::string_view help;         ///< one sentence
+};
+
+/// All quantities; indexed by Quantity.
+const std::array<QuantityInfo, quantity_count>& quantity_list();
+std::optional<Quantity> find_quantity(std::string_view id);
+
+/// Is it one of the varyings? 1/z and z are not.
+constexpr bool is_varying(Quantity quantity) {
+    return quantity >= Quantity::x;
+}
+
+/// The part of the varyings that a quantity means; it must be a varying.
+float part_of(const Varyings& varyings, Quantity quantity);
+
+/// The corners of one triangle of the frame, as the vertex shader gives them under these settings.
+std::array<ShadedVertex, 3> shade_triangle(const Frame& frame, int triangle,
+                                           const Settings& settings);
+
+/// The ends of a row under one interpolation; light per vertex is carried in every stage.
+struct RowEnds {
+    Fragment left, right;
+};
+
+/// One row of a triangle's finished row table.
+struct CarriedRow {
+    int triangle = -1;
+    int index = -1;              ///< in the row table
+    int row = 0;                 ///< of the picture
+    int row_count = 0;           ///< rows of the whole table
+    int count = 0;               ///< pixels from end to end; at least 1
+    std::array<RowEnds, 2> ends; ///< indexed by Interpolation
+    EndWriter left_by, right_by;
+    LineRules line;
+
+    const RowEnds& under(Interpolation way) const { return ends[static_cast<std::size_t>(way)]; }
+    /// The walk from the left to the right end, as draw() walks it.
+    LineWalker walk(Interpolation way) const {
+        return {under(way).left, under(way).right, count, line};
+    }
+    /// The fragment in this column of the row, counted from its left end.
+    Fragment at(Interpolation way, int step) const;
+};
+
+/// The row of this index of a triangle that is drawn; none if the table has no such row, or no edge
+/// sample reached it.
+std::optional<CarriedRow> carried_row(const Frame& frame, int triangle, int index);
+
+} // namespace rasterwalk

@@ -1,0 +1,120 @@
+#include "inspect/microscope.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace rasterwalk {
+
+namespace {
+
+std::vector<EdgeMicroscope::Place> walk(const Fragment& a, const Fragment& b,
+                                        const EdgeRules& rules) {
+    std::vector<EdgeMicroscope::Place> places;
+    for (LineWalker walker = walk_edge(a, b, rules); !walker.done(); walker.advance()) {
+        const Fragment sample = walker.sample();
+        places.push_back({walker.x(), walker.y(), sample.column, sample.row});
+    }
+    return places;
+}
+
+/// (a (n - i) + b i) / n; for an edge of one sample, a.
+Fraction exact_place(int a, int b, int i, int n) {
+    if (n == 0) return {a, 1};
+    return reduced(static_cast<std::int64_t>(a) * n + static_cast<std::int64_t>(b - a) * i, n);
+}
+
+/// walked - exact. The product has at most 24 + 16 binary digits and is exact in double, so that
+/// only the difference and the division round.
+double drift_of(float walked, const Fraction& exact) {
+    const auto denominator = static_cast<double>(exact.denominator);
+    return (static_cast<double>(walked) * denominator - static_cast<double>(exact.numerator)) /
+           denominator;
+}
+
+MicroscopeCoordinate coordinate(float walked, const Fraction& exact, int pixel, int exact_pixel,
+                                int reverse_pixel) {
+    return {walked, exact, drift_of(walked, exact), pixel, exact_pixel, reverse_pixel};
+}
+
+void summarize(EdgeMicroscope& edge) {
+    MicroscopeSummary& summary = edge.summary;
+    const auto keep_larger = [](const MicroscopeCoordinate& c, int sample, double& largest,
+                                int& at) {
+        if (std::abs(c.drift) <= std::abs(largest)) return;
+        largest = c.drift;
+        at = sample;
+    };
+    for (int i = 0; i < edge.count; ++i) {
+        const MicroscopeSample sample = edge.at(i);
+        keep_larger(sample.x, i, summary.largest_drift_x, summary.largest_drift_x_at);
+        keep_larger(sample.y, i, summary.largest_drift_y, summary.largest_drift_y_at);
+        summary.differ_from_reverse += sample.differs_from_reverse() ? 1 : 0;
+        if (sample.differs_from_exact()) edge.differing.push_back(i);
+    }
+    const EdgeMicroscope::Place& last = edge.forward.back();
+    summary.misses_end = last.column != edge.b.column || last.row != edge.b.row;
+}
+
+} // namespace
+
+Fraction reduced(std::int64_t numerator, std::int64_t denominator) {
+    const std::int64_t divisor = std::gcd(numerator, denominator);
+    return {numerator / divisor, denominator / divisor};
+}
+
+bool EdgeMicroscope::shows(const Fragment& from, const Fragment& to, const EdgeRules& by) const {
+    const auto same_place = [](const Fragment& p, const Fragment& q) {
+        return p.column == q.column && p.row == q.row;
+    };
+    return count > 0 && same_place(a, from) && same_place(b, to) &&
+           rules.line.walk == by.line.walk && rules.line.rounding == by.line.rounding &&
+           rules.samples == by.samples;
+}
+
+MicroscopeSample EdgeMicroscope::at(int sample) const {
+    const int n = count - 1;
+    const Place& walked = forward[static_cast<std::size_t>(sample)];
+    const Place& other_way = reverse[static_cast<std::size_t>(n - sample)];
+    LineRules without_error = rules.line;
+    without_error.walk = LineWalk::exact;
+    LineWalker exact_walk(a, b, count, without_error);
+    exact_walk.advance_to(sample);
+    const Fragment exact = exact_walk.sample();
+    return {sample,
+            coordinate(walked.x, exact_place(a.column, b.column, sample, n), walked.column,
+                       exact.column, other_way.column),
+            coordinate(walked.y, exact_place(a.row, b.row, sample, n), walked.row, exact.row,
+                       other_way.row)};
+}
+
+int EdgeMicroscope::next_difference(int sample) const {
+    if (differing.empty()) return -1;
+    const auto next = std::lower_bound(differing.begin(), differing.end(), sample);
+    return next != differing.end() ? *next : differing.front();
+}
+
+EdgeMicroscope microscope(const Fragment& a, const Fragment& b, const EdgeRules& rules) {
+    EdgeMicroscope edge;
+    edge.a = a;
+    edge.b = b;
+    edge.rules = rules;
+    edge.forward = walk(a, b, rules);
+    edge.reverse = walk(b, a, rules);
+    edge.count = static_cast<int>(edge.forward.size());
+    const int steps = std::max(edge.count - 1, 1);
+    edge.step_x = reduced(b.column - a.column, steps);
+    edge.step_y = reduced(b.row - a.row, steps);
+    edge.float_step_x = static_cast<float>(b.column - a.column) / static_cast<float>(steps);
+    edge.float_step_y = static_cast<float>(b.row - a.row) / static_cast<float>(steps);
+    summarize(edge);
+    return edge;
+}
+
+std::string to_text(const Fraction& fraction) {
+    std::string text = std::to_string(fraction.numerator);
+    if (fraction.denominator != 1) text.append("/").append(std::to_string(fraction.denominator));
+    return text;
+}
+
+} // namespace rasterwalk

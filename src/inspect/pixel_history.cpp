@@ -1,0 +1,84 @@
+#include "inspect/pixel_history.h"
+
+#include <cmath>
+
+#include "pipeline/draw.h"
+
+namespace rasterwalk {
+
+namespace {
+
+class Collector : public Observer {
+  public:
+    explicit Collector(std::vector<PixelEntry>& into) : entries(into) {}
+
+    void fragment(const FragmentEvent& event) override {
+        PixelEntry entry;
+        entry.cursor = event.cursor;
+        if (event.cursor.phase == Phase::rows) {
+            entry.row = event.cursor.index;
+            entry.column = event.cursor.step;
+        }
+        entry.zinv = event.fragment.zinv;
+        entry.depth = event.depth;
+        entry.stored = event.stored;
+        entry.margin = event.depth - event.stored;
+        entry.fate = event.fate;
+        entry.colour_before = event.before;
+        entry.colour_after = event.after;
+        entries.push_back(entry);
+    }
+
+  private:
+    std::vector<PixelEntry>& entries;
+};
+
+/// Both ends of a row are one moment, whose cursor does not tell how far from the left end it is.
+void find_columns_of_row_ends(const Frame& frame, PixelHistory& history) {
+    PolygonRows rows;
+    for (PixelEntry& entry : history.entries) {
+        frame.stages->compute_polygon_rows(frame.triangle_vertices(entry.cursor.triangle),
+                                           edge_rules(frame.settings), rows);
+        entry.column = history.pixel.x - rows.left[entry.row].column;
+    }
+}
+
+/// Triangles that stay this much farther away than the nearest, in pixels, explain nothing.
+constexpr double hardly_farther = 8.0;
+
+void keep_the_near(std::vector<NearTriangle>& nearest) {
+    const auto distance = [](const NearTriangle& near) {
+        return std::hypot(static_cast<double>(near.columns_away),
+                          static_cast<double>(near.rows_away));
+    };
+    std::erase_if(
+        nearest, [&, limit = nearest.empty() ? 0.0 : distance(nearest[0])](
+                     const NearTriangle& near) { return distance(near) > limit + hardly_farther; });
+}
+
+} // namespace
+
+PixelHistory pixel_history(const Frame& frame, const glm::ivec2& pixel) {
+    PixelHistory history;
+    history.pixel = pixel;
+    history.depth_tested = depth_rule(frame.settings) != DepthTest::off;
+    Framebuffer one_pixel;
+    clear(one_pixel, {1, 1}, pixel);
+    Collector collector(history.entries);
+    draw(frame, {}, one_pixel, &collector);
+    if (frame.settings.stage == Stage::rows) find_columns_of_row_ends(frame, history);
+    for (std::size_t i = 0; i < history.entries.size(); ++i) {
+        if (history.entries[i].fate == Fate::written) history.winner = static_cast<int>(i);
+    }
+    for (PixelEntry& entry : history.entries) {
+        // Who wins is known only now. The last entry written left its depth in the buffer.
+        entry.margin_to_winner = entry.depth - one_pixel.depth.front();
+    }
+    if (history.entries.empty()) {
+        history.nearest = nearest_triangles(frame, pixel);
+        keep_the_near(history.nearest);
+    }
+    return history;
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,47 @@
+#pragma once
+
+// Everything that fell on one pixel: found by drawing the frame again into that pixel alone.
+
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "inspect/uncovered.h"
+#include "pipeline/cursor.h"
+#include "pipeline/frame.h"
+#include "pipeline/observer.h"
+
+namespace rasterwalk {
+
+/// One fragment that fell on the pixel. In stages before `fill` it is a mark: a vertex, an edge
+/// sample or the end of a row; marks have no depth value.
+struct PixelEntry {
+    Cursor cursor;   ///< the piece of work that it is; holds the triangle
+    int row = -1;    ///< row of the triangle's row table, from 0; -1 for vertices and edge samples
+    int column = -1; ///< from the left end of that row, from 0; -1 for vertices and edge samples
+    float zinv = 0.0f;   ///< interpolated 1/z
+    float depth = 0.0f;  ///< its value for the depth buffer
+    float stored = 0.0f; ///< the depth buffer's value before
+    float margin = 0.0f; ///< depth - stored: above 0 it passes a depth test, if there is one
+    float margin_to_winner = 0.0f; ///< depth - depth of the entry that stays; 0 for that one
+    Fate fate = Fate::written;
+    glm::vec3 colour_before{0.0f};
+    glm::vec3 colour_after{0.0f};
+};
+
+/// The history of a pixel over the whole frame.
+struct PixelHistory {
+    glm::ivec2 pixel{0, 0};            ///< column and row of the picture
+    std::vector<PixelEntry> entries;   ///< in the order of drawing
+    int winner = -1;                   ///< the entry whose colour stays; -1: nothing was written
+    bool depth_tested = false;         ///< whether margins decided anything
+    std::vector<NearTriangle> nearest; ///< if nothing fell here: what came nearest, and what hardly
+                                       ///< stayed farther away; see uncovered.h
+};
+
+/// The history of a pixel of the picture. Costs the triangles whose box it lies in, and a look at
+/// the others. The pixel must lie in the picture.
+PixelHistory pixel_history(const Frame& frame, const glm::ivec2& pixel);
+
+} // namespace rasterwalk

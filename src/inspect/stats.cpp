@@ -1,0 +1,65 @@
+#include "inspect/stats.h"
+
+#include <algorithm>
+
+#include "pipeline/draw.h"
+
+namespace rasterwalk {
+
+LeftOut count_left_out(const Frame& frame) {
+    LeftOut count;
+    for (const VertexFault fault : frame.left_out) {
+        switch (fault) {
+        case VertexFault::none:
+            break;
+        case VertexFault::not_finite:
+            ++count.not_finite;
+            break;
+        case VertexFault::behind_camera:
+            ++count.behind_camera;
+            break;
+        case VertexFault::too_far_out:
+            ++count.too_far_out;
+            break;
+        }
+    }
+    return count;
+}
+
+SamplesOutside count_samples_outside(const Frame& frame) {
+    SamplesOutside count;
+    if (frame.settings.stage == Stage::points) return count;
+    const EdgeRules rules = edge_rules(frame.settings);
+    PolygonRows rows;
+    for (int t = 0; t < frame.triangle_count(); ++t) {
+        if (!frame.is_drawn(t)) continue;
+        frame.stages->compute_polygon_rows(frame.triangle_vertices(t), rules, rows);
+        count.samples += rows.outside;
+        count.triangles += rows.outside > 0 ? 1 : 0;
+    }
+    return count;
+}
+
+FrameStats frame_stats(const Frame& frame, const Cursor& to, Framebuffer& framebuffer) {
+    clear(framebuffer, frame.settings.viewport);
+    const DrawTally tally =
+        draw(frame, {.from = cursor_begin, .to = to, .scissor = {}}, framebuffer);
+    FrameStats stats;
+    stats.triangles = frame.triangle_count();
+    stats.fragments = tally.fragments;
+    stats.rows_outside = tally.samples_outside;
+    stats.rows_outside_triangles = tally.triangles_outside;
+    for (const std::uint32_t fragments : framebuffer.overdraw) {
+        stats.max_overdraw = std::max(stats.max_overdraw, fragments);
+        stats.uncovered += fragments == 0 ? 1 : 0;
+    }
+    stats.left_out = count_left_out(frame);
+    return stats;
+}
+
+FrameStats frame_stats(const Frame& frame) {
+    Framebuffer framebuffer;
+    return frame_stats(frame, cursor_end, framebuffer);
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+
+#include "pipeline/cursor.h"
+#include "pipeline/frame.h"
+#include "pipeline/framebuffer.h"
+
+namespace rasterwalk {
+
+/// Triangles that are not drawn, by reason.
+struct LeftOut {
+    int not_finite = 0;
+    int behind_camera = 0;
+    int too_far_out = 0;
+
+    int total() const { return not_finite + behind_camera + too_far_out; }
+    friend bool operator==(const LeftOut&, const LeftOut&) = default;
+};
+
+/// What a frame comes to, in numbers.
+struct FrameStats {
+    int triangles = 0;              ///< of the scene, drawn or not
+    std::int64_t fragments = 0;     ///< that fell in the picture; in stages before `fill`, marks
+    std::uint32_t max_overdraw = 0; ///< most fragments on one pixel
+    std::int64_t uncovered = 0;     ///< pixels on which none fell
+    std::int64_t rows_outside = 0;  ///< edge samples outside their row table
+    int rows_outside_triangles = 0; ///< triangles that have such samples
+    LeftOut left_out;
+
+    friend bool operator==(const FrameStats&, const FrameStats&) = default;
+};
+
+/// Counts the triangles that the vertex shader left out.
+LeftOut count_left_out(const Frame& frame);
+
+/// Edge samples that fall outside their row table.
+struct SamplesOutside {
+    std::int64_t samples = 0;
+    int triangles = 0; ///< that have such samples
+
+    friend bool operator==(const SamplesOutside&, const SamplesOutside&) = default;
+};
+
+/// Makes the row tables of the whole frame without drawing it, and counts. Stage `points` makes
+/// none.
+SamplesOutside count_samples_outside(const Frame& frame);
+
+/// Draws everything before `to` and counts; `framebuffer` receives the picture.
+FrameStats frame_stats(const Frame& frame, const Cursor& to, Framebuffer& framebuffer);
+FrameStats frame_stats(const Frame& frame);
+
+} // namespace rasterwalk

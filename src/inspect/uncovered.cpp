@@ -1,0 +1,207 @@
+#include "inspect/uncovered.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <functional>
+#include <utility>
+
+namespace rasterwalk {
+
+namespace {
+
+/// The rules that decide which pixels a triangle covers.
+struct CoverageRule {
+    std::string_view text;
+    void (*apply)(Settings&);
+};
+
+constexpr std::array<CoverageRule, 8> coverage_rules{{
+    {"rounding=truncate", [](Settings& s) { s.rounding = Rounding::truncate; }},
+    {"rounding=floor", [](Settings& s) { s.rounding = Rounding::floor; }},
+    {"rounding=round", [](Settings& s) { s.rounding = Rounding::round; }},
+    {"line_walk=accumulate", [](Settings& s) { s.line_walk = LineWalk::accumulate; }},
+    {"line_walk=multiply", [](Settings& s) { s.line_walk = LineWalk::multiply; }},
+    {"line_walk=exact", [](Settings& s) { s.line_walk = LineWalk::exact; }},
+    {"edge_samples=longest_axis", [](Settings& s) { s.edge_samples = EdgeSamples::longest_axis; }},
+    {"edge_samples=rows", [](Settings& s) { s.edge_samples = EdgeSamples::rows; }},
+}};
+
+/// How far a number lies outside of first..last; before it is negative.
+int beyond(int number, int first, int last) {
+    return number < first ? number - first : number > last ? number - last : 0;
+}
+
+std::int64_t squared_distance(int columns, int rows) {
+    return std::int64_t{columns} * columns + std::int64_t{rows} * rows;
+}
+std::int64_t squared_distance(const NearTriangle& near) {
+    return squared_distance(near.columns_away, near.rows_away);
+}
+
+/// From the pixel to the box of the triangle's vertices, which no row of it leaves: to the right
+/// and downward are positive.
+glm::ivec2 way_to_box(std::span<const Fragment> vertices, const glm::ivec2& pixel) {
+    const auto [left, right] =
+        std::minmax({vertices[0].column, vertices[1].column, vertices[2].column});
+    const auto [top, bottom] = std::minmax({vertices[0].row, vertices[1].row, vertices[2].row});
+    return {-beyond(pixel.x, left, right), -beyond(pixel.y, top, bottom)};
+}
+
+NearTriangle look_at(const Frame& frame, int triangle, const glm::ivec2& pixel, PolygonRows& rows) {
+    frame.stages->compute_polygon_rows(frame.triangle_vertices(triangle),
+                                       edge_rules(frame.settings), rows);
+    NearTriangle near;
+    near.triangle = triangle;
+    near.first_row = rows.first_row;
+    near.last_row = rows.first_row + rows.size() - 1;
+    near.row = std::clamp(pixel.y, near.first_row, near.last_row);
+    near.rows_away = near.row - pixel.y;
+    const int index = near.row - rows.first_row;
+    near.is_empty = rows.is_empty_row(index);
+    if (near.is_empty) {
+        near.columns_away = way_to_box(frame.triangle_vertices(triangle), pixel).x;
+        return near;
+    }
+    near.left = rows.left[index].column;
+    near.right = rows.right[index].column;
+    near.columns_away = -beyond(pixel.x, near.left, near.right);
+    return near;
+}
+
+bool covers_pixel(const NearTriangle& near) {
+    return !near.is_empty && near.rows_away == 0 && near.columns_away == 0;
+}
+
+/// Draws the triangles anew under every other rule, and enters those that bring one to the pixel.
+void try_other_rules(const Frame& frame, const glm::ivec2& pixel,
+                     std::vector<NearTriangle>& found) {
+    Scene scene;
+    scene.space = frame.scene->space;
+    for (const NearTriangle& near : found)
+        scene.triangles.push_back(frame.scene->triangles[near.triangle]);
+    PolygonRows rows;
+    for (const CoverageRule& rule : coverage_rules) {
+        Settings settings = frame.settings;
+        rule.apply(settings);
+        if (settings == frame.settings) continue;
+        const Frame other = prepare_frame(scene, settings, *frame.stages);
+        for (int i = 0; i < other.triangle_count(); ++i) {
+            if (!other.is_drawn(i)) continue;
+            const NearTriangle now = look_at(other, i, pixel, rows);
+            if (covers_pixel(now)) found[i].rules.push_back({rule.text, now.left, now.right});
+        }
+    }
+}
+
+std::string counted(int count, const std::string& thing) {
+    return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
+}
+
+std::string column_direction(int columns) {
+    return counted(std::abs(columns), "column") +
+           (columns > 0 ? " to the right of" : " to the left of");
+}
+
+std::string row_direction(int rows) {
+    return counted(std::abs(rows), "row") + (rows > 0 ? " below" : " above");
+}
+
+} // namespace
+
+std::vector<NearTriangle> nearest_triangles(const Frame& frame, const glm::ivec2& pixel,
+                                            int count) {
+    std::vector<NearTriangle> found;
+    if (!has_fragments(frame.settings.stage) || count <= 0) return found;
+    // Boxes are cheap and row tables are not: the triangles are looked at in the order of their
+    // boxes, until no box can hold a row that comes nearer than those found.
+    using Candidate = std::pair<std::int64_t, int>;
+    std::vector<Candidate> heap;
+    for (int t = 0; t < frame.triangle_count(); ++t) {
+        if (!frame.is_drawn(t)) continue;
+        const glm::ivec2 way = way_to_box(frame.triangle_vertices(t), pixel);
+        heap.emplace_back(squared_distance(way.x, way.y), t);
+    }
+    std::make_heap(heap.begin(), heap.end(), std::greater<>());
+    std::vector<Candidate> best; // nearest first; the second number is an index of `looked_at`
+    std::vector<NearTriangle> looked_at;
+    PolygonRows rows;
+    while (!heap.empty()) {
+        std::pop_heap(heap.begin(), heap.end(), std::greater<>());
+        const auto [box_distance, triangle] = heap.back();
+        heap.pop_back();
+        const bool is_full = static_cast<int>(best.size()) == count;
+        if (is_full && box_distance >= best.back().first) break;
+        const NearTriangle near = look_at(frame, triangle, pixel, rows);
+        const Candidate candidate{squared_distance(near), static_cast<int>(looked_at.size())};
+        if (is_full && candidate.first >= best.back().first) continue;
+        if (is_full) best.pop_back();
+        best.insert(std::upper_bound(best.begin(), best.end(), candidate), candidate);
+        looked_at.push_back(near);
+    }
+    for (const Candidate& candidate : best)
+        found.push_back(looked_at[candidate.second]);
+    try_other_rules(frame, pixel, found);
+    // Of equally near ones, those come first that could have been there.
+    std::stable_sort(found.begin(), found.end(), [](const NearTriangle& a, const NearTriangle& b) {
+        return std::pair(squared_distance(a), a.rules.empty()) <
+               std::pair(squared_distance(b), b.rules.empty());
+    });
+    return found;
+}
+
+std::string uncovered_text(const Frame& frame) {
+    const auto is_left_out = [](VertexFault fault) { return fault != VertexFault::none; };
+    if (std::all_of(frame.left_out.begin(), frame.left_out.end(), is_left_out)) {
+        return "No triangle of the scene is drawn.";
+    }
+    switch (frame.settings.stage) {
+    case Stage::points:
+        return "Stage points draws the vertices only, and none falls on this pixel.";
+    case Stage::edges:
+        return "Stage edges draws the edges only, and none of their samples falls on this pixel.";
+    case Stage::rows:
+        return "Stage rows draws the two ends of each row only, and none falls on this pixel.";
+    default:
+        return "No row of any triangle reaches this pixel.";
+    }
+}
+
+std::string miss_text(const NearTriangle& near) {
+    const std::string row = std::to_string(near.row);
+    if (near.rows_away != 0) {
+        std::string text = (near.rows_away > 0 ? "its first row is " : "its last row is ") + row +
+                           ", " + row_direction(near.rows_away);
+        if (near.columns_away == 0) return text + " the pixel";
+        return text + " and " + column_direction(near.columns_away) + " the pixel";
+    }
+    if (near.is_empty) return "no edge sample reached its row " + row;
+    const bool begins = near.columns_away > 0;
+    return "row " + row + (begins ? " begins" : " ends") + " at column " +
+           std::to_string(begins ? near.left : near.right) + ", " +
+           column_direction(near.columns_away) + " the pixel";
+}
+
+std::string rules_text(const NearTriangle& near, const glm::ivec2& pixel) {
+    const auto outcome = [&](const OtherRule& rule) {
+        const std::string left = std::to_string(rule.left), right = std::to_string(rule.right);
+        if (near.rows_away == 0 && near.columns_away > 0) return "it begins at column " + left;
+        if (near.rows_away == 0 && near.columns_away < 0) return "it ends at column " + right;
+        return "its row " + std::to_string(pixel.y) + " goes from column " + left + " to " + right;
+    };
+    std::string text, last_outcome;
+    for (const OtherRule& rule : near.rules) {
+        const std::string now = outcome(rule);
+        if (now == last_outcome) {
+            text += " or ";
+        } else {
+            text += last_outcome.empty() ? "with " : " " + last_outcome + ", with ";
+        }
+        text += rule.rule;
+        last_outcome = now;
+    }
+    return last_outcome.empty() ? text : text + " " + last_outcome;
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,95 @@
+#include "pipeline/framebuffer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/colour_map.h"
+
+namespace rasterwalk {
+
+namespace {
+
+std::uint8_t to_byte(float value) {
+    // NaN compares false with everything and becomes 0.
+    if (!(value > 0.0f)) return 0;
+    return static_cast<std::uint8_t>(std::min(255.0f * value, 255.0f));
+}
+
+using Rgb = glm::vec<3, std::uint8_t>;
+
+Rgb depth_colour(float depth, const DepthRange& range) {
+    if (!(depth > 0.0f)) return {0, 0, 0};
+    const float place = range.place(depth);
+    // Of endless numbers the place may be no number.
+    return viridis(place > 0.0f ? place : 0.0f);
+}
+
+} // namespace
+
+std::size_t Framebuffer::bytes() const {
+    return colour.size() * sizeof(glm::vec3) + depth.size() * sizeof(float) +
+           owner.size() * sizeof(std::int32_t) + overdraw.size() * sizeof(std::uint32_t);
+}
+
+void clear(Framebuffer& framebuffer, Viewport size, glm::ivec2 origin) {
+    const std::size_t count =
+        static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+    framebuffer.size = size;
+    framebuffer.origin = origin;
+    framebuffer.colour.assign(count, glm::vec3(0.0f));
+    framebuffer.depth.assign(count, 0.0f);
+    framebuffer.owner.assign(count, -1);
+    framebuffer.overdraw.assign(count, 0);
+}
+
+std::optional<DepthRange> present_depths(const Framebuffer& framebuffer) {
+    float nearest = 0.0f, farthest = INFINITY;
+    for (const float depth : framebuffer.depth) {
+        if (!(depth > 0.0f)) continue;
+        nearest = std::max(nearest, depth);
+        farthest = std::min(farthest, depth);
+    }
+    if (!(nearest > 0.0f)) return std::nullopt;
+    return DepthRange{farthest, nearest};
+}
+
+Image view_image(const Framebuffer& framebuffer, View view,
+                 const std::optional<DepthRange>& depths) {
+    Image image{framebuffer.size.width, framebuffer.size.height, {}};
+    const std::size_t count = framebuffer.colour.size();
+    image.rgba.resize(4 * count);
+    DepthRange range;
+    if (view == View::depth) range = depths ? *depths : present_depths(framebuffer).value_or(range);
+    std::uint32_t most = 1;
+    for (const std::uint32_t overdraw : framebuffer.overdraw)
+        most = std::max(most, overdraw);
+    for (std::size_t i = 0; i < count; ++i) {
+        Rgb rgb{0, 0, 0};
+        switch (view) {
+        case View::colour: {
+            const glm::vec3& c = framebuffer.colour[i];
+            rgb = {to_byte(c.r), to_byte(c.g), to_byte(c.b)};
+            break;
+        }
+        case View::depth:
+            rgb = depth_colour(framebuffer.depth[i], range);
+            break;
+        case View::triangle:
+            if (framebuffer.owner[i] >= 0) rgb = distinct_colour(framebuffer.owner[i]);
+            break;
+        case View::overdraw:
+            if (framebuffer.overdraw[i] > 0) {
+                rgb =
+                    viridis(static_cast<float>(framebuffer.overdraw[i]) / static_cast<float>(most));
+            }
+            break;
+        }
+        image.rgba[4 * i + 0] = rgb.r;
+        image.rgba[4 * i + 1] = rgb.g;
+        image.rgba[4 * i + 2] = rgb.b;
+        image.rgba[4 * i + 3] = 255;
+    }
+    return image;
+}
+
+} // namespace rasterwalk

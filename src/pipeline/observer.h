@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+
+#include <glm/vec3.hpp>
+
+#include "pipeline/cursor.h"
+#include "stages/fragment.h"
+#include "stages/polygon_rows.h"
+
+namespace rasterwalk {
+
+/// What became of a fragment.
+enum class Fate : std::uint8_t {
+    written,      ///< now the pixel's colour
+    depth_failed, ///< something nearer was there
+};
+
+/// One fragment, in the moment in which it is drawn. Points, edge samples and row ends that are
+/// put on the screen are fragments too.
+struct FragmentEvent {
+    Cursor cursor; ///< the piece of work that it is
+    Fragment fragment;
+    Fate fate = Fate::written;
+    float depth = 0.0f;  ///< its value for the depth buffer
+    float stored = 0.0f; ///< the depth buffer's value before
+    glm::vec3 before{0.0f};
+    glm::vec3 after{0.0f};
+};
+
+/// One sample of an edge, in the moment in which it is entered in the row table.
+struct SampleEvent {
+    Cursor cursor;
+    Fragment sample;
+    float x = 0.0f, y = 0.0f; ///< its place before rounding, pixels
+    RowWrite write;
+};
+
+/// Is told what draw() does. Watching never changes what is drawn.
+class Observer {
+  public:
+    virtual ~Observer() = default;
+    virtual void vertex(const Cursor&, const Fragment&) {}
+    virtual void edge_sample(const SampleEvent&) {}
+    virtual void fragment(const FragmentEvent&) {}
+    /// False spares draw() the walk along the edges of a triangle a second time.
+    virtual bool wants_edge_samples() const { return false; }
+};
+
+} // namespace rasterwalk

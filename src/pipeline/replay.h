@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "pipeline/draw.h"
+#include "pipeline/frame.h"
+#include "pipeline/framebuffer.h"
+
+namespace rasterwalk {
+
+/// The framebuffer of a frame at any moment. Forwards it draws on from where it stands. Backwards
+/// it takes the pixels that have changed since from a copy of an earlier moment, and draws those
+/// again: a step back costs what it undoes.
+///
+/// Copies (keyframes) lie at marks that are evenly spread over the work of the frame, as many as
+/// the budget holds. In a frame of much work a few are laid on the way of the first drawing, the
+/// others, one a call, once someone has gone back.
+class Replay {
+  public:
+    explicit Replay(std::size_t budget_bytes = std::size_t{64} << 20) : budget_(budget_bytes) {}
+
+    /// Begins anew with this frame, which must live as long as the replay uses it.
+    void begin(const Frame& frame);
+
+    /// The framebuffer with everything before `cursor` drawn; valid until the next call.
+    const Framebuffer& at(const Cursor& cursor);
+
+    /// Memory that the copies take.
+    std::size_t keyframe_bytes() const;
+    std::size_t keyframe_count() const;
+
+  private:
+    struct Mark {
+        Cursor cursor;
+        bool on_first_way = false; ///< to be laid before anyone has gone back
+        Framebuffer copy;          ///< of this moment; without pixels as long as it is not laid
+
+        bool is_laid() const { return !copy.depth.empty(); }
+    };
+    void place_marks();
+    const Mark* last_laid(const Cursor& cursor) const;
+    Rectangle changed_between(const Cursor& from, const Cursor& to) const;
+    void restore(const Rectangle& pixels, const Mark* mark);
+    void draw_on(const Cursor& cursor);
+
+    const Frame* frame_ = nullptr;
+    Framebuffer framebuffer_;
+    Cursor cursor_ = cursor_begin;
+    std::vector<Mark> marks_; ///< in order of time
+    std::size_t budget_;
+    bool has_gone_back_ = false;
+};
+
+} // namespace rasterwalk

@@ -1,0 +1,79 @@
+#pragma once
+
+// The moments of a frame: which cursors exist, and how to go from one to another. The moments of a
+// triangle are its three vertices; then, from stage `edges` on, the samples of its three edges;
+// then in stage `rows` one moment for every row, in which its two ends are shown, and from stage
+// `fill` on one moment for every fragment. Rows and fragments beyond the picture have no moments,
+// nor has a triangle that is left out. Every question costs at most the edges of a triangle or two.
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "pipeline/cursor.h"
+#include "pipeline/frame.h"
+#include "stages/polygon_rows.h"
+
+namespace rasterwalk {
+
+/// How far one step goes.
+enum class Granularity : std::uint8_t {
+    moment,   ///< one vertex, edge sample, row end pair or fragment
+    line,     ///< one edge or row (the three vertices count as one line)
+    triangle, ///< one triangle
+    phase,    ///< from vertices to edges to rows to the next triangle
+};
+
+/// The moments of one triangle.
+struct TriangleMoments {
+    int triangle = -1;
+    std::array<int, 3> samples{}; ///< of each edge; 0 before stage `edges`
+    PolygonRows rows;             ///< the finished row table
+    /// For each row of the table its first column from the left end that lies in the picture, and
+    /// how many columns from there; 0 where the row has no moments.
+    struct Span {
+        int first = 0;
+        int count = 0;
+    };
+    std::vector<Span> spans;
+    std::vector<int> before; ///< moments of all rows above; one entry more than rows
+    int count = 0;           ///< all moments of the triangle
+};
+
+/// Finds the moments of a frame. Keeps the last triangle it was asked about.
+class Timeline {
+  public:
+    explicit Timeline(const Frame& frame) : frame_(&frame) {}
+
+    /// The first moment; `end` for a frame in which nothing is drawn.
+    Cursor first() const { return at_or_after(cursor_begin); }
+    /// The moment itself if it exists, or the next one that does.
+    Cursor at_or_after(const Cursor& cursor) const;
+    bool exists(const Cursor& cursor) const;
+
+    /// The beginning of the next or previous piece of this size; `end` after the last, the first
+    /// moment before the first. Back from the middle of a piece goes to its beginning.
+    Cursor next(const Cursor& cursor, Granularity step) const;
+    Cursor previous(const Cursor& cursor, Granularity step) const;
+
+    /// Place of a moment on the scrub bar, 0..1: triangles are equally wide, moments within them
+    /// too.
+    double place(const Cursor& cursor) const;
+    Cursor at_place(double place) const;
+
+    /// The moments of a drawn triangle; valid until the next question.
+    const TriangleMoments& moments(int triangle) const;
+
+    /// Number of a moment within its triangle, from 0, and back.
+    int ordinal(const Cursor& cursor) const;
+    Cursor at_ordinal(int triangle, int ordinal) const;
+
+    const Frame& frame() const { return *frame_; }
+
+  private:
+    const Frame* frame_;
+    mutable TriangleMoments cache_;
+};
+
+} // namespace rasterwalk

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace rasterwalk {
+
+/// A picture of 8 bits a channel: red, green, blue, opacity, row by row from the top.
+struct Image {
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint8_t> rgba; ///< 4 * width * height bytes
+
+    friend bool operator==(const Image&, const Image&) = default;
+};
+
+/// Writes a PNG: to a temporary file beside it, then renamed. Throws AccessError.
+void write_png(const Image& image, const std::string& path);
+
+/// Reads a PNG or BMP of at most 16384 pixels a side. Throws AccessError or InputError.
+Image read_image(const std::string& path);
+
+} // namespace rasterwalk

@@ -1,0 +1,40 @@
+#pragma once
+
+// How large things may be. Whatever a file, a setting or the command line asks for is held to
+// these, so that no input can make the program hang or run out of memory.
+
+#include <cstddef>
+
+namespace rasterwalk {
+
+/// The largest side of a picture that may be asked for, pixels.
+inline constexpr int largest_viewport = 4096;
+
+/// The largest triangle count of a scene.
+inline constexpr int max_triangles = 1'000'000;
+
+/// The largest text file that is read, bytes.
+inline constexpr std::size_t largest_text_file = std::size_t{64} << 20;
+
+/// The largest coordinate of a point in the world, world units, either sign.
+inline constexpr float largest_coordinate = 1e6f;
+
+/// The largest coordinate of a point given in pixels, either sign.
+inline constexpr float largest_pixel_coordinate = 16384.0f;
+
+/// Camera and lamp stay within this many world units of the origin along every axis.
+inline constexpr float largest_place = 1000.0f;
+
+/// Turns of the camera, radians, either sign.
+inline constexpr float largest_yaw = 100.0f;
+inline constexpr float largest_pitch = 1.5707964f;
+
+/// Focal length of the camera, pixels.
+inline constexpr float smallest_focal_length = 1.0f;
+inline constexpr float largest_focal_length = 100000.0f;
+
+/// Power and indirect part of the light, each channel; the smallest is 0.
+inline constexpr float largest_power = 10000.0f;
+inline constexpr float largest_indirect = 100.0f;
+
+} // namespace rasterwalk

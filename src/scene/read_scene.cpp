@@ -1,0 +1,268 @@
+#include "scene/read_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <unordered_map>
+
+#include <glm/common.hpp>
+
+#include "scene/read_text.h"
+#include "scene/toml_input.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// Scales the points of a room of this edge into the cube -1..1; mirrored axes are turned round.
+struct Transform {
+    float edge;
+    std::array<bool, 3> mirror{};
+
+    glm::vec3 operator()(const glm::vec3& point) const {
+        glm::vec3 scaled = 2.0f * point / edge - 1.0f;
+        for (int i = 0; i < 3; ++i) {
+            if (mirror[i]) scaled[i] = -scaled[i];
+        }
+        return scaled;
+    }
+};
+
+using PointSet = std::unordered_map<std::string, glm::vec3>;
+using PointSets = std::map<std::string, PointSet, std::less<>>;
+
+void read_camera(const TomlInput& input, Camera& camera) {
+    input.allow_only({"position", "yaw", "pitch", "focal_length"});
+    input.read("position", camera.position, -largest_place, largest_place);
+    input.read("yaw", camera.yaw, -largest_yaw, largest_yaw);
+    input.read("pitch", camera.pitch, -largest_pitch, largest_pitch);
+    input.read("focal_length", camera.focal_length, smallest_focal_length, largest_focal_length);
+}
+
+void read_light(const TomlInput& input, Light& light) {
+    input.allow_only({"position", "power", "indirect"});
+    input.read("position", light.position, -largest_place, largest_place);
+    input.read_colour("power", light.power, 0.0f, largest_power);
+    input.read_colour("indirect", light.indirect, 0.0f, largest_indirect);
+}
+
+void read_viewport(const TomlInput& input, Viewport& viewport) {
+    input.allow_only({"width", "height"});
+    input.read("width", viewport.width, 1, largest_viewport);
+    input.read("height", viewport.height, 1, largest_viewport);
+}
+
+Transform read_transform(const TomlInput& input) {
+    input.allow_only({"edge", "mirror"});
+    Transform transform{0.0f};
+    input.read("edge", transform.edge, 1e-6f, largest_coordinate);
+    if (transform.edge == 0.0f) input.fail("the transform needs 'edge'.");
+    if (input.find("mirror") == nullptr) return transform;
+    for (const toml::node& node : input.list("mirror")) {
+        const std::string axis = node.value_or(std::string());
+        if (axis != "x" && axis != "y" && axis != "z") {
+            input.fail(node, "'mirror' lists axes: \"x\", \"y\", \"z\".");
+        }
+        transform.mirror[axis[0] - 'x'] = true;
+    }
+    return transform;
+}
+
+SceneSpace read_space(const TomlInput& input) {
+    const std::string space = input.text_or_empty("space");
+    if (space.empty() || space == "world") return SceneSpace::world;
+    if (space == "pixels") return SceneSpace::pixels;
+    input.fail(*input.find("space"), "'space' is \"world\" or \"pixels\", not '" + space + "'.");
+}
+
+/// A place in pixels: column, row, and a depth that is 1 if it is not given.
+glm::vec3 read_pixel_point(const TomlInput& input, const toml::node& node,
+                           const std::string& what) {
+    const toml::array* array = node.as_array();
+    if (array == nullptr || array->size() < 2 || array->size() > 3) {
+        input.fail(node, what + " must be a column, a row and, if wanted, a depth.");
+    }
+    const auto coordinate = [&](std::size_t i, float smallest) {
+        return input.number(*array->get(i), smallest, largest_pixel_coordinate, what);
+    };
+    const float column = coordinate(0, -largest_pixel_coordinate);
+    const float row = coordinate(1, -largest_pixel_coordinate);
+    constexpr float smallest_depth = 1e-3f;
+    return {column, row, array->size() == 3 ? coordinate(2, smallest_depth) : 1.0f};
+}
+
+PointSets read_points(const TomlInput& input, SceneSpace space,
+                      const std::optional<Transform>& transform) {
+    PointSets sets;
+    for (auto&& [set_key, set_node] : input.nodes()) {
+        const std::string set_name(set_key.str());
+        const TomlInput set = input.table(set_node, "the point set '" + set_name + "'");
+        PointSet& points = sets[set_name];
+        for (auto&& [key, node] : set.nodes()) {
+            const std::string what = "the point '" + std::string(key.str()) + "'";
+            glm::vec3 point;
+            if (space == SceneSpace::pixels) {
+                point = read_pixel_point(set, node, what);
+            } else {
+                point = set.vector(node, -largest_coordinate, largest_coordinate, what);
+                if (transform) point = (*transform)(point);
+                const glm::vec3 size = glm::abs(point);
+                if (std::max({size.x, size.y, size.z}) > largest_coordinate) {
+                    set.fail(node, what + " lies too far out after the transform.");
+                }
+            }
+            points.emplace(key.str(), point);
+        }
+    }
+    return sets;
+}
+
+std::vector<std::string> split_words(std::string_view text) {
+    constexpr std::string_view blanks = " \t";
+    std::vector<std::string> words;
+    while (true) {
+        text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+        if (text.empty()) return words;
+        const std::size_t length = std::min(text.find_first_of(blanks), text.size());
+        words.emplace_back(text.substr(0, length));
+        text.remove_prefix(length);
+    }
+}
+
+void read_triangle(const TomlInput& part, const toml::node& node, const PointSet& points,
+                   const std::string& set_name, Triangle& triangle) {
+    const auto* text = node.as_string();
+    if (text == nullptr) part.fail(node, "a triangle is the names of three points: \"A B C\".");
+    const std::vector<std::string> names = split_words(text->get());
+    if (names.size() != 3) {
+        part.fail(node, "a triangle has three points, and '" + text->get() + "' names " +
+                            std::to_string(names.size()) + ".");
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto found = points.find(names[i]);
+        if (found == points.end()) {
+            part.fail(node,
+                      "there is no point '" + names[i] + "' in the point set '" + set_name + "'.");
+        }
+        triangle.vertices[i].position = found->second;
+    }
+    const glm::vec3 normal =
+        face_normal(triangle.vertices[0].position, triangle.vertices[1].position,
+                    triangle.vertices[2].position);
+    for (Vertex& vertex : triangle.vertices)
+        vertex.normal = normal;
+}
+
+void read_part(const TomlInput& input, const PointSets& sets, Scene& scene) {
+    input.allow_only({"name", "points", "reflectance", "triangles"});
+    const std::string set_name = input.text("points");
+    const auto set = sets.find(set_name);
+    if (set == sets.end()) {
+        input.fail(*input.find("points"), "there is no point set '" + set_name + "'.");
+    }
+    glm::vec3 reflectance(1.0f);
+    input.read_colour("reflectance", reflectance, 0.0f, 1.0f);
+    const toml::array& triangles = input.list("triangles");
+    if (triangles.empty()) input.fail(triangles, input.what() + " has no triangles.");
+    if (triangles.size() + scene.triangles.size() > static_cast<std::size_t>(max_triangles)) {
+        input.fail(triangles,
+                   "the scene has more than " + std::to_string(max_triangles) + " triangles.");
+    }
+    const int number = static_cast<int>(scene.parts.size());
+    scene.parts.push_back({input.text("name"), static_cast<int>(scene.triangles.size()),
+                           static_cast<int>(triangles.size())});
+    for (const toml::node& node : triangles) {
+        Triangle triangle;
+        triangle.part = number;
+        for (Vertex& vertex : triangle.vertices)
+            vertex.reflectance = reflectance;
+        read_triangle(input, node, set->second, set_name, triangle);
+        scene.triangles.push_back(triangle);
+    }
+}
+
+void read_example(const TomlInput& input, Scene& scene) {
+    input.allow_only({"name", "about", "points"});
+    BenchExample example;
+    example.name = input.text("name");
+    example.about = input.text("about");
+    const toml::array& points = input.list("points");
+    if (points.size() != 3) input.fail(points, input.what() + " needs three points.");
+    for (std::size_t i = 0; i < 3; ++i) {
+        example.positions[i] =
+            read_pixel_point(input, *points.get(i), "each point of " + input.what());
+    }
+    scene.examples.push_back(example);
+}
+
+/// Calls `read` for every table of a list of tables such as [[part]].
+template <class Read>
+void for_each_table(const TomlInput& input, std::string_view key, const std::string& what,
+                    Read read) {
+    if (input.find(key) == nullptr) return;
+    int number = 0;
+    for (const toml::node& node : input.list(key)) {
+        read(input.table(node, what + " " + std::to_string(++number)));
+    }
+}
+
+void check_stage(const TomlInput& input, const std::string& stage,
+                 std::span<const std::string_view> stages) {
+    if (stage.empty() || stages.empty()) return;
+    std::string known;
+    for (const std::string_view name : stages) {
+        if (name == stage) return;
+        known.append(known.empty() ? "" : ", ").append(name);
+    }
+    input.fail(*input.find("stage"),
+               "there is no stage '" + stage + "'; the stages are: " + known + ".");
+}
+
+} // namespace
+
+Scene parse_scene(std::string_view text, const std::string& path,
+                  std::span<const std::string_view> stages) {
+    const toml::table root = parse_toml(text, path);
+    const TomlInput input(root, path, "the scene");
+    input.allow_only({"name", "stage", "space", "camera", "light", "viewport", "transform",
+                      "points", "part", "example"});
+    Scene scene;
+    scene.path = path;
+    scene.name = input.text("name");
+    scene.stage = input.text_or_empty("stage");
+    check_stage(input, scene.stage, stages);
+    scene.space = read_space(input);
+    const auto section = [&](std::string_view key, auto read) {
+        if (const toml::node* node = input.find(key)) {
+            read(input.table(*node, std::string("the ").append(key)));
+        }
+    };
+    section("camera", [&](const TomlInput& table) { read_camera(table, scene.camera); });
+    section("light", [&](const TomlInput& table) { read_light(table, scene.light); });
+    section("viewport", [&](const TomlInput& table) { read_viewport(table, scene.viewport); });
+    std::optional<Transform> transform;
+    section("transform", [&](const TomlInput& table) {
+        if (scene.space == SceneSpace::pixels) table.fail("points in pixels take no transform.");
+        transform = read_transform(table);
+    });
+    PointSets sets;
+    section("points",
+            [&](const TomlInput& table) { sets = read_points(table, scene.space, transform); });
+    for_each_table(input, "part", "part",
+                   [&](const TomlInput& table) { read_part(table, sets, scene); });
+    if (scene.triangles.empty()) input.fail("the scene has no triangles.");
+    for_each_table(input, "example", "example", [&](const TomlInput& table) {
+        if (scene.space != SceneSpace::pixels) {
+            table.fail("examples belong to a scene with space = \"pixels\".");
+        }
+        read_example(table, scene);
+    });
+    return scene;
+}
+
+Scene read_scene(const std::string& path, std::span<const std::string_view> stages) {
+    return parse_scene(read_file(path), path, stages);
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace rasterwalk {
+
+/// A corner of a triangle as the scene gives it. World space: x right, y down, z into the picture.
+struct Vertex {
+    glm::vec3 position{0.0f}; ///< world units; in a scene in pixel space: column, row, depth z > 0
+    glm::vec3 normal{0.0f};   ///< unit length, world space
+    glm::vec3 reflectance{1.0f}; ///< share of light given back, red green blue, 0..1
+};
+
+/// Three vertices; the order of the list of triangles is the order of drawing.
+struct Triangle {
+    std::array<Vertex, 3> vertices;
+    int part = 0; ///< index into Scene::parts
+};
+
+/// A named group of triangles ("tall block").
+struct Part {
+    std::string name;
+    int first_triangle = 0;
+    int triangle_count = 0;
+};
+
+/// A pinhole camera; P_camera = (P_world - position) * R, row vectors (lab section "Moving the
+/// camera").
+struct Camera {
+    glm::vec3 position{0.0f, 0.0f, -3.001f}; ///< world units
+    float yaw = 0.0f;                        ///< radians about the y axis
+    float pitch = 0.0f;                      ///< radians about the x axis, applied after yaw
+    float focal_length = 500.0f;             ///< pixels
+
+    friend bool operator==(const Camera&, const Camera&) = default;
+};
+
+/// One point light and one constant indirect light (lab section "Illumination").
+struct Light {
+    glm::vec3 position{0.0f, -0.5f, -0.7f}; ///< world units
+    glm::vec3 power{1.1f};                  ///< red green blue; spreads over a sphere of 4 pi r^2
+    glm::vec3 indirect{0.5f};               ///< red green blue, the same everywhere
+
+    friend bool operator==(const Light&, const Light&) = default;
+};
+
+/// Size of the picture in pixels.
+struct Viewport {
+    int width = 500;
+    int height = 500;
+
+    friend bool operator==(const Viewport&, const Viewport&) = default;
+};
+
+/// In which space a scene's positions are given.
+enum class SceneSpace : std::uint8_t {
+    world,  ///< to be projected by the camera
+    pixels, ///< already columns and rows: the bench, where projection would only be in the way
+};
+
+/// A further set of pixel-space triangles that a bench scene offers.
+struct BenchExample {
+    std::string name;
+    std::string about; ///< one sentence: what there is to see
+    std::array<glm::vec3, 3> positions;
+};
+
+/// What is drawn, and the view with which it opens.
+struct Scene {
+    std::string name;
+    std::string path; ///< the file it came from; empty for a scene made in memory
+    SceneSpace space = SceneSpace::world;
+    std::vector<Part> parts;
+    std::vector<Triangle> triangles;
+    std::vector<BenchExample> examples;
+    Camera camera;
+    Light light;
+    Viewport viewport;
+    std::string stage; ///< name of the stage the scene asks for; empty: no wish
+};
+
+/// normalize(cross(v2 - v0, v1 - v0)): out of the blocks and into the room; zero for a triangle
+/// without area.
+glm::vec3 face_normal(const glm::vec3& v0, const glm::vec3& v1, const glm::vec3& v2);
+
+/// The name of the part that a triangle belongs to.
+const std::string& part_name(const Scene& scene, int triangle);
+
+} // namespace rasterwalk

@@ -1,0 +1,43 @@
+#pragma once
+
+// The depth view: which range of 1/z the colours are spread over, and how the stored values are
+// spread over it.
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "pipeline/framebuffer.h"
+
+namespace rasterwalk {
+
+struct Session;
+
+/// The stored values of 1/z in bins of equal width.
+struct DepthHistogram {
+    DepthRange axis;                ///< from the left end to the right
+    std::vector<std::int64_t> bins; ///< pixels
+    std::int64_t full = 1;          ///< pixels of a bar of full height; larger bins are cut there
+};
+
+/// What the depth view shows beside the picture.
+struct DepthView {
+    std::optional<DepthRange> present; ///< smallest and largest 1/z stored; none: nothing has one
+    DepthRange range;                  ///< the colours are spread over it
+    DepthHistogram histogram;
+    std::int64_t drawn = 0;   ///< pixels that have a depth
+    std::int64_t farther = 0; ///< of them below the range
+    std::int64_t nearer = 0;  ///< of them above it
+};
+
+/// @param chosen the range that was set; none: that which is present
+DepthView depth_view(const Framebuffer& framebuffer, const std::optional<DepthRange>& chosen);
+
+/// Sets the far or the near end of the range, from the range that is in force. The end keeps a
+/// small distance from the other one.
+void set_far(Session& session, const DepthView& view, float value);
+void set_near(Session& session, const DepthView& view, float value);
+
+inline constexpr int depth_bins = 96;
+
+} // namespace rasterwalk

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "inspect/fragment_report.h"
+#include "inspect/row_graph.h"
+#include "inspect/vertex_report.h"
+#include "session/session.h"
+
+namespace rasterwalk {
+
+/// The part of the results that answers where numbers come from.
+struct Inspected {
+    std::vector<VertexReport> vertices;     ///< three, of the triangle on show; empty without one
+    std::optional<FragmentReport> fragment; ///< on the picked pixel, or just done at the cursor
+    std::optional<RowGraph> graph; ///< of the triangle on show: the selected row, or the row of the
+                                   ///< fragment on show, or the widest
+
+    // For which of these it was worked out.
+    std::optional<int> triangle;
+    std::optional<int> row;
+    std::optional<glm::ivec2> pixel;
+};
+
+/// What else of the results it follows from.
+struct InspectedMoment {
+    const Frame& frame;
+    const Cursor& cursor;
+    const std::optional<Cursor>& done;
+    const std::optional<int>& triangle;
+};
+
+/// Brings it up to date.
+/// @param new_frame the frame is another one
+/// @param moved     the cursor has moved
+void update_inspected(const Session& session, const InspectedMoment& moment, bool new_frame,
+                      bool moved, Inspected& inspected);
+
+} // namespace rasterwalk

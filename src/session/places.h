@@ -1,0 +1,39 @@
+#pragma once
+
+#include <vector>
+
+#include "pipeline/cursor.h"
+#include "session/selection.h"
+
+namespace rasterwalk {
+
+struct Session;
+
+/// Where the student looks: a moment, and what is selected.
+struct Place {
+    Cursor cursor = cursor_end;
+    Selection selection;
+
+    friend bool operator==(const Place&, const Place&) = default;
+};
+
+/// The places visited, as in a browser.
+struct PlaceHistory {
+    Place now;
+    int jumps = 0; ///< Session::jumps when `now` was noted
+    std::vector<Place> past;
+    std::vector<Place> future; ///< the next one forward is the last
+};
+
+/// To be called when the input has come to rest. A jump or a new selection begins a new place;
+/// stepping and scrubbing only move the present one.
+void note_place(Session& session);
+
+/// To the place visited before, or after. False if there is none.
+bool go_back(Session& session);
+bool go_forward(Session& session);
+
+/// Places that are remembered; older ones are forgotten.
+inline constexpr std::size_t most_places = 200;
+
+} // namespace rasterwalk

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "pipeline/cursor.h"
+#include "pipeline/framebuffer.h"
+#include "pipeline/settings.h"
+#include "pipeline/timeline.h"
+#include "scene/scene.h"
+#include "session/glossary.h"
+#include "session/overlay.h"
+#include "session/places.h"
+#include "session/preset.h"
+#include "session/selection.h"
+#include "session/undo.h"
+
+namespace rasterwalk {
+
+/// Whether time runs by itself.
+struct Play {
+    bool running = false;
+    Granularity granularity = Granularity::moment;
+    float speed = 8.0f; ///< steps a second
+    float owed = 0.0f;  ///< part of a step that has not been taken yet
+
+    friend bool operator==(const Play&, const Play&) = default;
+};
+
+/// Everything that the user, a lesson, a link or a test sets. Nothing in here is derived.
+struct Session {
+    std::shared_ptr<const Scene> scene; ///< never null once opened
+    std::vector<Preset> presets;
+    std::vector<Term> glossary;
+    Settings settings;
+    Cursor cursor = cursor_end;
+    Selection selection;
+    Play play;
+    View view = View::colour;
+    OverlaySet overlays; ///< laid over the view
+    std::optional<DepthRange>
+        depth_range; ///< that the depth view colours; none: from the smallest to the largest
+    int jumps = 0;   ///< grows with every go_to(); steps and scrubbing do not count
+    UndoStack undo;
+    PlaceHistory places;
+    std::string notice; ///< a sentence for the status line; may be empty
+};
+
+/// A session on a scene file, with the presets of lessons_folder(). Throws Error.
+Session open_session(const std::string& scene_path);
+
+/// Replaces the scene: settings keep their rules, take the scene's camera, light and viewport;
+/// the cursor goes to the end, the selection is dropped.
+void set_scene(Session& session, Scene scene);
+
+} // namespace rasterwalk

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "session/session.h"
+
+namespace rasterwalk {
+
+/// The page about what is on show: Markdown that begins with its title.
+struct StageNote {
+    std::string path;  ///< lessons/stages/NAME.md
+    std::string text;  ///< the whole file; empty if it could not be read
+    std::string fault; ///< a sentence why it could not be read; empty if it could
+};
+
+/// Name of the note that belongs to what the session shows: that of the stage, or `bench` for a
+/// scene in pixel space.
+std::string note_name(const Session& session);
+
+/// Reads FOLDER/stages/NAME.md. Never throws: what goes wrong is the note's fault.
+StageNote read_stage_note(const std::string& folder, std::string_view name);
+
+/// The notes that were read so far. A file that changes is read again.
+class StageNotes {
+  public:
+    /// The note of this name from lessons_folder(). Valid until the next call. Never throws.
+    const StageNote& find(const std::string& name);
+
+  private:
+    struct Kept {
+        StageNote note;
+        std::filesystem::file_time_type written{};
+        std::uintmax_t size = 0;
+    };
+    std::map<std::string, Kept> kept_;
+};
+
+/// The largest note that is read, bytes.
+inline constexpr std::size_t largest_note = std::size_t{1} << 20;
+
+} // namespace rasterwalk

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "pipeline/framebuffer.h"
+#include "pipeline/settings.h"
+#include "session/overlay.h"
+
+namespace rasterwalk {
+
+struct Session;
+
+/// What undo takes back: everything that the student sets, but not where they look.
+struct Choices {
+    std::shared_ptr<const Scene> scene;
+    Settings settings;
+    View view = View::colour;
+    OverlaySet overlays;
+    std::optional<DepthRange> depth_range;
+
+    friend bool operator==(const Choices&, const Choices&) = default;
+};
+
+/// The choices made one after the other. Nobody reports a change: note_choices() sees it.
+struct UndoStack {
+    Choices now;
+    std::vector<Choices> past;
+    std::vector<Choices> future; ///< the next one to redo is the last
+};
+
+/// To be called when the input has come to rest (no button or key is held): a change since the last
+/// call becomes one step, however many values a drag went through.
+void note_choices(Session& session);
+
+/// Takes back the last step, or does it again. False if there is none.
+bool undo(Session& session);
+bool redo(Session& session);
+
+/// Steps that are remembered; older ones are forgotten.
+inline constexpr std::size_t most_undo_steps = 200;
+
+} // namespace rasterwalk

@@ -1,0 +1,121 @@
+#include "stages/interpolate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rasterwalk {
+
+namespace {
+
+/// (a (n - i) + b i) / n as a whole number, without any error. 64 bits hold it for all |a|, |b|, n
+/// < 2^30.
+int exact_pixel(int a, int b, int i, int n, Rounding rounding) {
+    if (a == b || n == 0) return a;
+    if (b - a == n) return a + i;
+    const std::int64_t numerator =
+        static_cast<std::int64_t>(a) * (n - i) + static_cast<std::int64_t>(b) * i;
+    const auto floor_divide = [](std::int64_t p, std::int64_t q) {
+        return p / q - (p % q < 0 ? 1 : 0);
+    };
+    switch (rounding) {
+    case Rounding::truncate:
+        return static_cast<int>(numerator / n);
+    case Rounding::floor:
+        return static_cast<int>(floor_divide(numerator, n));
+    case Rounding::round:
+        return static_cast<int>(floor_divide(2 * numerator + n, 2 * static_cast<std::int64_t>(n)));
+    }
+    return a;
+}
+
+} // namespace
+
+int to_pixel(float value, Rounding rounding) {
+    switch (rounding) {
+    case Rounding::truncate:
+        return static_cast<int>(value);
+    case Rounding::floor:
+        return static_cast<int>(std::floor(value));
+    case Rounding::round:
+        // In double: in float, 0.49999997 + 0.5 is 1.
+        return static_cast<int>(std::floor(static_cast<double>(value) + 0.5));
+    }
+    return 0;
+}
+
+LineWalker::LineWalker(const Fragment& a, const Fragment& b, int count, const LineRules& rules)
+    : a_(a), b_(b), rules_(rules), count_(std::max(count, 1)), x_(static_cast<float>(a.column)),
+      y_(static_cast<float>(a.row)), zinv_(a.zinv), z_(a.z), varyings_(a.varyings) {
+    const float divisor = static_cast<float>(std::max(count_ - 1, 1));
+    step_x_ = static_cast<float>(b.column - a.column) / divisor;
+    step_y_ = static_cast<float>(b.row - a.row) / divisor;
+    step_zinv_ = (b.zinv - a.zinv) / divisor;
+    step_z_ = (b.z - a.z) / divisor;
+    step_varyings_ = {(b.varyings.position_world - a.varyings.position_world) / divisor,
+                      (b.varyings.illumination - a.varyings.illumination) / divisor};
+}
+
+Fragment LineWalker::sample() const {
+    Fragment result{0, 0, zinv_, z_, varyings_};
+    if (rules_.walk == LineWalk::exact) {
+        result.column = exact_pixel(a_.column, b_.column, index_, count_ - 1, rules_.rounding);
+        result.row = exact_pixel(a_.row, b_.row, index_, count_ - 1, rules_.rounding);
+    } else {
+        result.column = to_pixel(x_, rules_.rounding);
+        result.row = to_pixel(y_, rules_.rounding);
+    }
+    return result;
+}
+
+void LineWalker::advance() {
+    ++index_;
+    if (rules_.walk != LineWalk::accumulate) {
+        set_by_index();
+        return;
+    }
+    x_ += step_x_;
+    y_ += step_y_;
+    zinv_ += step_zinv_;
+    z_ += step_z_;
+    varyings_ = varyings_ + step_varyings_;
+}
+
+void LineWalker::advance_to(int index) {
+    if (rules_.walk == LineWalk::accumulate) {
+        while (index_ < index)
+            advance();
+    } else if (index_ < index) {
+        index_ = index;
+        set_by_index();
+    }
+}
+
+void LineWalker::set_by_index() {
+    const float i = static_cast<float>(index_);
+    if (rules_.walk == LineWalk::multiply) {
+        x_ = static_cast<float>(a_.column) + i * step_x_;
+        y_ = static_cast<float>(a_.row) + i * step_y_;
+        zinv_ = a_.zinv + i * step_zinv_;
+        z_ = a_.z + i * step_z_;
+        varyings_ = a_.varyings + step_varyings_ * i;
+        return;
+    }
+    const float t = i / static_cast<float>(std::max(count_ - 1, 1));
+    const float s = 1.0f - t;
+    x_ = static_cast<float>(a_.column) * s + static_cast<float>(b_.column) * t;
+    y_ = static_cast<float>(a_.row) * s + static_cast<float>(b_.row) * t;
+    zinv_ = a_.zinv * s + b_.zinv * t;
+    z_ = a_.z * s + b_.z * t;
+    varyings_ = a_.varyings * s + b_.varyings * t;
+}
+
+void interpolate(const Fragment& a, const Fragment& b, const LineRules& rules,
+                 std::span<Fragment> result) {
+    LineWalker walker(a, b, static_cast<int>(result.size()), rules);
+    for (Fragment& sample : result) {
+        sample = walker.sample();
+        walker.advance();
+    }
+}
+
+} // namespace rasterwalk

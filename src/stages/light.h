@@ -1,0 +1,53 @@
+#pragma once
+
+// Light: how bright a point of a surface is.
+//
+// In:  a place, its normal and reflectance, and the lamp.
+// Out: the light that leaves toward the eye, red green blue, with every term on the way.
+// Picture: the lamp's power spreads over a sphere; what arrives is divided by the sphere's area
+//          4 pi r^2 and weakened by the slant of the surface, the cosine between r and n.
+//
+// The classic mistakes: r not of unit length in the cosine, 1/r^3 for 1/r^2, no 4 pi, and adding
+// the indirect light outside the reflectance, so that a black wall glows.
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include "scene/scene.h"
+
+namespace rasterwalk {
+
+/// Every number on the way to the reflected light, in the order in which they arise.
+struct LightTerms {
+    glm::vec3 to_light{0.0f};  ///< from the point to the lamp, world units
+    float distance2 = 0.0f;    ///< |to_light|^2
+    float cosine = 0.0f;       ///< max(r^ . n^, 0); r^ is to_light at unit length
+    float sphere_area = 0.0f;  ///< 4 pi distance2
+    glm::vec3 direct{0.0f};    ///< D = power * cosine / sphere_area
+    glm::vec3 reflected{0.0f}; ///< R = reflectance * (D + indirect)
+};
+
+/// R = reflectance * (D + N) with D = P max(r^ . n^, 0) / (4 pi r^2); at the lamp itself D is 0.
+/// Defined here, so that the compiler leaves out of the pixel shader the terms that it does not
+/// use.
+inline LightTerms reflected_light(const glm::vec3& position_world, const glm::vec3& normal,
+                                  const glm::vec3& reflectance, const Light& light) {
+    constexpr float pi = 3.14159265f;
+    LightTerms terms;
+    terms.to_light = light.position - position_world;
+    terms.distance2 = glm::dot(terms.to_light, terms.to_light);
+    terms.sphere_area = 4.0f * pi * terms.distance2;
+    if (terms.distance2 > 0.0f) {
+        const float distance = std::sqrt(terms.distance2);
+        // In this order NaN, from a place too far away for floats, becomes 0.
+        terms.cosine = std::max(0.0f, glm::dot(terms.to_light, normal) / distance);
+        terms.direct = light.power * (terms.cosine / terms.sphere_area);
+    }
+    terms.reflected = reflectance * (terms.direct + light.indirect);
+    return terms;
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,27 @@
+#include "stages/pixel_shader.h"
+
+#include "stages/light.h"
+
+namespace rasterwalk {
+
+Varyings recover_varyings(const Fragment& fragment, Interpolation interpolation) {
+    if (interpolation == Interpolation::affine) return fragment.varyings;
+    return {fragment.varyings.position_world / fragment.zinv,
+            fragment.varyings.illumination / fragment.zinv};
+}
+
+glm::vec3 pixel_shader(const Fragment& fragment, const Surface& surface, const PixelRules& rules) {
+    switch (rules.lighting) {
+    case Lighting::none:
+        return surface.reflectance;
+    case Lighting::per_vertex:
+        return recover_varyings(fragment, rules.interpolation).illumination;
+    case Lighting::per_pixel:
+        return reflected_light(recover_varyings(fragment, rules.interpolation).position_world,
+                               surface.normal, surface.reflectance, rules.light)
+            .reflected;
+    }
+    return surface.reflectance;
+}
+
+} // namespace rasterwalk

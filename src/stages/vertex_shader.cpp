@@ -1,0 +1,81 @@
+#include "stages/vertex_shader.h"
+
+#include <cmath>
+
+#include "stages/light.h"
+
+namespace rasterwalk {
+
+namespace {
+
+bool is_finite(const glm::vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+Varyings start_varyings(const Vertex& vertex, float zinv, const VertexRules& rules) {
+    Varyings varyings;
+    varyings.position_world = vertex.position;
+    if (rules.lighting == Lighting::per_vertex) {
+        varyings.illumination =
+            reflected_light(vertex.position, vertex.normal, vertex.reflectance, rules.light)
+                .reflected;
+    }
+    return rules.interpolation == Interpolation::perspective ? varyings * zinv : varyings;
+}
+
+} // namespace
+
+glm::mat3 camera_rotation(const Camera& camera) {
+    const float cy = std::cos(camera.yaw), sy = std::sin(camera.yaw);
+    const float cp = std::cos(camera.pitch), sp = std::sin(camera.pitch);
+    // Columns are the camera's right, down and forward axes in the world.
+    const glm::vec3 right(cy, 0.0f, -sy);
+    const glm::vec3 down(sp * sy, cp, sp * cy);
+    const glm::vec3 forward(cp * sy, -sp, cp * cy);
+    return {right, down, forward};
+}
+
+ShadedVertex vertex_shader(const Vertex& vertex, const glm::mat3& rotation,
+                           const VertexRules& rules) {
+    ShadedVertex shaded;
+    shaded.position_world = vertex.position;
+    int middle_column = 0, middle_row = 0;
+    if (rules.space == SceneSpace::pixels) {
+        shaded.minus_camera = shaded.position_camera = vertex.position;
+        shaded.projected_x = vertex.position.x;
+        shaded.projected_y = vertex.position.y;
+    } else {
+        shaded.minus_camera = vertex.position - rules.camera.position;
+        shaded.position_camera = shaded.minus_camera * rotation;
+        middle_column = rules.viewport.width / 2;
+        middle_row = rules.viewport.height / 2;
+    }
+    const float z = shaded.position_camera.z;
+    if (!is_finite(shaded.position_camera)) {
+        shaded.fault = VertexFault::not_finite;
+        return shaded;
+    }
+    if (!(z > 0.0f)) {
+        shaded.fault = VertexFault::behind_camera;
+        return shaded;
+    }
+    const float zinv = 1.0f / z;
+    if (rules.space == SceneSpace::world) {
+        shaded.projected_x = rules.camera.focal_length * shaded.position_camera.x * zinv;
+        shaded.projected_y = rules.camera.focal_length * shaded.position_camera.y * zinv;
+    }
+    // Written so that NaN, which no comparison admits, is caught as well.
+    if (!(std::abs(shaded.projected_x) <= max_pixel_distance &&
+          std::abs(shaded.projected_y) <= max_pixel_distance && std::isfinite(zinv))) {
+        shaded.fault = VertexFault::too_far_out;
+        return shaded;
+    }
+    shaded.pixel.column = to_pixel(shaded.projected_x, rules.rounding) + middle_column;
+    shaded.pixel.row = to_pixel(shaded.projected_y, rules.rounding) + middle_row;
+    shaded.pixel.zinv = zinv;
+    shaded.pixel.z = z;
+    shaded.pixel.varyings = start_varyings(vertex, zinv, rules);
+    return shaded;
+}
+
+} // namespace rasterwalk

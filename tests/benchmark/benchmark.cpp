@@ -1,0 +1,178 @@
+// Prints how long things take. It asserts nothing: a machine may be slow.
+//
+// A further measurement is one function that takes the measurements and adds a line to them.
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <imgui.h>
+
+#include "inspect/pixel_history.h"
+#include "pipeline/draw.h"
+#include "replay_benchmark.h"
+#include "scene/read_scene.h"
+#include "session/content.h"
+#include "support/made_scene.h"
+#include "ui/app.h"
+
+namespace {
+
+using namespace rasterwalk;
+
+/// How long one thing took, over all its repetitions.
+struct Measurement {
+    std::string name;
+    double shortest = 0.0; ///< milliseconds
+    double median = 0.0;   ///< milliseconds
+};
+
+struct Measurements {
+    int repetitions = 50;
+    std::vector<Measurement> list;
+};
+
+/// Times `work`; the first call, which fills caches and tables, does not count.
+void measure(Measurements& measurements, const std::string& name,
+             const std::function<void()>& work) {
+    work();
+    std::vector<double> times;
+    for (int i = 0; i < measurements.repetitions; ++i) {
+        const auto start = std::chrono::steady_clock::now();
+        work();
+        const std::chrono::duration<double, std::milli> time =
+            std::chrono::steady_clock::now() - start;
+        times.push_back(time.count());
+    }
+    std::sort(times.begin(), times.end());
+    measurements.list.push_back({name, times.front(), times[times.size() / 2]});
+}
+
+void measure_prepare_frame(Measurements& measurements, const Scene& scene) {
+    const Settings settings = default_settings(scene);
+    measure(measurements, "prepare_frame", [&] { prepare_frame(scene, settings); });
+}
+
+std::string stage_name(const StageInfo& stage) {
+    return "draw " + std::string(stage.name);
+}
+
+void measure_stages(Measurements& measurements, const Scene& scene) {
+    Framebuffer framebuffer;
+    for (const StageInfo& stage : stage_list()) {
+        Settings settings = default_settings(scene);
+        settings.stage = stage.stage;
+        const Frame frame = prepare_frame(scene, settings);
+        measure(measurements, stage_name(stage), [&] {
+            clear(framebuffer, settings.viewport);
+            draw(frame, {}, framebuffer);
+        });
+    }
+}
+
+void measure_view_image(Measurements& measurements, const Scene& scene) {
+    const Frame frame = prepare_frame(scene, default_settings(scene));
+    const Framebuffer framebuffer = draw_frame(frame);
+    measure(measurements, "picture of colours", [&] { view_image(framebuffer, View::colour); });
+    measure(measurements, "picture of depth", [&] { view_image(framebuffer, View::depth); });
+}
+
+/// A pixel in the middle of the picture, on which something falls, and one on which nothing does.
+void measure_pixel_history(Measurements& measurements, const Scene& scene,
+                           const std::string& name) {
+    const Frame frame = prepare_frame(scene, default_settings(scene));
+    const Framebuffer picture = draw_frame(frame);
+    const glm::ivec2 middle(picture.size.width / 2, picture.size.height / 2);
+    measure(measurements, "pixel history, " + name, [&] { pixel_history(frame, middle); });
+    const auto gap = std::find(picture.overdraw.begin(), picture.overdraw.end(), 0U);
+    if (gap == picture.overdraw.end()) return;
+    const int place = static_cast<int>(gap - picture.overdraw.begin());
+    const glm::ivec2 uncovered(place % picture.size.width, place / picture.size.width);
+    measure(measurements, "why uncovered, " + name, [&] { pixel_history(frame, uncovered); });
+}
+
+/// The interface without a graphics system: textures are numbers, and nobody shows what is drawn.
+class NoTextures : public TextureHost {
+  public:
+    ImTextureID upload(ImTextureID old, const Image&) override {
+        return old != nullptr ? old : static_cast<ImTextureID>(this);
+    }
+};
+
+void measure_interface(Measurements& measurements, const std::string& scene_path) {
+    NoTextures textures;
+    Ui ui;
+    ui.session = open_session(scene_path);
+    open_ui(ui, textures);
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = {1600.0f, 1000.0f};
+    io.DeltaTime = 1.0f / 60.0f;
+    const auto frame = [&] {
+        if (ui.fonts_changed || !io.Fonts->IsBuilt()) io.Fonts->Build();
+        ui.fonts_changed = false;
+        build_ui(ui);
+    };
+    for (int i = 0; i < 4; ++i)
+        frame(); // sizes of windows and columns settle
+    std::printf("interface: %d vertices at %.0f x %.0f\n\n", ImGui::GetDrawData()->TotalVtxCount,
+                static_cast<double>(io.DisplaySize.x), static_cast<double>(io.DisplaySize.y));
+    measure(measurements, "interface at rest", frame);
+    float yaw = 0.0f;
+    measure(measurements, "interface, camera turns", [&] {
+        yaw += 0.001f;
+        ui.session.settings.camera.yaw = yaw;
+        frame();
+    });
+    close_ui(ui);
+}
+
+void print_table(const Measurements& measurements) {
+    const std::string unit = "draw fill";
+    std::optional<double> fill;
+    for (const Measurement& one : measurements.list) {
+        if (one.name == unit) fill = one.shortest;
+    }
+    std::printf("%-26s %12s %12s %12s\n", "milliseconds, one core", "shortest", "median",
+                "x draw fill");
+    for (const Measurement& one : measurements.list) {
+        std::printf("%-26s %12.3f %12.3f", one.name.c_str(), one.shortest, one.median);
+        if (fill) std::printf(" %12.3f", one.shortest / *fill);
+        std::printf("\n");
+    }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    if (argc > 2) {
+        std::fputs("usage: rasterwalk-benchmark [REPETITIONS]\n", stderr);
+        return 2;
+    }
+    try {
+        Measurements measurements;
+        if (argc == 2) measurements.repetitions = std::clamp(std::atoi(argv[1]), 1, 100000);
+        const std::string path = lessons_folder() + "/scenes/lab-room.toml";
+        const Scene scene = read_scene(path);
+        std::printf("%s, %d x %d, %d repetitions\n\n", scene.name.c_str(), scene.viewport.width,
+                    scene.viewport.height, measurements.repetitions);
+        measure_prepare_frame(measurements, scene);
+        measure_stages(measurements, scene);
+        measure_view_image(measurements, scene);
+        measure_pixel_history(measurements, scene, "room");
+        measure_pixel_history(measurements, test::made_scene(100'000), "100,000");
+        measure_interface(measurements, path);
+        print_table(measurements);
+        print_replay_times(scene);
+        print_replay_times(test::made_scene(100'000));
+    } catch (const std::exception& fault) {
+        std::fprintf(stderr, "%s\n", fault.what());
+        return 1;
+    }
+    return 0;
+}

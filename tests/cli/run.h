@@ -1,0 +1,33 @@
+#pragma once
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cli/cli.h"
+
+namespace rasterwalk::test {
+
+/// What a command line printed, and how it ended.
+struct CliRun {
+    int exit_code = -1;
+    std::string out;
+    std::string err;
+    CliRequest request;
+};
+
+/// Runs `rasterwalk` with these arguments.
+inline CliRun run(const std::vector<std::string>& arguments) {
+    std::vector<const char*> argv{"rasterwalk"};
+    for (const std::string& argument : arguments)
+        argv.push_back(argument.c_str());
+    std::ostringstream out, err;
+    CliRun result;
+    result.exit_code =
+        run_cli(static_cast<int>(argv.size()), argv.data(), out, err, result.request);
+    result.out = out.str();
+    result.err = err.str();
+    return result;
+}
+
+} // namespace rasterwalk::test

@@ -1,0 +1,131 @@
+#include "cli/cli.h"
+
+#include <algorithm>
+
+#include <catch2/catch.hpp>
+
+#include "session/content.h"
+#include "tests/cli/run.h"
+
+using namespace rasterwalk;
+using Catch::Matchers::Contains;
+using test::CliRun;
+using test::run;
+
+namespace {
+
+/// Without the blanks and line ends in which JSON may be laid out.
+std::string without_blanks(std::string text) {
+    text.erase(
+        std::remove_if(text.begin(), text.end(), [](char c) { return c == ' ' || c == '\n'; }),
+        text.end());
+    return text;
+}
+
+std::size_t count_of(const std::string& part, const std::string& text) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+        ++count;
+    return count;
+}
+
+} // namespace
+
+TEST_CASE("pixel tells the history of a pixel of the room, line by line") {
+    const CliRun result = run({"pixel", "240,300"});
+    CHECK(result.exit_code == 0);
+    CHECK(result.err.empty());
+    CHECK(result.out ==
+          "pixel 240,300, stage pixel_light: 3 fragments.\n"
+          "  #  moment           part                   1/z     stored     margin  to winner  "
+          "fate     colour after\n"
+          "  1  t8/r174/c114     back wall          0.249938   0.000000  +0.249938  -0.079533  "
+          "written  0.3906 0.3906 0.3906\n"
+          "  2  t21/r82/c39      tall block         0.329470   0.249938  +0.079533  +0.000000  "
+          "written  0.0823 0.0823 0.4115  stays\n"
+          "  3  t23/r80/c8       tall block         0.290940   0.329470  -0.038530  -0.038530  "
+          "hidden   0.0823 0.0823 0.4115\n");
+}
+
+TEST_CASE("pixel --json gives every number of the history") {
+    const CliRun result = run({"pixel", "240,300", "--json"});
+    CHECK(result.exit_code == 0);
+    CHECK(result.err.empty());
+    const std::string json = without_blanks(result.out);
+    CHECK_THAT(json, Contains("\"covered\":true"));
+    CHECK_THAT(json, Contains("\"uncovered\":[]"));
+    CHECK(count_of("\"triangle\":", json) == 3);
+    CHECK_THAT(json, Contains("{\"colour_after\":[0.082292571663856506,0.082292571663856506,"
+                              "0.41146284341812134],\"colour_before\":[0.39060357213020325,"
+                              "0.39060357213020325,0.39060357213020325],\"column\":39,\"cursor\":"
+                              "\"t21/r82/c39\",\"depth\":0.32947039604187012,\"drawn\":true,"
+                              "\"fate\":\"written\",\"margin\":0.07953287661075592,"
+                              "\"margin_to_winner\":0.0,\"name\":\"tallblock\",\"row\":82,"
+                              "\"stays\":true,\"stored_zinv\":0.2499375194311142,\"triangle\":21,"
+                              "\"zinv\":0.32947039604187012}"));
+    CHECK(count_of("\"fate\":\"depth_failed\"", json) == 1);
+    CHECK(count_of("\"stays\":true", json) == 1);
+}
+
+TEST_CASE("pixel --to tells what is drawn up to a moment and what is still to come") {
+    const CliRun text = run({"pixel", "240,300", "--to", "t21"});
+    CHECK(text.exit_code == 0);
+    CHECK(count_of("not drawn yet", text.out) == 2);
+    const std::string json = without_blanks(run({"pixel", "240,300", "--to", "t21", "--json"}).out);
+    CHECK(count_of("\"drawn\":true", json) == 1);
+    CHECK(count_of("\"drawn\":false", json) == 2);
+    CHECK_THAT(json, Contains("{\"colour\":[0.39060357213020325,0.39060357213020325,"
+                              "0.39060357213020325],\"column\":240,"));
+}
+
+TEST_CASE("pixel says why nothing falls on the black border") {
+    const CliRun text = run({"pixel", "0,250"});
+    CHECK(text.exit_code == 0);
+    CHECK(text.out == "pixel 0,250, stage pixel_light: nothing falls on it.\n"
+                      "No row of any triangle reaches this pixel.\n"
+                      "t2 left wall: row 250 begins at column 1, 1 column to the right of the "
+                      "pixel; with rounding=floor or rounding=round it begins at column 0.\n");
+    const std::string json = without_blanks(run({"pixel", "0,250", "--json"}).out);
+    CHECK_THAT(json, Contains("\"covered\":false"));
+    CHECK_THAT(json, Contains("\"history\":[]"));
+    CHECK_THAT(json, Contains("\"uncovered\":[{\"columns_away\":1,\"left\":1,\"name\":\"leftwall\","
+                              "\"right\":84,\"row\":250,\"rows_away\":0,\"rules\":[{\"left\":0,"
+                              "\"right\":83,\"rule\":\"rounding=floor\"},"));
+    CHECK(count_of("nothing falls", run({"pixel", "0,250", "--preset", "exact"}).out) == 0);
+}
+
+TEST_CASE("pixel follows the view: stage, settings, size and scene") {
+    CHECK_THAT(run({"pixel", "126,126", "--stage", "edges"}).out,
+               Contains("stage edges: 10 marks.\n") && Contains("  1  t3/e1/s125 "));
+    CHECK_THAT(run({"pixel", "240,300", "--stage", "rows"}).out,
+               Contains("draws the two ends of each row only"));
+    const std::string fill = run({"pixel", "240,300", "--stage", "fill"}).out;
+    CHECK(count_of("written", fill) == 3);
+    CHECK_THAT(fill, Contains("t23/r80/c8"));
+    const std::string bench = lessons_folder() + "/scenes/one-triangle.toml";
+    CHECK_THAT(run({"pixel", "9,8", "--scene", bench, "--stage", "fill"}).out,
+               Contains("t0/r3/c2 "));
+    CHECK(run({"pixel", "640,3", "--size", "641x20"}).exit_code == 0);
+}
+
+TEST_CASE("pixel without a pixel of the picture is wrong usage, and says which there are") {
+    for (const char* outside : {"500,0", "0,500", "-1,3", "3,-1", "2147483647,0"}) {
+        const CliRun result = run({"pixel", outside});
+        INFO(outside);
+        CHECK(result.exit_code == 2);
+        CHECK(result.out.empty());
+        CHECK(result.err == "rasterwalk: there is no pixel " + std::string(outside) +
+                                ": the picture has columns 0 to 499, rows 0 to 499.\n");
+    }
+    for (const char* nonsense :
+         {"", "3", "3,", ",3", "3,4,5", "3;4", "a,b", "1.5,2", "3, 4x", "99999999999,1"}) {
+        const CliRun result = run({"pixel", nonsense});
+        INFO(nonsense);
+        CHECK(result.exit_code == 2);
+        CHECK(result.out.empty());
+        CHECK_THAT(result.err, Contains("is not a pixel: it is written COLUMN,ROW"));
+    }
+    CHECK(run({"pixel"}).exit_code == 2);
+    CHECK_THAT(run({"pixel", "40,3", "--size", "40x30"}).err,
+               Contains("columns 0 to 39, rows 0 to 29"));
+}

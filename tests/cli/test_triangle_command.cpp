@@ -1,0 +1,195 @@
+#include <algorithm>
+#include <climits>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "inspect/triangle_report.h"
+#include "session/content.h"
+#include "support/samples.h"
+#include "tests/cli/run.h"
+
+using namespace rasterwalk;
+using namespace rasterwalk::test;
+using Catch::Matchers::Contains;
+
+namespace {
+
+const std::string bench = lessons_folder() + "/scenes/one-triangle.toml";
+
+/// Without the blanks and line ends in which JSON may be laid out.
+std::string without_blanks(std::string text) {
+    const auto is_blank = [](char c) { return c == ' ' || c == '\n'; };
+    text.erase(std::remove_if(text.begin(), text.end(), is_blank), text.end());
+    return text;
+}
+
+std::string json_of(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"triangle", "--json"});
+    const CliRun result = run(arguments);
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    return without_blanks(result.out);
+}
+
+/// From a key's value to the end of the list that it is.
+std::string list_of(const std::string& json, const std::string& key) {
+    const std::size_t begin = json.find("\"" + key + "\":[");
+    if (begin == std::string::npos) return "no " + key;
+    std::size_t at = begin + key.size() + 3;
+    int depth = 0;
+    do {
+        depth += json[at] == '[' ? 1 : json[at] == ']' ? -1 : 0;
+        ++at;
+    } while (depth > 0 && at < json.size());
+    return json.substr(begin, at - begin);
+}
+
+} // namespace
+
+TEST_CASE("triangle tells the bench triangle's vertices, edges and rows in words") {
+    const CliRun result = run({"triangle", "0", "--scene", bench});
+    CHECK(result.exit_code == 0);
+    CHECK(result.err.empty());
+    CHECK_THAT(result.out, Contains("Triangle 0 (triangle), counted from 0, one of 1\n"));
+    CHECK_THAT(result.out, Contains("  pixel          column            10             5"
+                                    "            15\n"));
+    CHECK_THAT(result.out, Contains("  e0 from (10,5) to (5,10): 6 samples\n"
+                                    "  e1 from (5,10) to (15,15): 11 samples\n"
+                                    "  e2 from (15,15) to (10,5): 11 samples\n"));
+    CHECK_THAT(result.out, Contains("Samples outside the row table: 0\n"));
+    CHECK_THAT(result.out,
+               Contains("     5         10         10       1   e0/s0                  e0/s0\n"));
+    // The bench has no camera.
+    CHECK_THAT(result.out, !Contains("minus camera"));
+}
+
+TEST_CASE("triangle --json has the rows of rows --json") {
+    const std::string rows = without_blanks(run({"rows", "--json", "10,5", "5,10", "15,15"}).out);
+    const std::string triangle = json_of({"0", "--scene", bench});
+    CHECK(list_of(triangle, "rows") == list_of(rows, "rows"));
+    CHECK_THAT(list_of(rows, "rows"), Contains("\"row\":15"));
+    CHECK(list_of(triangle, "outside") == "\"outside\":[]");
+}
+
+TEST_CASE("triangle --json lists every sample with what it wrote") {
+    const std::string json = json_of({"0", "--scene", bench});
+    CHECK_THAT(json, Contains("{\"count\":6,\"edge\":0,\"from\":[10,5],\"samples\":["
+                              "{\"column\":10,\"row\":5,\"sample\":0,\"wrote\":\"both\","
+                              "\"x\":10.0,\"y\":5.0},"));
+    CHECK_THAT(json, Contains("{\"column\":6,\"row\":10,\"sample\":1,\"wrote\":\"right\","
+                              "\"x\":6.0,\"y\":10.5}"));
+    CHECK_THAT(json, Contains("\"wrote\":\"nothing\""));
+}
+
+TEST_CASE("triangle --json gives the vertices through the spaces") {
+    const std::string json = json_of({"20", "--set", "stage=rows"});
+    CHECK_THAT(json, Contains("\"triangle\":20"));
+    CHECK_THAT(json, Contains("\"name\":\"tallblock\""));
+    for (const char* key : {"world", "minus_camera", "rotated", "projected", "pixel", "zinv"})
+        CHECK_THAT(json, Contains(std::string("\"").append(key).append("\":")));
+    CHECK_THAT(json, Contains("\"pixel\":[160,218]"));
+}
+
+TEST_CASE("A triangle with samples outside names them") {
+    // The room has four; find one of them by its report.
+    int found = 0;
+    for (int t = 0; t < 30 && found == 0; ++t) {
+        const std::string json = json_of({std::to_string(t)});
+        if (list_of(json, "outside") == "\"outside\":[]") continue;
+        ++found;
+        CHECK_THAT(json, Contains("\"wrote\":\"outside\""));
+        const CliRun text = run({"triangle", std::to_string(t)});
+        CHECK_THAT(text.out, Contains("Samples outside the row table: 1\n  e"));
+        CHECK_THAT(text.out, Contains("; it is not written\n"));
+    }
+    CHECK(found == 1);
+}
+
+TEST_CASE("triangle --to stops in the middle of the row table") {
+    const CliRun text = run({"triangle", "0", "--scene", bench, "--to", "t0/e1/s2"});
+    CHECK_THAT(text.out, Contains("e1 from (5,10) to (15,15): 11 samples, 2 of them so far\n"));
+    CHECK_THAT(text.out, Contains("    15   +INT_MAX   -INT_MAX       0   -"));
+    const std::string json = json_of({"0", "--scene", bench, "--to", "t0/e1/s2"});
+    CHECK_THAT(json, Contains("\"edge\":2,\"from\":[15,15],\"samples\":[],"));
+    const std::string nothing = json_of({"3", "--to", "t2/e1/s2"});
+    CHECK_THAT(nothing, Contains("\"samples\":[],"));
+    CHECK_THAT(nothing, !Contains("\"wrote\""));
+}
+
+TEST_CASE("A triangle that is left out says why, and still has its vertices") {
+    const std::vector<std::string> view{"--set", "camera.position=0,0,0"};
+    const CliRun text = run({"triangle", "0", view[0], view[1]});
+    CHECK(text.exit_code == 0);
+    CHECK_THAT(text.out,
+               Contains("It is left out: a vertex lies on or behind the camera plane.\n"));
+    const std::string json = json_of({"0", view[0], view[1]});
+    CHECK_THAT(json, Contains("\"left_out\":\"behind_camera\""));
+    CHECK_THAT(json, Contains("\"edges\":[]"));
+    CHECK_THAT(json, Contains("\"rows\":[]"));
+}
+
+TEST_CASE("A triangle that does not exist is wrong usage, told with those that do") {
+    const auto complaint = [](std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), "triangle");
+        const CliRun result = run(arguments);
+        CHECK(result.exit_code == 2);
+        CHECK(result.out.empty());
+        return result.err;
+    };
+    CHECK(complaint({"30"}) ==
+          "rasterwalk: there is no triangle 30: the scene has the triangles 0 to 29.\n");
+    CHECK(complaint({"-1"}) ==
+          "rasterwalk: there is no triangle -1: the scene has the triangles 0 to 29.\n");
+    CHECK(complaint({"99999999999999999999"}) ==
+          "rasterwalk: there is no triangle 99999999999999999999: the scene has the triangles 0 "
+          "to 29.\n");
+    CHECK(complaint({"1", "--scene", bench}) ==
+          "rasterwalk: there is no triangle 1: the scene has only the triangle 0.\n");
+    for (const char* word : {"t0", "1.5", "", "0x1", "1 2"}) {
+        CAPTURE(word);
+        CHECK_THAT(complaint({word}), Contains("is not the number of a triangle"));
+    }
+    CHECK_THAT(complaint({}), Contains("N is required"));
+}
+
+TEST_CASE("A triangle's report is the row table in one go, sample by sample") {
+    const Scene scene = small_scene();
+    for (const Variant& variant : rule_variants()) {
+        Settings settings = default_settings(scene);
+        variant.apply(settings);
+        const Frame frame = prepare_frame(scene, settings);
+        CAPTURE(variant.name);
+        PolygonRows direct;
+        for (int t = 0; t < frame.triangle_count(); ++t) {
+            CAPTURE(t);
+            const TriangleReport report = triangle_report(frame, t);
+            CHECK(report.left_out == frame.left_out[static_cast<std::size_t>(t)]);
+            if (!frame.is_drawn(t)) {
+                CHECK(report.rows.rows.size() == 0);
+                continue;
+            }
+            compute_polygon_rows(frame.triangle_vertices(t), edge_rules(settings), direct);
+            CHECK(report.rows.rows.left == direct.left);
+            CHECK(report.rows.rows.right == direct.right);
+            int samples = 0;
+            std::size_t outside = 0;
+            for (const EdgeReport& edge : report.edges) {
+                CHECK(static_cast<int>(edge.samples.size()) == edge.count);
+                for (const SampleStep& step : edge.samples) {
+                    // The table that is made up to this sample has it as its last.
+                    const RowHistory until =
+                        row_history(frame.triangle_vertices(t), edge_rules(settings), ++samples);
+                    REQUIRE(until.last);
+                    if (!(until.last->write == step.write) || until.last->x != step.x ||
+                        until.last->y != step.y || !(until.last->fragment == step.fragment)) {
+                        FAIL("edge " << step.edge << ", sample " << step.sample);
+                    }
+                    outside += step.write.inside ? 0 : 1;
+                }
+            }
+            CHECK(outside == report.rows.outside.size());
+        }
+    }
+}

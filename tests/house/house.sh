@@ -1,0 +1,90 @@
+#!/usr/bin/env bash
+# The order of the house: which way includes run, and with which flags the core is compiled.
+#   house.sh ROOT [COMPILE_COMMANDS]
+# ROOT holds src/ and ui/; COMPILE_COMMANDS is the compile_commands.json of a build of it.
+# Prints file:line and a sentence for each fault; exits 1 if there is one, 2 if there was nothing to read.
+set -u
+root=${1:?ROOT is missing}
+commands=${2:-}
+cd "$root" || exit 2
+
+mapfile -t files < <(find src ui -type f \( -name '*.h' -o -name '*.cpp' \) 2>/dev/null | LC_ALL=C sort)
+if [ ${#files[@]} -eq 0 ]; then
+    echo "$root: no sources under src/ and ui/" >&2
+    exit 2
+fi
+
+# A folder's rank is its place in the order; an include may not go to a higher rank.
+# cli stands beside ui: neither may include the other.
+faults=$(awk '
+    function folder_of(path) {
+        if (path ~ /^ui\/hosts\//) return "hosts"
+        if (path ~ /^ui\//) return "ui"
+        sub(/^src\//, "", path)
+        return path ~ /\// ? substr(path, 1, index(path, "/") - 1) : ""
+    }
+    function fault(sentence) { printf "%s:%d: %s\n", FILENAME, FNR, sentence }
+    BEGIN {
+        rank["scene"] = 1; rank["stages"] = 2; rank["pipeline"] = 3; rank["inspect"] = 4
+        rank["session"] = 5; rank["ui"] = 6; rank["cli"] = 6; rank["hosts"] = 7
+    }
+    FNR == 1 {
+        from = folder_of(FILENAME)
+        if (!(from in rank)) fault("this folder has no place in the order of the house")
+    }
+    /^[ \t]*#[ \t]*(include|import)[ \t]*[<"]/ {
+        target = $0
+        sub(/^[ \t]*#[ \t]*(include|import)[ \t]*/, "", target)
+        quoted = substr(target, 1, 1) == "\""
+        target = substr(target, 2)
+        sub(/[>"].*$/, "", target)
+        to = folder_of(target)
+        graphics = target ~ /^(GL|GLES[0-9]?|GLFW|KHR|EGL|X11)\// || target ~ /glfw|osmesa|glcorearb|opengl/ ||
+                   target ~ /^imgui_impl_/
+        if (to in rank) {
+            if (!(from in rank)) next
+            if (rank[to] > rank[from])
+                fault(from " includes \"" target "\" of " to ", which comes after it")
+            else if (to != from && rank[to] == rank[from])
+                fault(from " includes \"" target "\" of " to ", which stands beside it")
+        } else if (quoted) {
+            fault("\"" target "\" is not written from src/ or from the root")
+        }
+        if (FILENAME ~ /^src\// && (graphics || target ~ /imgui|imstb/ || target ~ /^GL/))
+            fault("src/ includes <" target ">: the core knows no window")
+        else if (from == "ui" && graphics)
+            fault("ui/ includes <" target ">: only ui/hosts/ speaks to the graphics system")
+    }
+    FILENAME ~ /^src\// && /#[ \t]*pragma.*(FP_CONTRACT[ \t]+ON|fast-math|Ofast|fp_contract)/ {
+        fault("this pragma lets the compiler change numbers")
+    }
+' "${files[@]}")
+
+if [ -n "$commands" ]; then
+    if [ ! -r "$commands" ]; then
+        echo "$commands: cannot be read" >&2
+        exit 2
+    fi
+    # One entry a source file, its command on one line and its "file" after it.
+    flags=$(awk -v root="$(pwd)" '
+        /^[ \t]*"command":/ { command = $0; line = FNR }
+        /^[ \t]*"file":/ {
+            file = $0
+            sub(/^[ \t]*"file":[ \t]*"/, "", file); sub(/".*$/, "", file)
+            if (index(file, root "/src/") != 1) next
+            ++core
+            if (match(command, /-ffast-math|-Ofast|-funsafe-math-optimizations|-fassociative-math|-ffp-contract=(fast|on)/))
+                printf "%s:%d: %s is compiled with %s\n", FILENAME, line, file, substr(command, RSTART, RLENGTH)
+            if (command !~ /-ffp-contract=off/)
+                printf "%s:%d: %s is compiled without -ffp-contract=off\n", FILENAME, line, file
+        }
+        END { if (!core) printf "%s:1: names no file of %s/src\n", FILENAME, root }
+    ' "$commands")
+    faults=$faults${faults:+${flags:+$'\n'}}$flags
+fi
+
+if [ -n "$faults" ]; then
+    printf '%s\n' "$faults"
+    exit 1
+fi
+echo "${#files[@]} files: includes run one way."

@@ -1,0 +1,198 @@
+#include "inspect/row_history.h"
+
+#include <algorithm>
+#include <array>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+using namespace rasterwalk;
+
+namespace {
+
+using Triangle3 = std::vector<Fragment>;
+
+Fragment at(int column, int row) {
+    Fragment fragment;
+    fragment.column = column;
+    fragment.row = row;
+    fragment.zinv = fragment.z = 1.0f;
+    return fragment;
+}
+
+Triangle3 random_triangle(std::mt19937& random) {
+    std::uniform_int_distribution<int> place(-40, 60);
+    const std::array<int, 6> c{place(random), place(random), place(random),
+                               place(random), place(random), place(random)};
+    return {at(c[0], c[1]), at(c[2], c[3]), at(c[4], c[5])};
+}
+
+std::vector<EdgeRules> all_rules() {
+    std::vector<EdgeRules> list;
+    for (const LineWalk walk : {LineWalk::accumulate, LineWalk::multiply, LineWalk::exact}) {
+        for (const Rounding rounding : {Rounding::truncate, Rounding::floor, Rounding::round}) {
+            for (const EdgeSamples samples : {EdgeSamples::longest_axis, EdgeSamples::rows}) {
+                list.push_back({{walk, rounding}, samples});
+            }
+        }
+    }
+    return list;
+}
+
+std::string describe(const Triangle3& t, const EdgeRules& rules) {
+    std::ostringstream text;
+    for (const Fragment& v : t)
+        text << '(' << v.column << ',' << v.row << ") ";
+    text << "walk " << static_cast<int>(rules.line.walk) << " rounding "
+         << static_cast<int>(rules.line.rounding) << " samples " << static_cast<int>(rules.samples);
+    return text.str();
+}
+
+/// The sample that a writer names, walked to anew.
+Fragment sample_of(const Triangle3& t, const EdgeRules& rules, const EndWriter& by) {
+    const auto edge = static_cast<std::size_t>(by.edge);
+    LineWalker walker = walk_edge(t[edge], t[(edge + 1) % t.size()], rules);
+    walker.advance_to(by.sample);
+    return walker.sample();
+}
+
+} // namespace
+
+TEST_CASE("The row table of the lab's triangle is printed in the lab's words") {
+    const Triangle3 triangle{at(10, 5), at(5, 10), at(15, 15)};
+    CHECK(rows_text(row_history(triangle, {}).rows) == "Start: (10,5). End: (10,5).\n"
+                                                       "Start: (9,6). End: (10,6).\n"
+                                                       "Start: (8,7). End: (11,7).\n"
+                                                       "Start: (7,8). End: (11,8).\n"
+                                                       "Start: (6,9). End: (12,9).\n"
+                                                       "Start: (5,10). End: (12,10).\n"
+                                                       "Start: (7,11). End: (13,11).\n"
+                                                       "Start: (9,12). End: (13,12).\n"
+                                                       "Start: (11,13). End: (14,13).\n"
+                                                       "Start: (13,14). End: (14,14).\n"
+                                                       "Start: (15,15). End: (15,15).\n");
+}
+
+TEST_CASE("The row table of (10,20) (30,10) (20,40) that is built with its history has 31 rows") {
+    CHECK(row_history(Triangle3{at(10, 20), at(30, 10), at(20, 40)}, {}).rows.size() == 31);
+}
+
+TEST_CASE("The table that is built with its history equals the one built in one go") {
+    std::mt19937 random(1);
+    const std::vector<EdgeRules> rules = all_rules();
+    PolygonRows direct;
+    for (int i = 0; i < 10000; ++i) {
+        const Triangle3 triangle = random_triangle(random);
+        const EdgeRules& rule = rules[static_cast<std::size_t>(i) % rules.size()];
+        const RowHistory history = row_history(triangle, rule);
+        compute_polygon_rows(triangle, rule, direct);
+        const bool same = history.rows.first_row == direct.first_row &&
+                          history.rows.left == direct.left && history.rows.right == direct.right &&
+                          history.rows.outside == direct.outside;
+        if (!same) FAIL(describe(triangle, rule) << " gives another table");
+        if (history.samples != history.sample_count) {
+            FAIL(describe(triangle, rule) << " counts " << history.sample_count << " samples and "
+                                          << "enters " << history.samples);
+        }
+    }
+}
+
+TEST_CASE("Whoever is said to have written an end is the sample that stands there") {
+    std::mt19937 random(2);
+    const std::vector<EdgeRules> rules = all_rules();
+    for (int i = 0; i < 2000; ++i) {
+        const Triangle3 triangle = random_triangle(random);
+        const EdgeRules& rule = rules[static_cast<std::size_t>(i) % rules.size()];
+        const RowHistory history = row_history(triangle, rule);
+        for (std::size_t r = 0; r < history.left_by.size(); ++r) {
+            if (history.left_by[r].is_set() &&
+                !(sample_of(triangle, rule, history.left_by[r]) == history.rows.left[r])) {
+                FAIL(describe(triangle, rule) << " left end of row " << r);
+            }
+            if (history.right_by[r].is_set() &&
+                !(sample_of(triangle, rule, history.right_by[r]) == history.rows.right[r])) {
+                FAIL(describe(triangle, rule) << " right end of row " << r);
+            }
+            if (history.left_by[r].is_set() == history.rows.is_empty_row(static_cast<int>(r))) {
+                FAIL(describe(triangle, rule) << " row " << r << " is empty and written, or "
+                                              << "neither");
+            }
+        }
+        if (static_cast<int>(history.outside.size()) != history.rows.outside) {
+            FAIL(describe(triangle, rule) << " counts its samples outside wrongly");
+        }
+    }
+}
+
+TEST_CASE("The first samples of a table, one more at a time, lead to the whole table") {
+    const Triangle3 triangle{at(10, 5), at(5, 10), at(15, 15)};
+    const RowHistory whole = row_history(triangle, {});
+    REQUIRE(whole.sample_count == 6 + 11 + 11);
+    RowHistory before = row_history(triangle, {}, 0);
+    CHECK_FALSE(before.last);
+    for (int r = 0; r < before.rows.size(); ++r) {
+        CHECK(before.rows.left[static_cast<std::size_t>(r)].column == empty_left);
+        CHECK(before.rows.right[static_cast<std::size_t>(r)].column == empty_right);
+    }
+    for (int n = 1; n <= whole.sample_count; ++n) {
+        INFO("after sample " << n);
+        const RowHistory now = row_history(triangle, {}, n);
+        REQUIRE(now.last);
+        CHECK(samples_before(triangle, {}, now.last->edge, now.last->sample) == n - 1);
+        CHECK(now.samples == n);
+        int changed = 0;
+        for (std::size_t r = 0; r < now.left_by.size(); ++r) {
+            changed += now.left_by[r] == before.left_by[r] ? 0 : 1;
+            changed += now.right_by[r] == before.right_by[r] ? 0 : 1;
+        }
+        CHECK(changed == (now.last->write.left ? 1 : 0) + (now.last->write.right ? 1 : 0));
+        before = now;
+    }
+    CHECK(before.rows.left == whole.rows.left);
+    CHECK(before.left_by == whole.left_by);
+    CHECK(row_history(triangle, {}, 1000).left_by == whole.left_by);
+}
+
+TEST_CASE("A row tells which edges wrote its ends and how often they were replaced") {
+    const Triangle3 triangle{at(10, 5), at(5, 10), at(15, 15)};
+    const RowHistory history = row_history(triangle, {});
+    // Row 10 is reached by the end of edge 0, the start of edge 1, which is no smaller, then by
+    // edge 1's next sample (6,10), which becomes the right end, then by edge 2 at (12,10).
+    CHECK(history.left_by[5] == EndWriter{0, 5, 0});
+    CHECK(history.right_by[5] == EndWriter{2, 5, history.right_by[5].replaced});
+    CHECK(history.right_by[5].replaced >= 1);
+    // Row 5 keeps the very first sample: the last one of edge 2 comes to the same column.
+    CHECK(history.left_by[0] == EndWriter{0, 0, 0});
+    CHECK(history.right_by[0] == EndWriter{0, 0, 0});
+}
+
+TEST_CASE("The smallest edge that leaves its own rows is caught with the value that caused it") {
+    const RowHistory history = row_history(Triangle3{at(0, 2), at(3, 1)}, {});
+    REQUIRE(history.outside.size() == 1);
+    const OutsideSample& sample = history.outside[0];
+    CHECK(sample.edge == 0);
+    CHECK(sample.sample == 3);
+    CHECK(sample.row == 0);
+    CHECK(sample.y == 0.999999881f);
+    CHECK(history.rows.first_row == 1);
+    EdgeRules exact;
+    exact.line.walk = LineWalk::exact;
+    CHECK(row_history(Triangle3{at(0, 2), at(3, 1)}, exact).outside.empty());
+}
+
+TEST_CASE("A row that no sample reaches stays at its starting values") {
+    const RowHistory none = row_history(Triangle3{at(0, 0), at(4, 3), at(1, 6)}, {}, 1);
+    CHECK(none.rows.is_empty_row(1));
+    CHECK_FALSE(none.left_by[1].is_set());
+    CHECK(rows_text(none.rows).find("Start: (2147483647,1). End: (-2147483647,1).") !=
+          std::string::npos);
+}
+
+TEST_CASE("A polygon of one vertex is one row of one pixel") {
+    const RowHistory history = row_history(Triangle3{at(-3, -7)}, {});
+    CHECK(history.sample_count == 1);
+    CHECK(rows_text(history.rows) == "Start: (-3,-7). End: (-3,-7).\n");
+}

@@ -1,0 +1,23 @@
+#!/bin/sh
+# check_libraries.sh WINDOW_PROGRAM OFFSCREEN_PROGRAM
+# The window's program has libGL and no libOSMesa; the other libOSMesa, and neither libGL nor GLFW.
+set -eu
+fault=0
+
+expect() { # program, library, yes or no
+  found=no
+  if printf '%s\n' "$libraries" | grep -Eq "^[[:space:]]*$2\.so"; then found=yes; fi
+  if [ "$found" != "$3" ]; then
+    echo "$1: is $2 loaded? expected $3, found $found" >&2
+    fault=1
+  fi
+}
+
+libraries=$(ldd "$1")
+expect "$1" "lib(GL|OpenGL)" yes
+expect "$1" libOSMesa no
+libraries=$(ldd "$2")
+expect "$2" libOSMesa yes
+expect "$2" "lib(GL|OpenGL|GLX)" no
+expect "$2" libglfw no
+exit $fault

@@ -1,0 +1,218 @@
+// Draws the pictures of shots.txt and compares them with the blessed ones, or blesses them.
+//
+//     picture_tests [--bless] [--list] [NAME...]
+//
+// NAME is a picture's file name without folder and ".png"; without names all are meant. Exit codes:
+// 0 all are as expected, 1 a picture differs or is missing, 2 wrong usage, 4 could not read or
+// write.
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include "scene/error.h"
+#include "scene/read_text.h"
+#include "tests/support/compare_images.h"
+
+namespace rasterwalk {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path root = RASTERWALK_ROOT;
+const fs::path shots_path = root / "tests/pictures/shots.txt";
+const fs::path failed_folder = root / "tests/failed";
+
+struct Shot {
+    std::string name;
+    std::string path; ///< of the blessed picture, from the root
+    std::vector<std::string> arguments;
+};
+
+/// The words of a line, up to a # that begins a word.
+std::vector<std::string> words_of(const std::string& line) {
+    std::vector<std::string> words;
+    bool is_quoted = false, is_open = false;
+    for (const char c : line) {
+        if (c == '"') {
+            is_quoted = !is_quoted;
+            if (!is_open) words.emplace_back();
+            is_open = true;
+        } else if (!is_quoted && std::isspace(static_cast<unsigned char>(c)) != 0) {
+            is_open = false;
+        } else {
+            if (!is_open && c == '#') break;
+            if (!is_open) words.emplace_back();
+            is_open = true;
+            words.back() += c;
+        }
+    }
+    return words;
+}
+
+std::vector<Shot> read_shots() {
+    std::vector<Shot> shots;
+    std::string line;
+    const std::string text = read_file(shots_path.string()) + "\n";
+    for (const char c : text) {
+        if (c != '\n') {
+            line += c;
+            continue;
+        }
+        std::vector<std::string> words = words_of(line);
+        line.clear();
+        if (words.empty()) continue;
+        Shot shot{fs::path(words[0]).stem().string(), words[0], {}};
+        shot.arguments.assign(words.begin() + 1, words.end());
+        const bool is_new = std::none_of(shots.begin(), shots.end(),
+                                         [&](const Shot& s) { return s.name == shot.name; });
+        if (!is_new)
+            throw InputError(shots_path.string() + ": '" + shot.name + "' is there twice.");
+        shots.push_back(std::move(shot));
+    }
+    return shots;
+}
+
+/// Calls rasterwalk-offscreen. Returns its exit code.
+int take_picture(const Shot& shot, const fs::path& output) {
+    std::vector<std::string> words{RASTERWALK_OFFSCREEN, "-o", output.string()};
+    words.insert(words.end(), shot.arguments.begin(), shot.arguments.end());
+    std::vector<char*> arguments;
+    for (std::string& word : words)
+        arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    pid_t child = 0;
+    if (posix_spawn(&child, arguments[0], nullptr, nullptr, arguments.data(), environ) != 0) {
+        throw AccessError(words[0] + " cannot be started.");
+    }
+    int status = 0;
+    if (waitpid(child, &status, 0) != child) throw AccessError(words[0] + " got lost.");
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+fs::path failed_path(const Shot& shot, const char* what) {
+    return failed_folder / (shot.name + "." + what + ".png");
+}
+
+void remove_failed(const Shot& shot) {
+    std::error_code ignored;
+    for (const char* what : {"actual", "expected", "difference"})
+        fs::remove(failed_path(shot, what), ignored);
+}
+
+/// Puts the picture into the place of the blessed one. One that differs by no more than the
+/// tolerance is left as it is, so that another machine does not rewrite all of them.
+void bless(const Shot& shot, const Image& actual) {
+    const fs::path blessed = root / shot.path;
+    std::error_code ignored;
+    const bool is_new = !fs::exists(blessed, ignored);
+    if (!is_new && compare_images(actual, read_image(blessed.string()), interface_tolerance)
+                       .is_within_tolerance) {
+        std::cout << "kept     " << shot.path << '\n';
+        return;
+    }
+    fs::create_directories(blessed.parent_path());
+    write_png(actual, blessed.string());
+    std::cout << (is_new ? "new      " : "changed  ") << shot.path << '\n';
+}
+
+/// Returns true if the picture is as expected.
+bool check(const Shot& shot, const Image& actual) {
+    const fs::path blessed = root / shot.path;
+    std::error_code ignored;
+    if (!fs::exists(blessed, ignored)) {
+        std::cout << shot.name << ": there is no picture " << shot.path
+                  << " yet. Look at tests/failed/" << shot.name
+                  << ".actual.png and bless it with ./test --bless.\n";
+        return false;
+    }
+    const Image expected = read_image(blessed.string());
+    if (compare_images(actual, expected, interface_tolerance).is_within_tolerance) {
+        remove_failed(shot);
+        std::cout << shot.name << ": as expected.\n";
+        return true;
+    }
+    write_png(expected, failed_path(shot, "expected").string());
+    write_png(difference_image(actual, expected, interface_tolerance),
+              failed_path(shot, "difference").string());
+    std::cout << shot.name << " differs from " << shot.path << ".\n"
+              << describe_difference(actual, expected, interface_tolerance) << "  See tests/failed/"
+              << shot.name
+              << ".{actual,expected,difference}.png; ./test --bless accepts the new picture.\n";
+    return false;
+}
+
+/// Returns true if all went well.
+bool process(const Shot& shot, bool is_blessing) {
+    remove_failed(shot);
+    fs::create_directories(failed_folder);
+    const fs::path path = failed_path(shot, "actual");
+    const int exit_code = take_picture(shot, path);
+    if (exit_code != 0) {
+        std::cout << shot.name << ": rasterwalk-offscreen ended with exit code " << exit_code
+                  << ".\n";
+        return false;
+    }
+    const Image actual = read_image(path.string());
+    if (!is_blessing) return check(shot, actual);
+    bless(shot, actual);
+    remove_failed(shot);
+    return true;
+}
+
+int run(const std::vector<std::string>& words) {
+    const std::vector<Shot> shots = read_shots();
+    bool is_blessing = false, is_listing = false;
+    std::vector<std::string> names;
+    for (const std::string& word : words) {
+        if (word == "--bless") {
+            is_blessing = true;
+        } else if (word == "--list") {
+            is_listing = true;
+        } else {
+            names.push_back(word);
+        }
+    }
+    for (const std::string& name : names) {
+        if (std::none_of(shots.begin(), shots.end(),
+                         [&](const Shot& shot) { return shot.name == name; })) {
+            throw UsageError("there is no picture '" + name + "' in " + shots_path.string() + ".");
+        }
+    }
+    bool all_well = true;
+    for (const Shot& shot : shots) {
+        if (!names.empty() && std::find(names.begin(), names.end(), shot.name) == names.end()) {
+            continue;
+        }
+        if (is_listing) {
+            std::cout << shot.name << '\n';
+        } else {
+            all_well = process(shot, is_blessing) && all_well;
+        }
+    }
+    return static_cast<int>(all_well ? ExitCode::done : ExitCode::difference);
+}
+
+} // namespace
+
+} // namespace rasterwalk
+
+int main(int argc, char** argv) {
+    try {
+        return rasterwalk::run({argv + 1, argv + argc});
+    } catch (const rasterwalk::Error& fault) {
+        std::cerr << "picture_tests: " << fault.what() << '\n';
+        return static_cast<int>(fault.code);
+    } catch (const std::exception& fault) {
+        std::cerr << "picture_tests: " << fault.what() << '\n';
+        return static_cast<int>(rasterwalk::ExitCode::no_access);
+    }
+}

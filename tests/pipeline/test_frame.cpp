@@ -1,0 +1,114 @@
+#include <catch2/catch.hpp>
+
+#include <limits>
+
+#include "pipeline/draw.h"
+#include "support/bits.h"
+#include "support/samples.h"
+
+using namespace rasterwalk;
+using namespace rasterwalk::test;
+
+TEST_CASE("A frame holds what the vertex shader says of each vertex, three for each triangle") {
+    const Scene room = lab_room();
+    Settings settings = default_settings(room);
+    settings.stage = Stage::vertex_light;
+    const Frame frame = prepare_frame(room, settings);
+    REQUIRE(frame.triangle_count() == 30);
+    REQUIRE(frame.vertices.size() == 90);
+    const VertexRules rules = vertex_rules(settings, room.space);
+    for (int t = 0; t < 30; ++t) {
+        CHECK(frame.is_drawn(t));
+        for (std::size_t v = 0; v < 3; ++v) {
+            const Vertex& vertex = room.triangles[static_cast<std::size_t>(t)].vertices[v];
+            const ShadedVertex shaded =
+                vertex_shader(vertex, camera_rotation(settings.camera), rules);
+            CAPTURE(t, v);
+            CHECK(same_bits(frame.triangle_vertices(t)[v], shaded.pixel));
+        }
+    }
+}
+
+TEST_CASE("A triangle with one faulty vertex is left out whole, for its first fault") {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const Scene scene = pixel_scene({{{{1, 1, 1}, {5, 1, 1}, {3, 6, 1}}},
+                                     {{{1, 1, -1}, {5, 1, 1}, {3, 6, 1}}},
+                                     {{{1, 1, 1}, {5, 1, 1}, {3, 6, 0}}},
+                                     {{{1, nan, 1}, {5, 1, 1}, {3, 6, 1}}},
+                                     {{{1, 1, 1}, {20000, 1, 1}, {3, nan, 1}}},
+                                     {{{1, 1, 1}, {5, -20000, 1}, {3, 6, 1}}}},
+                                    {8, 8});
+    const Frame frame = prepare_frame(scene, default_settings(scene));
+    CHECK(frame.left_out ==
+          std::vector<VertexFault>{VertexFault::none, VertexFault::behind_camera,
+                                   VertexFault::behind_camera, VertexFault::not_finite,
+                                   VertexFault::too_far_out, VertexFault::too_far_out});
+    const Framebuffer framebuffer = draw_frame(frame);
+    for (const std::int32_t owner : framebuffer.owner)
+        CHECK(owner <= 0);
+}
+
+TEST_CASE("The default settings are the handout's, with the scene's own view and stage") {
+    Scene scene = pixel_scene({}, {12, 34});
+    scene.camera.yaw = 0.5f;
+    scene.light.power = {1, 2, 3};
+    scene.stage = "edges";
+    const Settings settings = default_settings(scene);
+    CHECK(settings.stage == Stage::edges);
+    CHECK(settings.viewport == Viewport{12, 34});
+    CHECK(settings.camera == scene.camera);
+    CHECK(settings.light == scene.light);
+    CHECK(settings.rounding == Rounding::truncate);
+    CHECK(settings.line_walk == LineWalk::accumulate);
+    CHECK(settings.edge_samples == EdgeSamples::longest_axis);
+    CHECK(settings.depth_test == DepthTest::inverse_z);
+    CHECK(settings.interpolation == Interpolation::perspective);
+}
+
+TEST_CASE("There is no depth test before stage depth, and light only in its two stages") {
+    Settings settings;
+    for (const StageInfo& info : stage_list()) {
+        settings.stage = info.stage;
+        CAPTURE(std::string(info.name));
+        for (const DepthTest test : {DepthTest::inverse_z, DepthTest::linear_z, DepthTest::off}) {
+            settings.depth_test = test;
+            CHECK(depth_rule(settings) == (info.stage >= Stage::depth ? test : DepthTest::off));
+        }
+        const Lighting expected = info.stage == Stage::vertex_light  ? Lighting::per_vertex
+                                  : info.stage == Stage::pixel_light ? Lighting::per_pixel
+                                                                     : Lighting::none;
+        CHECK(vertex_rules(settings, SceneSpace::world).lighting == expected);
+        CHECK(pixel_rules(settings).lighting == expected);
+    }
+}
+
+TEST_CASE("Stages are listed in their own order, each with its name and words") {
+    for (std::size_t i = 0; i < stage_list().size(); ++i) {
+        CHECK(static_cast<std::size_t>(stage_list()[i].stage) == i);
+        CHECK_FALSE(stage_list()[i].name.empty());
+        CHECK_FALSE(stage_list()[i].summary.empty());
+    }
+}
+
+namespace {
+
+glm::vec3 blue_pixel_shader(const Fragment&, const Surface&, const PixelRules&) {
+    return {0.0f, 0.0f, 1.0f};
+}
+
+} // namespace
+
+TEST_CASE("A single stage can be replaced, and the others stay as they are") {
+    const Scene scene = small_scene();
+    Settings settings = default_settings(scene);
+    settings.stage = Stage::depth;
+    Stages stages = standard_stages();
+    stages.pixel_shader = blue_pixel_shader;
+    const Framebuffer usual = draw_frame(prepare_frame(scene, settings));
+    const Framebuffer blue = draw_frame(prepare_frame(scene, settings, stages));
+    CHECK(usual.depth == blue.depth);
+    CHECK(usual.owner == blue.owner);
+    CHECK(usual.overdraw == blue.overdraw);
+    for (std::size_t i = 0; i < blue.colour.size(); ++i)
+        CHECK(blue.colour[i] == (blue.owner[i] >= 0 ? glm::vec3(0, 0, 1) : glm::vec3(0.0f)));
+}

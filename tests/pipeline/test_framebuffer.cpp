@@ -1,0 +1,146 @@
+#include <catch2/catch.hpp>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "pipeline/framebuffer.h"
+#include "scene/colour_map.h"
+
+using namespace rasterwalk;
+
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+
+Framebuffer of_size(int width, int height) {
+    Framebuffer framebuffer;
+    clear(framebuffer, {width, height});
+    return framebuffer;
+}
+
+using Rgba = std::array<int, 4>;
+
+Rgba pixel_of(const Image& image, std::size_t pixel) {
+    Rgba rgba{};
+    for (std::size_t c = 0; c < 4; ++c)
+        rgba[c] = image.rgba[4 * pixel + c];
+    return rgba;
+}
+
+Rgba viridis_rgba(float t) {
+    const auto c = viridis(t);
+    return {c.r, c.g, c.b, 255};
+}
+
+} // namespace
+
+TEST_CASE("A cleared framebuffer is black, infinitely far, owned by none and never drawn on") {
+    Framebuffer framebuffer = of_size(3, 2);
+    framebuffer.colour[1] = {1, 2, 3};
+    framebuffer.depth[2] = 1.0f;
+    clear(framebuffer, {4, 5});
+    CHECK(framebuffer.colour == std::vector<glm::vec3>(20, glm::vec3(0.0f)));
+    CHECK(framebuffer.depth == std::vector<float>(20, 0.0f));
+    CHECK(framebuffer.owner == std::vector<std::int32_t>(20, -1));
+    CHECK(framebuffer.overdraw == std::vector<std::uint32_t>(20, 0));
+    CHECK(framebuffer.bytes() == 20 * 24);
+}
+
+TEST_CASE("Pixels stand row by row from the top left, and the picture ends before its size") {
+    const Framebuffer framebuffer = of_size(7, 5);
+    CHECK(framebuffer.at(0, 0) == 0);
+    CHECK(framebuffer.at(6, 0) == 6);
+    CHECK(framebuffer.at(0, 1) == 7);
+    CHECK(framebuffer.at(6, 4) == 34);
+    CHECK(framebuffer.contains(0, 0));
+    CHECK(framebuffer.contains(6, 4));
+    CHECK_FALSE(framebuffer.contains(-1, 0));
+    CHECK_FALSE(framebuffer.contains(0, -1));
+    CHECK_FALSE(framebuffer.contains(7, 0));
+    CHECK_FALSE(framebuffer.contains(0, 5));
+}
+
+TEST_CASE("Colours are cut to bytes as the lab does, and never wrap") {
+    const std::array<std::pair<float, int>, 13> cases{{{0.0f, 0},
+                                                       {0.15f, 38},
+                                                       {0.5f, 127},
+                                                       {0.75f, 191},
+                                                       {254.999f / 255.0f, 254},
+                                                       {1.0f, 255},
+                                                       {1.004f, 255},
+                                                       {300.0f, 255},
+                                                       {3e38f, 255},
+                                                       {infinity, 255},
+                                                       {-0.1f, 0},
+                                                       {-infinity, 0},
+                                                       {not_a_number, 0}}};
+    for (const auto& [value, byte] : cases) {
+        Framebuffer framebuffer = of_size(1, 1);
+        framebuffer.colour[0] = {value, 0.0f, value};
+        CAPTURE(value);
+        CHECK(pixel_of(view_image(framebuffer, View::colour), 0) == Rgba{byte, 0, byte, 255});
+    }
+}
+
+TEST_CASE("Depth is shown from the farthest, dark, to the nearest, bright; nothing is black") {
+    Framebuffer framebuffer = of_size(4, 1);
+    framebuffer.depth = {0.0f, 0.25f, 0.5f, 0.375f};
+    const Image image = view_image(framebuffer, View::depth);
+    CHECK(pixel_of(image, 0) == Rgba{0, 0, 0, 255});
+    CHECK(pixel_of(image, 1) == viridis_rgba(0.0f));
+    CHECK(pixel_of(image, 2) == viridis_rgba(1.0f));
+    CHECK(pixel_of(image, 3) == viridis_rgba(0.5f));
+}
+
+TEST_CASE("Depths that are no numbers are shown without harm") {
+    Framebuffer framebuffer = of_size(5, 1);
+    framebuffer.depth = {not_a_number, infinity, 0.5f, -1.0f, -infinity};
+    const Image image = view_image(framebuffer, View::depth);
+    CHECK(pixel_of(image, 0) == Rgba{0, 0, 0, 255});
+    CHECK(pixel_of(image, 2) == viridis_rgba(0.0f));
+    CHECK(pixel_of(image, 3) == Rgba{0, 0, 0, 255});
+    CHECK(pixel_of(image, 4) == Rgba{0, 0, 0, 255});
+    framebuffer.depth.assign(5, infinity);
+    CHECK(view_image(framebuffer, View::depth).rgba.size() == 20);
+}
+
+TEST_CASE("Triangles are shown in colours that differ from those of the next ones") {
+    Framebuffer framebuffer = of_size(31, 1);
+    for (int i = 0; i < 30; ++i)
+        framebuffer.owner[static_cast<std::size_t>(i)] = i;
+    const Image image = view_image(framebuffer, View::triangle);
+    std::set<Rgba> colours;
+    for (std::size_t i = 0; i < 30; ++i) {
+        colours.insert(pixel_of(image, i));
+        const Rgba a = pixel_of(image, i), b = pixel_of(image, (i + 1) % 30);
+        const int difference =
+            std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2]);
+        CAPTURE(i);
+        CHECK(difference > 60);
+    }
+    CHECK(colours.size() == 30);
+    CHECK(pixel_of(image, 30) == Rgba{0, 0, 0, 255});
+}
+
+TEST_CASE("Overdraw is shown from none, black, to the most there is, bright") {
+    Framebuffer framebuffer = of_size(3, 1);
+    framebuffer.overdraw = {0, 2, 8};
+    const Image image = view_image(framebuffer, View::overdraw);
+    CHECK(pixel_of(image, 0) == Rgba{0, 0, 0, 255});
+    CHECK(pixel_of(image, 1) == viridis_rgba(0.25f));
+    CHECK(pixel_of(image, 2) == viridis_rgba(1.0f));
+}
+
+TEST_CASE("An empty framebuffer makes a picture in every view") {
+    for (const View view : {View::colour, View::depth, View::triangle, View::overdraw}) {
+        const Image image = view_image(of_size(6, 3), view);
+        CHECK(image.width == 6);
+        CHECK(image.height == 3);
+        for (std::size_t i = 0; i < 18; ++i)
+            CHECK(pixel_of(image, i) == Rgba{0, 0, 0, 255});
+        CHECK(view_image(Framebuffer{}, view).rgba.empty());
+    }
+}

@@ -1,0 +1,140 @@
+// The room's pictures, every bit of them. The goldens are in tests/golden/room.txt, a line a
+// picture; with RASTERWALK_BLESS=1 in the environment this test writes them instead.
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "pipeline/draw.h"
+#include "support/bits.h"
+#include "support/frames.h"
+#include "support/samples.h"
+
+using namespace rasterwalk;
+using namespace rasterwalk::test;
+
+namespace {
+
+struct Counts {
+    DrawTally tally;
+    unsigned max_overdraw = 0;
+    int uncovered = 0;
+    Framebuffer framebuffer;
+};
+
+Counts draw_counted(const Frame& frame) {
+    Counts counts;
+    clear(counts.framebuffer, frame.settings.viewport);
+    counts.tally = draw(frame, {}, counts.framebuffer);
+    for (const std::uint32_t overdraw : counts.framebuffer.overdraw) {
+        counts.max_overdraw = std::max(counts.max_overdraw, overdraw);
+        counts.uncovered += overdraw == 0 ? 1 : 0;
+    }
+    return counts;
+}
+
+std::string golden_line(const std::string& name, const Frame& frame) {
+    const Counts counts = draw_counted(frame);
+    std::ostringstream line;
+    line << name << ": fragments " << counts.tally.fragments << ", max_overdraw "
+         << counts.max_overdraw << ", uncovered " << counts.uncovered << ", outside "
+         << counts.tally.samples_outside << " -> " << hash_text(counts.framebuffer);
+    return line.str();
+}
+
+std::string stage_name(Stage stage) {
+    return std::string(stage_list()[static_cast<std::size_t>(stage)].name);
+}
+
+/// A line for every stage under the handout's rules, under the exact ones and in a light that is
+/// seen; for every other rule; and for every other camera.
+std::vector<std::string> golden_lines() {
+    const Scene room = lab_room();
+    const std::vector<Variant> presets{
+        {"handout", [](Settings&) {}},
+        {"exact",
+         [](Settings& s) {
+             s.rounding = Rounding::floor;
+             s.line_walk = LineWalk::exact;
+         }},
+        {"visible light", [](Settings& s) { s.light.power = glm::vec3(14.0f); }},
+    };
+    std::vector<std::string> lines;
+    for (const Variant& preset : presets) {
+        for (const StageInfo& info : stage_list()) {
+            lines.push_back(golden_line(preset.name + ", " + stage_name(info.stage),
+                                        frame_of(room, info.stage, preset)));
+        }
+    }
+    for (const Variant& variant : rule_variants()) {
+        if (variant.name == "handout") continue;
+        for (const Stage stage : {Stage::rows, Stage::vertex_light, Stage::pixel_light}) {
+            lines.push_back(golden_line(variant.name + ", " + stage_name(stage),
+                                        frame_of(room, stage, variant)));
+        }
+    }
+    for (const Pose& pose : room_poses()) {
+        if (&pose == &room_poses().front()) continue; // the handout's own
+        const Variant view{"camera " + pose.name, [&](Settings& s) {
+                               s.camera = pose.camera;
+                               s.viewport = pose.viewport;
+                           }};
+        lines.push_back(golden_line(view.name, frame_of(room, Stage::pixel_light, view)));
+    }
+    return lines;
+}
+
+} // namespace
+
+TEST_CASE("The room has the handout's numbers at every stage that fills") {
+    const Scene room = lab_room();
+    CHECK(room.triangles.size() == 30);
+    for (const Stage stage : {Stage::fill, Stage::depth, Stage::vertex_light, Stage::pixel_light}) {
+        const Counts counts = draw_counted(frame_of(room, stage, rule_variants().front()));
+        CAPTURE(stage_name(stage));
+        CHECK(counts.tally.fragments == 328'789);
+        CHECK(counts.max_overdraw == 8);
+        CHECK(counts.uncovered == 998);
+        CHECK(counts.tally.samples_outside == 4);
+    }
+}
+
+TEST_CASE("The handout's picture leaves row 0 black, and nearly all of column 0") {
+    const Scene room = lab_room();
+    const Framebuffer picture = draw_frame(frame_of(room, Stage::fill, rule_variants().front()));
+    int row_0 = 0, column_0 = 0, elsewhere = 0;
+    for (int row = 0; row < 500; ++row) {
+        for (int column = 0; column < 500; ++column) {
+            if (picture.overdraw[picture.at(column, row)] > 0) continue;
+            (row == 0 ? row_0 : column == 0 ? column_0 : elsewhere) += 1;
+        }
+    }
+    CHECK(row_0 == 500);
+    CHECK(column_0 == 498);
+    CHECK(elsewhere == 0);
+}
+
+TEST_CASE("The room's pictures are their goldens, bit by bit") {
+    const std::string path = std::string(RASTERWALK_ROOT) + "/tests/golden/room.txt";
+    const std::vector<std::string> lines = golden_lines();
+    if (const char* bless = std::getenv("RASTERWALK_BLESS"); bless && std::string(bless) == "1") {
+        std::ofstream file(path);
+        for (const std::string& line : lines)
+            file << line << '\n';
+        REQUIRE(file.flush());
+        WARN(path << " is written");
+        return;
+    }
+    std::ifstream file(path);
+    std::vector<std::string> goldens;
+    for (std::string line; std::getline(file, line);)
+        goldens.push_back(line);
+    CHECK(goldens.size() == lines.size());
+    for (std::size_t i = 0; i < std::min(goldens.size(), lines.size()); ++i)
+        CHECK(goldens[i] == lines[i]);
+}

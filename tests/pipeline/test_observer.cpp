@@ -1,0 +1,188 @@
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "pipeline/draw.h"
+#include "support/bits.h"
+#include "support/frames.h"
+#include "support/moments.h"
+#include "support/recorder.h"
+#include "support/samples.h"
+
+using namespace rasterwalk;
+using namespace rasterwalk::test;
+
+TEST_CASE("An observer is told every moment in order, and changes no bit") {
+    const Scene scene = small_scene();
+    for_each_frame(scene, [&](const Frame& frame) {
+        Recorder recorder(true);
+        Framebuffer watched;
+        clear(watched, frame.settings.viewport);
+        const DrawTally tally = draw(frame, {}, watched, &recorder);
+        require_same(draw_frame(frame), watched);
+        CHECK(tally.fragments == static_cast<std::int64_t>(recorder.fragments.size()));
+        // Vertices, samples and fragments together are the moments; from stage `edges` on.
+        std::vector<Cursor> told;
+        for (const auto& event : recorder.vertices)
+            told.push_back(event.cursor);
+        for (const SampleEvent& event : recorder.samples)
+            told.push_back(event.cursor);
+        const Stage stage = frame.settings.stage;
+        if (has_fragments(stage)) {
+            for (const FragmentEvent& event : recorder.fragments)
+                told.push_back(event.cursor);
+            CHECK(std::is_sorted(recorder.fragments.begin(), recorder.fragments.end(),
+                                 [](const auto& a, const auto& b) { return a.cursor < b.cursor; }));
+        }
+        CHECK(std::is_sorted(recorder.samples.begin(), recorder.samples.end(),
+                             [](const auto& a, const auto& b) { return a.cursor < b.cursor; }));
+        std::sort(told.begin(), told.end());
+        std::vector<Cursor> expected = all_moments(frame);
+        if (stage == Stage::rows) {
+            std::erase_if(expected, [](const Cursor& c) { return c.phase == Phase::rows; });
+        }
+        REQUIRE(told.size() == expected.size());
+        for (std::size_t i = 0; i < told.size(); ++i) {
+            if (told[i] != expected[i]) FAIL(to_text(told[i]) + " for " + to_text(expected[i]));
+        }
+    });
+}
+
+TEST_CASE("The planes follow from the fragments that an observer is told") {
+    const Scene scene = small_scene();
+    for_each_frame(scene, [&](const Frame& frame) {
+        Recorder recorder;
+        Framebuffer drawn, built;
+        clear(drawn, frame.settings.viewport);
+        built = drawn;
+        draw(frame, {}, drawn, &recorder);
+        for (const FragmentEvent& event : recorder.fragments) {
+            const std::size_t pixel = built.at(event.fragment.column, event.fragment.row);
+            CHECK(same_bits(event.stored, built.depth[pixel]));
+            CHECK(same_bits(event.before, built.colour[pixel]));
+            ++built.overdraw[pixel];
+            if (event.fate != Fate::written) {
+                CHECK(same_bits(event.after, event.before));
+                continue;
+            }
+            built.colour[pixel] = event.after;
+            built.depth[pixel] = event.depth;
+            built.owner[pixel] = event.cursor.triangle;
+        }
+        require_same(built, drawn);
+    });
+}
+
+TEST_CASE("A window tells an observer of its own samples only, with what each does to the table") {
+    const Scene scene = small_scene();
+    Random random(31);
+    for_each_frame(scene, [&](const Frame& frame) {
+        Recorder all(true);
+        Framebuffer framebuffer;
+        clear(framebuffer, frame.settings.viewport);
+        draw(frame, {}, framebuffer, &all);
+        for (int round = 0; round < 30; ++round) {
+            Cursor from = any_cursor(random, frame.triangle_count());
+            Cursor to = any_cursor(random, frame.triangle_count());
+            if (to < from) std::swap(from, to);
+            Recorder part(true);
+            draw(frame, {from, to, {}}, framebuffer, &part);
+            std::vector<SampleEvent> expected;
+            for (const SampleEvent& event : all.samples) {
+                if (event.cursor >= from && event.cursor < to) expected.push_back(event);
+            }
+            CAPTURE(to_text(from), to_text(to));
+            REQUIRE(part.samples.size() == expected.size());
+            for (std::size_t i = 0; i < expected.size(); ++i) {
+                const SampleEvent &a = part.samples[i], &b = expected[i];
+                const bool same = a.cursor == b.cursor && same_bits(a.sample, b.sample) &&
+                                  same_bits(a.x, b.x) && same_bits(a.y, b.y) && a.write == b.write;
+                if (!same) FAIL("sample " + to_text(b.cursor) + " is told otherwise");
+            }
+        }
+    });
+}
+
+namespace {
+
+/// A row table as an observer of edge samples would make it.
+struct ReplayedRows {
+    struct Ends {
+        int left = INT_MAX, right = -INT_MAX;
+        Fragment left_sample, right_sample;
+    };
+    std::map<int, Ends> rows; ///< by number in the table
+    int outside = 0;
+
+    RowWrite enter(const Fragment& sample, const PolygonRows& table) {
+        const int r = sample.row - table.first_row;
+        if (r < 0 || r >= table.size()) {
+            ++outside;
+            return {};
+        }
+        Ends& ends = rows[r];
+        const RowWrite write{true, sample.column<ends.left, sample.column> ends.right};
+        if (write.left) ends.left_sample = sample;
+        if (write.right) ends.right_sample = sample;
+        ends.left = std::min(ends.left, sample.column);
+        ends.right = std::max(ends.right, sample.column);
+        return write;
+    }
+
+    /// The first row, from the top, that is not as in the table; -1 if none.
+    int first_difference(const PolygonRows& table) const {
+        for (int r = 0; r < table.size(); ++r) {
+            const auto found = rows.find(r);
+            const bool same = found == rows.end()
+                                  ? table.is_empty_row(r)
+                                  : same_bits(found->second.left_sample, table.left[r]) &&
+                                        same_bits(found->second.right_sample, table.right[r]);
+            if (!same) return r;
+        }
+        return -1;
+    }
+};
+
+} // namespace
+
+TEST_CASE("10,000 random row tables replayed sample by sample are the ones made in one go") {
+    Random random(32);
+    constexpr Viewport viewport{48, 36};
+    std::vector<std::array<glm::vec3, 3>> triangles;
+    for (int i = 0; i < 10'000; ++i)
+        triangles.push_back(random_triangle(random, viewport));
+    const Scene scene = pixel_scene(triangles, viewport);
+    for (const Variant& variant : rule_variants()) {
+        const Frame frame = frame_of(scene, Stage::edges, variant);
+        const bool handout = variant.name == "handout";
+        const int count = handout ? frame.triangle_count() : 1000;
+        Recorder recorder(true);
+        Framebuffer framebuffer;
+        clear(framebuffer, viewport);
+        const DrawWindow window{cursor_begin, {count, Phase::vertices, 0, 0}, {}};
+        const DrawTally tally = draw(frame, window, framebuffer, &recorder);
+        CAPTURE(variant.name);
+        std::int64_t outside = 0;
+        auto event = recorder.samples.begin();
+        for (int t = 0; t < count; ++t) {
+            PolygonRows rows;
+            compute_polygon_rows(frame.triangle_vertices(t), edge_rules(frame.settings), rows);
+            ReplayedRows replayed;
+            for (; event != recorder.samples.end() && event->cursor.triangle == t; ++event) {
+                if (replayed.enter(event->sample, rows) == event->write) continue;
+                FAIL("another end is written than is told at " + to_text(event->cursor));
+            }
+            const int row = replayed.first_difference(rows);
+            if (row >= 0) FAIL("triangle " << t << " differs in row " << row << " of its table");
+            if (replayed.outside != rows.outside) FAIL("triangle " << t << " counts otherwise");
+            outside += replayed.outside;
+        }
+        CHECK(event == recorder.samples.end());
+        CHECK(outside == tally.samples_outside);
+        if (frame.settings.line_walk == LineWalk::exact) CHECK(outside == 0);
+        if (handout) CHECK(outside > 100);
+    }
+}

@@ -1,0 +1,136 @@
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "pipeline/replay.h"
+#include "support/bits.h"
+#include "support/moments.h"
+#include "support/samples.h"
+
+using namespace rasterwalk;
+using namespace rasterwalk::test;
+
+namespace {
+
+Framebuffer drawn_from_start(const Frame& frame, const Cursor& cursor) {
+    Framebuffer framebuffer;
+    clear(framebuffer, frame.settings.viewport);
+    draw(frame, {cursor_begin, cursor, {}}, framebuffer);
+    return framebuffer;
+}
+
+void require_at(Replay& replay, const Cursor& cursor, const Framebuffer& expected) {
+    const std::string difference = first_difference(expected, replay.at(cursor));
+    if (difference.empty()) return;
+    CAPTURE(to_text(cursor));
+    FAIL(difference);
+}
+
+/// Many triangles on a small picture: enough work for keyframes to be laid.
+Scene crowded_scene(int triangles) {
+    Random random(40);
+    std::vector<std::array<glm::vec3, 3>> corners;
+    for (int i = 0; i < triangles; ++i)
+        corners.push_back(random_triangle(random, {64, 48}));
+    return pixel_scene(corners, {64, 48});
+}
+
+} // namespace
+
+TEST_CASE("Every moment reached forwards, backwards or at random is as if drawn from the start") {
+    const Scene scene = small_scene();
+    Random random(41);
+    for (const Variant& variant : rule_variants()) {
+        for (int stage = 0; stage < stage_count; ++stage) {
+            Settings settings = default_settings(scene);
+            settings.stage = static_cast<Stage>(stage);
+            variant.apply(settings);
+            const Frame frame = prepare_frame(scene, settings);
+            CAPTURE(variant.name, stage);
+            std::vector<Cursor> moments = all_moments(frame);
+            moments.push_back(cursor_end);
+            std::vector<Framebuffer> expected;
+            for (const Cursor& cursor : moments)
+                expected.push_back(drawn_from_start(frame, cursor));
+            Replay replay;
+            replay.begin(frame);
+            const std::size_t count = moments.size();
+            for (std::size_t i = 0; i < count; ++i)
+                require_at(replay, moments[i], expected[i]);
+            for (std::size_t i = count; i-- > 0;)
+                require_at(replay, moments[i], expected[i]);
+            for (std::size_t i = 0; i < count; ++i) {
+                const auto pick =
+                    static_cast<std::size_t>(random.integer(0, static_cast<int>(count) - 1));
+                require_at(replay, moments[pick], expected[pick]);
+            }
+        }
+    }
+}
+
+TEST_CASE("Keyframes never take more than their budget, and never change a picture") {
+    const Scene scene = crowded_scene(1500);
+    for (const Stage stage : {Stage::edges, Stage::rows, Stage::pixel_light}) {
+        Settings settings = default_settings(scene);
+        settings.stage = stage;
+        const Frame frame = prepare_frame(scene, settings);
+        Framebuffer one;
+        clear(one, settings.viewport);
+        const std::size_t bytes = one.bytes();
+        Random random(42);
+        std::vector<Cursor> cursors;
+        std::vector<Framebuffer> expected;
+        for (int i = 0; i < 24; ++i) {
+            cursors.push_back({random.integer(0, frame.triangle_count()),
+                               static_cast<Phase>(random.integer(0, 2)), random.integer(0, 40),
+                               random.integer(0, 60)});
+            expected.push_back(drawn_from_start(frame, cursors.back()));
+        }
+        for (const std::size_t budget : {std::size_t{0}, bytes - 1, bytes, 2 * bytes, 3 * bytes,
+                                         5 * bytes + 7, std::size_t{64} << 20}) {
+            Replay replay(budget);
+            replay.begin(frame);
+            std::size_t most = 0;
+            for (std::size_t i = 0; i < cursors.size(); ++i) {
+                CAPTURE(static_cast<int>(stage), budget, i);
+                require_at(replay, cursors[i], expected[i]);
+                REQUIRE(replay.keyframe_bytes() <= budget);
+                REQUIRE(replay.keyframe_bytes() == replay.keyframe_count() * bytes);
+                most = std::max(most, replay.keyframe_count());
+            }
+            if (stage == Stage::pixel_light) CHECK((most > 0) == (budget >= bytes));
+        }
+    }
+}
+
+TEST_CASE("A replay begun on another frame has forgotten the first") {
+    const Scene crowd = crowded_scene(3000), small = small_scene();
+    const Frame first = prepare_frame(crowd, default_settings(crowd));
+    const Frame second = prepare_frame(small, default_settings(small));
+    Replay replay;
+    replay.begin(first);
+    replay.at(cursor_end);
+    replay.at({1500, Phase::rows, 3, 2});
+    replay.at(cursor_end);
+    replay.at({2500, Phase::edges, 1, 0});
+    CHECK(replay.keyframe_count() > 0);
+    replay.begin(second);
+    CHECK(replay.keyframe_count() == 0);
+    for (const Cursor cursor :
+         {cursor_end, Cursor{4, Phase::rows, 0, 0}, cursor_begin, Cursor{7, Phase::edges, 2, 1}})
+        require_at(replay, cursor, drawn_from_start(second, cursor));
+}
+
+TEST_CASE("A frame without triangles is black at every moment") {
+    const Scene scene = pixel_scene({}, {5, 4});
+    const Frame frame = prepare_frame(scene, default_settings(scene));
+    Replay replay;
+    replay.begin(frame);
+    Framebuffer black;
+    clear(black, {5, 4});
+    for (const Cursor cursor :
+         {cursor_begin, cursor_end, Cursor{3, Phase::rows, 1, 1}, cursor_begin})
+        require_at(replay, cursor, black);
+}

@@ -1,0 +1,67 @@
+#!/usr/bin/env bash
+# Compiles the drawing core under several compilers and flags and compares what they draw, bit by bit.
+#   same_bits.sh ROOT FOLDER      FOLDER takes the objects, programs and hashes
+# SAME_BITS_FLAGS replaces the flag that keeps the bits; `SAME_BITS_FLAGS=-ffp-contract=fast` shows that the test can fail.
+set -u
+root=${1:?ROOT is missing}
+folder=${2:?FOLDER is missing}
+keeps_bits=${SAME_BITS_FLAGS--ffp-contract=off}
+compilers=(g++ clang++)
+levels=("-O0" "-O2" "-O3 -march=native")
+cd "$root" || exit 2
+mkdir -p "$folder" || exit 2
+
+sources=(tests/same_bits/hash_pictures.cpp src/stages/*.cpp
+    src/pipeline/{draw,frame,framebuffer,settings}.cpp)
+for source in src/scene/*.cpp; do
+    [ "$source" = src/scene/image.cpp ] || sources+=("$source")
+done
+launcher=$(command -v ccache || true)
+libraries=$(pkg-config --libs tomlplusplus) || exit 2
+common="-std=c++20 $keeps_bits -Isrc $(pkg-config --cflags tomlplusplus)"
+
+for compiler in "${compilers[@]}"; do
+    command -v "$compiler" >/dev/null || { echo "$compiler is not installed."; exit 2; }
+done
+
+# All objects of all variants at once, two at a time.
+for compiler in "${compilers[@]}"; do
+    for level in "${levels[@]}"; do
+        variant=$folder/$compiler${level// /}
+        mkdir -p "$variant" && rm -f "$variant"/*.o
+        for source in "${sources[@]}"; do
+            echo "$launcher $compiler $common $level -c $source -o $variant/$(basename "$source").o"
+        done
+    done
+done | xargs -P 2 -d '\n' -n 1 bash -c '$0 || exit 255' || { echo "The core does not compile."; exit 2; }
+
+reference=
+different=0
+printf '%-10s %-20s %-34s\n' compiler flags "hash of all pictures"
+for compiler in "${compilers[@]}"; do
+    for level in "${levels[@]}"; do
+        variant=$folder/$compiler${level// /}
+        $compiler "$variant"/*.o $libraries -o "$variant/hash_pictures" || exit 2
+        "$variant/hash_pictures" lessons/scenes/lab-room.toml >"$variant/hashes" || exit 2
+        printf '%-10s %-20s %-34s' "$compiler" "$level" "$(md5sum <"$variant/hashes" | cut -d ' ' -f 1)"
+        : "${reference:=$variant/hashes}"
+        if cmp -s "$reference" "$variant/hashes"; then
+            echo
+            continue
+        fi
+        different=1
+        count=$(diff "$reference" "$variant/hashes" | grep -c '^>')
+        first=$(diff "$reference" "$variant/hashes" | sed -n 's/^> //p' | head -n 1 | awk '{ print $1, $2, $3 }')
+        echo "differs in $count pictures; the first: $first"
+    done
+done
+pictures=$(wc -l <"$reference")
+if [ "$pictures" -lt 100 ]; then
+    echo "Only $pictures pictures were drawn."
+    exit 2
+fi
+if [ $different -ne 0 ]; then
+    echo "The pictures are not the same bits under every compiler."
+    exit 1
+fi
+echo "$pictures pictures, the same bits in all."

@@ -1,0 +1,30 @@
+#include <catch2/catch.hpp>
+
+#include "scene/error.h"
+#include "session/content.h"
+#include "session/glossary.h"
+
+namespace rasterwalk {
+
+TEST_CASE("The glossary that comes with the program has the words of the lab, each a sentence") {
+    const std::vector<Term> terms = read_glossary(lessons_folder() + "/glossary.toml");
+    CHECK(terms.size() >= 30);
+    for (const Term& term : terms) {
+        INFO(term.word);
+        CHECK(term.sentence.back() == '.');
+        CHECK_FALSE(term.section.empty());
+    }
+}
+
+TEST_CASE("A glossary out of order or with a term twice names the line") {
+    const char* const text = "[[term]]\nword = \"b\"\nsentence = \"B.\"\nsection = \"s\"\n"
+                             "[[term]]\nword = \"a\"\nsentence = \"A.\"\nsection = \"s\"\n";
+    try {
+        parse_glossary(text, "words.toml");
+        FAIL("was accepted");
+    } catch (const InputError& error) {
+        CHECK(std::string(error.what()).substr(0, 13) == "words.toml:5:");
+    }
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,229 @@
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "stages/edges.h"
+#include "stages/interpolate.h"
+#include "support/bits.h"
+#include "support/oracle.h"
+#include "support/random.h"
+
+using namespace rasterwalk;
+using namespace rasterwalk::test;
+
+namespace {
+
+constexpr Rounding all_roundings[] = {Rounding::truncate, Rounding::floor, Rounding::round};
+constexpr LineWalk all_walks[] = {LineWalk::accumulate, LineWalk::multiply, LineWalk::exact};
+
+Fragment at(int column, int row) {
+    Fragment fragment;
+    fragment.column = column;
+    fragment.row = row;
+    return fragment;
+}
+
+Fragment random_fragment(Random& random, int reach) {
+    Fragment fragment = at(random.integer(-reach, reach), random.integer(-reach, reach));
+    fragment.zinv = random.number(0.1, 4.0);
+    fragment.z = random.number(0.1, 9.0);
+    for (int c = 0; c < 3; ++c) {
+        fragment.varyings.position_world[c] = random.number(-3.0, 3.0);
+        fragment.varyings.illumination[c] = random.number(0.0, 2.0);
+    }
+    return fragment;
+}
+
+std::vector<Fragment> line(const Fragment& a, const Fragment& b, int count,
+                           const LineRules& rules) {
+    std::vector<Fragment> samples(static_cast<std::size_t>(count));
+    interpolate(a, b, rules, samples);
+    return samples;
+}
+
+} // namespace
+
+TEST_CASE("interpolate answers the lab's example in every walk") {
+    for (const LineWalk walk : all_walks) {
+        const std::vector<Fragment> samples = line(at(4, 2), at(1, 8), 4, {walk, {}});
+        CAPTURE(static_cast<int>(walk));
+        CHECK(samples[0] == at(4, 2));
+        CHECK(samples[1] == at(3, 4));
+        CHECK(samples[2] == at(2, 6));
+        CHECK(samples[3] == at(1, 8));
+    }
+}
+
+TEST_CASE("The smallest line that loses its end point ends at 0.999999881") {
+    LineWalker walker(at(0, 2), at(3, 1), 4, {});
+    walker.advance_to(3);
+    CHECK(same_bits(walker.y(), 0.999999881f));
+    CHECK(walker.sample().row == 0);
+    CHECK(walker.sample().column == 3);
+
+    LineWalker exact(at(0, 2), at(3, 1), 4, {LineWalk::exact, Rounding::truncate});
+    exact.advance_to(3);
+    CHECK(exact.sample().row == 1);
+}
+
+TEST_CASE("Every smaller line than (0,2)-(3,1) keeps its end point") {
+    // Lines are up to shifts and mirrors; the size is the number of steps.
+    for (int dx = 0; dx < 3; ++dx) {
+        for (int dy = 0; dy <= dx; ++dy) {
+            for (int row = -2; row <= 2; ++row) {
+                LineWalker walker(at(0, row), at(dx, row - dy), dx + 1, {});
+                walker.advance_to(dx);
+                CAPTURE(dx, dy, row);
+                CHECK(walker.sample() == at(dx, row - dy));
+            }
+        }
+    }
+}
+
+TEST_CASE("A line of one sample is its beginning, and a count below 1 counts as 1") {
+    for (const int count : {1, 0, -5}) {
+        LineWalker walker(at(7, -3), at(9, 9), count, {});
+        CHECK_FALSE(walker.done());
+        CHECK(walker.sample() == at(7, -3));
+        walker.advance();
+        CHECK(walker.done());
+    }
+}
+
+TEST_CASE("to_pixel rounds every float by its rule, halves and neighbours of halves included") {
+    std::vector<float> values{0.0f,        -0.0f,         1e-30f,        -1e-30f,
+                              0.49999997f, -0.49999997f,  0.99999994f,   -1e-7f,
+                              8388609.0f,  8388607.5f,    -8388607.5f,   16777215.0f,
+                              -8388609.0f, 2147483520.0f, -2147483520.0f};
+    for (int half = -9; half <= 9; ++half) {
+        const float value = 0.5f * static_cast<float>(half);
+        values.push_back(value);
+        values.push_back(std::nextafter(value, 100.0f));
+        values.push_back(std::nextafter(value, -100.0f));
+    }
+    Random random(1);
+    for (int i = 0; i < 20000; ++i)
+        values.push_back(random.number(-700.0, 700.0));
+    for (const Rounding rounding : all_roundings) {
+        for (const float value : values) {
+            const int pixel = to_pixel(value, rounding);
+            const int expected = round_float(value, rounding);
+            if (pixel == expected) continue;
+            CAPTURE(static_cast<int>(rounding), value);
+            REQUIRE(pixel == expected);
+        }
+    }
+}
+
+TEST_CASE("Every pixel of random lines agrees with fractions and floats worked out in double") {
+    Random random(2);
+    for (int i = 0; i < 4000; ++i) {
+        const int reach = i % 4 == 0 ? 16000 : 1 + i / 20;
+        const Fragment a = random_fragment(random, reach);
+        const Fragment b = random_fragment(random, reach);
+        const auto longest = edge_sample_count(a, b, EdgeSamples::longest_axis);
+        // Long lines are looked at in part: the oracle takes the square of their length.
+        const int count = longest > 300 ? random.integer(1, 300) : longest;
+        for (const LineWalk walk : all_walks) {
+            for (const Rounding rounding : all_roundings) {
+                const LineRules rules{walk, rounding};
+                const std::vector<Place> expected = line_places(a, b, count, rules);
+                const std::vector<Fragment> samples = line(a, b, count, rules);
+                for (std::size_t s = 0; s < samples.size(); ++s) {
+                    const Place place{samples[s].column, samples[s].row};
+                    if (place == expected[s]) continue;
+                    CAPTURE(a.column, a.row, b.column, b.row, count, s);
+                    CAPTURE(static_cast<int>(walk), static_cast<int>(rounding));
+                    CAPTURE(place.column, place.row, expected[s].column, expected[s].row);
+                    FAIL("the sample lies on another pixel");
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("Numbers beside the place take the same way as the place, and exact ones end in b") {
+    Random random(3);
+    for (int i = 0; i < 500; ++i) {
+        const Fragment a = random_fragment(random, 60);
+        const Fragment b = random_fragment(random, 60);
+        const int count = edge_sample_count(a, b, EdgeSamples::longest_axis);
+        for (const LineWalk walk : {LineWalk::accumulate, LineWalk::multiply}) {
+            LineWalker walker(a, b, count, {walk, Rounding::truncate});
+            for (int s = 0; s < count; ++s, walker.advance()) {
+                const auto expect = [&](float from, float to) {
+                    return walked(from, to, s, count, walk);
+                };
+                const Fragment sample = walker.sample();
+                const Varyings& v = sample.varyings;
+                CAPTURE(static_cast<int>(walk), s, count);
+                const bool same =
+                    same_bits(sample.zinv, expect(a.zinv, b.zinv)) &&
+                    same_bits(sample.z, expect(a.z, b.z)) &&
+                    same_bits(v.position_world.y,
+                              expect(a.varyings.position_world.y, b.varyings.position_world.y)) &&
+                    same_bits(v.illumination.z,
+                              expect(a.varyings.illumination.z, b.varyings.illumination.z));
+                if (!same) FAIL("a number beside the place is not the step added up");
+            }
+        }
+        LineWalker exact(a, b, count, {LineWalk::exact, Rounding::floor});
+        CHECK(same_bits(exact.sample(), a));
+        exact.advance_to(count - 1);
+        if (count > 1) CHECK(same_bits(exact.sample(), b));
+    }
+}
+
+TEST_CASE("Skipping to a sample gives the same bits as walking to it") {
+    Random random(4);
+    for (int i = 0; i < 300; ++i) {
+        const Fragment a = random_fragment(random, 90);
+        const Fragment b = random_fragment(random, 90);
+        const int count = edge_sample_count(a, b, EdgeSamples::longest_axis);
+        for (const LineWalk walk : all_walks) {
+            const LineRules rules{walk, Rounding::truncate};
+            LineWalker slow(a, b, count, rules), fast(a, b, count, rules);
+            const int goal = random.integer(0, count - 1);
+            while (slow.index() < goal)
+                slow.advance();
+            fast.advance_to(goal);
+            CAPTURE(static_cast<int>(walk), goal, count);
+            CHECK(same_bits(slow.sample(), fast.sample()));
+            CHECK(same_bits(slow.x(), fast.x()));
+            CHECK(same_bits(slow.y(), fast.y()));
+            const Fragment placed = fast.sample_at(5, -6);
+            CHECK((placed.column == 5 && placed.row == -6));
+            CHECK(same_bits(placed.zinv, slow.sample().zinv));
+        }
+    }
+}
+
+TEST_CASE("About half of all random lines of the lab end one pixel short, and exact ones never") {
+    Random random(5);
+    int short_of_end = 0, outside = 0;
+    constexpr int lines = 20000;
+    for (int i = 0; i < lines; ++i) {
+        const Fragment a = at(random.integer(0, 499), random.integer(0, 499));
+        const Fragment b = at(random.integer(0, 499), random.integer(0, 499));
+        const int count = edge_sample_count(a, b, EdgeSamples::longest_axis);
+        LineWalker lab(a, b, count, {});
+        lab.advance_to(count - 1);
+        const Fragment end = lab.sample();
+        short_of_end += end.column != b.column || end.row != b.row ? 1 : 0;
+        outside += end.row < std::min(a.row, b.row) || end.row > std::max(a.row, b.row) ? 1 : 0;
+        for (const Rounding rounding : all_roundings) {
+            LineWalker exact(a, b, count, {LineWalk::exact, rounding});
+            exact.advance_to(count - 1);
+            if (exact.sample().column != b.column || exact.sample().row != b.row) {
+                CAPTURE(a.column, a.row, b.column, b.row);
+                FAIL("an exact line misses its end");
+            }
+        }
+    }
+    CHECK(short_of_end > lines * 2 / 5);
+    CHECK(short_of_end < lines * 3 / 5);
+    CHECK(outside > lines / 100);
+    CHECK(outside < lines / 8);
+}

@@ -1,0 +1,202 @@
+#include <catch2/catch.hpp>
+
+#include <vector>
+
+#include "stages/polygon_rows.h"
+#include "support/bits.h"
+#include "support/oracle.h"
+#include "support/random.h"
+
+using namespace rasterwalk;
+using namespace rasterwalk::test;
+
+namespace {
+
+Fragment at(int column, int row, float zinv = 0.0f) {
+    Fragment fragment;
+    fragment.column = column;
+    fragment.row = row;
+    fragment.zinv = zinv;
+    return fragment;
+}
+
+PolygonRows rows_of(const std::vector<Fragment>& vertices, const EdgeRules& rules = {}) {
+    PolygonRows rows;
+    compute_polygon_rows(vertices, rules, rows);
+    return rows;
+}
+
+std::vector<EdgeRules> all_rules() {
+    std::vector<EdgeRules> rules;
+    for (const LineWalk walk : {LineWalk::accumulate, LineWalk::multiply, LineWalk::exact}) {
+        for (const Rounding rounding : {Rounding::truncate, Rounding::floor, Rounding::round}) {
+            for (const EdgeSamples samples : {EdgeSamples::longest_axis, EdgeSamples::rows}) {
+                rules.push_back({{walk, rounding}, samples});
+            }
+        }
+    }
+    return rules;
+}
+
+} // namespace
+
+TEST_CASE("The rows of the lab's triangle are the eleven that the lab prints") {
+    const PolygonRows rows = rows_of({at(10, 5), at(5, 10), at(15, 15)});
+    const std::vector<std::pair<int, int>> expected{{10, 10}, {9, 10},  {8, 11}, {7, 11},
+                                                    {6, 12},  {5, 12},  {7, 13}, {9, 13},
+                                                    {11, 14}, {13, 14}, {15, 15}};
+    REQUIRE(rows.size() == 11);
+    CHECK(rows.first_row == 5);
+    CHECK(rows.outside == 0);
+    for (int r = 0; r < rows.size(); ++r) {
+        CAPTURE(r + rows.first_row);
+        CHECK(rows.left[r].column == expected[r].first);
+        CHECK(rows.right[r].column == expected[r].second);
+        CHECK(rows.left[r].row == rows.first_row + r);
+        CHECK(rows.right[r].row == rows.first_row + r);
+        CHECK(rows.pixel_count(r) == expected[r].second - expected[r].first + 1);
+    }
+}
+
+TEST_CASE("The triangle (10,20) (30,10) (20,40) has 31 rows") {
+    const PolygonRows rows = rows_of({at(10, 20), at(30, 10), at(20, 40)});
+    CHECK(rows.size() == 31);
+    CHECK(rows.first_row == 10);
+    CHECK(rows.right[0].column == 30);
+    CHECK(rows.right[30].column == 20);
+}
+
+TEST_CASE("A row that no sample has reached holds the extreme starting values and no pixels") {
+    PolygonRows rows;
+    const std::vector<Fragment> vertices{at(3, -4), at(9, 2), at(5, 1)};
+    begin_polygon_rows(vertices, rows);
+    REQUIRE(rows.size() == 7);
+    for (int r = 0; r < rows.size(); ++r) {
+        CHECK(rows.left[r].column == INT_MAX);
+        CHECK(rows.right[r].column == -INT_MAX);
+        CHECK(rows.left[r].row == r - 4);
+        CHECK(rows.right[r].row == r - 4);
+        CHECK(rows.is_empty_row(r));
+        CHECK(rows.pixel_count(r) == 0);
+    }
+}
+
+TEST_CASE("A table is begun anew however it was used before") {
+    PolygonRows rows;
+    compute_polygon_rows(std::vector{at(0, 2), at(3, 1), at(3, 1)}, {}, rows);
+    CHECK(rows.outside == 1);
+    compute_polygon_rows(std::vector{at(4, 4), at(4, 4), at(4, 4)}, {}, rows);
+    CHECK(rows.outside == 0);
+    REQUIRE(rows.size() == 1);
+    CHECK(rows.left[0].column == 4);
+    CHECK(rows.pixel_count(0) == 1);
+}
+
+TEST_CASE("A sample outside the table is counted and changes nothing in it") {
+    PolygonRows rows;
+    const std::vector<Fragment> vertices{at(0, 2), at(3, 1), at(1, 2)};
+    begin_polygon_rows(vertices, rows);
+    for (const int row : {0, -1, 3, INT_MAX / 2, -INT_MAX / 2}) {
+        const RowWrite write = add_edge_sample(at(1, row), rows);
+        CHECK(write == RowWrite{false, false, false});
+    }
+    CHECK(rows.outside == 5);
+    for (int r = 0; r < rows.size(); ++r)
+        CHECK(rows.is_empty_row(r));
+
+    // The smallest edge that leaves its own rows, in a whole polygon.
+    const PolygonRows whole = rows_of(vertices);
+    CHECK(whole.outside == 1);
+    CHECK(whole.size() == 2);
+}
+
+TEST_CASE("A sample becomes the left end, the right end, both or neither") {
+    PolygonRows rows;
+    begin_polygon_rows(std::vector{at(0, 0), at(9, 0), at(0, 0)}, rows);
+    CHECK(add_edge_sample(at(5, 0, 1.0f), rows) == RowWrite{true, true, true});
+    CHECK(add_edge_sample(at(5, 0, 2.0f), rows) == RowWrite{true, false, false});
+    CHECK(add_edge_sample(at(3, 0, 3.0f), rows) == RowWrite{true, true, false});
+    CHECK(add_edge_sample(at(8, 0, 4.0f), rows) == RowWrite{true, false, true});
+    CHECK(add_edge_sample(at(4, 0, 5.0f), rows) == RowWrite{true, false, false});
+    CHECK(rows.left[0] == at(3, 0, 3.0f));
+    CHECK(rows.right[0] == at(8, 0, 4.0f));
+    CHECK(rows.pixel_count(0) == 6);
+}
+
+TEST_CASE("The rows of random polygons are those of the definition, under every rule") {
+    Random random(8);
+    const std::vector<EdgeRules> rules = all_rules();
+    for (int i = 0; i < 3000; ++i) {
+        std::vector<Fragment> vertices;
+        const int corners = i % 3 == 0 ? random.integer(1, 7) : 3;
+        const int reach = i % 10 == 0 ? 200 : 24;
+        for (int v = 0; v < corners; ++v) {
+            vertices.push_back(at(random.integer(-reach, reach), random.integer(-reach, reach),
+                                  random.number(0.1, 3.0)));
+        }
+        const EdgeRules& rule = rules[static_cast<std::size_t>(i) % rules.size()];
+        int outside = 0;
+        const std::map<int, RowEnds> expected = row_table(vertices, rule, outside);
+        const PolygonRows rows = rows_of(vertices, rule);
+        CAPTURE(i, corners, static_cast<int>(rule.line.walk), static_cast<int>(rule.line.rounding),
+                static_cast<int>(rule.samples));
+        REQUIRE(rows.size() == static_cast<int>(expected.size()));
+        REQUIRE(rows.first_row == expected.begin()->first);
+        REQUIRE(rows.outside == outside);
+        const auto sample = [&](int edge, int index) {
+            const Fragment& a = vertices[static_cast<std::size_t>(edge)];
+            const Fragment& b = vertices[static_cast<std::size_t>(edge + 1) % vertices.size()];
+            LineWalker walker = walk_edge(a, b, rule);
+            walker.advance_to(index);
+            return walker.sample();
+        };
+        for (const auto& [row, ends] : expected) {
+            const int r = row - rows.first_row;
+            CAPTURE(row, ends.left, ends.right, rows.left[r].column, rows.right[r].column);
+            REQUIRE(rows.left[r].column == ends.left);
+            REQUIRE(rows.right[r].column == ends.right);
+            if (ends.left_edge < 0) continue;
+            // Of equal samples the first one stays, with all it carries.
+            REQUIRE(same_bits(rows.left[r], sample(ends.left_edge, ends.left_sample)));
+            REQUIRE(same_bits(rows.right[r], sample(ends.right_edge, ends.right_sample)));
+        }
+    }
+}
+
+TEST_CASE("Exact walks leave no row empty, write nothing outside, and hold every vertex") {
+    Random random(9);
+    for (int i = 0; i < 2000; ++i) {
+        std::vector<Fragment> vertices;
+        for (int v = 0; v < 3; ++v)
+            vertices.push_back(at(random.integer(-99, 99), random.integer(-99, 99)));
+        for (const Rounding rounding : {Rounding::truncate, Rounding::floor, Rounding::round}) {
+            const PolygonRows rows = rows_of(vertices, {{LineWalk::exact, rounding}, {}});
+            CAPTURE(i, static_cast<int>(rounding));
+            REQUIRE(rows.outside == 0);
+            for (int r = 0; r < rows.size(); ++r)
+                REQUIRE_FALSE(rows.is_empty_row(r));
+            for (const Fragment& vertex : vertices) {
+                const int r = vertex.row - rows.first_row;
+                REQUIRE(rows.left[r].column <= vertex.column);
+                REQUIRE(rows.right[r].column >= vertex.column);
+            }
+        }
+    }
+}
+
+TEST_CASE("Mistake B5 passes the lab's printed test and thins out shallow edges") {
+    const EdgeRules mistake{{}, EdgeSamples::rows};
+    const PolygonRows lab = rows_of({at(10, 5), at(5, 10), at(15, 15)});
+    const PolygonRows same = rows_of({at(10, 5), at(5, 10), at(15, 15)}, mistake);
+    for (int r = 0; r < lab.size(); ++r) {
+        CAPTURE(r);
+        CHECK(lab.left[r].column == same.left[r].column);
+        CHECK(lab.right[r].column == same.right[r].column);
+    }
+    const PolygonRows shallow = rows_of({at(1, 8), at(18, 10), at(4, 12)});
+    const PolygonRows thin = rows_of({at(1, 8), at(18, 10), at(4, 12)}, mistake);
+    int fewer = 0;
+    for (int r = 0; r < shallow.size(); ++r)
+        fewer += thin.pixel_count(r) < shallow.pixel_count(r) ? 1 : 0;
+    CHECK(fewer > 0);
+}

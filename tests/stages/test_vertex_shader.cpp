@@ -1,0 +1,280 @@
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "stages/light.h"
+#include "stages/vertex_shader.h"
+#include "support/bits.h"
+#include "support/oracle.h"
+#include "support/random.h"
+
+using namespace rasterwalk;
+using namespace rasterwalk::test;
+
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+
+Vertex vertex_at(const glm::vec3& position) {
+    Vertex vertex;
+    vertex.position = position;
+    vertex.normal = {0.0f, 0.0f, -1.0f};
+    return vertex;
+}
+
+ShadedVertex shade(const glm::vec3& position, const VertexRules& rules = {}) {
+    return vertex_shader(vertex_at(position), camera_rotation(rules.camera), rules);
+}
+
+/// A camera at the origin that looks along z.
+VertexRules plain_rules(float focal_length = 100.0f) {
+    VertexRules rules;
+    rules.camera = {{0.0f, 0.0f, 0.0f}, 0.0f, 0.0f, focal_length};
+    return rules;
+}
+
+} // namespace
+
+TEST_CASE("The room's corners fall on the handout's pixels") {
+    // z = 2.001 for the near corners: 500 / 2.001 = 249.875 pixels from the middle.
+    const ShadedVertex near = shade({-1.0f, -1.0f, -1.0f});
+    CHECK(near.pixel.column == 1);
+    CHECK(near.pixel.row == 1);
+    CHECK(near.projected_x == Approx(-249.87506));
+    CHECK(shade({1.0f, 1.0f, -1.0f}).pixel.column == 499);
+    const ShadedVertex far = shade({1.0f, -1.0f, 1.0f});
+    CHECK(far.pixel.column == 250 + 124);
+    CHECK(far.pixel.row == 250 - 124);
+    CHECK(far.pixel.zinv == Approx(1.0 / 4.001));
+    CHECK(far.pixel.z == Approx(4.001));
+    CHECK(far.fault == VertexFault::none);
+}
+
+TEST_CASE("A vertex passes through every space as double precision has it") {
+    Random random(13);
+    for (int i = 0; i < 5000; ++i) {
+        VertexRules rules;
+        rules.camera = {{random.number(-2, 2), random.number(-2, 2), random.number(-4, -2)},
+                        random.number(-3.2, 3.2),
+                        random.number(-1.6, 1.6),
+                        random.number(50, 900)};
+        rules.viewport = {random.integer(1, 900), random.integer(1, 900)};
+        rules.rounding = static_cast<Rounding>(i % 3);
+        const glm::vec3 world{random.number(-1, 1), random.number(-1, 1), random.number(-1, 1)};
+        const ShadedVertex shaded = shade(world, rules);
+        const glm::dvec3 moved = glm::dvec3(world) - glm::dvec3(rules.camera.position);
+        // First about y, then about x, each by its own formula.
+        const double cy = std::cos(double{rules.camera.yaw}),
+                     sy = std::sin(double{rules.camera.yaw});
+        const double cp = std::cos(double{rules.camera.pitch});
+        const double sp = std::sin(double{rules.camera.pitch});
+        const double turned_z = moved.x * sy + moved.z * cy;
+        const glm::dvec3 camera{moved.x * cy - moved.z * sy, moved.y * cp + turned_z * sp,
+                                -moved.y * sp + turned_z * cp};
+        CAPTURE(i, camera.x, camera.y, camera.z);
+        CHECK(shaded.position_world == world);
+        CHECK(glm::distance(glm::dvec3(shaded.minus_camera), moved) < 1e-6);
+        CHECK(glm::distance(glm::dvec3(shaded.position_camera), camera) < 2e-6);
+        if (camera.z < 0.05) {
+            if (camera.z < -1e-5) CHECK(shaded.fault == VertexFault::behind_camera);
+            continue;
+        }
+        const double x = rules.camera.focal_length * camera.x / camera.z;
+        const double y = rules.camera.focal_length * camera.y / camera.z;
+        // 2e-6 of a place nearer than a tenth moves a pixel by so much.
+        const double tolerance =
+            1e-5 * rules.camera.focal_length / camera.z * (1.0 + glm::length(camera) / camera.z);
+        if (std::max(std::abs(x), std::abs(y)) > 16000.0) continue;
+        REQUIRE(shaded.fault == VertexFault::none);
+        CHECK(std::abs(shaded.projected_x - x) < tolerance);
+        CHECK(std::abs(shaded.projected_y - y) < tolerance);
+        CHECK(shaded.pixel.column ==
+              round_float(shaded.projected_x, rules.rounding) + rules.viewport.width / 2);
+        CHECK(shaded.pixel.row ==
+              round_float(shaded.projected_y, rules.rounding) + rules.viewport.height / 2);
+        CHECK(same_bits(shaded.pixel.z, shaded.position_camera.z));
+        CHECK(same_bits(shaded.pixel.zinv, 1.0f / shaded.position_camera.z));
+    }
+}
+
+TEST_CASE("The camera's matrix is a turn: it keeps lengths, angles and handedness") {
+    Random random(14);
+    for (int i = 0; i < 500; ++i) {
+        Camera camera;
+        camera.yaw = random.number(-10, 10);
+        camera.pitch = random.number(-1.6, 1.6);
+        const glm::mat3 r = camera_rotation(camera);
+        CAPTURE(camera.yaw, camera.pitch);
+        for (int a = 0; a < 3; ++a) {
+            for (int b = 0; b < 3; ++b)
+                CHECK(std::abs(glm::dot(r[a], r[b]) - (a == b ? 1.0f : 0.0f)) < 1e-6f);
+        }
+        CHECK(glm::determinant(r) == Approx(1.0f));
+    }
+}
+
+TEST_CASE("The lab's row vector times R is the field's transposed matrix times a column vector") {
+    Camera camera;
+    camera.yaw = 0.3f;
+    // The lab's R for yaw, row by row: (c 0 s) (0 1 0) (-s 0 c).
+    const float c = std::cos(0.3f), s = std::sin(0.3f);
+    const glm::mat3 lab(glm::vec3(c, 0.0f, -s), glm::vec3(0.0f, 1.0f, 0.0f), glm::vec3(s, 0.0f, c));
+    CHECK(camera_rotation(camera) == lab);
+    camera.pitch = -0.4f;
+    const glm::mat3 r = camera_rotation(camera);
+    const glm::vec3 v(0.2f, -0.7f, 1.5f);
+    CHECK(glm::distance(v * r, glm::transpose(r) * v) < 1e-6f);
+    // Mistake B24, R v, turns the other way.
+    CHECK(glm::distance(v * r, r * v) > 0.1f);
+}
+
+TEST_CASE("What the camera looks at is in the middle; turning right moves the world left") {
+    VertexRules rules = plain_rules();
+    rules.viewport = {200, 100};
+    for (const float yaw : {-1.0f, 0.0f, 0.4f}) {
+        for (const float pitch : {-0.7f, 0.0f, 0.2f}) {
+            rules.camera.yaw = yaw;
+            rules.camera.pitch = pitch;
+            const glm::vec3 forward = camera_rotation(rules.camera)[2];
+            const ShadedVertex middle = shade(3.0f * forward, rules);
+            CAPTURE(yaw, pitch);
+            CHECK(middle.pixel.column == 100);
+            CHECK(middle.pixel.row == 50);
+            CHECK(middle.pixel.z == Approx(3.0));
+        }
+    }
+    rules = plain_rules();
+    rules.camera.yaw = 0.1f;
+    CHECK(shade({0, 0, 5}, rules).projected_x < -9.0f);
+    rules = plain_rules();
+    rules.camera.pitch = 0.1f;
+    // Pitch looks up, and y points down.
+    CHECK(shade({0, 0, 5}, rules).projected_y > 9.0f);
+}
+
+TEST_CASE("Truncation toward zero doubles the middle and loses the far left, floor does neither") {
+    VertexRules rules = plain_rules(1.0f);
+    rules.viewport = {10, 10};
+    const auto column = [&](float x, Rounding rounding) {
+        rules.rounding = rounding;
+        return shade({x, 0.0f, 1.0f}, rules).pixel.column;
+    };
+    CHECK(column(-0.9f, Rounding::truncate) == 5);
+    CHECK(column(0.9f, Rounding::truncate) == 5);
+    CHECK(column(-4.9f, Rounding::truncate) == 1);
+    CHECK(column(-0.9f, Rounding::floor) == 4);
+    CHECK(column(0.9f, Rounding::floor) == 5);
+    CHECK(column(-4.9f, Rounding::floor) == 0);
+    CHECK(column(-0.5f, Rounding::round) == 5);
+    CHECK(column(-0.51f, Rounding::round) == 4);
+    CHECK(column(0.5f, Rounding::round) == 6);
+    CHECK(column(-3.0f, Rounding::truncate) == 2);
+    CHECK(column(-3.0f, Rounding::floor) == 2);
+    CHECK(column(-3.0f, Rounding::round) == 2);
+}
+
+TEST_CASE("The middle of an odd picture is its width halved and cut") {
+    VertexRules rules = plain_rules();
+    rules.viewport = {7, 5};
+    const ShadedVertex middle = shade({0, 0, 1}, rules);
+    CHECK(middle.pixel.column == 3);
+    CHECK(middle.pixel.row == 2);
+}
+
+TEST_CASE("In pixel space a vertex keeps its column, row and depth, without a camera") {
+    VertexRules rules;
+    rules.space = SceneSpace::pixels;
+    rules.camera.position = {7, 7, 7};
+    rules.camera.yaw = 1.0f;
+    const ShadedVertex shaded = shade({10.0f, -5.0f, 4.0f}, rules);
+    CHECK(shaded.fault == VertexFault::none);
+    CHECK(shaded.pixel.column == 10);
+    CHECK(shaded.pixel.row == -5);
+    CHECK(shaded.pixel.zinv == 0.25f);
+    CHECK(shade({10.9f, -5.9f, 1.0f}, rules).pixel.column == 10);
+    CHECK(shade({10.9f, -5.9f, 1.0f}, rules).pixel.row == -5);
+    CHECK(shade({0, 0, 0}, rules).fault == VertexFault::behind_camera);
+    CHECK(shade({16385, 0, 1}, rules).fault == VertexFault::too_far_out);
+}
+
+TEST_CASE("A vertex on or behind the camera plane is left out") {
+    const VertexRules rules = plain_rules();
+    for (const float z : {0.0f, -0.0f, -1e-30f, -1.0f, -1e30f}) {
+        CAPTURE(z);
+        CHECK(shade({1.0f, 1.0f, z}, rules).fault == VertexFault::behind_camera);
+    }
+    CHECK(shade({0, 0, -3.001f}).fault == VertexFault::behind_camera);
+}
+
+TEST_CASE("A coordinate that is not finite is left out, wherever it stands") {
+    for (const float bad : {not_a_number, infinity, -infinity}) {
+        for (int axis = 0; axis < 3; ++axis) {
+            glm::vec3 position(0.5f, 0.5f, 2.0f);
+            position[axis] = bad;
+            CAPTURE(bad, axis);
+            CHECK(shade(position, plain_rules()).fault == VertexFault::not_finite);
+            VertexRules pixels;
+            pixels.space = SceneSpace::pixels;
+            CHECK(shade(position, pixels).fault == VertexFault::not_finite);
+            VertexRules moved;
+            moved.camera.position[axis] = bad;
+            CHECK(shade({0, 0, 0}, moved).fault == VertexFault::not_finite);
+        }
+    }
+    // Finite by itself, but not after the camera is subtracted.
+    VertexRules rules = plain_rules();
+    rules.camera.position.x = -3e38f;
+    CHECK(shade({3e38f, 0, 1}, rules).fault == VertexFault::not_finite);
+}
+
+TEST_CASE("A vertex farther out than the limit is left out, and one on the limit is drawn") {
+    const VertexRules rules = plain_rules(1.0f);
+    const float limit = max_pixel_distance, beyond = std::nextafter(limit, infinity);
+    for (const float sign : {-1.0f, 1.0f}) {
+        CHECK(shade({sign * limit, 0, 1}, rules).fault == VertexFault::none);
+        CHECK(shade({0, sign * limit, 1}, rules).fault == VertexFault::none);
+        CHECK(shade({sign * beyond, 0, 1}, rules).fault == VertexFault::too_far_out);
+        CHECK(shade({0, sign * beyond, 1}, rules).fault == VertexFault::too_far_out);
+    }
+    CHECK(shade({limit, 0, 1}, rules).pixel.column == 250 + 16384);
+    // So near that 1/z overflows, even in the middle of the picture.
+    CHECK(shade({0, 0, 1e-40f}, rules).fault == VertexFault::too_far_out);
+    CHECK(shade({0, 0, 1e-30f}, rules).fault == VertexFault::none);
+    for (const float focal_length : {not_a_number, infinity}) {
+        CHECK(shade({1, 1, 1}, plain_rules(focal_length)).fault == VertexFault::too_far_out);
+    }
+}
+
+TEST_CASE("A vertex sets out with its place and, for light per vertex, its light, divided by z") {
+    VertexRules rules;
+    rules.light.power = glm::vec3(14.0f);
+    const Vertex vertex = [] {
+        Vertex v = vertex_at({0.5f, 1.0f, 0.999f});
+        v.normal = {0.0f, -1.0f, 0.0f};
+        v.reflectance = {0.15f, 0.75f, 0.15f};
+        return v;
+    }();
+    const glm::mat3 rotation = camera_rotation(rules.camera);
+    const glm::vec3 light =
+        reflected_light(vertex.position, vertex.normal, vertex.reflectance, rules.light).reflected;
+    REQUIRE(light.g > 0.4f);
+
+    rules.interpolation = Interpolation::affine;
+    for (const Lighting lighting : {Lighting::none, Lighting::per_vertex, Lighting::per_pixel}) {
+        rules.lighting = lighting;
+        rules.interpolation = Interpolation::affine;
+        const Varyings affine = vertex_shader(vertex, rotation, rules).pixel.varyings;
+        rules.interpolation = Interpolation::perspective;
+        const Fragment pixel = vertex_shader(vertex, rotation, rules).pixel;
+        const bool lit = lighting == Lighting::per_vertex;
+        CHECK(same_bits(affine.position_world, vertex.position));
+        CHECK(same_bits(affine.illumination, lit ? light : glm::vec3(0.0f)));
+        CHECK(same_bits(pixel.varyings.position_world, vertex.position * pixel.zinv));
+        CHECK(same_bits(pixel.varyings.illumination, affine.illumination * pixel.zinv));
+    }
+}

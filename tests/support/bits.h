@@ -1,0 +1,88 @@
+#pragma once
+
+// Comparison of framebuffers bit by bit. NaN equals NaN of the same bits, and 0 is not -0.
+
+#include <bit>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+
+#include "pipeline/framebuffer.h"
+
+namespace rasterwalk::test {
+
+inline bool same_bits(float a, float b) {
+    return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
+}
+inline bool same_bits(const glm::vec3& a, const glm::vec3& b) {
+    return same_bits(a.x, b.x) && same_bits(a.y, b.y) && same_bits(a.z, b.z);
+}
+inline bool same_bits(const Fragment& a, const Fragment& b) {
+    return a.column == b.column && a.row == b.row && same_bits(a.zinv, b.zinv) &&
+           same_bits(a.z, b.z) && same_bits(a.varyings.position_world, b.varyings.position_world) &&
+           same_bits(a.varyings.illumination, b.varyings.illumination);
+}
+
+/// The first pixel and plane in which two framebuffers differ, with both values; empty if they are
+/// the same bits.
+inline std::string first_difference(const Framebuffer& a, const Framebuffer& b) {
+    if (!(a.size == b.size)) return "the sizes differ";
+    const auto report = [&](std::size_t pixel, const char* plane, double in_a, double in_b) {
+        const auto width = static_cast<std::size_t>(a.size.width);
+        char text[160];
+        std::snprintf(text, sizeof text, "column %zu row %zu %s: %.9g and %.9g", pixel % width,
+                      pixel / width, plane, in_a, in_b);
+        return std::string(text);
+    };
+    for (std::size_t i = 0; i < a.colour.size(); ++i) {
+        if (a.overdraw[i] != b.overdraw[i]) {
+            return report(i, "overdraw", a.overdraw[i], b.overdraw[i]);
+        }
+        if (a.owner[i] != b.owner[i]) return report(i, "owner", a.owner[i], b.owner[i]);
+        if (!same_bits(a.depth[i], b.depth[i])) return report(i, "depth", a.depth[i], b.depth[i]);
+        for (int c = 0; c < 3; ++c) {
+            if (!same_bits(a.colour[i][c], b.colour[i][c])) {
+                return report(i, "colour", a.colour[i][c], b.colour[i][c]);
+            }
+        }
+    }
+    return {};
+}
+
+/// 64-bit FNV-1a of the bytes of a whole number, lowest first.
+class Hash {
+  public:
+    void add(std::uint32_t value) {
+        for (int shift = 0; shift < 32; shift += 8) {
+            state_ = (state_ ^ ((value >> shift) & 0xffu)) * 1099511628211u;
+        }
+    }
+    void add(float value) { add(std::bit_cast<std::uint32_t>(value)); }
+    std::string text() const {
+        char hex[17];
+        std::snprintf(hex, sizeof hex, "%016llx", static_cast<unsigned long long>(state_));
+        return hex;
+    }
+
+  private:
+    std::uint64_t state_ = 14695981039346656037u;
+};
+
+/// The hash of every bit of a framebuffer.
+inline std::string hash_text(const Framebuffer& framebuffer) {
+    Hash hash;
+    for (const glm::vec3& colour : framebuffer.colour) {
+        hash.add(colour.r);
+        hash.add(colour.g);
+        hash.add(colour.b);
+    }
+    for (const float depth : framebuffer.depth)
+        hash.add(depth);
+    for (const std::int32_t owner : framebuffer.owner)
+        hash.add(static_cast<std::uint32_t>(owner));
+    for (const std::uint32_t overdraw : framebuffer.overdraw)
+        hash.add(overdraw);
+    return hash.text();
+}
+
+} // namespace rasterwalk::test

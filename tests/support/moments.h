@@ -1,0 +1,48 @@
+#pragma once
+
+// The moments of a frame by plain loops over everything there is.
+
+#include <vector>
+
+#include "pipeline/cursor.h"
+#include "pipeline/frame.h"
+
+namespace rasterwalk::test {
+
+/// Every moment of a frame, in order, without `end`.
+inline std::vector<Cursor> all_moments(const Frame& frame) {
+    std::vector<Cursor> moments;
+    const Settings& settings = frame.settings;
+    const Viewport size = settings.viewport;
+    for (int t = 0; t < frame.triangle_count(); ++t) {
+        if (!frame.is_drawn(t)) continue;
+        for (int v = 0; v < 3; ++v)
+            moments.push_back({t, Phase::vertices, v, 0});
+        if (settings.stage == Stage::points) continue;
+        const std::span<const Fragment> vertices = frame.triangle_vertices(t);
+        for (int e = 0; e < 3; ++e) {
+            const int count =
+                edge_sample_count(vertices[e], vertices[(e + 1) % 3], settings.edge_samples);
+            for (int s = 0; s < count; ++s)
+                moments.push_back({t, Phase::edges, e, s});
+        }
+        if (settings.stage == Stage::edges) continue;
+        PolygonRows rows;
+        compute_polygon_rows(vertices, edge_rules(settings), rows);
+        for (int r = 0; r < rows.size(); ++r) {
+            const int row = rows.first_row + r;
+            if (row < 0 || row >= size.height || rows.is_empty_row(r)) continue;
+            if (settings.stage == Stage::rows) {
+                moments.push_back({t, Phase::rows, r, 0});
+                continue;
+            }
+            for (int c = rows.left[r].column; c <= rows.right[r].column; ++c) {
+                if (c >= 0 && c < size.width)
+                    moments.push_back({t, Phase::rows, r, c - rows.left[r].column});
+            }
+        }
+    }
+    return moments;
+}
+
+} // namespace rasterwalk::test

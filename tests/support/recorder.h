@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "pipeline/observer.h"
+
+namespace rasterwalk::test {
+
+/// Keeps everything that an observer is told, in order.
+struct Recorder : Observer {
+    explicit Recorder(bool samples_too = false) : with_samples(samples_too) {}
+
+    struct VertexEvent {
+        Cursor cursor;
+        Fragment fragment;
+    };
+    bool with_samples;
+    std::vector<VertexEvent> vertices;
+    std::vector<SampleEvent> samples;
+    std::vector<FragmentEvent> fragments;
+
+    void vertex(const Cursor& cursor, const Fragment& fragment) override {
+        vertices.push_back({cursor, fragment});
+    }
+    void edge_sample(const SampleEvent& event) override { samples.push_back(event); }
+    void fragment(const FragmentEvent& event) override { fragments.push_back(event); }
+    bool wants_edge_samples() const override { return with_samples; }
+};
+
+} // namespace rasterwalk::test

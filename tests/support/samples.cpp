@@ -1,0 +1,115 @@
+#include "support/samples.h"
+
+#include "scene/read_scene.h"
+#include "session/content.h"
+
+namespace rasterwalk::test {
+
+Scene lab_room() {
+    return read_scene(lessons_folder() + "/scenes/lab-room.toml");
+}
+
+Vertex pixel_vertex(float column, float row, float z) {
+    Vertex vertex;
+    vertex.position = {column, row, z};
+    vertex.normal = {0.0f, 0.0f, -1.0f};
+    return vertex;
+}
+
+Scene pixel_scene(const std::vector<std::array<glm::vec3, 3>>& triangles, Viewport viewport) {
+    Scene scene;
+    scene.space = SceneSpace::pixels;
+    scene.viewport = viewport;
+    // A lamp in front of the picture, strong enough to make every pixel another colour.
+    scene.light = {{8.0f, 6.0f, -5.0f}, {900.0f, 700.0f, 500.0f}, {0.1f, 0.2f, 0.3f}};
+    for (const auto& corners : triangles) {
+        const int number = static_cast<int>(scene.triangles.size());
+        Triangle triangle;
+        for (std::size_t v = 0; v < 3; ++v) {
+            triangle.vertices[v] = pixel_vertex(corners[v].x, corners[v].y, corners[v].z);
+            triangle.vertices[v].reflectance = {0.2f + 0.1f * static_cast<float>(number % 7),
+                                                0.9f - 0.1f * static_cast<float>(number % 5),
+                                                0.3f + 0.2f * static_cast<float>(v)};
+        }
+        triangle.part = number;
+        scene.parts.push_back({"part " + std::to_string(number), number, 1});
+        scene.triangles.push_back(triangle);
+    }
+    return scene;
+}
+
+Scene small_scene() {
+    return pixel_scene({{{{2, 1, 1}, {13, 4, 3}, {5, 9, 2}}},
+                        {{{-4, 3, 2}, {8, -3, 1}, {19, 7, 2}}},
+                        {{{1, 1, 1}, {2, 2, -1}, {3, 1, 1}}},
+                        {{{0, 2, 1}, {3, 1, 2}, {6, 2, 4}}},
+                        {{{7, 7, 1}, {7, 7, 1}, {7, 7, 1}}},
+                        {{{-9, -9, 1}, {-3, -5, 1}, {-7, -2, 1}}},
+                        {{{2, 8, 1}, {9, 8, 4}, {14, 8, 1}}},
+                        {{{10, 12, 1}, {4, 2, 2}, {12, -2, 4}}},
+                        {{{6, 14, 1}, {9, 15, 1}, {2, 19, 1}}}},
+                       {16, 11});
+}
+
+std::array<glm::vec3, 3> random_triangle(Random& random, Viewport viewport) {
+    std::array<glm::vec3, 3> corners;
+    for (glm::vec3& corner : corners) {
+        corner = {random.integer(-viewport.width / 2, 3 * viewport.width / 2),
+                  random.integer(-viewport.height / 2, 3 * viewport.height / 2),
+                  random.real(0.5, 8.0)};
+    }
+    switch (random.integer(0, 15)) {
+    case 0:
+        corners[1] = corners[0];
+        break;
+    case 1:
+        corners[2].y = corners[1].y = corners[0].y;
+        break;
+    case 2:
+        corners[2].x = corners[1].x = corners[0].x;
+        break;
+    default:
+        break;
+    }
+    return corners;
+}
+
+const std::vector<Variant>& rule_variants() {
+    static const std::vector<Variant> variants{
+        {"handout", [](Settings&) {}},
+        {"rounding=floor", [](Settings& s) { s.rounding = Rounding::floor; }},
+        {"rounding=round", [](Settings& s) { s.rounding = Rounding::round; }},
+        {"line_walk=multiply", [](Settings& s) { s.line_walk = LineWalk::multiply; }},
+        {"line_walk=exact", [](Settings& s) { s.line_walk = LineWalk::exact; }},
+        {"edge_samples=rows", [](Settings& s) { s.edge_samples = EdgeSamples::rows; }},
+        {"depth_test=linear_z", [](Settings& s) { s.depth_test = DepthTest::linear_z; }},
+        {"depth_test=off", [](Settings& s) { s.depth_test = DepthTest::off; }},
+        {"interpolation=affine", [](Settings& s) { s.interpolation = Interpolation::affine; }},
+        {"everything changed",
+         [](Settings& s) {
+             s.rounding = Rounding::floor;
+             s.line_walk = LineWalk::exact;
+             s.edge_samples = EdgeSamples::rows;
+             s.depth_test = DepthTest::linear_z;
+             s.interpolation = Interpolation::affine;
+         }},
+    };
+    return variants;
+}
+
+const std::vector<Pose>& room_poses() {
+    static const std::vector<Pose> poses{
+        {"the handout's", {{0.0f, 0.0f, -3.001f}, 0.0f, 0.0f, 500.0f}, {500, 500}},
+        {"turned", {{0.5f, -0.3f, -3.4f}, -0.2f, 0.1f, 300.0f}, {280, 210}},
+        {"from below", {{-0.6f, 0.7f, -2.9f}, 0.25f, 0.3f, 260.0f}, {241, 183}},
+        {"close, much of it off the picture",
+         {{0.1f, 0.2f, -1.6f}, 0.05f, -0.1f, 200.0f},
+         {230, 215}},
+        {"from far away through a long lens",
+         {{3.0f, -2.0f, -16.0f}, -0.19f, -0.12f, 1900.0f},
+         {263, 263}},
+    };
+    return poses;
+}
+
+} // namespace rasterwalk::test

@@ -1,0 +1,39 @@
+#include "tests/ui/driver.h"
+
+#include <cstdint>
+#include <utility>
+
+#include "session/content.h"
+#include "ui/app.h"
+
+namespace rasterwalk {
+
+ImTextureID KeptTextures::upload(ImTextureID old, const Image& image) {
+    last = image;
+    ++uploads;
+    // Any name that is not null; every new texture has one of its own.
+    if (old != nullptr) return old;
+    return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(uploads));
+}
+
+Driver::Driver(const std::string& scene, ImVec2 window, float text_scale)
+    : Driver(open_session(lessons_folder() + "/scenes/" + scene), window, text_scale) {}
+
+Driver::Driver(Session session, ImVec2 window, float text_scale)
+    : hand(ui, [this] { build_ui(ui); }) {
+    ui.session = std::move(session);
+    ui.options.wished_text_scale = text_scale;
+    open_ui(ui, textures);
+    resize(window);
+}
+
+Driver::~Driver() {
+    close_ui(ui);
+}
+
+void Driver::resize(ImVec2 window) {
+    ImGui::GetIO().DisplaySize = window;
+    hand.frames(frames_to_rest);
+}
+
+} // namespace rasterwalk

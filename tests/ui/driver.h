@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+
+#include "ui/hand.h"
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+/// Takes pictures and shows them to nobody.
+struct KeptTextures : TextureHost {
+    ImTextureID upload(ImTextureID old, const Image& image) override;
+    Image last;      ///< what was uploaded last
+    int uploads = 0; ///< how often
+};
+
+/// The interface without a window. A test plays mouse and keyboard through `hand`, which addresses
+/// widgets by their registered names (one that is not there fails the test with names like it), and
+/// then looks at `ui.session`, `ui.results` and `textures.last`:
+///
+///     Driver driver;
+///     driver.hand.click("stage.depth");
+///     CHECK(driver.ui.session.settings.stage == Stage::depth);
+///
+/// One at a time: ImGui has one context.
+class Driver {
+  public:
+    /// @param scene file in the folder of scenes that come with the program
+    /// @param window screen pixels
+    explicit Driver(const std::string& scene = "lab-room.toml", ImVec2 window = {1600, 1000},
+                    float text_scale = 1.0f);
+    /// On a session of its own.
+    explicit Driver(Session session, ImVec2 window = {1600, 1000}, float text_scale = 1.0f);
+    ~Driver();
+    Driver(const Driver&) = delete;
+    Driver& operator=(const Driver&) = delete;
+
+    void resize(ImVec2 window);
+
+    Ui ui;
+    KeptTextures textures;
+    Hand hand;
+};
+
+} // namespace rasterwalk

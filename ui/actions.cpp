@@ -1,0 +1,485 @@
+#include "ui/actions.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/error.h"
+#include "scene/read_scene.h"
+#include "session/setting_table.h"
+#include "session/walk.h"
+#include "ui/canvas.h"
+#include "ui/keys.h"
+#include "ui/style.h"
+
+namespace rasterwalk {
+
+namespace {
+
+template <Stage stage>
+void set_stage(Ui& ui) {
+    ui.session.settings.stage = stage;
+}
+
+template <View view>
+void set_view(Ui& ui) {
+    ui.session.view = view;
+}
+template <View view>
+bool shows_view(const Ui& ui) {
+    return ui.session.view == view;
+}
+
+void set_text_scale(Ui& ui, float scale) {
+    ui.options.wished_text_scale = std::clamp(scale, smallest_text_scale, largest_text_scale);
+}
+
+Timeline timeline_of(const Ui& ui) {
+    return Timeline(ui.results.frame);
+}
+
+void walk_to_change(Ui& ui, bool (*walk)(Session&, const Timeline&, const PixelHistory&),
+                    const char* direction) {
+    if (!ui.results.history) {
+        ui.session.notice = "There is no picked pixel: pick a pixel first, by a click.";
+        return;
+    }
+    const glm::ivec2 pixel = ui.results.history->pixel;
+    const bool found = walk(ui.session, timeline_of(ui), *ui.results.history);
+    ui.session.notice = found ? ""
+                              : "Pixel (" + std::to_string(pixel.x) + ", " +
+                                    std::to_string(pixel.y) + ") has no " + direction + " change.";
+}
+
+// A triangle is stepped over whole; the other keys take what the transport is set to.
+const Action table[] = {
+    {"file.save_picture",
+     "File",
+     "Save a picture of the window",
+     "Writes the window as a PNG into the current folder.",
+     {key::f12},
+     [](Ui& ui) { ui.wants_picture = true; },
+     nullptr},
+    {"file.quit",
+     "File",
+     "Quit",
+     "Closes Rasterwalk.",
+     {'Q', true},
+     [](Ui& ui) { ui.wants_quit = true; },
+     nullptr},
+
+    {"edit.undo",
+     "Edit",
+     "Undo",
+     "Takes back the last thing that was set.",
+     {'Z', true},
+     [](Ui& ui) {
+         if (!undo(ui.session)) ui.session.notice = "Nothing to undo.";
+     },
+     nullptr},
+    {"edit.redo",
+     "Edit",
+     "Redo",
+     "Sets again what was taken back.",
+     {'Z', true, true},
+     [](Ui& ui) {
+         if (!redo(ui.session)) ui.session.notice = "Nothing to redo.";
+     },
+     nullptr},
+    {"go.back",
+     "Edit",
+     "Back",
+     "Returns to the moment and selection visited before.",
+     {key::left, false, false, true},
+     [](Ui& ui) {
+         if (!go_back(ui.session)) ui.session.notice = "No place was visited before this one.";
+     },
+     nullptr},
+    {"go.forward",
+     "Edit",
+     "Forward",
+     "Goes on to the place that Back came from.",
+     {key::right, false, false, true},
+     [](Ui& ui) {
+         if (!go_forward(ui.session)) ui.session.notice = "This is the last place visited.";
+     },
+     nullptr},
+
+    {"view.colour",
+     "View",
+     "Colour",
+     "Shows the colours of the picture.",
+     {},
+     set_view<View::colour>,
+     shows_view<View::colour>},
+    {"view.depth",
+     "View",
+     "Depth buffer",
+     "Shows 1/z of every pixel, bright is near.",
+     {},
+     set_view<View::depth>,
+     shows_view<View::depth>},
+    {"view.triangle",
+     "View",
+     "Triangle owner",
+     "Shows which triangle every pixel belongs to.",
+     {},
+     set_view<View::triangle>,
+     shows_view<View::triangle>},
+    {"view.overdraw",
+     "View",
+     "Overdraw",
+     "Shows how many fragments fell on every pixel.",
+     {},
+     set_view<View::overdraw>,
+     shows_view<View::overdraw>},
+    {"view.grid",
+     "View",
+     "Pixel grid",
+     "Draws lines between pixels from 8x on.",
+     {'G'},
+     [](Ui& ui) { ui.canvas.grid = !ui.canvas.grid; },
+     [](const Ui& ui) { return ui.canvas.grid; }},
+    {"view.fit",
+     "View",
+     "Fit the picture",
+     "Shows the whole picture.",
+     {'F'},
+     [](Ui& ui) { ui.canvas.zoom = 0.0f; },
+     nullptr},
+    {"view.zoom_selection",
+     "View",
+     "Zoom to the triangle",
+     "Enlarges the triangle that the inspector shows.",
+     {'X'},
+     zoom_to_triangle,
+     nullptr},
+    {"view.larger_text",
+     "View",
+     "Larger text",
+     "Makes all text larger.",
+     {key::equal, true},
+     [](Ui& ui) { set_text_scale(ui, ui.options.wished_text_scale + text_scale_step); },
+     nullptr},
+    {"view.smaller_text",
+     "View",
+     "Smaller text",
+     "Makes all text smaller.",
+     {key::minus, true},
+     [](Ui& ui) { set_text_scale(ui, ui.options.wished_text_scale - text_scale_step); },
+     nullptr},
+    {"view.normal_text",
+     "View",
+     "Normal text",
+     "Sets the text back to 16 pixels.",
+     {key::digit_0, true},
+     [](Ui& ui) { set_text_scale(ui, 1.0f); },
+     nullptr},
+    {"view.theme",
+     "View",
+     "Light theme",
+     "Changes between the dark and the light theme.",
+     {},
+     [](Ui& ui) {
+         ui.options.theme = ui.options.theme == Theme::dark ? Theme::light : Theme::dark;
+         ui.style_is_stale = true;
+     },
+     [](const Ui& ui) { return ui.options.theme == Theme::light; }},
+
+    {"stage.points",
+     "Stage",
+     "Points",
+     "Every vertex, projected to one pixel.",
+     {'1'},
+     set_stage<Stage::points>,
+     nullptr},
+    {"stage.edges",
+     "Stage",
+     "Edges",
+     "The outline of every triangle.",
+     {'2'},
+     set_stage<Stage::edges>,
+     nullptr},
+    {"stage.rows",
+     "Stage",
+     "Rows",
+     "Where every row of every triangle begins and ends.",
+     {'3'},
+     set_stage<Stage::rows>,
+     nullptr},
+    {"stage.fill",
+     "Stage",
+     "Fill",
+     "Every row filled; the last one drawn covers the rest.",
+     {'4'},
+     set_stage<Stage::fill>,
+     nullptr},
+    {"stage.depth",
+     "Stage",
+     "Depth",
+     "A fragment is drawn only if it is nearer.",
+     {'5'},
+     set_stage<Stage::depth>,
+     nullptr},
+    {"stage.vertex_light",
+     "Stage",
+     "Vertex light",
+     "Light at the vertices, interpolated between them.",
+     {'6'},
+     set_stage<Stage::vertex_light>,
+     nullptr},
+    {"stage.pixel_light",
+     "Stage",
+     "Pixel light",
+     "Light computed anew at every pixel.",
+     {'7'},
+     set_stage<Stage::pixel_light>,
+     nullptr},
+    {"switch.perspective",
+     "Stage",
+     "Perspective correction",
+     "Interpolates q/z and divides by 1/z; off, q itself is interpolated and the light skews.",
+     {'P'},
+     [](Ui& ui) {
+         Interpolation& i = ui.session.settings.interpolation;
+         i = i == Interpolation::perspective ? Interpolation::affine : Interpolation::perspective;
+     },
+     [](const Ui& ui) { return ui.session.settings.interpolation == Interpolation::perspective; }},
+    {"switch.depth_test",
+     "Stage",
+     "Depth test",
+     "Draws a fragment only if it is nearer; off, the last one drawn wins.",
+     {'Z'},
+     [](Ui& ui) {
+         DepthTest& d = ui.session.settings.depth_test;
+         d = d == DepthTest::off ? DepthTest::inverse_z : DepthTest::off;
+     },
+     [](const Ui& ui) { return ui.session.settings.depth_test != DepthTest::off; }},
+
+    {"walk.first",
+     "Walk",
+     "To the beginning",
+     "Goes back to the empty picture.",
+     {key::home},
+     [](Ui& ui) { go_to(ui.session, cursor_begin); },
+     nullptr},
+    {"walk.back",
+     "Walk",
+     "Step back",
+     "Takes back one piece of the chosen size.",
+     {key::comma},
+     [](Ui& ui) { step_back(ui.session, timeline_of(ui), ui.session.play.granularity); },
+     nullptr},
+    {"walk.play",
+     "Walk",
+     "Play or pause",
+     "Lets time run, one piece after the other.",
+     {key::space},
+     [](Ui& ui) { toggle_play(ui.session, timeline_of(ui)); },
+     [](const Ui& ui) { return ui.session.play.running; }},
+    {"walk.step",
+     "Walk",
+     "Step",
+     "Draws the next piece of the chosen size.",
+     {key::period},
+     [](Ui& ui) { step_forward(ui.session, timeline_of(ui), ui.session.play.granularity); },
+     nullptr},
+    {"walk.last",
+     "Walk",
+     "To the end",
+     "Draws everything.",
+     {key::end},
+     [](Ui& ui) { go_to(ui.session, cursor_end); },
+     nullptr},
+    {"walk.previous_triangle",
+     "Walk",
+     "Previous triangle",
+     "Goes back to where a triangle begins.",
+     {key::left_bracket},
+     [](Ui& ui) { step_back(ui.session, timeline_of(ui), Granularity::triangle); },
+     nullptr},
+    {"walk.next_triangle",
+     "Walk",
+     "Next triangle",
+     "Goes on to where the next triangle begins.",
+     {key::right_bracket},
+     [](Ui& ui) { step_forward(ui.session, timeline_of(ui), Granularity::triangle); },
+     nullptr},
+
+    {"walk.previous_change",
+     "Walk",
+     "Previous change of the pixel",
+     "Goes back to where the picked pixel was written before.",
+     {'B'},
+     [](Ui& ui) { walk_to_change(ui, previous_change, "earlier"); },
+     nullptr},
+    {"walk.next_change",
+     "Walk",
+     "Next change of the pixel",
+     "Goes on to where the picked pixel is written next.",
+     {'N'},
+     [](Ui& ui) { walk_to_change(ui, next_change, "later"); },
+     nullptr},
+
+    {"walk.faster",
+     "Walk",
+     "Play faster",
+     "Doubles the speed of the play.",
+     {key::equal},
+     [](Ui& ui) { ui.session.play.speed = std::min(2.0f * ui.session.play.speed, fastest_play); },
+     nullptr},
+    {"walk.slower",
+     "Walk",
+     "Play slower",
+     "Halves the speed of the play.",
+     {key::minus},
+     [](Ui& ui) { ui.session.play.speed = std::max(0.5f * ui.session.play.speed, slowest_play); },
+     nullptr},
+
+    {"help.glossary",
+     "Help",
+     "Glossary",
+     "What the words of the lab mean.",
+     {key::f1 + 1},
+     [](Ui& ui) { ui.shows_glossary = !ui.shows_glossary; },
+     [](const Ui& ui) { return ui.shows_glossary; }},
+    {"help.keys",
+     "Help",
+     "All keys",
+     "Shows what every key does.",
+     {key::f1},
+     [](Ui& ui) { ui.shows_keys = !ui.shows_keys; },
+     [](const Ui& ui) { return ui.shows_keys; }},
+};
+
+bool is_pressed(const Chord& chord) {
+    const ImGuiIO& io = ImGui::GetIO();
+    // Plus is Shift and equal on many keyboards.
+    const bool shift_fits = io.KeyShift == chord.shift || chord.key == key::equal;
+    if (chord.key == 0 || io.KeyCtrl != chord.ctrl || !shift_fits || io.KeyAlt != chord.alt) {
+        return false;
+    }
+    const bool repeats = chord.key == key::period || chord.key == key::comma ||
+                         chord.key == key::left_bracket || chord.key == key::right_bracket;
+    return ImGui::IsKeyPressed(chord.key, repeats);
+}
+
+/// A key that moves something while it is held: which number, and how fast, in units a second.
+struct HeldKey {
+    int key;
+    void (*move)(Settings&, float distance);
+};
+
+/// Moves the camera along its own forward axis, level with the floor.
+void move_forward(Settings& s, float distance) {
+    s.camera.position += distance * glm::vec3(std::sin(s.camera.yaw), 0.0f, std::cos(s.camera.yaw));
+}
+
+const HeldKey held_keys[] = {
+    {key::up, [](Settings& s, float d) { move_forward(s, d); }},
+    {key::down, [](Settings& s, float d) { move_forward(s, -d); }},
+    {key::left, [](Settings& s, float d) { s.camera.yaw -= d; }},
+    {key::right, [](Settings& s, float d) { s.camera.yaw += d; }},
+    {'W', [](Settings& s, float d) { s.light.position.z += d; }},
+    {'S', [](Settings& s, float d) { s.light.position.z -= d; }},
+    {'A', [](Settings& s, float d) { s.light.position.x -= d; }},
+    {'D', [](Settings& s, float d) { s.light.position.x += d; }},
+    {'Q', [](Settings& s, float d) { s.light.position.y -= d; }},
+    {'E', [](Settings& s, float d) { s.light.position.y += d; }},
+};
+
+/// World units, or radians, a second; and what a mere touch of the key moves at least.
+constexpr float held_speed = 1.0f;
+constexpr float touch_distance = 0.02f;
+
+bool modifiers_are_up() {
+    const ImGuiIO& io = ImGui::GetIO();
+    return !io.KeyCtrl && !io.KeyAlt && !io.KeyShift;
+}
+
+void move_by_held_keys(Ui& ui) {
+    if (!modifiers_are_up()) return;
+    for (const HeldKey& held : held_keys) {
+        if (ImGui::IsKeyPressed(held.key, false)) {
+            held.move(ui.session.settings, touch_distance);
+        } else if (ImGui::IsKeyDown(held.key)) {
+            held.move(ui.session.settings, held_speed * std::min(ImGui::GetIO().DeltaTime, 0.1f));
+        } else {
+            continue;
+        }
+        clamp_to_ranges(ui.session.settings);
+    }
+}
+
+std::string key_name(int code) {
+    switch (code) {
+    case key::space:
+        return "Space";
+    case key::home:
+        return "Home";
+    case key::end:
+        return "End";
+    case key::left:
+        return "←";
+    case key::right:
+        return "→";
+    case key::equal:
+        return "+";
+    case key::minus:
+        return "−";
+    default:
+        break;
+    }
+    if (code >= key::f1 && code <= key::f12) return "F" + std::to_string(code - key::f1 + 1);
+    return std::string(1, static_cast<char>(code));
+}
+
+} // namespace
+
+std::span<const Action> action_table() {
+    return table;
+}
+
+const Action& find_action(std::string_view name) {
+    const auto* const found = std::find_if(std::begin(table), std::end(table),
+                                           [&](const Action& a) { return name == a.name; });
+    IM_ASSERT(found != std::end(table));
+    return *found;
+}
+
+std::string chord_text(const Chord& chord) {
+    if (chord.key == 0) return {};
+    return std::string(chord.ctrl ? "Ctrl+" : "") + (chord.alt ? "Alt+" : "") +
+           (chord.shift ? "Shift+" : "") + key_name(chord.key);
+}
+
+std::string tooltip_of(std::string_view action) {
+    const Action& found = find_action(action);
+    const std::string chord = chord_text(found.chord);
+    return chord.empty() ? found.help : std::string(found.help) + "\nKey: " + chord;
+}
+
+void handle_keys(Ui& ui) {
+    if (ImGui::GetIO().WantTextInput) return;
+    for (const Action& action : table) {
+        if (is_pressed(action.chord)) action.run(ui);
+    }
+    move_by_held_keys(ui);
+}
+
+bool is_moving_by_key(const Ui&) {
+    if (ImGui::GetIO().WantTextInput || !modifiers_are_up()) return false;
+    return std::any_of(std::begin(held_keys), std::end(held_keys),
+                       [](const HeldKey& held) { return ImGui::IsKeyDown(held.key); });
+}
+
+void open_scene(Ui& ui, const std::string& path) {
+    try {
+        set_scene(ui.session, read_scene(path));
+        ui.canvas.zoom = 0.0f;
+        ui.session.notice.clear();
+    } catch (const Error& fault) {
+        ui.session.notice = fault.what();
+    }
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+/// Makes the ImGui context, fonts and style. ui.session must be open, ui.options set.
+void open_ui(Ui& ui, TextureHost& textures);
+
+/// Ends the ImGui context. The host has ended its renderer before.
+void close_ui(Ui& ui);
+
+/// One frame of the interface, from ImGui::NewFrame to ImGui::Render; ImGui::GetDrawData() then
+/// shows it. The host has set io.DisplaySize, io.DeltaTime and the input before. A change that a
+/// widget makes is drawn in the same call: the frame is then built a second time.
+void build_ui(Ui& ui);
+
+/// True while the next frame will differ without any input: time is playing.
+bool is_animating(const Ui& ui);
+
+} // namespace rasterwalk

@@ -1,0 +1,280 @@
+#include "ui/canvas.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "session/setting_table.h"
+#include "ui/actions.h"
+#include "ui/canvas_marks.h"
+#include "ui/depth_legend.h"
+#include "ui/overlays.h"
+#include "ui/style.h"
+#include "ui/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// Space for the numbers of columns and rows along the picture, design pixels.
+constexpr float ruler = 26.0f;
+
+/// How far the camera turns for each screen pixel of a drag, radians.
+constexpr float turn_per_pixel = 0.004f;
+
+void upload_picture(Ui& ui) {
+    if (ui.picture_number == ui.results.picture_number) return;
+    ui.picture_texture = ui.textures->upload(ui.picture_texture, ui.results.picture);
+    ui.picture_number = ui.results.picture_number;
+}
+
+float fit_zoom(const Ui& ui, ImVec2 room) {
+    const Viewport size = ui.results.frame.settings.viewport;
+    const float zoom =
+        std::min(room.x / static_cast<float>(size.width), room.y / static_cast<float>(size.height));
+    // Whole multiples keep all pixels equally large where that costs little room.
+    const float whole = std::floor(zoom);
+    return whole >= 4.0f ? whole : std::max(zoom, 0.01f);
+}
+
+PicturePlace place_picture(const Ui& ui, ImVec2 low, ImVec2 room) {
+    const Viewport size = ui.results.frame.settings.viewport;
+    const bool fits = ui.canvas.zoom <= 0.0f;
+    PicturePlace place;
+    place.scale = fits ? fit_zoom(ui, room) : ui.canvas.zoom;
+    const ImVec2 centre =
+        fits ? ImVec2(0.5f * static_cast<float>(size.width), 0.5f * static_cast<float>(size.height))
+             : ui.canvas.centre;
+    place.origin = {std::round(low.x + 0.5f * room.x - place.scale * centre.x),
+                    std::round(low.y + 0.5f * room.y - place.scale * centre.y)};
+    return place;
+}
+
+ImVec2 picture_point(const PicturePlace& place, ImVec2 screen) {
+    return {(screen.x - place.origin.x) / place.scale, (screen.y - place.origin.y) / place.scale};
+}
+
+/// Sets zoom and centre such that the picture point under the pointer stays there.
+void zoom_about(Ui& ui, ImVec2 pointer, float zoom, ImVec2 low, ImVec2 room) {
+    const ImVec2 fixed_point = picture_point(ui.picture_place, pointer);
+    ui.canvas.zoom = std::clamp(zoom, 0.25f, largest_zoom);
+    ui.canvas.centre = {fixed_point.x - (pointer.x - low.x - 0.5f * room.x) / ui.canvas.zoom,
+                        fixed_point.y - (pointer.y - low.y - 0.5f * room.y) / ui.canvas.zoom};
+    ui.picture_place = place_picture(ui, low, room);
+}
+
+/// The next zoom step: factors of the square root of two, whole numbers from 4x on.
+float next_zoom(float zoom, float wheel) {
+    const float next = zoom * std::pow(2.0f, 0.5f * wheel);
+    return next >= 4.0f ? std::round(next) : next;
+}
+
+void pick(Ui& ui, glm::ivec2 pixel, bool triangle_only) {
+    const Framebuffer& framebuffer = *ui.results.framebuffer;
+    Selection& selection = ui.session.selection;
+    if (!framebuffer.contains(pixel.x, pixel.y)) return;
+    const int owner = framebuffer.owner[framebuffer.at(pixel.x, pixel.y)];
+    if (owner >= 0) selection.triangle = owner;
+    if (triangle_only) return;
+    selection.pixel = pixel;
+    selection.row = pixel.y;
+}
+
+void handle_pointer(Ui& ui, ImVec2 low, ImVec2 room) {
+    const ImGuiIO& io = ImGui::GetIO();
+    ui.hovered_pixel = std::nullopt;
+    if (!ImGui::IsItemHovered() && !ImGui::IsItemActive()) return;
+    const ImVec2 at = picture_point(ui.picture_place, io.MousePos);
+    const glm::ivec2 pixel(std::floor(at.x), std::floor(at.y));
+    if (ui.results.framebuffer->contains(pixel.x, pixel.y)) ui.hovered_pixel = pixel;
+    if (io.MouseWheel != 0.0f && ImGui::IsItemHovered()) {
+        zoom_about(ui, io.MousePos, next_zoom(ui.picture_place.scale, io.MouseWheel), low, room);
+    }
+    if (ImGui::IsMouseDoubleClicked(0)) {
+        ui.canvas.zoom = 0.0f;
+        return;
+    }
+    if (drag_bench_vertex(ui)) return;
+    const bool has_moved =
+        io.MouseDragMaxDistanceSqr[0] > io.MouseDragThreshold * io.MouseDragThreshold;
+    if (ImGui::IsMouseReleased(0) && !has_moved && ui.hovered_pixel) {
+        pick(ui, *ui.hovered_pixel, io.KeyShift);
+    }
+    if (ImGui::IsMouseDragging(0) && (io.MouseDelta.x != 0.0f || io.MouseDelta.y != 0.0f)) {
+        if (ui.canvas.zoom <= 0.0f) {
+            zoom_about(ui, io.MousePos, ui.picture_place.scale, low, room);
+        }
+        ui.canvas.centre.x -= io.MouseDelta.x / ui.canvas.zoom;
+        ui.canvas.centre.y -= io.MouseDelta.y / ui.canvas.zoom;
+        ui.picture_place = place_picture(ui, low, room);
+    }
+    if (ImGui::IsMouseDragging(1)) {
+        Camera& camera = ui.session.settings.camera;
+        camera.yaw += turn_per_pixel * io.MouseDelta.x;
+        camera.pitch -= turn_per_pixel * io.MouseDelta.y;
+        clamp_to_ranges(ui.session.settings);
+    }
+}
+
+std::string_view view_title(View view) {
+    switch (view) {
+    case View::colour:
+        return "colour";
+    case View::depth:
+        return "depth 1/z";
+    case View::triangle:
+        return "triangle";
+    case View::overdraw:
+        return "overdraw";
+    }
+    return {};
+}
+
+std::string_view view_help(View view) {
+    switch (view) {
+    case View::colour:
+        return "The picture itself.";
+    case View::depth:
+        return "1/z of every pixel: bright is near.";
+    case View::triangle:
+        return "Which triangle every pixel belongs to.";
+    case View::overdraw:
+        return "How many fragments fell on every pixel.";
+    }
+    return {};
+}
+
+void draw_view_selector(Ui& ui) {
+    ImGui::SetNextItemWidth(button_width("triangle  ") + ImGui::GetFrameHeight());
+    const bool open = ImGui::BeginCombo("##view", view_title(ui.session.view).data());
+    name_widget(ui, "canvas.view", "Which plane of the framebuffer is shown.");
+    if (!open) return;
+    for (const View view : {View::colour, View::depth, View::triangle, View::overdraw}) {
+        if (ImGui::Selectable(view_title(view).data(), view == ui.session.view)) {
+            ui.session.view = view;
+        }
+        name_widget(ui, std::string("canvas.view.").append(view_title(view)), view_help(view));
+    }
+    ImGui::EndCombo();
+}
+
+void draw_header(Ui& ui, float right_edge) {
+    draw_view_selector(ui);
+    char zoom[32];
+    const float scale = ui.picture_place.scale;
+    std::snprintf(zoom, sizeof zoom, scale == std::round(scale) ? "%.0fx" : "%.2fx", scale);
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float buttons =
+        button_width("fit") + button_width("grid") + button_width("triangle") + 2.0f * gap;
+    const float start = right_edge - buttons;
+    const float label = ImGui::CalcTextSize("00.00x").x + gap;
+    ImGui::SameLine();
+    const float room = start - gap - ImGui::GetCursorScreenPos().x;
+    draw_overlay_button(ui, overlay_button_width(ui, false) > room);
+    ImGui::SameLine();
+    if (start - label > ImGui::GetCursorScreenPos().x) {
+        ImGui::SetCursorScreenPos({start - label, ImGui::GetCursorScreenPos().y});
+        ImGui::AlignTextToFramePadding();
+        text_in(palette(ui.options.theme).dim, zoom);
+        ImGui::SameLine();
+    }
+    ImGui::SetCursorScreenPos(
+        {std::max(start, ImGui::GetCursorScreenPos().x), ImGui::GetCursorScreenPos().y});
+    const bool fits = ui.canvas.zoom <= 0.0f;
+    if (button(ui, "canvas.fit", "fit", fits ? Look::plain : Look::quiet, tooltip_of("view.fit"))) {
+        ui.canvas.zoom = 0.0f;
+    }
+    ImGui::SameLine();
+    if (button(ui, "canvas.zoom_triangle", "triangle", Look::quiet,
+               tooltip_of("view.zoom_selection"))) {
+        zoom_to_triangle(ui);
+    }
+    ImGui::SameLine();
+    if (button(ui, "canvas.grid", "grid", ui.canvas.grid ? Look::plain : Look::quiet,
+               tooltip_of("view.grid"))) {
+        ui.canvas.grid = !ui.canvas.grid;
+    }
+}
+
+/// Space around a picture that fits: for the numbers if it is enlarged, or else only a little.
+float border_width(const Ui& ui, ImVec2 room) {
+    const float u = ui.options.text_scale;
+    const bool numbered =
+        fit_zoom(ui, {room.x - 2.0f * ruler * u, room.y - 2.0f * ruler * u}) >= grid_zoom;
+    return (numbered ? ruler : 10.0f) * u;
+}
+
+} // namespace
+
+void draw_canvas(Ui& ui, const Area& area) {
+    upload_picture(ui);
+    const float u = ui.options.text_scale;
+    const Palette& p = palette(ui.options.theme);
+    ImGui::SetNextWindowPos(area.position);
+    ImGui::SetNextWindowSize(area.size);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(12.0f * u, 10.0f * u));
+    ImGui::Begin("canvas", nullptr,
+                 panel_flags | ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoScrollbar);
+    draw_header(ui, area.position.x + area.size.x - 12.0f * u);
+
+    const ImVec2 frame_low = ImGui::GetCursorScreenPos();
+    const ImVec2 space = ImGui::GetContentRegionAvail();
+    const float legend = depth_legend_height(ui, space.y);
+    const float legend_gap = legend > 0.0f ? 8.0f * u : 0.0f;
+    const ImVec2 frame_room{std::max(space.x, 1.0f), std::max(space.y - legend - legend_gap, 1.0f)};
+    const ImVec2 frame_high{frame_low.x + frame_room.x, frame_low.y + frame_room.y};
+    ImGui::InvisibleButton("picture", frame_room,
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+    name_widget(ui, "canvas");
+
+    const float border = border_width(ui, frame_room);
+    const ImVec2 low{frame_low.x + border, frame_low.y + border};
+    const ImVec2 room{std::max(frame_room.x - 2.0f * border, 1.0f),
+                      std::max(frame_room.y - 2.0f * border, 1.0f)};
+    ui.picture_place = place_picture(ui, low, room);
+    handle_pointer(ui, low, room);
+
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    list->AddRectFilled(frame_low, frame_high, packed(p.canvas), 4.0f * u);
+    list->PushClipRect(frame_low, frame_high, true);
+    const Viewport size = ui.results.frame.settings.viewport;
+    const PicturePlace& place = ui.picture_place;
+    list->AddImage(ui.picture_texture, place.origin,
+                   {place.origin.x + place.scale * static_cast<float>(size.width),
+                    place.origin.y + place.scale * static_cast<float>(size.height)});
+    draw_overlays(ui, list, frame_low, frame_high);
+    draw_canvas_marks(ui, list, frame_low, frame_high);
+    list->PopClipRect();
+    list->AddRect(frame_low, frame_high, packed(p.line), 4.0f * u);
+    draw_overlay_legend(ui, frame_low, frame_high);
+    if (legend > 0.0f) {
+        const float top = frame_high.y + legend_gap;
+        draw_depth_legend(ui, {frame_low.x, top}, {frame_high.x, top + legend});
+    }
+    ImGui::End();
+    ImGui::PopStyleVar();
+}
+
+void zoom_to_triangle(Ui& ui) {
+    const auto& widget = ui.widgets.find("canvas");
+    if (!ui.results.triangle || widget == ui.widgets.end()) return;
+    if (!ui.results.frame.is_drawn(*ui.results.triangle)) return;
+    int left = INT_MAX, right = INT_MIN, top = INT_MAX, bottom = INT_MIN;
+    for (const Fragment& vertex : ui.results.frame.triangle_vertices(*ui.results.triangle)) {
+        left = std::min(left, vertex.column);
+        right = std::max(right, vertex.column);
+        top = std::min(top, vertex.row);
+        bottom = std::max(bottom, vertex.row);
+    }
+    const float u = ui.options.text_scale;
+    const ImVec2 room{widget->second.bottom_right.x - widget->second.top_left.x - 2.0f * ruler * u,
+                      widget->second.bottom_right.y - widget->second.top_left.y - 2.0f * ruler * u};
+    const float width = static_cast<float>(right - left + 1);
+    const float height = static_cast<float>(bottom - top + 1);
+    const float zoom = std::min(room.x / (width + 1.0f), room.y / (height + 1.0f));
+    ui.canvas.zoom = std::clamp(zoom >= 4.0f ? std::floor(zoom) : zoom, 0.25f, largest_zoom);
+    ui.canvas.centre = {static_cast<float>(left) + 0.5f * width,
+                        static_cast<float>(top) + 0.5f * height};
+}
+
+} // namespace rasterwalk

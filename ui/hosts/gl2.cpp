@@ -1,0 +1,160 @@
+#include "ui/hosts/gl2.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include <GL/gl.h>
+#include <backends/imgui_impl_opengl2.h>
+
+#include "ui/style.h"
+
+namespace rasterwalk {
+
+namespace {
+
+ImTextureID as_id(GLuint name) {
+    return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(name));
+}
+
+GLuint as_name(ImTextureID id) {
+    return static_cast<GLuint>(reinterpret_cast<std::intptr_t>(id));
+}
+
+/// Every n-th column and row, with the smallest n that makes the sides at most `largest`.
+Image thinned_out(const Image& image, int largest) {
+    const int step = (std::max(image.width, image.height) + largest - 1) / largest;
+    Image small;
+    small.width = (image.width + step - 1) / step;
+    small.height = (image.height + step - 1) / step;
+    small.rgba.reserve(4 * static_cast<std::size_t>(small.width) *
+                       static_cast<std::size_t>(small.height));
+    for (int row = 0; row < image.height; row += step) {
+        for (int column = 0; column < image.width; column += step) {
+            const auto pixel =
+                image.rgba.begin() + 4 * (static_cast<std::ptrdiff_t>(row) * image.width + column);
+            small.rgba.insert(small.rgba.end(), pixel, pixel + 4);
+        }
+    }
+    return small;
+}
+
+void set_filter(GLint filter) {
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
+void set_pixels(int width, int height, const void* rgba) {
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
+}
+
+/// New glyphs into the texture that the draw lists already name.
+void renew_font_texture() {
+    ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+    if (atlas.TexID == nullptr) {
+        ImGui_ImplOpenGL2_CreateFontsTexture();
+        return;
+    }
+    unsigned char* rgba = nullptr;
+    int width = 0, height = 0;
+    atlas.GetTexDataAsRGBA32(&rgba, &width, &height);
+    glBindTexture(GL_TEXTURE_2D, as_name(atlas.TexID));
+    set_pixels(width, height, rgba);
+}
+
+} // namespace
+
+int largest_gl2_side() {
+    GLint side = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &side);
+    GLint viewport[2] = {0, 0};
+    glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
+    return std::min({side, viewport[0], viewport[1]});
+}
+
+ImTextureID Gl2Textures::upload(ImTextureID old, const Image& image) {
+    if (image.width <= 0 || image.height <= 0) return old;
+    GLint largest = 64;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+    if (std::max(image.width, image.height) > largest) {
+        return upload(old, thinned_out(image, largest));
+    }
+    auto found = std::find_if(textures_.begin(), textures_.end(),
+                              [&](const Texture& t) { return t.name == as_name(old); });
+    if (old == nullptr || found == textures_.end()) {
+        GLuint name = 0;
+        glGenTextures(1, &name);
+        textures_.push_back({name, 0, 0});
+        found = textures_.end() - 1;
+    }
+    glBindTexture(GL_TEXTURE_2D, found->name);
+    if (found->width == image.width && found->height == image.height) {
+        glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+        glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, image.width, image.height, GL_RGBA,
+                        GL_UNSIGNED_BYTE, image.rgba.data());
+    } else {
+        set_filter(GL_NEAREST);
+        set_pixels(image.width, image.height, image.rgba.data());
+        found->width = image.width;
+        found->height = image.height;
+    }
+    return as_id(found->name);
+}
+
+void Gl2Textures::release() {
+    for (const Texture& texture : textures_)
+        glDeleteTextures(1, &texture.name);
+    textures_.clear();
+}
+
+void open_gl2() {
+    ImGui_ImplOpenGL2_Init();
+}
+
+void close_gl2() {
+    ImGui_ImplOpenGL2_Shutdown();
+}
+
+void begin_gl2_frame() {
+    ImGui_ImplOpenGL2_NewFrame();
+}
+
+void draw_gl2(Ui& ui, int width, int height) {
+    if (ui.fonts_changed) {
+        renew_font_texture();
+        ui.fonts_changed = false;
+    }
+    const ImVec4& ground = palette(ui.options.theme).ground;
+    glViewport(0, 0, width, height);
+    glClearColor(ground.x, ground.y, ground.z, 1.0f);
+    glClear(GL_COLOR_BUFFER_BIT);
+    ImGui_ImplOpenGL2_RenderDrawData(ImGui::GetDrawData());
+}
+
+Image read_gl2(int width, int height) {
+    Image image;
+    image.width = width;
+    image.height = height;
+    const std::size_t line = 4 * static_cast<std::size_t>(width);
+    image.rgba.resize(line * static_cast<std::size_t>(height));
+    glPixelStorei(GL_PACK_ROW_LENGTH, 0);
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+    // OpenGL counts rows from below.
+    for (std::size_t top = 0, bottom = static_cast<std::size_t>(height); top + 1 < bottom; ++top) {
+        --bottom;
+        std::swap_ranges(image.rgba.begin() + static_cast<std::ptrdiff_t>(line * top),
+                         image.rgba.begin() + static_cast<std::ptrdiff_t>(line * (top + 1)),
+                         image.rgba.begin() + static_cast<std::ptrdiff_t>(line * bottom));
+    }
+    for (std::size_t i = 3; i < image.rgba.size(); i += 4)
+        image.rgba[i] = 255;
+    return image;
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <vector>
+
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+/// ImGui drawn with OpenGL 2, which both hosts do: the window and the pictures go one way. All of
+/// this wants the host's context to be current and an ImGui context to be there.
+///
+/// Pictures become textures with hard pixel edges. One that is larger than the graphics system can
+/// hold is thinned out to fit.
+class Gl2Textures : public TextureHost {
+  public:
+    ImTextureID upload(ImTextureID old, const Image& image) override;
+    /// Deletes the textures; the context must still be there.
+    void release();
+
+  private:
+    struct Texture {
+        unsigned name;
+        int width, height;
+    };
+    std::vector<Texture> textures_;
+};
+
+/// Begins and ends ImGui's renderer.
+void open_gl2();
+void close_gl2();
+
+/// To be called before build_ui, each frame.
+void begin_gl2_frame();
+
+/// Draws what build_ui built, over the theme's ground. Takes up new fonts.
+/// @param width,height of the framebuffer, pixels
+void draw_gl2(Ui& ui, int width, int height);
+
+/// What was drawn: upright and opaque.
+Image read_gl2(int width, int height);
+
+/// The widest or highest picture that can be drawn to, pixels.
+int largest_gl2_side();
+
+} // namespace rasterwalk

@@ -1,0 +1,138 @@
+#include "ui/hosts/offscreen.h"
+
+#include <cstdint>
+#include <cstdio>
+#include <iostream>
+#include <string_view>
+#include <utility>
+
+#include <GL/osmesa.h>
+
+#include "scene/error.h"
+#include "scene/read_text.h"
+#include "ui/app.h"
+#include "ui/hand.h"
+#include "ui/hosts/gl2.h"
+#include "ui/key_names.h"
+#include "ui/report.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// A place in memory that OpenGL draws to.
+class MemoryContext {
+  public:
+    MemoryContext(int width, int height)
+        : context_(OSMesaCreateContextExt(OSMESA_RGBA, 0, 0, 0, nullptr)),
+          pixels_(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
+        const bool is_current =
+            context_ != nullptr &&
+            OSMesaMakeCurrent(context_, pixels_.data(), GL_UNSIGNED_BYTE, width, height) == GL_TRUE;
+        const bool is_large_enough = is_current && largest_gl2_side() >= std::max(width, height);
+        if (is_large_enough) return;
+        if (context_ != nullptr) OSMesaDestroyContext(context_);
+        throw AccessError(is_current
+                              ? "a window of " + std::to_string(width) + " x " +
+                                    std::to_string(height) + " pixels is more than OSMesa can draw."
+                              : "OSMesa cannot be started.");
+    }
+    ~MemoryContext() { OSMesaDestroyContext(context_); }
+    MemoryContext(const MemoryContext&) = delete;
+    MemoryContext& operator=(const MemoryContext&) = delete;
+
+  private:
+    OSMesaContext context_;
+    std::vector<std::uint8_t> pixels_;
+};
+
+/// The interface with everything around it.
+class Screen {
+  public:
+    Screen(Session session, const OffscreenOptions& options)
+        : context_(options.width, options.height), width_(options.width), height_(options.height) {
+        ui.session = std::move(session);
+        ui.options = options.ui;
+        if (!options.tab.empty()) ui.inspector_tab = options.tab;
+        open_ui(ui, textures_);
+        open_gl2();
+        ImGui::GetIO().DisplaySize = {static_cast<float>(width_), static_cast<float>(height_)};
+    }
+    ~Screen() {
+        textures_.release();
+        close_gl2();
+        close_ui(ui);
+    }
+    Screen(const Screen&) = delete;
+    Screen& operator=(const Screen&) = delete;
+
+    void frame() {
+        begin_gl2_frame();
+        build_ui(ui);
+        draw_gl2(ui, width_, height_);
+    }
+    Image picture() const { return read_gl2(width_, height_); }
+
+    Ui ui;
+
+  private:
+    MemoryContext context_;
+    Gl2Textures textures_;
+    int width_, height_;
+};
+
+void carry_out(const Deed& deed, Hand& hand) {
+    switch (deed.kind) {
+    case Deed::Kind::click:
+        hand.click(deed.what);
+        break;
+    case Deed::Kind::hover:
+        hand.hover(deed.what);
+        break;
+    case Deed::Kind::pick: {
+        int column = 0, row = 0;
+        char rest = 0;
+        if (std::sscanf(deed.what.c_str(), " %d , %d %c", &column, &row, &rest) != 2) {
+            throw UsageError("--pick takes a pixel X,Y, not '" + deed.what + "'.");
+        }
+        hand.click_picture(column, row);
+        break;
+    }
+    case Deed::Kind::press: {
+        const KeyPress pressed = parse_key(deed.what);
+        hand.press(pressed.key, pressed.held);
+        break;
+    }
+    }
+}
+
+void set_view(Ui& ui, const OffscreenOptions& options) {
+    if (options.zoom <= 0.0f) return;
+    ui.canvas.zoom = options.zoom;
+    const Viewport& size = ui.session.settings.viewport;
+    ui.canvas.centre = options.centre.value_or(
+        ImVec2(0.5f * static_cast<float>(size.width), 0.5f * static_cast<float>(size.height)));
+}
+
+} // namespace
+
+Image draw_offscreen(Session session, const OffscreenOptions& options) {
+    Screen screen(std::move(session), options);
+    Hand hand(screen.ui, [&] { screen.frame(); });
+    set_view(screen.ui, options);
+    hand.frames(frames_to_rest);
+    for (const Deed& deed : options.deeds)
+        carry_out(deed, hand);
+    // Only who asks for it gets a tooltip.
+    const bool is_resting =
+        !options.deeds.empty() && options.deeds.back().kind == Deed::Kind::hover;
+    if (!is_resting) hand.leave();
+    if (options.report_path == "-") {
+        std::cout << report_of(screen.ui);
+    } else if (!options.report_path.empty()) {
+        write_file(options.report_path, report_of(screen.ui));
+    }
+    return screen.picture();
+}
+
+} // namespace rasterwalk

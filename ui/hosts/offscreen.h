@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+/// Something done to the interface before its picture is taken.
+struct Deed {
+    enum class Kind : std::uint8_t {
+        click, ///< on a widget, by its name
+        hover, ///< the pointer rests on a widget, by its name
+        pick,  ///< on a pixel of the picture: "X,Y"
+        press, ///< of a key: "F1", "Ctrl+Z", "period", "A"
+    };
+    Kind kind;
+    std::string what;
+};
+
+/// How the picture of the interface is to be.
+struct OffscreenOptions {
+    int width = 1600; ///< pixels
+    int height = 1000;
+    UiOptions ui;
+    std::string tab;              ///< of the inspector; empty: the first
+    float zoom = 0.0f;            ///< screen pixels a picture pixel; 0: fit
+    std::optional<ImVec2> centre; ///< picture pixel in the middle of the canvas when zoomed
+    std::vector<Deed> deeds;
+    std::string report_path; ///< file that takes report_of(); "-" for standard output; empty: none
+};
+
+/// Limits of the window that can be drawn, pixels.
+inline constexpr int smallest_offscreen_width = 320;
+inline constexpr int smallest_offscreen_height = 240;
+inline constexpr int largest_offscreen_side = 8192;
+
+/// The interface on a session as a picture, drawn without a display. Throws Error: UsageError for a
+/// deed that cannot be done, AccessError where there is no way to draw.
+Image draw_offscreen(Session session, const OffscreenOptions& options);
+
+} // namespace rasterwalk

@@ -1,0 +1,206 @@
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <map>
+#include <new>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/view_options.h"
+#include "scene/error.h"
+#include "scene/image.h"
+#include "session/content.h"
+#include "session/nearest_name.h"
+#include "ui/hosts/offscreen.h"
+#include "ui/style.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// The command line as it was written.
+struct Arguments {
+    std::string output;
+    std::string file;
+    ViewOptions view;
+    std::string plane = "colour";
+    std::string window = "1600x1000";
+    std::string theme = "dark";
+    float text_scale = 1.0f;
+    float zoom = 0.0f;
+    std::string centre;
+    int triangle = -1;
+    std::vector<std::string> clicks, hovers, picks, presses;
+    OffscreenOptions options;
+};
+
+using DeedOptions = std::map<const CLI::Option*, std::pair<Deed::Kind, std::vector<std::string>*>>;
+
+DeedOptions describe(CLI::App& app, Arguments& a) {
+    app.set_version_flag("--version", "rasterwalk-offscreen " + version_text());
+    app.footer(
+        "--click, --hover, --pick and --press are carried out in the order in which they "
+        "stand.\nExit codes: 0 done, 2 wrong usage, 3 bad input, 4 could not read or write.");
+    app.add_option("FILE", a.file, "Scene to open (.toml)");
+    app.add_option("-o,--output", a.output, "PNG file to write")->type_name("FILE")->required();
+    add_view_options(app, a.view);
+    const auto text = [&](const char* names, std::string& value, const char* help,
+                          const char* type) {
+        app.add_option(names, value, help)->type_name(type)->group("Window");
+    };
+    text("--window", a.window, "Size of the window, 320x240 to 8192x8192", "WIDTHxHEIGHT");
+    app.add_option("--text-scale", a.text_scale, "Size of the text; 1 is 16 pixels")
+        ->group("Window");
+    text("--theme", a.theme, "dark or light", "NAME");
+    text("--tab", a.options.tab, "Tab of the inspector that is open", "NAME");
+    text("--view", a.plane, "Plane that is shown: colour, depth, triangle or overdraw", "PLANE");
+    app.add_option("--zoom", a.zoom, "Screen pixels for each pixel of the picture")
+        ->group("Window");
+    text("--centre", a.centre, "Pixel in the middle of the zoomed picture", "X,Y");
+    app.add_option("--triangle", a.triangle, "Triangle that is selected, counted from 0")
+        ->group("Window");
+    text("--report-widgets", a.options.report_path,
+         "Write names and places of all widgets to this file; - for standard output", "FILE");
+
+    DeedOptions deeds;
+    const auto deed = [&](const char* name, std::vector<std::string>& values, Deed::Kind kind,
+                          const char* help, const char* type) {
+        CLI::Option* const option = app.add_option(name, values, help);
+        option->type_name(type)->allow_extra_args(false)->group("Window");
+        deeds[option] = {kind, &values};
+    };
+    deed("--click", a.clicks, Deed::Kind::click, "Click on a widget; repeatable", "NAME");
+    deed("--hover", a.hovers, Deed::Kind::hover, "Point at a widget; repeatable", "NAME");
+    deed("--pick", a.picks, Deed::Kind::pick, "Click on a pixel of the picture; repeatable", "X,Y");
+    deed("--press", a.presses, Deed::Kind::press, "Press a key, as Ctrl+Z; repeatable", "KEY");
+    return deeds;
+}
+
+/// The deeds of all kinds in the order in which they were written.
+std::vector<Deed> in_order(const CLI::App& app, const DeedOptions& options) {
+    std::map<const CLI::Option*, std::size_t> taken;
+    std::vector<Deed> deeds;
+    for (const CLI::Option* option : app.parse_order()) {
+        const auto found = options.find(option);
+        if (found == options.end()) continue;
+        const auto& [kind, values] = found->second;
+        deeds.push_back({kind, values->at(taken[option]++)});
+    }
+    return deeds;
+}
+
+void read_window(const std::string& text, OffscreenOptions& options) {
+    char rest = 0;
+    const bool is_size =
+        std::sscanf(text.c_str(), "%5dx%5d%c", &options.width, &options.height, &rest) == 2;
+    if (!is_size || options.width < smallest_offscreen_width ||
+        options.height < smallest_offscreen_height || options.width > largest_offscreen_side ||
+        options.height > largest_offscreen_side) {
+        throw UsageError("--window is a size from 320x240 to 8192x8192, not '" + text + "'.");
+    }
+}
+
+View find_plane(const std::string& name) {
+    constexpr std::array<std::string_view, 4> names{"colour", "depth", "triangle", "overdraw"};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (names[i] == name) return static_cast<View>(i);
+    }
+    throw UsageError("--view is colour, depth, triangle or overdraw, not '" + name + "'." +
+                     did_you_mean(name, names));
+}
+
+void check_range(const char* name, float value, float smallest, float largest) {
+    if (value >= smallest && value <= largest) return;
+    char sentence[160];
+    std::snprintf(sentence, sizeof sentence, "%s is a number from %g to %g, not %g.", name,
+                  static_cast<double>(smallest), static_cast<double>(largest),
+                  static_cast<double>(value));
+    throw UsageError(sentence);
+}
+
+/// Makes options and session out of what was written. Throws Error.
+Session understand(Arguments& a) {
+    OffscreenOptions& options = a.options;
+    read_window(a.window, options);
+    check_range("--text-scale", a.text_scale, smallest_text_scale, largest_text_scale);
+    options.ui.wished_text_scale = a.text_scale;
+    if (a.theme != "dark" && a.theme != "light") {
+        throw UsageError("--theme is dark or light, not '" + a.theme + "'.");
+    }
+    options.ui.theme = a.theme == "light" ? Theme::light : Theme::dark;
+    if (a.zoom != 0.0f) check_range("--zoom", a.zoom, 0.25f, 64.0f);
+    options.zoom = a.zoom;
+    if (!a.centre.empty()) {
+        float x = 0, y = 0;
+        char rest = 0;
+        const bool is_point = std::sscanf(a.centre.c_str(), " %f , %f %c", &x, &y, &rest) == 2;
+        if (!is_point || !std::isfinite(x) || !std::isfinite(y)) {
+            throw UsageError("--centre takes a pixel X,Y, not '" + a.centre + "'.");
+        }
+        options.centre = ImVec2(x, y);
+    }
+    if (!a.file.empty()) {
+        if (!a.view.scene.empty()) {
+            throw UsageError("the scene is named twice: as FILE and by --scene.");
+        }
+        a.view.scene = a.file;
+    }
+    const View plane = find_plane(a.plane);
+    Session session = open_view(a.view);
+    session.view = plane;
+    if (a.triangle != -1) {
+        const int count = static_cast<int>(session.scene->triangles.size());
+        if (a.triangle < 0 || a.triangle >= count) {
+            throw UsageError("--triangle is a number from 0 to " + std::to_string(count - 1) +
+                             ", not " + std::to_string(a.triangle) + ".");
+        }
+        session.selection.triangle = a.triangle;
+    }
+    return session;
+}
+
+int run(int argc, const char* const* argv) {
+    CLI::App app{"Draws the window of Rasterwalk as a picture, without a display.",
+                 "rasterwalk-offscreen"};
+    Arguments arguments;
+    const DeedOptions deeds = describe(app, arguments);
+    std::vector<std::string> words = command_arguments(argc, argv);
+    std::reverse(words.begin(), words.end()); // as CLI11 wants them
+    try {
+        app.parse(std::move(words));
+    } catch (const CLI::ParseError& fault) {
+        if (fault.get_exit_code() == 0) return app.exit(fault);
+        std::string sentence = fault.what();
+        if (!sentence.ends_with('.')) sentence += '.';
+        throw UsageError(sentence + " See rasterwalk-offscreen --help.");
+    }
+    Session session = understand(arguments);
+    arguments.options.deeds = in_order(app, deeds);
+    write_png(draw_offscreen(std::move(session), arguments.options), arguments.output);
+    std::cout.flush();
+    if (!std::cout) throw AccessError("the output could not be written.");
+    return static_cast<int>(ExitCode::done);
+}
+
+} // namespace
+
+} // namespace rasterwalk
+
+int main(int argc, char** argv) {
+    using rasterwalk::ExitCode;
+    const auto complain = [](const char* sentence, ExitCode code) {
+        std::cerr << "rasterwalk-offscreen: " << sentence << '\n';
+        return static_cast<int>(code);
+    };
+    try {
+        return rasterwalk::run(argc, argv);
+    } catch (const rasterwalk::Error& fault) {
+        return complain(fault.what(), fault.code);
+    } catch (const std::bad_alloc&) {
+        return complain("there is not enough memory for this.", ExitCode::no_access);
+    } catch (const std::exception& fault) {
+        return complain(fault.what(), ExitCode::no_access);
+    }
+}

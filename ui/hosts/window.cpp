@@ -1,0 +1,326 @@
+#include "ui/hosts/window.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+
+#include "scene/error.h"
+#include "scene/read_text.h"
+#include "ui/actions.h"
+#include "ui/app.h"
+#include "ui/hosts/gl2.h"
+#include "ui/report.h"
+#include "ui/style.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// Frames drawn after the last event, until hover, popups and sizes that follow their content are
+/// at rest.
+constexpr int frames_after_event = 3;
+/// Sleep while nothing happens, and between two blinks of the text cursor, seconds.
+constexpr double idle_wait = 0.5;
+constexpr double blink_wait = 0.2;
+/// Where the display does not pace the frames, this does, seconds.
+constexpr double shortest_frame = 1.0 / 250.0;
+/// What one frame's time counts as at most, so that nothing leaps after a sleep, seconds.
+constexpr float longest_step = 0.25f;
+constexpr float shortest_step = 1e-4f;
+
+/// Of a window, screen coordinates.
+struct Size {
+    int width, height;
+};
+constexpr Size smallest_size{800, 600};
+
+struct Window {
+    GLFWwindow* handle = nullptr;
+    Ui ui;
+    Gl2Textures textures;
+    int frames_due = frames_after_event;
+    float content_scale = 1.0f;
+    /// Keys that are pressed and released between two frames count as held for one frame: once one
+    /// was pressed, all releases wait for the next frame.
+    bool was_key_pressed = false;
+    std::vector<int> late_releases;
+    std::string report_path;
+    std::string last_report;
+};
+
+Window& window_of(GLFWwindow* handle) {
+    return *static_cast<Window*>(glfwGetWindowUserPointer(handle));
+}
+
+void wake(GLFWwindow* handle) {
+    window_of(handle).frames_due = frames_after_event;
+}
+
+/// The last thing that GLFW complained about.
+std::string glfw_complaint;
+
+void note_complaint(int, const char* text) {
+    glfw_complaint = text;
+}
+
+Error no_display() {
+    const std::string reason = glfw_complaint.empty() ? "" : " (" + glfw_complaint + ")";
+    return {ExitCode::no_display,
+            "there is no display to open the window on" + reason +
+                "; 'rasterwalk render' and 'rasterwalk-offscreen' draw pictures without one."};
+}
+
+void on_key(GLFWwindow* handle, int key, int scancode, int action, int modifiers) {
+    Window& window = window_of(handle);
+    wake(handle);
+    if (action == GLFW_PRESS) {
+        window.was_key_pressed = true;
+        std::erase(window.late_releases, key);
+    } else if (action == GLFW_RELEASE && window.was_key_pressed) {
+        window.late_releases.push_back(key);
+        return;
+    }
+    ImGui_ImplGlfw_KeyCallback(handle, key, scancode, action, modifiers);
+}
+
+void on_drop(GLFWwindow* handle, int count, const char** paths) {
+    wake(handle);
+    if (count > 0) open_scene(window_of(handle).ui, paths[0]);
+}
+
+void on_content_scale(GLFWwindow* handle, float scale, float) {
+    Window& window = window_of(handle);
+    wake(handle);
+    if (!(scale > 0.0f)) return;
+    UiOptions& options = window.ui.options;
+    options.wished_text_scale = std::clamp(options.wished_text_scale * scale / window.content_scale,
+                                           smallest_text_scale, largest_text_scale);
+    window.content_scale = scale;
+}
+
+/// Every event wakes the window and goes on to ImGui where ImGui wants it.
+void install_callbacks(GLFWwindow* handle) {
+    glfwSetKeyCallback(handle, on_key);
+    glfwSetDropCallback(handle, on_drop);
+    glfwSetWindowContentScaleCallback(handle, on_content_scale);
+    glfwSetCharCallback(handle, [](GLFWwindow* w, unsigned int letter) {
+        wake(w);
+        ImGui_ImplGlfw_CharCallback(w, letter);
+    });
+    glfwSetMouseButtonCallback(handle, [](GLFWwindow* w, int mouse_button, int action, int mods) {
+        wake(w);
+        ImGui_ImplGlfw_MouseButtonCallback(w, mouse_button, action, mods);
+    });
+    glfwSetScrollCallback(handle, [](GLFWwindow* w, double x, double y) {
+        wake(w);
+        ImGui_ImplGlfw_ScrollCallback(w, x, y);
+    });
+    glfwSetCursorEnterCallback(handle, [](GLFWwindow* w, int entered) {
+        wake(w);
+        ImGui_ImplGlfw_CursorEnterCallback(w, entered);
+    });
+    glfwSetWindowFocusCallback(handle, [](GLFWwindow* w, int focused) {
+        wake(w);
+        ImGui_ImplGlfw_WindowFocusCallback(w, focused);
+    });
+    glfwSetCursorPosCallback(handle, [](GLFWwindow* w, double, double) { wake(w); });
+    glfwSetFramebufferSizeCallback(handle, [](GLFWwindow* w, int, int) { wake(w); });
+    glfwSetWindowRefreshCallback(handle, [](GLFWwindow* w) { wake(w); });
+    glfwSetWindowIconifyCallback(handle, [](GLFWwindow* w, int) { wake(w); });
+    glfwSetWindowCloseCallback(handle, [](GLFWwindow* w) { wake(w); });
+}
+
+/// 1600 x 1000, enlarged as the display asks for, as far as the display has room for it.
+Size first_size() {
+    Size size{1600, 1000};
+    GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
+    if (monitor == nullptr) return size;
+    float scale = 1.0f, ignored_scale = 1.0f;
+    glfwGetMonitorContentScale(monitor, &scale, &ignored_scale);
+    int x = 0, y = 0;
+    Size room{0, 0};
+    glfwGetMonitorWorkarea(monitor, &x, &y, &room.width, &room.height);
+    const auto fitted = [&](int wished, int available, int smallest) {
+        const int enlarged =
+            static_cast<int>(static_cast<float>(wished) * std::clamp(scale, 1.0f, 4.0f));
+        return available > 0 ? std::max(std::min(enlarged, available), smallest) : wished;
+    };
+    return {fitted(size.width, room.width, smallest_size.width),
+            fitted(size.height, room.height, smallest_size.height)};
+}
+
+/// What the display asks text to be enlarged by. Where the display itself enlarges everything, as
+/// framebuffers larger than the window show, that part is not counted again.
+float text_enlargement(GLFWwindow* handle) {
+    float scale = 1.0f, ignored = 1.0f;
+    glfwGetWindowContentScale(handle, &scale, &ignored);
+    int window_width = 0, framebuffer_width = 0, height = 0;
+    glfwGetWindowSize(handle, &window_width, &height);
+    glfwGetFramebufferSize(handle, &framebuffer_width, &height);
+    if (window_width > 0 && framebuffer_width > 0) {
+        scale *= static_cast<float>(window_width) / static_cast<float>(framebuffer_width);
+    }
+    return scale > 0.0f ? scale : 1.0f;
+}
+
+/// "rasterwalk-20260102-030405.png", with a number behind if that is there already.
+std::string picture_path() {
+    const std::time_t now = std::time(nullptr);
+    std::tm local{};
+    localtime_r(&now, &local);
+    char stamp[32];
+    std::strftime(stamp, sizeof stamp, "%Y%m%d-%H%M%S", &local);
+    const std::string stem = std::string("rasterwalk-") + stamp;
+    std::string path = stem + ".png";
+    std::error_code ignored;
+    for (int n = 2; std::filesystem::exists(path, ignored) && n < 100; ++n)
+        path = stem + "-" + std::to_string(n) + ".png";
+    return path;
+}
+
+void save_picture(Window& window, int width, int height) {
+    window.ui.wants_picture = false;
+    window.frames_due = frames_after_event;
+    const std::string path = picture_path();
+    try {
+        write_png(read_gl2(width, height), path);
+        std::error_code fault;
+        const std::filesystem::path folder = std::filesystem::current_path(fault);
+        window.ui.session.notice =
+            "Picture of the window saved as " + (fault ? path : (folder / path).string()) + ".";
+    } catch (const Error& error) {
+        window.ui.session.notice = error.what();
+    }
+}
+
+void write_report(Window& window) {
+    if (window.report_path.empty()) return;
+    std::string report = report_of(window.ui);
+    if (report == window.last_report) return;
+    write_file(window.report_path, report);
+    window.last_report = std::move(report);
+}
+
+/// Keys whose release waited for a frame to be drawn with them held.
+void release_late_keys(Window& window) {
+    window.was_key_pressed = false;
+    for (const int key : window.late_releases) {
+        ImGui_ImplGlfw_KeyCallback(window.handle, key, glfwGetKeyScancode(key), GLFW_RELEASE, 0);
+        window.frames_due = frames_after_event;
+    }
+    window.late_releases.clear();
+}
+
+bool draw_frame(Window& window) {
+    int width = 0, height = 0;
+    glfwGetFramebufferSize(window.handle, &width, &height);
+    if (width <= 0 || height <= 0) return false;
+    begin_gl2_frame();
+    ImGui_ImplGlfw_NewFrame();
+    ImGuiIO& io = ImGui::GetIO();
+    io.DeltaTime = std::clamp(io.DeltaTime, shortest_step, longest_step);
+    build_ui(window.ui);
+    draw_gl2(window.ui, width, height);
+    if (window.ui.wants_picture) save_picture(window, width, height);
+    glfwSwapBuffers(window.handle);
+    release_late_keys(window);
+    write_report(window);
+    return true;
+}
+
+/// True while a mouse button or key is held: what it does goes on without further events.
+bool is_held() {
+    const ImGuiIO& io = ImGui::GetIO();
+    return std::any_of(std::begin(io.MouseDown), std::end(io.MouseDown), std::identity{}) ||
+           std::any_of(std::begin(io.KeysDown), std::end(io.KeysDown), std::identity{});
+}
+
+void run(Window& window) {
+    double last_frame = 0.0;
+    while (glfwWindowShouldClose(window.handle) == GLFW_FALSE && !window.ui.wants_quit) {
+        const bool is_moving = is_animating(window.ui) || is_held();
+        const bool is_typing = ImGui::GetIO().WantTextInput;
+        if (window.frames_due > 0 || is_moving) {
+            const double early = last_frame + shortest_frame - glfwGetTime();
+            if (early > 0.0) {
+                glfwWaitEventsTimeout(early);
+            } else {
+                glfwPollEvents();
+            }
+        } else {
+            glfwWaitEventsTimeout(is_typing ? blink_wait : idle_wait);
+        }
+        if (window.frames_due <= 0 && !is_moving && !is_typing) continue;
+        --window.frames_due;
+        last_frame = glfwGetTime();
+        // A window that is minimized has nothing to be drawn on.
+        if (!draw_frame(window)) glfwWaitEventsTimeout(idle_wait);
+    }
+}
+
+/// GLFW, begun and ended.
+struct Glfw {
+    Glfw() {
+        glfwSetErrorCallback(note_complaint);
+        if (glfwInit() != GLFW_TRUE) throw no_display();
+    }
+    ~Glfw() { glfwTerminate(); }
+    Glfw(const Glfw&) = delete;
+    Glfw& operator=(const Glfw&) = delete;
+};
+
+/// The window with ImGui in it, begun and ended.
+struct OpenWindow {
+    Window window;
+
+    explicit OpenWindow(Session session) {
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 2);
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 1);
+        const Size size = first_size();
+        window.handle = glfwCreateWindow(size.width, size.height, "Rasterwalk", nullptr, nullptr);
+        if (window.handle == nullptr) throw no_display();
+        glfwSetWindowSizeLimits(window.handle, smallest_size.width, smallest_size.height,
+                                GLFW_DONT_CARE, GLFW_DONT_CARE);
+        glfwSetWindowUserPointer(window.handle, &window);
+        glfwMakeContextCurrent(window.handle);
+        glfwSwapInterval(1);
+
+        Ui& ui = window.ui;
+        ui.session = std::move(session);
+        window.content_scale = text_enlargement(window.handle);
+        ui.options.wished_text_scale =
+            std::clamp(window.content_scale, smallest_text_scale, largest_text_scale);
+        open_ui(ui, window.textures);
+        ImGui_ImplGlfw_InitForOpenGL(window.handle, false);
+        open_gl2();
+        install_callbacks(window.handle);
+        if (const char* path = std::getenv("RASTERWALK_WIDGET_REPORT")) window.report_path = path;
+    }
+    ~OpenWindow() {
+        window.textures.release();
+        close_gl2();
+        ImGui_ImplGlfw_Shutdown();
+        close_ui(window.ui);
+        glfwDestroyWindow(window.handle);
+    }
+    OpenWindow(const OpenWindow&) = delete;
+    OpenWindow& operator=(const OpenWindow&) = delete;
+};
+
+} // namespace
+
+void show_window(Session session) {
+    const Glfw glfw;
+    OpenWindow open(std::move(session));
+    run(open.window);
+}
+
+} // namespace rasterwalk

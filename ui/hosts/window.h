@@ -1,0 +1,14 @@
+#pragma once
+
+#include "session/session.h"
+
+namespace rasterwalk {
+
+/// Shows the session in a window until it is closed. Sleeps while nothing happens. Throws Error
+/// with ExitCode::no_display where no window can be opened.
+///
+/// If the environment names a file in RASTERWALK_WIDGET_REPORT, report_of() is written there
+/// whenever it changes: a program that looks on from outside then knows where to click.
+void show_window(Session session);
+
+} // namespace rasterwalk

@@ -1,0 +1,28 @@
+#include <exception>
+#include <iostream>
+#include <new>
+#include <utility>
+
+#include "cli/cli.h"
+#include "scene/error.h"
+#include "ui/hosts/window.h"
+
+int main(int argc, char** argv) {
+    using rasterwalk::ExitCode;
+    const auto complain = [](const char* sentence, ExitCode code) {
+        std::cerr << "rasterwalk: " << sentence << '\n';
+        return static_cast<int>(code);
+    };
+    try {
+        rasterwalk::CliRequest request;
+        const int exit_code = rasterwalk::run_cli(argc, argv, std::cout, std::cerr, request);
+        if (request.open_window) rasterwalk::show_window(std::move(request.session));
+        return exit_code;
+    } catch (const rasterwalk::Error& fault) {
+        return complain(fault.what(), fault.code);
+    } catch (const std::bad_alloc&) {
+        return complain("there is not enough memory for this.", ExitCode::no_access);
+    } catch (const std::exception& fault) {
+        return complain(fault.what(), ExitCode::no_access);
+    }
+}

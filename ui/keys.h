@@ -1,0 +1,37 @@
+#pragma once
+
+namespace rasterwalk {
+
+/// Keys by the numbers under which they arrive in ImGuiIO::KeysDown. Letters, digits and
+/// punctuation are their capital ASCII code; the rest are numbered as GLFW does.
+namespace key {
+inline constexpr int space = 32;
+inline constexpr int comma = 44;
+inline constexpr int minus = 45;
+inline constexpr int period = 46;
+inline constexpr int digit_0 = 48;
+inline constexpr int equal = 61;
+inline constexpr int left_bracket = 91;
+inline constexpr int right_bracket = 93;
+inline constexpr int escape = 256;
+inline constexpr int enter = 257;
+inline constexpr int tab = 258;
+inline constexpr int backspace = 259;
+inline constexpr int insert = 260;
+inline constexpr int del = 261;
+inline constexpr int right = 262;
+inline constexpr int left = 263;
+inline constexpr int down = 264;
+inline constexpr int up = 265;
+inline constexpr int page_up = 266;
+inline constexpr int page_down = 267;
+inline constexpr int home = 268;
+inline constexpr int end = 269;
+inline constexpr int f1 = 290;
+inline constexpr int f12 = 301;
+inline constexpr int keypad_add = 334;
+inline constexpr int keypad_subtract = 333;
+inline constexpr int keypad_enter = 335;
+} // namespace key
+
+} // namespace rasterwalk

@@ -1,0 +1,194 @@
+#include "ui/markdown.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "ui/markdown_layout.h"
+#include "ui/style.h"
+#include "ui/widgets.h"
+
+namespace rasterwalk {
+
+/// What a layout depends on beside the text.
+struct PageMeasure {
+    float width = 0.0f;
+    float unit = 0.0f;
+    const ImFont* font = nullptr;
+    float font_size = 0.0f;
+
+    friend bool operator==(const PageMeasure&, const PageMeasure&) = default;
+};
+
+struct MarkdownPage {
+    MarkdownPage() = default;
+    // The layout points into the document.
+    MarkdownPage(const MarkdownPage&) = delete;
+    MarkdownPage& operator=(const MarkdownPage&) = delete;
+
+    std::string text;
+    MarkdownDocument document;
+    std::optional<PageMeasure> measure; ///< of the layout; none before the first
+    PageLayout layout;
+};
+
+namespace {
+
+/// ImGui's draw lists count their corners in 16 bits; beyond this many letters a frame, or this
+/// many shapes, nothing more is drawn. No window has room for as many.
+constexpr std::size_t most_letters = 12'000;
+constexpr int most_shapes = 400;
+
+/// Links that are entered in Ui::widgets even while they are scrolled away.
+constexpr int most_hidden_links = 500;
+
+/// Brings the page up to date with text, width and fonts.
+void prepare(const Ui& ui, MarkdownPage& page, std::string_view text, float width) {
+    const PageMeasure measure{width, ui.options.text_scale, ui.fonts.text, ui.fonts.text->FontSize};
+    const bool is_new = !page.measure || page.text != text;
+    if (!is_new && page.measure == measure) return;
+    if (is_new) {
+        page.layout = {};
+        page.text = text;
+        page.document = parse_markdown(text);
+        if (!page.document.fault.empty()) {
+            MarkdownBlock& block = page.document.blocks.emplace_back();
+            block.runs.push_back({page.document.fault});
+        }
+    }
+    page.layout = lay_out(page.document, ui.fonts, ui.options.text_scale, width);
+    page.measure = measure;
+}
+
+ImVec4 colour_of_tint(PageTint tint, Theme theme) {
+    switch (tint) {
+    case PageTint::text:
+        return palette(theme).text;
+    case PageTint::dim:
+        return palette(theme).dim;
+    case PageTint::link:
+        return palette(theme).link;
+    case PageTint::task:
+        return palette(theme).changed;
+    case PageTint::mistake:
+        return colour_of(Meaning::fail, theme);
+    }
+    return palette(theme).text;
+}
+
+/// The part of the page that can be seen, screen pixels.
+struct Sight {
+    ImVec2 origin;
+    float top, bottom;
+    bool holds(float low, float high) const {
+        return origin.y + high >= top && origin.y + low <= bottom;
+    }
+};
+
+/// An invisible button over every piece of every link.
+MarkdownEvents press_links(Ui& ui, const MarkdownPage& page, const Sight& sight,
+                           std::string_view prefix) {
+    MarkdownEvents events;
+    int hidden = 0, last = -1;
+    int number = 0;
+    for (const PagePiece& piece : page.layout.pieces) {
+        if (piece.link < 0) continue;
+        const float height = font_of(ui.fonts, piece.font)->FontSize;
+        const bool visible = sight.holds(piece.at.y, piece.at.y + height);
+        if (!visible && ++hidden > most_hidden_links) continue;
+        ImGui::SetCursorScreenPos(
+            {sight.origin.x + piece.at.x, sight.origin.y + piece.at.y - 2.0f});
+        ImGui::PushID(number++);
+        const bool pressed =
+            ImGui::InvisibleButton("link", {std::max(piece.width, 1.0f), height + 4.0f});
+        ImGui::PopID();
+        if (ImGui::IsItemHovered()) {
+            events.hovered = piece.link;
+            ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+        }
+        if (pressed) events.followed = piece.link;
+        // A link over two lines is known by its first.
+        if (piece.link != last) name_widget(ui, std::string(prefix) + std::to_string(piece.link));
+        last = piece.link;
+    }
+    return events;
+}
+
+void draw_shapes(const Ui& ui, ImDrawList* list, const MarkdownPage& page, const Sight& sight) {
+    const Palette& p = palette(ui.options.theme);
+    const float rounding = 5.0f * ui.options.text_scale;
+    int drawn = 0;
+    for (const PageShape& shape : page.layout.shapes) {
+        if (!sight.holds(shape.low.y, shape.high.y) || ++drawn > most_shapes) continue;
+        const ImVec2 low{sight.origin.x + shape.low.x, sight.origin.y + shape.low.y};
+        const ImVec2 high{sight.origin.x + shape.high.x, sight.origin.y + shape.high.y};
+        switch (shape.kind) {
+        case PageShape::Kind::card:
+            list->AddRectFilled(low, high, packed(p.card), rounding);
+            break;
+        case PageShape::Kind::bar:
+            list->AddRectFilled(low, high, packed(colour_of_tint(shape.tint, ui.options.theme)),
+                                rounding, ImDrawFlags_RoundCornersLeft);
+            break;
+        case PageShape::Kind::line:
+            list->AddRectFilled(low, high, packed(p.line));
+            break;
+        case PageShape::Kind::bullet:
+            list->AddCircleFilled({0.5f * (low.x + high.x), 0.5f * (low.y + high.y)},
+                                  0.5f * (high.x - low.x), packed(p.dim));
+            break;
+        }
+    }
+}
+
+void draw_pieces(const Ui& ui, ImDrawList* list, const MarkdownPage& page, const Sight& sight,
+                 int hovered) {
+    const Palette& p = palette(ui.options.theme);
+    const float u = ui.options.text_scale;
+    std::size_t letters = 0;
+    for (const PagePiece& piece : page.layout.pieces) {
+        ImFont* const font = font_of(ui.fonts, piece.font);
+        if (!sight.holds(piece.at.y, piece.at.y + font->FontSize)) continue;
+        letters += piece.text.size();
+        if (letters > most_letters) break;
+        const ImVec2 at{std::floor(sight.origin.x + piece.at.x),
+                        std::floor(sight.origin.y + piece.at.y)};
+        const ImVec4 colour = colour_of_tint(piece.tint, ui.options.theme);
+        if (piece.is_code) {
+            const ImVec2 low{at.x - 3.0f * u, at.y - 1.0f * u};
+            const ImVec2 high{at.x + piece.width + 3.0f * u, at.y + font->FontSize + 2.0f * u};
+            list->AddRectFilled(low, high, packed(p.button), 3.0f * u);
+        }
+        const char* const begin = piece.text.data();
+        list->AddText(font, font->FontSize, at, packed(colour), begin, begin + piece.text.size());
+        if (piece.link < 0) continue;
+        const float y = std::round(at.y + font->Ascent + 2.5f * u);
+        const float thickness =
+            std::max(std::round(u), 1.0f) * (piece.link == hovered ? 2.0f : 1.0f);
+        list->AddRectFilled({at.x, y}, {at.x + piece.width, y + thickness},
+                            packed(colour, piece.link == hovered ? 1.0f : 0.6f));
+    }
+}
+
+} // namespace
+
+MarkdownEvents draw_markdown(Ui& ui, std::shared_ptr<MarkdownPage>& page, std::string_view text,
+                             float width, std::string_view prefix) {
+    if (!page) page = std::make_shared<MarkdownPage>();
+    prepare(ui, *page, text, width);
+    const ImVec2 origin = ImGui::GetCursorScreenPos();
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    const Sight sight{origin, list->GetClipRectMin().y, list->GetClipRectMax().y};
+    const MarkdownEvents events = press_links(ui, *page, sight, prefix);
+    draw_shapes(ui, list, *page, sight);
+    draw_pieces(ui, list, *page, sight, events.hovered);
+    ImGui::SetCursorScreenPos(origin);
+    ImGui::Dummy({width, page->layout.height});
+    return events;
+}
+
+const MarkdownDocument& document_of(const MarkdownPage& page) {
+    return page.document;
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+/// A stretch of text in one style. A "\n" in it is a line break that the author asked for.
+struct MarkdownRun {
+    std::string text; ///< UTF-8 without control characters
+    bool emphasis = false;
+    bool strong = false;
+    bool code = false;
+    int link = -1; ///< index in MarkdownDocument::links; -1: none
+};
+
+/// A part of the page. Text stands in `runs` (paragraph, heading, cell, code), everything else in
+/// `children`.
+struct MarkdownBlock {
+    enum class Kind : std::uint8_t {
+        paragraph,
+        heading,
+        list, ///< children: items
+        item,
+        code,  ///< one run, a line for each "\n"
+        quote, ///< shown as a box
+        table, ///< children: rows
+        row,   ///< children: cells
+        cell,
+        rule, ///< a line across the page
+    };
+    enum class Align : std::uint8_t { left, centre, right };
+
+    Kind kind = Kind::paragraph;
+    int level = 0;             ///< heading: 1..6
+    bool is_numbered = false;  ///< list
+    int start = 1;             ///< numbered list: the first number
+    bool is_tight = true;      ///< list: no space between its items
+    bool is_header = false;    ///< cell
+    Align align = Align::left; ///< cell
+    std::string label;         ///< quote that begins with a paragraph all in strong: that paragraph
+    std::vector<MarkdownRun> runs;
+    std::vector<MarkdownBlock> children;
+};
+
+/// A page of Markdown, ready to be laid out.
+struct MarkdownDocument {
+    std::vector<MarkdownBlock> blocks;
+    std::vector<std::string> links; ///< targets, in the order of the page
+    std::string fault;              ///< a sentence why the page cannot be shown; then it is empty
+};
+
+/// Reads Markdown (CommonMark with tables, without HTML). Never fails: odd bytes become U+FFFD, and
+/// a text beyond the limits below gives a document with a fault.
+MarkdownDocument parse_markdown(std::string_view text);
+
+/// The largest text that is read, bytes, and the deepest nesting of lists and quotes.
+inline constexpr std::size_t largest_markdown = std::size_t{1} << 20;
+inline constexpr int deepest_markdown = 32;
+
+/// A page that is on the screen: parsed when its text changes, laid out when text or width do.
+struct MarkdownPage;
+
+/// What the student does with the links of a page in this frame; indices in the document's links.
+struct MarkdownEvents {
+    int hovered = -1;
+    int followed = -1;
+};
+
+/// Draws Markdown at ImGui's cursor, wrapped at `width` screen pixels, and moves the cursor below
+/// it. Each link is entered in Ui::widgets as `prefix` and its number.
+/// @param page keeps what was worked out from one frame to the next; null at first
+MarkdownEvents draw_markdown(Ui& ui, std::shared_ptr<MarkdownPage>& page, std::string_view text,
+                             float width, std::string_view prefix);
+
+/// The document of a page that was drawn.
+const MarkdownDocument& document_of(const MarkdownPage& page);
+
+} // namespace rasterwalk

@@ -1,0 +1,173 @@
+#include <string>
+#include <vector>
+
+#include "ui/actions.h"
+#include "ui/flow.h"
+#include "ui/panels/panels.h"
+#include "ui/style.h"
+#include "ui/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// A button of the strip: a stage with its number, or a switch with its state.
+struct StripItem {
+    std::string name;    ///< of the widget, and of the action that it runs
+    std::string first;   ///< shown first
+    std::string second;  ///< shown after it
+    bool first_is_main;  ///< the other one is quieter, or in the colour of a state
+    bool chosen = false; ///< the stage on show
+    bool is_on = false;  ///< switches
+    bool is_switch = false;
+};
+
+/// In the short form only the stage on show says its name.
+std::vector<StripItem> strip_items(const Ui& ui, bool short_form) {
+    std::vector<StripItem> items;
+    const Settings& settings = ui.session.settings;
+    for (const StageInfo& info : stage_list()) {
+        items.push_back({.name = "stage." + std::string(info.name),
+                         .first = std::to_string(static_cast<int>(info.stage) + 1),
+                         .second = short_form && settings.stage != info.stage
+                                       ? std::string()
+                                       : std::string(info.title),
+                         .first_is_main = false,
+                         .chosen = settings.stage == info.stage});
+    }
+    const bool perspective = settings.interpolation == Interpolation::perspective;
+    items.push_back({.name = "switch.perspective",
+                     .first = "Perspective",
+                     .second = perspective ? "on" : "off",
+                     .first_is_main = true,
+                     .is_on = perspective,
+                     .is_switch = true});
+    const DepthTest depth = settings.depth_test;
+    items.push_back({.name = "switch.depth_test",
+                     .first = "Depth test",
+                     .second = depth == DepthTest::off         ? "off"
+                               : depth == DepthTest::inverse_z ? "1/z"
+                                                               : "z",
+                     .first_is_main = true,
+                     .is_on = depth != DepthTest::off,
+                     .is_switch = true});
+    return items;
+}
+
+float text_width(const std::string& text) {
+    return ImGui::CalcTextSize(text.c_str()).x;
+}
+
+/// Between the two texts of an item.
+float between(const StripItem& item, float unit) {
+    return item.second.empty() ? 0.0f : 7.0f * unit;
+}
+
+float item_width(const StripItem& item, float unit) {
+    return text_width(item.first) + between(item, unit) + text_width(item.second) + 23.0f * unit;
+}
+
+std::vector<float> item_widths(const std::vector<StripItem>& items, float unit) {
+    std::vector<float> widths;
+    for (const StripItem& item : items) {
+        // The widest state counts, so that a switch does not shift its neighbours.
+        StripItem widest = item;
+        if (item.is_switch) widest.second = "off";
+        widths.push_back(item_width(widest, unit));
+    }
+    return widths;
+}
+
+float gap(const Ui& ui) {
+    return 8.0f * ui.options.text_scale;
+}
+float margin(const Ui& ui) {
+    return 14.0f * ui.options.text_scale;
+}
+
+void draw_item(Ui& ui, const StripItem& item, ImVec2 at, ImVec2 size) {
+    const Palette& p = palette(ui.options.theme);
+    const float u = ui.options.text_scale;
+    ImGui::SetCursorScreenPos(at);
+    const bool pressed = ImGui::InvisibleButton(item.name.c_str(), size);
+    const bool hovered = ImGui::IsItemHovered();
+    name_widget(ui, item.name, tooltip_of(item.name));
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    const ImVec2 end{at.x + size.x, at.y + size.y};
+    const ImVec4& fill = item.chosen ? p.accent : hovered ? p.button_hovered : p.button;
+    if (!item.is_switch || hovered) list->AddRectFilled(at, end, packed(fill), 5.0f * u);
+    if (item.is_switch) list->AddRect(at, end, packed(p.dim, 0.6f), 5.0f * u);
+    const ImVec4& main = item.chosen ? p.accent_text : p.text;
+    const ImVec4 state = item.is_on ? p.link : p.changed;
+    const ImVec4& side = item.is_switch ? state : item.chosen ? p.accent_text : p.dim;
+    const float y = at.y + 0.5f * (size.y - ImGui::GetFontSize());
+    const float content = text_width(item.first) + between(item, u) + text_width(item.second);
+    const float x = at.x + 0.5f * (size.x - content);
+    list->AddText({x, y}, packed(item.first_is_main ? main : side), item.first.c_str());
+    list->AddText({x + text_width(item.first) + 7.0f * u, y},
+                  packed(item.first_is_main ? side : main), item.second.c_str());
+    if (pressed) find_action(item.name).run(ui);
+}
+
+void draw_chevron(Ui& ui, ImVec2 middle) {
+    const float r = 3.0f * ui.options.text_scale;
+    const ImVec2 points[] = {{middle.x - 0.5f * r, middle.y - r},
+                             {middle.x + 0.5f * r, middle.y},
+                             {middle.x - 0.5f * r, middle.y + r}};
+    ImGui::GetWindowDrawList()->AddPolyline(points, 3, packed(palette(ui.options.theme).dim), 0,
+                                            1.3f * ui.options.text_scale);
+}
+
+} // namespace
+
+int stage_strip_lines(const Ui& ui, float width) {
+    const bool compact = is_compact(ImGui::GetIO().DisplaySize, ui.options);
+    const std::vector<float> widths = item_widths(strip_items(ui, compact), ui.options.text_scale);
+    return line_count(flow(widths, gap(ui), width - 2.0f * margin(ui)));
+}
+
+void draw_stage_strip(Ui& ui, const Area& area) {
+    const float u = ui.options.text_scale;
+    const Palette& p = palette(ui.options.theme);
+    ImGui::SetNextWindowPos(area.position);
+    ImGui::SetNextWindowSize(area.size);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, p.ground);
+    ImGui::Begin("strip", nullptr, panel_flags);
+    const bool compact = is_compact(ImGui::GetIO().DisplaySize, ui.options);
+    const std::vector<StripItem> items = strip_items(ui, compact);
+    const std::vector<float> widths = item_widths(items, u);
+    const float room = area.size.x - 2.0f * margin(ui);
+    float total = 0.0f;
+    for (const float width : widths)
+        total += width + gap(ui);
+    // Where there is room the stages are joined by arrows and the switches stand at the right.
+    const float arrow = 12.0f * u;
+    const bool wide = total + stage_count * arrow < room;
+    const std::vector<FlowPlace> places = flow(widths, wide ? gap(ui) + arrow : gap(ui), room);
+    const float height = 34.0f * u;
+    float switch_x = room + gap(ui);
+    for (std::size_t i = stage_count; i < items.size(); ++i)
+        switch_x -= widths[i] + gap(ui);
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        float x = places[i].x;
+        if (wide && items[i].is_switch) {
+            x = switch_x;
+            switch_x += widths[i] + gap(ui);
+        }
+        const ImVec2 at{area.position.x + margin(ui) + x,
+                        area.position.y + 9.0f * u +
+                            static_cast<float>(places[i].line) * 42.0f * u};
+        draw_item(ui, items[i], at, {widths[i], height});
+        if (wide && i + 1 < stage_count) {
+            draw_chevron(ui, {at.x + widths[i] + 0.5f * (gap(ui) + arrow), at.y + 0.5f * height});
+        }
+    }
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    const float bottom = area.position.y + area.size.y - 0.5f;
+    list->AddLine({area.position.x, bottom}, {area.position.x + area.size.x, bottom},
+                  packed(p.line));
+    ImGui::End();
+    ImGui::PopStyleColor();
+}
+
+} // namespace rasterwalk

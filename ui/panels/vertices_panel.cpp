@@ -1,0 +1,212 @@
+#include <algorithm>
+#include <string>
+
+#include "ui/formula_view.h"
+#include "ui/panels/panels.h"
+#include "ui/style.h"
+#include "ui/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+const char* fault_text(VertexFault fault) {
+    switch (fault) {
+    case VertexFault::none:
+        return "";
+    case VertexFault::not_finite:
+        return "a coordinate that is no finite number";
+    case VertexFault::behind_camera:
+        return "a vertex on or behind the camera plane (z ≤ 0)";
+    case VertexFault::too_far_out:
+        return "a vertex so close to the camera plane that its edges would be absurdly long";
+    }
+    return "";
+}
+
+/// One line of the table: one number of the three vertices.
+struct Line {
+    const char* space; ///< only on the first line of a space
+    const char* coordinate;
+    const char* id; ///< of the formula in the vertex report
+    int digits;
+    const char* help;
+    bool is_light = false; ///< only in the stages that compute light
+};
+
+const Line lines[] = {
+    {"world", "x", "world.x", 3, "The vertex where the scene has it. x points right."},
+    {"", "y", "world.y", 3, "y points down."},
+    {"", "z", "world.z", 3, "z points into the picture."},
+    {"− camera", "x", "minus_camera.x", 3,
+     "The world moved so that the camera stands at the origin: P − C."},
+    {"", "y", "minus_camera.y", 3, "P − C."},
+    {"", "z", "minus_camera.z", 3, "P − C."},
+    {"rotated", "x", "rotated.x", 3, "Turned so that the camera looks along +z: (P − C) R."},
+    {"", "y", "rotated.y", 3, "(P − C) R."},
+    {"", "z", "rotated.z", 3, "How far in front of the camera."},
+    {"projected", "x", "projected.x", 3,
+     "f x / z: pixels from the middle of the picture, before rounding."},
+    {"", "y", "projected.y", 3, "f y / z: pixels from the middle of the picture, before rounding."},
+    {"pixel", "column", "pixel.column", 0,
+     "Rounded to a whole number and moved to the middle of the picture."},
+    {"", "row", "pixel.row", 0,
+     "Rounded to a whole number and moved to the middle of the picture."},
+    {"", "1/z", "zinv", 5, "What the depth buffer will hold: larger is nearer."},
+    {"normal", "x", "normal.x", 3, "Across the surface, of unit length.", true},
+    {"", "y", "normal.y", 3, "Across the surface, of unit length.", true},
+    {"", "z", "normal.z", 3, "Across the surface, of unit length.", true},
+    {"light", "red", "light.R.red", 3, "The light that this vertex gives back: R = ρ (D + N).",
+     true},
+    {"", "green", "light.R.green", 3, "The light that this vertex gives back: R = ρ (D + N).",
+     true},
+    {"", "blue", "light.R.blue", 3, "The light that this vertex gives back: R = ρ (D + N).", true},
+};
+
+void draw_header(Ui& ui, int chosen) {
+    ImGui::TableNextRow();
+    for (int v = 0; v < 3; ++v) {
+        ImGui::TableSetColumnIndex(2 + v);
+        const std::string label = "vertex " + std::to_string(v + 1);
+        const std::string name = "vertices.v" + std::to_string(v);
+        if (number_cell(ui, name, label, palette(ui.options.theme).dim, v == chosen,
+                        "Shows this vertex's formula below.")) {
+            ui.session.selection.vertex = v;
+        }
+    }
+}
+
+void draw_cell(Ui& ui, const Line& line, int v, int chosen) {
+    const Palette& p = palette(ui.options.theme);
+    const Formula* const formula =
+        find_formula(ui.results.inspected.vertices[static_cast<std::size_t>(v)].formulas, line.id);
+    const bool is_chosen = v == chosen && ui.inspect.vertex_number == line.id;
+    const std::string name =
+        std::string("vertices.").append(line.id).append(".v").append(std::to_string(v));
+    if (formula == nullptr) {
+        right_aligned("—", p.dim);
+        name_widget(ui, name, "This vertex has no pixel.");
+        return;
+    }
+    const std::string text = fixed(static_cast<double>(formula->result.value), line.digits);
+    if (number_cell(ui, name, text, v == chosen ? p.text : p.dim, is_chosen,
+                    line.help + std::string("\nClick: how it came to be."))) {
+        ui.session.selection.vertex = v;
+        ui.inspect.vertex_number = line.id;
+    }
+}
+
+void draw_table(Ui& ui, int chosen) {
+    const Palette& p = palette(ui.options.theme);
+    const bool lights = lighting_of(ui.results.frame.settings.stage) != Lighting::none;
+    if (!ImGui::BeginTable("vertices", 5, ImGuiTableFlags_SizingStretchProp)) return;
+    ImGui::TableSetupColumn("space", 0, 1.25f);
+    ImGui::TableSetupColumn("coordinate", 0, 0.9f);
+    for (const char* name : {"v0", "v1", "v2"})
+        ImGui::TableSetupColumn(name, 0, 1.1f);
+    draw_header(ui, chosen);
+    for (const Line& line : lines) {
+        if (line.is_light && !lights) continue;
+        ImGui::TableNextRow();
+        if (*line.space != '\0') {
+            ImGui::TableNextColumn();
+            const float y = ImGui::GetCursorScreenPos().y - ImGui::GetStyle().CellPadding.y;
+            const float x = ImGui::GetWindowPos().x;
+            ImGui::GetWindowDrawList()->AddLine({x, y}, {x + ImGui::GetWindowWidth(), y},
+                                                packed(p.line));
+            ImGui::TextUnformatted(line.space);
+            name_widget(ui, std::string("vertices.").append(line.id).append(".space"), line.help);
+        }
+        ImGui::TableSetColumnIndex(1);
+        text_in(p.dim, line.coordinate);
+        name_widget(ui, std::string("vertices.").append(line.id), line.help);
+        ImGui::PushFont(ui.fonts.mono);
+        for (int v = 0; v < 3; ++v) {
+            ImGui::TableSetColumnIndex(2 + v);
+            draw_cell(ui, line, v, chosen);
+        }
+        ImGui::PopFont();
+    }
+    ImGui::EndTable();
+}
+
+/// "floor would give 0, round would give 0"
+std::string other_roundings(const VertexReport& vertex, std::string_view id, Rounding in_force) {
+    std::string text;
+    for (const Rounding other : {Rounding::truncate, Rounding::floor, Rounding::round}) {
+        if (other == in_force) continue;
+        const ShadedVertex& shaded = vertex.by_rounding[static_cast<std::size_t>(other)];
+        text.append(text.empty() ? "" : ", ").append(rounding_function(other));
+        text.append(" would give ").append(shown(vertex_number(shaded, id)));
+    }
+    return text;
+}
+
+/// What R v in place of v R would make of it.
+std::string other_convention(const VertexReport& vertex, const Formula& formula) {
+    const bool has_pixel = !formula.id.starts_with("rotated.");
+    if (has_pixel && vertex.transposed.fault != VertexFault::none) {
+        return std::string("R v instead of v R would leave the triangle out: ") +
+               fault_text(vertex.transposed.fault);
+    }
+    const Number other = vertex_number(vertex.transposed, formula.id);
+    if (other.value == formula.result.value) {
+        return "R v instead of v R would give the same";
+    }
+    return "R v instead of v R would give " + shown(other);
+}
+
+void draw_what_else(Ui& ui, const VertexReport& vertex, const Formula& formula) {
+    const Palette& p = palette(ui.options.theme);
+    const Settings& settings = ui.results.frame.settings;
+    ImGui::PushStyleColor(ImGuiCol_Text, p.dim);
+    if (formula.id.starts_with("pixel.")) {
+        wrapped_text(other_roundings(vertex, formula.id, settings.rounding));
+        name_widget(ui, "vertices.other_roundings",
+                    "The same number made whole in the other ways. int() cuts toward zero, so it "
+                    "moves negative numbers the other way than positive ones.");
+    }
+    const bool has_camera = ui.results.scene->space == SceneSpace::world;
+    if (has_camera && depends_on_rotation(formula.id)) {
+        wrapped_text(other_convention(vertex, formula));
+        name_widget(ui, "vertices.other_convention",
+                    "A vector before the matrix or behind it: one is the transpose of the other, "
+                    "and turns the camera the other way. Without a turn they are the same.");
+    }
+    ImGui::PopStyleColor();
+}
+
+void draw_formula_card(Ui& ui, const VertexReport& vertex) {
+    begin_card(ui);
+    if (vertex.shaded.fault != VertexFault::none) {
+        wrapped_text(std::string("The triangle is left out: ") + fault_text(vertex.shaded.fault) +
+                     ".");
+    }
+    const Formula* formula = find_formula(vertex.formulas, ui.inspect.vertex_number);
+    if (formula == nullptr) formula = find_formula(vertex.formulas, "rotated.z");
+    text_in(palette(ui.options.theme).dim,
+            "vertex " + std::to_string(vertex.vertex + 1) + ", " + formula->help);
+    const std::optional<Source> clicked = draw_formula(ui, *formula, "vertices.formula");
+    draw_what_else(ui, vertex, *formula);
+    end_card(ui);
+    if (!clicked) return;
+    if (clicked->kind == SourceKind::formula) ui.inspect.vertex_number = clicked->name;
+    go_to_source(ui, *clicked);
+}
+
+} // namespace
+
+void draw_vertices_panel(Ui& ui) {
+    const std::vector<VertexReport>& vertices = ui.results.inspected.vertices;
+    if (!ui.results.triangle || vertices.empty()) {
+        text_in(palette(ui.options.theme).dim, "The scene has no triangles.");
+        return;
+    }
+    const int chosen = std::clamp(ui.session.selection.vertex.value_or(0), 0, 2);
+    draw_triangle_title(ui);
+    draw_with_card(
+        "vertices", [&] { draw_table(ui, chosen); },
+        [&] { draw_formula_card(ui, vertices[static_cast<std::size_t>(chosen)]); });
+}
+
+} // namespace rasterwalk

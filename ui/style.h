@@ -1,0 +1,64 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <imgui.h>
+
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+/// What a colour means; each meaning has one colour everywhere (Okabe and Ito's set, which the
+/// colour-blind tell apart), in a tone that can be read on the theme's ground.
+enum class Meaning : std::uint8_t {
+    edge_1,
+    edge_2,
+    edge_3,
+    left_end,
+    right_end,
+    current,
+    pass,
+    fail,
+};
+
+/// The quiet colours of the interface.
+struct Palette {
+    ImVec4 ground; ///< behind everything
+    ImVec4 bar;    ///< menu, transport
+    ImVec4 card;   ///< boxes on the ground
+    ImVec4 canvas; ///< around the picture
+    ImVec4 line;   ///< borders and rules
+    ImVec4 button;
+    ImVec4 button_hovered;
+    ImVec4 accent; ///< the chosen button
+    ImVec4 accent_text;
+    ImVec4 text;
+    ImVec4 dim; ///< text that may be overlooked; still 4.5 : 1
+    ImVec4 link;
+    ImVec4 row_lit; ///< a table's row that is pointed at or current
+    ImVec4 changed; ///< a setting that differs from the preset
+};
+
+const Palette& palette(Theme theme);
+
+/// The colour of a meaning, for text and lines on the ground of the theme.
+ImVec4 colour_of(Meaning meaning, Theme theme);
+
+/// The meaning of edge 0, 1 or 2.
+Meaning edge_meaning(int edge);
+
+/// The colour with another opacity, as draw lists want it.
+ImU32 packed(const ImVec4& colour, float opacity = 1.0f);
+
+/// Sets ImGui's colours and spacing for the theme and text scale.
+void apply_style(const UiOptions& options);
+
+/// Loads DejaVu in the sizes of the text scale into ImGui's atlas, or the built-in font where it is
+/// not installed.
+Fonts load_fonts(float text_scale);
+
+/// Text sizes: the smallest and largest scale, and the step of A+ and A-.
+inline constexpr float smallest_text_scale = 0.75f;
+inline constexpr float largest_text_scale = 2.5f;
+inline constexpr float text_scale_step = 0.125f;
+
+} // namespace rasterwalk

@@ -1,0 +1,139 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include <imgui.h>
+
+#include "inspect/microscope.h"
+#include "session/results.h"
+#include "session/session.h"
+#include "session/stage_note.h"
+
+namespace rasterwalk {
+
+/// Makes pictures known to the graphics system; the only thing that the interface asks of its host.
+class TextureHost {
+  public:
+    virtual ~TextureHost() = default;
+    /// Makes a texture of the picture, shown with hard pixel edges, or replaces `old` by it
+    /// (null: a new one). The same size is replaced in place.
+    virtual ImTextureID upload(ImTextureID old, const Image& image) = 0;
+};
+
+/// A widget that was drawn this frame, under the name by which tests and lessons find it.
+struct WidgetPlace {
+    ImVec2 top_left, bottom_right; ///< screen pixels, cut to what is visible
+    bool visible = false;          ///< false: scrolled or clipped away
+    bool is_whole = false;         ///< false: a part of it is cut off
+    bool has_tooltip = false;
+};
+
+/// Fonts in the sizes that the interface uses.
+struct Fonts {
+    ImFont* text = nullptr;
+    ImFont* mono = nullptr;
+    ImFont* bold = nullptr;
+    ImFont* italic = nullptr; ///< the text font where the slanted one is not installed
+    ImFont* title = nullptr;
+    ImFont* small = nullptr;
+    std::string notice; ///< why the built-in font had to do; empty if it did not
+};
+
+enum class Theme : std::uint8_t { dark, light };
+
+/// How the window looks; what a student would expect to find again next time.
+struct UiOptions {
+    float wished_text_scale = 1.0f; ///< 1: 16 pixels
+    float text_scale = 1.0f;        ///< in force: smaller than wished where the window is too small
+    Theme theme = Theme::dark;
+    float lesson_width = 0.0f; ///< columns, share of the window's width; 0: the layout decides
+    float inspector_width = 0.0f;
+};
+
+/// Where the picture lies on the screen: screen = origin + scale * (column, row).
+struct PicturePlace {
+    ImVec2 origin{0, 0};
+    float scale = 1.0f; ///< screen pixels a picture pixel
+};
+
+/// How the canvas shows the picture.
+struct CanvasView {
+    float zoom = 0.0f;         ///< screen pixels a picture pixel; 0: fit
+    ImVec2 centre{0.0f, 0.0f}; ///< picture pixel in the middle of the canvas, when zoom is set
+    bool grid = true;          ///< pixel grid from 8x on
+};
+
+/// What the float microscope looks at.
+struct MicroscopeView {
+    int edge = 0;                    ///< of the triangle that the inspector shows
+    std::optional<Cursor> picked_at; ///< where the cursor stood when the edge was picked by hand
+    bool shows_x = false;            ///< x instead of y
+    /// The triangle and edge for which x or y was last chosen; another edge chooses anew.
+    std::pair<int, int> axis_chosen_for{-1, -1};
+    EdgeMicroscope shown; ///< of that edge; worked out anew when another is shown
+};
+
+/// What is asked about in the Vertices, Fragment and Graph tabs.
+struct InspectView {
+    std::string vertex_number = "pixel.column"; ///< id of a formula, see vertex_report.h
+    std::string fragment_number = "zinv";       ///< id of a formula, see fragment_report.h
+    bool shows_other_light = false;             ///< per vertex where it is per pixel, and back
+    std::string graph_quantity = "z";           ///< id of a quantity, see carried_row.h
+};
+
+struct MarkdownPage; // ui/markdown.h
+
+/// What the lesson column keeps from one frame to the next.
+struct LessonView {
+    StageNotes notes;
+    std::shared_ptr<MarkdownPage> page;
+    std::string path;       ///< of the note on show; the scroll position belongs to it
+    std::string pointed_at; ///< widget that a link points at: it is outlined; empty: none
+    bool is_held = false;   ///< it stays outlined after the pointer has left the link
+    int frames_unseen = 0;  ///< since the widget pointed at was last on the screen
+};
+
+/// The interface: what the student sets (session), what follows from it (results), and what only
+/// concerns the screen.
+struct Ui {
+    Session session;
+    Results results;
+    UiOptions options;
+    CanvasView canvas;
+    MicroscopeView microscope;
+    InspectView inspect;
+    LessonView lesson;
+    Fonts fonts;
+    TextureHost* textures = nullptr;
+    ImTextureID picture_texture = nullptr;
+    std::uint64_t picture_number = 0; ///< Results::picture_number that the texture shows
+    ImTextureID overlay_texture = nullptr;
+    std::uint64_t overlay_number = 0; ///< Results::overlay_number that the texture shows
+    bool shows_legend = true;         ///< of the overlays; or else only their swatches
+    float depth_grip = 0.0f; ///< from a handle of the depth view that is held to the pointer
+    std::unordered_map<std::string, WidgetPlace> widgets; ///< drawn in this frame, by name
+    PicturePlace picture_place;                           ///< in this frame
+    std::string inspector_tab = "rows";                   ///< the tab that is open, by name
+    std::string setting_search;              ///< what the settings panel is filtered by
+    std::optional<glm::ivec2> hovered_pixel; ///< of the picture, under the pointer
+    std::optional<int> hovered_row;          ///< row of the picture pointed at in the row table
+    bool shows_end_values = false;           ///< further columns in the row table
+    bool scroll_to_row = false;              ///< the row table brings the selected row into view
+    bool follow_cursor = false;  ///< the cursor moved: tables scroll to what was just written
+    int dragged_vertex = -1;     ///< of the bench triangle; -1: none
+    bool shows_glossary = false; ///< the glossary is open
+    std::string glossary_search; ///< what the glossary is filtered by
+    bool shows_keys = false;     ///< the sheet of keys is open
+    bool style_is_stale = true; ///< theme or text size changed: style and fonts are to be made anew
+    bool fonts_changed = false; ///< the host makes the font texture anew and sets this back
+    bool wants_quit = false;
+    bool wants_picture = false; ///< F12: the host saves a picture of the window
+};
+
+} // namespace rasterwalk
