@@ -137,14 +137,14 @@ const Action table[] = {
      "Pixel grid",
      "Draws lines between pixels from 8x on.",
      {'G'},
-     [](Ui& ui) { ui.canvas.grid = !ui.canvas.grid; },
-     [](const Ui& ui) { return ui.canvas.grid; }},
+     [](Ui& ui) { ui.session.canvas.grid = !ui.session.canvas.grid; },
+     [](const Ui& ui) { return ui.session.canvas.grid; }},
     {"view.fit",
      "View",
      "Fit the picture",
      "Shows the whole picture.",
      {'F'},
-     [](Ui& ui) { ui.canvas.zoom = 0.0f; },
+     [](Ui& ui) { ui.session.canvas.zoom = 0.0f; },
      nullptr},
     {"view.zoom_selection",
      "View",
@@ -475,7 +475,7 @@ bool is_moving_by_key(const Ui&) {
 void open_scene(Ui& ui, const std::string& path) {
     try {
         set_scene(ui.session, read_scene(path));
-        ui.canvas.zoom = 0.0f;
+        ui.session.canvas.zoom = 0.0f;
         ui.session.notice.clear();
     } catch (const Error& fault) {
         ui.session.notice = fault.what();

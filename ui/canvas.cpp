@@ -39,12 +39,12 @@ float fit_zoom(const Ui& ui, ImVec2 room) {
 
 PicturePlace place_picture(const Ui& ui, ImVec2 low, ImVec2 room) {
     const Viewport size = ui.results.frame.settings.viewport;
-    const bool fits = ui.canvas.zoom <= 0.0f;
+    const bool fits = ui.session.canvas.zoom <= 0.0f;
     PicturePlace place;
-    place.scale = fits ? fit_zoom(ui, room) : ui.canvas.zoom;
-    const ImVec2 centre =
-        fits ? ImVec2(0.5f * static_cast<float>(size.width), 0.5f * static_cast<float>(size.height))
-             : ui.canvas.centre;
+    place.scale = fits ? fit_zoom(ui, room) : ui.session.canvas.zoom;
+    const glm::vec2 centre = fits ? glm::vec2(0.5f * static_cast<float>(size.width),
+                                              0.5f * static_cast<float>(size.height))
+                                  : ui.session.canvas.centre;
     place.origin = {std::round(low.x + 0.5f * room.x - place.scale * centre.x),
                     std::round(low.y + 0.5f * room.y - place.scale * centre.y)};
     return place;
@@ -57,9 +57,10 @@ ImVec2 picture_point(const PicturePlace& place, ImVec2 screen) {
 /// Sets zoom and centre such that the picture point under the pointer stays there.
 void zoom_about(Ui& ui, ImVec2 pointer, float zoom, ImVec2 low, ImVec2 room) {
     const ImVec2 fixed_point = picture_point(ui.picture_place, pointer);
-    ui.canvas.zoom = std::clamp(zoom, 0.25f, largest_zoom);
-    ui.canvas.centre = {fixed_point.x - (pointer.x - low.x - 0.5f * room.x) / ui.canvas.zoom,
-                        fixed_point.y - (pointer.y - low.y - 0.5f * room.y) / ui.canvas.zoom};
+    ui.session.canvas.zoom = std::clamp(zoom, 0.25f, largest_zoom);
+    ui.session.canvas.centre = {
+        fixed_point.x - (pointer.x - low.x - 0.5f * room.x) / ui.session.canvas.zoom,
+        fixed_point.y - (pointer.y - low.y - 0.5f * room.y) / ui.session.canvas.zoom};
     ui.picture_place = place_picture(ui, low, room);
 }
 
@@ -91,7 +92,7 @@ void handle_pointer(Ui& ui, ImVec2 low, ImVec2 room) {
         zoom_about(ui, io.MousePos, next_zoom(ui.picture_place.scale, io.MouseWheel), low, room);
     }
     if (ImGui::IsMouseDoubleClicked(0)) {
-        ui.canvas.zoom = 0.0f;
+        ui.session.canvas.zoom = 0.0f;
         return;
     }
     if (drag_bench_vertex(ui)) return;
@@ -101,11 +102,11 @@ void handle_pointer(Ui& ui, ImVec2 low, ImVec2 room) {
         pick(ui, *ui.hovered_pixel, io.KeyShift);
     }
     if (ImGui::IsMouseDragging(0) && (io.MouseDelta.x != 0.0f || io.MouseDelta.y != 0.0f)) {
-        if (ui.canvas.zoom <= 0.0f) {
+        if (ui.session.canvas.zoom <= 0.0f) {
             zoom_about(ui, io.MousePos, ui.picture_place.scale, low, room);
         }
-        ui.canvas.centre.x -= io.MouseDelta.x / ui.canvas.zoom;
-        ui.canvas.centre.y -= io.MouseDelta.y / ui.canvas.zoom;
+        ui.session.canvas.centre.x -= io.MouseDelta.x / ui.session.canvas.zoom;
+        ui.session.canvas.centre.y -= io.MouseDelta.y / ui.session.canvas.zoom;
         ui.picture_place = place_picture(ui, low, room);
     }
     if (ImGui::IsMouseDragging(1)) {
@@ -180,9 +181,9 @@ void draw_header(Ui& ui, float right_edge) {
     }
     ImGui::SetCursorScreenPos(
         {std::max(start, ImGui::GetCursorScreenPos().x), ImGui::GetCursorScreenPos().y});
-    const bool fits = ui.canvas.zoom <= 0.0f;
+    const bool fits = ui.session.canvas.zoom <= 0.0f;
     if (button(ui, "canvas.fit", "fit", fits ? Look::plain : Look::quiet, tooltip_of("view.fit"))) {
-        ui.canvas.zoom = 0.0f;
+        ui.session.canvas.zoom = 0.0f;
     }
     ImGui::SameLine();
     if (button(ui, "canvas.zoom_triangle", "triangle", Look::quiet,
@@ -190,9 +191,9 @@ void draw_header(Ui& ui, float right_edge) {
         zoom_to_triangle(ui);
     }
     ImGui::SameLine();
-    if (button(ui, "canvas.grid", "grid", ui.canvas.grid ? Look::plain : Look::quiet,
+    if (button(ui, "canvas.grid", "grid", ui.session.canvas.grid ? Look::plain : Look::quiet,
                tooltip_of("view.grid"))) {
-        ui.canvas.grid = !ui.canvas.grid;
+        ui.session.canvas.grid = !ui.session.canvas.grid;
     }
 }
 
@@ -272,9 +273,10 @@ void zoom_to_triangle(Ui& ui) {
     const float width = static_cast<float>(right - left + 1);
     const float height = static_cast<float>(bottom - top + 1);
     const float zoom = std::min(room.x / (width + 1.0f), room.y / (height + 1.0f));
-    ui.canvas.zoom = std::clamp(zoom >= 4.0f ? std::floor(zoom) : zoom, 0.25f, largest_zoom);
-    ui.canvas.centre = {static_cast<float>(left) + 0.5f * width,
-                        static_cast<float>(top) + 0.5f * height};
+    ui.session.canvas.zoom =
+        std::clamp(zoom >= 4.0f ? std::floor(zoom) : zoom, 0.25f, largest_zoom);
+    ui.session.canvas.centre = {static_cast<float>(left) + 0.5f * width,
+                                static_cast<float>(top) + 0.5f * height};
 }
 
 } // namespace rasterwalk

@@ -61,7 +61,7 @@ void draw_grid(const Marks& m) {
     const float bottom = place.origin.y + m.scale * static_cast<float>(rows.last);
     const float left = place.origin.x + m.scale * static_cast<float>(columns.first);
     const float right = place.origin.x + m.scale * static_cast<float>(columns.last);
-    if (m.ui.canvas.grid) {
+    if (m.ui.session.canvas.grid) {
         for (int c = columns.first; c <= columns.last; ++c) {
             const float x = place.origin.x + m.scale * static_cast<float>(c);
             m.list->AddLine({x, top}, {x, bottom}, line);

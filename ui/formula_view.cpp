@@ -176,20 +176,20 @@ void go_to_source(Ui& ui, const Source& source) {
         return;
     case SourceKind::setting:
         ui.setting_search = source.name;
-        ui.inspector_tab = "settings";
+        ui.session.tab = "settings";
         return;
     case SourceKind::vertex:
         selection.triangle = source.triangle;
         selection.vertex = source.vertex;
         ui.inspect.vertex_number = source.name;
-        ui.inspector_tab = "vertices";
+        ui.session.tab = "vertices";
         return;
     case SourceKind::row_end:
         selection.triangle = source.triangle;
         selection.row = source.row;
         ui.shows_end_values = true;
         ui.scroll_to_row = true;
-        ui.inspector_tab = "rows";
+        ui.session.tab = "rows";
         return;
     case SourceKind::moment:
         selection.triangle = source.moment.triangle;

@@ -62,13 +62,6 @@ struct PicturePlace {
     float scale = 1.0f; ///< screen pixels a picture pixel
 };
 
-/// How the canvas shows the picture.
-struct CanvasView {
-    float zoom = 0.0f;         ///< screen pixels a picture pixel; 0: fit
-    ImVec2 centre{0.0f, 0.0f}; ///< picture pixel in the middle of the canvas, when zoom is set
-    bool grid = true;          ///< pixel grid from 8x on
-};
-
 /// What the float microscope looks at.
 struct MicroscopeView {
     int edge = 0;                    ///< of the triangle that the inspector shows
@@ -105,7 +98,6 @@ struct Ui {
     Session session;
     Results results;
     UiOptions options;
-    CanvasView canvas;
     MicroscopeView microscope;
     InspectView inspect;
     LessonView lesson;
@@ -119,7 +111,6 @@ struct Ui {
     float depth_grip = 0.0f; ///< from a handle of the depth view that is held to the pointer
     std::unordered_map<std::string, WidgetPlace> widgets; ///< drawn in this frame, by name
     PicturePlace picture_place;                           ///< in this frame
-    std::string inspector_tab = "rows";                   ///< the tab that is open, by name
     std::string setting_search;              ///< what the settings panel is filtered by
     std::optional<glm::ivec2> hovered_pixel; ///< of the picture, under the pointer
     std::optional<int> hovered_row;          ///< row of the picture pointed at in the row table

@@ -12,6 +12,7 @@
 #include "pipeline/settings.h"
 #include "pipeline/timeline.h"
 #include "scene/scene.h"
+#include "session/canvas_view.h"
 #include "session/glossary.h"
 #include "session/overlay.h"
 #include "session/places.h"
@@ -42,6 +43,8 @@ struct Session {
     Play play;
     View view = View::colour;
     OverlaySet overlays; ///< laid over the view
+    CanvasView canvas;
+    std::string tab = "rows"; ///< of the inspector, by name
     std::optional<DepthRange>
         depth_range; ///< that the depth view colours; none: from the smallest to the largest
     int jumps = 0;   ///< grows with every go_to(); steps and scrubbing do not count

@@ -39,7 +39,7 @@ TEST_CASE("The wheel zooms about the pointer and a double click fits again") {
     CHECK(std::floor((mouse.x - place.origin.x) / place.scale) == 100.0f);
     CHECK(std::floor((mouse.y - place.origin.y) / place.scale) == 120.0f);
     driver.hand.double_click_picture(100, 120);
-    CHECK(driver.ui.canvas.zoom == 0.0f);
+    CHECK(driver.ui.session.canvas.zoom == 0.0f);
 }
 
 TEST_CASE("A drag moves the picture with the pointer") {

@@ -27,13 +27,13 @@ TEST_CASE("A widget that is not there is answered with the nearest name") {
 TEST_CASE("Two clicks on one place are not a double click") {
     Driver driver;
     driver.hand.wheel_picture(250, 250, 6.0f);
-    const float zoomed = driver.ui.canvas.zoom;
+    const float zoomed = driver.ui.session.canvas.zoom;
     REQUIRE(zoomed > 0.0f);
     driver.hand.click_picture(250, 250);
     driver.hand.click_picture(250, 250);
-    CHECK(driver.ui.canvas.zoom == zoomed);
+    CHECK(driver.ui.session.canvas.zoom == zoomed);
     driver.hand.double_click_picture(250, 250);
-    CHECK(driver.ui.canvas.zoom == 0.0f); // which fits the picture again
+    CHECK(driver.ui.session.canvas.zoom == 0.0f); // which fits the picture again
 }
 
 TEST_CASE("Every pixel of the picture that can be seen is hit exactly") {

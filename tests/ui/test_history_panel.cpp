@@ -115,7 +115,7 @@ TEST_CASE("The buttons for the changes of a picked pixel are whole at every size
                                 static_cast<float>(window_heights[i]));
             Driver driver("lab-room.toml", window, text_scale);
             driver.ui.session.selection.pixel = glm::ivec2(240, 300);
-            driver.ui.inspector_tab = "history";
+            driver.ui.session.tab = "history";
             driver.hand.frames(4);
             INFO(window.x << " x " << window.y << ", text " << text_scale);
             const WidgetPlace back = driver.ui.widgets.at("walk.previous_change");

@@ -62,7 +62,7 @@ void follow_all(const Session& start, ImVec2 window) {
     for (std::size_t i = 0; i < links.size(); ++i) {
         INFO(driver.ui.lesson.path << ": link " << i << ", " << links[i]);
         driver.ui.session = start;
-        driver.ui.inspector_tab = driver.ui.widgets.count("tab.lesson") > 0 ? "lesson" : "vertices";
+        driver.ui.session.tab = driver.ui.widgets.count("tab.lesson") > 0 ? "lesson" : "vertices";
         driver.hand.frames(frames_to_rest);
         driver.hand.click("lesson.link." + std::to_string(i));
         CHECK(driver.ui.session.notice.empty());
@@ -130,7 +130,7 @@ TEST_CASE("The buttons of the lesson are whole in small windows and at large tex
           Window{{1600, 1000}, 2.0f}, Window{{800, 600}, 1.0f}, Window{{800, 600}, 2.0f}}) {
         INFO(window.size.x << "x" << window.size.y << " at " << window.scale);
         Driver driver(room_at(Stage::rows), window.size, window.scale);
-        driver.ui.inspector_tab = "lesson";
+        driver.ui.session.tab = "lesson";
         driver.hand.frames(frames_to_rest);
         for (const char* name : {"lesson.previous", "lesson.next", "lesson.bar.rows"}) {
             INFO(name);
@@ -163,7 +163,7 @@ TEST_CASE("A link to a widget in a closed tab points at the tab, and a click ope
     driver.hand.hover("lesson.link.0");
     CHECK(driver.ui.lesson.pointed_at == "tab.settings");
     driver.hand.click("lesson.link.0");
-    CHECK(driver.ui.inspector_tab == "settings");
+    CHECK(driver.ui.session.tab == "settings");
     CHECK(driver.ui.lesson.pointed_at == "setting.light.power");
     CHECK(driver.ui.widgets.at("setting.light.power").visible);
 }

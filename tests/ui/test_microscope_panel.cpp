@@ -76,7 +76,7 @@ TEST_CASE("The current sample is in view, in every window and text size") {
         for (const float scale : {1.0f, 1.5f, 2.0f}) {
             CAPTURE(window.x, window.y, scale);
             Driver driver("lab-room.toml", window, scale);
-            driver.ui.inspector_tab = "microscope";
+            driver.ui.session.tab = "microscope";
             driver.ui.session.cursor = sample(20, 1, 91);
             driver.hand.frames(4);
             REQUIRE(driver.ui.microscope.shown.count == 98);

@@ -12,7 +12,7 @@ TEST_CASE("A value of a fragment leads to the row end that it comes from, and Ba
     const Selection picked = driver.ui.session.selection;
     driver.hand.click("fragment.zinv");
     driver.hand.click("fragment.formula.left");
-    CHECK(driver.ui.inspector_tab == "rows");
+    CHECK(driver.ui.session.tab == "rows");
     CHECK(driver.ui.shows_end_values);
     CHECK(driver.hand.is_visible("rows.121"));
     driver.hand.click("corner.back");
@@ -26,7 +26,7 @@ TEST_CASE("The lamp's power in the light terms leads to its setting") {
     driver.hand.click_picture(398, 121);
     driver.hand.click("tab.fragment");
     driver.hand.click("fragment.pixel_light.D.red.P");
-    CHECK(driver.ui.inspector_tab == "settings");
+    CHECK(driver.ui.session.tab == "settings");
     CHECK(driver.hand.is_visible("setting.light.power"));
     CHECK_FALSE(driver.hand.is_visible("setting.rounding"));
 }

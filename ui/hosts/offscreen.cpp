@@ -53,7 +53,7 @@ class Screen {
         : context_(options.width, options.height), width_(options.width), height_(options.height) {
         ui.session = std::move(session);
         ui.options = options.ui;
-        if (!options.tab.empty()) ui.inspector_tab = options.tab;
+        if (!options.tab.empty()) ui.session.tab = options.tab;
         open_ui(ui, textures_);
         open_gl2();
         ImGui::GetIO().DisplaySize = {static_cast<float>(width_), static_cast<float>(height_)};
@@ -108,10 +108,10 @@ void carry_out(const Deed& deed, Hand& hand) {
 
 void set_view(Ui& ui, const OffscreenOptions& options) {
     if (options.zoom <= 0.0f) return;
-    ui.canvas.zoom = options.zoom;
+    ui.session.canvas.zoom = options.zoom;
     const Viewport& size = ui.session.settings.viewport;
-    ui.canvas.centre = options.centre.value_or(
-        ImVec2(0.5f * static_cast<float>(size.width), 0.5f * static_cast<float>(size.height)));
+    ui.session.canvas.centre = options.centre.value_or(
+        glm::vec2(0.5f * static_cast<float>(size.width), 0.5f * static_cast<float>(size.height)));
 }
 
 } // namespace

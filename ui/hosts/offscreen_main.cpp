@@ -139,7 +139,7 @@ Session understand(Arguments& a) {
         if (!is_point || !std::isfinite(x) || !std::isfinite(y)) {
             throw UsageError("--centre takes a pixel X,Y, not '" + a.centre + "'.");
         }
-        options.centre = ImVec2(x, y);
+        options.centre = glm::vec2(x, y);
     }
     if (!a.file.empty()) {
         if (!a.view.scene.empty()) {

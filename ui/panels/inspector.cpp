@@ -38,7 +38,7 @@ void draw_tab(Ui& ui, const Tab& tab, ImVec2 at, float width, float height, bool
     const Palette& p = palette(ui.options.theme);
     const std::string name = std::string("tab.") + tab.name;
     ImGui::SetCursorScreenPos(at);
-    if (ImGui::InvisibleButton(name.c_str(), {width, height})) ui.inspector_tab = tab.name;
+    if (ImGui::InvisibleButton(name.c_str(), {width, height})) ui.session.tab = tab.name;
     const bool hovered = ImGui::IsItemHovered();
     name_widget(ui, name, tab.help);
     ImDrawList* const list = ImGui::GetWindowDrawList();
@@ -88,7 +88,7 @@ float draw_tab_list(Ui& ui, const Tabs& shown, const Tab* chosen) {
     const float bottom = ImGui::GetItemRectMax().y + ImGui::GetStyle().ItemSpacing.y;
     if (open) {
         for (const Tab* tab : shown) {
-            if (ImGui::Selectable(tab->title, tab == chosen)) ui.inspector_tab = tab->name;
+            if (ImGui::Selectable(tab->title, tab == chosen)) ui.session.tab = tab->name;
             name_widget(ui, std::string("tab.") + tab->name, tab->help);
         }
         ImGui::EndCombo();
@@ -125,7 +125,7 @@ void draw_inspector(Ui& ui, const Layout& layout) {
         shown.push_back(&tab);
     const Tab* chosen = nullptr;
     for (const Tab* tab : shown) {
-        if (ui.inspector_tab == tab->name) chosen = tab;
+        if (ui.session.tab == tab->name) chosen = tab;
     }
     if (chosen == nullptr) chosen = shown.front();
 

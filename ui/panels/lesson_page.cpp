@@ -35,8 +35,8 @@ std::string tab_of(std::string_view widget) {
 void show_widget(Ui& ui, const std::string& widget, bool is_click) {
     LessonView& lesson = ui.lesson;
     const std::string tab = tab_of(widget);
-    if (is_click && !tab.empty()) ui.inspector_tab = tab;
-    const bool is_closed = !tab.empty() && ui.inspector_tab != tab;
+    if (is_click && !tab.empty()) ui.session.tab = tab;
+    const bool is_closed = !tab.empty() && ui.session.tab != tab;
     const std::string target = is_closed ? "tab." + tab : widget;
     if (lesson.pointed_at != target) lesson.frames_unseen = 0;
     lesson.pointed_at = target;

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+
+namespace rasterwalk {
+
+/// How the canvas shows the picture.
+struct CanvasView {
+    float zoom = 0.0f;            ///< screen pixels a picture pixel; 0: fit
+    glm::vec2 centre{0.0f, 0.0f}; ///< picture pixel in the middle of the canvas, when zoom is set
+    bool grid = true;             ///< pixel grid from 8x on
+
+    friend bool operator==(const CanvasView&, const CanvasView&) = default;
+};
+
+} // namespace rasterwalk
