@@ -120,13 +120,14 @@ struct Asked {
     View view;
     OverlaySet overlays;
     std::optional<DepthRange> depth_range;
+    std::optional<Settings> other;
 
     friend bool operator==(const Asked&, const Asked&) = default;
 };
 
 Asked asked_for(const Session& session) {
-    return {session.scene, session.settings, session.cursor,     session.selection,
-            session.view,  session.overlays, session.depth_range};
+    return {session.scene, session.settings, session.cursor,      session.selection,
+            session.view,  session.overlays, session.depth_range, session.other};
 }
 
 /// True while nothing is held, so that a drag counts as one change.
@@ -144,6 +145,7 @@ bool build_pass(Ui& ui, float seconds) {
     handle_keys(ui); // asks where widgets were in the frame that the student sees
     ui.widgets.clear();
     advance_play(ui.session, Timeline(ui.results.frame), seconds);
+    follow_first_run(ui.session);
     const Cursor before = ui.results.cursor;
     update(ui.session, ui.results);
     ui.follow_cursor = ui.results.cursor != before;

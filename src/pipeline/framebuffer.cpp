@@ -9,12 +9,6 @@ namespace rasterwalk {
 
 namespace {
 
-std::uint8_t to_byte(float value) {
-    // NaN compares false with everything and becomes 0.
-    if (!(value > 0.0f)) return 0;
-    return static_cast<std::uint8_t>(std::min(255.0f * value, 255.0f));
-}
-
 using Rgb = glm::vec<3, std::uint8_t>;
 
 Rgb depth_colour(float depth, const DepthRange& range) {
@@ -25,6 +19,12 @@ Rgb depth_colour(float depth, const DepthRange& range) {
 }
 
 } // namespace
+
+std::uint8_t colour_byte(float value) {
+    // NaN compares false with everything and becomes 0.
+    if (!(value > 0.0f)) return 0;
+    return static_cast<std::uint8_t>(std::min(255.0f * value, 255.0f));
+}
 
 std::size_t Framebuffer::bytes() const {
     return colour.size() * sizeof(glm::vec3) + depth.size() * sizeof(float) +
@@ -68,7 +68,7 @@ Image view_image(const Framebuffer& framebuffer, View view,
         switch (view) {
         case View::colour: {
             const glm::vec3& c = framebuffer.colour[i];
-            rgb = {to_byte(c.r), to_byte(c.g), to_byte(c.b)};
+            rgb = {colour_byte(c.r), colour_byte(c.g), colour_byte(c.b)};
             break;
         }
         case View::depth:

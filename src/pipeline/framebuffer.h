@@ -61,6 +61,9 @@ struct DepthRange {
 /// From the smallest to the largest 1/z present; none where nothing has a depth.
 std::optional<DepthRange> present_depths(const Framebuffer& framebuffer);
 
+/// A channel of a colour as it is shown: clamp(255 value, 0, 255), fraction dropped.
+std::uint8_t colour_byte(float value);
+
 /// The planes as pictures of 8 bits a channel. Colour is cut as the lab's PutPixelSDL does:
 /// clamp(255 c, 0, 255), fraction dropped. Depth is coloured from far to near, and what lies
 /// outside the range takes the colour of its end; overdraw from 0 to the largest count; triangles

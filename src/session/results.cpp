@@ -13,32 +13,6 @@ std::string counted(int count, std::string_view one, std::string_view many) {
     return std::to_string(count).append(" ").append(count == 1 ? one : many);
 }
 
-std::vector<std::string> describe_troubles(const Frame& frame) {
-    std::vector<std::string> messages;
-    std::array<int, 4> left_out{};
-    for (const VertexFault fault : frame.left_out)
-        ++left_out[static_cast<std::size_t>(fault)];
-    const auto report = [&](VertexFault fault, std::string_view reason) {
-        const int count = left_out[static_cast<std::size_t>(fault)];
-        if (count > 0) {
-            messages.push_back(counted(count, "triangle", "triangles").append(" left out: ") +
-                               std::string(reason));
-        }
-    };
-    report(VertexFault::behind_camera, "a vertex on or behind the camera plane");
-    report(VertexFault::too_far_out,
-           "an edge of absurd length, its vertex is nearly in the camera");
-    report(VertexFault::not_finite, "a coordinate that is not a finite number");
-    const SamplesOutside outside = count_samples_outside(frame);
-    if (outside.samples > 0) {
-        messages.push_back(counted(static_cast<int>(outside.samples), "edge sample", "edge samples")
-                               .append(" outside the row table of ")
-                               .append(counted(outside.triangles, "triangle", "triangles"))
-                               .append("; not written"));
-    }
-    return messages;
-}
-
 std::optional<int> shown_triangle(const Session& session, const Results& results) {
     const int count = results.frame.triangle_count();
     if (session.selection.triangle && *session.selection.triangle < count) {
@@ -46,20 +20,6 @@ std::optional<int> shown_triangle(const Session& session, const Results& results
     }
     if (results.done) return results.done->triangle;
     return count > 0 ? std::optional(0) : std::nullopt;
-}
-
-/// The samples of the triangle's edges that come before the cursor.
-RowHistory rows_at_cursor(const Frame& frame, int triangle, const Cursor& cursor) {
-    if (!frame.is_drawn(triangle)) return {};
-    const std::span<const Fragment> vertices = frame.triangle_vertices(triangle);
-    const EdgeRules rules = edge_rules(frame.settings);
-    int samples = INT_MAX;
-    if (cursor.triangle < triangle) samples = 0;
-    if (cursor.triangle == triangle && cursor.phase == Phase::vertices) samples = 0;
-    if (cursor.triangle == triangle && cursor.phase == Phase::edges) {
-        samples = samples_before(vertices, rules, cursor.index, cursor.step);
-    }
-    return row_history(vertices, rules, samples);
 }
 
 /// The picked pixel, if it lies in the picture.
@@ -87,6 +47,45 @@ void update_history(const Session& session, Results& results, bool new_frame) {
 }
 
 } // namespace
+
+std::vector<std::string> describe_troubles(const Frame& frame) {
+    std::vector<std::string> messages;
+    std::array<int, 4> left_out{};
+    for (const VertexFault fault : frame.left_out)
+        ++left_out[static_cast<std::size_t>(fault)];
+    const auto report = [&](VertexFault fault, std::string_view reason) {
+        const int count = left_out[static_cast<std::size_t>(fault)];
+        if (count > 0) {
+            messages.push_back(counted(count, "triangle", "triangles").append(" left out: ") +
+                               std::string(reason));
+        }
+    };
+    report(VertexFault::behind_camera, "a vertex on or behind the camera plane");
+    report(VertexFault::too_far_out,
+           "an edge of absurd length, its vertex is nearly in the camera");
+    report(VertexFault::not_finite, "a coordinate that is not a finite number");
+    const SamplesOutside outside = count_samples_outside(frame);
+    if (outside.samples > 0) {
+        messages.push_back(counted(static_cast<int>(outside.samples), "edge sample", "edge samples")
+                               .append(" outside the row table of ")
+                               .append(counted(outside.triangles, "triangle", "triangles"))
+                               .append("; not written"));
+    }
+    return messages;
+}
+
+RowHistory rows_at_cursor(const Frame& frame, int triangle, const Cursor& cursor) {
+    if (!frame.is_drawn(triangle)) return {};
+    const std::span<const Fragment> vertices = frame.triangle_vertices(triangle);
+    const EdgeRules rules = edge_rules(frame.settings);
+    int samples = INT_MAX;
+    if (cursor.triangle < triangle) samples = 0;
+    if (cursor.triangle == triangle && cursor.phase == Phase::vertices) samples = 0;
+    if (cursor.triangle == triangle && cursor.phase == Phase::edges) {
+        samples = samples_before(vertices, rules, cursor.index, cursor.step);
+    }
+    return row_history(vertices, rules, samples);
+}
 
 bool update(const Session& session, Results& results) {
     const bool new_frame = results.scene != session.scene || !results.view ||
@@ -127,6 +126,7 @@ bool update(const Session& session, Results& results) {
     update_history(session, results, new_frame);
     update_inspected(session, {results.frame, results.cursor, results.done, results.triangle},
                      new_frame, moved, results.inspected);
+    update_compared(session, results, new_frame, moved, changed);
     return changed;
 }
 

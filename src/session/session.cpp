@@ -21,10 +21,21 @@ Session open_session(const std::string& scene_path) {
 
 void set_scene(Session& session, Scene scene) {
     const Settings fresh = default_settings(scene);
-    session.settings.camera = fresh.camera;
-    session.settings.light = fresh.light;
-    session.settings.viewport = fresh.viewport;
+    const auto take_view = [&](Settings& settings) {
+        settings.camera = fresh.camera;
+        settings.light = fresh.light;
+        settings.viewport = fresh.viewport;
+    };
+    if (session.other) {
+        Settings other = *session.other;
+        take_view(other);
+        const bool same_stage = other.stage == session.settings.stage;
+        if (same_stage && !scene.stage.empty()) other.stage = fresh.stage;
+        session.other = other;
+    }
+    take_view(session.settings);
     if (!scene.stage.empty()) session.settings.stage = fresh.stage;
+    session.followed = std::nullopt;
     session.cursor = cursor_end;
     session.selection = {};
     session.play.running = false;

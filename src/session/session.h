@@ -17,6 +17,7 @@
 #include "session/overlay.h"
 #include "session/places.h"
 #include "session/preset.h"
+#include "session/second_run.h"
 #include "session/selection.h"
 #include "session/undo.h"
 
@@ -37,7 +38,11 @@ struct Session {
     std::shared_ptr<const Scene> scene; ///< never null once opened
     std::vector<Preset> presets;
     std::vector<Term> glossary;
-    Settings settings;
+    Settings settings;               ///< of run A
+    std::optional<Settings> other;   ///< of run B, which is compared with A; none: no comparison
+    std::optional<RunPair> followed; ///< for follow_first_run() alone
+    CompareView compare_view = CompareView::side_by_side;
+    float wipe = 0.5f; ///< place of the divider, 0 left to 1 right
     Cursor cursor = cursor_end;
     Selection selection;
     Play play;
@@ -56,8 +61,8 @@ struct Session {
 /// A session on a scene file, with the presets of lessons_folder(). Throws Error.
 Session open_session(const std::string& scene_path);
 
-/// Replaces the scene: settings keep their rules, take the scene's camera, light and viewport;
-/// the cursor goes to the end, the selection is dropped.
+/// Replaces the scene: the settings of both runs keep their rules and take the scene's camera,
+/// light and viewport; the cursor goes to the end, the selection is dropped.
 void set_scene(Session& session, Scene scene);
 
 } // namespace rasterwalk

@@ -7,7 +7,8 @@ namespace rasterwalk {
 namespace {
 
 Choices choices_of(const Session& session) {
-    return {session.scene, session.settings, session.view, session.overlays, session.depth_range};
+    return {session.scene, session.settings, session.other,
+            session.view,  session.overlays, session.depth_range};
 }
 
 /// Moves the present onto one pile and takes it from the other.
@@ -20,6 +21,8 @@ bool move_between(Session& session, std::vector<Choices>& from, std::vector<Choi
     if (session.scene != stack.now.scene) session.selection = {};
     session.scene = stack.now.scene;
     session.settings = stack.now.settings;
+    session.other = stack.now.other;
+    session.followed = std::nullopt;
     session.view = stack.now.view;
     session.overlays = stack.now.overlays;
     session.depth_range = stack.now.depth_range;

@@ -16,6 +16,7 @@ struct Session;
 struct Choices {
     std::shared_ptr<const Scene> scene;
     Settings settings;
+    std::optional<Settings> other;
     View view = View::colour;
     OverlaySet overlays;
     std::optional<DepthRange> depth_range;

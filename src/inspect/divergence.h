@@ -1,0 +1,77 @@
+#pragma once
+
+// Where two runs of one scene part: the moments at which run A does something else than run B.
+//
+// Compared is what can be seen of a run: vertices with their pixel, 1/z and light; edge samples
+// with their pixel and whether they fall in the row table; fragments and marks with their pixel,
+// fate, depth and colour. Row ends show through the samples that make them and the fragments
+// between them. How varyings are carried (q or q/z) is a way to reckon, not a difference.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pipeline/cursor.h"
+#include "pipeline/frame.h"
+#include "pipeline/framebuffer.h"
+
+namespace rasterwalk {
+
+/// In which way two runs differ at a moment.
+enum class DivergenceKind : std::uint8_t {
+    missing, ///< A does something there, B does nothing
+    extra,   ///< B does something there, A does nothing
+    other,   ///< both do something, but with another outcome
+};
+
+/// "missing in B", "extra in B" or "other value".
+std::string kind_text(DivergenceKind kind);
+
+/// One moment at which the runs differ.
+struct Divergence {
+    Cursor cursor; ///< the piece of work that differs; holds triangle and phase
+    DivergenceKind kind = DivergenceKind::other;
+    bool only_rounding = false; ///< only numbers differ, by no more than rounding errors
+    std::string text;           ///< the cause in words and numbers; A first, then B
+};
+
+/// All divergences of one triangle, phase and kind.
+struct DivergenceGroup {
+    int triangle = 0;
+    Phase phase = Phase::vertices;
+    DivergenceKind kind = DivergenceKind::other;
+    std::int64_t count = 0; ///< moments
+    Cursor first, last;
+
+    friend bool operator==(const DivergenceGroup&, const DivergenceGroup&) = default;
+};
+
+/// All divergences of two runs.
+struct DivergenceList {
+    std::int64_t count = 0;          ///< moments at which they differ
+    std::optional<Divergence> first; ///< none: the runs do the same
+    std::optional<Divergence>
+        first_beyond_rounding;           ///< the first that is more than a rounding error
+    std::vector<DivergenceGroup> groups; ///< by triangle, then phase, then kind
+};
+
+class RunWalk;
+
+/// All divergences of what the walk has still before it; the walk is done afterwards.
+DivergenceList all_divergences(const Frame& a, const Frame& b, RunWalk& walk);
+
+/// The divergence at this very moment, if there is one. The pictures are those of both runs with
+/// everything before it drawn. Costs no more than the triangle's edges.
+std::optional<Divergence> divergence_at(const Frame& a, const Framebuffer& picture_a,
+                                        const Frame& b, const Framebuffer& picture_b,
+                                        const Cursor& cursor);
+
+/// The first divergence that is not before `from`; none if there is none. Costs both frames'
+/// drawing up to there.
+std::optional<Divergence> next_divergence(const Frame& a, const Frame& b, const Cursor& from);
+
+/// The last divergence before `to`; none if there is none.
+std::optional<Divergence> previous_divergence(const Frame& a, const Frame& b, const Cursor& to);
+
+} // namespace rasterwalk

@@ -1,0 +1,104 @@
+#pragma once
+
+// Two runs drawn side by side, triangle by triangle, and what each does at every moment. Keeps the
+// work of a few rows, never that of a frame.
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "pipeline/frame.h"
+#include "pipeline/framebuffer.h"
+#include "pipeline/observer.h"
+
+namespace rasterwalk {
+
+/// A vertex in the moment in which it is projected.
+struct VertexDeed {
+    Cursor cursor;
+    Fragment pixel;
+    std::optional<glm::vec3> light; ///< reflected there, if light is worked out at the vertices
+};
+
+/// What one run does at one moment; what it does not do is null or empty.
+struct Deed {
+    const VertexDeed* vertex = nullptr;
+    const SampleEvent* sample = nullptr;
+    std::span<const FragmentEvent> fragments; ///< and marks; both ends of a row are one moment
+
+    bool is_nothing() const { return vertex == nullptr && sample == nullptr && fragments.empty(); }
+};
+
+/// A moment at which at least one of the runs does something.
+struct PairMoment {
+    Cursor cursor;
+    Deed a, b;
+};
+
+/// Is told of every moment, in order; false ends the walk.
+using PairVisitor = std::function<bool(const PairMoment&)>;
+
+/// Everything that a run does in a part of a frame, in order.
+class Deeds : public Observer {
+  public:
+    /// @param frame must live as long
+    explicit Deeds(const Frame& frame) : frame_(frame) {}
+
+    void clear();
+    void vertex(const Cursor& cursor, const Fragment& pixel) override;
+    void edge_sample(const SampleEvent& event) override { samples_.push_back(event); }
+    void fragment(const FragmentEvent& event) override { fragments_.push_back(event); }
+    bool wants_edge_samples() const override { return true; }
+
+    /// The next moment that has not been taken; the end if all have been.
+    Cursor next() const;
+    /// What is done at that moment, which must not be before next().
+    Deed take(const Cursor& cursor);
+
+  private:
+    const Frame& frame_;
+    std::vector<VertexDeed> vertices_;
+    std::vector<SampleEvent> samples_;
+    std::vector<FragmentEvent> fragments_;
+    std::size_t vertex_ = 0, sample_ = 0, fragment_ = 0; ///< the next of each
+};
+
+/// A walk through two runs of the same scene, with viewports of the same size.
+class RunWalk {
+  public:
+    /// @param a, b must live as long
+    /// @param to   nothing is drawn from there on
+    RunWalk(const Frame& a, const Frame& b, const Cursor& to);
+
+    /// Draws everything before this triangle without telling anyone.
+    void skip_to(int triangle);
+
+    /// Draws the next triangle and tells of every moment. False if the visitor has ended the walk.
+    bool walk_triangle(const PairVisitor& visit);
+
+    /// The triangle that comes next.
+    int triangle() const { return triangle_; }
+    bool is_done() const;
+
+    /// The pictures so far.
+    const Framebuffer& picture_a() const { return picture_a_; }
+    const Framebuffer& picture_b() const { return picture_b_; }
+
+  private:
+    bool walk_part(const Cursor& from, const Cursor& to, const PairVisitor& visit);
+
+    const Frame& a_;
+    const Frame& b_;
+    Cursor to_;
+    int triangle_ = 0;
+    Framebuffer picture_a_, picture_b_;
+    Deeds deeds_a_, deeds_b_;
+};
+
+/// What both runs do at one moment, told without drawing what lies before it: the pictures stand
+/// there already. Calls the visitor unless neither does anything.
+void visit_moment(const Frame& a, const Framebuffer& picture_a, const Frame& b,
+                  const Framebuffer& picture_b, const Cursor& cursor, const PairVisitor& visit);
+
+} // namespace rasterwalk

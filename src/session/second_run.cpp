@@ -1,0 +1,116 @@
+#include "session/second_run.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "session/preset.h"
+#include "session/session.h"
+#include "session/setting_table.h"
+
+namespace rasterwalk {
+
+namespace {
+
+constexpr std::string_view affine[] = {"interpolation=affine"};
+constexpr std::string_view perspective[] = {"interpolation=perspective"};
+constexpr std::string_view per_vertex[] = {"stage=vertex_light"};
+constexpr std::string_view per_pixel[] = {"stage=pixel_light"};
+constexpr std::string_view no_depth[] = {"depth_test=off"};
+constexpr std::string_view with_depth[] = {"depth_test=inverse_z"};
+constexpr std::string_view handout[] = {"rounding=truncate", "line_walk=accumulate"};
+constexpr std::string_view exact[] = {"rounding=floor", "line_walk=exact"};
+
+void apply(std::span<const std::string_view> assignments, Settings& settings) {
+    for (const std::string_view assignment : assignments)
+        set_from_text(settings, assignment);
+}
+
+} // namespace
+
+const std::array<CompareViewInfo, compare_view_count>& compare_view_list() {
+    static constexpr std::array<CompareViewInfo, compare_view_count> list{{
+        {CompareView::side_by_side, "side_by_side", "Side by side",
+         "Both pictures, one beside the other."},
+        {CompareView::wipe, "wipe", "Wipe", "A left of the divider, B right of it; drag it."},
+        {CompareView::blink, "blink", "Blink", "A and B in turn: what differs seems to move."},
+        {CompareView::difference, "difference", "Difference",
+         "B minus A: blue where B is darker, orange where it is brighter."},
+    }};
+    return list;
+}
+
+void compare_with(Session& session, const Settings& other) {
+    session.other = other;
+    session.followed = RunPair{session.settings, other};
+}
+
+void stop_comparing(Session& session) {
+    session.other = std::nullopt;
+    session.followed = std::nullopt;
+}
+
+void swap_runs(Session& session) {
+    if (!session.other) return;
+    std::swap(session.settings, *session.other);
+    session.followed = RunPair{session.settings, *session.other};
+}
+
+void follow_first_run(Session& session) {
+    if (!session.other) {
+        session.followed = std::nullopt;
+        return;
+    }
+    Settings& other = *session.other;
+    if (session.followed && session.followed->second == other) {
+        const Settings& before = session.followed->first;
+        for (const Setting& setting : setting_table()) {
+            const std::string now = value_text(setting, session.settings);
+            const std::string then = value_text(setting, before);
+            if (now != then && then == value_text(setting, other)) set_value(other, setting, now);
+        }
+    }
+    session.followed = RunPair{session.settings, other};
+}
+
+std::vector<RunDifference> run_differences(const Session& session) {
+    std::vector<RunDifference> differences;
+    if (!session.other) return differences;
+    for (const Setting& setting : setting_table()) {
+        std::string a = value_text(setting, session.settings);
+        std::string b = value_text(setting, *session.other);
+        if (a != b) differences.push_back({setting.name, std::move(a), std::move(b)});
+    }
+    return differences;
+}
+
+std::span<const ComparePair> compare_pairs() {
+    static constexpr ComparePair pairs[] = {
+        {"affine", "affine", "perspective",
+         "Values carried straight across the picture, against values divided by z on the way.",
+         Stage::vertex_light, Stage::pixel_light, affine, perspective},
+        {"light", "per vertex", "per pixel",
+         "Light worked out at the corners and spread over the triangle, against light worked out "
+         "at every pixel.",
+         Stage::vertex_light, Stage::pixel_light, per_vertex, per_pixel},
+        {"depth", "no depth", "depth",
+         "The last triangle drawn stays on top, against the nearest one.", Stage::depth,
+         Stage::pixel_light, no_depth, with_depth},
+        {"exact", "handout", "exact",
+         "Coordinates cut toward zero and steps added up, against coordinates rounded down and "
+         "lines walked without error.",
+         Stage::points, Stage::pixel_light, handout, exact},
+    };
+    return pairs;
+}
+
+void start_pair(Session& session, const ComparePair& pair) {
+    Settings& a = session.settings;
+    if (a.stage < pair.first_stage) a.stage = pair.first_stage;
+    if (a.stage > pair.last_stage) a.stage = pair.last_stage;
+    Settings b = a;
+    apply(pair.a, a);
+    apply(pair.b, b);
+    compare_with(session, b);
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,85 @@
+#pragma once
+
+// The second run: what is set to compare it with the first, and how it is shown beside it.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "pipeline/settings.h"
+
+namespace rasterwalk {
+
+struct Session;
+
+/// How the two pictures are shown.
+enum class CompareView : std::uint8_t {
+    side_by_side,
+    wipe,       ///< A left of a divider, B right of it
+    blink,      ///< one after the other
+    difference, ///< B minus A
+};
+
+inline constexpr int compare_view_count = 4;
+
+/// What the interface says of a way to show them.
+struct CompareViewInfo {
+    CompareView view;
+    std::string_view name;  ///< one word, for tests and lessons
+    std::string_view title; ///< on the switch
+    std::string_view help;  ///< one sentence
+};
+
+/// All of them, in the order of their switches; indexed by CompareView.
+const std::array<CompareViewInfo, compare_view_count>& compare_view_list();
+
+/// The settings of both runs as they stood when follow_first_run() last looked.
+struct RunPair {
+    Settings first, second;
+
+    friend bool operator==(const RunPair&, const RunPair&) = default;
+};
+
+/// Compares the session's settings with these from now on.
+void compare_with(Session& session, const Settings& other);
+
+/// Back to one run.
+void stop_comparing(Session& session);
+
+/// A becomes B and B becomes A.
+void swap_runs(Session& session);
+
+/// What is changed in A is changed in B too where both were the same before, so that a turn of the
+/// camera turns both. To be called once a frame, before update(). Leaves B alone if someone has set
+/// it since.
+void follow_first_run(Session& session);
+
+/// Which settings differ in the two runs: "interpolation=affine" of each, in the order of the
+/// table. Empty unless comparing.
+struct RunDifference {
+    std::string_view setting;
+    std::string a, b; ///< values as text
+};
+std::vector<RunDifference> run_differences(const Session& session);
+
+/// Two runs that are often compared: a button each.
+struct ComparePair {
+    std::string_view name;         ///< for tests and links: `affine`
+    std::string_view left, right;  ///< on the button: "affine", "perspective"
+    std::string_view help;         ///< one sentence
+    Stage first_stage, last_stage; ///< stages in which the pair shows; from others one of them is
+                                   ///< taken
+    std::span<const std::string_view> a, b; ///< what each run sets, name=value
+};
+
+/// The pairs, in the order of their buttons.
+std::span<const ComparePair> compare_pairs();
+
+/// Sets both runs as the pair says; everything else stays as it is in A.
+void start_pair(Session& session, const ComparePair& pair);
+
+} // namespace rasterwalk
