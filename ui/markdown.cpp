@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <optional>
 
 #include "ui/markdown_layout.h"
+#include "ui/pictures.h"
 #include "ui/style.h"
 #include "ui/widgets.h"
 
@@ -43,7 +45,7 @@ constexpr int most_shapes = 400;
 constexpr int most_hidden_links = 500;
 
 /// Brings the page up to date with text, width and fonts.
-void prepare(const Ui& ui, MarkdownPage& page, std::string_view text, float width) {
+void prepare(Ui& ui, MarkdownPage& page, std::string_view text, float width) {
     const PageMeasure measure{width, ui.options.text_scale, ui.fonts.text, ui.fonts.text->FontSize};
     const bool is_new = !page.measure || page.text != text;
     if (!is_new && page.measure == measure) return;
@@ -56,7 +58,10 @@ void prepare(const Ui& ui, MarkdownPage& page, std::string_view text, float widt
             block.runs.push_back({page.document.fault});
         }
     }
-    page.layout = lay_out(page.document, ui.fonts, ui.options.text_scale, width);
+    if (!ui.pictures) ui.pictures = std::make_shared<PictureShelf>();
+    page.layout =
+        lay_out(page.document, ui.fonts, ui.options.text_scale, width,
+                [&](const std::string& target) { return picture_size(*ui.pictures, target); });
     page.measure = measure;
 }
 
@@ -85,6 +90,18 @@ struct Sight {
     }
 };
 
+/// The footnote that the pointer rests on.
+void show_note(const Ui& ui, const MarkdownPage& page, std::string_view target) {
+    const auto number = static_cast<std::size_t>(std::atoi(target.substr(5).data()));
+    if (!ImGui::IsItemHovered() || number < 1 || number > page.document.notes.size()) return;
+    const std::string& note = page.document.notes[number - 1];
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(24.0f * ui.fonts.text->FontSize);
+    ImGui::TextUnformatted(note.c_str(), note.c_str() + note.size());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
 /// An invisible button over every piece of every link.
 MarkdownEvents press_links(Ui& ui, const MarkdownPage& page, const Sight& sight,
                            std::string_view prefix) {
@@ -106,7 +123,12 @@ MarkdownEvents press_links(Ui& ui, const MarkdownPage& page, const Sight& sight,
             events.hovered = piece.link;
             ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
         }
-        if (pressed) events.followed = piece.link;
+        const std::string_view target = page.document.links[static_cast<std::size_t>(piece.link)];
+        if (target.starts_with("note:")) {
+            show_note(ui, page, target);
+        } else if (pressed) {
+            events.followed = piece.link;
+        }
         // A link over two lines is known by its first.
         if (piece.link != last) name_widget(ui, std::string(prefix) + std::to_string(piece.link));
         last = piece.link;
@@ -133,11 +155,28 @@ void draw_shapes(const Ui& ui, ImDrawList* list, const MarkdownPage& page, const
         case PageShape::Kind::line:
             list->AddRectFilled(low, high, packed(p.line));
             break;
+        case PageShape::Kind::stroke:
+            list->AddRectFilled(low, high, packed(colour_of_tint(shape.tint, ui.options.theme)));
+            break;
         case PageShape::Kind::bullet:
             list->AddCircleFilled({0.5f * (low.x + high.x), 0.5f * (low.y + high.y)},
                                   0.5f * (high.x - low.x), packed(p.dim));
             break;
         }
+    }
+}
+
+void draw_pictures(Ui& ui, ImDrawList* list, const MarkdownPage& page, const Sight& sight) {
+    for (const PagePicture& picture : page.layout.pictures) {
+        if (!sight.holds(picture.low.y, picture.high.y)) continue;
+        const ImVec2 low{std::floor(sight.origin.x + picture.low.x),
+                         std::floor(sight.origin.y + picture.low.y)};
+        const ImVec2 size{picture.high.x - picture.low.x, picture.high.y - picture.low.y};
+        const ImTextureID texture =
+            picture_texture(ui, std::string(picture.target), static_cast<int>(size.x));
+        const ImVec2 high{low.x + size.x, low.y + size.y};
+        if (texture != nullptr) list->AddImage(texture, low, high);
+        list->AddRect(low, high, packed(palette(ui.options.theme).line));
     }
 }
 
@@ -181,6 +220,7 @@ MarkdownEvents draw_markdown(Ui& ui, std::shared_ptr<MarkdownPage>& page, std::s
     const Sight sight{origin, list->GetClipRectMin().y, list->GetClipRectMax().y};
     const MarkdownEvents events = press_links(ui, *page, sight, prefix);
     draw_shapes(ui, list, *page, sight);
+    draw_pictures(ui, list, *page, sight);
     draw_pieces(ui, list, *page, sight, events.hovered);
     ImGui::SetCursorScreenPos(origin);
     ImGui::Dummy({width, page->layout.height});

@@ -17,7 +17,8 @@ struct MarkdownRun {
     bool emphasis = false;
     bool strong = false;
     bool code = false;
-    int link = -1; ///< index in MarkdownDocument::links; -1: none
+    int link = -1;          ///< index in MarkdownDocument::links; -1: none
+    std::int8_t raised = 0; ///< of a formula: 1 superscript, -1 subscript
 };
 
 /// A part of the page. Text stands in `runs` (paragraph, heading, cell, code), everything else in
@@ -33,7 +34,9 @@ struct MarkdownBlock {
         table, ///< children: rows
         row,   ///< children: cells
         cell,
-        rule, ///< a line across the page
+        rule,    ///< a line across the page
+        math,    ///< a formula on a line of its own: one run of TeX
+        picture, ///< `target` names the file; runs: the words that stand for it
     };
     enum class Align : std::uint8_t { left, centre, right };
 
@@ -45,6 +48,7 @@ struct MarkdownBlock {
     bool is_header = false;    ///< cell
     Align align = Align::left; ///< cell
     std::string label;         ///< quote that begins with a paragraph all in strong: that paragraph
+    std::string target;        ///< picture: where it lies, as written
     std::vector<MarkdownRun> runs;
     std::vector<MarkdownBlock> children;
 };
@@ -52,12 +56,14 @@ struct MarkdownBlock {
 /// A page of Markdown, ready to be laid out.
 struct MarkdownDocument {
     std::vector<MarkdownBlock> blocks;
-    std::vector<std::string> links; ///< targets, in the order of the page
+    std::vector<std::string> links; ///< targets, in the order of the page; `note:1` is a footnote
+    std::vector<std::string> notes; ///< the footnotes, plain text; they also stand at the end
     std::string fault;              ///< a sentence why the page cannot be shown; then it is empty
 };
 
-/// Reads Markdown (CommonMark with tables, without HTML). Never fails: odd bytes become U+FFFD, and
-/// a text beyond the limits below gives a document with a fault.
+/// Reads Markdown (CommonMark with tables, footnotes and formulas between dollars, without HTML).
+/// Never fails: odd bytes become U+FFFD, and a text beyond the limits below gives a document with a
+/// fault.
 MarkdownDocument parse_markdown(std::string_view text);
 
 /// The largest text that is read, bytes, and the deepest nesting of lists and quotes.

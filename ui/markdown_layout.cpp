@@ -5,6 +5,8 @@
 #include <span>
 
 #include "ui/markdown_words.h"
+#include "ui/math_layout.h"
+#include "ui/math_runs.h"
 
 namespace rasterwalk {
 
@@ -46,8 +48,9 @@ struct Pen {
 
 class Setter {
   public:
-    Setter(const Fonts& fonts, float unit, PageLayout& page)
-        : fonts_(fonts), u_(unit), em_(fonts.text->FontSize), page_(page) {}
+    Setter(const Fonts& fonts, float unit, PageLayout& page, const PictureSizes& picture_size)
+        : fonts_(fonts), u_(unit), em_(fonts.text->FontSize), page_(page),
+          picture_size_(picture_size) {}
 
     void blocks(std::span<const MarkdownBlock> blocks, float x, float width);
     float y = 0.0f;
@@ -63,6 +66,8 @@ class Setter {
     std::size_t code_line_length(std::string_view line, float room) const;
     void box(const MarkdownBlock& quote, float x, float width);
     void table(const MarkdownBlock& table, float x, float width);
+    void math(const MarkdownBlock& formula, float x, float width);
+    void picture(const MarkdownBlock& picture, float x, float width);
     std::vector<float> column_widths(const MarkdownBlock& table, float width) const;
     WordList words_of(const MarkdownBlock& block, const TextLook& look, float width) const {
         return cut_words(block.runs, look, fonts_, u_, 0.7f * width);
@@ -78,6 +83,7 @@ class Setter {
     float u_;
     float em_; ///< size of plain text
     PageLayout& page_;
+    const PictureSizes& picture_size_;
 };
 
 float Setter::space_above(const MarkdownBlock& block) const {
@@ -124,6 +130,12 @@ void Setter::block(const MarkdownBlock& block, float x, float width) {
         break;
     case Kind::rule:
         page_.shapes.push_back({PageShape::Kind::line, {x, y}, {x + width, y + u_}});
+        break;
+    case Kind::math:
+        math(block, x, width);
+        break;
+    case Kind::picture:
+        picture(block, x, width);
         break;
     default:
         text(block.runs, x, width, {});
@@ -172,8 +184,11 @@ void Setter::put(const WordPart& part, Pen& pen, float x, const TextLook& look) 
             return;
         }
     }
-    const float top =
-        y + std::round(0.5f * (line_height(look) - base->FontSize)) + base->Ascent - font->Ascent;
+    const float raise = part.run->raised > 0   ? 0.38f * em_
+                        : part.run->raised < 0 ? -0.2f * em_
+                                               : 0.0f;
+    const float top = y + std::round(0.5f * (line_height(look) - base->FontSize)) + base->Ascent -
+                      font->Ascent - std::round(raise);
     const bool is_link = part.run->link >= 0;
     page_.pieces.push_back({.at = {x + pen.x + part.padding_left, top},
                             .width = part.width - part.padding_left - part.padding_right,
@@ -391,6 +406,46 @@ void Setter::table(const MarkdownBlock& table, float x, float width) {
     }
 }
 
+/// In the middle of the column; a formula that is wider than it is set as text.
+void Setter::math(const MarkdownBlock& formula, float x, float width) {
+    if (formula.runs.empty()) return;
+    const MathNode tree = parse_math(formula.runs[0].text);
+    MathBox box = set_math(tree, fonts_, u_, page_.made);
+    const std::size_t first = page_.pieces.size();
+    if (box.width > width) {
+        page_.runs.push_back(math_runs(tree));
+        text(page_.runs.back(), x, width, {});
+        return;
+    }
+    const float left = x + std::floor(0.5f * (width - box.width));
+    const float baseline = y + std::ceil(box.ascent);
+    page_.pieces.insert(page_.pieces.end(), box.pieces.begin(), box.pieces.end());
+    for (std::size_t i = first; i < page_.pieces.size(); ++i) {
+        ImVec2& at = page_.pieces[i].at;
+        at = {at.x + left, at.y + baseline};
+    }
+    for (PageShape& shape : box.shapes) {
+        shape.low = {shape.low.x + left, shape.low.y + baseline};
+        shape.high = {shape.high.x + left, shape.high.y + baseline};
+        page_.shapes.push_back(shape);
+    }
+    y = baseline + std::ceil(box.descent);
+}
+
+/// As wide as the column at most; one that cannot be shown is stood for by its words.
+void Setter::picture(const MarkdownBlock& picture, float x, float width) {
+    const ImVec2 size = picture_size_ ? picture_size_(picture.target) : ImVec2(0, 0);
+    if (size.x < 1.0f || size.y < 1.0f) {
+        text(picture.runs, x, width, {.tint = PageTint::dim});
+        return;
+    }
+    const float shown = std::max(std::floor(std::min(width, size.x * u_)), 1.0f);
+    const float left = x + std::floor(0.5f * (width - shown));
+    const float height = std::ceil(shown * size.y / size.x);
+    page_.pictures.push_back({{left, y}, {left + shown, y + height}, picture.target});
+    y += height;
+}
+
 } // namespace
 
 ImFont* font_of(const Fonts& fonts, PageFont font) {
@@ -411,9 +466,10 @@ ImFont* font_of(const Fonts& fonts, PageFont font) {
     return fonts.text;
 }
 
-PageLayout lay_out(const MarkdownDocument& document, const Fonts& fonts, float unit, float width) {
+PageLayout lay_out(const MarkdownDocument& document, const Fonts& fonts, float unit, float width,
+                   const PictureSizes& picture_size) {
     PageLayout page;
-    Setter setter(fonts, unit, page);
+    Setter setter(fonts, unit, page, picture_size);
     setter.blocks(document.blocks, 0.0f, std::max(width, 1.0f));
     page.height = setter.y;
     return page;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,26 +30,38 @@ struct PagePiece {
 
 /// A shape behind the text.
 struct PageShape {
-    enum class Kind : std::uint8_t { card, bar, line, bullet };
+    enum class Kind : std::uint8_t { card, bar, line, bullet, stroke };
     Kind kind = Kind::line;
     ImVec2 low, high;
     PageTint tint = PageTint::dim;
+};
+
+/// Where a picture goes.
+struct PagePicture {
+    ImVec2 low, high;
+    std::string_view target; ///< in the document
 };
 
 /// A page, ready to be drawn.
 struct PageLayout {
     std::vector<PagePiece> pieces;
     std::vector<PageShape> shapes;
+    std::vector<PagePicture> pictures;
     std::deque<std::string> made; ///< text that is not in the document: numbers of lists
+    std::deque<std::vector<MarkdownRun>> runs; ///< of formulas that are set as text
     float height = 0.0f;
 };
 
 /// The ImGui font.
 ImFont* font_of(const Fonts& fonts, PageFont font);
 
+/// Size of a picture in pixels, by its target; 0 if it cannot be shown.
+using PictureSizes = std::function<ImVec2(const std::string& target)>;
+
 /// Lays the page out. The document must stay where it is as long as the layout is used.
 /// @param unit screen pixels per design pixel
 /// @param width of the column, screen pixels
-PageLayout lay_out(const MarkdownDocument& document, const Fonts& fonts, float unit, float width);
+PageLayout lay_out(const MarkdownDocument& document, const Fonts& fonts, float unit, float width,
+                   const PictureSizes& picture_size = {});
 
 } // namespace rasterwalk

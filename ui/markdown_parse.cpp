@@ -4,7 +4,10 @@
 
 #include <md4c.h>
 
+#include "ui/markdown_notes.h"
 #include "ui/markdown_text.h"
+#include "ui/math.h"
+#include "ui/math_runs.h"
 
 namespace rasterwalk {
 
@@ -65,6 +68,7 @@ class Builder {
     bool leave(MD_BLOCKTYPE type);
     bool enter_span(MD_SPANTYPE type, const void* detail);
     void leave_span(MD_SPANTYPE type);
+    void leave_paragraph(MarkdownBlock& block);
     void text(MD_TEXTTYPE type, std::string_view text);
 
     /// The blocks of the page.
@@ -87,6 +91,13 @@ class Builder {
     int emphasis_ = 0, strong_ = 0, code_ = 0;
     int link_ = -1;
     std::size_t target_bytes_ = 0;
+    std::string formula_; ///< TeX of the formula that is being read
+    /// The picture or formula with which the paragraph begins; it alone makes a block of its own.
+    struct Lead {
+        Kind kind = Kind::paragraph;
+        std::string source;
+        std::size_t runs = 0; ///< of the paragraph, when it ended
+    } lead_;
 };
 
 MarkdownBlock& Builder::push(Kind kind) {
@@ -124,11 +135,11 @@ MarkdownRun& Builder::run() {
     if (!runs.empty()) {
         MarkdownRun& last = runs.back();
         if (last.emphasis == emphasis && last.strong == strong && last.code == code &&
-            last.link == link_) {
+            last.link == link_ && last.raised == 0) {
             return last;
         }
     }
-    return runs.emplace_back(MarkdownRun{{}, emphasis, strong, code, link_});
+    return runs.emplace_back(MarkdownRun{{}, emphasis, strong, code, link_, 0});
 }
 
 bool Builder::enter(MD_BLOCKTYPE type, const void* detail) {
@@ -203,6 +214,7 @@ bool Builder::leave(MD_BLOCKTYPE type) {
         std::string& text = block.runs.back().text;
         if (text.ends_with('\n')) text.pop_back();
     }
+    if (type == MD_BLOCK_P) leave_paragraph(block);
     if (block.kind != Kind::quote || block.children.size() < 2) return true;
     const MarkdownBlock& first = block.children.front();
     if (first.kind == Kind::paragraph && first.runs.size() == 1 && first.runs[0].strong) {
@@ -231,11 +243,35 @@ bool Builder::enter_span(MD_SPANTYPE type, const void* detail) {
         document_.links.push_back(attribute_text(href));
         break;
     }
-    default: // pictures are shown by the words that stand for them
+    case MD_SPAN_LATEXMATH:
+    case MD_SPAN_LATEXMATH_DISPLAY:
+        formula_.clear();
+        break;
+    case MD_SPAN_IMG:
+        if (text_block().runs.empty()) {
+            lead_ = {Kind::picture,
+                     attribute_text(static_cast<const MD_SPAN_IMG_DETAIL*>(detail)->src), 0};
+        }
+        ++emphasis_; // within a text, the words that stand for a picture
+        break;
+    default:
         ++emphasis_;
         break;
     }
     return true;
+}
+
+/// A picture or a formula that is all of its paragraph becomes a block of its own.
+void Builder::leave_paragraph(MarkdownBlock& block) {
+    const bool is_alone = lead_.kind != Kind::paragraph && block.runs.size() == lead_.runs;
+    if (is_alone && lead_.kind == Kind::picture) {
+        block.kind = Kind::picture;
+        block.target = lead_.source;
+    } else if (is_alone) {
+        block.kind = Kind::math;
+        block.runs = {MarkdownRun{lead_.source}};
+    }
+    lead_ = {};
 }
 
 void Builder::leave_span(MD_SPANTYPE type) {
@@ -249,6 +285,21 @@ void Builder::leave_span(MD_SPANTYPE type) {
     case MD_SPAN_A:
         link_ = -1;
         break;
+    case MD_SPAN_LATEXMATH:
+    case MD_SPAN_LATEXMATH_DISPLAY: {
+        std::vector<MarkdownRun>& runs = text_block().runs;
+        const bool is_lead = runs.empty() && type == MD_SPAN_LATEXMATH_DISPLAY;
+        for (MarkdownRun& part : math_runs(parse_math(formula_))) {
+            part.link = link_;
+            runs.push_back(std::move(part));
+        }
+        if (is_lead) lead_ = {Kind::math, formula_, runs.size()};
+        break;
+    }
+    case MD_SPAN_IMG:
+        --emphasis_;
+        if (lead_.kind == Kind::picture && lead_.runs == 0) lead_.runs = text_block().runs.size();
+        break;
     default:
         --emphasis_;
         break;
@@ -256,6 +307,10 @@ void Builder::leave_span(MD_SPANTYPE type) {
 }
 
 void Builder::text(MD_TEXTTYPE type, std::string_view text) {
+    if (type == MD_TEXT_LATEXMATH) {
+        formula_ += text;
+        return;
+    }
     std::string& out = run().text;
     const bool in_code_block = text_block().kind == Kind::code;
     switch (type) {
@@ -299,13 +354,14 @@ MarkdownDocument parse_markdown(std::string_view text) {
         document.fault = "The text is longer than 1 MB.";
         return document;
     }
-    const std::string source = clean_text(text);
+    std::string source = clean_text(text);
+    document.notes = take_footnotes(source);
     if (is_bracket_swamp(source)) {
         document.fault = "A paragraph has too many lines and brackets.";
         return document;
     }
     MD_PARSER parser{};
-    parser.flags = MD_FLAG_TABLES | MD_FLAG_NOHTML;
+    parser.flags = MD_FLAG_TABLES | MD_FLAG_NOHTML | MD_FLAG_LATEXMATHSPANS;
     parser.enter_block = [](MD_BLOCKTYPE type, void* detail, void* data) {
         return builder(data).enter(type, detail) ? 0 : stop;
     };

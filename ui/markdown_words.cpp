@@ -8,6 +8,7 @@ namespace rasterwalk {
 namespace {
 
 PageFont run_font(const MarkdownRun& run, const TextLook& look) {
+    if (run.raised != 0) return PageFont::small;
     if (run.code) return PageFont::mono;
     if (look.font != PageFont::text) return look.font;
     if (run.strong) return PageFont::bold;

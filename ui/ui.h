@@ -81,6 +81,7 @@ struct InspectView {
 };
 
 struct MarkdownPage; // ui/markdown.h
+struct PictureShelf; // ui/pictures.h
 
 /// What the lesson column keeps from one frame to the next.
 struct LessonView {
@@ -103,6 +104,7 @@ struct Ui {
     LessonView lesson;
     Fonts fonts;
     TextureHost* textures = nullptr;
+    std::shared_ptr<PictureShelf> pictures; ///< that the lessons show
     ImTextureID picture_texture = nullptr;
     std::uint64_t picture_number = 0; ///< Results::picture_number that the texture shows
     ImTextureID overlay_texture = nullptr;

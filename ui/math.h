@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rasterwalk {
+
+/// A formula, or a part of one.
+struct MathNode {
+    enum class Kind : std::uint8_t {
+        row,      ///< children side by side
+        symbol,   ///< `text`
+        fraction, ///< children: numerator, denominator
+        script,   ///< children: base, superscript, subscript; the last two may be empty rows
+        root,     ///< children: what stands under the root
+        accent,   ///< children: what carries the mark `text`
+    };
+    enum class Style : std::uint8_t {
+        upright,
+        slanted,  ///< a letter that stands for a number
+        relation, ///< with a blank on either side: = < + and their like
+    };
+
+    Kind kind = Kind::row;
+    std::string text;
+    Style style = Style::upright;
+    std::vector<MathNode> children;
+};
+
+/// Reads a formula in a small part of TeX: letters, numbers and signs, `^ _ { }`, \frac \sqrt \hat
+/// \vec \text \left \right \cdot \times and their like, Greek letters. Never fails: a command that
+/// is not known stands as it is written, what is nested deeper than deepest_math is left out.
+MathNode parse_math(std::string_view tex);
+
+inline constexpr int deepest_math = 16;
+
+} // namespace rasterwalk

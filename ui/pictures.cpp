@@ -1,0 +1,101 @@
+#include "ui/pictures.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "scene/error.h"
+#include "session/content.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// The file of a picture, which must lie in the folder that holds the lessons' folder; or empty.
+std::filesystem::path file_of(const std::string& target) {
+    const std::filesystem::path written(target);
+    if (written.is_absolute() || written.extension() != ".png") return {};
+    const std::filesystem::path folder(lessons_folder());
+    const std::filesystem::path within = ("lessons" / written).lexically_normal();
+    if (within.empty() || *within.begin() == "..") return {};
+    return folder.parent_path() / within;
+}
+
+ShownPicture read_picture(const std::string& target) {
+    ShownPicture picture;
+    try {
+        const std::filesystem::path file = file_of(target);
+        if (file.empty()) return picture;
+        picture.image = read_image(file.string());
+        const Image& image = picture.image;
+        if (image.width <= largest_picture_side && image.height <= largest_picture_side) {
+            picture.size = {static_cast<float>(image.width), static_cast<float>(image.height)};
+        }
+    } catch (const Error&) {
+        // The words that stand for the picture are shown.
+    }
+    return picture;
+}
+
+ShownPicture& find_picture(PictureShelf& shelf, const std::string& target) {
+    const auto found = shelf.pictures.find(target);
+    if (found != shelf.pictures.end()) return found->second;
+    if (shelf.pictures.size() >= most_pictures) {
+        static ShownPicture none;
+        return none;
+    }
+    return shelf.pictures[target] = read_picture(target);
+}
+
+} // namespace
+
+Image shrink(const Image& image, int width) {
+    if (width >= image.width || width < 1) return image;
+    Image small;
+    small.width = width;
+    small.height =
+        std::max(1, static_cast<int>(static_cast<long>(image.height) * width / image.width));
+    small.rgba.resize(4 * static_cast<std::size_t>(small.width) *
+                      static_cast<std::size_t>(small.height));
+    std::uint8_t* out = small.rgba.data();
+    for (int y = 0; y < small.height; ++y) {
+        const int top = static_cast<int>(static_cast<long>(y) * image.height / small.height);
+        const int bottom = std::max(
+            top + 1, static_cast<int>(static_cast<long>(y + 1) * image.height / small.height));
+        for (int x = 0; x < small.width; ++x) {
+            const int left = static_cast<int>(static_cast<long>(x) * image.width / small.width);
+            const int right = std::max(
+                left + 1, static_cast<int>(static_cast<long>(x + 1) * image.width / small.width));
+            int sums[4] = {};
+            for (int v = top; v < bottom; ++v) {
+                const std::uint8_t* in =
+                    image.rgba.data() +
+                    4 * (static_cast<std::size_t>(v) * static_cast<std::size_t>(image.width) +
+                         static_cast<std::size_t>(left));
+                for (int u = left; u < right; ++u) {
+                    for (int& sum : sums)
+                        sum += *in++;
+                }
+            }
+            const int count = (bottom - top) * (right - left);
+            for (const int sum : sums)
+                *out++ = static_cast<std::uint8_t>((sum + count / 2) / count);
+        }
+    }
+    return small;
+}
+
+ImVec2 picture_size(PictureShelf& shelf, const std::string& target) {
+    return find_picture(shelf, target).size;
+}
+
+ImTextureID picture_texture(Ui& ui, const std::string& target, int width) {
+    ShownPicture& picture = find_picture(*ui.pictures, target);
+    if (picture.size.x < 1.0f || ui.textures == nullptr) return nullptr;
+    if (picture.texture_width != width) {
+        picture.texture = ui.textures->upload(picture.texture, shrink(picture.image, width));
+        picture.texture_width = width;
+    }
+    return picture.texture;
+}
+
+} // namespace rasterwalk
