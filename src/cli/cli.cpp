@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/commands.h"
+#include "cli/compare_command.h"
 #include "cli/view_options.h"
 #include "scene/error.h"
 #include "session/content.h"
@@ -28,10 +29,12 @@ struct CommandLine {
     RowsOptions rows;
     TriangleOptions triangle;
     PixelOptions pixel;
+    CompareOptions compare;
     SettingsOptions settings;
     PresetsOptions presets;
     /// What is to be done once everything is understood; empty: open the window.
     std::function<void()> command;
+    ExitCode exit_code = ExitCode::done; ///< of a command that has gone well
 };
 
 CLI::App& add_command(CommandLine& line, const char* name, const char* about,
@@ -94,6 +97,21 @@ void describe(CommandLine& line, std::ostream& out, std::ostream& err) {
         ->required();
     add_json(pixel, line.pixel.json);
     add_view_options(pixel, line.pixel.view);
+
+    CLI::App& compare =
+        add_command(line, "compare", "Tell how two runs differ, and where they first part",
+                    [&] { line.exit_code = compare_command(line.compare, out); });
+    compare.add_option("--a", line.compare.a, "One setting of run A: name=value; repeatable")
+        ->type_name("NAME=VALUE")
+        ->allow_extra_args(false);
+    compare.add_option("--b", line.compare.b, "One setting of run B: name=value; repeatable")
+        ->type_name("NAME=VALUE")
+        ->allow_extra_args(false);
+    compare
+        .add_option("-o,--output", line.compare.output, "PNG file for the difference, B minus A")
+        ->type_name("FILE");
+    add_json(compare, line.compare.json);
+    add_view_options(compare, line.compare.view);
 
     CLI::App& settings = add_command(line, "settings", "List all settings with their values",
                                      [&] { settings_command(line.settings, out); });
@@ -183,7 +201,7 @@ int run_cli(int argc, const char* const* argv, std::ostream& out, std::ostream& 
         if (parse(line, command_arguments(argc, argv), out, err)) run(line, request);
         out.flush();
         if (!out) return complain("the output could not be written.", ExitCode::no_access);
-        return to_int(ExitCode::done);
+        return to_int(line.exit_code);
     } catch (const Error& error) {
         return complain(error.what(), error.code);
     } catch (const std::bad_alloc&) {

@@ -16,9 +16,9 @@ namespace {
 enum class Apart : std::uint8_t { not_at_all, by_rounding, clearly };
 
 /// Rounding errors add up along a row: some hundred of them, each of 6e-8, stay below this part of
-/// the number. A colour differs by no more than a quarter of a step on the screen.
+/// the number, and a colour by a small part of a step on the screen.
 constexpr float rounding_part = 1e-4f;
-constexpr float rounding_of_colour = 0.001f;
+constexpr float rounding_of_colour = 1e-4f;
 
 Apart numbers_apart(float a, float b, float by_rounding) {
     if (a == b || (std::isnan(a) && std::isnan(b))) return Apart::not_at_all;

@@ -234,8 +234,9 @@ std::string row_ends(const Frame& frame, const Cursor& cursor) {
            " to " + std::to_string(rows.right[cursor.index].column);
 }
 
-std::string fate_text(const FragmentEvent& event, int digits) {
+std::string fate_text(const Frame& frame, const FragmentEvent& event, int digits) {
     std::string text = number(event.depth, digits);
+    if (depth_rule(frame.settings) == DepthTest::off) return text + " is written without a test";
     return text.append(event.fate == Fate::written ? " is written over " : " is hidden by ")
         .append(number(event.stored, digits));
 }
@@ -288,9 +289,9 @@ std::string fragment_text(const Frame& a, const Frame& b, const FragmentEvent& p
     const int digits = std::max(digits_for(p.depth, q.depth), digits_for(p.stored, q.stored));
     if (p.fate != q.fate) {
         return text.append("1/z = ")
-            .append(fate_text(p, digits))
+            .append(fate_text(a, p, digits))
             .append(" in A; ")
-            .append(fate_text(q, digits))
+            .append(fate_text(b, q, digits))
             .append(" in B.");
     }
     const bool colours_differ = p.fate == Fate::written && p.after != q.after;

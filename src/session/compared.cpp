@@ -77,6 +77,8 @@ void update_compared(const Session& session, Results& results, bool new_frame, b
         b.done = std::nullopt;
         if (cursor != timeline.first()) b.done = timeline.previous(cursor, Granularity::moment);
         update_pictures(session, results);
+        const Cursor& next = std::min(results.cursor, b.cursor);
+        b.here = divergence_at(results.frame, *results.framebuffer, b.frame, *b.framebuffer, next);
     }
     if (moved_b || changed || b.inspected.triangle != results.triangle) {
         b.rows =

@@ -72,15 +72,19 @@ void follow_first_run(Session& session) {
     session.followed = RunPair{session.settings, other};
 }
 
-std::vector<RunDifference> run_differences(const Session& session) {
+std::vector<RunDifference> run_differences(const Settings& a, const Settings& b) {
     std::vector<RunDifference> differences;
-    if (!session.other) return differences;
     for (const Setting& setting : setting_table()) {
-        std::string a = value_text(setting, session.settings);
-        std::string b = value_text(setting, *session.other);
-        if (a != b) differences.push_back({setting.name, std::move(a), std::move(b)});
+        std::string in_a = value_text(setting, a), in_b = value_text(setting, b);
+        if (in_a == in_b) continue;
+        differences.push_back({setting.name, std::move(in_a), std::move(in_b)});
     }
     return differences;
+}
+
+std::vector<RunDifference> run_differences(const Session& session) {
+    if (!session.other) return {};
+    return run_differences(session.settings, *session.other);
 }
 
 std::span<const ComparePair> compare_pairs() {

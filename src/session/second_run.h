@@ -58,12 +58,16 @@ void swap_runs(Session& session);
 /// it since.
 void follow_first_run(Session& session);
 
-/// Which settings differ in the two runs: "interpolation=affine" of each, in the order of the
-/// table. Empty unless comparing.
+/// A setting in which two runs differ.
 struct RunDifference {
-    std::string_view setting;
-    std::string a, b; ///< values as text
+    std::string_view setting; ///< by name
+    std::string a, b;         ///< values as text
 };
+
+/// All of them, in the order of the table.
+std::vector<RunDifference> run_differences(const Settings& a, const Settings& b);
+
+/// Those of the session's two runs; none unless comparing.
 std::vector<RunDifference> run_differences(const Session& session);
 
 /// Two runs that are often compared: a button each.

@@ -86,6 +86,23 @@ TEST_CASE("B is worked out again only if something changed") {
     CHECK(results.compared->picture_number > last);
 }
 
+TEST_CASE("It is told whether the runs differ in what comes next") {
+    Session session = room();
+    compare_with(session, with(session.settings, "rounding=floor"));
+    Results results;
+    update(session, results);
+    CHECK_FALSE(results.compared->here);
+    const DivergenceList& list = results.compared->whole.divergences;
+    REQUIRE(list.first);
+    for (const DivergenceGroup& group : std::vector(list.groups)) {
+        session.cursor = group.last;
+        update(session, results);
+        REQUIRE(results.compared->here);
+        CHECK(results.compared->here->cursor == group.last);
+        CHECK(results.compared->here->kind == group.kind);
+    }
+}
+
 TEST_CASE("The difference follows the plane that is shown") {
     Session session = room();
     compare_with(session, with(session.settings, "depth_test=off"));

@@ -1,0 +1,195 @@
+#include "cli/compare_command.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <ostream>
+#include <string_view>
+
+#include "cli/json.h"
+#include "inspect/compare.h"
+#include "pipeline/draw.h"
+#include "session/second_run.h"
+#include "session/setting_table.h"
+
+namespace rasterwalk {
+
+namespace {
+
+Settings settings_of_run(const Settings& common, const std::vector<std::string>& assignments) {
+    Settings settings = common;
+    for (const std::string& assignment : assignments)
+        set_from_text(settings, assignment);
+    return settings;
+}
+
+std::string_view phase_name(Phase phase) {
+    constexpr std::array<std::string_view, 3> names{"vertices", "edges", "rows"};
+    return names[static_cast<std::size_t>(phase)];
+}
+
+std::string_view kind_name(DivergenceKind kind) {
+    constexpr std::array<std::string_view, 3> names{"missing", "extra", "other"};
+    return names[static_cast<std::size_t>(kind)];
+}
+
+/// What the runs are set to where they differ, as assignments: "interpolation=affine".
+struct RunTexts {
+    std::vector<std::string> a, b;
+};
+
+RunTexts run_texts(const Settings& a, const Settings& b) {
+    RunTexts texts;
+    for (const RunDifference& difference : run_differences(a, b)) {
+        const std::string name = std::string(difference.setting).append("=");
+        texts.a.push_back(name + difference.a);
+        texts.b.push_back(name + difference.b);
+    }
+    return texts;
+}
+
+toml::array to_json(const std::vector<std::string>& texts) {
+    toml::array list;
+    for (const std::string& text : texts)
+        list.push_back(text);
+    return list;
+}
+
+toml::table to_json(const Scene& scene, const DivergenceGroup& group) {
+    return toml::table{{"triangle", group.triangle},
+                       {"name", part_name(scene, group.triangle)},
+                       {"phase", phase_name(group.phase)},
+                       {"kind", kind_name(group.kind)},
+                       {"count", group.count},
+                       {"first", to_text(group.first)},
+                       {"last", to_text(group.last)}};
+}
+
+void print_comparison(const Scene& scene, const RunTexts& runs, const Comparison& comparison,
+                      std::ostream& out) {
+    const DivergenceList& list = comparison.divergences;
+    toml::array groups;
+    for (const DivergenceGroup& group : list.groups)
+        groups.push_back(to_json(scene, group));
+    toml::table table{{"a", to_json(runs.a)},
+                      {"b", to_json(runs.b)},
+                      {"pixels", comparison.pixels.pixels},
+                      {"different_pixels", comparison.pixels.different},
+                      {"shown_pixels", comparison.pixels.shown},
+                      {"largest_difference", static_cast<double>(comparison.pixels.largest)},
+                      {"mean_difference", comparison.pixels.mean},
+                      {"different_rows", comparison.different_rows},
+                      {"divergence_count", list.count},
+                      {"divergences", std::move(groups)}};
+    std::vector<std::string_view> absent;
+    const auto add = [&](std::string_view key, const std::optional<std::string>& value) {
+        if (value) {
+            table.insert(key, *value);
+        } else {
+            absent.push_back(key);
+        }
+    };
+    const auto cursor = [](const std::optional<Divergence>& divergence) {
+        return divergence ? std::optional(to_text(divergence->cursor)) : std::nullopt;
+    };
+    const auto cause = [](const std::optional<Divergence>& divergence) {
+        return divergence ? std::optional(divergence->text) : std::nullopt;
+    };
+    add("first_divergence", cursor(list.first));
+    add("cause", cause(list.first));
+    add("first_beyond_rounding", cursor(list.first_beyond_rounding));
+    add("cause_beyond_rounding", cause(list.first_beyond_rounding));
+    print_json(table, absent, out);
+}
+
+std::string joined(const std::vector<std::string>& texts) {
+    std::string text;
+    for (const std::string& one : texts)
+        text.append(text.empty() ? "" : "  ").append(one);
+    return text.empty() ? "as B" : text;
+}
+
+/// More groups than this are left to --json.
+constexpr std::size_t most_groups_printed = 20;
+
+void print_text(const Scene& scene, const RunTexts& runs, const Comparison& comparison,
+                std::ostream& out) {
+    const auto number = [](double value) {
+        std::array<char, 32> text;
+        std::snprintf(text.data(), text.size(), "%.6g", value);
+        return std::string(text.data());
+    };
+    const PixelDifference& pixels = comparison.pixels;
+    const DivergenceList& list = comparison.divergences;
+    out << "A: " << joined(runs.a) << "\nB: " << (runs.b.empty() ? "as A" : joined(runs.b)) << '\n'
+        << "different_pixels    " << pixels.different << " of " << pixels.pixels << '\n'
+        << "shown_pixels        " << pixels.shown << '\n'
+        << "largest_difference  " << number(static_cast<double>(pixels.largest)) << '\n'
+        << "mean_difference     " << number(pixels.mean) << '\n'
+        << "different_rows      " << comparison.different_rows << '\n'
+        << "divergences         " << list.count << '\n'
+        << "first_divergence    " << (list.first ? to_text(list.first->cursor) : "none") << '\n';
+    if (!list.first) return;
+    const auto tell = [&](const Divergence& divergence) {
+        out << "    " << kind_text(divergence.kind) << ", "
+            << part_name(scene, divergence.cursor.triangle) << ": " << divergence.text << '\n';
+    };
+    tell(*list.first);
+    const std::optional<Divergence>& larger = list.first_beyond_rounding;
+    if (larger && larger->cursor != list.first->cursor) {
+        out << "beyond rounding     " << to_text(larger->cursor) << '\n';
+        tell(*larger);
+    }
+    out << '\n';
+    for (std::size_t i = 0; i < std::min(list.groups.size(), most_groups_printed); ++i) {
+        const DivergenceGroup& group = list.groups[i];
+        std::array<char, 128> line;
+        std::snprintf(line.data(), line.size(), "t%-4d %-9s %-13s %9lld  ", group.triangle,
+                      std::string(phase_name(group.phase)).c_str(), kind_text(group.kind).c_str(),
+                      static_cast<long long>(group.count));
+        out << line.data() << "first " << to_text(group.first) << '\n';
+    }
+    if (list.groups.size() > most_groups_printed) {
+        out << "... and " << list.groups.size() - most_groups_printed
+            << " more; --json has all of them.\n";
+    }
+}
+
+/// Draws both frames up to the moment, and writes B minus A.
+void write_difference(const Frame& a, const Frame& b, const Cursor& to, float largest,
+                      const std::string& path) {
+    const auto drawn = [&](const Frame& frame) {
+        Framebuffer framebuffer;
+        clear(framebuffer, frame.settings.viewport);
+        draw(frame, {cursor_begin, to, {}}, framebuffer);
+        return framebuffer;
+    };
+    const Viewport size = a.settings.viewport;
+    const std::vector<float> values = signed_difference(drawn(a), drawn(b), View::colour);
+    write_png(difference_image(values, size, difference_limit(largest)), path);
+}
+
+} // namespace
+
+ExitCode compare_command(const CompareOptions& options, std::ostream& out) {
+    const Session session = open_view(options.view);
+    const Frame a = prepare_frame(*session.scene, settings_of_run(session.settings, options.a));
+    const Frame b = prepare_frame(*session.scene, settings_of_run(session.settings, options.b));
+    if (!(a.settings.viewport == b.settings.viewport)) {
+        throw UsageError("the two runs have pictures of different sizes, which cannot be "
+                         "compared.");
+    }
+    const Comparison comparison = compare_runs(a, b, session.cursor);
+    if (!options.output.empty()) {
+        write_difference(a, b, session.cursor, comparison.pixels.largest, options.output);
+    }
+    const RunTexts runs = run_texts(a.settings, b.settings);
+    if (options.json) {
+        print_comparison(*session.scene, runs, comparison, out);
+    } else {
+        print_text(*session.scene, runs, comparison, out);
+    }
+    return comparison.is_same() ? ExitCode::done : ExitCode::difference;
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "cli/view_options.h"
+#include "scene/error.h"
+
+namespace rasterwalk {
+
+struct CompareOptions {
+    ViewOptions view;           ///< what both runs have in common
+    std::vector<std::string> a; ///< name=value, of run A alone
+    std::vector<std::string> b; ///< name=value, of run B alone
+    std::string output;         ///< PNG of the difference; empty: none
+    bool json = false;
+};
+
+/// Prints how two runs differ, up to the moment of the view. Returns ExitCode::difference if they
+/// do, else ExitCode::done. Throws Error.
+ExitCode compare_command(const CompareOptions& options, std::ostream& out);
+
+} // namespace rasterwalk

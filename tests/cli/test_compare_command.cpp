@@ -1,0 +1,74 @@
+#include <catch2/catch.hpp>
+
+#include "scene/image.h"
+#include "tests/cli/run.h"
+#include "tests/support/temporary_folder.h"
+
+using namespace rasterwalk;
+using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
+using test::CliRun;
+using test::run;
+
+namespace {
+
+CliRun compare(std::vector<std::string> more) {
+    more.insert(more.begin(), {"compare", "--size", "60x50"});
+    return run(more);
+}
+
+} // namespace
+
+TEST_CASE("Two runs that are the same are told to be the same, exit code 0") {
+    const CliRun result = compare({"--a", "interpolation=affine", "--b", "interpolation=affine"});
+    CHECK(result.exit_code == 0);
+    CHECK(result.err.empty());
+    CHECK_THAT(result.out, Contains("different_pixels    0 of 3000\n"));
+    CHECK_THAT(result.out, Contains("first_divergence    none\n"));
+    const CliRun json = compare({"--json"});
+    CHECK(json.exit_code == 0);
+    CHECK_THAT(json.out, Contains("\"different_pixels\" : 0,"));
+    CHECK_THAT(json.out, Contains("\"divergences\" : [],"));
+    CHECK_THAT(json.out, Contains("\"first_divergence\" : null,\n"));
+    CHECK(json.out.ends_with("\"cause_beyond_rounding\" : null\n}\n"));
+}
+
+TEST_CASE("A difference is exit code 1, with its place, its cause and its size") {
+    const CliRun result = compare({"--json", "--stage", "fill", "--b", "rounding=floor"});
+    CHECK(result.exit_code == 1);
+    CHECK(result.err.empty());
+    CHECK_THAT(result.out, Contains("\"first_divergence\" : \"t0/v0\""));
+    CHECK_THAT(result.out, Contains("\"cause\" : \"vertex 1 of 3: in A projected to ("));
+    CHECK_THAT(result.out, Contains("\"rounding=truncate\""));
+    CHECK_THAT(result.out, Contains("\"rounding=floor\""));
+    CHECK_THAT(result.out, Contains("\"kind\" : \"other\""));
+    CHECK_THAT(result.out, !Contains("null"));
+    const CliRun text = compare({"--stage", "fill", "--b", "rounding=floor"});
+    CHECK(text.exit_code == 1);
+    CHECK_THAT(text.out, StartsWith("A: rounding=truncate\nB: rounding=floor\n"));
+    CHECK_THAT(text.out, Contains("first_divergence    t0/v0\n    other value, floor: vertex 1"));
+}
+
+TEST_CASE("Runs are compared up to a moment") {
+    const CliRun result =
+        compare({"--stage", "fill", "--to", "t0", "--b", "rounding=floor", "--json"});
+    CHECK(result.exit_code == 0);
+}
+
+TEST_CASE("The difference is written as a picture") {
+    const test::TemporaryFolder folder;
+    const std::string path = folder.file("difference.png");
+    CHECK(compare({"--stage", "fill", "--b", "rounding=floor", "-o", path}).exit_code == 1);
+    const Image image = read_image(path);
+    CHECK(image.width == 60);
+    CHECK(image.height == 50);
+}
+
+TEST_CASE("What cannot be compared is a sentence and exit code 2") {
+    const CliRun sizes = compare({"--b", "viewport.size=20x20"});
+    CHECK(sizes.exit_code == 2);
+    CHECK_THAT(sizes.err, Contains("different sizes"));
+    const CliRun name = compare({"--b", "interpolatoin=affine"});
+    CHECK(name.exit_code == 2);
+    CHECK_THAT(name.err, Contains("Did you mean 'interpolation'?"));
+}
