@@ -84,6 +84,8 @@ std::string fault_text(VertexFault fault) {
         return "a vertex lies on or behind the camera plane";
     case VertexFault::too_far_out:
         return "a vertex is projected too far out";
+    case VertexFault::taken_for_behind:
+        return "a vertex in column -1 is taken for one behind the camera";
     }
     return {};
 }

@@ -31,6 +31,7 @@ void report_left_out(const LeftOut& left_out, std::ostream& err) {
     report(left_out.not_finite, "a coordinate is not a finite number");
     report(left_out.behind_camera, "a vertex lies on or behind the camera plane");
     report(left_out.too_far_out, "a vertex is projected too far out");
+    report(left_out.taken_for_behind, "a vertex in column -1 is taken for one behind the camera");
 }
 
 toml::table to_json(const FrameStats& stats) {
@@ -41,9 +42,14 @@ toml::table to_json(const FrameStats& stats) {
         {"uncovered", stats.uncovered},
         {"rows_outside", stats.rows_outside},
         {"rows_outside_triangles", stats.rows_outside_triangles},
+        {"shaded", stats.shaded},
+        {"rows_looked_at", stats.rows_looked_at},
+        {"unset_rows", stats.unset_rows},
+        {"depth_outside", stats.depth_outside},
         {"left_out", toml::table{{"not_finite", stats.left_out.not_finite},
                                  {"behind_camera", stats.left_out.behind_camera},
-                                 {"too_far_out", stats.left_out.too_far_out}}},
+                                 {"too_far_out", stats.left_out.too_far_out},
+                                 {"taken_for_behind", stats.left_out.taken_for_behind}}},
     };
 }
 
@@ -54,7 +60,7 @@ void render_command(const RenderOptions& options, std::ostream& err) {
     const Session session = open_view(options.view);
     const Frame frame = prepare_frame(*session.scene, session.settings);
     Framebuffer framebuffer;
-    clear(framebuffer, session.settings.viewport);
+    clear(framebuffer, frame);
     draw(frame, {.from = cursor_begin, .to = session.cursor, .scissor = {}}, framebuffer);
     write_png(view_image(framebuffer, plane), options.output);
     report_left_out(count_left_out(frame), err);
@@ -73,7 +79,11 @@ void stats_command(const StatsOptions& options, std::ostream& out, std::ostream&
             << "max_overdraw            " << stats.max_overdraw << '\n'
             << "uncovered               " << stats.uncovered << '\n'
             << "rows_outside            " << stats.rows_outside << '\n'
-            << "rows_outside_triangles  " << stats.rows_outside_triangles << '\n';
+            << "rows_outside_triangles  " << stats.rows_outside_triangles << '\n'
+            << "shaded                  " << stats.shaded << '\n'
+            << "rows_looked_at          " << stats.rows_looked_at << '\n'
+            << "unset_rows              " << stats.unset_rows << '\n'
+            << "depth_outside           " << stats.depth_outside << '\n';
     }
     report_left_out(stats.left_out, err);
 }

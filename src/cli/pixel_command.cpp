@@ -147,7 +147,7 @@ void print_text(const Frame& frame, const PixelHistory& history, const Cursor& t
     out << "pixel " << history.pixel.x << ',' << history.pixel.y << ", stage "
         << stage_list()[static_cast<std::size_t>(stage)].name << ": ";
     if (history.entries.empty()) {
-        out << "nothing falls on it.\n" << uncovered_text(frame) << '\n';
+        out << "nothing falls on it.\n" << uncovered_text(frame, history.pixel) << '\n';
         for (const NearTriangle& near : history.nearest) {
             const std::string rules = rules_text(near, history.pixel);
             out << "t" << near.triangle << " " << part_name(scene, near.triangle) << ": "

@@ -55,11 +55,13 @@ std::string nine_digits(float value) {
 }
 
 void check_assignment(const std::string& assignment) {
-    constexpr std::array<std::string_view, 3> known{"rounding", "line_walk", "edge_samples"};
+    constexpr std::array<std::string_view, 5> known{"rounding", "line_walk", "edge_samples",
+                                                    "row_start", "viewport.size"};
     const std::string_view name = std::string_view(assignment).substr(0, assignment.find('='));
     if (find_setting(name) == nullptr) return; // set_from_text has a better sentence for it
     if (std::find(known.begin(), known.end(), name) == known.end()) {
-        throw UsageError("rows depend on rounding, line_walk and edge_samples, not on " +
+        throw UsageError("rows depend on rounding, line_walk, edge_samples, row_start and "
+                         "viewport.size, not on " +
                          std::string(name) + ".");
     }
 }

@@ -71,7 +71,8 @@ std::optional<CarriedRow> carried_row(const Frame& frame, int triangle, int inde
     row.index = index;
     row.line = line_rules(frame.settings);
     const EdgeRules edges = edge_rules(frame.settings);
-    for (const Interpolation way : {Interpolation::perspective, Interpolation::affine}) {
+    for (const Interpolation way :
+         {Interpolation::perspective, Interpolation::affine, Interpolation::zinv_twice}) {
         Settings settings = frame.settings;
         settings.interpolation = way;
         settings.stage = Stage::vertex_light;

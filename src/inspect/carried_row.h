@@ -10,6 +10,7 @@
 
 #include "inspect/row_history.h"
 #include "pipeline/frame.h"
+#include "stages/spans.h"
 
 namespace rasterwalk {
 
@@ -51,18 +52,18 @@ struct RowEnds {
 /// One row of a triangle's finished row table.
 struct CarriedRow {
     int triangle = -1;
-    int index = -1;              ///< in the row table
-    int row = 0;                 ///< of the picture
-    int row_count = 0;           ///< rows of the whole table
-    int count = 0;               ///< pixels from end to end; at least 1
-    std::array<RowEnds, 2> ends; ///< indexed by Interpolation
+    int index = -1;                                ///< in the row table
+    int row = 0;                                   ///< of the picture
+    int row_count = 0;                             ///< rows of the whole table
+    int count = 0;                                 ///< pixels from end to end; at least 1
+    std::array<RowEnds, interpolation_count> ends; ///< as in the table; indexed by Interpolation
     EndWriter left_by, right_by;
     LineRules line;
 
     const RowEnds& under(Interpolation way) const { return ends[static_cast<std::size_t>(way)]; }
     /// The walk from the left to the right end, as draw() walks it.
     LineWalker walk(Interpolation way) const {
-        return {under(way).left, under(way).right, count, line};
+        return {span_end(under(way).left, way), span_end(under(way).right, way), count, line};
     }
     /// The fragment in this column of the row, counted from its left end.
     Fragment at(Interpolation way, int step) const;

@@ -27,12 +27,35 @@ float colour_difference(const glm::vec3& a, const glm::vec3& b) {
     return largest;
 }
 
-bool is_shown_alike(const glm::vec3& a, const glm::vec3& b) {
-    for (int i = 0; i < 3; ++i) {
-        if (colour_byte(a[i]) != colour_byte(b[i])) return false;
+/// The colours of two pictures of which one wraps what is brighter than 1: then they differ in what
+/// is shown, and only there.
+struct Colours {
+    const Framebuffer& a;
+    const Framebuffer& b;
+    bool shown_otherwise = a.rules.over_one != b.rules.over_one;
+
+    glm::vec3 of_a(std::size_t pixel) const { return of(a, pixel); }
+    glm::vec3 of_b(std::size_t pixel) const { return of(b, pixel); }
+    bool are_shown_alike(std::size_t pixel) const {
+        for (int i = 0; i < 3; ++i) {
+            if (to_byte(a.colour[pixel][i], a.rules.over_one) !=
+                to_byte(b.colour[pixel][i], b.rules.over_one))
+                return false;
+        }
+        return true;
     }
-    return true;
-}
+
+  private:
+    glm::vec3 of(const Framebuffer& framebuffer, std::size_t pixel) const {
+        const glm::vec3& colour = framebuffer.colour[pixel];
+        if (!shown_otherwise) return colour;
+        glm::vec3 seen = shown_colour(colour, framebuffer.rules.over_one);
+        for (int i = 0; i < 3; ++i) {
+            if (colour[i] >= 0.0f && colour[i] <= 1.0f) seen[i] = colour[i];
+        }
+        return seen;
+    }
+};
 
 /// The finished row table of a triangle; without rows if the run makes none.
 void make_rows(const Frame& frame, int triangle, PolygonRows& rows) {
@@ -67,12 +90,13 @@ PixelDifference pixel_difference(const Framebuffer& a, const Framebuffer& b) {
     result.pixels = static_cast<std::int64_t>(a.colour.size());
     double sum = 0.0;
     std::size_t worst = 0;
+    const Colours colours{a, b};
     for (std::size_t i = 0; i < a.colour.size(); ++i) {
-        if (a.colour[i] == b.colour[i]) continue;
-        const float difference = std::abs(colour_difference(a.colour[i], b.colour[i]));
+        if (!colours.shown_otherwise && a.colour[i] == b.colour[i]) continue;
+        const float difference = std::abs(colour_difference(colours.of_a(i), colours.of_b(i)));
         if (difference == 0.0f) continue;
         ++result.different;
-        result.shown += is_shown_alike(a.colour[i], b.colour[i]) ? 0 : 1;
+        result.shown += colours.are_shown_alike(i) ? 0 : 1;
         sum += static_cast<double>(difference);
         if (difference > result.largest) {
             result.largest = difference;
@@ -89,10 +113,11 @@ PixelDifference pixel_difference(const Framebuffer& a, const Framebuffer& b) {
 
 std::vector<float> signed_difference(const Framebuffer& a, const Framebuffer& b, View view) {
     std::vector<float> values(a.colour.size());
+    const Colours colours{a, b};
     for (std::size_t i = 0; i < values.size(); ++i) {
         switch (view) {
         case View::colour:
-            values[i] = colour_difference(a.colour[i], b.colour[i]);
+            values[i] = colour_difference(colours.of_a(i), colours.of_b(i));
             break;
         case View::depth:
             values[i] = finite(b.depth[i]) - finite(a.depth[i]);

@@ -9,7 +9,10 @@ namespace rasterwalk {
 
 namespace {
 
-constexpr std::array<Interpolation, 2> ways{Interpolation::perspective, Interpolation::affine};
+constexpr std::array<Interpolation, interpolation_count> ways{
+    Interpolation::perspective, Interpolation::affine, Interpolation::zinv_twice};
+
+using Carried = std::array<Fragment, interpolation_count>; ///< indexed by Interpolation
 
 /// Keeps the event of one fragment, and who wrote on its pixel before.
 class Watcher : public Observer {
@@ -50,6 +53,7 @@ Formula along_row(const FragmentReport& report, std::string id, std::string name
                     {result}};
     switch (row.line.walk) {
     case LineWalk::accumulate:
+    case LineWalk::integer_step: // only the place's step is cut, and along a row it is 1
         formula.expression = "accumulate(left, (right − left) / (n − 1), i)";
         break;
     case LineWalk::multiply:
@@ -67,7 +71,7 @@ Formula along_row(const FragmentReport& report, std::string id, std::string name
     return formula;
 }
 
-void add_depths(FragmentReport& report, const std::array<Fragment, 2>& carried) {
+void add_depths(FragmentReport& report, const Carried& carried) {
     const RowEnds& ends = report.row.under(Interpolation::perspective);
     const Fragment& fragment = carried[0];
     report.formulas.push_back(
@@ -106,8 +110,7 @@ Formula difference(const QuantityInfo& info, float affine, float perspective) {
             {std::abs(affine - perspective)}};
 }
 
-void add_varying(FragmentReport& report, const QuantityInfo& info,
-                 const std::array<Fragment, 2>& carried) {
+void add_varying(FragmentReport& report, const QuantityInfo& info, const Carried& carried) {
     const std::string id(info.id), name(info.name), carried_name(info.carried_name);
     const Quantity quantity = info.quantity;
     const auto add_walk = [&](Interpolation way, const std::string& formula_of,
@@ -241,7 +244,7 @@ std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& 
         return std::nullopt;
     }
     Framebuffer one_pixel;
-    clear(one_pixel, {1, 1}, report.pixel);
+    clear(one_pixel, frame, {1, 1}, report.pixel);
     Watcher watcher(cursor);
     Cursor after = cursor;
     ++after.step;
@@ -265,7 +268,7 @@ std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& 
     report.colour =
         frame.stages->pixel_shader(report.fragment, {corner.normal, corner.reflectance}, rules);
 
-    std::array<Fragment, 2> carried;
+    Carried carried;
     for (const Interpolation way : ways) {
         const auto i = static_cast<std::size_t>(way);
         carried[i] = report.row.at(way, report.step);
@@ -301,7 +304,7 @@ std::optional<Cursor> fragment_on_pixel(const Frame& frame, const glm::ivec2& pi
         pixel.x >= 0 && pixel.x < size.width && pixel.y >= 0 && pixel.y < size.height;
     if (!inside || !has_fragments(frame.settings.stage)) return std::nullopt;
     Framebuffer one_pixel;
-    clear(one_pixel, {1, 1}, pixel);
+    clear(one_pixel, frame, {1, 1}, pixel);
     LastWritten watcher;
     draw(frame, {cursor_begin, moment, {}}, one_pixel, &watcher);
     if (!watcher.cursor) draw(frame, {moment, cursor_end, {}}, one_pixel, &watcher);

@@ -40,8 +40,8 @@ struct FragmentReport {
     Lighting lighting = Lighting::none;                       ///< in force
     DepthTest depth_test = DepthTest::off;                    ///< in force
 
-    Fragment fragment;                   ///< as draw() had it
-    std::array<Varyings, 2> varyings;    ///< recovered, q; indexed by Interpolation
+    Fragment fragment;                                  ///< as draw() had it
+    std::array<Varyings, interpolation_count> varyings; ///< recovered, q; indexed by Interpolation
     LightTerms light;                    ///< at its own place, interpolated as is in force
     std::array<LightTerms, 3> at_vertex; ///< light at the three vertices
     glm::vec3 light_per_vertex{0.0f};    ///< carried from the vertices as is in force

@@ -72,10 +72,16 @@ bool EdgeMicroscope::shows(const Fragment& from, const Fragment& to, const EdgeR
            rules.samples == by.samples;
 }
 
+int EdgeMicroscope::opposite(int sample) const {
+    const int n = count - 1, m = static_cast<int>(reverse.size()) - 1;
+    if (n == m) return n - sample;
+    return n > 0 ? m - (2 * sample * m + n) / (2 * n) : m;
+}
+
 MicroscopeSample EdgeMicroscope::at(int sample) const {
     const int n = count - 1;
     const Place& walked = forward[static_cast<std::size_t>(sample)];
-    const Place& other_way = reverse[static_cast<std::size_t>(n - sample)];
+    const Place& other_way = reverse[static_cast<std::size_t>(opposite(sample))];
     LineRules without_error = rules.line;
     without_error.walk = LineWalk::exact;
     LineWalker exact_walk(a, b, count, without_error);
@@ -103,10 +109,11 @@ EdgeMicroscope microscope(const Fragment& a, const Fragment& b, const EdgeRules&
     edge.reverse = walk(b, a, rules);
     edge.count = static_cast<int>(edge.forward.size());
     const int steps = std::max(edge.count - 1, 1);
+    const LineWalker walker = walk_edge(a, b, rules);
     edge.step_x = reduced(b.column - a.column, steps);
     edge.step_y = reduced(b.row - a.row, steps);
-    edge.float_step_x = static_cast<float>(b.column - a.column) / static_cast<float>(steps);
-    edge.float_step_y = static_cast<float>(b.row - a.row) / static_cast<float>(steps);
+    edge.float_step_x = walker.step_x();
+    edge.float_step_y = walker.step_y();
     summarize(edge);
     return edge;
 }

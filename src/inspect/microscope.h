@@ -80,6 +80,10 @@ struct EdgeMicroscope {
     /// Is this the edge that was put under the microscope?
     bool shows(const Fragment& from, const Fragment& to, const EdgeRules& by) const;
 
+    /// The sample of the other way that should be in the place of this one. Under EdgeSamples::
+    /// shifted the two ways have different numbers of samples: then the one that comes nearest.
+    int opposite(int sample) const;
+
     /// One sample, 0 <= sample < count.
     MicroscopeSample at(int sample) const;
 

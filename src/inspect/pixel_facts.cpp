@@ -129,7 +129,8 @@ class FactsObserver : public Observer {
             const PolygonRows& rows = rows_[n];
             const int row = fragment.row - rows.first_row;
             if (row < 0 || row >= rows.size()) continue;
-            if (fragment.column < rows.left[row].column || fragment.column > rows.right[row].column)
+            const int step = fragment.column - rows.left[row].column;
+            if (step < 0 || step >= drawn_pixels(rows.pixel_count(row), frame_.settings.spans))
                 continue;
             facts_.drawn_twice[pixel] = {neighbours_.of(triangle)[n], triangle};
         }
@@ -158,7 +159,7 @@ class FactsObserver : public Observer {
 
 std::vector<glm::vec3> draw_again(const Frame& frame, const Cursor& to, PixelFacts& facts) {
     Framebuffer framebuffer;
-    clear(framebuffer, frame.settings.viewport);
+    clear(framebuffer, frame);
     FactsObserver observer(frame, facts);
     draw(frame, {.from = cursor_begin, .to = to, .scissor = {}}, framebuffer, &observer);
     return std::move(observer.positions);

@@ -63,7 +63,7 @@ PixelHistory pixel_history(const Frame& frame, const glm::ivec2& pixel) {
     history.pixel = pixel;
     history.depth_tested = depth_rule(frame.settings) != DepthTest::off;
     Framebuffer one_pixel;
-    clear(one_pixel, {1, 1}, pixel);
+    clear(one_pixel, frame, {1, 1}, pixel);
     Collector collector(history.entries);
     draw(frame, {}, one_pixel, &collector);
     if (frame.settings.stage == Stage::rows) find_columns_of_row_ends(frame, history);
@@ -71,8 +71,11 @@ PixelHistory pixel_history(const Frame& frame, const glm::ivec2& pixel) {
         if (history.entries[i].fate == Fate::written) history.winner = static_cast<int>(i);
     }
     for (PixelEntry& entry : history.entries) {
-        // Who wins is known only now. The last entry written left its depth in the buffer.
-        entry.margin_to_winner = entry.depth - one_pixel.depth.front();
+        // Who wins is known only now.
+        entry.margin_to_winner =
+            entry.depth - (history.winner >= 0
+                               ? history.entries[static_cast<std::size_t>(history.winner)].depth
+                               : one_pixel.depth.front());
     }
     if (history.entries.empty()) {
         history.nearest = nearest_triangles(frame, pixel);

@@ -25,17 +25,18 @@ std::optional<int> widest_row(const Frame& frame, int triangle) {
     PolygonRows rows;
     frame.stages->compute_polygon_rows(frame.triangle_vertices(triangle),
                                        edge_rules(frame.settings), rows);
-    const Viewport size = frame.settings.viewport;
+    const Rectangle area = drawn_area(frame.settings);
     std::optional<int> widest;
     int most = 0;
     for (int r = 0; r < rows.size(); ++r) {
         const auto i = static_cast<std::size_t>(r);
         const int row = rows.left[i].row;
-        if (row < 0 || row >= size.height || rows.is_empty_row(r)) continue;
-        const int first = std::max(rows.left[i].column, 0);
-        const int last = std::min(rows.right[i].column, size.width - 1);
-        if (last - first + 1 > most) {
-            most = last - first + 1;
+        if (row < area.top || row >= area.bottom || rows.is_empty_row(r)) continue;
+        const int left = rows.left[i].column;
+        const int drawn = drawn_pixels(rows.pixel_count(r), frame.settings.spans);
+        const int count = std::min(left + drawn, area.right) - std::max(left, area.left);
+        if (count > most) {
+            most = count;
             widest = r;
         }
     }

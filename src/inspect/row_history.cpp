@@ -37,7 +37,7 @@ const Fragment& next_vertex(std::span<const Fragment> vertices, std::size_t vert
 
 RowHistory row_history(std::span<const Fragment> vertices, const EdgeRules& rules, int samples) {
     RowHistory history;
-    begin_polygon_rows(vertices, history.rows);
+    begin_polygon_rows(vertices, rules, history.rows);
     history.left_by.resize(history.rows.left.size());
     history.right_by.resize(history.rows.left.size());
     history.sample_count = samples_before(vertices, rules, static_cast<int>(vertices.size()), 0);

@@ -44,6 +44,7 @@ Cursor behind(const Cursor& cursor) {
 void copy_row(const Frame& frame, const Framebuffer& picture, const Cursor& cursor,
               Framebuffer& copy) {
     if (!(copy.size == picture.size)) clear(copy, picture.size);
+    copy.rules = picture.rules;
     // Vertices and edge samples leave only marks, which look at nothing.
     if (cursor.phase != Phase::rows) return;
     const std::span<const Fragment> v = frame.triangle_vertices(cursor.triangle);
@@ -122,8 +123,8 @@ bool merge(Deeds& a, Deeds& b, const PairVisitor& visit) {
 
 RunWalk::RunWalk(const Frame& a, const Frame& b, const Cursor& to)
     : a_(a), b_(b), to_(to), deeds_a_(a), deeds_b_(b) {
-    clear(picture_a_, a.settings.viewport);
-    clear(picture_b_, b.settings.viewport);
+    clear(picture_a_, a);
+    clear(picture_b_, b);
 }
 
 bool RunWalk::is_done() const {

@@ -21,6 +21,9 @@ LeftOut count_left_out(const Frame& frame) {
         case VertexFault::too_far_out:
             ++count.too_far_out;
             break;
+        case VertexFault::taken_for_behind:
+            ++count.taken_for_behind;
+            break;
         }
     }
     return count;
@@ -40,8 +43,22 @@ SamplesOutside count_samples_outside(const Frame& frame) {
     return count;
 }
 
+std::int64_t count_unset_rows(const Frame& frame) {
+    std::int64_t count = 0;
+    const Settings& settings = frame.settings;
+    if (settings.empty_rows == EmptyRows::skipped || !has_fragments(settings.stage)) return count;
+    PolygonRows rows;
+    for (int t = 0; t < frame.triangle_count(); ++t) {
+        if (!frame.is_drawn(t)) continue;
+        frame.stages->compute_polygon_rows(frame.triangle_vertices(t), edge_rules(settings), rows);
+        for (int r = 0; r < rows.size(); ++r)
+            count += rows.is_empty_row(r) ? 1 : 0;
+    }
+    return count;
+}
+
 FrameStats frame_stats(const Frame& frame, const Cursor& to, Framebuffer& framebuffer) {
-    clear(framebuffer, frame.settings.viewport);
+    clear(framebuffer, frame);
     const DrawTally tally =
         draw(frame, {.from = cursor_begin, .to = to, .scissor = {}}, framebuffer);
     FrameStats stats;
@@ -49,6 +66,10 @@ FrameStats frame_stats(const Frame& frame, const Cursor& to, Framebuffer& frameb
     stats.fragments = tally.fragments;
     stats.rows_outside = tally.samples_outside;
     stats.rows_outside_triangles = tally.triangles_outside;
+    stats.shaded = tally.shaded;
+    stats.rows_looked_at = tally.rows_looked_at;
+    stats.unset_rows = tally.unset_rows;
+    stats.depth_outside = tally.depth_outside;
     for (const std::uint32_t fragments : framebuffer.overdraw) {
         stats.max_overdraw = std::max(stats.max_overdraw, fragments);
         stats.uncovered += fragments == 0 ? 1 : 0;

@@ -13,19 +13,24 @@ struct LeftOut {
     int not_finite = 0;
     int behind_camera = 0;
     int too_far_out = 0;
+    int taken_for_behind = 0;
 
-    int total() const { return not_finite + behind_camera + too_far_out; }
+    int total() const { return not_finite + behind_camera + too_far_out + taken_for_behind; }
     friend bool operator==(const LeftOut&, const LeftOut&) = default;
 };
 
 /// What a frame comes to, in numbers.
 struct FrameStats {
-    int triangles = 0;              ///< of the scene, drawn or not
-    std::int64_t fragments = 0;     ///< that fell in the picture; in stages before `fill`, marks
-    std::uint32_t max_overdraw = 0; ///< most fragments on one pixel
-    std::int64_t uncovered = 0;     ///< pixels on which none fell
-    std::int64_t rows_outside = 0;  ///< edge samples outside their row table
-    int rows_outside_triangles = 0; ///< triangles that have such samples
+    int triangles = 0;               ///< of the scene, drawn or not
+    std::int64_t fragments = 0;      ///< that fell in the picture; in stages before `fill`, marks
+    std::uint32_t max_overdraw = 0;  ///< most fragments on one pixel
+    std::int64_t uncovered = 0;      ///< pixels on which none fell
+    std::int64_t rows_outside = 0;   ///< edge samples outside their row table
+    int rows_outside_triangles = 0;  ///< triangles that have such samples
+    std::int64_t shaded = 0;         ///< fragments whose colour was worked out, drawn or not
+    std::int64_t rows_looked_at = 0; ///< rows that the edge samples asked on their way to their own
+    std::int64_t unset_rows = 0;     ///< rows without a sample, drawn all the same; none in view
+    std::int64_t depth_outside = 0;  ///< fragments whose pixel has no cell in the depth buffer
     LeftOut left_out;
 
     friend bool operator==(const FrameStats&, const FrameStats&) = default;
@@ -45,6 +50,10 @@ struct SamplesOutside {
 /// Makes the row tables of the whole frame without drawing it, and counts. Stage `points` makes
 /// none.
 SamplesOutside count_samples_outside(const Frame& frame);
+
+/// Rows of all tables that no sample reaches and that EmptyRows::overflow draws all the same: under
+/// guard, nothing of them is in the picture. 0 under any other rule, and before stage `fill`.
+std::int64_t count_unset_rows(const Frame& frame);
 
 /// Draws everything before `to` and counts; `framebuffer` receives the picture.
 FrameStats frame_stats(const Frame& frame, const Cursor& to, Framebuffer& framebuffer);

@@ -42,7 +42,7 @@ TriangleReport triangle_report(const Frame& frame, int triangle, const Cursor& t
     const int samples = samples_until(frame, triangle, to);
     report.rows = row_history(pixels, rules, samples);
     PolygonRows rows;
-    begin_polygon_rows(pixels, rows);
+    begin_polygon_rows(pixels, rules, rows);
     int left = samples;
     for (std::size_t e = 0; e < 3; ++e) {
         report.edges[e] =
@@ -68,6 +68,8 @@ std::string_view fault_name(VertexFault fault) {
         return "behind_camera";
     case VertexFault::too_far_out:
         return "too_far_out";
+    case VertexFault::taken_for_behind:
+        return "taken_for_behind";
     }
     return "none";
 }

@@ -32,7 +32,7 @@ TriangleReport triangle_report(const Frame& frame, int triangle, const Cursor& t
 /// What a sample did to the row table: left, right, both, nothing or outside.
 std::string_view write_name(const RowWrite& write);
 
-/// The fault as in data: none, not_finite, behind_camera or too_far_out.
+/// The fault as in data: none, not_finite, behind_camera, too_far_out or taken_for_behind.
 std::string_view fault_name(VertexFault fault);
 
 } // namespace rasterwalk

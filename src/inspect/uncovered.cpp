@@ -17,7 +17,7 @@ struct CoverageRule {
     void (*apply)(Settings&);
 };
 
-constexpr std::array<CoverageRule, 8> coverage_rules{{
+constexpr std::array<CoverageRule, 12> coverage_rules{{
     {"rounding=truncate", [](Settings& s) { s.rounding = Rounding::truncate; }},
     {"rounding=floor", [](Settings& s) { s.rounding = Rounding::floor; }},
     {"rounding=round", [](Settings& s) { s.rounding = Rounding::round; }},
@@ -26,6 +26,11 @@ constexpr std::array<CoverageRule, 8> coverage_rules{{
     {"line_walk=exact", [](Settings& s) { s.line_walk = LineWalk::exact; }},
     {"edge_samples=longest_axis", [](Settings& s) { s.edge_samples = EdgeSamples::longest_axis; }},
     {"edge_samples=rows", [](Settings& s) { s.edge_samples = EdgeSamples::rows; }},
+    // Of what can only be a mistake, the right way alone is worth a try.
+    {"row_start=extreme", [](Settings& s) { s.row_start = RowStart::extreme; }},
+    {"spans=inclusive", [](Settings& s) { s.spans = Spans::inclusive; }},
+    {"outside_picture=kept", [](Settings& s) { s.outside_picture = OutsidePicture::kept; }},
+    {"rotation=row_vector", [](Settings& s) { s.rotation = Rotation::row_vector; }},
 }};
 
 /// How far a number lies outside of first..last; before it is negative.
@@ -42,9 +47,13 @@ std::int64_t squared_distance(const NearTriangle& near) {
 
 /// From the pixel to the box of the triangle's vertices, which no row of it leaves: to the right
 /// and downward are positive.
-glm::ivec2 way_to_box(std::span<const Fragment> vertices, const glm::ivec2& pixel) {
-    const auto [left, right] =
-        std::minmax({vertices[0].column, vertices[1].column, vertices[2].column});
+glm::ivec2 way_to_box(std::span<const Fragment> vertices, const Settings& settings,
+                      const glm::ivec2& pixel) {
+    auto [left, right] = std::minmax({vertices[0].column, vertices[1].column, vertices[2].column});
+    if (settings.row_start == RowStart::window) {
+        left = std::min(left, settings.viewport.width);
+        right = std::max(right, 0);
+    }
     const auto [top, bottom] = std::minmax({vertices[0].row, vertices[1].row, vertices[2].row});
     return {-beyond(pixel.x, left, right), -beyond(pixel.y, top, bottom)};
 }
@@ -59,13 +68,15 @@ NearTriangle look_at(const Frame& frame, int triangle, const glm::ivec2& pixel, 
     near.row = std::clamp(pixel.y, near.first_row, near.last_row);
     near.rows_away = near.row - pixel.y;
     const int index = near.row - rows.first_row;
-    near.is_empty = rows.is_empty_row(index);
+    const int drawn = drawn_pixels(rows.pixel_count(index), frame.settings.spans);
+    near.is_empty = drawn == 0;
+    near.is_passed_over = drawn == 0 && !rows.is_empty_row(index);
     if (near.is_empty) {
-        near.columns_away = way_to_box(frame.triangle_vertices(triangle), pixel).x;
+        near.columns_away = way_to_box(frame.triangle_vertices(triangle), frame.settings, pixel).x;
         return near;
     }
     near.left = rows.left[index].column;
-    near.right = rows.right[index].column;
+    near.right = near.left + drawn - 1;
     near.columns_away = -beyond(pixel.x, near.left, near.right);
     return near;
 }
@@ -95,6 +106,12 @@ void try_other_rules(const Frame& frame, const glm::ivec2& pixel,
     }
 }
 
+/// Is it a pixel of the picture on which the bounds test lets nothing fall?
+bool is_out_of_bounds(const Frame& frame, const glm::ivec2& pixel) {
+    const Rectangle area = drawn_area(frame.settings);
+    return pixel.x < area.left || pixel.y < area.top;
+}
+
 std::string counted(int count, const std::string& thing) {
     return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
 }
@@ -114,13 +131,14 @@ std::vector<NearTriangle> nearest_triangles(const Frame& frame, const glm::ivec2
                                             int count) {
     std::vector<NearTriangle> found;
     if (!has_fragments(frame.settings.stage) || count <= 0) return found;
+    if (is_out_of_bounds(frame, pixel)) return found;
     // Boxes are cheap and row tables are not: the triangles are looked at in the order of their
     // boxes, until no box can hold a row that comes nearer than those found.
     using Candidate = std::pair<std::int64_t, int>;
     std::vector<Candidate> heap;
     for (int t = 0; t < frame.triangle_count(); ++t) {
         if (!frame.is_drawn(t)) continue;
-        const glm::ivec2 way = way_to_box(frame.triangle_vertices(t), pixel);
+        const glm::ivec2 way = way_to_box(frame.triangle_vertices(t), frame.settings, pixel);
         heap.emplace_back(squared_distance(way.x, way.y), t);
     }
     std::make_heap(heap.begin(), heap.end(), std::greater<>());
@@ -151,7 +169,10 @@ std::vector<NearTriangle> nearest_triangles(const Frame& frame, const glm::ivec2
     return found;
 }
 
-std::string uncovered_text(const Frame& frame) {
+std::string uncovered_text(const Frame& frame, const glm::ivec2& pixel) {
+    if (is_out_of_bounds(frame, pixel)) {
+        return "The bounds test lets only columns and rows above 0 through (bounds=excludes_zero).";
+    }
     const auto is_left_out = [](VertexFault fault) { return fault != VertexFault::none; };
     if (std::all_of(frame.left_out.begin(), frame.left_out.end(), is_left_out)) {
         return "No triangle of the scene is drawn.";
@@ -176,6 +197,7 @@ std::string miss_text(const NearTriangle& near) {
         if (near.columns_away == 0) return text + " the pixel";
         return text + " and " + column_direction(near.columns_away) + " the pixel";
     }
+    if (near.is_passed_over) return "its row " + row + " is a single pixel, and passed over";
     if (near.is_empty) return "no edge sample reached its row " + row;
     const bool begins = near.columns_away > 0;
     return "row " + row + (begins ? " begins" : " ends") + " at column " +

@@ -23,9 +23,10 @@ struct OtherRule {
 struct NearTriangle {
     int triangle = -1;
     int first_row = 0, last_row = 0; ///< rows of the picture that its row table spans
-    int row = 0;             ///< of the picture: the pixel's own, or the nearest of the table
-    bool is_empty = false;   ///< no edge sample reached that row; it has no ends
-    int left = 0, right = 0; ///< columns at which that row begins and ends
+    int row = 0;                 ///< of the picture: the pixel's own, or the nearest of the table
+    bool is_empty = false;       ///< nothing of that row is drawn; it has no ends
+    bool is_passed_over = false; ///< because it is a single pixel (Spans::single_skipped)
+    int left = 0, right = 0;     ///< columns at which that row begins and ends
     int columns_away = 0; ///< from the pixel to the nearer end, or, if the row is empty, to the box
                           ///< of the vertices; to the right is positive
     int rows_away = 0;    ///< from the pixel to that row; downward is positive
@@ -40,7 +41,7 @@ std::vector<NearTriangle> nearest_triangles(const Frame& frame, const glm::ivec2
 
 /// In words, why nothing falls on a pixel, as far as it is the same for all uncovered pixels of the
 /// frame: "No row of any triangle reaches this pixel."
-std::string uncovered_text(const Frame& frame);
+std::string uncovered_text(const Frame& frame, const glm::ivec2& pixel);
 
 /// In words, what kept the triangle off the pixel: "row 250 begins at column 1, 1 column to the
 /// right of the pixel".

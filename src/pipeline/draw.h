@@ -10,13 +10,6 @@
 
 namespace rasterwalk {
 
-/// Pixels from (left, top) up to, not including, (right, bottom).
-struct Rectangle {
-    int left = 0, top = 0, right = 0, bottom = 0;
-
-    friend bool operator==(const Rectangle&, const Rectangle&) = default;
-};
-
 /// Which part of a frame is drawn: the moments from `from` up to, not including, `to`, and of them
 /// only what falls in the scissor. Limits what is written and who is told; never the numbers.
 struct DrawWindow {
@@ -30,7 +23,16 @@ struct DrawTally {
     std::int64_t fragments = 0;       ///< that fell in the framebuffer and the scissor
     std::int64_t samples_outside = 0; ///< edge samples outside their row table, of whole triangles
     int triangles_outside = 0;        ///< triangles with such samples
+    std::int64_t shaded = 0;          ///< fragments whose colour was worked out, drawn or not
+    std::int64_t rows_looked_at = 0;  ///< rows asked by the edge samples of whole triangles
+    std::int64_t unset_rows = 0;      ///< rows without a sample that EmptyRows::overflow would draw
+    std::int64_t depth_outside = 0;   ///< tested fragments whose pixel has no depth cell
 };
+
+/// Makes the framebuffer ready for a frame: black and empty, of the picture's size, or for a window
+/// of it.
+void clear(Framebuffer& framebuffer, const Frame& frame);
+void clear(Framebuffer& framebuffer, const Frame& frame, Viewport size, glm::ivec2 origin);
 
 /// Draws a window of the frame into a framebuffer that stands at `window.from`. The framebuffer
 /// holds the whole picture or a window of it. The driver of the whole pipeline: read it first.

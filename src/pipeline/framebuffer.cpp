@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "scene/colour_map.h"
 
@@ -20,10 +21,13 @@ Rgb depth_colour(float depth, const DepthRange& range) {
 
 } // namespace
 
-std::uint8_t colour_byte(float value) {
-    // NaN compares false with everything and becomes 0.
-    if (!(value > 0.0f)) return 0;
-    return static_cast<std::uint8_t>(std::min(255.0f * value, 255.0f));
+glm::vec3 shown_colour(const glm::vec3& colour, ColourOverOne rule) {
+    if (rule == ColourOverOne::clamp) {
+        const auto cut = [](float c) { return std::min(std::max(c, 0.0f), 1.0f); };
+        return {cut(colour.r), cut(colour.g), cut(colour.b)};
+    }
+    const auto part = [rule](float c) { return static_cast<float>(to_byte(c, rule)) / 255.0f; };
+    return {part(colour.r), part(colour.g), part(colour.b)};
 }
 
 std::size_t Framebuffer::bytes() const {
@@ -31,21 +35,28 @@ std::size_t Framebuffer::bytes() const {
            owner.size() * sizeof(std::int32_t) + overdraw.size() * sizeof(std::uint32_t);
 }
 
-void clear(Framebuffer& framebuffer, Viewport size, glm::ivec2 origin) {
+void clear(Framebuffer& framebuffer, Viewport size, glm::ivec2 origin, const PictureRules& rules) {
     const std::size_t count =
         static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
     framebuffer.size = size;
     framebuffer.origin = origin;
     framebuffer.colour.assign(count, glm::vec3(0.0f));
-    framebuffer.depth.assign(count, 0.0f);
+    framebuffer.rules = rules;
+    framebuffer.depth.assign(count, rules.depth_clear);
     framebuffer.owner.assign(count, -1);
     framebuffer.overdraw.assign(count, 0);
+}
+
+float stored_depth(const Framebuffer& framebuffer, int column, int row) {
+    if (framebuffer.rules.depth_index == DepthIndex::transposed) std::swap(column, row);
+    return framebuffer.contains(column, row) ? framebuffer.depth[framebuffer.at(column, row)]
+                                             : framebuffer.rules.depth_clear;
 }
 
 std::optional<DepthRange> present_depths(const Framebuffer& framebuffer) {
     float nearest = 0.0f, farthest = INFINITY;
     for (const float depth : framebuffer.depth) {
-        if (!(depth > 0.0f)) continue;
+        if (!(depth > 0.0f) || depth == framebuffer.rules.depth_clear) continue;
         nearest = std::max(nearest, depth);
         farthest = std::min(farthest, depth);
     }
@@ -63,16 +74,23 @@ Image view_image(const Framebuffer& framebuffer, View view,
     std::uint32_t most = 1;
     for (const std::uint32_t overdraw : framebuffer.overdraw)
         most = std::max(most, overdraw);
+    const auto depth_of = [&](std::size_t i) {
+        if (framebuffer.rules.depth_index == DepthIndex::row_major) return framebuffer.depth[i];
+        const auto width = static_cast<std::size_t>(framebuffer.size.width);
+        return stored_depth(framebuffer, framebuffer.origin.x + static_cast<int>(i % width),
+                            framebuffer.origin.y + static_cast<int>(i / width));
+    };
     for (std::size_t i = 0; i < count; ++i) {
         Rgb rgb{0, 0, 0};
         switch (view) {
         case View::colour: {
             const glm::vec3& c = framebuffer.colour[i];
-            rgb = {colour_byte(c.r), colour_byte(c.g), colour_byte(c.b)};
+            const ColourOverOne rule = framebuffer.rules.over_one;
+            rgb = {to_byte(c.r, rule), to_byte(c.g, rule), to_byte(c.b, rule)};
             break;
         }
         case View::depth:
-            rgb = depth_colour(framebuffer.depth[i], range);
+            rgb = depth_colour(depth_of(i), range);
             break;
         case View::triangle:
             if (framebuffer.owner[i] >= 0) rgb = distinct_colour(framebuffer.owner[i]);

@@ -10,18 +10,37 @@
 
 #include "scene/image.h"
 #include "scene/scene.h"
+#include "stages/depth_test.h"
+#include "stages/put_pixel.h"
 
 namespace rasterwalk {
+
+/// Pixels from (left, top) up to, not including, (right, bottom).
+struct Rectangle {
+    int left = 0, top = 0, right = 0, bottom = 0;
+
+    friend bool operator==(const Rectangle&, const Rectangle&) = default;
+};
+
+/// By which rules the planes are begun and shown.
+struct PictureRules {
+    float depth_clear = 0.0f; ///< of the depth buffer where nothing was drawn
+    DepthIndex depth_index = DepthIndex::row_major;
+    ColourOverOne over_one = ColourOverOne::clamp;
+
+    friend bool operator==(const PictureRules&, const PictureRules&) = default;
+};
 
 /// What has been drawn so far: four planes of width x height pixels, row by row from the top. They
 /// hold the whole picture, or a window of it.
 struct Framebuffer {
     Viewport size{0, 0};
-    glm::ivec2 origin{0, 0};         ///< column and row of the picture where the planes begin
-    std::vector<glm::vec3> colour;   ///< red green blue, not clamped; black where nothing was drawn
-    std::vector<float> depth;        ///< 1/z, larger is nearer; 0 where nothing was drawn
-    std::vector<std::int32_t> owner; ///< triangle that wrote the colour; -1: none
+    glm::ivec2 origin{0, 0};       ///< column and row of the picture where the planes begin
+    std::vector<glm::vec3> colour; ///< red green blue, not clamped; black where nothing was drawn
+    std::vector<float> depth; ///< 1/z, larger is nearer; rules.depth_clear where nothing was drawn
+    std::vector<std::int32_t> owner;     ///< triangle that wrote the colour; -1: none
     std::vector<std::uint32_t> overdraw; ///< fragments that fell on the pixel, drawn or not
+    PictureRules rules;
 
     /// Is this pixel of the picture in the planes?
     bool contains(int column, int row) const {
@@ -40,8 +59,9 @@ struct Framebuffer {
 };
 
 /// Makes the framebuffer black, empty and of this size, for the pixels of the picture from
-/// `origin`.
-void clear(Framebuffer& framebuffer, Viewport size, glm::ivec2 origin = {0, 0});
+/// `origin`. What is to be drawn in: see clear() with a frame.
+void clear(Framebuffer& framebuffer, Viewport size, glm::ivec2 origin = {0, 0},
+           const PictureRules& rules = {});
 
 /// Which plane is shown.
 enum class View : std::uint8_t { colour, depth, triangle, overdraw };
@@ -58,16 +78,21 @@ struct DepthRange {
     friend bool operator==(const DepthRange&, const DepthRange&) = default;
 };
 
+/// The depth of a pixel as it lies in the depth buffer, which may be transposed: then it is another
+/// pixel's. Where that pixel is not in the planes, what an empty buffer holds.
+float stored_depth(const Framebuffer& framebuffer, int column, int row);
+
 /// From the smallest to the largest 1/z present; none where nothing has a depth.
 std::optional<DepthRange> present_depths(const Framebuffer& framebuffer);
 
-/// A channel of a colour as it is shown: clamp(255 value, 0, 255), fraction dropped.
-std::uint8_t colour_byte(float value);
+/// A colour as the screen shows it, 0..1: cut at 0 and 1, or, where it wraps, what is left of it in
+/// 8 bits.
+glm::vec3 shown_colour(const glm::vec3& colour, ColourOverOne rule);
 
 /// The planes as pictures of 8 bits a channel. Colour is cut as the lab's PutPixelSDL does:
-/// clamp(255 c, 0, 255), fraction dropped. Depth is coloured from far to near, and what lies
-/// outside the range takes the colour of its end; overdraw from 0 to the largest count; triangles
-/// get colours that neighbours tell apart.
+/// clamp(255 c, 0, 255), fraction dropped; or wraps, if that is the rule. Depth is coloured from
+/// far to near, and what lies outside the range takes the colour of its end; overdraw from 0 to the
+/// largest count; triangles get colours that neighbours tell apart.
 /// @param depths range for View::depth; none: from the smallest to the largest 1/z present
 Image view_image(const Framebuffer& framebuffer, View view,
                  const std::optional<DepthRange>& depths = std::nullopt);

@@ -91,7 +91,7 @@ void Replay::begin(const Frame& frame) {
     frame_ = &frame;
     cursor_ = cursor_begin;
     has_gone_back_ = false;
-    clear(framebuffer_, frame.settings.viewport);
+    clear(framebuffer_, frame);
     place_marks();
 }
 
@@ -211,7 +211,7 @@ void Replay::restore(const Rectangle& pixels, const Mark* mark) {
         static const Framebuffer none;
         const Framebuffer& copy = mark != nullptr ? mark->copy : none;
         put_back(framebuffer_.colour, copy.colour, glm::vec3(0.0f));
-        put_back(framebuffer_.depth, copy.depth, 0.0f);
+        put_back(framebuffer_.depth, copy.depth, framebuffer_.rules.depth_clear);
         put_back(framebuffer_.owner, copy.owner, -1);
         put_back(framebuffer_.overdraw, copy.overdraw, 0u);
     }

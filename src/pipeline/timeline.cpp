@@ -15,7 +15,7 @@ int sample_total(const TriangleMoments& m) {
 }
 
 void find_spans(const Frame& frame, TriangleMoments& m) {
-    const Viewport size = frame.settings.viewport;
+    const Rectangle area = drawn_area(frame.settings);
     const bool fragments = has_fragments(frame.settings.stage);
     int total = 0;
     m.spans.clear();
@@ -24,12 +24,12 @@ void find_spans(const Frame& frame, TriangleMoments& m) {
         m.before.push_back(total);
         TriangleMoments::Span span;
         const int row = m.rows.first_row + r;
-        if (row >= 0 && row < size.height && !m.rows.is_empty_row(r)) {
+        if (row >= area.top && row < area.bottom && !m.rows.is_empty_row(r)) {
             const int left = m.rows.left[r].column;
-            const int right = m.rows.right[r].column;
-            const int first = std::max(left, 0);
-            const int last = std::min(right, size.width - 1);
-            span = fragments ? TriangleMoments::Span{first - left, std::max(last - first + 1, 0)}
+            const int drawn = drawn_pixels(m.rows.pixel_count(r), frame.settings.spans);
+            const int first = std::max(left, area.left);
+            const int behind = std::min(left + drawn, area.right);
+            span = fragments ? TriangleMoments::Span{first - left, std::max(behind - first, 0)}
                              : TriangleMoments::Span{0, 1};
         }
         m.spans.push_back(span);

@@ -50,7 +50,7 @@ void update_history(const Session& session, Results& results, bool new_frame) {
 
 std::vector<std::string> describe_troubles(const Frame& frame) {
     std::vector<std::string> messages;
-    std::array<int, 4> left_out{};
+    std::array<int, vertex_fault_count> left_out{};
     for (const VertexFault fault : frame.left_out)
         ++left_out[static_cast<std::size_t>(fault)];
     const auto report = [&](VertexFault fault, std::string_view reason) {
@@ -64,6 +64,26 @@ std::vector<std::string> describe_troubles(const Frame& frame) {
     report(VertexFault::too_far_out,
            "an edge of absurd length, its vertex is nearly in the camera");
     report(VertexFault::not_finite, "a coordinate that is not a finite number");
+    report(VertexFault::taken_for_behind,
+           "a vertex in column −1, which is taken for the mark of one behind the camera");
+    const std::int64_t unset = count_unset_rows(frame);
+    if (unset > 0) {
+        const EdgeRules rules = edge_rules(frame.settings);
+        const bool is_extreme = rules.row_start == RowStart::extreme;
+        const int pixels = is_extreme ? wrapped_pixel_count(empty_left, empty_right)
+                                      : wrapped_pixel_count(rules.window_width, 0);
+        messages.push_back(counted(static_cast<int>(unset), "row", "rows")
+                               .append(" that no edge sample reached: right − left + 1 is ")
+                               .append(std::to_string(pixels))
+                               .append(" there; nothing of it is in the picture"));
+    }
+    const Viewport size = frame.settings.viewport;
+    if (frame.settings.depth_index == DepthIndex::transposed && size.width != size.height &&
+        depth_rule(frame.settings) != DepthTest::off) {
+        messages.push_back("[x][y] lies outside the depth buffer for every pixel with x ≥ " +
+                           std::to_string(size.height) + " or y ≥ " + std::to_string(size.width) +
+                           ": not written there");
+    }
     const SamplesOutside outside = count_samples_outside(frame);
     if (outside.samples > 0) {
         messages.push_back(counted(static_cast<int>(outside.samples), "edge sample", "edge samples")

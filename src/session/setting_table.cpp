@@ -14,10 +14,28 @@ namespace rasterwalk {
 namespace {
 
 constexpr std::string_view rounding_words[] = {"truncate", "floor", "round"};
-constexpr std::string_view line_walk_words[] = {"accumulate", "multiply", "exact"};
-constexpr std::string_view edge_samples_words[] = {"longest_axis", "rows"};
-constexpr std::string_view depth_test_words[] = {"inverse_z", "linear_z", "off"};
-constexpr std::string_view interpolation_words[] = {"perspective", "affine"};
+constexpr std::string_view line_walk_words[] = {"accumulate", "multiply", "exact", "integer_step"};
+constexpr std::string_view edge_samples_words[] = {"longest_axis", "rows", "shifted"};
+constexpr std::string_view row_start_words[] = {"extreme", "window"};
+constexpr std::string_view row_search_words[] = {"indexed", "all_rows"};
+constexpr std::string_view empty_rows_words[] = {"skipped", "overflow"};
+constexpr std::string_view spans_words[] = {"inclusive", "single_skipped", "last_dropped"};
+constexpr std::string_view bounds_words[] = {"inside", "excludes_zero"};
+constexpr std::string_view depth_test_words[] = {"inverse_z", "linear_z", "off", "reversed"};
+constexpr std::string_view depth_index_words[] = {"row_major", "transposed"};
+constexpr std::string_view interpolation_words[] = {"perspective", "affine", "zinv_twice"};
+constexpr std::string_view shading_words[] = {"after_depth_test", "before_depth_test"};
+constexpr std::string_view rotation_words[] = {"row_vector", "transposed"};
+constexpr std::string_view image_axes_words[] = {"right_way", "mirrored"};
+constexpr std::string_view behind_camera_words[] = {"left_out", "drawn", "mark_minus_one"};
+constexpr std::string_view outside_picture_words[] = {"kept", "clamped"};
+constexpr std::string_view light_direction_words[] = {"to_light", "from_light", "not_normalized"};
+constexpr std::string_view light_falloff_words[] = {"sphere", "no_4pi", "cubed"};
+constexpr std::string_view light_sum_words[] = {"reflectance_times", "reflectance_plus"};
+constexpr std::string_view colour_over_one_words[] = {"clamp", "wrap"};
+
+/// 1/z of the nearest thing that a depth buffer may be made to start with, and of the farthest.
+constexpr float largest_depth_clear = 1e6f;
 
 std::span<const std::string_view> stage_words() {
     static const auto words = [] {
@@ -39,6 +57,17 @@ ChoiceSetting choice(std::span<const std::string_view> words) {
             }};
 }
 
+/// The same for a member of the rules of light.
+template <auto member>
+ChoiceSetting light_choice(std::span<const std::string_view> words) {
+    return {words,
+            [](const Settings& settings) { return static_cast<int>(settings.light_rules.*member); },
+            [](Settings& settings, int index) {
+                using Enum = std::remove_reference_t<decltype(settings.light_rules.*member)>;
+                settings.light_rules.*member = static_cast<Enum>(index);
+            }};
+}
+
 std::vector<Setting> make_table() {
     return {
         {"stage", "Stage", "How far along the pipeline the picture is drawn.", "All sections", "",
@@ -47,19 +76,46 @@ std::vector<Setting> make_table() {
          "How a real coordinate becomes a whole pixel: int() cuts toward zero.", "Drawing edges",
          "", choice<&Settings::rounding>(rounding_words)},
         {"line_walk", "Rows and edges",
-         "How the samples of a line are found: by adding up steps, by multiplying, or without "
-         "error.",
+         "How the samples of a line are found: by adding up steps, by multiplying, without error, "
+         "or with a step that was divided as int by int.",
          "Drawing edges", "", choice<&Settings::line_walk>(line_walk_words)},
         {"edge_samples", "Rows and edges",
-         "How many samples an edge has: as many as its longer axis, or one in each row.",
+         "How many samples an edge has: as many as its longer axis, one in each row, or "
+         "|a − b + 1| where |a − b| + 1 was meant.",
          "Filled triangles", "", choice<&Settings::edge_samples>(edge_samples_words)},
+        {"row_start", "Rows and edges",
+         "Where the ends of a row stand before its first sample: at ±INT_MAX, or left at the "
+         "picture's width and right at 0.",
+         "Filled triangles", "", choice<&Settings::row_start>(row_start_words)},
+        {"row_search", "Rows and edges",
+         "How a sample finds its row in the table: by its number, or by asking every row.",
+         "Filled triangles", "", choice<&Settings::row_search>(row_search_words)},
+        {"empty_rows", "Rows and edges",
+         "What becomes of a row that no sample reached: nothing, or right − left + 1 fragments, "
+         "which overflows; carried out under guard.",
+         "Filled triangles", "", choice<&Settings::empty_rows>(empty_rows_words)},
+        {"spans", "Rows and edges",
+         "Which fragments of a row are drawn: both ends too, none in a row of one pixel, or all "
+         "but the last.",
+         "Filled triangles", "", choice<&Settings::spans>(spans_words)},
         {"depth_test", "Depth and interpolation",
-         "What decides which fragment is nearer: 1/z, z interpolated in a straight line, or "
-         "nothing.",
+         "What decides which fragment is nearer: 1/z, z interpolated in a straight line, nothing, "
+         "or 1/z the wrong way round.",
          "Depth buffer", "", choice<&Settings::depth_test>(depth_test_words)},
+        {"depth_clear", "Depth and interpolation",
+         "What the depth buffer starts with: 0 is infinitely far, 1 is one unit away.",
+         "Depth buffer", "1/z",
+         NumberSetting{[](Settings& s) -> float& { return s.depth_clear; }, -largest_depth_clear,
+                       largest_depth_clear, 0.01f}},
+        {"depth_index", "Depth and interpolation",
+         "Which cell of the depth buffer belongs to a pixel: [y][x], or by mistake [x][y].",
+         "Depth buffer", "", choice<&Settings::depth_index>(depth_index_words)},
+        {"shading", "Depth and interpolation",
+         "When a fragment's colour is worked out: only if it is drawn, or always.", "Depth buffer",
+         "", choice<&Settings::shading>(shading_words)},
         {"interpolation", "Depth and interpolation",
-         "How values between the vertices are found: divided by z on the way, or straight across "
-         "the picture.",
+         "How values between the vertices are found: divided by z on the way, straight across the "
+         "picture, or divided by z twice and multiplied once.",
          "Light per pixel", "", choice<&Settings::interpolation>(interpolation_words)},
         {"camera.position", "Camera", "Where the camera stands: x right, y down, z forward.",
          "Moving the camera", "world units",
@@ -78,6 +134,19 @@ std::vector<Setting> make_table() {
          "Drawing points", "pixels",
          NumberSetting{[](Settings& s) -> float& { return s.camera.focal_length; },
                        smallest_focal_length, largest_focal_length, 1.0f}},
+        {"rotation", "Camera", "How the camera's rotation R is applied: v R, or by mistake R v.",
+         "Moving the camera", "", choice<&Settings::rotation>(rotation_words)},
+        {"image_axes", "Camera",
+         "The sign of the focal length; a negative one turns the picture by half a turn.",
+         "Drawing points", "", choice<&Settings::image_axes>(image_axes_words)},
+        {"behind_camera", "Camera",
+         "What becomes of vertices on or behind the camera plane: their triangles are left out, "
+         "drawn all the same, or marked by the column −1.",
+         "Drawing points", "", choice<&Settings::behind_camera>(behind_camera_words)},
+        {"outside_picture", "Camera",
+         "What becomes of vertices beside the picture: they stay there, or are moved to its "
+         "border.",
+         "Drawing points", "", choice<&Settings::outside_picture>(outside_picture_words)},
         {"light.position", "Light", "Where the lamp is: x right, y down, z into the picture.",
          "Illumination", "world units",
          VectorSetting{[](Settings& s) -> glm::vec3& { return s.light.position; }, -largest_place,
@@ -90,8 +159,23 @@ std::vector<Setting> make_table() {
          "Illumination", "",
          VectorSetting{[](Settings& s) -> glm::vec3& { return s.light.indirect; }, 0.0f,
                        largest_indirect, 0.005f, true}},
+        {"light.direction", "Light",
+         "The vector whose slant counts: to the lamp at unit length, from the lamp, or as long as "
+         "the way.",
+         "Illumination", "", light_choice<&LightRules::direction>(light_direction_words)},
+        {"light.falloff", "Light", "Over what the power is spread: 4 pi r^2, r^2, or 4 pi r^3.",
+         "Illumination", "", light_choice<&LightRules::falloff>(light_falloff_words)},
+        {"light.sum", "Light",
+         "How the light is put together: reflectance times (D + N), or D plus reflectance.",
+         "Illumination", "", light_choice<&LightRules::sum>(light_sum_words)},
         {"viewport.size", "Picture", "Width and height of the picture.", "Drawing points", "pixels",
          SizeSetting{[](Settings& s) -> Viewport& { return s.viewport; }, largest_viewport}},
+        {"bounds", "Picture",
+         "Which places lie in the picture: those from 0 on, or by mistake only those above 0.",
+         "Drawing points", "", choice<&Settings::bounds>(bounds_words)},
+        {"colour_over_one", "Picture",
+         "What a channel above 1 is shown as: 1, or what is left of it in 8 bits.", "Illumination",
+         "", choice<&Settings::colour_over_one>(colour_over_one_words)},
     };
 }
 

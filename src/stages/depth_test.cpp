@@ -7,6 +7,7 @@ float depth_value(const Fragment& fragment, DepthTest rule) {
 }
 
 bool depth_test(float value, float stored, DepthTest rule) {
+    if (rule == DepthTest::reversed) return value < stored;
     return rule == DepthTest::off || value > stored;
 }
 

@@ -28,6 +28,10 @@ int exact_pixel(int a, int b, int i, int n, Rounding rounding) {
     return a;
 }
 
+bool adds_up(LineWalk walk) {
+    return walk == LineWalk::accumulate || walk == LineWalk::integer_step;
+}
+
 } // namespace
 
 int to_pixel(float value, Rounding rounding) {
@@ -49,6 +53,10 @@ LineWalker::LineWalker(const Fragment& a, const Fragment& b, int count, const Li
     const float divisor = static_cast<float>(std::max(count_ - 1, 1));
     step_x_ = static_cast<float>(b.column - a.column) / divisor;
     step_y_ = static_cast<float>(b.row - a.row) / divisor;
+    if (rules.walk == LineWalk::integer_step) {
+        step_x_ = static_cast<float>((b.column - a.column) / std::max(count_ - 1, 1));
+        step_y_ = static_cast<float>((b.row - a.row) / std::max(count_ - 1, 1));
+    }
     step_zinv_ = (b.zinv - a.zinv) / divisor;
     step_z_ = (b.z - a.z) / divisor;
     step_varyings_ = {(b.varyings.position_world - a.varyings.position_world) / divisor,
@@ -69,7 +77,7 @@ Fragment LineWalker::sample() const {
 
 void LineWalker::advance() {
     ++index_;
-    if (rules_.walk != LineWalk::accumulate) {
+    if (!adds_up(rules_.walk)) {
         set_by_index();
         return;
     }
@@ -81,7 +89,7 @@ void LineWalker::advance() {
 }
 
 void LineWalker::advance_to(int index) {
-    if (rules_.walk == LineWalk::accumulate) {
+    if (adds_up(rules_.walk)) {
         while (index_ < index)
             advance();
     } else if (index_ < index) {

@@ -26,9 +26,10 @@ enum class Rounding : std::uint8_t {
 
 /// How the value of sample i is obtained from the two ends.
 enum class LineWalk : std::uint8_t {
-    accumulate, ///< current += step, in float: the lab
-    multiply,   ///< a + i * step: one rounding error instead of i of them
-    exact,      ///< place by integer fractions, without error; the others by a (1 - t) + b t
+    accumulate,   ///< current += step, in float: the lab
+    multiply,     ///< a + i * step: one rounding error instead of i of them
+    exact,        ///< place by integer fractions, without error; the others by a (1 - t) + b t
+    integer_step, ///< the place's step divided as int by int; the others accumulated: mistake B11
 };
 
 /// The rules by which a line is walked.
@@ -55,6 +56,9 @@ class LineWalker {
     /// The real place of the sample before rounding, in pixels.
     float x() const { return x_; }
     float y() const { return y_; }
+    /// What one step adds to the place; `exact` does without.
+    float step_x() const { return step_x_; }
+    float step_y() const { return step_y_; }
 
     int index() const { return index_; }
     bool done() const { return index_ >= count_; }

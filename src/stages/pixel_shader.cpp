@@ -1,7 +1,5 @@
 #include "stages/pixel_shader.h"
 
-#include "stages/light.h"
-
 namespace rasterwalk {
 
 Varyings recover_varyings(const Fragment& fragment, Interpolation interpolation) {
@@ -16,10 +14,16 @@ glm::vec3 pixel_shader(const Fragment& fragment, const Surface& surface, const P
         return surface.reflectance;
     case Lighting::per_vertex:
         return recover_varyings(fragment, rules.interpolation).illumination;
-    case Lighting::per_pixel:
-        return reflected_light(recover_varyings(fragment, rules.interpolation).position_world,
-                               surface.normal, surface.reflectance, rules.light)
+    case Lighting::per_pixel: {
+        const glm::vec3 place = recover_varyings(fragment, rules.interpolation).position_world;
+        // By the lab's own rules the compiler has nothing to decide at every pixel.
+        if (rules.light_rules == LightRules{})
+            return reflected_light(place, surface.normal, surface.reflectance, rules.light)
+                .reflected;
+        return reflected_light(place, surface.normal, surface.reflectance, rules.light,
+                               rules.light_rules)
             .reflected;
+    }
     }
     return surface.reflectance;
 }

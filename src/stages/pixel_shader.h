@@ -11,13 +11,22 @@
 // it here. The classic mistake is to interpolate q itself: then every wall has a kink along its
 // diagonal, because its two triangles bend the light differently.
 
+#include <cstdint>
+
 #include <glm/vec3.hpp>
 
 #include "scene/scene.h"
 #include "stages/fragment.h"
+#include "stages/light.h"
 #include "stages/vertex_shader.h"
 
 namespace rasterwalk {
+
+/// When the colour of a fragment is worked out. The picture is the same, the work is not.
+enum class Shading : std::uint8_t {
+    after_depth_test,  ///< only for fragments that are drawn
+    before_depth_test, ///< for every fragment: mistake B18
+};
 
 /// What is the same for all fragments of a triangle.
 struct Surface {
@@ -28,6 +37,7 @@ struct Surface {
 /// The rules by which a fragment is coloured.
 struct PixelRules {
     Light light;
+    LightRules light_rules;
     Interpolation interpolation = Interpolation::perspective;
     Lighting lighting = Lighting::none;
 };

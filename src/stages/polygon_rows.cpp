@@ -4,7 +4,8 @@
 
 namespace rasterwalk {
 
-void begin_polygon_rows(std::span<const Fragment> vertices, PolygonRows& rows) {
+void begin_polygon_rows(std::span<const Fragment> vertices, const EdgeRules& rules,
+                        PolygonRows& rows) {
     const auto [top, bottom] =
         std::minmax_element(vertices.begin(), vertices.end(),
                             [](const Fragment& a, const Fragment& b) { return a.row < b.row; });
@@ -12,9 +13,10 @@ void begin_polygon_rows(std::span<const Fragment> vertices, PolygonRows& rows) {
     rows.outside = 0;
     const auto count = static_cast<std::size_t>(bottom->row - top->row + 1);
     Fragment empty;
-    empty.column = empty_left;
+    const bool is_extreme = rules.row_start == RowStart::extreme;
+    empty.column = is_extreme ? empty_left : rules.window_width;
     rows.left.assign(count, empty);
-    empty.column = empty_right;
+    empty.column = is_extreme ? empty_right : 0;
     rows.right.assign(count, empty);
     for (std::size_t i = 0; i < count; ++i) {
         rows.left[i].row = rows.right[i].row = rows.first_row + static_cast<int>(i);
@@ -41,7 +43,7 @@ RowWrite add_edge_sample(const Fragment& sample, PolygonRows& rows) {
 
 void compute_polygon_rows(std::span<const Fragment> vertices, const EdgeRules& rules,
                           PolygonRows& rows) {
-    begin_polygon_rows(vertices, rows);
+    begin_polygon_rows(vertices, rules, rows);
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const Fragment& next = vertices[(i + 1) % vertices.size()];
         for (LineWalker edge = walk_edge(vertices[i], next, rules); !edge.done(); edge.advance()) {

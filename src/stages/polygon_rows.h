@@ -14,12 +14,19 @@
 // -1.
 
 #include <climits>
+#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "stages/edges.h"
 
 namespace rasterwalk {
+
+/// How an edge sample finds its row in the table. The picture is the same, the work is not.
+enum class RowSearch : std::uint8_t {
+    indexed,  ///< by its own number: row - first_row
+    all_rows, ///< by asking every row of the table: mistake B27
+};
 
 /// The left end of a row that no sample has reached yet; the right end then stands at -empty_left.
 inline constexpr int empty_left = INT_MAX;
@@ -50,7 +57,8 @@ struct RowWrite {
 };
 
 /// Empties the table and gives it one row for every row between the highest and the lowest vertex.
-void begin_polygon_rows(std::span<const Fragment> vertices, PolygonRows& rows);
+void begin_polygon_rows(std::span<const Fragment> vertices, const EdgeRules& rules,
+                        PolygonRows& rows);
 
 /// Enters one edge sample: lowers the left end of its row, or raises the right end, or both.
 RowWrite add_edge_sample(const Fragment& sample, PolygonRows& rows);

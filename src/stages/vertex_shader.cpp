@@ -1,8 +1,7 @@
 #include "stages/vertex_shader.h"
 
+#include <algorithm>
 #include <cmath>
-
-#include "stages/light.h"
 
 namespace rasterwalk {
 
@@ -16,11 +15,11 @@ Varyings start_varyings(const Vertex& vertex, float zinv, const VertexRules& rul
     Varyings varyings;
     varyings.position_world = vertex.position;
     if (rules.lighting == Lighting::per_vertex) {
-        varyings.illumination =
-            reflected_light(vertex.position, vertex.normal, vertex.reflectance, rules.light)
-                .reflected;
+        varyings.illumination = reflected_light(vertex.position, vertex.normal, vertex.reflectance,
+                                                rules.light, rules.light_rules)
+                                    .reflected;
     }
-    return rules.interpolation == Interpolation::perspective ? varyings * zinv : varyings;
+    return rules.interpolation == Interpolation::affine ? varyings : varyings * zinv;
 }
 
 } // namespace
@@ -46,7 +45,9 @@ ShadedVertex vertex_shader(const Vertex& vertex, const glm::mat3& rotation,
         shaded.projected_y = vertex.position.y;
     } else {
         shaded.minus_camera = vertex.position - rules.camera.position;
-        shaded.position_camera = shaded.minus_camera * rotation;
+        shaded.position_camera = rules.rotation == Rotation::row_vector
+                                     ? shaded.minus_camera * rotation
+                                     : rotation * shaded.minus_camera;
         middle_column = rules.viewport.width / 2;
         middle_row = rules.viewport.height / 2;
     }
@@ -55,14 +56,16 @@ ShadedVertex vertex_shader(const Vertex& vertex, const glm::mat3& rotation,
         shaded.fault = VertexFault::not_finite;
         return shaded;
     }
-    if (!(z > 0.0f)) {
+    if (!(z > 0.0f) && rules.behind_camera != BehindCamera::drawn) {
         shaded.fault = VertexFault::behind_camera;
         return shaded;
     }
     const float zinv = 1.0f / z;
     if (rules.space == SceneSpace::world) {
-        shaded.projected_x = rules.camera.focal_length * shaded.position_camera.x * zinv;
-        shaded.projected_y = rules.camera.focal_length * shaded.position_camera.y * zinv;
+        const float f = rules.image_axes == ImageAxes::mirrored ? -rules.camera.focal_length
+                                                                : rules.camera.focal_length;
+        shaded.projected_x = f * shaded.position_camera.x * zinv;
+        shaded.projected_y = f * shaded.position_camera.y * zinv;
     }
     // Written so that NaN, which no comparison admits, is caught as well.
     if (!(std::abs(shaded.projected_x) <= max_pixel_distance &&
@@ -72,6 +75,13 @@ ShadedVertex vertex_shader(const Vertex& vertex, const glm::mat3& rotation,
     }
     shaded.pixel.column = to_pixel(shaded.projected_x, rules.rounding) + middle_column;
     shaded.pixel.row = to_pixel(shaded.projected_y, rules.rounding) + middle_row;
+    if (rules.outside_picture == OutsidePicture::clamped) {
+        shaded.pixel.column = std::clamp(shaded.pixel.column, 0, rules.viewport.width - 1);
+        shaded.pixel.row = std::clamp(shaded.pixel.row, 0, rules.viewport.height - 1);
+    }
+    if (rules.behind_camera == BehindCamera::mark_minus_one && shaded.pixel.column == -1) {
+        shaded.fault = VertexFault::taken_for_behind;
+    }
     shaded.pixel.zinv = zinv;
     shaded.pixel.z = z;
     shaded.pixel.varyings = start_varyings(vertex, zinv, rules);

@@ -9,7 +9,9 @@
 //
 // The classic mistakes: R v instead of v R (the camera turns the wrong way), a vertex behind the
 // camera (dividing by a negative z mirrors it), and int() on a negative coordinate, which rounds
-// toward the middle of the picture and leaves the left column and the top row black.
+// toward the middle of the picture and leaves the left column and the top row black. What is behind
+// the camera has no pixel; a mark for it that is a possible column, such as -1, is one day mistaken
+// for a real one, and moving a vertex to the picture's border bends the edges that end in it.
 
 #include <cstdint>
 
@@ -18,6 +20,7 @@
 #include "scene/scene.h"
 #include "stages/fragment.h"
 #include "stages/interpolate.h"
+#include "stages/light.h"
 
 namespace rasterwalk {
 
@@ -25,7 +28,10 @@ namespace rasterwalk {
 enum class Interpolation : std::uint8_t {
     perspective, ///< q/z is interpolated and divided by 1/z at the pixel: right
     affine,      ///< q is interpolated as it is: wrong except at the vertices; mistake B3
+    zinv_twice,  ///< q/z is multiplied by 1/z again at the ends of a row, divided once: mistake B4
 };
+
+inline constexpr int interpolation_count = 3;
 
 /// Where light is computed.
 enum class Lighting : std::uint8_t { none, per_vertex, per_pixel };
@@ -33,9 +39,37 @@ enum class Lighting : std::uint8_t { none, per_vertex, per_pixel };
 /// Why a vertex has no pixel.
 enum class VertexFault : std::uint8_t {
     none,
-    not_finite,    ///< a coordinate is not a number, or infinite
-    behind_camera, ///< z <= 0 in camera space: on or behind the camera plane
-    too_far_out,   ///< projected farther from the middle than max_pixel_distance
+    not_finite,       ///< a coordinate is not a number, or infinite
+    behind_camera,    ///< z <= 0 in camera space: on or behind the camera plane
+    too_far_out,      ///< projected farther from the middle than max_pixel_distance
+    taken_for_behind, ///< its column is -1, which is the mark for "behind the camera": mistake B14
+};
+
+inline constexpr int vertex_fault_count = 5;
+
+/// What becomes of a vertex on or behind the camera plane.
+enum class BehindCamera : std::uint8_t {
+    left_out,       ///< its triangles are not drawn
+    drawn,          ///< divided by z all the same, which mirrors it: mistake B13
+    mark_minus_one, ///< as left_out, but marked by the column -1, which others have too
+};
+
+/// What becomes of a vertex whose pixel lies outside the picture.
+enum class OutsidePicture : std::uint8_t {
+    kept,    ///< it stays where it is
+    clamped, ///< it is moved to the picture's border: mistake B15
+};
+
+/// How the camera's rotation is applied.
+enum class Rotation : std::uint8_t {
+    row_vector, ///< v R
+    transposed, ///< R v, the turn the other way round: mistake B24
+};
+
+/// The sign of the focal length.
+enum class ImageAxes : std::uint8_t {
+    right_way, ///< f: x right, y down
+    mirrored,  ///< -f: the picture turned by half a turn: mistake B25
 };
 
 /// Projected coordinates beyond this many pixels from the picture's middle are not drawn: a vertex
@@ -51,6 +85,11 @@ struct VertexRules {
     Rounding rounding = Rounding::truncate;
     Interpolation interpolation = Interpolation::perspective;
     Lighting lighting = Lighting::none;
+    LightRules light_rules;
+    BehindCamera behind_camera = BehindCamera::left_out;
+    OutsidePicture outside_picture = OutsidePicture::kept;
+    Rotation rotation = Rotation::row_vector;
+    ImageAxes image_axes = ImageAxes::right_way;
 };
 
 /// A vertex in every space on its way, in the order of the way.

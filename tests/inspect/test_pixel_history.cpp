@@ -264,7 +264,7 @@ TEST_CASE("The black pixel at the left of the room is explained by the cut towar
     CHECK(miss_text(nearest) == "row 250 begins at column 1, 1 column to the right of the pixel");
     CHECK(rules_text(nearest, pixel) ==
           "with rounding=floor or rounding=round it begins at column 0");
-    CHECK(uncovered_text(frame) == "No row of any triangle reaches this pixel.");
+    CHECK(uncovered_text(frame, {1, 1}) == "No row of any triangle reaches this pixel.");
     // Another triangle is 84 columns away: it explains nothing, and stays away.
     const std::vector<NearTriangle> more = nearest_triangles(frame, pixel);
     REQUIRE(more.size() == 3);
@@ -385,7 +385,7 @@ TEST_CASE("Where a stage has no fragments, or the scene no triangles, nothing co
         const PixelHistory history = pixel_history(frame, {0, 250});
         CHECK(history.entries.empty());
         CHECK(history.nearest.empty());
-        CHECK_THAT(uncovered_text(frame),
+        CHECK_THAT(uncovered_text(frame, {1, 1}),
                    Catch::StartsWith(
                        "Stage " + std::string(stage_list()[static_cast<std::size_t>(stage)].name) +
                        " draws"));
@@ -395,7 +395,7 @@ TEST_CASE("Where a stage has no fragments, or the scene no triangles, nothing co
     const PixelHistory history = pixel_history(frame, {3, 3});
     CHECK(history.entries.empty());
     CHECK(history.nearest.empty());
-    CHECK(uncovered_text(frame) == "No triangle of the scene is drawn.");
+    CHECK(uncovered_text(frame, {1, 1}) == "No triangle of the scene is drawn.");
 }
 
 TEST_CASE("A triangle that is left out is not among the nearest") {

@@ -34,13 +34,36 @@ std::string refusal(const std::string& assignment) {
 } // namespace
 
 TEST_CASE("The table holds exactly the settings that are promised, each with help") {
-    const std::vector<std::string_view> promised{"stage",           "rounding",
-                                                 "line_walk",       "edge_samples",
-                                                 "depth_test",      "interpolation",
-                                                 "camera.position", "camera.yaw",
-                                                 "camera.pitch",    "camera.focal_length",
-                                                 "light.position",  "light.power",
-                                                 "light.indirect",  "viewport.size"};
+    const std::vector<std::string_view> promised{"stage",
+                                                 "rounding",
+                                                 "line_walk",
+                                                 "edge_samples",
+                                                 "row_start",
+                                                 "row_search",
+                                                 "empty_rows",
+                                                 "spans",
+                                                 "depth_test",
+                                                 "depth_clear",
+                                                 "depth_index",
+                                                 "shading",
+                                                 "interpolation",
+                                                 "camera.position",
+                                                 "camera.yaw",
+                                                 "camera.pitch",
+                                                 "camera.focal_length",
+                                                 "rotation",
+                                                 "image_axes",
+                                                 "behind_camera",
+                                                 "outside_picture",
+                                                 "light.position",
+                                                 "light.power",
+                                                 "light.indirect",
+                                                 "light.direction",
+                                                 "light.falloff",
+                                                 "light.sum",
+                                                 "viewport.size",
+                                                 "bounds",
+                                                 "colour_over_one"};
     std::vector<std::string_view> names;
     for (const Setting& setting : setting_table()) {
         names.push_back(setting.name);
@@ -79,10 +102,35 @@ TEST_CASE("Every word of every choice is set and read back, and lands in its own
     // Every choice now stands on its last word.
     CHECK(settings.stage == Stage::pixel_light);
     CHECK(settings.rounding == Rounding::round);
-    CHECK(settings.line_walk == LineWalk::exact);
-    CHECK(settings.edge_samples == EdgeSamples::rows);
-    CHECK(settings.depth_test == DepthTest::off);
-    CHECK(settings.interpolation == Interpolation::affine);
+    CHECK(settings.line_walk == LineWalk::integer_step);
+    CHECK(settings.edge_samples == EdgeSamples::shifted);
+    CHECK(settings.row_start == RowStart::window);
+    CHECK(settings.row_search == RowSearch::all_rows);
+    CHECK(settings.empty_rows == EmptyRows::overflow);
+    CHECK(settings.spans == Spans::last_dropped);
+    CHECK(settings.bounds == Bounds::excludes_zero);
+    CHECK(settings.depth_test == DepthTest::reversed);
+    CHECK(settings.depth_index == DepthIndex::transposed);
+    CHECK(settings.shading == Shading::before_depth_test);
+    CHECK(settings.interpolation == Interpolation::zinv_twice);
+    CHECK(settings.rotation == Rotation::transposed);
+    CHECK(settings.image_axes == ImageAxes::mirrored);
+    CHECK(settings.behind_camera == BehindCamera::mark_minus_one);
+    CHECK(settings.outside_picture == OutsidePicture::clamped);
+    CHECK(settings.light_rules.direction == LightDirection::not_normalized);
+    CHECK(settings.light_rules.falloff == LightFalloff::cubed);
+    CHECK(settings.light_rules.sum == LightSum::reflectance_plus);
+    CHECK(settings.colour_over_one == ColourOverOne::wrap);
+}
+
+TEST_CASE("A setting's values as text are those of its defaults: every choice's first word") {
+    const Settings settings;
+    for (const Setting& setting : setting_table()) {
+        const auto* choice = std::get_if<ChoiceSetting>(&setting.kind);
+        if (choice == nullptr || setting.name == "stage") continue;
+        INFO(setting.name);
+        CHECK(value_text(setting, settings) == choice->words.front());
+    }
 }
 
 TEST_CASE("Numbers, places, colours and sizes are set from text") {

@@ -69,7 +69,7 @@ TEST_CASE("The triangle (10,20) (30,10) (20,40) has 31 rows") {
 TEST_CASE("A row that no sample has reached holds the extreme starting values and no pixels") {
     PolygonRows rows;
     const std::vector<Fragment> vertices{at(3, -4), at(9, 2), at(5, 1)};
-    begin_polygon_rows(vertices, rows);
+    begin_polygon_rows(vertices, {}, rows);
     REQUIRE(rows.size() == 7);
     for (int r = 0; r < rows.size(); ++r) {
         CHECK(rows.left[r].column == INT_MAX);
@@ -95,7 +95,7 @@ TEST_CASE("A table is begun anew however it was used before") {
 TEST_CASE("A sample outside the table is counted and changes nothing in it") {
     PolygonRows rows;
     const std::vector<Fragment> vertices{at(0, 2), at(3, 1), at(1, 2)};
-    begin_polygon_rows(vertices, rows);
+    begin_polygon_rows(vertices, {}, rows);
     for (const int row : {0, -1, 3, INT_MAX / 2, -INT_MAX / 2}) {
         const RowWrite write = add_edge_sample(at(1, row), rows);
         CHECK(write == RowWrite{false, false, false});
@@ -112,7 +112,7 @@ TEST_CASE("A sample outside the table is counted and changes nothing in it") {
 
 TEST_CASE("A sample becomes the left end, the right end, both or neither") {
     PolygonRows rows;
-    begin_polygon_rows(std::vector{at(0, 0), at(9, 0), at(0, 0)}, rows);
+    begin_polygon_rows(std::vector{at(0, 0), at(9, 0), at(0, 0)}, {}, rows);
     CHECK(add_edge_sample(at(5, 0, 1.0f), rows) == RowWrite{true, true, true});
     CHECK(add_edge_sample(at(5, 0, 2.0f), rows) == RowWrite{true, false, false});
     CHECK(add_edge_sample(at(3, 0, 3.0f), rows) == RowWrite{true, true, false});

@@ -390,7 +390,7 @@ void draw_near(Ui& ui, const NearTriangle& near, int index, const glm::ivec2& pi
 
 void draw_uncovered(Ui& ui, const PixelHistory& history) {
     const float u = ui.options.text_scale;
-    wrapped_text(uncovered_text(ui.results.frame));
+    wrapped_text(uncovered_text(ui.results.frame, history.pixel));
     if (history.nearest.empty()) return;
     ImGui::Dummy({0, 4.0f * u});
     text_in(palette(ui.options.theme).dim,

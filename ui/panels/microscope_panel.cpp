@@ -201,6 +201,8 @@ const char* walk_text(LineWalk walk) {
         return "each sample adds the step to the one before, in float";
     case LineWalk::multiply:
         return "sample i is the start plus i times the step, in float";
+    case LineWalk::integer_step:
+        return "each sample adds the step to the one before; the step is divided as int by int";
     case LineWalk::exact:
         return "pixels come from whole fractions; the floats are only shown";
     }

@@ -38,7 +38,9 @@ std::vector<StripItem> strip_items(const Ui& ui, bool short_form) {
     const bool perspective = settings.interpolation == Interpolation::perspective;
     items.push_back({.name = "switch.perspective",
                      .first = "Perspective",
-                     .second = perspective ? "on" : "off",
+                     .second = perspective                                           ? "on"
+                               : settings.interpolation == Interpolation::zinv_twice ? "twice"
+                                                                                     : "off",
                      .first_is_main = true,
                      .is_on = perspective,
                      .is_switch = true});
@@ -47,6 +49,7 @@ std::vector<StripItem> strip_items(const Ui& ui, bool short_form) {
                      .first = "Depth test",
                      .second = depth == DepthTest::off         ? "off"
                                : depth == DepthTest::inverse_z ? "1/z"
+                               : depth == DepthTest::reversed  ? "reversed"
                                                                : "z",
                      .first_is_main = true,
                      .is_on = depth != DepthTest::off,

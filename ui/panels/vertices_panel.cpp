@@ -20,6 +20,8 @@ const char* fault_text(VertexFault fault) {
         return "a vertex on or behind the camera plane (z ≤ 0)";
     case VertexFault::too_far_out:
         return "a vertex so close to the camera plane that its edges would be absurdly long";
+    case VertexFault::taken_for_behind:
+        return "a vertex in column −1, which is taken for the mark of one behind the camera";
     }
     return "";
 }
