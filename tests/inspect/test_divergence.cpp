@@ -40,7 +40,7 @@ void add(std::vector<std::uint32_t>& seen, const glm::vec3& v) {
 std::map<Cursor, Seen> everything(const Frame& frame, bool with_light) {
     Recorder recorder(true);
     Framebuffer framebuffer;
-    clear(framebuffer, frame.settings.viewport);
+    clear(framebuffer, frame);
     draw(frame, {}, framebuffer, &recorder);
     std::map<Cursor, Seen> all;
     for (const Recorder::VertexEvent& event : recorder.vertices) {
@@ -50,7 +50,7 @@ std::map<Cursor, Seen> everything(const Frame& frame, bool with_light) {
         work = {bits(event.fragment.column), bits(event.fragment.row), bits(event.fragment.zinv)};
         if (with_light) {
             add(work, reflected_light(vertex.position, vertex.normal, vertex.reflectance,
-                                      frame.settings.light)
+                                      frame.settings.light, frame.settings.light_rules)
                           .reflected);
         }
     }
