@@ -32,6 +32,7 @@ struct CommandLine {
     CompareOptions compare;
     SettingsOptions settings;
     PresetsOptions presets;
+    BugsOptions bugs;
     /// What is to be done once everything is understood; empty: open the window.
     std::function<void()> command;
     ExitCode exit_code = ExitCode::done; ///< of a command that has gone well
@@ -78,7 +79,7 @@ void describe(CommandLine& line, std::ostream& out, std::ostream& err) {
         ->type_name("NAME")
         ->allow_extra_args(false);
     rows.add_option("--set", line.rows.assignments,
-                    "rounding, line_walk or edge_samples: name=value; repeatable")
+                    "rounding, line_walk, edge_samples or row_start: name=value; repeatable")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
 
@@ -121,6 +122,10 @@ void describe(CommandLine& line, std::ostream& out, std::ostream& err) {
     CLI::App& presets = add_command(line, "presets", "List the named sets of settings",
                                     [&] { presets_command(line.presets, out); });
     add_json(presets, line.presets.json);
+
+    CLI::App& bugs = add_command(line, "bugs", "List the mistakes of the bug laboratory",
+                                 [&] { bugs_command(line.bugs, out); });
+    add_json(bugs, line.bugs.json);
     // Last, because commands take over the footer that stands when they are added.
     line.app.footer("Without a command the window opens.\n"
                     "Exit codes: 0 done, 1 a check found a difference, 2 wrong usage, 3 bad "

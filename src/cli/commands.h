@@ -55,7 +55,13 @@ void settings_command(const SettingsOptions& options, std::ostream& out);
 struct PresetsOptions {
     bool json = false;
 };
+
 void presets_command(const PresetsOptions& options, std::ostream& out);
+
+struct BugsOptions {
+    bool json = false;
+};
+void bugs_command(const BugsOptions& options, std::ostream& out);
 
 /// The most vertices that `rows` takes.
 inline constexpr std::size_t max_polygon_vertices = 1000;

@@ -160,7 +160,7 @@ void write_difference(const Frame& a, const Frame& b, const Cursor& to, float la
                       const std::string& path) {
     const auto drawn = [&](const Frame& frame) {
         Framebuffer framebuffer;
-        clear(framebuffer, frame.settings.viewport);
+        clear(framebuffer, frame);
         draw(frame, {cursor_begin, to, {}}, framebuffer);
         return framebuffer;
     };
@@ -174,7 +174,8 @@ void write_difference(const Frame& a, const Frame& b, const Cursor& to, float la
 ExitCode compare_command(const CompareOptions& options, std::ostream& out) {
     const Session session = open_view(options.view);
     const Frame a = prepare_frame(*session.scene, settings_of_run(session.settings, options.a));
-    const Frame b = prepare_frame(*session.scene, settings_of_run(session.settings, options.b));
+    const Frame b = prepare_frame(
+        *session.scene, settings_of_run(session.other.value_or(session.settings), options.b));
     if (!(a.settings.viewport == b.settings.viewport)) {
         throw UsageError("the two runs have pictures of different sizes, which cannot be "
                          "compared.");

@@ -4,6 +4,7 @@
 #include <ostream>
 
 #include "cli/json.h"
+#include "session/bug.h"
 #include "session/content.h"
 #include "session/setting_table.h"
 
@@ -73,6 +74,60 @@ void presets_command(const PresetsOptions& options, std::ostream& out) {
             {"name", preset.name}, {"about", preset.about}, {"set", std::move(values)}});
     }
     if (options.json) print_json(toml::table{{"presets", std::move(list)}}, out);
+}
+
+namespace {
+
+toml::array to_json(const Assignments& values) {
+    toml::array list;
+    for (const auto& [name, value] : values)
+        list.push_back(name + "=" + value);
+    return list;
+}
+
+/// Continues after line breaks under the text's beginning.
+std::string indented(const std::string& text) {
+    std::string result;
+    for (const char c : text) {
+        result += c;
+        if (c == '\n') result += "             ";
+    }
+    return result;
+}
+
+} // namespace
+
+void bugs_command(const BugsOptions& options, std::ostream& out) {
+    toml::array list;
+    for (const Bug& bug : read_bugs()) {
+        if (!options.json) {
+            out << (list.empty() ? "" : "\n") << bug.id << "  " << bug.name << "\n    "
+                << bug.sentence << "\n    Symptom: " << bug.symptom << "\n    Cure:    " << bug.cure
+                << '\n';
+            if (!bug.code.empty())
+                out << "    Code:   "
+                    << " " << indented(bug.code) << '\n';
+            out << "    Set:    ";
+            for (const auto& [name, value] : bug.set)
+                out << ' ' << name << '=' << value;
+            if (!bug.against.empty()) out << "\n    Against:";
+            for (const auto& [name, value] : bug.against)
+                out << ' ' << name << '=' << value;
+            out << "\n    Scene:   " << bug.scene << '\n';
+        }
+        list.push_back(toml::table{{"id", bug.id},
+                                   {"name", bug.name},
+                                   {"sentence", bug.sentence},
+                                   {"symptom", bug.symptom},
+                                   {"look", bug.look},
+                                   {"cure", bug.cure},
+                                   {"section", bug.section},
+                                   {"code", bug.code},
+                                   {"scene", bug.scene},
+                                   {"set", to_json(bug.set)},
+                                   {"against", to_json(bug.against)}});
+    }
+    if (options.json) print_json(toml::table{{"bugs", std::move(list)}}, out);
 }
 
 } // namespace rasterwalk

@@ -1,11 +1,13 @@
 #include "cli/view_options.h"
 
 #include <cctype>
+#include <optional>
 
 #include <CLI/CLI.hpp>
 
 #include "cli/moments.h"
 #include "scene/error.h"
+#include "session/bug.h"
 #include "session/content.h"
 #include "session/setting_table.h"
 
@@ -35,6 +37,12 @@ void add_view_options(CLI::App& command, ViewOptions& options) {
                     "points, edges, rows, fill, depth, vertex_light or pixel_light")
         ->type_name("NAME")
         ->group(group);
+    command
+        .add_option("--bug", options.bug,
+                    "A mistake of the bug laboratory, such as B9, on its own scene unless --scene "
+                    "names another")
+        ->type_name("ID")
+        ->group(group);
     command.add_option("--preset", options.presets, "Named set of settings; repeatable")
         ->type_name("NAME")
         ->allow_extra_args(false)
@@ -56,10 +64,16 @@ void add_view_options(CLI::App& command, ViewOptions& options) {
 }
 
 Session open_view(const ViewOptions& options) {
-    Session session = open_session(
-        options.scene.empty() ? lessons_folder() + "/scenes/lab-room.toml" : options.scene);
+    std::string scene = options.scene;
+    std::optional<Bug> bug;
+    if (!options.bug.empty()) bug = find_bug(read_bugs(), options.bug);
+    if (scene.empty()) {
+        scene = lessons_folder() + "/" + (bug ? bug->scene : std::string("scenes/lab-room.toml"));
+    }
+    Session session = open_session(scene);
     Settings& settings = session.settings;
     if (!options.size.empty()) set_size(settings, session.scene->space, options.size);
+    if (bug) apply_bug(*bug, session);
     for (const std::string& name : options.presets) {
         apply_preset(find_preset(session.presets, name), settings);
     }
