@@ -10,6 +10,7 @@
 
 #include "cli/commands.h"
 #include "cli/compare_command.h"
+#include "cli/diagnose_command.h"
 #include "cli/view_options.h"
 #include "scene/error.h"
 #include "session/content.h"
@@ -30,6 +31,7 @@ struct CommandLine {
     TriangleOptions triangle;
     PixelOptions pixel;
     CompareOptions compare;
+    DiagnoseOptions diagnose;
     SettingsOptions settings;
     PresetsOptions presets;
     BugsOptions bugs;
@@ -113,6 +115,23 @@ void describe(CommandLine& line, std::ostream& out, std::ostream& err) {
         ->type_name("FILE");
     add_json(compare, line.compare.json);
     add_view_options(compare, line.compare.view);
+
+    CLI::App& diagnose = add_command(
+        line, "diagnose", "Tell what may be wrong with a picture or a printed row table",
+        [&] { line.exit_code = diagnose_command(line.diagnose, out, err); });
+    diagnose
+        .add_option("FILE", line.diagnose.file,
+                    "PNG or BMP, or lines like 'Start: (10,5). End: (10,5).'")
+        ->type_name("")
+        ->required();
+    diagnose
+        .add_option("--polygon", line.diagnose.polygon,
+                    "A vertex of the polygon whose rows were printed; repeatable; the nearest "
+                    "triangle if not given")
+        ->type_name("X,Y")
+        ->allow_extra_args(false);
+    add_json(diagnose, line.diagnose.json);
+    add_view_options(diagnose, line.diagnose.view);
 
     CLI::App& settings = add_command(line, "settings", "List all settings with their values",
                                      [&] { settings_command(line.settings, out); });

@@ -7,6 +7,7 @@
 #include <ostream>
 
 #include "cli/json.h"
+#include "cli/points.h"
 #include "cli/row_json.h"
 #include "inspect/row_history.h"
 #include "scene/error.h"
@@ -32,19 +33,6 @@ int parse_coordinate(std::string_view part, const std::string& whole) {
         refuse_point(whole);
     }
     return value;
-}
-
-Fragment parse_point(const std::string& text) {
-    std::string_view rest = text;
-    // A point may be quoted with blanks around it.
-    rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
-    const std::size_t comma = rest.find(',');
-    if (comma == std::string_view::npos) refuse_point(text);
-    Fragment point;
-    point.column = parse_coordinate(rest.substr(0, comma), text);
-    point.row = parse_coordinate(rest.substr(comma + 1), text);
-    point.zinv = point.z = 1.0f;
-    return point;
 }
 
 /// Nine digits tell every float from its neighbours.
@@ -82,6 +70,19 @@ Settings read_rules(const RowsOptions& options) {
 }
 
 } // namespace
+
+Fragment parse_point(const std::string& text) {
+    std::string_view rest = text;
+    // A point may be quoted with blanks around it.
+    rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
+    const std::size_t comma = rest.find(',');
+    if (comma == std::string_view::npos) refuse_point(text);
+    Fragment point;
+    point.column = parse_coordinate(rest.substr(0, comma), text);
+    point.row = parse_coordinate(rest.substr(comma + 1), text);
+    point.zinv = point.z = 1.0f;
+    return point;
+}
 
 void rows_command(const RowsOptions& options, std::ostream& out, std::ostream& err) {
     if (options.points.size() > max_polygon_vertices) {

@@ -49,12 +49,21 @@ Apart samples_apart(const SampleEvent& a, const SampleEvent& b) {
     return same ? Apart::not_at_all : Apart::clearly;
 }
 
-Apart fragments_apart(const FragmentEvent& a, const FragmentEvent& b) {
+/// How both runs show a colour above 1.
+struct OverOne {
+    ColourOverOne a, b;
+};
+
+Apart fragments_apart(const FragmentEvent& a, const FragmentEvent& b, const OverOne& over_one) {
     const Fragment &p = a.fragment, &q = b.fragment;
     if (p.column != q.column || p.row != q.row || a.fate != b.fate) return Apart::clearly;
     const Apart depth = lengths_apart(a.depth, b.depth);
     // What fails leaves the pixel as it is: there is no colour of its own to compare.
-    return a.fate == Fate::written ? std::max(depth, colours_apart(a.after, b.after)) : depth;
+    if (a.fate != Fate::written) return depth;
+    const bool shown_alike = over_one.a == over_one.b;
+    return std::max(depth, shown_alike ? colours_apart(a.after, b.after)
+                                       : colours_apart(shown_colour(a.after, over_one.a),
+                                                       shown_colour(b.after, over_one.b)));
 }
 
 struct Difference {
@@ -63,7 +72,7 @@ struct Difference {
 };
 
 /// How the two runs differ at a moment; nothing if they do not.
-std::optional<Difference> difference_at(const Deed& a, const Deed& b) {
+std::optional<Difference> difference_at(const Deed& a, const Deed& b, const OverOne& over_one) {
     if (b.is_nothing()) return Difference{DivergenceKind::missing, false};
     if (a.is_nothing()) return Difference{DivergenceKind::extra, false};
     // A mark that only one of them puts on the picture.
@@ -75,9 +84,13 @@ std::optional<Difference> difference_at(const Deed& a, const Deed& b) {
         most = std::max(most, samples_apart(*a.sample, *b.sample));
     }
     for (std::size_t i = 0; i < a.fragments.size(); ++i)
-        most = std::max(most, fragments_apart(a.fragments[i], b.fragments[i]));
+        most = std::max(most, fragments_apart(a.fragments[i], b.fragments[i], over_one));
     if (most == Apart::not_at_all) return std::nullopt;
     return Difference{DivergenceKind::other, most == Apart::by_rounding};
+}
+
+OverOne over_one_of(const Frame& a, const Frame& b) {
+    return {a.settings.colour_over_one, b.settings.colour_over_one};
 }
 
 Divergence divergence_of(const Frame& a, const Frame& b, const PairMoment& moment,
@@ -124,8 +137,9 @@ std::string kind_text(DivergenceKind kind) {
 DivergenceList all_divergences(const Frame& a, const Frame& b, RunWalk& walk) {
     DivergenceList list;
     TriangleGroups groups;
+    const OverOne over_one = over_one_of(a, b);
     const PairVisitor visit = [&](const PairMoment& moment) {
-        const std::optional<Difference> difference = difference_at(moment.a, moment.b);
+        const std::optional<Difference> difference = difference_at(moment.a, moment.b, over_one);
         if (!difference) return true;
         ++list.count;
         groups.add(moment.cursor, difference->kind);
@@ -146,9 +160,10 @@ std::optional<Divergence> next_divergence(const Frame& a, const Frame& b, const 
     std::optional<Divergence> found;
     RunWalk walk(a, b, cursor_end);
     walk.skip_to(from.triangle);
+    const OverOne over_one = over_one_of(a, b);
     const PairVisitor visit = [&](const PairMoment& moment) {
         if (moment.cursor < from) return true;
-        const std::optional<Difference> difference = difference_at(moment.a, moment.b);
+        const std::optional<Difference> difference = difference_at(moment.a, moment.b, over_one);
         if (difference) found = divergence_of(a, b, moment, *difference);
         return !found;
     };
@@ -161,8 +176,9 @@ std::optional<Divergence> previous_divergence(const Frame& a, const Frame& b, co
     // Forwards once to find where it is, and once more to stand there and tell about it.
     std::optional<Cursor> last;
     RunWalk walk(a, b, to);
+    const OverOne over_one = over_one_of(a, b);
     const PairVisitor note_last = [&](const PairMoment& moment) {
-        if (difference_at(moment.a, moment.b)) last = moment.cursor;
+        if (difference_at(moment.a, moment.b, over_one)) last = moment.cursor;
         return true;
     };
     while (!walk.is_done())
@@ -174,8 +190,9 @@ std::optional<Divergence> divergence_at(const Frame& a, const Framebuffer& pictu
                                         const Frame& b, const Framebuffer& picture_b,
                                         const Cursor& cursor) {
     std::optional<Divergence> found;
+    const OverOne over_one = over_one_of(a, b);
     visit_moment(a, picture_a, b, picture_b, cursor, [&](const PairMoment& moment) {
-        const std::optional<Difference> difference = difference_at(moment.a, moment.b);
+        const std::optional<Difference> difference = difference_at(moment.a, moment.b, over_one);
         if (difference) found = divergence_of(a, b, moment, *difference);
         return false;
     });

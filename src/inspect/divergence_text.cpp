@@ -264,6 +264,19 @@ std::string colour_text(const FragmentEvent& p, const FragmentEvent& q) {
         .append(number(q.after[channel] - p.after[channel], 3));
 }
 
+/// The same colour, but what is brighter than 1 is shown in another way.
+std::string shown_text(const Frame& a, const Frame& b, const glm::vec3& colour) {
+    const glm::vec3 in_a = shown_colour(colour, a.settings.colour_over_one);
+    const glm::vec3 in_b = shown_colour(colour, b.settings.colour_over_one);
+    return std::string("the colour ")
+        .append(triple(colour, 6))
+        .append(" is shown as ")
+        .append(triple(in_a, 6))
+        .append(" in A, ")
+        .append(triple(in_b, 6))
+        .append(" in B.");
+}
+
 /// For light per pixel: where in the room each run takes the fragment to be.
 std::string place_text(const Frame& a, const Frame& b, const FragmentEvent& p,
                        const FragmentEvent& q) {
@@ -303,6 +316,10 @@ std::string fragment_text(const Frame& a, const Frame& b, const FragmentEvent& p
             .append(" in A, ")
             .append(number(q.depth, digits))
             .append(colours_differ ? " in B; " : " in B.");
+    }
+    const bool shown_otherwise = a.settings.colour_over_one != b.settings.colour_over_one;
+    if (!colours_differ && p.depth == q.depth && shown_otherwise) {
+        return text.append(shown_text(a, b, p.after));
     }
     if (!colours_differ) return text;
     return text.append(colour_text(p, q)).append(place_text(a, b, p, q)).append(".");

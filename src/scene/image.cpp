@@ -1,6 +1,8 @@
 #include "scene/image.h"
 
+#include <array>
 #include <cstddef>
+#include <fstream>
 #include <memory>
 #include <string_view>
 
@@ -27,6 +29,11 @@ std::size_t pixel_count(const Image& image) {
     return static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
 }
 
+bool begins_as_image(std::string_view bytes) {
+    constexpr std::string_view png_signature = "\x89PNG\r\n\x1a\n";
+    return bytes.starts_with(png_signature) || bytes.starts_with("BM");
+}
+
 } // namespace
 
 void write_png(const Image& image, const std::string& path) {
@@ -41,11 +48,17 @@ void write_png(const Image& image, const std::string& path) {
     write_file(path, bytes);
 }
 
+bool is_image_file(const std::string& path) {
+    std::array<char, 8> head{};
+    std::ifstream file(path, std::ios::binary);
+    file.read(head.data(), head.size());
+    return begins_as_image({head.data(), static_cast<std::size_t>(file.gcount())});
+}
+
 Image read_image(const std::string& path) {
     const std::string bytes = read_file(path, largest_image_file);
     const std::string_view text = bytes;
-    constexpr std::string_view png_signature = "\x89PNG\r\n\x1a\n";
-    if (!text.starts_with(png_signature) && !text.starts_with("BM")) {
+    if (!begins_as_image(text)) {
         throw InputError(path + ": the file is neither a PNG nor a BMP picture.");
     }
     const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());

@@ -18,6 +18,9 @@ struct Image {
 /// Writes a PNG: to a temporary file beside it, then renamed. Throws AccessError.
 void write_png(const Image& image, const std::string& path);
 
+/// Does the file begin as a PNG or BMP does? False if it cannot be read.
+bool is_image_file(const std::string& path);
+
 /// Reads a PNG or BMP of at most 16384 pixels a side. Throws AccessError or InputError.
 Image read_image(const std::string& path);
 

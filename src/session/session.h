@@ -17,6 +17,7 @@
 #include "session/overlay.h"
 #include "session/places.h"
 #include "session/preset.h"
+#include "session/quiz.h"
 #include "session/second_run.h"
 #include "session/selection.h"
 #include "session/undo.h"
@@ -43,6 +44,7 @@ struct Session {
     std::optional<RunPair> followed; ///< for follow_first_run() alone
     CompareView compare_view = CompareView::side_by_side;
     float wipe = 0.5f; ///< place of the divider, 0 left to 1 right
+    std::optional<Quiz> quiz; ///< while it goes on the settings are hidden
     Cursor cursor = cursor_end;
     Selection selection;
     Play play;

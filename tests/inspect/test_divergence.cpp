@@ -37,7 +37,8 @@ void add(std::vector<std::uint32_t>& seen, const glm::vec3& v) {
 }
 
 /// Everything that is seen of a run, by its moments: the plain walk.
-std::map<Cursor, Seen> everything(const Frame& frame, bool with_light) {
+/// @param as_shown colours as the screen shows them
+std::map<Cursor, Seen> everything(const Frame& frame, bool with_light, bool as_shown = false) {
     Recorder recorder(true);
     Framebuffer framebuffer;
     clear(framebuffer, frame);
@@ -61,7 +62,8 @@ std::map<Cursor, Seen> everything(const Frame& frame, bool with_light) {
     for (const FragmentEvent& event : recorder.fragments) {
         std::vector<std::uint32_t> seen{bits(event.fragment.column), bits(event.fragment.row),
                                         static_cast<std::uint32_t>(event.fate), bits(event.depth)};
-        if (event.fate == Fate::written) add(seen, event.after);
+        const glm::vec3 shown = shown_colour(event.after, frame.settings.colour_over_one);
+        if (event.fate == Fate::written) add(seen, as_shown ? shown : event.after);
         all[event.cursor].fragments.push_back(seen);
     }
     return all;
@@ -72,7 +74,9 @@ using Differences = std::map<Cursor, DivergenceKind>;
 Differences differences(const Frame& a, const Frame& b) {
     const bool with_light =
         a.settings.stage == Stage::vertex_light && b.settings.stage == Stage::vertex_light;
-    const std::map<Cursor, Seen> in_a = everything(a, with_light), in_b = everything(b, with_light);
+    const bool as_shown = a.settings.colour_over_one != b.settings.colour_over_one;
+    const std::map<Cursor, Seen> in_a = everything(a, with_light, as_shown);
+    const std::map<Cursor, Seen> in_b = everything(b, with_light, as_shown);
     Differences found;
     for (const auto& [cursor, seen] : in_a) {
         const auto other = in_b.find(cursor);
@@ -229,8 +233,8 @@ TEST_CASE("At a moment it is told whether the runs differ there") {
             for (const auto& [cursor, seen] : everything(b, false))
                 moments.insert(cursor);
             Framebuffer picture_a, picture_b;
-            clear(picture_a, scene.viewport);
-            clear(picture_b, scene.viewport);
+            clear(picture_a, a);
+            clear(picture_b, b);
             Cursor before = cursor_begin;
             for (const Cursor& cursor : moments) {
                 draw(a, {before, cursor, {}}, picture_a);
@@ -261,8 +265,8 @@ TEST_CASE("A frame compared up to a moment") {
     const Comparison comparison = compare_runs(a, b, middle);
     CHECK(comparison.divergences.count == 15);
     Framebuffer picture_a, picture_b;
-    clear(picture_a, scene.viewport);
-    clear(picture_b, scene.viewport);
+    clear(picture_a, a);
+    clear(picture_b, b);
     draw(a, {cursor_begin, middle, {}}, picture_a);
     draw(b, {cursor_begin, middle, {}}, picture_b);
     CHECK(comparison.pixels == pixel_difference(picture_a, picture_b));

@@ -53,7 +53,7 @@ TEST_CASE("Run B is drawn up to the same cursor as run A") {
         REQUIRE(results.compared);
         const Compared& b = *results.compared;
         Framebuffer expected;
-        clear(expected, session.settings.viewport);
+        clear(expected, b.frame);
         draw(b.frame, {cursor_begin, cursor, {}}, expected);
         test::require_same(*b.framebuffer, expected);
         CHECK(b.picture == view_image(expected, View::colour));

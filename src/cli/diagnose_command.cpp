@@ -1,0 +1,122 @@
+#include "cli/diagnose_command.h"
+
+#include <array>
+#include <cstdio>
+#include <ostream>
+
+#include "cli/json.h"
+#include "cli/points.h"
+#include "scene/image.h"
+#include "scene/read_text.h"
+#include "session/diagnose.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// A result that was held against the reference.
+struct Finding {
+    Diagnosis diagnosis;
+    std::string kind; ///< "picture" or "rows"
+    std::string held_against;
+};
+
+std::string size_text(int width, int height) {
+    return std::to_string(width).append(" x ").append(std::to_string(height));
+}
+
+Finding diagnose_picture_file(const DiagnoseOptions& options, const Session& session,
+                              const std::vector<Bug>& bugs, std::ostream& err) {
+    const Image picture = read_image(options.file);
+    if (picture.width > largest_diagnosed || picture.height > largest_diagnosed) {
+        throw InputError(options.file + ": a picture of " +
+                         size_text(picture.width, picture.height) +
+                         " pixels is too large to be diagnosed.");
+    }
+    const Settings& view = session.settings;
+    const Settings reference = fitted_to(view, picture, session.scene->space);
+    if (!(reference.viewport == view.viewport)) {
+        err << "rasterwalk: the picture has " << size_text(picture.width, picture.height)
+            << " pixels; the reference is drawn in that size, with a focal length of "
+            << reference.camera.focal_length << ".\n";
+    }
+    return {diagnose_picture(picture, *session.scene, reference, bugs), "picture",
+            "the picture of " + session.scene->name};
+}
+
+Finding diagnose_rows_file(const DiagnoseOptions& options, const Session& session,
+                           const std::vector<Bug>& bugs) {
+    std::vector<glm::ivec2> polygon;
+    for (const std::string& text : options.polygon) {
+        const Fragment point = parse_point(text);
+        polygon.emplace_back(point.column, point.row);
+    }
+    const std::vector<PrintedRow> rows = parse_printed_rows(read_file(options.file), options.file);
+    Finding finding;
+    finding.kind = "rows";
+    finding.diagnosis =
+        diagnose_rows(rows, polygon, *session.scene, session.settings, bugs, finding.held_against);
+    finding.held_against.insert(0, "the row table of ");
+    return finding;
+}
+
+toml::array to_json(const std::vector<std::string>& texts) {
+    toml::array list;
+    for (const std::string& text : texts)
+        list.push_back(text);
+    return list;
+}
+
+toml::table to_json(const Finding& finding) {
+    const Diagnosis& diagnosis = finding.diagnosis;
+    toml::array candidates;
+    for (const Suspect& suspect : diagnosis.candidates) {
+        candidates.push_back(toml::table{{"ids", to_json(suspect.ids)},
+                                         {"names", to_json(suspect.names)},
+                                         {"remark", suspect.remark},
+                                         {"distance", suspect.distance},
+                                         {"different", suspect.different},
+                                         {"explained", suspect.explained}});
+    }
+    return toml::table{
+        {"verdict", diagnosis.verdict},         {"kind", finding.kind},
+        {"held_against", finding.held_against}, {"distance", diagnosis.distance},
+        {"different", diagnosis.different},     {"candidates", std::move(candidates)}};
+}
+
+void print_text(const Finding& finding, std::ostream& out) {
+    const Diagnosis& diagnosis = finding.diagnosis;
+    const char* const what = finding.kind == "picture" ? " pixels" : " rows";
+    out << "Held against " << finding.held_against << ": " << diagnosis.verdict << '\n';
+    if (diagnosis.is_same()) return;
+    out << diagnosis.different << what << " differ from the reference.\n\n"
+        << "explains  differ still  mistake\n";
+    for (const Suspect& suspect : diagnosis.candidates) {
+        std::array<char, 48> numbers;
+        std::snprintf(numbers.data(), numbers.size(), "%6.1f %%  %12lld  ",
+                      100.0 * suspect.explained, static_cast<long long>(suspect.different));
+        out << numbers.data();
+        for (std::size_t i = 0; i < suspect.ids.size(); ++i)
+            out << (i > 0 ? " or " : "") << suspect.ids[i] << ": " << suspect.names[i];
+        if (!suspect.remark.empty()) out << ", " << suspect.remark;
+        out << '\n';
+    }
+}
+
+} // namespace
+
+ExitCode diagnose_command(const DiagnoseOptions& options, std::ostream& out, std::ostream& err) {
+    const Session session = open_view(options.view);
+    const std::vector<Bug> bugs = read_bugs();
+    const Finding finding = is_image_file(options.file)
+                                ? diagnose_picture_file(options, session, bugs, err)
+                                : diagnose_rows_file(options, session, bugs);
+    if (options.json) {
+        print_json(to_json(finding), out);
+    } else {
+        print_text(finding, out);
+    }
+    return finding.diagnosis.is_same() ? ExitCode::done : ExitCode::difference;
+}
+
+} // namespace rasterwalk

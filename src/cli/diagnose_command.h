@@ -1,0 +1,23 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "cli/view_options.h"
+#include "scene/error.h"
+
+namespace rasterwalk {
+
+struct DiagnoseOptions {
+    ViewOptions view;                 ///< the reference
+    std::string file;                 ///< PNG or BMP, or a printed row table
+    std::vector<std::string> polygon; ///< X,Y of each vertex whose table was printed; may be empty
+    bool json = false;
+};
+
+/// Prints what may be wrong with a result. Returns ExitCode::difference if it is not the
+/// reference's. Throws Error.
+ExitCode diagnose_command(const DiagnoseOptions& options, std::ostream& out, std::ostream& err);
+
+} // namespace rasterwalk

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "stages/fragment.h"
+
+namespace rasterwalk {
+
+/// A vertex of a polygon in pixels, written X,Y, with z = 1. Throws UsageError.
+Fragment parse_point(const std::string& text);
+
+} // namespace rasterwalk

@@ -1,0 +1,73 @@
+#include <catch2/catch.hpp>
+
+#include "tests/cli/run.h"
+#include "tests/support/temporary_folder.h"
+
+using namespace rasterwalk;
+using Catch::Matchers::Contains;
+using test::CliRun;
+using test::run;
+
+namespace {
+
+CliRun render(const std::string& path, std::vector<std::string> more) {
+    more.insert(more.begin(), {"render", "-o", path, "--size", "100x90"});
+    return run(more);
+}
+
+} // namespace
+
+TEST_CASE("diagnose says of the reference that there is no difference, exit code 0") {
+    const test::TemporaryFolder folder;
+    const std::string path = folder.file("mine.png");
+    REQUIRE(render(path, {}).exit_code == 0);
+    const CliRun result = run({"diagnose", path, "--json"});
+    CHECK(result.exit_code == 0);
+    CHECK_THAT(result.out, Contains("\"verdict\" : \"no difference\""));
+    CHECK_THAT(result.out, Contains("\"candidates\" : []"));
+    CHECK_THAT(result.err, Contains("100 x 90 pixels; the reference is drawn in that size"));
+}
+
+TEST_CASE("diagnose names the mistake, exit code 1") {
+    const test::TemporaryFolder folder;
+    const std::string path = folder.file("mine.png");
+    REQUIRE(render(path, {"--set", "interpolation=affine", "--set", "light.power=14"}).exit_code ==
+            0);
+    const CliRun result = run({"diagnose", path, "--set", "light.power=14", "--size", "100x90"});
+    CHECK(result.exit_code == 1);
+    CHECK(result.err.empty());
+    CHECK_THAT(result.out, Contains(": B3 "));
+    CHECK_THAT(result.out, Contains("makes this very picture."));
+    const CliRun json = run({"diagnose", path, "--json"});
+    CHECK(json.exit_code == 1);
+    CHECK_THAT(json.out, Contains("\"kind\" : \"picture\""));
+    CHECK_THAT(json.out, Contains("\"B3\""));
+}
+
+TEST_CASE("diagnose reads a printed row table") {
+    const test::TemporaryFolder folder;
+    const CliRun rows = run({"rows", "2,3", "30,8", "11,19", "--set", "edge_samples=rows"});
+    const std::string path = folder.write("rows.txt", rows.out);
+    const CliRun result =
+        run({"diagnose", path, "--polygon", "2,3", "--polygon", "30,8", "--polygon", "11,19"});
+    CHECK(result.exit_code == 1);
+    CHECK_THAT(result.out, Contains("the polygon (2,3) (30,8) (11,19): B5 "));
+    CHECK(run({"diagnose", path, "--polygon", "2;3"}).exit_code == 2);
+}
+
+TEST_CASE("diagnose complains about files in a sentence") {
+    const test::TemporaryFolder folder;
+    const auto exit_code = [&](const std::string& bytes) {
+        const CliRun result = run({"diagnose", folder.write("result", bytes)});
+        CHECK_FALSE(result.err.empty());
+        CHECK(result.out.empty());
+        return result.exit_code;
+    };
+    CHECK(exit_code("") == 3);
+    CHECK(exit_code("something else\n") == 3);
+    CHECK(exit_code("Start: (1,2). End: here.\n") == 3);
+    CHECK(exit_code("\x89PNG\r\n\x1a\n and then nothing") == 3);
+    CHECK(exit_code("BM and then nothing") == 3);
+    CHECK(run({"diagnose", folder.file("none.png")}).exit_code == 4);
+    CHECK(run({"diagnose"}).exit_code == 2);
+}
