@@ -166,10 +166,8 @@ void end_quiz(Session& session) {
 Settings quiz_reference(const Session& session) {
     Settings settings = with_handout_rules(session.settings);
     if (session.quiz) {
-        // The mistakes may be in the camera's and the lamp's numbers.
-        settings.camera = session.quiz->before.camera;
-        settings.light = session.quiz->before.light;
-        settings.light.power = glm::max(settings.light.power, glm::vec3(visible_power));
+        // The lamp's power may be the mistake.
+        settings.light.power = glm::max(session.quiz->before.light.power, glm::vec3(visible_power));
     }
     return settings;
 }

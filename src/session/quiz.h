@@ -57,8 +57,8 @@ bool start_quiz(Session& session, const std::vector<Bug>& bugs, std::uint32_t se
 /// Ends the quiz and brings back the settings from before.
 void end_quiz(Session& session);
 
-/// The settings without the mistakes: what the picture ought to be. To compare with, which shows
-/// where, not why.
+/// The settings without the mistakes, from where the camera stands now: what the picture ought to
+/// be. To compare with, which shows where, not why.
 Settings quiz_reference(const Session& session);
 
 /// Takes a guess. Returns whether it is right; a guess that was made before is not counted again.

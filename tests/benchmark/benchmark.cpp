@@ -14,11 +14,14 @@
 
 #include <imgui.h>
 
+#include "inspect/compare.h"
 #include "inspect/pixel_history.h"
 #include "pipeline/draw.h"
 #include "replay_benchmark.h"
 #include "scene/read_scene.h"
 #include "session/content.h"
+#include "session/results.h"
+#include "session/setting_table.h"
 #include "support/made_scene.h"
 #include "ui/app.h"
 
@@ -97,6 +100,31 @@ void measure_pixel_history(Measurements& measurements, const Scene& scene,
     measure(measurements, "why uncovered, " + name, [&] { pixel_history(frame, uncovered); });
 }
 
+/// The room compared with itself under other rules, as a whole and by a jump of the cursor.
+void measure_comparison(Measurements& measurements, const std::string& scene_path) {
+    Session session = open_session(scene_path);
+    const Frame a = prepare_frame(*session.scene, session.settings);
+    const auto whole = [&](const std::string& assignment) {
+        Settings settings = session.settings;
+        set_from_text(settings, assignment);
+        const Frame b = prepare_frame(*session.scene, settings);
+        measure(measurements, "compare " + assignment, [&] { compare_runs(a, b); });
+    };
+    whole("rounding=floor");
+    whole("interpolation=affine");
+    whole("depth_test=off");
+    start_pair(session, compare_pairs().front());
+    Results results;
+    update(session, results);
+    const Frame& frame = results.frame;
+    const Timeline timeline(frame);
+    session.cursor = timeline.at_place(0.7);
+    measure(measurements, "comparing, a step", [&] {
+        session.cursor = timeline.next(session.cursor, Granularity::moment);
+        update(session, results);
+    });
+}
+
 /// The interface without a graphics system: textures are numbers, and nobody shows what is drawn.
 class NoTextures : public TextureHost {
   public:
@@ -166,6 +194,7 @@ int main(int argc, char** argv) {
         measure_view_image(measurements, scene);
         measure_pixel_history(measurements, scene, "room");
         measure_pixel_history(measurements, test::made_scene(100'000), "100,000");
+        measure_comparison(measurements, path);
         measure_interface(measurements, path);
         print_table(measurements);
         print_replay_times(scene);

@@ -49,6 +49,12 @@ TEST_CASE("A difference is exit code 1, with its place, its cause and its size")
     CHECK_THAT(text.out, Contains("first_divergence    t0/v0\n    other value, floor: vertex 1"));
 }
 
+TEST_CASE("A bug of the laboratory is compared with the correct run") {
+    const CliRun result = run({"compare", "--bug", "B9"});
+    CHECK(result.exit_code == 1);
+    CHECK_THAT(result.out, StartsWith("A: spans=last_dropped\nB: spans=inclusive\n"));
+}
+
 TEST_CASE("Runs are compared up to a moment") {
     const CliRun result =
         compare({"--stage", "fill", "--to", "t0", "--b", "rounding=floor", "--json"});

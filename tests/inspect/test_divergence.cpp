@@ -196,6 +196,32 @@ TEST_CASE("Triangles of more fragments than are kept at once") {
     require_true_divergences(prepare_frame(scene, settings), prepare_frame(scene, other));
 }
 
+TEST_CASE("Wild cameras, lamps and lenses are compared without harm") {
+    Scene scene = lab_room();
+    scene.viewport = {70, 50};
+    Random random(11);
+    for (int i = 0; i < 60; ++i) {
+        const auto wild = [&] {
+            Settings settings = default_settings(scene);
+            settings.stage = static_cast<Stage>(random.integer(0, stage_count - 1));
+            settings.camera.position = {random.real(-2.0, 2.0), random.real(-2.0, 2.0),
+                                        random.real(-4.0, 1.0)};
+            settings.camera.yaw = static_cast<float>(random.real(-4.0, 4.0));
+            settings.camera.focal_length = static_cast<float>(random.real(1.0, 3000.0));
+            settings.light.power = glm::vec3(static_cast<float>(random.real(0.0, 10000.0)));
+            for (const Setting& setting : setting_table()) {
+                const auto* const choice = std::get_if<ChoiceSetting>(&setting.kind);
+                if (choice == nullptr || setting.name == "stage") continue;
+                const int words = static_cast<int>(choice->words.size());
+                choice->write(settings, random.integer(0, words - 1));
+            }
+            return settings;
+        };
+        const Frame a = prepare_frame(scene, wild()), b = prepare_frame(scene, wild());
+        require_true_divergences(a, b);
+    }
+}
+
 TEST_CASE("From any moment to the next divergence and to the one before") {
     const Scene scene = small_scene();
     Random random(7);
