@@ -35,6 +35,8 @@ struct CommandLine {
     SettingsOptions settings;
     PresetsOptions presets;
     BugsOptions bugs;
+    CheckOptions check;
+    FactsOptions facts;
     /// What is to be done once everything is understood; empty: open the window.
     std::function<void()> command;
     ExitCode exit_code = ExitCode::done; ///< of a command that has gone well
@@ -145,6 +147,16 @@ void describe(CommandLine& line, std::ostream& out, std::ostream& err) {
     CLI::App& bugs = add_command(line, "bugs", "List the mistakes of the bug laboratory",
                                  [&] { bugs_command(line.bugs, out); });
     add_json(bugs, line.bugs.json);
+
+    CLI::App& check = add_command(line, "check", "Look for faults in lessons, scenes and presets",
+                                  [&] { check_command(line.check, out); });
+    check.add_option("PATH", line.check.paths, "Folders, lessons (.md) and scenes (.toml)")
+        ->type_name("")
+        ->required();
+
+    CLI::App& facts = add_command(line, "facts", "List the names that lessons can ask for",
+                                  [&] { facts_command(line.facts, out); });
+    add_json(facts, line.facts.json);
     // Last, because commands take over the footer that stands when they are added.
     line.app.footer("Without a command the window opens.\n"
                     "Exit codes: 0 done, 1 a check found a difference, 2 wrong usage, 3 bad "

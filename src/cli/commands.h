@@ -63,6 +63,17 @@ struct BugsOptions {
 };
 void bugs_command(const BugsOptions& options, std::ostream& out);
 
+struct CheckOptions {
+    std::vector<std::string> paths; ///< folders, lessons, scenes
+};
+/// Prints every fault, file:line and a sentence; throws InputError if there was one.
+void check_command(const CheckOptions& options, std::ostream& out);
+
+struct FactsOptions {
+    bool json = false;
+};
+void facts_command(const FactsOptions& options, std::ostream& out);
+
 /// The most vertices that `rows` takes.
 inline constexpr std::size_t max_polygon_vertices = 1000;
 

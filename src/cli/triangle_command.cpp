@@ -7,7 +7,7 @@
 #include <ostream>
 
 #include "cli/json.h"
-#include "cli/moments.h"
+#include "session/moments.h"
 #include "cli/row_json.h"
 #include "inspect/triangle_report.h"
 #include "scene/error.h"

@@ -5,7 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cli/moments.h"
+#include "session/moments.h"
 #include "scene/error.h"
 #include "session/bug.h"
 #include "session/content.h"

@@ -113,6 +113,7 @@ bool update(const Session& session, Results& results) {
     if (new_frame) {
         results.scene = session.scene;
         results.frame = prepare_frame(*results.scene, session.settings);
+        ++results.frame_number;
         results.replay.begin(results.frame);
         results.messages = describe_troubles(results.frame);
     }

@@ -57,6 +57,8 @@ struct Session {
     int jumps = 0;   ///< grows with every go_to(); steps and scrubbing do not count
     UndoStack undo;
     PlaceHistory places;
+    std::string lesson; ///< id of the lesson that is open; empty: none
+    int step = 0;       ///< of the lesson; 0 is its opening
     std::string notice; ///< a sentence for the status line; may be empty
 };
 

@@ -8,6 +8,7 @@
 
 #include "scene/error.h"
 #include "session/nearest_name.h"
+#include "session/quoted.h"
 
 namespace rasterwalk {
 
@@ -186,26 +187,10 @@ std::vector<std::string_view> setting_names() {
     return names;
 }
 
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view blanks = " \t\r\n";
-    text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
-    return text.substr(0, text.find_last_not_of(blanks) + 1);
-}
-
-/// The text as it can be quoted in a message: short, on one line.
-std::string quoted(std::string_view text) {
-    constexpr std::size_t longest = 60;
-    std::string result(text.substr(0, longest));
-    std::replace_if(
-        result.begin(), result.end(),
-        [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, ' ');
-    return "'" + result + (text.size() > longest ? "...'" : "'");
-}
-
 [[noreturn]] void refuse(const Setting& setting, std::string_view value) {
     throw UsageError(std::string(setting.name)
                          .append(" cannot be ")
-                         .append(quoted(trimmed(value)))
+                         .append(in_quotes(trimmed(value)))
                          .append(": it takes ")
                          .append(allowed_text(setting))
                          .append("."));
@@ -389,12 +374,12 @@ void set_value(Settings& settings, const Setting& setting, std::string_view valu
 void set_from_text(Settings& settings, std::string_view assignment) {
     const std::size_t place = assignment.find('=');
     if (place == std::string_view::npos) {
-        throw UsageError(quoted(assignment) + " is not of the form name=value.");
+        throw UsageError(in_quotes(assignment) + " is not of the form name=value.");
     }
     const std::string_view name = trimmed(assignment.substr(0, place));
     const Setting* setting = find_setting(name);
     if (setting == nullptr) {
-        throw UsageError("there is no setting " + quoted(name) + "." +
+        throw UsageError("there is no setting " + in_quotes(name) + "." +
                          did_you_mean(name, setting_names()));
     }
     set_value(settings, *setting, assignment.substr(place + 1));

@@ -1,10 +1,11 @@
-#include "cli/moments.h"
+#include "session/moments.h"
 
 #include <optional>
 #include <string_view>
 
 #include "pipeline/timeline.h"
 #include "scene/error.h"
+#include "session/quoted.h"
 
 namespace rasterwalk {
 
@@ -72,6 +73,18 @@ bool is_row(const Timeline& timeline, const Cursor& cursor) {
            cursor.index < timeline.moments(cursor.triangle).rows.size();
 }
 
+/// @param text as the moment was written
+Cursor find_moment(const Frame& frame, const Cursor& cursor, const std::string& text) {
+    const Timeline timeline(frame);
+    // How many columns a row has, and where the picture begins in it, is not for the asker to know:
+    // outside of them the next moment is meant.
+    if (is_row(timeline, cursor)) return timeline.at_or_after(cursor);
+    if (!timeline.exists(cursor)) {
+        throw UsageError("there is no moment " + text + ": " + possible(frame, cursor) + ".");
+    }
+    return cursor;
+}
+
 } // namespace
 
 std::string fault_text(VertexFault fault) {
@@ -93,18 +106,15 @@ std::string fault_text(VertexFault fault) {
 Cursor moment_of(const Frame& frame, const std::string& text) {
     const std::optional<Cursor> cursor = parse_cursor(text);
     if (!cursor) {
-        throw UsageError("'" + text +
-                         "' is not a moment; one is written t12, t12/v1, t12/e2/s14, t12/r37/c5 "
+        throw UsageError(in_quotes(text) +
+                         " is not a moment; one is written t12, t12/v1, t12/e2/s14, t12/r37/c5 "
                          "or end.");
     }
-    const Timeline timeline(frame);
-    // How many columns a row has, and where the picture begins in it, is not for the asker to know:
-    // outside of them the next moment is meant.
-    if (is_row(timeline, *cursor)) return timeline.at_or_after(*cursor);
-    if (!timeline.exists(*cursor)) {
-        throw UsageError("there is no moment " + text + ": " + possible(frame, *cursor) + ".");
-    }
-    return *cursor;
+    return find_moment(frame, *cursor, text);
+}
+
+Cursor moment_of(const Frame& frame, const Cursor& cursor) {
+    return find_moment(frame, cursor, to_text(cursor));
 }
 
 } // namespace rasterwalk

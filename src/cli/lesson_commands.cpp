@@ -1,0 +1,147 @@
+#include "cli/commands.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <ostream>
+#include <system_error>
+
+#include "cli/json.h"
+#include "scene/error.h"
+#include "scene/read_scene.h"
+#include "session/content.h"
+#include "session/facts.h"
+#include "session/lesson.h"
+#include "session/lesson_check.h"
+#include "session/setting_table.h"
+
+namespace rasterwalk {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_lesson_name(const std::string& name) {
+    return name.size() > 6 && name.ends_with(".md") && name[2] == '-' &&
+           name.find_first_not_of("0123456789") == 2;
+}
+
+/// The files of a folder that can be checked, by name.
+std::vector<std::string> files_in(const fs::path& folder) {
+    std::vector<std::string> files;
+    std::error_code fault;
+    for (fs::directory_iterator entry(folder, fault), end; !fault && entry != end;
+         entry.increment(fault)) {
+        const std::string name = entry->path().filename().string();
+        const bool is_data = name == "presets.toml" || name == "glossary.toml";
+        const bool is_scene = folder.filename() == "scenes" && name.ends_with(".toml");
+        if (is_lesson_name(name) || is_data || is_scene) files.push_back(entry->path().string());
+    }
+    if (fault) throw AccessError("cannot read '" + folder.string() + "': " + fault.message() + ".");
+    std::sort(files.begin(), files.end());
+    std::error_code ignored;
+    if (fs::is_directory(folder / "scenes", ignored)) {
+        for (std::string& file : files_in(folder / "scenes"))
+            files.push_back(std::move(file));
+    }
+    return files;
+}
+
+std::vector<std::string> files_to_check(const std::vector<std::string>& paths) {
+    std::vector<std::string> files;
+    for (const std::string& path : paths) {
+        std::error_code ignored;
+        if (fs::is_directory(path, ignored)) {
+            for (std::string& file : files_in(fs::path(path).lexically_normal()))
+                files.push_back(std::move(file));
+        } else {
+            files.push_back(path);
+        }
+    }
+    return files;
+}
+
+/// Prints the faults of one file; returns how many there are.
+int check_file(const std::string& path, const Session& session, std::ostream& out) {
+    const auto read = [&](auto reader) {
+        try {
+            reader();
+            return 0;
+        } catch (const Error& fault) {
+            out << fault.what() << '\n';
+            return 1;
+        }
+    };
+    const std::string name = fs::path(path).filename().string();
+    if (name == "presets.toml") return read([&] { read_presets(path); });
+    if (name == "glossary.toml") return read([&] { read_glossary(path); });
+    if (name.ends_with(".toml")) return read([&] { read_scene(path); });
+    const Lesson lesson = read_lesson(path);
+    const std::vector<LessonFault> faults = check_lesson(lesson, session);
+    for (const LessonFault& fault : faults)
+        out << fault_text(lesson, fault) << '\n';
+    return static_cast<int>(faults.size());
+}
+
+const char* type_name(ValueType type) {
+    switch (type) {
+    case ValueType::number:
+        return "number";
+    case ValueType::word:
+        return "word";
+    case ValueType::moment:
+        return "moment";
+    case ValueType::truth:
+        return "truth";
+    }
+    return "";
+}
+
+} // namespace
+
+void check_command(const CheckOptions& options, std::ostream& out) {
+    const Session session = empty_session();
+    const std::vector<std::string> files = files_to_check(options.paths);
+    if (files.empty()) throw InputError("there is nothing to check: no lessons, no scenes.");
+    int faults = 0;
+    for (const std::string& file : files)
+        faults += check_file(file, session, out);
+    const auto counted = [](std::size_t count, const char* word) {
+        return std::to_string(count).append(" ").append(word).append(count == 1 ? "" : "s");
+    };
+    const std::string sum =
+        counted(static_cast<std::size_t>(faults), "fault") + " in " + counted(files.size(), "file");
+    if (faults > 0) throw InputError(sum + ".");
+    out << counted(files.size(), "file") << ", no faults.\n";
+}
+
+void facts_command(const FactsOptions& options, std::ostream& out) {
+    toml::array list;
+    for (const std::string& name : all_names()) {
+        const ValueRange range = find_name(name).value_or(ValueRange{});
+        std::string help;
+        for (const Fact& fact : fact_table()) {
+            if (fact.name == name) help = fact.help;
+        }
+        const bool is_setting = help.empty();
+        if (is_setting) help = "Setting; see rasterwalk settings.";
+        toml::array words;
+        for (const std::string_view word : range.words)
+            words.push_back(std::string(word));
+        if (!options.json) {
+            out << name << "   " << type_name(range.type) << "\n    " << help << '\n';
+            if (!is_setting && !range.words.empty()) {
+                out << "    One of:";
+                for (const std::string_view word : range.words)
+                    out << ' ' << word;
+                out << '\n';
+            }
+        }
+        list.push_back(toml::table{{"name", name},
+                                   {"type", type_name(range.type)},
+                                   {"words", std::move(words)},
+                                   {"help", help}});
+    }
+    if (options.json) print_json(toml::table{{"facts", std::move(list)}}, out);
+}
+
+} // namespace rasterwalk

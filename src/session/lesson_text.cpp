@@ -1,0 +1,262 @@
+#include "session/lesson_text.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "session/quoted.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// Code, formulas and link targets are not looked for farther than this.
+constexpr std::size_t longest_span = 2000;
+
+class Scanner {
+  public:
+    Scanner(std::string_view text, int line, FaultList& faults)
+        : text_(text), line_(line), faults_(faults) {}
+
+    InlineParts scan() {
+        while (at_ < text_.size()) {
+            if (is_line_start_ && begin_line()) continue;
+            step();
+        }
+        return std::move(parts_);
+    }
+
+  private:
+    std::string_view rest() const { return text_.substr(at_); }
+
+    void next_line() {
+        at_ = std::min(text_.find('\n', at_), text_.size());
+        if (at_ < text_.size()) ++at_;
+        ++line_;
+        is_line_start_ = true;
+    }
+
+    /// Code and empty lines are done with; returns true if the line is.
+    bool begin_line() {
+        is_line_start_ = false;
+        const std::string_view line = rest().substr(0, rest().find('\n'));
+        if (is_fence(line)) {
+            in_code_ = !in_code_;
+            open_.clear();
+            next_line();
+            return true;
+        }
+        if (in_code_) {
+            next_line();
+            return true;
+        }
+        if (trimmed(line).empty()) {
+            open_.clear();
+            next_line();
+            return true;
+        }
+        check_depth(line);
+        const std::string_view start = trimmed(line);
+        const std::size_t close = start.find("]:");
+        if (start.starts_with("[") && !start.starts_with("[^") && close != start.npos &&
+            start.substr(0, close).find('(') == start.npos) {
+            faults_.add(line_, "a link is written in its place: [words](target).");
+        }
+        return false;
+    }
+
+    void check_depth(std::string_view line) {
+        const std::size_t indent = std::min(line.find_first_not_of(" \t>"), line.size());
+        const auto quotes =
+            std::count(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(indent), '>');
+        constexpr std::size_t widest_list_mark = 4;
+        if (quotes > deepest_lesson ||
+            indent > widest_list_mark * static_cast<std::size_t>(deepest_lesson)) {
+            say_too_deep();
+        }
+    }
+
+    void say_too_deep() {
+        if (told_depth_ == line_) return;
+        told_depth_ = line_;
+        faults_.add(line_, "the text is nested deeper than " + std::to_string(deepest_lesson) +
+                               " levels.");
+    }
+
+    void skip(std::size_t count) {
+        const std::string_view passed = text_.substr(at_, count);
+        line_ += static_cast<int>(std::count(passed.begin(), passed.end(), '\n'));
+        at_ = std::min(at_ + count, text_.size());
+    }
+
+    void step() {
+        const std::string_view here = rest();
+        switch (here[0]) {
+        case '\n':
+            next_line();
+            return;
+        case '\\':
+            skip(here.size() > 1 && here[1] != '\n' ? 2 : 1);
+            return;
+        case '`':
+            skip_code();
+            return;
+        case '$':
+            take_formula();
+            return;
+        case '<':
+            check_angle();
+            return;
+        case '[':
+            open_bracket();
+            return;
+        case ']':
+            close_bracket();
+            return;
+        default:
+            ++at_;
+        }
+    }
+
+    /// The same paragraph, as far as spans are looked for.
+    std::string_view nearby() const {
+        const std::string_view near = rest().substr(0, longest_span);
+        return near.substr(0, near.find("\n\n"));
+    }
+
+    void skip_code() {
+        const std::string_view near = nearby();
+        const std::size_t ticks = std::min(near.find_first_not_of('`'), near.size());
+        std::size_t end = ticks;
+        while ((end = near.find('`', end)) != near.npos) {
+            const std::size_t after = std::min(near.find_first_not_of('`', end), near.size());
+            if (after - end == ticks) {
+                skip(after);
+                return;
+            }
+            end = after;
+        }
+        skip(ticks);
+    }
+
+    void take_formula() {
+        const std::string_view near = nearby();
+        const std::size_t signs = near.starts_with("$$") ? 2 : 1;
+        const std::string_view mark = near.substr(0, signs);
+        const std::size_t end = near.find(mark, signs);
+        const bool is_formula = end != near.npos && end > signs && (signs == 2 || near[1] != ' ');
+        if (!is_formula) {
+            skip(signs);
+            return;
+        }
+        parts_.formulas.push_back({std::string(near.substr(signs, end - signs)), line_});
+        skip(end + signs);
+    }
+
+    void check_angle() {
+        const std::string_view near = nearby();
+        const std::size_t end = near.find('>');
+        const std::string_view inner = near.substr(1, end == near.npos ? 0 : end - 1);
+        if (near.starts_with("<!--")) {
+            faults_.add(line_, "a comment stands on lines of its own.");
+        } else if (!inner.empty() && inner.find(' ') == inner.npos &&
+                   inner.find(':') != inner.npos) {
+            faults_.add(line_, "a link is written [words](target), not " +
+                                   in_quotes(near.substr(0, end + 1)) + ".");
+        }
+        ++at_;
+    }
+
+    void open_bracket() {
+        if (open_.size() > static_cast<std::size_t>(deepest_lesson)) {
+            say_too_deep();
+            open_.clear();
+        }
+        const bool is_picture = at_ > 0 && text_[at_ - 1] == '!';
+        open_.push_back({at_ + 1, line_, is_picture});
+        ++at_;
+    }
+
+    void close_bracket() {
+        ++at_;
+        if (open_.empty()) return;
+        const Open open = open_.back();
+        open_.pop_back();
+        const std::string_view words = text_.substr(open.begin, at_ - 1 - open.begin);
+        if (words.starts_with("^") && !rest().starts_with("(")) {
+            parts_.footnotes.push_back({std::string(words.substr(1)), open.line});
+            return;
+        }
+        if (!rest().starts_with("(")) return;
+        const int line = line_;
+        if (const std::optional<std::string> target = take_target()) {
+            parts_.links.push_back({*target, std::string(words), line, open.is_picture});
+        }
+    }
+
+    /// From the parenthesis to the one that closes it.
+    std::optional<std::string> take_target() {
+        const std::string_view near = nearby();
+        if (near.starts_with("(<")) {
+            const std::size_t end = near.find(">)");
+            if (end == near.npos) return std::nullopt;
+            skip(end + 2);
+            return std::string(near.substr(2, end - 2));
+        }
+        int depth = 0;
+        for (std::size_t i = 0; i < near.size(); ++i) {
+            if (near[i] == '(') ++depth;
+            if (near[i] == ')') --depth;
+            if (depth == 0) {
+                skip(i + 1);
+                const std::string_view target = trimmed(near.substr(1, i - 1));
+                if (target.find_first_of(" \t\n") != target.npos) {
+                    faults_.add(line_, "the target of a link has no blanks: " + in_quotes(target) +
+                                           "; write %20 for one.");
+                    return std::nullopt;
+                }
+                return std::string(target);
+            }
+        }
+        return std::nullopt;
+    }
+
+    struct Open {
+        std::size_t begin; ///< of the words
+        int line;
+        bool is_picture;
+    };
+
+    std::string_view text_;
+    std::size_t at_ = 0;
+    int line_;
+    bool is_line_start_ = true;
+    bool in_code_ = false;
+    int told_depth_ = 0;
+    std::vector<Open> open_;
+    InlineParts parts_;
+    FaultList& faults_;
+};
+
+} // namespace
+
+InlineParts find_inline_parts(std::string_view text, int first_line, FaultList& faults) {
+    return Scanner(text, first_line, faults).scan();
+}
+
+void append(InlineParts& parts, InlineParts more) {
+    const auto move_all = [](auto& from, auto& to) {
+        to.insert(to.end(), std::make_move_iterator(from.begin()),
+                  std::make_move_iterator(from.end()));
+    };
+    move_all(more.links, parts.links);
+    move_all(more.formulas, parts.formulas);
+    move_all(more.footnotes, parts.footnotes);
+}
+
+bool is_fence(std::string_view line) {
+    const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
+    const std::string_view start = line.substr(indent);
+    return start.starts_with("```") || start.starts_with("~~~");
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,68 @@
+#pragma once
+
+// What a step of a lesson puts on the screen.
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "pipeline/cursor.h"
+#include "session/session.h"
+
+namespace rasterwalk {
+
+/// Something wrong in a file of text.
+struct LessonFault {
+    int line = 0;         ///< of the file, from 1; 0: the whole file
+    std::string sentence; ///< ends with a full stop
+
+    friend bool operator==(const LessonFault&, const LessonFault&) = default;
+};
+
+/// What is on the screen, as far as a lesson says. What it leaves open is as in a fresh session.
+struct Situation {
+    std::optional<std::string> scene; ///< path from the folder of the lessons; none: the room
+    std::vector<std::string> set;     ///< name=value, on top of the handout's settings of the scene
+    std::optional<Cursor> cursor;     ///< none: the end
+    std::optional<glm::ivec2> pixel;
+    std::optional<int> triangle, row, vertex;
+    std::optional<std::string> tab; ///< of the inspector; none: rows
+    std::optional<View> view;
+    std::optional<OverlaySet> overlays;
+    std::optional<float> zoom; ///< screen pixels a picture pixel; 0, and none: it fits
+    std::optional<glm::vec2> centre;
+    std::optional<std::vector<std::string>> compare; ///< run B: A, and these; none: no second run
+    std::string point_at;                            ///< widget that is outlined; empty: none
+    int line = 0;                                    ///< of the block that says so
+    std::map<std::string, int, std::less<>> lines;   ///< of each key
+
+    /// The line of a key, or of the block.
+    int line_of(std::string_view key) const;
+};
+
+/// What `base` says, and on top of it what `over` says: settings are added to the base's, all else
+/// takes the place of the base's.
+Situation combined(const Situation& base, const Situation& over);
+
+/// Brings the session into this situation: scene, settings, cursor, selection, view, overlays, tab,
+/// second run. Never throws: what cannot be done is left out and reported.
+/// @param folder of the lesson: scenes are looked for there, and in lessons_folder() after that
+std::vector<LessonFault> apply_situation(Session& session, const Situation& situation,
+                                         const std::string& folder);
+
+/// The file a lesson names by a relative path: within `folder`, or else within lessons_folder().
+/// Throws UsageError for a path that is absolute or leads out of the folder, or a file that is not
+/// there.
+std::string find_lesson_file(const std::string& folder, std::string_view relative);
+
+/// The settings of a scene's handout with these on top. Throws UsageError.
+Settings settings_with(const Settings& settings, const std::vector<std::string>& assignments);
+
+inline constexpr float smallest_zoom = 0.25f; ///< screen pixels a picture pixel
+inline constexpr float largest_zoom = 64.0f;
+
+} // namespace rasterwalk
