@@ -7,6 +7,7 @@
 #include "ui/canvas.h"
 #include "ui/keys.h"
 #include "ui/layout.h"
+#include "ui/lesson_state.h"
 #include "ui/panels/panels.h"
 #include "ui/style.h"
 #include "ui/widgets.h"
@@ -154,6 +155,7 @@ bool build_pass(Ui& ui, float seconds) {
     if (is_at_rest() && !is_moving_by_key(ui)) {
         note_choices(ui.session);
         note_place(ui.session);
+        save_progress(ui);
     }
     ImGui::Render();
     return !(asked == asked_for(ui.session));

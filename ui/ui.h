@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -11,6 +13,9 @@
 #include <imgui.h>
 
 #include "inspect/microscope.h"
+#include "session/lesson_list.h"
+#include "session/lesson_run.h"
+#include "session/progress.h"
 #include "session/results.h"
 #include "session/session.h"
 #include "session/stage_note.h"
@@ -83,14 +88,34 @@ struct InspectView {
 struct MarkdownPage; // ui/markdown.h
 struct PictureShelf; // ui/pictures.h
 
+/// What the student answered to a prediction of the lesson that is open.
+struct PredictionView {
+    std::string typed;               ///< the number, as it stands in the field
+    std::optional<Judgement> judged; ///< of the answer given last; none before the first
+    std::string said;                ///< that answer, as it is told back
+    std::shared_ptr<MarkdownPage> because;
+};
+
 /// What the lesson column keeps from one frame to the next.
 struct LessonView {
     StageNotes notes;
-    std::shared_ptr<MarkdownPage> page;
-    std::string path;       ///< of the note on show; the scroll position belongs to it
-    std::string pointed_at; ///< widget that a link points at: it is outlined; empty: none
-    bool is_held = false;   ///< it stays outlined after the pointer has left the link
-    int frames_unseen = 0;  ///< since the widget pointed at was last on the screen
+    LessonList lessons;
+    Progress progress;
+    Progress kept_progress;    ///< as it stands in the file
+    std::string progress_path; ///< where it is kept; empty: nowhere
+    FactCache facts;           ///< that the conditions of the tasks ask for
+    std::map<std::string, std::shared_ptr<MarkdownPage>> pages; ///< of the step on show, by name
+    std::map<std::string, PredictionView> predictions;          ///< of the lesson, by id
+    std::set<std::string> open_hints;                           ///< ids of tasks
+    std::string shown;            ///< which page is on show; the scroll position belongs to it
+    std::string search;           ///< what the list of lessons is searched for
+    bool shows_list = false;      ///< the list of lessons instead of a lesson
+    bool shows_stage = false;     ///< the page about the stage instead of the lesson
+    bool covers_inspector = true; ///< where the lesson is a tab of the inspector: it is in front
+    std::string pointed_at;       ///< widget that a link points at: it is outlined; empty: none
+    bool is_held = false;         ///< it stays outlined after the pointer has left the link
+    bool is_hovered = false;      ///< the pointer rests on such a link in this frame
+    int frames_unseen = 0;        ///< since the widget pointed at was last on the screen
 };
 
 /// The interface: what the student sets (session), what follows from it (results), and what only

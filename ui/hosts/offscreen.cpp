@@ -14,6 +14,7 @@
 #include "ui/hand.h"
 #include "ui/hosts/gl2.h"
 #include "ui/key_names.h"
+#include "ui/panels/panels.h"
 #include "ui/report.h"
 
 namespace rasterwalk {
@@ -53,7 +54,7 @@ class Screen {
         : context_(options.width, options.height), width_(options.width), height_(options.height) {
         ui.session = std::move(session);
         ui.options = options.ui;
-        if (!options.tab.empty()) ui.session.tab = options.tab;
+        if (!options.tab.empty()) open_tab(ui, options.tab);
         open_ui(ui, textures_);
         open_gl2();
         ImGui::GetIO().DisplaySize = {static_cast<float>(width_), static_cast<float>(height_)};

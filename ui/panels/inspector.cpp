@@ -17,7 +17,9 @@ struct Tab {
     void (*draw)(Ui&);
 };
 
-const Tab lesson_tab{"lesson", "Lesson", "The text about the stage on show.", draw_lesson_page};
+const Tab lesson_tab{"lesson", "Lesson",
+                     "The lesson, the page about this stage, or the list of lessons.",
+                     draw_lesson_tab};
 const Tab tabs[] = {
     {"vertices", "Vertices", "The corners of the triangle in every space on their way to a pixel.",
      draw_vertices_panel},
@@ -38,7 +40,7 @@ void draw_tab(Ui& ui, const Tab& tab, ImVec2 at, float width, float height, bool
     const Palette& p = palette(ui.options.theme);
     const std::string name = std::string("tab.") + tab.name;
     ImGui::SetCursorScreenPos(at);
-    if (ImGui::InvisibleButton(name.c_str(), {width, height})) ui.session.tab = tab.name;
+    if (ImGui::InvisibleButton(name.c_str(), {width, height})) open_tab(ui, tab.name);
     const bool hovered = ImGui::IsItemHovered();
     name_widget(ui, name, tab.help);
     ImDrawList* const list = ImGui::GetWindowDrawList();
@@ -88,7 +90,7 @@ float draw_tab_list(Ui& ui, const Tabs& shown, const Tab* chosen) {
     const float bottom = ImGui::GetItemRectMax().y + ImGui::GetStyle().ItemSpacing.y;
     if (open) {
         for (const Tab* tab : shown) {
-            if (ImGui::Selectable(tab->title, tab == chosen)) ui.session.tab = tab->name;
+            if (ImGui::Selectable(tab->title, tab == chosen)) open_tab(ui, tab->name);
             name_widget(ui, std::string("tab.") + tab->name, tab->help);
         }
         ImGui::EndCombo();
@@ -113,6 +115,11 @@ float draw_tabs(Ui& ui, const Tabs& shown, const Tab* chosen) {
 
 } // namespace
 
+void open_tab(Ui& ui, std::string_view name) {
+    ui.lesson.covers_inspector = name == lesson_tab.name;
+    if (name != lesson_tab.name) ui.session.tab = name;
+}
+
 void draw_inspector(Ui& ui, const Layout& layout) {
     const Area& area = layout.inspector;
     const float u = ui.options.text_scale;
@@ -127,6 +134,7 @@ void draw_inspector(Ui& ui, const Layout& layout) {
     for (const Tab* tab : shown) {
         if (ui.session.tab == tab->name) chosen = tab;
     }
+    if (layout.lesson_is_tab && ui.lesson.covers_inspector) chosen = &lesson_tab;
     if (chosen == nullptr) chosen = shown.front();
 
     const ImVec2 start = ImGui::GetCursorScreenPos();

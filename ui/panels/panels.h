@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "ui/layout.h"
 #include "ui/ui.h"
 
@@ -20,12 +22,16 @@ int transport_lines(const Ui& ui, float width);
 /// What is under the pointer, what is out of order, which rules and which file.
 void draw_status_line(Ui& ui, const Area& area);
 
-/// The text about the stage on show; as a column or as a tab of the inspector.
+/// The lesson that is open, the page about the stage on show, or the list of lessons; as a column
+/// or as a tab of the inspector.
 void draw_lesson_column(Ui& ui, const Area& area);
-void draw_lesson_page(Ui& ui);
+void draw_lesson_tab(Ui& ui);
 
 /// The tabs on the right, and what is in them.
 void draw_inspector(Ui& ui, const Layout& layout);
+/// Brings a tab to the front. `lesson` lies before the tab that the session names, where it is a
+/// tab, so that a lesson may open tabs and still be read.
+void open_tab(Ui& ui, std::string_view name);
 /// Which triangle the inspector shows, with buttons to its neighbours. There must be one.
 void draw_triangle_title(Ui& ui);
 void draw_vertices_panel(Ui& ui);

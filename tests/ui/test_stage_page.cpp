@@ -10,6 +10,7 @@
 #include "tests/ui/driver.h"
 #include "ui/keys.h"
 #include "ui/markdown.h"
+#include "ui/panels/panels.h"
 
 namespace rasterwalk {
 
@@ -57,12 +58,12 @@ float top_of(const Driver& driver, const std::string& widget) {
 void follow_all(const Session& start, ImVec2 window) {
     Driver driver(start, window);
     if (driver.ui.widgets.count("tab.lesson") > 0) driver.hand.click("tab.lesson");
-    const std::vector<std::string> links = document_of(*driver.ui.lesson.page).links;
+    const std::vector<std::string> links = document_of(*driver.ui.lesson.pages.at("stage")).links;
     CHECK_FALSE(links.empty());
     for (std::size_t i = 0; i < links.size(); ++i) {
-        INFO(driver.ui.lesson.path << ": link " << i << ", " << links[i]);
+        INFO(driver.ui.lesson.shown << ": link " << i << ", " << links[i]);
         driver.ui.session = start;
-        driver.ui.session.tab = driver.ui.widgets.count("tab.lesson") > 0 ? "lesson" : "vertices";
+        open_tab(driver.ui, driver.ui.widgets.count("tab.lesson") > 0 ? "lesson" : "vertices");
         driver.hand.frames(frames_to_rest);
         driver.hand.click("lesson.link." + std::to_string(i));
         CHECK(driver.ui.session.notice.empty());
@@ -130,7 +131,7 @@ TEST_CASE("The buttons of the lesson are whole in small windows and at large tex
           Window{{1600, 1000}, 2.0f}, Window{{800, 600}, 1.0f}, Window{{800, 600}, 2.0f}}) {
         INFO(window.size.x << "x" << window.size.y << " at " << window.scale);
         Driver driver(room_at(Stage::rows), window.size, window.scale);
-        driver.ui.session.tab = "lesson";
+        open_tab(driver.ui, "lesson");
         driver.hand.frames(frames_to_rest);
         for (const char* name : {"lesson.previous", "lesson.next", "lesson.bar.rows"}) {
             INFO(name);

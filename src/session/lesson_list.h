@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+#include "session/lesson.h"
+
+namespace rasterwalk {
+
+/// The lessons of a folder, in the order of their names. A file that changes is read again.
+class LessonList {
+  public:
+    /// All lessons: those of lessons_folder(), unless read_folder() named another. Valid until the
+    /// next call of refresh() or read_folder().
+    const std::vector<Lesson>& all();
+
+    /// The lesson of this id, read again if its file has changed; null if there is none. Valid until
+    /// the next call.
+    const Lesson* find(std::string_view id);
+
+    /// Looks whether files were changed, added or taken away, and reads those again.
+    void refresh();
+
+    /// Reads the lessons of this folder from now on. Never throws: a folder that cannot be read has
+    /// none.
+    void read_folder(const std::string& folder);
+
+  private:
+    struct FileState {
+        std::string path;
+        std::filesystem::file_time_type written{};
+        std::uintmax_t size = 0;
+
+        friend bool operator==(const FileState&, const FileState&) = default;
+    };
+    static FileState state_of(const std::string& path);
+    std::vector<FileState> files_in_folder() const;
+
+    bool is_read_ = false;
+    std::string folder_;
+    std::vector<FileState> files_; ///< of the same index as lessons_
+    std::vector<Lesson> lessons_;
+};
+
+/// Is this the name of a lesson's file: two digits, a hyphen, a name, `.md`?
+bool is_lesson_file(std::string_view name);
+
+/// The number with which a lesson's id begins; 0 if it begins with none.
+int lesson_number(std::string_view id);
+
+/// The most lessons of a folder that are read.
+inline constexpr std::size_t most_lessons = 100;
+
+} // namespace rasterwalk

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+/// Opens a lesson at a step: its situation comes on the screen. A lesson that is not there goes to
+/// session.notice.
+void open_lesson(Ui& ui, std::string_view id, int step);
+
+/// The lesson that is open; null if none is. Reads it again if its file has changed. Valid until
+/// the next frame.
+const Lesson* open_lesson_of(Ui& ui);
+
+/// Notes in the progress which tasks of the step on show are solved now.
+void tick_off_tasks(Ui& ui, const Lesson& lesson);
+
+/// Answers a prediction: judges it, notes the first answer in the progress, and shows the situation
+/// that belongs to the reveal.
+/// @param said the answer as it is told back to the student
+void answer_prediction(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction,
+                       const GivenAnswer& answer, std::string said);
+
+/// Id of the lesson that follows this one; empty after the last.
+std::string lesson_after(Ui& ui, std::string_view id);
+
+/// Forgets what was done in all lessons.
+void reset_progress(Ui& ui);
+
+/// Keeps the progress in this file from now on, and takes up what stands in it. An empty path, or
+/// one that cannot be read or written: nothing is kept, and session.notice says so once.
+void keep_progress(Ui& ui, const std::string& path);
+
+/// Writes the progress if it has changed. To be called when the input has come to rest.
+void save_progress(Ui& ui);
+
+} // namespace rasterwalk

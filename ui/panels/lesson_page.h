@@ -1,0 +1,13 @@
+#pragma once
+
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+/// The step on show of the lesson that is open: text, tasks and predictions.
+void draw_step_text(Ui& ui, const Lesson& lesson, float width);
+
+/// A bar a step, and the way to its neighbours; from the last step on to the next lesson.
+void draw_step_footer(Ui& ui, const Lesson& lesson, float width);
+
+} // namespace rasterwalk

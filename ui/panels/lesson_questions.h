@@ -1,0 +1,13 @@
+#pragma once
+
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+/// A task as a box: what is to be done, a hint on request, a tick when it is solved.
+void draw_task(Ui& ui, const Lesson& lesson, const LessonTask& task, float width);
+
+/// A prediction as a box: the question, a way to answer, and afterwards what the program says.
+void draw_prediction(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction, float width);
+
+} // namespace rasterwalk
