@@ -9,6 +9,7 @@
 #include "session/walk.h"
 #include "ui/canvas.h"
 #include "ui/keys.h"
+#include "ui/lesson_state.h"
 #include "ui/style.h"
 
 namespace rasterwalk {
@@ -335,6 +336,38 @@ const Action table[] = {
      [](Ui& ui) { ui.session.play.speed = std::max(0.5f * ui.session.play.speed, slowest_play); },
      nullptr},
 
+    {"lesson.on",
+     "Lesson",
+     "Next step",
+     "Goes on to the next step of the lesson.",
+     {key::page_down},
+     [](Ui& ui) { open_neighbour_step(ui, 1); },
+     nullptr},
+    {"lesson.back",
+     "Lesson",
+     "Step before",
+     "Returns to the step before.",
+     {key::page_up},
+     [](Ui& ui) { open_neighbour_step(ui, -1); },
+     nullptr},
+    {"lesson.again",
+     "Lesson",
+     "Set up this step again",
+     "Brings back the picture with which the step began.",
+     {'R'},
+     [](Ui& ui) { open_neighbour_step(ui, 0); },
+     nullptr},
+    {"lesson.all",
+     "Lesson",
+     "All lessons",
+     "The list of lessons, with a search.",
+     {'L'},
+     [](Ui& ui) {
+         ui.lesson.shows_list = !ui.lesson.shows_list;
+         ui.lesson.covers_inspector = true;
+     },
+     [](const Ui& ui) { return ui.lesson.shows_list; }},
+
     {"help.glossary",
      "Help",
      "Glossary",
@@ -418,6 +451,10 @@ std::string key_name(int code) {
         return "Home";
     case key::end:
         return "End";
+    case key::page_up:
+        return "Page up";
+    case key::page_down:
+        return "Page down";
     case key::left:
         return "←";
     case key::right:

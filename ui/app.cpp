@@ -5,8 +5,10 @@
 #include "session/walk.h"
 #include "ui/actions.h"
 #include "ui/canvas.h"
+#include "ui/kept_options.h"
 #include "ui/keys.h"
 #include "ui/layout.h"
+#include "ui/lesson_links.h"
 #include "ui/lesson_state.h"
 #include "ui/panels/panels.h"
 #include "ui/style.h"
@@ -110,6 +112,7 @@ void draw_everything(Ui& ui) {
                   ui.options.inspector_width, true);
     draw_key_sheet(ui, window);
     draw_glossary_sheet(ui, window);
+    release_pointed(ui);
 }
 
 /// What of the session the next frame depends on.
@@ -156,6 +159,7 @@ bool build_pass(Ui& ui, float seconds) {
         note_choices(ui.session);
         note_place(ui.session);
         save_progress(ui);
+        save_options(ui);
     }
     ImGui::Render();
     return !(asked == asked_for(ui.session));

@@ -57,7 +57,7 @@ ImVec2 picture_point(const PicturePlace& place, ImVec2 screen) {
 /// Sets zoom and centre such that the picture point under the pointer stays there.
 void zoom_about(Ui& ui, ImVec2 pointer, float zoom, ImVec2 low, ImVec2 room) {
     const ImVec2 fixed_point = picture_point(ui.picture_place, pointer);
-    ui.session.canvas.zoom = std::clamp(zoom, 0.25f, largest_zoom);
+    ui.session.canvas.zoom = std::clamp(zoom, smallest_zoom, largest_zoom);
     ui.session.canvas.centre = {
         fixed_point.x - (pointer.x - low.x - 0.5f * room.x) / ui.session.canvas.zoom,
         fixed_point.y - (pointer.y - low.y - 0.5f * room.y) / ui.session.canvas.zoom};
@@ -274,7 +274,7 @@ void zoom_to_triangle(Ui& ui) {
     const float height = static_cast<float>(bottom - top + 1);
     const float zoom = std::min(room.x / (width + 1.0f), room.y / (height + 1.0f));
     ui.session.canvas.zoom =
-        std::clamp(zoom >= 4.0f ? std::floor(zoom) : zoom, 0.25f, largest_zoom);
+        std::clamp(zoom >= 4.0f ? std::floor(zoom) : zoom, smallest_zoom, largest_zoom);
     ui.session.canvas.centre = {static_cast<float>(left) + 0.5f * width,
                                 static_cast<float>(top) + 0.5f * height};
 }

@@ -11,7 +11,6 @@ void draw_canvas(Ui& ui, const Area& area);
 /// Enlarges the triangle that the inspector shows, as far as it fits.
 void zoom_to_triangle(Ui& ui);
 
-inline constexpr float largest_zoom = 64.0f;
 /// From this zoom on single pixels are worth a grid and marks of their own.
 inline constexpr float grid_zoom = 8.0f;
 

@@ -38,7 +38,7 @@ void point_at_widget(Ui& ui, const std::string& widget, bool is_held) {
     const std::string tab = tab_of(widget);
     const bool is_closed = !tab.empty() && ui.session.tab != tab;
     const std::string target = is_closed ? "tab." + tab : widget;
-    if (lesson.pointed_at != target) lesson.frames_unseen = 0;
+    if (lesson.pointed_at != target || is_held) lesson.frames_unseen = 0;
     lesson.pointed_at = target;
     lesson.is_held = lesson.is_held || is_held;
 }

@@ -38,6 +38,26 @@ void open_lesson(Ui& ui, std::string_view id, int step) {
     if (!widget.empty()) point_at_widget(ui, widget, true);
 }
 
+void open_lesson_to_go_on(Ui& ui) {
+    const std::string id = lesson_to_open(ui.lesson.progress, ui.lesson.lessons.all());
+    if (!id.empty()) open_lesson(ui, id, ui.lesson.progress.of(id).last_step);
+}
+
+void open_neighbour_step(Ui& ui, int distance) {
+    const Lesson* const lesson = open_lesson_of(ui);
+    if (lesson == nullptr) {
+        ui.session.notice = "No lesson is open: the key L lists them.";
+        return;
+    }
+    const int step = ui.session.step + distance;
+    if (step < 0 || step >= static_cast<int>(lesson->steps.size())) return;
+    open_lesson(ui, std::string(lesson->id), step);
+}
+
+bool lesson_was_edited(const Ui& ui) {
+    return !ui.session.lesson.empty() && ui.lesson.lessons.is_edited(ui.session.lesson);
+}
+
 const Lesson* open_lesson_of(Ui& ui) {
     return ui.session.lesson.empty() ? nullptr : ui.lesson.lessons.find(ui.session.lesson);
 }

@@ -11,6 +11,16 @@ namespace rasterwalk {
 /// session.notice.
 void open_lesson(Ui& ui, std::string_view id, int step);
 
+/// Opens the lesson with which the student goes on, where they left it.
+void open_lesson_to_go_on(Ui& ui);
+
+/// Opens the step that lies so many steps after the one on show; 0 sets it up again. Does nothing
+/// without a lesson or beyond its ends.
+void open_neighbour_step(Ui& ui, int distance);
+
+/// Has the file of the lesson that is open changed since it was read?
+bool lesson_was_edited(const Ui& ui);
+
 /// The lesson that is open; null if none is. Reads it again if its file has changed. Valid until
 /// the next frame.
 const Lesson* open_lesson_of(Ui& ui);

@@ -111,7 +111,7 @@ struct LessonView {
     std::string search;           ///< what the list of lessons is searched for
     bool shows_list = false;      ///< the list of lessons instead of a lesson
     bool shows_stage = false;     ///< the page about the stage instead of the lesson
-    bool covers_inspector = true; ///< where the lesson is a tab of the inspector: it is in front
+    bool covers_inspector = false; ///< where the lesson is a tab of the inspector: it is in front
     std::string pointed_at;       ///< widget that a link points at: it is outlined; empty: none
     bool is_held = false;         ///< it stays outlined after the pointer has left the link
     bool is_hovered = false;      ///< the pointer rests on such a link in this frame
@@ -124,6 +124,8 @@ struct Ui {
     Session session;
     Results results;
     UiOptions options;
+    std::string options_path; ///< where they are kept between runs; empty: nowhere
+    std::string kept_options; ///< as they stand in that file
     MicroscopeView microscope;
     InspectView inspect;
     LessonView lesson;

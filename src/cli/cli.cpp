@@ -209,6 +209,7 @@ bool parse(CommandLine& line, std::vector<std::string> arguments, std::ostream& 
 
 void run(CommandLine& line, CliRequest& request) {
     if (!line.command) {
+        request.is_plain = line.file.empty() && line.view == ViewOptions{};
         request.session = open_window_session(line);
         request.open_window = true;
         return;

@@ -9,6 +9,7 @@ namespace rasterwalk {
 /// What the command line leaves to its caller.
 struct CliRequest {
     bool open_window = false; ///< there was no command: show the session in a window
+    bool is_plain = false;    ///< nothing was asked for: the window may choose a lesson
     Session session;          ///< open if `open_window`
 };
 

@@ -99,4 +99,11 @@ const Lesson* LessonList::find(std::string_view id) {
     return &lessons_[index];
 }
 
+bool LessonList::is_edited(std::string_view id) const {
+    for (std::size_t i = 0; i < lessons_.size(); ++i) {
+        if (lessons_[i].id == id) return state_of(files_[i].path) != files_[i];
+    }
+    return false;
+}
+
 } // namespace rasterwalk

@@ -16,9 +16,12 @@ class LessonList {
     /// next call of refresh() or read_folder().
     const std::vector<Lesson>& all();
 
-    /// The lesson of this id, read again if its file has changed; null if there is none. Valid until
-    /// the next call.
+    /// The lesson of this id, read again if its file has changed; null if there is none. Valid
+    /// until the next call.
     const Lesson* find(std::string_view id);
+
+    /// Has the file of this lesson changed since it was read?
+    bool is_edited(std::string_view id) const;
 
     /// Looks whether files were changed, added or taken away, and reads those again.
     void refresh();

@@ -66,7 +66,7 @@ void follow_all(const Session& start, ImVec2 window) {
         open_tab(driver.ui, driver.ui.widgets.count("tab.lesson") > 0 ? "lesson" : "vertices");
         driver.hand.frames(frames_to_rest);
         driver.hand.click("lesson.link." + std::to_string(i));
-        CHECK(driver.ui.session.notice.empty());
+        CHECK(driver.ui.session.notice == "");
         const LessonLink link = parse_lesson_link(links[i]);
         if (link.kind == LessonLink::Kind::set) {
             const std::size_t place = link.argument.find('=');

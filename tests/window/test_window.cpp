@@ -28,6 +28,7 @@ struct OpenProgram {
                   {{"DISPLAY", display.name()},
                    {"WAYLAND_DISPLAY", ""},
                    {"LIBGL_ALWAYS_SOFTWARE", "1"},
+                   {"XDG_STATE_HOME", folder.file("state")},
                    {"RASTERWALK_WIDGET_REPORT", folder.file("report")}},
                   folder.file("")) {}
 

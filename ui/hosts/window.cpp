@@ -14,9 +14,12 @@
 
 #include "scene/error.h"
 #include "scene/read_text.h"
+#include "session/progress.h"
 #include "ui/actions.h"
 #include "ui/app.h"
 #include "ui/hosts/gl2.h"
+#include "ui/kept_options.h"
+#include "ui/lesson_state.h"
 #include "ui/report.h"
 #include "ui/style.h"
 
@@ -258,6 +261,7 @@ void run(Window& window) {
         } else {
             glfwWaitEventsTimeout(is_typing ? blink_wait : idle_wait);
         }
+        if (lesson_was_edited(window.ui)) window.frames_due = frames_after_event;
         if (window.frames_due <= 0 && !is_moving && !is_typing) continue;
         --window.frames_due;
         last_frame = glfwGetTime();
@@ -277,11 +281,21 @@ struct Glfw {
     Glfw& operator=(const Glfw&) = delete;
 };
 
+/// What was kept from the last run, and the lesson to go on with.
+void take_up(Ui& ui, bool opens_lesson) {
+    const std::string folder = state_folder();
+    keep_options(ui, folder.empty() ? "" : folder + "/window.toml");
+    keep_progress(ui, folder.empty() ? "" : folder + "/progress.toml");
+    const std::string notice = ui.session.notice;
+    if (opens_lesson) open_lesson_to_go_on(ui);
+    if (!notice.empty()) ui.session.notice = notice;
+}
+
 /// The window with ImGui in it, begun and ended.
 struct OpenWindow {
     Window window;
 
-    explicit OpenWindow(Session session) {
+    OpenWindow(Session session, bool opens_lesson) {
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 2);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 1);
         const Size size = first_size();
@@ -302,6 +316,7 @@ struct OpenWindow {
         ImGui_ImplGlfw_InitForOpenGL(window.handle, false);
         open_gl2();
         install_callbacks(window.handle);
+        take_up(ui, opens_lesson);
         if (const char* path = std::getenv("RASTERWALK_WIDGET_REPORT")) window.report_path = path;
     }
     ~OpenWindow() {
@@ -317,9 +332,9 @@ struct OpenWindow {
 
 } // namespace
 
-void show_window(Session session) {
+void show_window(Session session, bool opens_lesson) {
     const Glfw glfw;
-    OpenWindow open(std::move(session));
+    OpenWindow open(std::move(session), opens_lesson);
     run(open.window);
 }
 

@@ -9,6 +9,7 @@ namespace rasterwalk {
 ///
 /// If the environment names a file in RASTERWALK_WIDGET_REPORT, report_of() is written there
 /// whenever it changes: a program that looks on from outside then knows where to click.
-void show_window(Session session);
+/// @param opens_lesson the lesson with which the student goes on is opened
+void show_window(Session session, bool opens_lesson);
 
 } // namespace rasterwalk

@@ -16,7 +16,9 @@ int main(int argc, char** argv) {
     try {
         rasterwalk::CliRequest request;
         const int exit_code = rasterwalk::run_cli(argc, argv, std::cout, std::cerr, request);
-        if (request.open_window) rasterwalk::show_window(std::move(request.session));
+        if (request.open_window) {
+            rasterwalk::show_window(std::move(request.session), request.is_plain);
+        }
         return exit_code;
     } catch (const rasterwalk::Error& fault) {
         return complain(fault.what(), fault.code);

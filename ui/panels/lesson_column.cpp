@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include "ui/lesson_links.h"
 #include "ui/lesson_state.h"
 #include "ui/panels/lesson_list.h"
 #include "ui/panels/lesson_page.h"
@@ -121,7 +120,6 @@ void draw_page(Ui& ui, float gutter) {
     draw_fade(ui, width);
     ImGui::EndChild();
     if (has_footer && !is_low) draw_footer(ui, lesson, page, width);
-    release_pointed(ui);
 }
 
 } // namespace

@@ -78,7 +78,7 @@ void draw_step_text(Ui& ui, const Lesson& lesson, float width) {
     draw_markdown(ui, heading, "# " + step.heading, width, "lesson.heading.link.");
     for (std::size_t i = 0; i < step.parts.size(); ++i) {
         const LessonPart& part = step.parts[i];
-        ImGui::Dummy({0.0f, gap});
+        ImGui::Dummy({0.0f, i == 0 ? 0.4f * gap : gap});
         switch (part.kind) {
         case LessonPart::Kind::text: {
             const std::string name = "lesson.part" + std::to_string(i);

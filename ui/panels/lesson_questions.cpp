@@ -81,7 +81,7 @@ void draw_number_field(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
     ImGui::SameLine(0.0f, 10.0f * u);
     if (ImGui::GetContentRegionAvail().x < button_width("answer")) ImGui::NewLine();
     const bool pressed =
-        button(ui, name + ".answer", "answer", Look::plain, "Then the program tells its own.");
+        button(ui, name + ".answer", "answer", Look::chosen, "Then the program tells its own.");
     if (!entered && !pressed) return;
     const std::optional<double> number = read_answer(view.typed);
     if (!number) {
@@ -133,7 +133,7 @@ void draw_pixel_answer(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
         text_in(palette(ui.options.theme).dim, "Click a pixel in the picture.");
         return;
     }
-    if (button(ui, name + ".answer", "answer " + pixel_words(*pixel), Look::plain,
+    if (button(ui, name + ".answer", "answer " + pixel_words(*pixel), Look::chosen,
                "Answers with the pixel that is picked in the picture.")) {
         answer_prediction(ui, lesson, prediction, {*pixel}, "pixel " + pixel_words(*pixel));
     }

@@ -7,6 +7,7 @@
 #include "session/content.h"
 #include "session/preset.h"
 #include "ui/actions.h"
+#include "ui/lesson_state.h"
 #include "ui/panels/panels.h"
 #include "ui/style.h"
 #include "ui/widgets.h"
@@ -48,6 +49,23 @@ void draw_scene_menu(Ui& ui) {
     }
 }
 
+void draw_lesson_menu(Ui& ui) {
+    // The copy outlives the list, which opening a lesson may read anew.
+    std::string wanted;
+    for (const Lesson& lesson : ui.lesson.lessons.all()) {
+        const bool is_done = score_of(ui.lesson.progress, lesson).is_done;
+        std::string title = std::to_string(lesson_number(lesson.id));
+        title.append("  ").append(lesson.title);
+        if (ImGui::MenuItem(title.c_str(), is_done ? "✓ done" : nullptr,
+                            lesson.id == ui.session.lesson)) {
+            wanted = lesson.id;
+        }
+        name_widget(ui, "menu.lesson." + lesson.id, lesson.about);
+    }
+    ImGui::Separator();
+    if (!wanted.empty()) open_lesson(ui, wanted, ui.lesson.progress.of(wanted).last_step);
+}
+
 struct MenuTitle {
     const char* title;
     const char* help;
@@ -57,6 +75,7 @@ const MenuTitle menus[] = {{"File", "Pictures, and the way out."},
                            {"Edit", "Undo, redo, and the places visited."},
                            {"View", "What the canvas shows, text size and theme."},
                            {"Scene", "The scenes that come with the program, and presets."},
+                           {"Lesson", "The lessons, and what is done of them."},
                            {"Stage", "The stages of the pipeline and the two switches."},
                            {"Walk", "Through time: steps, play, beginning and end."},
                            {"Help", "All keys, and what the words mean."}};
@@ -68,6 +87,7 @@ void draw_menu(Ui& ui, const MenuTitle& menu) {
     name_widget(ui, std::string("menu.") + title, open ? "" : menu.help);
     if (!open) return;
     if (std::string_view(title) == "Scene") draw_scene_menu(ui);
+    if (std::string_view(title) == "Lesson") draw_lesson_menu(ui);
     for (const Action& action : action_table()) {
         if (std::string_view(action.menu) == title) draw_action_item(ui, action);
     }

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+/// Keeps how the window looks in this file from now on, and takes up what stands in it: theme, text
+/// size, widths of the columns. An empty path, or a file that cannot be read or written: nothing is
+/// kept, and session.notice says so once.
+void keep_options(Ui& ui, const std::string& path);
+
+/// Writes the options if they have changed. To be called when the input has come to rest.
+void save_options(Ui& ui);
+
+/// The options as TOML, and back. Reading throws InputError with file:line; what is not named stays
+/// as it is in `options`.
+std::string options_text(const UiOptions& options);
+UiOptions parse_options(std::string_view text, const std::string& path, UiOptions options);
+
+} // namespace rasterwalk
