@@ -8,6 +8,7 @@
 #include "cli/json.h"
 #include "scene/error.h"
 #include "scene/read_scene.h"
+#include "session/bug.h"
 #include "session/content.h"
 #include "session/facts.h"
 #include "session/lesson.h"
@@ -32,7 +33,8 @@ std::vector<std::string> files_in(const fs::path& folder) {
     for (fs::directory_iterator entry(folder, fault), end; !fault && entry != end;
          entry.increment(fault)) {
         const std::string name = entry->path().filename().string();
-        const bool is_data = name == "presets.toml" || name == "glossary.toml";
+        const bool is_data =
+            name == "presets.toml" || name == "glossary.toml" || name == "bugs.toml";
         const bool is_scene = folder.filename() == "scenes" && name.ends_with(".toml");
         if (is_lesson_name(name) || is_data || is_scene) files.push_back(entry->path().string());
     }
@@ -74,6 +76,7 @@ int check_file(const std::string& path, const Session& session, std::ostream& ou
     const std::string name = fs::path(path).filename().string();
     if (name == "presets.toml") return read([&] { read_presets(path); });
     if (name == "glossary.toml") return read([&] { read_glossary(path); });
+    if (name == "bugs.toml") return read([&] { read_bugs(path); });
     if (name.ends_with(".toml")) return read([&] { read_scene(path); });
     const Lesson lesson = read_lesson(path);
     const std::vector<LessonFault> faults = check_lesson(lesson, session);

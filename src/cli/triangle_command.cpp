@@ -7,10 +7,10 @@
 #include <ostream>
 
 #include "cli/json.h"
-#include "session/moments.h"
 #include "cli/row_json.h"
 #include "inspect/triangle_report.h"
 #include "scene/error.h"
+#include "session/moments.h"
 
 namespace rasterwalk {
 

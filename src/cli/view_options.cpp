@@ -5,10 +5,10 @@
 
 #include <CLI/CLI.hpp>
 
-#include "session/moments.h"
 #include "scene/error.h"
 #include "session/bug.h"
 #include "session/content.h"
+#include "session/moments.h"
 #include "session/setting_table.h"
 
 namespace rasterwalk {

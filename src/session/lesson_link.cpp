@@ -7,6 +7,7 @@
 
 #include "pipeline/timeline.h"
 #include "scene/error.h"
+#include "session/bug.h"
 #include "session/facts.h"
 #include "session/moments.h"
 #include "session/nearest_name.h"
@@ -250,7 +251,8 @@ void follow_lesson_link(Session& session, const Frame& frame, const LessonLink& 
         apply_preset(find_preset(session.presets, link.argument), session.settings);
         break;
     case Kind::bug:
-        throw UsageError("there is no bug " + in_quotes(link.argument) + ".");
+        open_bug(find_bug(read_bugs(), link.argument), session);
+        break;
     case Kind::show:
     case Kind::term:
     case Kind::lesson:

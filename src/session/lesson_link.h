@@ -24,7 +24,7 @@ struct LessonLink {
         view,     ///< `view:depth` shows another plane
         overlay,  ///< `overlay:wireframe` lays it over the picture; `overlay:none`
         preset,   ///< `preset:exact` applies a preset
-        bug,      ///< `bug:B9` sets what shows a mistake
+        bug,      ///< `bug:B9` opens a mistake on its own scene, the correct run beside it
         term,     ///< `term:1/z` opens the glossary there
         lesson,   ///< `10-per-pixel.md` opens another lesson
     };
