@@ -9,6 +9,7 @@
 #include "ui/canvas_marks.h"
 #include "ui/depth_legend.h"
 #include "ui/overlays.h"
+#include "ui/picture_texture.h"
 #include "ui/style.h"
 #include "ui/widgets.h"
 
@@ -19,22 +20,19 @@ namespace {
 /// Space for the numbers of columns and rows along the picture, design pixels.
 constexpr float ruler = 26.0f;
 
+/// How much of its size a picture that fits may give up to be a whole multiple.
+constexpr float share_kept = 0.75f;
+
 /// How far the camera turns for each screen pixel of a drag, radians.
 constexpr float turn_per_pixel = 0.004f;
-
-void upload_picture(Ui& ui) {
-    if (ui.picture_number == ui.results.picture_number) return;
-    ui.picture_texture = ui.textures->upload(ui.picture_texture, ui.results.picture);
-    ui.picture_number = ui.results.picture_number;
-}
 
 float fit_zoom(const Ui& ui, ImVec2 room) {
     const Viewport size = ui.results.frame.settings.viewport;
     const float zoom =
         std::min(room.x / static_cast<float>(size.width), room.y / static_cast<float>(size.height));
-    // Whole multiples keep all pixels equally large where that costs little room.
+    // Whole multiples keep all pixels equally large and sharp: where they leave room enough.
     const float whole = std::floor(zoom);
-    return whole >= 4.0f ? whole : std::max(zoom, 0.01f);
+    return whole >= share_kept * zoom ? whole : std::max(zoom, 0.01f);
 }
 
 PicturePlace place_picture(const Ui& ui, ImVec2 low, ImVec2 room) {
@@ -208,7 +206,6 @@ float border_width(const Ui& ui, ImVec2 room) {
 } // namespace
 
 void draw_canvas(Ui& ui, const Area& area) {
-    upload_picture(ui);
     const float u = ui.options.text_scale;
     const Palette& p = palette(ui.options.theme);
     ImGui::SetNextWindowPos(area.position);
@@ -238,11 +235,9 @@ void draw_canvas(Ui& ui, const Area& area) {
     ImDrawList* const list = ImGui::GetWindowDrawList();
     list->AddRectFilled(frame_low, frame_high, packed(p.canvas), 4.0f * u);
     list->PushClipRect(frame_low, frame_high, true);
-    const Viewport size = ui.results.frame.settings.viewport;
-    const PicturePlace& place = ui.picture_place;
-    list->AddImage(ui.picture_texture, place.origin,
-                   {place.origin.x + place.scale * static_cast<float>(size.width),
-                    place.origin.y + place.scale * static_cast<float>(size.height)});
+    show_texture(ui, ui.picture, ui.results.picture, ui.results.picture_number,
+                 ui.picture_place.scale);
+    draw_texture(list, ui.picture, ui.picture_place);
     draw_overlays(ui, list, frame_low, frame_high);
     draw_canvas_marks(ui, list, frame_low, frame_high);
     list->PopClipRect();

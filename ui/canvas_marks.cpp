@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "session/bench.h"
 #include "ui/canvas.h"
@@ -12,9 +14,11 @@ namespace rasterwalk {
 
 namespace {
 
-/// More marks than this in one list are not drawn: they would be a carpet, and ImGui's draw lists
-/// count their corners in 16 bits.
-constexpr int most_marks = 500;
+/// More points than this at once are not ringed: they would be a carpet.
+constexpr std::size_t most_rings = 500;
+
+/// ImGui's draw lists count their corners in 16 bits: from here on nothing more is marked.
+constexpr int most_corners = 50'000;
 
 /// What the marks are drawn with.
 struct Marks {
@@ -40,6 +44,7 @@ struct Marks {
         return packed(colour_of(meaning, Theme::dark), opacity);
     }
     bool is_large() const { return scale >= grid_zoom; }
+    bool has_room() const { return list->VtxBuffer.Size < most_corners; }
 };
 
 /// The columns or rows that are in view.
@@ -110,17 +115,33 @@ void frame_pixel(const Marks& m, int column, int row, ImU32 colour, float thickn
     m.list->AddRect({c.x - h, c.y - h}, {c.x + h, c.y + h}, colour, 0.0f, 0, thickness);
 }
 
-/// Points are single pixels, hard to see: each gets a ring.
-void draw_point_rings(const Marks& m) {
+/// The pixels of the vertices drawn so far that can be seen, each once; none if there are too many.
+std::vector<std::pair<int, int>> visible_points(const Marks& m) {
     const Frame& frame = m.ui.results.frame;
-    if (frame.settings.stage != Stage::points || frame.triangle_count() * 3 > most_marks) return;
+    std::vector<std::pair<int, int>> points;
     for (int t = 0; t < frame.triangle_count(); ++t) {
         for (int v = 0; v < 3 && frame.is_drawn(t); ++v) {
-            if (Cursor{t, Phase::vertices, v, 0} >= m.ui.results.cursor) return;
-            const float radius = std::max(4.0f * m.u, 0.75f * m.scale);
-            m.list->AddCircle(m.at(frame.triangle_vertices(t)[v]), radius,
-                              m.colour(Meaning::pass, 0.8f), 0, 1.3f * m.u);
+            if (Cursor{t, Phase::vertices, v, 0} >= m.ui.results.cursor) break;
+            const Fragment& vertex = frame.triangle_vertices(t)[v];
+            if (m.is_visible(m.at(vertex))) points.emplace_back(vertex.row, vertex.column);
         }
+        // Neighbours share their corners, but no more than this.
+        if (points.size() > 16 * most_rings) return {};
+    }
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    if (points.size() > most_rings) points.clear();
+    return points;
+}
+
+/// Points are single pixels, hard to see: each gets a ring.
+void draw_point_rings(const Marks& m) {
+    if (m.ui.results.frame.settings.stage != Stage::points) return;
+    const float radius = std::max(4.0f * m.u, 0.75f * m.scale);
+    for (const auto& [row, column] : visible_points(m)) {
+        if (!m.has_room()) return;
+        m.list->AddCircle(m.at(static_cast<float>(column), static_cast<float>(row)), radius,
+                          m.colour(Meaning::pass, 0.8f), 0, 1.3f * m.u);
     }
 }
 
@@ -153,13 +174,12 @@ void draw_row_ends(const Marks& m) {
     const bool is_painted = m.ui.results.frame.settings.stage == Stage::rows;
     const float h = 0.5f * m.scale;
     const float bar = std::max(0.09f * m.scale, 2.0f * m.u);
-    int drawn = 0;
     for (int i = 0; i < history.rows.size(); ++i) {
         const Fragment& left = history.rows.left[i];
         const Fragment& right = history.rows.right[i];
         const ImVec2 row_at = m.at(0.0f, static_cast<float>(history.rows.first_row + i));
         if (!history.left_by[i].is_set() || row_at.y < m.low.y - m.scale ||
-            row_at.y > m.high.y + m.scale || ++drawn > most_marks) {
+            row_at.y > m.high.y + m.scale || !m.has_room()) {
             continue;
         }
         if (is_painted) {
@@ -185,12 +205,12 @@ void draw_samples(const Marks& m, std::span<const Fragment> vertices) {
     const EdgeRules rules = edge_rules(m.ui.results.frame.settings);
     const RowHistory& history = m.ui.results.rows;
     const float radius = std::clamp(0.09f * m.scale, 1.6f * m.u, 4.5f * m.u);
-    int left = history.samples, drawn = 0;
+    int left = history.samples;
     for (int e = 0; e < 3; ++e) {
         LineWalker edge = walk_edge(vertices[e], vertices[(e + 1) % 3], rules);
         for (; !edge.done() && left > 0; edge.advance(), --left) {
             const ImVec2 p = m.at(edge.x(), edge.y());
-            if (!m.is_visible(p) || ++drawn > most_marks) continue;
+            if (!m.is_visible(p) || !m.has_room()) continue;
             m.list->AddCircleFilled(p, radius, m.colour(edge_meaning(e)));
         }
     }

@@ -74,7 +74,8 @@ void FormulaLine::make_room(float width) {
         return;
     }
     ImGui::SameLine(0.0f, 0.0f);
-    if (ImGui::GetCursorPosX() + width <= right_ || ImGui::GetCursorPosX() <= begin_ + indent_)
+    if (width == 0.0f || ImGui::GetCursorPosX() + width <= right_ ||
+        ImGui::GetCursorPosX() <= begin_ + indent_)
         return;
     ImGui::NewLine();
     ImGui::SetCursorPosX(begin_ + indent_);
@@ -87,7 +88,11 @@ void FormulaLine::text(std::string_view words, const ImVec4& colour) {
         const std::size_t length = blank == std::string_view::npos ? words.size() : blank + 1;
         const std::string_view word = words.substr(0, length);
         const std::string_view visible = word.substr(0, word.find(' '));
-        make_room(ImGui::CalcTextSize(visible.data(), visible.data() + visible.size()).x);
+        // What closes a number stays beside it: the card's border has room for it.
+        const bool closes = visible.starts_with(')') || visible.starts_with(',');
+        make_room(closes || visible.empty()
+                      ? 0.0f
+                      : ImGui::CalcTextSize(visible.data(), visible.data() + visible.size()).x);
         text_in(colour, word);
         words.remove_prefix(length);
     }
@@ -102,6 +107,7 @@ bool FormulaLine::link(std::string_view label, const std::string& name, const st
     const bool clicked = ImGui::InvisibleButton(name.c_str(), {std::max(size.x, 1.0f), size.y});
     const bool hovered = ImGui::IsItemHovered();
     name_number(ui_, name.substr(0, name.find("##")), tooltip);
+    note_text(ui_, name.substr(0, name.find("##")), label);
     if (hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     ImDrawList* const list = ImGui::GetWindowDrawList();
     list->AddText(at, packed(hovered ? p.link : colour), label.data(), label.data() + label.size());
@@ -130,17 +136,29 @@ std::optional<Source> draw_formula(Ui& ui, const Formula& formula, const std::st
     }
     const std::string result = shown(formula.result);
     const std::string terms = with_terms(formula);
+    const auto draw_result = [&](FormulaLine& line) {
+        line.text("= ", p.dim);
+        line.text(result, p.link);
+        name_number(ui, name + ".result", "In full: " + exact_text(formula.result));
+        note_text(ui, name + ".result", result);
+    };
+    const bool has_result = with_numbers(formula) != result;
+    bool is_done = false;
     if (!terms.empty() && terms != result) {
         FormulaLine line(ui, indent);
         line.text("= ", p.dim);
         line.text(terms, p.text);
+        // Where lines are few the result stands on the last one.
+        if (has_result && ui.page_is_low) {
+            line.text(" ", p.dim);
+            draw_result(line);
+            is_done = true;
+        }
     }
     ImGui::SetCursorPosX(begin);
-    if (with_numbers(formula) != result) {
+    if (has_result && !is_done) {
         FormulaLine line(ui, indent);
-        line.text("= ", p.dim);
-        line.text(result, p.link);
-        name_number(ui, name + ".result", "In full: " + exact_text(formula.result));
+        draw_result(line);
     }
     return clicked;
 }
@@ -206,16 +224,22 @@ void draw_with_card(const char* name, const std::function<void()>& page,
     const float room = ImGui::GetContentRegionAvail().y;
     const float spacing = ImGui::GetStyle().ItemSpacing.y;
     const float card_height = sizes->GetFloat(card_id, 8.0f * ImGui::GetTextLineHeight());
-    const float left = std::max(room - card_height - spacing, 0.45f * room);
+    const float left = std::max(room - card_height - spacing, 0.42f * room);
     ImGui::BeginChild(page_id, {0, std::min(sizes->GetFloat(page_id, room), left)}, false,
                       ImGuiWindowFlags_NoNav);
     page();
     const float page_height = ImGui::GetCursorPosY();
     ImGui::EndChild();
+    // A card for which there is no room scrolls by itself: neither of the two is ever out of sight.
+    const float card_room = std::max(room - left - spacing, 1.0f);
+    const bool scrolls = card_height > card_room + 1.0f && card_room > ImGui::GetTextLineHeight();
+    if (scrolls) ImGui::BeginChild(card_id, {0, card_room}, false, ImGuiWindowFlags_NoNav);
     const float top = ImGui::GetCursorPosY();
     card();
+    const float card_height_now = ImGui::GetCursorPosY() - top;
+    if (scrolls) ImGui::EndChild();
     sizes->SetFloat(page_id, page_height);
-    sizes->SetFloat(card_id, ImGui::GetCursorPosY() - top);
+    sizes->SetFloat(card_id, card_height_now);
 }
 
 bool number_cell(Ui& ui, const std::string& name, std::string_view text, const ImVec4& colour,
@@ -225,6 +249,7 @@ bool number_cell(Ui& ui, const std::string& name, std::string_view text, const I
     const bool clicked =
         ImGui::Selectable(("##" + name).c_str(), is_chosen, 0, {room, ImGui::GetTextLineHeight()});
     name_number(ui, name, tooltip);
+    note_text(ui, name, text);
     const float width = ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
     ImGui::GetWindowDrawList()->AddText({at.x + std::max(room - width, 0.0f), at.y}, packed(colour),
                                         text.data(), text.data() + text.size());

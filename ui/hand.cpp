@@ -229,7 +229,32 @@ bool Hand::is_visible(std::string_view name) const {
 WidgetPlace Hand::find(std::string_view name) {
     if (ui_.widgets.empty()) frames(1);
     if (!is_visible(name) && !scroll_into_view(name)) throw UsageError(not_found(name));
+    if (!ui_.widgets.at(std::string(name)).is_whole) scroll_until_whole(name);
     return ui_.widgets.at(std::string(name));
+}
+
+/// A widget that is partly in view: the rest of it too, if one of the windows can be scrolled so.
+void Hand::scroll_until_whole(std::string_view name) {
+    const auto scroll_to = [&](ImGuiID id, float y) {
+        ImGuiWindow* const window = ImGui::FindWindowByID(id);
+        if (window == nullptr) return;
+        ImGui::SetScrollY(window, std::clamp(y, 0.0f, window->ScrollMax.y));
+        frames(2);
+    };
+    const auto is_whole = [&] {
+        const auto found = ui_.widgets.find(std::string(name));
+        return found != ui_.widgets.end() && found->second.visible && found->second.is_whole;
+    };
+    for (const Scrollable& scrollable : scrollable_windows()) {
+        const ImGuiWindow* const window = ImGui::FindWindowByID(scrollable.id);
+        if (window == nullptr || window->ScrollMax.y <= 0.0f) continue;
+        const float step = std::max(0.2f * window->InnerRect.GetHeight(), 8.0f);
+        for (const int steps : {1, -1, 2, -2, 3, -3, 4, -4}) {
+            scroll_to(scrollable.id, scrollable.scroll.y + static_cast<float>(steps) * step);
+            if (is_whole()) return;
+        }
+        scroll_to(scrollable.id, scrollable.scroll.y);
+    }
 }
 
 ImVec2 Hand::middle_of(std::string_view name) {

@@ -62,7 +62,8 @@ class Hand {
 
     /// True if the widget is drawn and can be seen at least in part.
     bool is_visible(std::string_view name) const;
-    /// Brings the widget into view if need be. Throws UsageError if it is not there.
+    /// Brings the widget into view if need be, as far as it can be. Throws UsageError if it is not
+    /// there.
     WidgetPlace find(std::string_view name);
     /// All names on the screen, sorted.
     std::vector<std::string> names() const;
@@ -74,6 +75,7 @@ class Hand {
     void press_mouse(int mouse_button, Held held, int times = 1);
     void drag_to(ImVec2 from, ImVec2 to, Held held, int mouse_button);
     bool scroll_into_view(std::string_view name);
+    void scroll_until_whole(std::string_view name);
     std::string not_found(std::string_view name) const;
 
     Ui& ui_;

@@ -7,6 +7,7 @@
 #include "scene/colour_map.h"
 #include "session/overlay.h"
 #include "ui/keys.h"
+#include "ui/picture_texture.h"
 #include "ui/style.h"
 #include "ui/widgets.h"
 
@@ -83,17 +84,6 @@ std::string value_at(const Ui& ui, Overlay overlay, glm::ivec2 pixel) {
     const float reach = std::max(5.0f * ui.options.text_scale / ui.picture_place.scale, 0.75f);
     return overlay_value(overlay, ui.results.frame, *ui.results.framebuffer, ui.results.overlay,
                          pixel, reach);
-}
-
-/// The text, shortened at its end until it is no wider.
-std::string shortened(std::string text, float width) {
-    if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
-    while (!text.empty() && ImGui::CalcTextSize((text + "…").c_str()).x > width) {
-        do
-            text.pop_back();
-        while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0) == 0x80);
-    }
-    return text + "…";
 }
 
 void text_right(const std::string& text, const ImVec4& colour, ImVec2 line, float right,
@@ -327,16 +317,10 @@ void draw_overlay_button(Ui& ui, bool narrow) {
 
 void draw_overlays(Ui& ui, ImDrawList* list, ImVec2 low, ImVec2 high) {
     const OverlayPicture& picture = ui.results.overlay;
-    if (ui.overlay_number != ui.results.overlay_number) {
-        ui.overlay_number = ui.results.overlay_number;
-        if (!picture.image.rgba.empty())
-            ui.overlay_texture = ui.textures->upload(ui.overlay_texture, picture.image);
-    }
     if (!picture.image.rgba.empty()) {
-        const PicturePlace& place = ui.picture_place;
-        list->AddImage(ui.overlay_texture, place.origin,
-                       {place.origin.x + place.scale * static_cast<float>(picture.image.width),
-                        place.origin.y + place.scale * static_cast<float>(picture.image.height)});
+        show_texture(ui, ui.overlay, picture.image, ui.results.overlay_number,
+                     ui.picture_place.scale);
+        draw_texture(list, ui.overlay, ui.picture_place);
     }
     draw_wires(ui, list, low, high);
 }

@@ -37,6 +37,7 @@ struct WidgetPlace {
     bool visible = false;          ///< false: scrolled or clipped away
     bool is_whole = false;         ///< false: a part of it is cut off
     bool has_tooltip = false;
+    std::string text; ///< the number that it shows, where it is one that can be clicked
 };
 
 /// Fonts in the sizes that the interface uses.
@@ -65,6 +66,14 @@ struct UiOptions {
 struct PicturePlace {
     ImVec2 origin{0, 0};
     float scale = 1.0f; ///< screen pixels a picture pixel
+};
+
+/// A picture that the graphics system knows.
+struct PictureTexture {
+    ImTextureID id = nullptr;
+    std::uint64_t number = 0; ///< of the picture that it shows, see Results
+    float scale = 0.0f;       ///< that it was resampled for; 1: as it is
+    ImVec2 size{0, 0};        ///< in picture pixels
 };
 
 /// What the float microscope looks at.
@@ -132,12 +141,12 @@ struct Ui {
     Fonts fonts;
     TextureHost* textures = nullptr;
     std::shared_ptr<PictureShelf> pictures; ///< that the lessons show
-    ImTextureID picture_texture = nullptr;
-    std::uint64_t picture_number = 0; ///< Results::picture_number that the texture shows
-    ImTextureID overlay_texture = nullptr;
-    std::uint64_t overlay_number = 0; ///< Results::overlay_number that the texture shows
-    bool shows_legend = true;         ///< of the overlays; or else only their swatches
-    float depth_grip = 0.0f; ///< from a handle of the depth view that is held to the pointer
+    PictureTexture picture;                 ///< shows Results::picture
+    PictureTexture overlay;                 ///< shows Results::overlay
+    bool page_is_low = false;    ///< the inspector's page has few lines: panels are brief
+    bool page_is_narrow = false; ///< and few letters a line
+    bool shows_legend = true;    ///< of the overlays; or else only their swatches
+    float depth_grip = 0.0f;     ///< from a handle of the depth view that is held to the pointer
     std::unordered_map<std::string, WidgetPlace> widgets; ///< drawn in this frame, by name
     PicturePlace picture_place;                           ///< in this frame
     std::string setting_search;              ///< what the settings panel is filtered by

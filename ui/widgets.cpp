@@ -51,9 +51,12 @@ void name_widget(Ui& ui, std::string_view name, std::string_view tooltip) {
     ImRect shown(low, high);
     shown.ClipWith(ImGui::GetCurrentWindow()->ClipRect);
     const bool visible = shown.GetWidth() >= 1.0f && shown.GetHeight() >= 1.0f;
-    const bool is_whole = shown.Min.x <= low.x && shown.Min.y <= low.y && shown.Max.x >= high.x &&
-                          shown.Max.y >= high.y;
-    ui.widgets[std::string(name)] = {shown.Min, shown.Max, visible, is_whole, !tooltip.empty()};
+    // Half of the space around items belongs to those that can be selected: it may be cut off.
+    const ImVec2 spacing = ImGui::GetStyle().ItemSpacing;
+    const bool is_whole =
+        shown.Min.x <= low.x + 0.5f * spacing.x && shown.Min.y <= low.y + 0.5f * spacing.y &&
+        shown.Max.x >= high.x - 0.5f * spacing.x && shown.Max.y >= high.y - 0.5f * spacing.y;
+    ui.widgets[std::string(name)] = {shown.Min, shown.Max, visible, is_whole, !tooltip.empty(), {}};
     outline_if_pointed_at(ui, name, shown, visible);
     // Not over a button that is held: the tooltip would lie over what the drag changes.
     if (!tooltip.empty() && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) &&
@@ -64,6 +67,10 @@ void name_widget(Ui& ui, std::string_view name, std::string_view tooltip) {
         ImGui::PopTextWrapPos();
         ImGui::EndTooltip();
     }
+}
+
+void note_text(Ui& ui, std::string_view name, std::string_view text) {
+    ui.widgets.at(std::string(name)).text = text;
 }
 
 bool button(Ui& ui, std::string_view name, std::string_view label, Look look,
@@ -151,6 +158,19 @@ std::string fixed(double value, int digits) {
     // A negative number that rounds to zero is shown without its sign.
     const bool is_zero = std::string_view(text).find_first_not_of("0.") == std::string_view::npos;
     return (value < 0 && !is_zero ? "−" : "") + std::string(text);
+}
+
+std::string shortened(const std::string& text, float width) {
+    if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+    std::size_t length = text.size();
+    while (length > 0) {
+        --length;
+        // Not within a character of several bytes.
+        if ((static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U) continue;
+        const std::string cut = text.substr(0, length) + "…";
+        if (ImGui::CalcTextSize(cut.c_str()).x <= width) return cut;
+    }
+    return "…";
 }
 
 float button_width(std::string_view label) {

@@ -12,6 +12,10 @@ namespace rasterwalk {
 /// rests on it (empty: none).
 void name_widget(Ui& ui, std::string_view name, std::string_view tooltip = {});
 
+/// Notes the number that the widget of this name shows, for whoever asks for it by name. The widget
+/// must have been named in this frame.
+void note_text(Ui& ui, std::string_view name, std::string_view text);
+
 /// How a button looks.
 enum class Look : std::uint8_t {
     plain,   ///< filled
@@ -42,6 +46,10 @@ void end_card(Ui& ui);
 /// A number with a fixed count of digits after the point, with a true minus sign, so that columns
 /// do not jump: "-0.821", " 1.000". Numbers too large for it come out as 1.2e+06.
 std::string fixed(double value, int digits);
+
+/// As much of the text as fits into the width in the present font, with an ellipsis if that is not
+/// all.
+std::string shortened(const std::string& text, float width);
 
 /// The width that a label takes as a button.
 float button_width(std::string_view label);

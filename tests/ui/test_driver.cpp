@@ -77,6 +77,7 @@ TEST_CASE("A key is pressed for one frame and modifiers end with it") {
 
 TEST_CASE("The picture goes to the textures when it changed, and only then") {
     Driver driver;
+    driver.ui.session.canvas.zoom = 1.0f; // shown as it is
     driver.hand.click("stage.points");
     const int before = driver.textures.uploads;
     CHECK(driver.textures.last == driver.ui.results.picture);

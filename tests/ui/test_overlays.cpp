@@ -39,12 +39,14 @@ TEST_CASE("Every overlay is switched on and off by its name, and undone") {
 
 TEST_CASE("Overlays are one texture beside that of the picture, made anew only when they change") {
     Driver driver;
+    driver.ui.session.canvas.zoom = 1.0f; // shown as it is
+    driver.hand.frames();
     const int before = driver.textures.uploads;
     switch_overlay(driver, "uncovered");
     CHECK(driver.textures.uploads == before + 1);
     CHECK(driver.textures.last == driver.ui.results.overlay.image);
-    CHECK(driver.ui.overlay_texture != nullptr);
-    CHECK(driver.ui.overlay_texture != driver.ui.picture_texture);
+    CHECK(driver.ui.overlay.id != nullptr);
+    CHECK(driver.ui.overlay.id != driver.ui.picture.id);
     driver.hand.frames(5);
     CHECK(driver.textures.uploads == before + 1);
     switch_overlay(driver, "wireframe");

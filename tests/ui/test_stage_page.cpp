@@ -154,6 +154,7 @@ TEST_CASE(
     driver.hand.leave();
     driver.hand.frames(frames_to_rest);
     CHECK(driver.ui.lesson.pointed_at == "tab.history");
+    CHECK(driver.ui.session.tab == "history");
     driver.hand.press(key::period);
     CHECK(driver.ui.lesson.pointed_at.empty());
 }

@@ -37,7 +37,7 @@ TEST_CASE("Each stage button shows its stage, in the frame in which it is clicke
         CHECK(driver.ui.results.frame.settings.stage == info.stage);
         CHECK(first_difference(*driver.ui.results.framebuffer,
                                expected_picture(driver.ui.session)) == "");
-        CHECK(driver.ui.picture_number == driver.ui.results.picture_number);
+        CHECK(driver.ui.picture.number == driver.ui.results.picture_number);
     }
 }
 

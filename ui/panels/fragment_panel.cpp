@@ -4,6 +4,7 @@
 #include "inspect/light_formulas.h"
 #include "session/walk.h"
 #include "ui/formula_view.h"
+#include "ui/panels/fragment_parts.h"
 #include "ui/panels/panels.h"
 #include "ui/style.h"
 #include "ui/widgets.h"
@@ -11,17 +12,6 @@
 namespace rasterwalk {
 
 namespace {
-
-const FragmentReport& report_of(const Ui& ui) {
-    return *ui.results.inspected.fragment;
-}
-
-/// Remembers which number is asked about, or goes to where it comes from.
-void follow(Ui& ui, const std::optional<Source>& source) {
-    if (!source) return;
-    if (source->kind == SourceKind::formula) ui.inspect.fragment_number = source->name;
-    go_to_source(ui, *source);
-}
 
 ImU32 screen_colour(const glm::vec3& colour) {
     const glm::vec3 cut = clamped(colour);
@@ -77,10 +67,17 @@ void draw_title(Ui& ui) {
                       "Lets the picked pixel go and shows the fragment that was drawn last.")) {
         ui.session.selection.pixel = std::nullopt;
     }
-    text_in(p.dim, "triangle " + std::to_string(triangle + 1) + " · row " +
-                       std::to_string(report.row.index + 1) + " of " +
-                       std::to_string(report.row.row_count) + " · fragment " +
-                       std::to_string(report.step + 1) + " of " + std::to_string(report.row.count));
+    std::string place = "triangle " + std::to_string(triangle + 1) + " · row " +
+                        std::to_string(report.row.index + 1) + " of " +
+                        std::to_string(report.row.row_count) + " · fragment " +
+                        std::to_string(report.step + 1) + " of " + std::to_string(report.row.count);
+    if (ui.page_is_narrow) {
+        place = "t" + std::to_string(triangle + 1) + " · row " +
+                std::to_string(report.row.index + 1) + "/" + std::to_string(report.row.row_count) +
+                " · fragment " + std::to_string(report.step + 1) + "/" +
+                std::to_string(report.row.count);
+    }
+    text_in(p.dim, shortened(place, ImGui::GetContentRegionAvail().x));
     name_widget(ui, "fragment.place",
                 "Whose fragment it is: its triangle, the row of the triangle's table, and how far "
                 "along that row.");
@@ -122,13 +119,6 @@ void draw_error(Ui& ui, const QuantityInfo& info) {
     draw_number(ui, id, id, 4, colour);
 }
 
-/// Is the light of the vertices on show, in force or as the other lighting?
-bool shows_vertex_light(const Ui& ui) {
-    const Lighting lighting = report_of(ui).lighting;
-    if (lighting == Lighting::none) return false;
-    return (lighting == Lighting::per_vertex) != ui.inspect.shows_other_light;
-}
-
 void draw_headers(Ui& ui) {
     const Palette& p = palette(ui.options.theme);
     const bool affine = report_of(ui).interpolation == Interpolation::affine;
@@ -149,7 +139,8 @@ void draw_headers(Ui& ui) {
         ImGui::TableNextColumn();
         const std::string help =
             std::string(header.help) + (header.in_force ? "\nThis is the way in force." : "");
-        const std::string title = std::string(header.in_force ? "● " : "") + header.title;
+        std::string title = std::string(header.in_force ? "● " : "") + header.title;
+        if (ui.page_is_narrow) title = shortened(title, ImGui::GetContentRegionAvail().x);
         if (&header == headers) {
             text_in(p.dim, title);
         } else {
@@ -193,118 +184,6 @@ void draw_values(Ui& ui) {
     }
     ImGui::PopFont();
     ImGui::EndTable();
-}
-
-void draw_line(Ui& ui, const std::string& id, std::string_view label = {}, bool warns = false) {
-    const Formula* const formula = find_formula(report_of(ui).formulas, id);
-    if (formula != nullptr) {
-        follow(ui, draw_formula_line(ui, *formula, "fragment." + id, label, warns));
-    }
-}
-
-bool is_grey(const glm::vec3& colour) {
-    return colour.r == colour.g && colour.g == colour.b;
-}
-
-/// Cut to what the screen can show: only where that changes something.
-void draw_clamped(Ui& ui, const glm::vec3& colour) {
-    const Palette& p = palette(ui.options.theme);
-    FormulaLine line(ui, 0.0f);
-    const glm::vec3 cut = clamped(colour);
-    if (cut == colour) return;
-    line.text("clamped ", p.dim);
-    for (int i = 0; i < 3; ++i)
-        line.text(shown({cut[i]}) + (i < 2 ? "  " : ""), p.text);
-}
-
-void draw_pixel_light(Ui& ui) {
-    const FragmentReport& report = report_of(ui);
-    const std::string prefix = "pixel_light.";
-    draw_line(ui, prefix + "r2");
-    draw_line(ui, prefix + "cosine");
-    draw_line(ui, prefix + "area");
-    if (is_grey(report.light.direct)) {
-        draw_line(ui, prefix + "D.red", "D");
-    } else {
-        for (const char* channel : channel_names)
-            draw_line(ui, prefix + "D." + channel);
-    }
-    for (int i = 0; i < 3; ++i) {
-        draw_line(ui, prefix + "R." + channel_names[static_cast<std::size_t>(i)], {},
-                  report.light.reflected[i] > 1.0f);
-    }
-    draw_clamped(ui, report.light.reflected);
-}
-
-void draw_vertex_light(Ui& ui) {
-    const FragmentReport& report = report_of(ui);
-    const Palette& p = palette(ui.options.theme);
-    for (int v = 0; v < 3; ++v) {
-        FormulaLine line(ui, 0.0f);
-        const glm::vec3& light = report.at_vertex[static_cast<std::size_t>(v)].reflected;
-        line.text("R at vertex " + std::to_string(v + 1) + "  ", p.dim);
-        for (int i = 0; i < 3; ++i) {
-            const std::string channel = channel_names[static_cast<std::size_t>(i)];
-            const ImVec4 colour =
-                light[i] > 1.0f ? colour_of(Meaning::fail, ui.options.theme) : p.text;
-            const std::string name = "fragment.vertex_light.v" + std::to_string(v) + "." + channel;
-            if (line.link(shown({light[i]}), name,
-                          channel + " of the light that the vertex gives back.\nClick: shows it "
-                                    "there, term by term.",
-                          colour)) {
-                go_to_source(ui, from_vertex(report.cursor.triangle, v, "light.R." + channel));
-            }
-            line.text(i < 2 ? "  " : "", p.text);
-        }
-    }
-    for (const Quantity quantity : {Quantity::red, Quantity::green, Quantity::blue}) {
-        const std::string id = formula_id(quantity, report.interpolation);
-        const int channel = static_cast<int>(quantity) - static_cast<int>(Quantity::red);
-        draw_line(ui, id, "R " + std::string(channel_names[static_cast<std::size_t>(channel)]),
-                  report.light_per_vertex[channel] > 1.0f);
-    }
-    draw_clamped(ui, report.light_per_vertex);
-}
-
-void draw_light(Ui& ui) {
-    const FragmentReport& report = report_of(ui);
-    const Palette& p = palette(ui.options.theme);
-    if (report.lighting == Lighting::none) return;
-    const bool in_force_is_vertex = report.lighting == Lighting::per_vertex;
-    const bool shows_vertex = shows_vertex_light(ui);
-    begin_card(ui);
-    ImGui::PushFont(ui.fonts.small);
-    ImGui::AlignTextToFramePadding();
-    text_in(p.dim, "light");
-    name_widget(ui, "fragment.light", "R = ρ (D + N), term by term; see the tooltips.");
-    const struct {
-        const char* name;
-        const char* title;
-        const char* help;
-        bool is_vertex;
-    } choices[] = {{"fragment.light.per_vertex", "per vertex",
-                    "The light of the three vertices, interpolated.", true},
-                   {"fragment.light.per_pixel", "per pixel",
-                    "The light worked out at the fragment's own place.", false}};
-    for (const auto& choice : choices) {
-        ImGui::SameLine();
-        const bool in_force = choice.is_vertex == in_force_is_vertex;
-        const std::string title = std::string(in_force ? "● " : "") + choice.title;
-        const std::string help =
-            std::string(choice.help) + (in_force ? "\nThis is the lighting in force."
-                                                 : "\nWhat the other lighting would give.");
-        if (button(ui, choice.name, title,
-                   choice.is_vertex == shows_vertex ? Look::plain : Look::quiet, help)) {
-            ui.inspect.shows_other_light = !in_force;
-        }
-    }
-    ImGui::PopFont();
-    if (shows_vertex) {
-        draw_vertex_light(ui);
-    } else {
-        draw_pixel_light(ui);
-    }
-    end_card(ui);
 }
 
 std::string verdict(const FragmentReport& report) {
@@ -351,7 +230,7 @@ void draw_depth(Ui& ui) {
     text_in(p.dim, "depth and colour");
     ImGui::PopFont();
     const bool tested = report.depth_test != DepthTest::off;
-    if (tested) draw_line(ui, "margin", "margin: new − stored");
+    if (tested) draw_fragment_line(ui, "margin", "margin: new − stored");
     const ImVec4 colour =
         !tested ? p.text
                 : colour_of(report.fate == Fate::written ? Meaning::pass : Meaning::fail,
@@ -369,12 +248,13 @@ void draw_formula_card(Ui& ui) {
     const Formula* formula = find_formula(report.formulas, ui.inspect.fragment_number);
     if (formula == nullptr) formula = find_formula(report.formulas, "zinv");
     begin_card(ui);
+    // Where lines are few the name of the number says it by its tooltip.
     ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-    wrapped_text(formula->help);
+    if (!ui.page_is_low) wrapped_text(formula->help);
     ImGui::PopStyleColor();
     const std::optional<Source> clicked = draw_formula(ui, *formula, "fragment.formula");
     end_card(ui);
-    follow(ui, clicked);
+    follow_source(ui, clicked);
 }
 
 void draw_nothing(Ui& ui) {
@@ -400,6 +280,23 @@ void draw_nothing(Ui& ui) {
 
 } // namespace
 
+const FragmentReport& report_of(const Ui& ui) {
+    return *ui.results.inspected.fragment;
+}
+
+void follow_source(Ui& ui, const std::optional<Source>& source) {
+    if (!source) return;
+    if (source->kind == SourceKind::formula) ui.inspect.fragment_number = source->name;
+    go_to_source(ui, *source);
+}
+
+void draw_fragment_line(Ui& ui, const std::string& id, std::string_view label, bool warns) {
+    const Formula* const formula = find_formula(report_of(ui).formulas, id);
+    if (formula != nullptr) {
+        follow_source(ui, draw_formula_line(ui, *formula, "fragment." + id, label, warns));
+    }
+}
+
 void draw_fragment_panel(Ui& ui) {
     if (!ui.results.inspected.fragment) {
         draw_nothing(ui);
@@ -411,7 +308,7 @@ void draw_fragment_panel(Ui& ui) {
             draw_title(ui);
             draw_values(ui);
             ImGui::Spacing();
-            draw_light(ui);
+            draw_fragment_light(ui);
             draw_depth(ui);
         },
         [&] { draw_formula_card(ui); });

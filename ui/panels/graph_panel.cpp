@@ -48,13 +48,15 @@ void draw_row_choice(Ui& ui, int index, const char* where) {
     name_widget(ui, "graph.row", "Row of the picture; choose another here or in the Rows tab.");
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
-    text_in(p.dim, "column " + std::to_string(graph.first_column + index) + where);
+    const ImVec2 size{ImGui::GetFrameHeight(), 0};
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float width = 2.0f * size.x + gap;
+    text_in(p.dim, shortened("column " + std::to_string(graph.first_column + index) + where,
+                             std::max(ImGui::GetContentRegionAvail().x - width - gap, 0.0f)));
     name_widget(ui, "graph.where",
                 "The column whose numbers stand beside the curves' names: under the pointer, or "
                 "else of the current fragment, or else where the error is largest.");
     ImGui::SameLine();
-    const ImVec2 size{ImGui::GetFrameHeight(), 0};
-    const float width = 2.0f * size.x + ImGui::GetStyle().ItemSpacing.x;
     const float room = ImGui::GetContentRegionAvail().x;
     if (room > width) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room - width);
     const int top = graph.row.row - graph.row.index;

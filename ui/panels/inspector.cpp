@@ -53,6 +53,10 @@ void draw_tab(Ui& ui, const Tab& tab, ImVec2 at, float width, float height, bool
     }
 }
 
+/// A page below this size is one of little room, design pixels.
+constexpr float low_page = 330.0f;
+constexpr float narrow_page = 345.0f;
+
 using Tabs = std::vector<const Tab*>;
 
 /// Around a tab's title, design pixels: as it should be, and where room is short.
@@ -143,6 +147,9 @@ void draw_inspector(Ui& ui, const Layout& layout) {
     ImGui::GetWindowDrawList()->AddLine({start.x, bottom}, {start.x + room, bottom},
                                         packed(palette(ui.options.theme).line));
     ImGui::SetCursorScreenPos({start.x, bottom + 9.0f * u});
+    const ImVec2 page = ImGui::GetContentRegionAvail();
+    ui.page_is_low = page.y < low_page * u;
+    ui.page_is_narrow = page.x < narrow_page * u;
     // The page scrolls, the tabs stay.
     ImGui::BeginChild(chosen->name, {0, 0}, false, ImGuiWindowFlags_NoNav);
     chosen->draw(ui);

@@ -1,11 +1,10 @@
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
 #include <string>
 #include <utility>
 
 #include "session/walk.h"
+#include "ui/number_text.h"
+#include "ui/panels/microscope_parts.h"
 #include "ui/panels/panels.h"
 #include "ui/style.h"
 #include "ui/widgets.h"
@@ -14,78 +13,12 @@ namespace rasterwalk {
 
 namespace {
 
-/// A number as the C library prints it, with true minus signs.
-std::string printed(const char* format, double value) {
-    char buffer[48];
-    std::snprintf(buffer, sizeof buffer, format, value);
-    std::string text;
-    for (const char* c = buffer; *c != '\0'; ++c)
-        text += *c == '-' ? std::string("−") : std::string(1, *c);
-    return text;
-}
-
-/// Nine digits tell every float from its neighbours.
-std::string nine_digits(float value) {
-    return printed("%.9g", static_cast<double>(value));
-}
-
-/// The same for a narrow column: what is left over near zero gets three digits.
-std::string float_text(float value) {
-    const bool is_leftover = value != 0.0f && std::abs(value) < 1e-4f;
-    return is_leftover ? printed("%.2e", static_cast<double>(value)) : nine_digits(value);
-}
-
-std::string drift_text(double drift) {
-    return drift == 0.0 ? "0" : printed("%.2e", drift);
-}
-
-std::string whole_text(std::int64_t value) {
-    return (value < 0 ? "−" : "") + std::to_string(std::abs(value));
-}
-
-/// "−2 1/3": the whole part first, because it is the pixel.
-std::string mixed_text(const Fraction& f) {
-    if (f.denominator == 1) return whole_text(f.numerator);
-    const std::int64_t size = std::abs(f.numerator);
-    std::string text = f.numerator < 0 ? "−" : "";
-    if (size >= f.denominator) text.append(std::to_string(size / f.denominator)).append(" ");
-    return text + to_text(Fraction{size % f.denominator, f.denominator});
-}
-
-std::string fraction_text(const Fraction& f) {
-    const std::string sign = f.numerator < 0 ? "−" : "";
-    return sign + to_text(Fraction{std::abs(f.numerator), f.denominator});
-}
-
 std::string place_text(int column, int row) {
     return "(" + whole_text(column) + "," + whole_text(row) + ")";
 }
 
 std::string counted(std::size_t count, int of) {
     return std::to_string(count) + " of " + std::to_string(of) + (of == 1 ? " sample" : " samples");
-}
-
-/// The sample of the shown edge that was entered last; -1: the cursor is not on this edge.
-int current_sample(const Ui& ui) {
-    const std::optional<Cursor>& done = ui.results.done;
-    const bool is_here = done && done->triangle == *ui.results.triangle &&
-                         done->phase == Phase::edges && done->index == ui.microscope.edge;
-    return is_here ? done->step : -1;
-}
-
-/// How many samples of the shown edge come before the cursor.
-int samples_walked(const Ui& ui) {
-    const Cursor begin{*ui.results.triangle, Phase::edges, ui.microscope.edge, 0};
-    if (ui.results.cursor <= begin) return 0;
-    const int current = current_sample(ui);
-    return current >= 0 ? current + 1 : ui.microscope.shown.count;
-}
-
-/// To the moment just after the sample was entered.
-void go_to_sample(Ui& ui, int sample) {
-    const Timeline timeline(ui.results.frame);
-    const Cursor cursor{*ui.results.triangle, Phase::edges, ui.microscope.edge, sample};
-    if (timeline.exists(cursor)) go_to(ui.session, timeline.next(cursor, Granularity::moment));
 }
 
 /// The edge that was picked, until the cursor comes to another.
@@ -240,233 +173,24 @@ void draw_summary(Ui& ui) {
     end_card(ui);
 }
 
+} // namespace
+
+int current_sample(const Ui& ui) {
+    const std::optional<Cursor>& done = ui.results.done;
+    const bool is_here = done && done->triangle == *ui.results.triangle &&
+                         done->phase == Phase::edges && done->index == ui.microscope.edge;
+    return is_here ? done->step : -1;
+}
+
+void go_to_sample(Ui& ui, int sample) {
+    const Timeline timeline(ui.results.frame);
+    const Cursor cursor{*ui.results.triangle, Phase::edges, ui.microscope.edge, sample};
+    if (timeline.exists(cursor)) go_to(ui.session, timeline.next(cursor, Granularity::moment));
+}
+
 const MicroscopeCoordinate& shown_coordinate(const Ui& ui, const MicroscopeSample& sample) {
     return ui.microscope.shows_x ? sample.x : sample.y;
 }
-
-/// The drift along the edge as a curve; samples on a wrong pixel are marked below it.
-void draw_drift_curve(Ui& ui) {
-    const EdgeMicroscope& edge = ui.microscope.shown;
-    const Palette& p = palette(ui.options.theme);
-    const float u = ui.options.text_scale;
-    const ImVec2 low = ImGui::GetCursorScreenPos();
-    const float width = ImGui::GetContentRegionAvail().x;
-    const float height = 58.0f * u;
-    const ImVec2 high{low.x + width, low.y + height};
-    ImGui::InvisibleButton("microscope.curve", {width, height});
-    const bool is_held = ImGui::IsItemActive();
-    name_widget(ui, "microscope.curve",
-                "How far the float is off the exact fraction, along the edge. Marks: samples on a "
-                "wrong pixel. Click or drag: to a sample.");
-    ImDrawList* const list = ImGui::GetWindowDrawList();
-    list->AddRectFilled(low, high, packed(p.card), 5.0f * u);
-    const int last = std::max(edge.count - 1, 1);
-    const float inset = 12.0f * u;
-    const auto x_of = [&](int sample) {
-        return low.x + inset +
-               (width - 2.0f * inset) * static_cast<float>(sample) / static_cast<float>(last);
-    };
-    const MicroscopeSummary& summary = edge.summary;
-    const double largest =
-        ui.microscope.shows_x ? summary.largest_drift_x : summary.largest_drift_y;
-    const float middle = low.y + 0.5f * height;
-    const auto y_of = [&](double drift) {
-        const double share = largest != 0.0 ? drift / std::abs(largest) : 0.0;
-        return middle - 0.32f * height * static_cast<float>(share);
-    };
-    list->AddLine({low.x + inset, middle}, {high.x - inset, middle}, packed(p.line));
-    // At most two samples a screen pixel: more cannot be seen.
-    const int stride = std::max(1, edge.count / std::max(1, static_cast<int>(2.0f * width)));
-    ImVec2 before{x_of(0), y_of(0.0)};
-    for (int i = 0; i < edge.count; i += stride) {
-        const ImVec2 here{x_of(i), y_of(shown_coordinate(ui, edge.at(i)).drift)};
-        list->AddLine(before, here, packed(p.link), 1.5f * u);
-        before = here;
-    }
-    const ImU32 fail = packed(colour_of(Meaning::fail, ui.options.theme));
-    float mark_before = -1e9f;
-    for (const int i : edge.differing) {
-        const float x = x_of(i);
-        if (x - mark_before < 1.0f) continue;
-        mark_before = x;
-        list->AddTriangleFilled({x, high.y - 9.0f * u}, {x + 3.5f * u, high.y - 2.0f * u},
-                                {x - 3.5f * u, high.y - 2.0f * u}, fail);
-    }
-    if (const int current = current_sample(ui); current >= 0) {
-        list->AddLine({x_of(current), low.y + 2.0f * u}, {x_of(current), high.y - 2.0f * u},
-                      packed(colour_of(Meaning::current, ui.options.theme)), 1.5f * u);
-    }
-    const std::string label = std::string("drift of ") + (ui.microscope.shows_x ? "x" : "y") +
-                              (largest != 0.0 ? ", to " + drift_text(largest) : ": none");
-    list->AddText(ui.fonts.small, ui.fonts.small->FontSize, {low.x + 8.0f * u, low.y + 3.0f * u},
-                  packed(p.dim), label.c_str());
-    if (is_held) {
-        const float share =
-            (ImGui::GetIO().MousePos.x - low.x - inset) / std::max(width - 2.0f * inset, 1.0f);
-        const float at = std::clamp(share, 0.0f, 1.0f) * static_cast<float>(edge.count - 1);
-        const int sample = static_cast<int>(at + 0.5f);
-        if (sample != current_sample(ui)) go_to_sample(ui, sample);
-    }
-}
-
-std::string coordinate_words(const char* axis, const char* pixel, const MicroscopeCoordinate& c) {
-    std::string text =
-        std::string(axis) + " = " + nine_digits(c.walked) + ", exactly " + fraction_text(c.exact);
-    if (c.exact.denominator != 1) text += " = " + printed("%.12g", c.exact.value());
-    text += "\n     " + std::string(pixel) + " " + whole_text(c.pixel);
-    if (c.differs_from_exact()) text += ", where exact would be " + whole_text(c.exact_pixel);
-    if (c.differs_from_reverse()) text += "; the other way: " + whole_text(c.reverse_pixel);
-    return text;
-}
-
-/// A whole pixel; one that is not what it is compared with is marked.
-void draw_pixel_cell(const Ui& ui, int pixel, bool differs, const ImVec4& quiet) {
-    if (differs) {
-        right_aligned("≠ " + whole_text(pixel), colour_of(Meaning::fail, ui.options.theme));
-    } else {
-        right_aligned(whole_text(pixel), quiet);
-    }
-}
-
-void draw_sample(Ui& ui, int index, int current, int walked) {
-    const Palette& p = palette(ui.options.theme);
-    const MicroscopeSample sample = ui.microscope.shown.at(index);
-    const MicroscopeCoordinate& c = shown_coordinate(ui, sample);
-    const ImVec4& ink = index < walked ? p.text : p.dim;
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    ImGui::PushID(index);
-    if (ImGui::Selectable("##sample", index == current,
-                          ImGuiSelectableFlags_SpanAllColumns |
-                              ImGuiSelectableFlags_AllowItemOverlap)) {
-        go_to_sample(ui, index);
-    }
-    const bool hovered = ImGui::IsItemHovered();
-    if (hovered) ui.hovered_row = sample.y.pixel;
-    const std::string tooltip = hovered ? "Sample " + std::to_string(index + 1) + "\n" +
-                                              coordinate_words("x", "column", sample.x) + "\n" +
-                                              coordinate_words("y", "row", sample.y) +
-                                              "\nClick: to the moment in which it was entered."
-                                        : std::string();
-    name_widget(ui, "microscope.sample." + std::to_string(index), tooltip);
-    ImGui::SameLine(0.0f, 0.0f);
-    right_aligned(std::to_string(index + 1), ink);
-    ImGui::PopID();
-    ImGui::TableNextColumn();
-    right_aligned(float_text(c.walked), ink);
-    ImGui::TableNextColumn();
-    right_aligned(mixed_text(c.exact), ink);
-    ImGui::TableNextColumn();
-    right_aligned(drift_text(c.drift), c.drift == 0.0 ? p.dim : ink);
-    ImGui::TableNextColumn();
-    draw_pixel_cell(ui, c.pixel, c.differs_from_exact(), ink);
-    ImGui::TableNextColumn();
-    draw_pixel_cell(ui, c.reverse_pixel, c.differs_from_reverse(), p.dim);
-}
-
-struct Column {
-    const char* title;
-    const char* help;
-    int letters; ///< of its widest number
-};
-
-int digits(std::int64_t value) {
-    return static_cast<int>(whole_text(std::abs(value)).size());
-}
-
-/// The columns for x or y of this edge, each as wide as its numbers may get.
-std::array<Column, 6> columns_of(const Ui& ui) {
-    const EdgeMicroscope& edge = ui.microscope.shown;
-    const bool x = ui.microscope.shows_x;
-    const int a = x ? edge.a.column : edge.a.row, b = x ? edge.b.column : edge.b.row;
-    const std::int64_t denominator = (x ? edge.step_x : edge.step_y).denominator;
-    const double drift = x ? edge.summary.largest_drift_x : edge.summary.largest_drift_y;
-    const int sign = std::min(a, b) < 0 ? 1 : 0;
-    const int whole = sign + digits(std::max(std::abs(a), std::abs(b)));
-    const int fraction = denominator == 1 ? 0 : 2 + 2 * digits(denominator);
-    const int exact = std::max(5, whole + fraction);
-    return {{{"#", "Number of the sample along the edge, counted from 1.",
-              std::max(2, digits(edge.count))},
-             {x ? "x float" : "y float",
-              "The value that the walk carries, in nine digits: enough to tell every float from "
-              "its neighbours.",
-              denominator == 1 ? std::max(whole, 7) : 11 + sign},
-             {x ? "x exact" : "y exact",
-              "Where the sample would be without any error: start + i (end - start) / steps, as a "
-              "fraction in lowest terms.",
-              exact},
-             {"drift", "Float minus exact: what the additions have lost on the way here.",
-              drift == 0.0 ? 4 : 9},
-             {x ? "column" : "row",
-              "The pixel that the float becomes. ≠: the exact place is on another pixel.",
-              std::max(5, whole + 2)},
-             {"reverse",
-              "The pixel of this place when the edge is walked from its end to its start. ≠: "
-              "another one than walking forwards.",
-              std::max(5, whole + 2)}}};
-}
-
-void draw_headers(Ui& ui, const std::array<Column, 6>& columns) {
-    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-        ImGui::TableSetColumnIndex(static_cast<int>(i));
-        ImGui::PushFont(ui.fonts.small);
-        right_aligned(columns[i].title, palette(ui.options.theme).dim);
-        ImGui::PopFont();
-        name_widget(ui, "microscope.header." + std::to_string(i), columns[i].help);
-    }
-}
-
-/// @param appears the panel was not on the screen before
-void draw_table(Ui& ui, float height, bool appears) {
-    const EdgeMicroscope& edge = ui.microscope.shown;
-    const float u = ui.options.text_scale;
-    const std::array<Column, 6> columns = columns_of(ui);
-    ImGui::PushFont(ui.fonts.mono);
-    const float letter = ImGui::CalcTextSize("0").x;
-    ImGui::PopFont();
-    const ImVec2 padding{4.0f * u, ImGui::GetStyle().CellPadding.y};
-    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, padding);
-    float needed = ImGui::GetStyle().ScrollbarSize;
-    for (const Column& column : columns)
-        needed += letter * static_cast<float>(column.letters) + 2.0f * padding.x;
-    const bool fits = needed <= ImGui::GetContentRegionAvail().x;
-    const ImGuiTableFlags flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH |
-                                  ImGuiTableFlags_PadOuterX |
-                                  (fits ? ImGuiTableFlags_SizingStretchProp
-                                        : ImGuiTableFlags_ScrollX | ImGuiTableFlags_SizingFixedFit);
-    // Two tables, because ImGui remembers the widths of each.
-    const char* const id = fits ? "samples" : "samples that scroll";
-    if (!ImGui::BeginTable(id, static_cast<int>(columns.size()), flags, {0, height})) {
-        ImGui::PopStyleVar();
-        return;
-    }
-    ImGui::TableSetupScrollFreeze(1, 1);
-    for (const Column& column : columns) {
-        const float width = letter * static_cast<float>(column.letters);
-        ImGui::TableSetupColumn(
-            "", fits ? ImGuiTableColumnFlags_WidthStretch : ImGuiTableColumnFlags_WidthFixed,
-            width);
-    }
-    draw_headers(ui, columns);
-    ImGui::PushFont(ui.fonts.mono);
-    const int current = current_sample(ui), walked = samples_walked(ui);
-    ImGuiListClipper clipper;
-    clipper.Begin(edge.count);
-    const bool follows = (ui.follow_cursor || appears) && current >= 0 && current < edge.count;
-    if (follows) clipper.ForceDisplayRangeByIndices(current, current + 1);
-    while (clipper.Step()) {
-        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-            draw_sample(ui, i, current, walked);
-            if (follows && i == current && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
-        }
-    }
-    ImGui::PopFont();
-    ImGui::EndTable();
-    ImGui::PopStyleVar();
-}
-
-} // namespace
 
 void draw_microscope_panel(Ui& ui) {
     ui.hovered_row = std::nullopt;
@@ -494,7 +218,7 @@ void draw_microscope_panel(Ui& ui) {
     if (room >= 400.0f * u) {
         draw_summary(ui);
         draw_drift_curve(ui);
-        draw_table(ui, table_height(7), appears);
+        draw_sample_table(ui, table_height(7), appears);
         return;
     }
     // Where there is little room the numbers come first, and the words below them.
@@ -503,7 +227,7 @@ void draw_microscope_panel(Ui& ui) {
         draw_verdict(ui);
         ImGui::PopTextWrapPos();
     }
-    draw_table(ui, table_height(4), appears);
+    draw_sample_table(ui, table_height(4), appears);
     draw_drift_curve(ui);
     draw_summary(ui);
 }

@@ -185,7 +185,9 @@ void draw_headers(Ui& ui) {
     for (int i = 0; i < ImGui::TableGetColumnCount(); ++i) {
         ImGui::TableSetColumnIndex(i);
         ImGui::PushFont(ui.fonts.small);
-        right_aligned(headers[i].name, palette(ui.options.theme).dim);
+        const bool is_count = std::string_view(headers[i].name) == "count";
+        right_aligned(is_count && ui.page_is_narrow ? "n" : headers[i].name,
+                      palette(ui.options.theme).dim);
         ImGui::PopFont();
         name_widget(ui, std::string("rows.header.") + headers[i].name, headers[i].help);
     }
@@ -211,9 +213,15 @@ void draw_table(Ui& ui, float height) {
         ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH |
         (ui.shows_end_values ? ImGuiTableFlags_ScrollX | ImGuiTableFlags_SizingFixedFit
                              : ImGuiTableFlags_SizingStretchProp);
-    if (!ImGui::BeginTable("rows", columns, flags, {0, height})) return;
+    const ImVec2 padding = ImGui::GetStyle().CellPadding;
+    const bool is_narrow = ui.page_is_narrow;
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {is_narrow ? 2.0f * u : padding.x, padding.y});
+    const bool open = ImGui::BeginTable("rows", columns, flags, {0, height});
+    ImGui::PopStyleVar();
+    if (!open) return;
     ImGui::TableSetupScrollFreeze(1, 1);
-    const float widths[] = {46, 84, 84, 48, 92, 92};
+    static constexpr float roomy[] = {46, 84, 84, 48, 92, 92}, narrow[] = {34, 46, 46, 34, 78, 78};
+    const float* const widths = is_narrow ? narrow : roomy;
     for (int i = 0; i < columns; ++i) {
         const float width = i < 6 ? widths[i] : 76.0f;
         ImGui::TableSetupColumn("", 0, ui.shows_end_values ? width * u : width);

@@ -69,7 +69,7 @@ void draw_status_line(Ui& ui, const Area& area) {
         const float start = right - width > left ? right - width : left;
         ImGui::SetCursorScreenPos({start, ImGui::GetItemRectMin().y});
         ImGui::PushClipRect({left, area.position.y}, {right, area.position.y + area.size.y}, true);
-        text_in(colour_of(Meaning::fail, ui.options.theme), trouble);
+        text_in(colour_of(Meaning::fail, ui.options.theme), shortened(trouble, right - left));
         name_widget(ui, "status.trouble", trouble);
         ImGui::PopClipRect();
     }

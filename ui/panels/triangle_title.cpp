@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <string>
 
 #include "ui/actions.h"
@@ -17,12 +18,33 @@ void draw_triangle_title(Ui& ui) {
     ImGui::PopFont();
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
-    text_in(p.dim, "of " + std::to_string(count) + " · " + part_name(*ui.results.scene, triangle));
-    const float width = 2.0f * ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.x;
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const bool follows = !ui.session.selection.triangle;
+    const bool can_follow = !follows && ui.results.done && ui.results.done->triangle != triangle;
+    const std::string follow_label =
+        ui.page_is_low ? "follow"
+                       : "follow the cursor: triangle " +
+                             std::to_string(can_follow ? ui.results.done->triangle + 1 : 0);
+    const auto follow = [&] {
+        if (button(ui, "triangle.follow", follow_label, Look::link,
+                   "Shows the triangle that is being drawn instead of the picked one.")) {
+            ui.session.selection.triangle = std::nullopt;
+        }
+    };
+    // The buttons come first; of the name there is as much as fits before them.
+    float width = count > 1 ? 2.0f * ImGui::GetFrameHeight() + gap : 0.0f;
+    if (can_follow && ui.page_is_low) width += button_width(follow_label);
+    const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
+    text_in(p.dim, shortened("of " + std::to_string(count) + " · " +
+                                 part_name(*ui.results.scene, triangle),
+                             std::max(ImGui::GetContentRegionAvail().x - width - gap, 0.0f)));
     ImGui::SameLine();
-    const float room = ImGui::GetContentRegionAvail().x;
-    if (count > 1 && room > width) {
-        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room - width);
+    ImGui::SetCursorPosX(std::max(right - width, ImGui::GetCursorPosX()));
+    if (can_follow && ui.page_is_low) {
+        follow();
+        ImGui::SameLine();
+    }
+    if (count > 1) {
         const ImVec2 size{ImGui::GetFrameHeight(), 0};
         if (button(ui, "triangle.previous", "‹", Look::plain, "Shows the triangle before.", size)) {
             ui.session.selection.triangle = (triangle + count - 1) % count;
@@ -34,15 +56,7 @@ void draw_triangle_title(Ui& ui) {
     } else {
         ImGui::NewLine();
     }
-    const bool follows = !ui.session.selection.triangle;
-    if (!follows && ui.results.done && ui.results.done->triangle != triangle) {
-        const std::string label =
-            "follow the cursor: triangle " + std::to_string(ui.results.done->triangle + 1);
-        if (button(ui, "triangle.follow", label, Look::link,
-                   "Shows the triangle that is being drawn instead of the picked one.")) {
-            ui.session.selection.triangle = std::nullopt;
-        }
-    }
+    if (can_follow && !ui.page_is_low) follow();
 }
 
 } // namespace rasterwalk

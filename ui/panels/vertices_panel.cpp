@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cfloat>
 #include <string>
 
 #include "ui/formula_view.h"
@@ -65,17 +66,59 @@ const Line lines[] = {
     {"", "blue", "light.R.blue", 3, "The light that this vertex gives back: R = ρ (D + N).", true},
 };
 
+/// A narrow column has fewer digits; the formula below has them all.
+int digits_of(const Ui& ui, const Line& line) {
+    if (!ui.page_is_narrow || line.digits == 0) return line.digits;
+    return std::string_view(line.space) == "projected" || line.id == std::string_view("projected.y")
+               ? 1
+               : line.digits - 1;
+}
+
+/// How many columns of words stand before the numbers.
+int label_columns(const Ui& ui) {
+    return ui.page_is_narrow ? 1 : 2;
+}
+
 void draw_header(Ui& ui, int chosen) {
     ImGui::TableNextRow();
     for (int v = 0; v < 3; ++v) {
-        ImGui::TableSetColumnIndex(2 + v);
-        const std::string label = "vertex " + std::to_string(v + 1);
+        ImGui::TableSetColumnIndex(label_columns(ui) + v);
+        const std::string label = (ui.page_is_narrow ? "v" : "vertex ") + std::to_string(v + 1);
         const std::string name = "vertices.v" + std::to_string(v);
         if (number_cell(ui, name, label, palette(ui.options.theme).dim, v == chosen,
                         "Shows this vertex's formula below.")) {
             ui.session.selection.vertex = v;
         }
     }
+}
+
+/// The words before the numbers of a line; in a narrow page all in one column.
+void draw_labels(Ui& ui, const Line& line) {
+    const Palette& p = palette(ui.options.theme);
+    const std::string name = std::string("vertices.").append(line.id);
+    ImGui::TableNextColumn();
+    if (*line.space != '\0') {
+        const float y = ImGui::GetCursorScreenPos().y - ImGui::GetStyle().CellPadding.y;
+        const float x = ImGui::GetWindowPos().x;
+        ImGui::GetWindowDrawList()->AddLine({x, y}, {x + ImGui::GetWindowWidth(), y},
+                                            packed(p.line));
+    }
+    if (ui.page_is_narrow) {
+        const bool is_pixel = std::string_view(line.space) == "pixel";
+        const std::string space = is_pixel || *line.space == '\0' ? "" : line.space;
+        ImGui::PushFont(ui.fonts.small);
+        right_aligned(space.empty() ? line.coordinate : space + " " + line.coordinate, p.dim);
+        ImGui::PopFont();
+        name_widget(ui, name, line.help);
+        return;
+    }
+    if (*line.space != '\0') {
+        ImGui::TextUnformatted(line.space);
+        name_widget(ui, name + ".space", line.help);
+    }
+    ImGui::TableNextColumn();
+    text_in(p.dim, line.coordinate);
+    name_widget(ui, name, line.help);
 }
 
 void draw_cell(Ui& ui, const Line& line, int v, int chosen) {
@@ -90,7 +133,7 @@ void draw_cell(Ui& ui, const Line& line, int v, int chosen) {
         name_widget(ui, name, "This vertex has no pixel.");
         return;
     }
-    const std::string text = fixed(static_cast<double>(formula->result.value), line.digits);
+    const std::string text = fixed(static_cast<double>(formula->result.value), digits_of(ui, line));
     if (number_cell(ui, name, text, v == chosen ? p.text : p.dim, is_chosen,
                     line.help + std::string("\nClick: how it came to be."))) {
         ui.session.selection.vertex = v;
@@ -99,37 +142,44 @@ void draw_cell(Ui& ui, const Line& line, int v, int chosen) {
 }
 
 void draw_table(Ui& ui, int chosen) {
-    const Palette& p = palette(ui.options.theme);
     const bool lights = lighting_of(ui.results.frame.settings.stage) != Lighting::none;
-    if (!ImGui::BeginTable("vertices", 5, ImGuiTableFlags_SizingStretchProp)) return;
-    ImGui::TableSetupColumn("space", 0, 1.25f);
-    ImGui::TableSetupColumn("coordinate", 0, 0.9f);
-    for (const char* name : {"v0", "v1", "v2"})
-        ImGui::TableSetupColumn(name, 0, 1.1f);
+    const float padding = (ui.page_is_narrow ? 2.0f : 6.0f) * ui.options.text_scale;
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {padding, ImGui::GetStyle().CellPadding.y});
+    if (!ImGui::BeginTable("vertices", label_columns(ui) + 3, ImGuiTableFlags_SizingFixedFit)) {
+        ImGui::PopStyleVar();
+        return;
+    }
+    // The numbers share what the words leave.
+    float room = ImGui::GetContentRegionAvail().x;
+    const auto add_words = [&](ImFont* font, const char* widest) {
+        const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, widest).x;
+        ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, width);
+        room -= width;
+    };
+    if (ui.page_is_narrow) {
+        add_words(ui.fonts.small, "− camera x ");
+    } else {
+        add_words(ui.fonts.text, "− camera ");
+        add_words(ui.fonts.text, "column ");
+    }
+    for (int v = 0; v < 3; ++v) {
+        ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed,
+                                std::max((room - 9.0f * padding) / 3.0f, 1.0f));
+    }
     draw_header(ui, chosen);
     for (const Line& line : lines) {
         if (line.is_light && !lights) continue;
         ImGui::TableNextRow();
-        if (*line.space != '\0') {
-            ImGui::TableNextColumn();
-            const float y = ImGui::GetCursorScreenPos().y - ImGui::GetStyle().CellPadding.y;
-            const float x = ImGui::GetWindowPos().x;
-            ImGui::GetWindowDrawList()->AddLine({x, y}, {x + ImGui::GetWindowWidth(), y},
-                                                packed(p.line));
-            ImGui::TextUnformatted(line.space);
-            name_widget(ui, std::string("vertices.").append(line.id).append(".space"), line.help);
-        }
-        ImGui::TableSetColumnIndex(1);
-        text_in(p.dim, line.coordinate);
-        name_widget(ui, std::string("vertices.").append(line.id), line.help);
+        draw_labels(ui, line);
         ImGui::PushFont(ui.fonts.mono);
         for (int v = 0; v < 3; ++v) {
-            ImGui::TableSetColumnIndex(2 + v);
+            ImGui::TableSetColumnIndex(label_columns(ui) + v);
             draw_cell(ui, line, v, chosen);
         }
         ImGui::PopFont();
     }
     ImGui::EndTable();
+    ImGui::PopStyleVar();
 }
 
 /// "floor would give 0, round would give 0"
@@ -186,10 +236,19 @@ void draw_formula_card(Ui& ui, const VertexReport& vertex) {
     }
     const Formula* formula = find_formula(vertex.formulas, ui.inspect.vertex_number);
     if (formula == nullptr) formula = find_formula(vertex.formulas, "rotated.z");
-    text_in(palette(ui.options.theme).dim,
-            "vertex " + std::to_string(vertex.vertex + 1) + ", " + formula->help);
-    const std::optional<Source> clicked = draw_formula(ui, *formula, "vertices.formula");
+    // Where lines are few the formula itself says whose it is.
+    const std::string number = std::to_string(vertex.vertex + 1);
+    Formula said = *formula;
+    if (ui.page_is_low) {
+        said.name = "v" + number + " " + said.name;
+    } else {
+        text_in(palette(ui.options.theme).dim, "vertex " + number + ": " + formula->help);
+        name_widget(ui, "vertices.formula", formula->help);
+    }
+    ImGui::PushFont(ui.page_is_low ? ui.fonts.small : ui.fonts.text);
+    const std::optional<Source> clicked = draw_formula(ui, said, "vertices.formula");
     draw_what_else(ui, vertex, *formula);
+    ImGui::PopFont();
     end_card(ui);
     if (!clicked) return;
     if (clicked->kind == SourceKind::formula) ui.inspect.vertex_number = clicked->name;

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdlib>
+#include <string>
+
+#include "tests/ui/driver.h"
+
+namespace rasterwalk {
+
+/// What a widget that shows a number says.
+inline std::string shown_text(Driver& driver, const std::string& name) {
+    driver.hand.find(name);
+    return driver.ui.widgets.at(name).text;
+}
+
+/// A number as the interface writes it, with a true minus sign.
+inline double number_in(std::string text) {
+    if (text.starts_with("−")) text.replace(0, std::string("−").size(), "-");
+    return std::strtod(text.c_str(), nullptr);
+}
+
+/// The windows and text sizes at which every panel must be usable.
+struct SmallWindow {
+    ImVec2 size;
+    float text_scale;
+};
+inline const SmallWindow small_windows[] = {
+    {{1024, 640}, 1.0f}, {{1024, 640}, 1.5f}, {{800, 600}, 1.0f}, {{800, 600}, 1.5f}};
+
+} // namespace rasterwalk

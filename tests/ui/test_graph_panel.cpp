@@ -1,0 +1,97 @@
+#include <catch2/catch.hpp>
+
+#include "inspect/row_graph.h"
+#include "tests/ui/shown_number.h"
+
+namespace rasterwalk {
+
+TEST_CASE("The graph is that of the row of the clicked pixel, and its buttons lead to others") {
+    Driver driver;
+    driver.hand.click("tab.graph");
+    driver.hand.click_picture(398, 121);
+    REQUIRE(driver.ui.results.inspected.graph);
+    CHECK(driver.ui.results.inspected.graph->row.row == 121);
+    CHECK(driver.ui.results.inspected.graph->row.triangle == driver.ui.results.triangle);
+    driver.hand.click("graph.row.next");
+    CHECK(driver.ui.session.selection.row == 122);
+    CHECK(driver.ui.results.inspected.graph->row.row == 122);
+    driver.hand.click("graph.row.previous");
+    CHECK(driver.ui.results.inspected.graph->row.row == 121);
+}
+
+TEST_CASE("The curves have the values of the fragments along the row") {
+    Driver driver;
+    driver.hand.click("tab.graph");
+    driver.hand.click_picture(398, 121);
+    const RowGraph& graph = *driver.ui.results.inspected.graph;
+    const Frame& frame = driver.ui.results.frame;
+    for (int i = 0; i < graph.count(); i += 7) {
+        INFO("column " << graph.first_column + i);
+        const auto report =
+            fragment_report(frame, {graph.row.triangle, Phase::rows, graph.row.index, i});
+        REQUIRE(report);
+        CHECK(true_value(graph, Quantity::z_world, i) ==
+              report->under(Interpolation::perspective).position_world.z);
+        CHECK(affine_value(graph, Quantity::z_world, i) ==
+              report->under(Interpolation::affine).position_world.z);
+    }
+}
+
+TEST_CASE("A quantity is chosen by its button; a varying has the lines it is carried by below") {
+    Driver driver;
+    driver.hand.click("tab.graph");
+    driver.hand.click_picture(398, 121);
+    for (const QuantityInfo& info : quantity_list()) {
+        const std::string name = "graph." + std::string(info.id);
+        INFO(name);
+        driver.hand.click(name);
+        CHECK(driver.ui.inspect.graph_quantity == info.id);
+        CHECK(driver.hand.is_visible("graph.plot"));
+        CHECK(driver.hand.is_visible("graph.carried") == (info.quantity != Quantity::zinv));
+    }
+}
+
+TEST_CASE("A click into the graph goes to the fragment of that column") {
+    Driver driver;
+    driver.hand.click("tab.graph");
+    driver.hand.click_picture(398, 121);
+    const int triangle = driver.ui.results.inspected.graph->row.triangle;
+    driver.hand.click("graph.plot");
+    REQUIRE(driver.ui.results.done);
+    CHECK(driver.ui.results.done->triangle == triangle);
+    CHECK(driver.ui.results.done->phase == Phase::rows);
+    CHECK(driver.ui.results.inspected.fragment->pixel.y == 121);
+}
+
+TEST_CASE("A stage without rows says so, and leads to one that has them") {
+    Driver driver;
+    driver.hand.click("tab.graph");
+    driver.hand.click("stage.edges");
+    CHECK(driver.hand.is_visible("graph.none"));
+    driver.hand.click("graph.rows");
+    CHECK(driver.ui.session.settings.stage == Stage::rows);
+    CHECK(driver.hand.is_visible("graph.plot"));
+}
+
+TEST_CASE("In a small window all of the graph can be reached") {
+    for (const SmallWindow& window : small_windows) {
+        INFO(window.size.x << " x " << window.size.y << ", text " << window.text_scale);
+        Driver driver("lab-room.toml", window.size, window.text_scale);
+        driver.ui.session.selection.pixel = glm::ivec2(398, 121);
+        driver.ui.session.selection.row = 121;
+        driver.ui.session.selection.triangle = 5;
+        driver.ui.session.tab = "graph";
+        driver.hand.frames(4);
+        for (const char* name : {"graph.row.previous", "graph.row.next", "graph.row", "graph.where",
+                                 "graph.blue", "graph.zinv"}) {
+            INFO(name);
+            CHECK(driver.hand.find(name).is_whole);
+        }
+        for (const char* name : {"graph.plot", "graph.carried"}) {
+            INFO(name);
+            CHECK(driver.hand.find(name).visible);
+        }
+    }
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "inspect/microscope.h"
+
+namespace rasterwalk {
+
+// Numbers as the tables of the float microscope show them, with true minus signs.
+
+/// A number as the C library prints it.
+std::string printed(const char* format, double value);
+
+/// Nine digits tell every float from its neighbours.
+std::string nine_digits(float value);
+
+/// The same for a narrow column: what is left over near zero gets three digits.
+std::string float_text(float value);
+
+/// How far a float is off: "0" or "4.62e−05".
+std::string drift_text(double drift);
+
+std::string whole_text(std::int64_t value);
+
+/// "−2 1/3": the whole part first, because it is the pixel.
+std::string mixed_text(const Fraction& f);
+
+/// "−7/3".
+std::string fraction_text(const Fraction& f);
+
+} // namespace rasterwalk

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+// The parts of the fragment's panel; see fragment_panel.cpp. There must be a fragment.
+
+/// The report on the fragment on show.
+const FragmentReport& report_of(const Ui& ui);
+
+/// Remembers which number is asked about, or goes to where it comes from.
+void follow_source(Ui& ui, const std::optional<Source>& source);
+
+/// The formula of this id on one line, if the report has it.
+void draw_fragment_line(Ui& ui, const std::string& id, std::string_view label = {},
+                        bool warns = false);
+
+/// Is the light of the vertices on show, in force or as the other lighting?
+bool shows_vertex_light(const Ui& ui);
+
+/// The light term by term, of the lighting in force or the other one.
+void draw_fragment_light(Ui& ui);
+
+} // namespace rasterwalk

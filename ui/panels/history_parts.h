@@ -1,0 +1,19 @@
+#pragma once
+
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+// The parts of the history's panel; see history_panel.cpp.
+
+/// True for the fragment whose colour the pixel has in the end.
+bool stays(const PixelHistory& history, int index);
+
+/// A square of a colour, with a border.
+void draw_history_swatch(const Ui& ui, ImVec2 at, float size, const glm::vec3& colour,
+                         float opacity);
+
+/// Everything that fell on the pixel, one a line.
+void draw_history_table(Ui& ui, const PixelHistory& history, float height);
+
+} // namespace rasterwalk

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+// The parts of the microscope's panel; see microscope_panel.cpp.
+
+/// The sample of the shown edge that was entered last; -1: the cursor is not on this edge.
+int current_sample(const Ui& ui);
+
+/// To the moment just after the sample was entered.
+void go_to_sample(Ui& ui, int sample);
+
+/// The coordinate that is looked at: x or y.
+const MicroscopeCoordinate& shown_coordinate(const Ui& ui, const MicroscopeSample& sample);
+
+/// The drift along the edge as a curve; samples on a wrong pixel are marked below it.
+void draw_drift_curve(Ui& ui);
+
+/// Every sample of the edge, one a line.
+/// @param appears the panel was not on the screen before
+void draw_sample_table(Ui& ui, float height, bool appears);
+
+} // namespace rasterwalk

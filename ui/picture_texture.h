@@ -1,0 +1,18 @@
+#pragma once
+
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+/// Brings the texture up to date with the picture, for being shown at `scale`: as it is where its
+/// pixels come out equally large or very large, or else resampled.
+/// @param number grows whenever the picture changes
+void show_texture(Ui& ui, PictureTexture& texture, const Image& image, std::uint64_t number,
+                  float scale);
+
+/// Draws the texture, or its columns from `first` to before `end`, where the picture lies.
+/// @param from, to shares of the width, 0..1
+void draw_texture(ImDrawList* list, const PictureTexture& texture, const PicturePlace& place,
+                  float from = 0.0f, float to = 1.0f);
+
+} // namespace rasterwalk
