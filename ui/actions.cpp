@@ -8,6 +8,7 @@
 #include "session/setting_table.h"
 #include "session/walk.h"
 #include "ui/canvas.h"
+#include "ui/compare.h"
 #include "ui/keys.h"
 #include "ui/lesson_state.h"
 #include "ui/style.h"
@@ -28,6 +29,23 @@ void set_view(Ui& ui) {
 template <View view>
 bool shows_view(const Ui& ui) {
     return ui.session.view == view;
+}
+
+/// True while a quiz hides the settings; says so.
+bool is_hidden(Ui& ui) {
+    if (!hides_settings(ui.session)) return false;
+    ui.session.notice = "The settings are hidden until the quiz is over.";
+    return true;
+}
+
+template <CompareView view>
+void set_compare_view(Ui& ui) {
+    if (!ui.session.other) toggle_compare(ui);
+    ui.session.compare_view = view;
+}
+template <CompareView view>
+bool shows_compare_view(const Ui& ui) {
+    return ui.session.other && ui.session.compare_view == view;
 }
 
 void set_text_scale(Ui& ui, float scale) {
@@ -241,6 +259,7 @@ const Action table[] = {
      "Interpolates q/z and divides by 1/z; off, q itself is interpolated and the light skews.",
      {'P'},
      [](Ui& ui) {
+         if (is_hidden(ui)) return;
          Interpolation& i = ui.session.settings.interpolation;
          i = i == Interpolation::perspective ? Interpolation::affine : Interpolation::perspective;
      },
@@ -251,10 +270,76 @@ const Action table[] = {
      "Draws a fragment only if it is nearer; off, the last one drawn wins.",
      {'Z'},
      [](Ui& ui) {
+         if (is_hidden(ui)) return;
          DepthTest& d = ui.session.settings.depth_test;
          d = d == DepthTest::off ? DepthTest::inverse_z : DepthTest::off;
      },
      [](const Ui& ui) { return ui.session.settings.depth_test != DepthTest::off; }},
+
+    {"switch.compare",
+     "Compare",
+     "Compare two runs",
+     "Shows the picture beside that of other settings: with affine interpolation, with other light "
+     "or rounding, as suits the stage. Again: back to one run.",
+     {'C'},
+     toggle_compare,
+     [](const Ui& ui) { return ui.session.other.has_value(); }},
+    {"compare.view.side_by_side",
+     "Compare",
+     "Side by side",
+     "Both pictures, one beside the other.",
+     {},
+     set_compare_view<CompareView::side_by_side>,
+     shows_compare_view<CompareView::side_by_side>},
+    {"compare.view.wipe",
+     "Compare",
+     "Wipe",
+     "A left of a divider, B right of it.",
+     {},
+     set_compare_view<CompareView::wipe>,
+     shows_compare_view<CompareView::wipe>},
+    {"compare.view.blink",
+     "Compare",
+     "Blink",
+     "A and B in turn, once a second.",
+     {},
+     set_compare_view<CompareView::blink>,
+     shows_compare_view<CompareView::blink>},
+    {"compare.view.difference",
+     "Compare",
+     "Difference",
+     "B minus A, with a scale.",
+     {},
+     set_compare_view<CompareView::difference>,
+     shows_compare_view<CompareView::difference>},
+    {"compare.hold",
+     "Compare",
+     "Hold the blinking",
+     "Stays with the picture on show while two runs blink; again: goes on.",
+     {'H'},
+     [](Ui& ui) { ui.compare.blink_is_held = !ui.compare.blink_is_held; },
+     [](const Ui& ui) { return ui.compare.blink_is_held; }},
+    {"compare.swap",
+     "Compare",
+     "Swap A and B",
+     "Run A becomes B, and B becomes A.",
+     {},
+     [](Ui& ui) { swap_runs(ui.session); },
+     nullptr},
+    {"compare.next",
+     "Compare",
+     "Next divergence",
+     "Goes on to the next moment at which the two runs differ.",
+     {'J'},
+     go_to_next_divergence,
+     nullptr},
+    {"compare.previous",
+     "Compare",
+     "Previous divergence",
+     "Goes back to the moment before at which the two runs differ.",
+     {'K'},
+     go_to_previous_divergence,
+     nullptr},
 
     {"walk.first",
      "Walk",

@@ -5,6 +5,7 @@
 #include "session/walk.h"
 #include "ui/actions.h"
 #include "ui/canvas.h"
+#include "ui/compare.h"
 #include "ui/kept_options.h"
 #include "ui/keys.h"
 #include "ui/layout.h"
@@ -150,6 +151,7 @@ bool build_pass(Ui& ui, float seconds) {
     ui.widgets.clear();
     advance_play(ui.session, Timeline(ui.results.frame), seconds);
     follow_first_run(ui.session);
+    if (is_blinking(ui)) ui.compare.blink_seconds += seconds;
     const Cursor before = ui.results.cursor;
     update(ui.session, ui.results);
     ui.follow_cursor = ui.results.cursor != before;
@@ -201,7 +203,7 @@ void build_ui(Ui& ui) {
 }
 
 bool is_animating(const Ui& ui) {
-    return ui.session.play.running || is_moving_by_key(ui);
+    return ui.session.play.running || is_moving_by_key(ui) || is_blinking(ui);
 }
 
 } // namespace rasterwalk

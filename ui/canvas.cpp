@@ -7,6 +7,8 @@
 #include "session/setting_table.h"
 #include "ui/actions.h"
 #include "ui/canvas_marks.h"
+#include "ui/compare.h"
+#include "ui/compare_view.h"
 #include "ui/depth_legend.h"
 #include "ui/overlays.h"
 #include "ui/picture_texture.h"
@@ -79,15 +81,27 @@ void pick(Ui& ui, glm::ivec2 pixel, bool triangle_only) {
     selection.row = pixel.y;
 }
 
+/// The pointer; over the picture of run B as if it were over the same place of run A's.
+ImVec2 pointer_in_a(const Ui& ui) {
+    ImVec2 pointer = ImGui::GetIO().MousePos;
+    const std::optional<PicturePlace>& b = ui.compare.place_of_b;
+    if (!b) return pointer;
+    const WidgetPlace& canvas = ui.widgets.at("canvas");
+    const float middle = 0.5f * (canvas.top_left.x + canvas.bottom_right.x);
+    if (pointer.x >= middle) pointer.x -= b->origin.x - ui.picture_place.origin.x;
+    return pointer;
+}
+
 void handle_pointer(Ui& ui, ImVec2 low, ImVec2 room) {
     const ImGuiIO& io = ImGui::GetIO();
     ui.hovered_pixel = std::nullopt;
     if (!ImGui::IsItemHovered() && !ImGui::IsItemActive()) return;
-    const ImVec2 at = picture_point(ui.picture_place, io.MousePos);
+    const ImVec2 pointer = pointer_in_a(ui);
+    const ImVec2 at = picture_point(ui.picture_place, pointer);
     const glm::ivec2 pixel(std::floor(at.x), std::floor(at.y));
     if (ui.results.framebuffer->contains(pixel.x, pixel.y)) ui.hovered_pixel = pixel;
     if (io.MouseWheel != 0.0f && ImGui::IsItemHovered()) {
-        zoom_about(ui, io.MousePos, next_zoom(ui.picture_place.scale, io.MouseWheel), low, room);
+        zoom_about(ui, pointer, next_zoom(ui.picture_place.scale, io.MouseWheel), low, room);
     }
     if (ImGui::IsMouseDoubleClicked(0)) {
         ui.session.canvas.zoom = 0.0f;
@@ -101,7 +115,7 @@ void handle_pointer(Ui& ui, ImVec2 low, ImVec2 room) {
     }
     if (ImGui::IsMouseDragging(0) && (io.MouseDelta.x != 0.0f || io.MouseDelta.y != 0.0f)) {
         if (ui.session.canvas.zoom <= 0.0f) {
-            zoom_about(ui, io.MousePos, ui.picture_place.scale, low, room);
+            zoom_about(ui, pointer, ui.picture_place.scale, low, room);
         }
         ui.session.canvas.centre.x -= io.MouseDelta.x / ui.session.canvas.zoom;
         ui.session.canvas.centre.y -= io.MouseDelta.y / ui.session.canvas.zoom;
@@ -195,6 +209,16 @@ void draw_header(Ui& ui, float right_edge) {
     }
 }
 
+/// Where the pictures of both runs lie; that of B only while it stands beside A's.
+void place_pictures(Ui& ui, ImVec2 low, ImVec2 room, const Panes& panes) {
+    ui.picture_place = place_picture(ui, low, room);
+    ui.compare.place_of_b = std::nullopt;
+    const float aside = panes.b.low.x - panes.a.low.x;
+    if (aside <= 0.0f) return;
+    ui.compare.place_of_b = ui.picture_place;
+    ui.compare.place_of_b->origin.x += aside;
+}
+
 /// Space around a picture that fits: for the numbers if it is enlarged, or else only a little.
 float border_width(const Ui& ui, ImVec2 room) {
     const float u = ui.options.text_scale;
@@ -215,37 +239,50 @@ void draw_canvas(Ui& ui, const Area& area) {
                  panel_flags | ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoScrollbar);
     draw_header(ui, area.position.x + area.size.x - 12.0f * u);
 
+    draw_compare_bar(ui);
+
     const ImVec2 frame_low = ImGui::GetCursorScreenPos();
     const ImVec2 space = ImGui::GetContentRegionAvail();
-    const float legend = depth_legend_height(ui, space.y);
+    const float difference = difference_legend_height(ui);
+    const float legend = difference > 0.0f ? difference : depth_legend_height(ui, space.y);
     const float legend_gap = legend > 0.0f ? 8.0f * u : 0.0f;
     const ImVec2 frame_room{std::max(space.x, 1.0f), std::max(space.y - legend - legend_gap, 1.0f)};
     const ImVec2 frame_high{frame_low.x + frame_room.x, frame_low.y + frame_room.y};
+    const Pane canvas{frame_low, frame_high};
+    const Panes panes = panes_of(ui, canvas);
+    const float border = border_width(ui, panes.a.room());
+    const ImVec2 low{panes.a.low.x + border, panes.a.low.y + border};
+    const ImVec2 room{std::max(panes.a.room().x - 2.0f * border, 1.0f),
+                      std::max(panes.a.room().y - 2.0f * border, 1.0f)};
+    place_pictures(ui, low, room, panes);
+    draw_wipe_handle(ui, canvas);
+    ImGui::SetCursorScreenPos(frame_low);
     ImGui::InvisibleButton("picture", frame_room,
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
     name_widget(ui, "canvas");
-
-    const float border = border_width(ui, frame_room);
-    const ImVec2 low{frame_low.x + border, frame_low.y + border};
-    const ImVec2 room{std::max(frame_room.x - 2.0f * border, 1.0f),
-                      std::max(frame_room.y - 2.0f * border, 1.0f)};
-    ui.picture_place = place_picture(ui, low, room);
     handle_pointer(ui, low, room);
+    place_pictures(ui, low, room, panes);
 
     ImDrawList* const list = ImGui::GetWindowDrawList();
     list->AddRectFilled(frame_low, frame_high, packed(p.canvas), 4.0f * u);
     list->PushClipRect(frame_low, frame_high, true);
-    show_texture(ui, ui.picture, ui.results.picture, ui.results.picture_number,
-                 ui.picture_place.scale);
-    draw_texture(list, ui.picture, ui.picture_place);
-    draw_overlays(ui, list, frame_low, frame_high);
-    draw_canvas_marks(ui, list, frame_low, frame_high);
+    if (is_comparing(ui)) {
+        draw_compared(ui, list, canvas);
+    } else {
+        show_texture(ui, ui.picture, ui.results.picture, ui.results.picture_number,
+                     ui.picture_place.scale);
+        draw_texture(list, ui.picture, ui.picture_place);
+        draw_overlays(ui, list, frame_low, frame_high);
+        draw_canvas_marks(ui, run_a(ui), list, frame_low, frame_high);
+    }
     list->PopClipRect();
     list->AddRect(frame_low, frame_high, packed(p.line), 4.0f * u);
-    draw_overlay_legend(ui, frame_low, frame_high);
-    if (legend > 0.0f) {
-        const float top = frame_high.y + legend_gap;
-        draw_depth_legend(ui, {frame_low.x, top}, {frame_high.x, top + legend});
+    draw_overlay_legend(ui, panes.a.low, panes.a.high);
+    const float legend_top = frame_high.y + legend_gap;
+    if (difference > 0.0f) {
+        draw_difference_legend(ui, {frame_low.x, legend_top}, {frame_high.x, legend_top + legend});
+    } else if (legend > 0.0f) {
+        draw_depth_legend(ui, {frame_low.x, legend_top}, {frame_high.x, legend_top + legend});
     }
     ImGui::End();
     ImGui::PopStyleVar();

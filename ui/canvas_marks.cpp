@@ -23,6 +23,7 @@ constexpr int most_corners = 50'000;
 /// What the marks are drawn with.
 struct Marks {
     const Ui& ui;
+    const ShownRun& run;
     ImDrawList* list;
     ImVec2 low, high;
     float u; ///< design pixel
@@ -30,7 +31,7 @@ struct Marks {
 
     /// The middle of a pixel, or of a real place that counts from pixels' middles.
     ImVec2 at(float x, float y) const {
-        const PicturePlace& place = ui.picture_place;
+        const PicturePlace& place = run.place;
         return {place.origin.x + scale * (x + 0.5f), place.origin.y + scale * (y + 0.5f)};
     }
     ImVec2 at(const Fragment& f) const {
@@ -57,8 +58,8 @@ VisibleRange visible(float origin, float scale, float low, float high, int count
 }
 
 void draw_grid(const Marks& m) {
-    const Viewport size = m.ui.results.frame.settings.viewport;
-    const PicturePlace& place = m.ui.picture_place;
+    const Viewport size = m.run.frame.settings.viewport;
+    const PicturePlace& place = m.run.place;
     const VisibleRange columns = visible(place.origin.x, m.scale, m.low.x, m.high.x, size.width);
     const VisibleRange rows = visible(place.origin.y, m.scale, m.low.y, m.high.y, size.height);
     const ImU32 line = IM_COL32(128, 136, 150, 60);
@@ -117,11 +118,11 @@ void frame_pixel(const Marks& m, int column, int row, ImU32 colour, float thickn
 
 /// The pixels of the vertices drawn so far that can be seen, each once; none if there are too many.
 std::vector<std::pair<int, int>> visible_points(const Marks& m) {
-    const Frame& frame = m.ui.results.frame;
+    const Frame& frame = m.run.frame;
     std::vector<std::pair<int, int>> points;
     for (int t = 0; t < frame.triangle_count(); ++t) {
         for (int v = 0; v < 3 && frame.is_drawn(t); ++v) {
-            if (Cursor{t, Phase::vertices, v, 0} >= m.ui.results.cursor) break;
+            if (Cursor{t, Phase::vertices, v, 0} >= m.run.cursor) break;
             const Fragment& vertex = frame.triangle_vertices(t)[v];
             if (m.is_visible(m.at(vertex))) points.emplace_back(vertex.row, vertex.column);
         }
@@ -136,7 +137,7 @@ std::vector<std::pair<int, int>> visible_points(const Marks& m) {
 
 /// Points are single pixels, hard to see: each gets a ring.
 void draw_point_rings(const Marks& m) {
-    if (m.ui.results.frame.settings.stage != Stage::points) return;
+    if (m.run.frame.settings.stage != Stage::points) return;
     const float radius = std::max(4.0f * m.u, 0.75f * m.scale);
     for (const auto& [row, column] : visible_points(m)) {
         if (!m.has_room()) return;
@@ -147,7 +148,7 @@ void draw_point_rings(const Marks& m) {
 
 /// The true edges: straight lines between the vertices, those still to come dashed.
 void draw_true_edges(const Marks& m, std::span<const Fragment> vertices) {
-    const RowHistory& history = m.ui.results.rows;
+    const RowHistory& history = m.run.rows;
     for (int e = 0; e < 3; ++e) {
         const ImVec2 a = m.at(vertices[e]), b = m.at(vertices[(e + 1) % 3]);
         const bool begun = history.last && history.last->edge >= e;
@@ -169,9 +170,9 @@ void draw_true_edges(const Marks& m, std::span<const Fragment> vertices) {
 /// The table on the picture: the pixels that are ends, in the colour of the edge that wrote them,
 /// with a bar at the left of left ends and at the right of right ends.
 void draw_row_ends(const Marks& m) {
-    const RowHistory& history = m.ui.results.rows;
+    const RowHistory& history = m.run.rows;
     // Stage `rows` has painted the ends already: the tint is to lie on a dark ground there too.
-    const bool is_painted = m.ui.results.frame.settings.stage == Stage::rows;
+    const bool is_painted = m.run.frame.settings.stage == Stage::rows;
     const float h = 0.5f * m.scale;
     const float bar = std::max(0.09f * m.scale, 2.0f * m.u);
     for (int i = 0; i < history.rows.size(); ++i) {
@@ -202,8 +203,8 @@ void draw_row_ends(const Marks& m) {
 
 /// Every sample up to the cursor: a dot at its real place, before rounding.
 void draw_samples(const Marks& m, std::span<const Fragment> vertices) {
-    const EdgeRules rules = edge_rules(m.ui.results.frame.settings);
-    const RowHistory& history = m.ui.results.rows;
+    const EdgeRules rules = edge_rules(m.run.frame.settings);
+    const RowHistory& history = m.run.rows;
     const float radius = std::clamp(0.09f * m.scale, 1.6f * m.u, 4.5f * m.u);
     int left = history.samples;
     for (int e = 0; e < 3; ++e) {
@@ -218,7 +219,7 @@ void draw_samples(const Marks& m, std::span<const Fragment> vertices) {
 
 /// Where each vertex fell before it was rounded, joined to the pixel it became.
 void draw_vertices(const Marks& m, int triangle, std::span<const Fragment> vertices) {
-    const Frame& frame = m.ui.results.frame;
+    const Frame& frame = m.run.frame;
     const glm::mat3 rotation = camera_rotation(frame.settings.camera);
     const VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
     const Viewport size = frame.settings.viewport;
@@ -245,9 +246,9 @@ void draw_vertices(const Marks& m, int triangle, std::span<const Fragment> verti
 
 /// The piece of work that was just done.
 void draw_current(const Marks& m) {
-    if (!m.ui.results.done || m.ui.results.cursor == cursor_end) return;
-    const Frame& frame = m.ui.results.frame;
-    const Cursor done = *m.ui.results.done;
+    if (!m.run.done || m.run.cursor == cursor_end) return;
+    const Frame& frame = m.run.frame;
+    const Cursor done = *m.run.done;
     const Timeline timeline(frame);
     const std::span<const Fragment> vertices = frame.triangle_vertices(done.triangle);
     const ImU32 white = m.colour(Meaning::current);
@@ -276,7 +277,7 @@ void draw_current(const Marks& m) {
 }
 
 void draw_lit_row(const Marks& m, int row, float opacity) {
-    const Viewport size = m.ui.results.frame.settings.viewport;
+    const Viewport size = m.run.frame.settings.viewport;
     const ImVec2 left = m.at(-0.5f, static_cast<float>(row));
     const ImVec2 right = m.at(static_cast<float>(size.width) - 0.5f, static_cast<float>(row));
     const float h = std::max(0.5f * m.scale, 1.0f);
@@ -286,14 +287,25 @@ void draw_lit_row(const Marks& m, int row, float opacity) {
 
 } // namespace
 
-void draw_canvas_marks(const Ui& ui, ImDrawList* list, ImVec2 low, ImVec2 high) {
-    const Marks m{ui, list, low, high, ui.options.text_scale, ui.picture_place.scale};
-    const Frame& frame = ui.results.frame;
+ShownRun run_a(const Ui& ui) {
+    const Results& a = ui.results;
+    return {a.frame, a.rows, a.cursor, a.done, ui.picture_place};
+}
+
+ShownRun run_b(const Ui& ui, const PicturePlace& place) {
+    const Compared& b = *ui.results.compared;
+    return {b.frame, b.rows, b.cursor, b.done, place};
+}
+
+void draw_canvas_marks(const Ui& ui, const ShownRun& run, ImDrawList* list, ImVec2 low,
+                       ImVec2 high) {
+    const Marks m{ui, run, list, low, high, ui.options.text_scale, run.place.scale};
+    const Frame& frame = run.frame;
     if (m.is_large()) draw_grid(m);
     draw_point_rings(m);
     const bool has_triangle = ui.results.triangle && frame.is_drawn(*ui.results.triangle);
     const bool is_picked = ui.session.selection.triangle.has_value();
-    const bool is_walking = ui.results.cursor != cursor_end;
+    const bool is_walking = run.cursor != cursor_end;
     if (has_triangle && (m.is_large() || is_picked || is_walking)) {
         const std::span<const Fragment> vertices = frame.triangle_vertices(*ui.results.triangle);
         if (m.is_large() && frame.settings.stage >= Stage::edges) draw_row_ends(m);

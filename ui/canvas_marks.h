@@ -6,10 +6,24 @@
 
 namespace rasterwalk {
 
+/// One of the two runs, as far as it is marked on its picture, and where that lies.
+struct ShownRun {
+    const Frame& frame;
+    const RowHistory& rows; ///< of the triangle on show
+    const Cursor& cursor;
+    const std::optional<Cursor>& done;
+    PicturePlace place;
+};
+
+/// The runs of the interface; there must be a run B to ask for it.
+ShownRun run_a(const Ui& ui);
+ShownRun run_b(const Ui& ui, const PicturePlace& place);
+
 /// Draws over the picture: grid and numbers, the triangle's true edges, vertices, edge samples up
 /// to the cursor, row ends, the current piece, what is picked and pointed at. Costs what is
 /// visible.
-void draw_canvas_marks(const Ui& ui, ImDrawList* list, ImVec2 low, ImVec2 high);
+void draw_canvas_marks(const Ui& ui, const ShownRun& run, ImDrawList* list, ImVec2 low,
+                       ImVec2 high);
 
 /// Takes hold of a vertex of the bench triangle under the pointer and moves it with it. True while
 /// a vertex is held.

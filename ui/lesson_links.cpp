@@ -19,12 +19,22 @@ std::string tab_of(std::string_view widget) {
     struct Place {
         std::string_view start, tab;
     };
-    static constexpr Place places[] = {
-        {"rows.", "rows"},         {"bench.", "rows"},        {"triangle.", "rows"},
-        {"vertices.", "vertices"}, {"fragment.", "fragment"}, {"microscope.", "microscope"},
-        {"history.", "history"},   {"graph.", "graph"},       {"setting.", "settings"},
-        {"reset.", "settings"},    {"settings.", "settings"}, {"compare.", "compare"},
-        {"lab.", "lab"},           {"quiz.", "lab"}};
+    static constexpr Place places[] = {{"rows.", "rows"},
+                                       {"bench.", "rows"},
+                                       {"triangle.", "rows"},
+                                       {"vertices.", "vertices"},
+                                       {"fragment.", "fragment"},
+                                       {"microscope.", "microscope"},
+                                       {"history.", "history"},
+                                       {"graph.", "graph"},
+                                       {"setting.", "settings"},
+                                       {"reset.", "settings"},
+                                       {"settings.", "settings"},
+                                       {"compare.tab.", "compare"},
+                                       {"compare.first", "compare"},
+                                       {"compare.count.", "compare"},
+                                       {"lab.", "lab"},
+                                       {"quiz.", "lab"}};
     for (const Place& place : places) {
         if (widget.starts_with(place.start)) return std::string(place.tab);
     }

@@ -40,12 +40,10 @@ void show_texture(Ui& ui, PictureTexture& texture, const Image& image, std::uint
                     static_cast<float>(other.height) / shown_scale};
 }
 
-void draw_texture(ImDrawList* list, const PictureTexture& texture, const PicturePlace& place,
-                  float from, float to) {
-    const ImVec2 size{place.scale * texture.size.x, place.scale * texture.size.y};
-    list->AddImage(texture.id, {place.origin.x + from * size.x, place.origin.y},
-                   {place.origin.x + to * size.x, place.origin.y + size.y}, {from, 0.0f},
-                   {to, 1.0f});
+void draw_texture(ImDrawList* list, const PictureTexture& texture, const PicturePlace& place) {
+    list->AddImage(texture.id, place.origin,
+                   {place.origin.x + place.scale * texture.size.x,
+                    place.origin.y + place.scale * texture.size.y});
 }
 
 } // namespace rasterwalk

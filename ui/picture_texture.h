@@ -10,9 +10,7 @@ namespace rasterwalk {
 void show_texture(Ui& ui, PictureTexture& texture, const Image& image, std::uint64_t number,
                   float scale);
 
-/// Draws the texture, or its columns from `first` to before `end`, where the picture lies.
-/// @param from, to shares of the width, 0..1
-void draw_texture(ImDrawList* list, const PictureTexture& texture, const PicturePlace& place,
-                  float from = 0.0f, float to = 1.0f);
+/// Draws the texture where the picture lies.
+void draw_texture(ImDrawList* list, const PictureTexture& texture, const PicturePlace& place);
 
 } // namespace rasterwalk

@@ -13,12 +13,14 @@
 #include <imgui.h>
 
 #include "inspect/microscope.h"
+#include "session/bug.h"
 #include "session/lesson_list.h"
 #include "session/lesson_run.h"
 #include "session/progress.h"
 #include "session/results.h"
 #include "session/session.h"
 #include "session/stage_note.h"
+#include "session/suspect.h"
 
 namespace rasterwalk {
 
@@ -86,6 +88,48 @@ struct MicroscopeView {
     EdgeMicroscope shown; ///< of that edge; worked out anew when another is shown
 };
 
+/// What only concerns the screen while two runs are compared.
+struct CompareLook {
+    PictureTexture picture;                 ///< shows run B
+    PictureTexture difference;              ///< shows B minus A
+    std::optional<PicturePlace> place_of_b; ///< of its picture, while both stand side by side
+    float blink_seconds = 0.0f;             ///< since the blinking began; A comes first
+    bool blink_is_held = false;
+    std::optional<Settings> before_pair; ///< run A before a pair was begun; none: no pair
+    Settings after_pair;                 ///< run A just after
+};
+
+struct MarkdownPage; // ui/markdown.h
+
+/// The three rooms of the bug laboratory.
+enum class LabMode : std::uint8_t {
+    bugs,   ///< the mistakes, to be turned on
+    quiz,   ///< which of them is it?
+    result, ///< a result of the student's own, and what may be wrong with it
+};
+
+/// What the bug laboratory keeps from one frame to the next.
+struct LabLook {
+    std::vector<Bug> bugs; ///< read when the laboratory is opened first
+    std::string fault;     ///< why they could not be read
+    bool is_read = false;
+    std::string chosen; ///< id of the bug that is described
+    std::string on;     ///< id of the bug that was turned on last; empty: none
+    /// What was set before, for turning it off; the scene is null when nothing is on.
+    std::shared_ptr<const Scene> scene_before;
+    Settings settings_before;
+    std::shared_ptr<MarkdownPage> page;
+    LabMode mode = LabMode::bugs;
+    int seed = 0;             ///< of the next quiz; 0: the program takes one
+    bool wants_two = false;   ///< the next quiz hides two mistakes
+    int rounds = 0;           ///< quizzes that were ended after they were over
+    int points = 0;           ///< in all of them
+    std::string result_path;  ///< of the student's own result
+    std::string result_fault; ///< why it could not be diagnosed
+    std::string held_against; ///< "the picture of lab-room"
+    std::optional<Diagnosis> diagnosis;
+};
+
 /// What is asked about in the Vertices, Fragment and Graph tabs.
 struct InspectView {
     std::string vertex_number = "pixel.column"; ///< id of a formula, see vertex_report.h
@@ -116,15 +160,15 @@ struct LessonView {
     std::map<std::string, std::shared_ptr<MarkdownPage>> pages; ///< of the step on show, by name
     std::map<std::string, PredictionView> predictions;          ///< of the lesson, by id
     std::set<std::string> open_hints;                           ///< ids of tasks
-    std::string shown;            ///< which page is on show; the scroll position belongs to it
-    std::string search;           ///< what the list of lessons is searched for
-    bool shows_list = false;      ///< the list of lessons instead of a lesson
-    bool shows_stage = false;     ///< the page about the stage instead of the lesson
+    std::string shown;             ///< which page is on show; the scroll position belongs to it
+    std::string search;            ///< what the list of lessons is searched for
+    bool shows_list = false;       ///< the list of lessons instead of a lesson
+    bool shows_stage = false;      ///< the page about the stage instead of the lesson
     bool covers_inspector = false; ///< where the lesson is a tab of the inspector: it is in front
-    std::string pointed_at;       ///< widget that a link points at: it is outlined; empty: none
-    bool is_held = false;         ///< it stays outlined after the pointer has left the link
-    bool is_hovered = false;      ///< the pointer rests on such a link in this frame
-    int frames_unseen = 0;        ///< since the widget pointed at was last on the screen
+    std::string pointed_at;        ///< widget that a link points at: it is outlined; empty: none
+    bool is_held = false;          ///< it stays outlined after the pointer has left the link
+    bool is_hovered = false;       ///< the pointer rests on such a link in this frame
+    int frames_unseen = 0;         ///< since the widget pointed at was last on the screen
 };
 
 /// The interface: what the student sets (session), what follows from it (results), and what only
@@ -141,8 +185,10 @@ struct Ui {
     Fonts fonts;
     TextureHost* textures = nullptr;
     std::shared_ptr<PictureShelf> pictures; ///< that the lessons show
-    PictureTexture picture;                 ///< shows Results::picture
-    PictureTexture overlay;                 ///< shows Results::overlay
+    CompareLook compare;
+    LabLook lab;
+    PictureTexture picture;      ///< shows Results::picture
+    PictureTexture overlay;      ///< shows Results::overlay
     bool page_is_low = false;    ///< the inspector's page has few lines: panels are brief
     bool page_is_narrow = false; ///< and few letters a line
     bool shows_legend = true;    ///< of the overlays; or else only their swatches

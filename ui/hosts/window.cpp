@@ -19,6 +19,7 @@
 #include "ui/app.h"
 #include "ui/hosts/gl2.h"
 #include "ui/kept_options.h"
+#include "ui/lab.h"
 #include "ui/lesson_state.h"
 #include "ui/report.h"
 #include "ui/style.h"
@@ -96,7 +97,7 @@ void on_key(GLFWwindow* handle, int key, int scancode, int action, int modifiers
 
 void on_drop(GLFWwindow* handle, int count, const char** paths) {
     wake(handle);
-    if (count > 0) open_scene(window_of(handle).ui, paths[0]);
+    if (count > 0) open_dropped(window_of(handle).ui, paths[0]);
 }
 
 void on_content_scale(GLFWwindow* handle, float scale, float) {

@@ -33,6 +33,10 @@ const Tab tabs[] = {
      draw_history_panel},
     {"graph", "Graph", "A value along a row: the truth, and the straight line between its ends.",
      draw_graph_panel},
+    {"compare", "Compare", "Two runs with other settings: what differs, where first, and why.",
+     draw_compare_panel},
+    {"lab", "Lab", "The mistakes that rasterizers make: turn one on, and see what it does.",
+     draw_lab_panel},
     {"settings", "Settings", "Every choice that changes the picture.", draw_settings_panel},
 };
 

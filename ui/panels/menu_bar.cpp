@@ -77,6 +77,7 @@ const MenuTitle menus[] = {{"File", "Pictures, and the way out."},
                            {"Scene", "The scenes that come with the program, and presets."},
                            {"Lesson", "The lessons, and what is done of them."},
                            {"Stage", "The stages of the pipeline and the two switches."},
+                           {"Compare", "Two runs of the scene, and where they differ."},
                            {"Walk", "Through time: steps, play, beginning and end."},
                            {"Help", "All keys, and what the words mean."}};
 

@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "session/setting_table.h"
 #include "ui/layout.h"
 #include "ui/ui.h"
 
@@ -40,9 +41,13 @@ void draw_fragment_panel(Ui& ui);
 void draw_graph_panel(Ui& ui);
 void draw_microscope_panel(Ui& ui);
 void draw_history_panel(Ui& ui);
+void draw_compare_panel(Ui& ui);
+void draw_lab_panel(Ui& ui);
 /// In a bench scene: its examples, and its vertices to be typed. Otherwise nothing.
 void draw_bench_examples(Ui& ui);
 void draw_settings_panel(Ui& ui);
+/// The field in which a setting of one of the runs is changed, under a name for tests.
+void edit_setting(Ui& ui, Settings& settings, const Setting& setting, const std::string& name);
 
 /// The sheet of keys (F1).
 void draw_key_sheet(Ui& ui, ImVec2 window);

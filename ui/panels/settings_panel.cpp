@@ -28,15 +28,15 @@ bool is_wanted(const Setting& setting, const std::string& search) {
            contains_word(setting.help, search) || contains_word(setting.group, search);
 }
 
-void edit_choice(Ui& ui, const std::string& name, const std::string& help,
+void edit_choice(Ui& ui, Settings& settings, const std::string& name, const std::string& help,
                  const ChoiceSetting& choice) {
-    const int now = choice.read(ui.session.settings);
+    const int now = choice.read(settings);
     const bool open = ImGui::BeginCombo("##value", std::string(choice.words[now]).c_str());
     name_widget(ui, name, help);
     if (!open) return;
     for (int i = 0; i < static_cast<int>(choice.words.size()); ++i) {
         if (ImGui::Selectable(std::string(choice.words[i]).c_str(), i == now)) {
-            choice.write(ui.session.settings, i);
+            choice.write(settings, i);
         }
         name_widget(ui, name + "=" + std::string(choice.words[i]), help);
     }
@@ -44,47 +44,34 @@ void edit_choice(Ui& ui, const std::string& name, const std::string& help,
 }
 
 /// Numbers are dragged, or typed after a double click; they never leave their range.
-void edit_number(Ui& ui, const std::string& name, const std::string& help,
+void edit_number(Ui& ui, Settings& settings, const std::string& name, const std::string& help,
                  const NumberSetting& number) {
-    float value = number.value(ui.session.settings);
+    float value = number.value(settings);
     if (ImGui::DragFloat("##value", &value, number.drag_step, number.smallest, number.largest,
                          "%.3f", ImGuiSliderFlags_AlwaysClamp)) {
-        number.value(ui.session.settings) = value;
+        number.value(settings) = value;
     }
     name_widget(ui, name, help);
 }
 
-void edit_vector(Ui& ui, const std::string& name, const std::string& help,
+void edit_vector(Ui& ui, Settings& settings, const std::string& name, const std::string& help,
                  const VectorSetting& vector) {
-    glm::vec3 value = vector.value(ui.session.settings);
+    glm::vec3 value = vector.value(settings);
     if (ImGui::DragFloat3("##value", &value.x, vector.drag_step, vector.smallest, vector.largest,
                           "%.3f", ImGuiSliderFlags_AlwaysClamp)) {
-        vector.value(ui.session.settings) = value;
+        vector.value(settings) = value;
     }
     name_widget(ui, name, help);
 }
 
-void edit_size(Ui& ui, const std::string& name, const std::string& help, const SizeSetting& size) {
-    Viewport& viewport = size.value(ui.session.settings);
+void edit_size(Ui& ui, Settings& settings, const std::string& name, const std::string& help,
+               const SizeSetting& size) {
+    Viewport& viewport = size.value(settings);
     int sides[2] = {viewport.width, viewport.height};
     if (ImGui::InputInt2("##value", sides, ImGuiInputTextFlags_EnterReturnsTrue)) {
         viewport = {std::clamp(sides[0], 1, size.largest), std::clamp(sides[1], 1, size.largest)};
     }
     name_widget(ui, name, help);
-}
-
-void edit(Ui& ui, const Setting& setting) {
-    const std::string name = "setting." + std::string(setting.name);
-    const std::string help(setting.help);
-    if (const auto* choice = std::get_if<ChoiceSetting>(&setting.kind)) {
-        edit_choice(ui, name, help, *choice);
-    } else if (const auto* number = std::get_if<NumberSetting>(&setting.kind)) {
-        edit_number(ui, name, help, *number);
-    } else if (const auto* vector = std::get_if<VectorSetting>(&setting.kind)) {
-        edit_vector(ui, name, help, *vector);
-    } else if (const auto* size = std::get_if<SizeSetting>(&setting.kind)) {
-        edit_size(ui, name, help, *size);
-    }
 }
 
 void draw_setting(Ui& ui, const Setting& setting, const Settings& usual) {
@@ -106,14 +93,32 @@ void draw_setting(Ui& ui, const Setting& setting, const Settings& usual) {
         }
     }
     ImGui::SetNextItemWidth(-1.0f);
-    edit(ui, setting);
+    edit_setting(ui, ui.session.settings, setting, "setting." + name);
     ImGui::PopID();
 }
 
 } // namespace
 
+void edit_setting(Ui& ui, Settings& settings, const Setting& setting, const std::string& name) {
+    const std::string help(setting.help);
+    if (const auto* choice = std::get_if<ChoiceSetting>(&setting.kind)) {
+        edit_choice(ui, settings, name, help, *choice);
+    } else if (const auto* number = std::get_if<NumberSetting>(&setting.kind)) {
+        edit_number(ui, settings, name, help, *number);
+    } else if (const auto* vector = std::get_if<VectorSetting>(&setting.kind)) {
+        edit_vector(ui, settings, name, help, *vector);
+    } else if (const auto* size = std::get_if<SizeSetting>(&setting.kind)) {
+        edit_size(ui, settings, name, help, *size);
+    }
+}
+
 void draw_settings_panel(Ui& ui) {
     const Palette& p = palette(ui.options.theme);
+    if (hides_settings(ui.session)) {
+        wrapped_text("The settings are hidden until the quiz is over: the Lab tab has it.");
+        name_widget(ui, "settings.hidden", "They would give the mistake away.");
+        return;
+    }
     ImGui::SetNextItemWidth(-1.0f);
     ImGui::InputTextWithHint("##search", "search the settings", &ui.setting_search);
     name_widget(ui, "settings.search", "Shows only the settings whose name or help has this word.");

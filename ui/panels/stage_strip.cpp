@@ -2,7 +2,9 @@
 #include <vector>
 
 #include "ui/actions.h"
+#include "ui/compare.h"
 #include "ui/flow.h"
+#include "ui/keys.h"
 #include "ui/panels/panels.h"
 #include "ui/style.h"
 #include "ui/widgets.h"
@@ -20,6 +22,7 @@ struct StripItem {
     bool chosen = false; ///< the stage on show
     bool is_on = false;  ///< switches
     bool is_switch = false;
+    bool has_state = true; ///< switches: says whether it is on
 };
 
 /// In the short form only the stage on show says its name.
@@ -54,6 +57,26 @@ std::vector<StripItem> strip_items(const Ui& ui, bool short_form) {
                      .first_is_main = true,
                      .is_on = depth != DepthTest::off,
                      .is_switch = true});
+    if (hides_settings(ui.session)) {
+        for (StripItem& item : items) {
+            if (!item.is_switch) continue;
+            item.second = "?";
+            item.is_on = false;
+        }
+    }
+    items.push_back({.name = "switch.compare",
+                     .first = "Compare",
+                     .second = "",
+                     .first_is_main = true,
+                     .chosen = ui.session.other.has_value(),
+                     .is_switch = true,
+                     .has_state = false});
+    items.push_back({.name = "compare.pairs",
+                     .first = "▾",
+                     .second = "",
+                     .first_is_main = true,
+                     .is_switch = true,
+                     .has_state = false});
     return items;
 }
 
@@ -75,7 +98,7 @@ std::vector<float> item_widths(const std::vector<StripItem>& items, float unit) 
     for (const StripItem& item : items) {
         // The widest state counts, so that a switch does not shift its neighbours.
         StripItem widest = item;
-        if (item.is_switch) widest.second = "off";
+        if (item.is_switch && item.has_state) widest.second = "off";
         widths.push_back(item_width(widest, unit));
     }
     return widths;
@@ -88,17 +111,39 @@ float margin(const Ui& ui) {
     return 14.0f * ui.options.text_scale;
 }
 
+/// The pairs of runs that are often compared: a click each.
+void draw_pairs(Ui& ui) {
+    const float gap = 4.0f * ui.options.text_scale;
+    ImGui::SetNextWindowPos({ImGui::GetItemRectMax().x, ImGui::GetItemRectMax().y + gap}, 0,
+                            {1.0f, 0.0f});
+    if (!ImGui::BeginPopup("compare pairs")) return;
+    const ComparePair* const on_show = pair_on_show(ui.session);
+    for (const ComparePair& pair : compare_pairs()) {
+        const std::string label = std::string(pair.left)
+                                      .append("  |  ")
+                                      .append(pair.right)
+                                      .append("###")
+                                      .append(pair.name);
+        if (ImGui::Selectable(label.c_str(), on_show == &pair)) begin_pair(ui, pair);
+        name_widget(ui, std::string("compare.pair.").append(pair.name), pair.help);
+    }
+    if (ImGui::IsKeyPressed(key::escape, false)) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
 void draw_item(Ui& ui, const StripItem& item, ImVec2 at, ImVec2 size) {
+    const bool is_list = item.name == "compare.pairs";
     const Palette& p = palette(ui.options.theme);
     const float u = ui.options.text_scale;
     ImGui::SetCursorScreenPos(at);
     const bool pressed = ImGui::InvisibleButton(item.name.c_str(), size);
     const bool hovered = ImGui::IsItemHovered();
-    name_widget(ui, item.name, tooltip_of(item.name));
+    name_widget(ui, item.name, is_list ? "Which two runs are compared." : tooltip_of(item.name));
     ImDrawList* const list = ImGui::GetWindowDrawList();
     const ImVec2 end{at.x + size.x, at.y + size.y};
     const ImVec4& fill = item.chosen ? p.accent : hovered ? p.button_hovered : p.button;
-    if (!item.is_switch || hovered) list->AddRectFilled(at, end, packed(fill), 5.0f * u);
+    if (!item.is_switch || hovered || item.chosen)
+        list->AddRectFilled(at, end, packed(fill), 5.0f * u);
     if (item.is_switch) list->AddRect(at, end, packed(p.dim, 0.6f), 5.0f * u);
     const ImVec4& main = item.chosen ? p.accent_text : p.text;
     const ImVec4 state = item.is_on ? p.link : p.changed;
@@ -109,7 +154,12 @@ void draw_item(Ui& ui, const StripItem& item, ImVec2 at, ImVec2 size) {
     list->AddText({x, y}, packed(item.first_is_main ? main : side), item.first.c_str());
     list->AddText({x + text_width(item.first) + 7.0f * u, y},
                   packed(item.first_is_main ? side : main), item.second.c_str());
-    if (pressed) find_action(item.name).run(ui);
+    if (is_list) {
+        if (pressed && !hides_settings(ui.session)) ImGui::OpenPopup("compare pairs");
+        draw_pairs(ui);
+    } else if (pressed) {
+        find_action(item.name).run(ui);
+    }
 }
 
 void draw_chevron(Ui& ui, ImVec2 middle) {

@@ -9,6 +9,23 @@ namespace rasterwalk {
 
 namespace {
 
+/// The pixel's colours in both runs, and how much they differ.
+std::string colours_of_both(const Ui& ui, std::size_t at) {
+    const Compared& b = *ui.results.compared;
+    const auto colour = [&](const char* run, const Framebuffer& picture) {
+        const glm::vec3& c = picture.colour[at];
+        char text[96];
+        std::snprintf(text, sizeof text, "   %s %.3f %.3f %.3f", run, static_cast<double>(c.r),
+                      static_cast<double>(c.g), static_cast<double>(c.b));
+        return std::string(text);
+    };
+    const float difference = b.difference_values[at];
+    std::string words = colour("A", *ui.results.framebuffer) + colour("B", *b.framebuffer);
+    words += "   B − A ";
+    words += (difference > 0.0f ? "+" : "") + fixed(static_cast<double>(difference), 4);
+    return words;
+}
+
 /// All that is known of the pixel under the pointer, or else of the one picked.
 std::string describe_pixel(const Ui& ui) {
     const auto pixel = ui.hovered_pixel ? ui.hovered_pixel : ui.session.selection.pixel;
@@ -18,6 +35,7 @@ std::string describe_pixel(const Ui& ui) {
     char text[160];
     std::snprintf(text, sizeof text, "pixel (%d, %d)", pixel->x, pixel->y);
     std::string words = text;
+    if (ui.results.compared) return words + colours_of_both(ui, at);
     const int owner = framebuffer.owner[at];
     if (owner < 0) return words + "   not drawn";
     const glm::vec3& c = framebuffer.colour[at];

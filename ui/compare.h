@@ -1,0 +1,51 @@
+#pragma once
+
+#include <string>
+
+#include "session/second_run.h"
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+// What the student does with two runs: begin, end, and walk from one difference to the next.
+
+/// The pair of which both runs have what it says, and differ in nothing else; null: none.
+const ComparePair* pair_on_show(const Session& session);
+
+/// Compares the pair; what another pair has set in run A is taken back before.
+void begin_pair(Ui& ui, const ComparePair& pair);
+
+/// Begins to compare the pair that suits the stage, or ends the comparison.
+void toggle_compare(Ui& ui);
+
+/// Ends the comparison; what its pair has set in run A is taken back.
+void end_compare(Ui& ui);
+
+/// Stands at a moment at which the runs differ, and selects what differs there.
+void stand_at(Ui& ui, const Cursor& cursor);
+
+/// To the divergence after or before the present moment; says so if there is none.
+void go_to_next_divergence(Ui& ui);
+void go_to_previous_divergence(Ui& ui);
+
+/// True while two runs are shown.
+bool is_comparing(const Ui& ui);
+
+/// True while the two pictures blink by themselves.
+bool is_blinking(const Ui& ui);
+
+/// True while the blinking picture is that of run B.
+bool blink_shows_b(const Ui& ui);
+
+/// A run's settings that the other has not: "interpolation = affine"; all of them, a line each, or
+/// as many as fit on one line.
+std::string run_words(const Session& session, bool of_b, bool one_line);
+
+/// How far the pictures lie apart at the cursor: "74 310 pixels differ · largest 0.46 · mean
+/// 0.037".
+std::string difference_words(const PixelDifference& pixels);
+
+/// A whole number with a blank before every third digit.
+std::string grouped(std::int64_t number);
+
+} // namespace rasterwalk

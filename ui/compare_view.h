@@ -1,0 +1,37 @@
+#pragma once
+
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+/// A part of the canvas in which a picture stands, screen pixels.
+struct Pane {
+    ImVec2 low, high;
+
+    ImVec2 room() const { return {high.x - low.x, high.y - low.y}; }
+};
+
+/// The line above the pictures while two runs are compared: in which way they are shown, how far
+/// they lie apart, and the ends of it. Where they cannot be compared it says why.
+void draw_compare_bar(Ui& ui);
+
+/// The two halves of the canvas while both pictures stand side by side, or else the whole of it
+/// twice.
+struct Panes {
+    Pane a, b;
+};
+Panes panes_of(const Ui& ui, const Pane& canvas);
+
+/// The divider of the wipe, to be dragged. To be called before the canvas itself, which else would
+/// take the mouse.
+void draw_wipe_handle(Ui& ui, const Pane& canvas);
+
+/// The pictures of both runs in the way chosen, with the marks on them, and their titles.
+void draw_compared(Ui& ui, ImDrawList* list, const Pane& canvas);
+
+/// The scale of the difference picture below it, with the number under the pointer. 0: there is
+/// none.
+float difference_legend_height(const Ui& ui);
+void draw_difference_legend(Ui& ui, ImVec2 low, ImVec2 high);
+
+} // namespace rasterwalk

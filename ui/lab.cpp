@@ -1,0 +1,138 @@
+#include "ui/lab.h"
+
+#include <utility>
+
+#include "scene/error.h"
+#include "scene/image.h"
+#include "scene/read_text.h"
+#include "session/diagnose.h"
+#include "session/second_run.h"
+#include "ui/actions.h"
+
+namespace rasterwalk {
+
+const std::vector<Bug>& lab_bugs(Ui& ui) {
+    LabLook& lab = ui.lab;
+    if (!lab.is_read) {
+        lab.is_read = true;
+        try {
+            lab.bugs = read_bugs();
+        } catch (const Error& fault) {
+            lab.fault = fault.what();
+        }
+        if (!lab.bugs.empty()) lab.chosen = lab.bugs.front().id;
+    }
+    return lab.bugs;
+}
+
+void turn_on(Ui& ui, const Bug& bug, bool on_its_scene) {
+    turn_off(ui);
+    LabLook& lab = ui.lab;
+    const std::shared_ptr<const Scene> scene = ui.session.scene;
+    const Settings settings = ui.session.settings;
+    try {
+        if (on_its_scene) {
+            open_bug(bug, ui.session);
+            ui.session.canvas.zoom = 0.0f;
+        } else {
+            apply_bug(bug, ui.session);
+        }
+    } catch (const Error& fault) {
+        ui.session.notice = fault.what();
+        return;
+    }
+    ui.compare.before_pair = std::nullopt;
+    ui.session.notice.clear();
+    lab.on = bug.id;
+    lab.chosen = bug.id;
+    lab.scene_before = scene;
+    lab.settings_before = settings;
+}
+
+void turn_off(Ui& ui) {
+    LabLook& lab = ui.lab;
+    if (lab.on.empty()) return;
+    lab.on.clear();
+    const std::shared_ptr<const Scene> scene = std::exchange(lab.scene_before, nullptr);
+    if (!ui.session.other || scene == nullptr) return;
+    stop_comparing(ui.session);
+    if (ui.session.scene != scene) {
+        ui.session.scene = scene;
+        ui.session.cursor = cursor_end;
+        ui.session.selection = {};
+        ui.session.canvas.zoom = 0.0f;
+    }
+    ui.session.settings = lab.settings_before;
+}
+
+void begin_quiz(Ui& ui) {
+    turn_off(ui);
+    LabLook& lab = ui.lab;
+    // Any number will do: it only must not be the same each time.
+    if (lab.seed == 0) lab.seed = 1000 + ImGui::GetFrameCount() * 37 % 9000;
+    const auto seed = static_cast<std::uint32_t>(lab.seed);
+    if (!start_quiz(ui.session, lab_bugs(ui), seed, lab.wants_two ? 2 : 1)) {
+        ui.session.notice = "None of the mistakes shows in this scene: open the room.";
+        return;
+    }
+    ui.session.notice.clear();
+    lab.chosen.clear();
+}
+
+void finish_quiz(Ui& ui) {
+    if (!ui.session.quiz) return;
+    if (is_over(*ui.session.quiz)) {
+        ++ui.lab.rounds;
+        ui.lab.points += score(*ui.session.quiz);
+    }
+    end_quiz(ui.session);
+    ui.lab.seed = 0;
+}
+
+void diagnose_file(Ui& ui, const std::string& path) {
+    LabLook& lab = ui.lab;
+    const Session& session = ui.session;
+    lab.mode = LabMode::result;
+    ui.session.tab = "lab";
+    lab.result_path = path;
+    lab.diagnosis = std::nullopt;
+    lab.result_fault.clear();
+    try {
+        if (is_image_file(path)) {
+            const Image picture = read_image(path);
+            if (picture.width > largest_diagnosed || picture.height > largest_diagnosed) {
+                throw InputError(path + ": the picture is too large to be diagnosed.");
+            }
+            const Settings reference =
+                fitted_to(with_handout_rules(session.settings), picture, session.scene->space);
+            lab.diagnosis = diagnose_picture(picture, *session.scene, reference, lab_bugs(ui));
+            lab.held_against = "the picture of " + session.scene->name;
+        } else {
+            const std::vector<PrintedRow> rows = parse_printed_rows(read_file(path), path);
+            std::string about;
+            lab.diagnosis =
+                diagnose_rows(rows, {}, *session.scene, with_handout_rules(session.settings),
+                              lab_bugs(ui), about);
+            lab.held_against = "the row table of " + about;
+        }
+    } catch (const Error& fault) {
+        lab.result_fault = fault.what();
+    }
+}
+
+void open_dropped(Ui& ui, const std::string& path) {
+    bool is_result = is_image_file(path);
+    for (const char* ending : {".txt", ".TXT", ".png", ".PNG", ".bmp", ".BMP"})
+        is_result = is_result || path.ends_with(ending);
+    if (is_result) {
+        diagnose_file(ui, path);
+    } else {
+        open_scene(ui, path);
+    }
+}
+
+bool is_on(const Ui& ui, std::string_view id) {
+    return ui.session.other.has_value() && ui.lab.on == id;
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+/// The mistakes of the laboratory, read when they are first asked for; empty if they cannot be
+/// read, see LabLook::fault.
+const std::vector<Bug>& lab_bugs(Ui& ui);
+
+/// Makes the mistake in run A and compares it with the correct run; the mistake that was on before
+/// is turned off.
+/// @param on_its_scene loads the scene that shows it best
+void turn_on(Ui& ui, const Bug& bug, bool on_its_scene);
+
+/// Back to what was set before.
+void turn_off(Ui& ui);
+
+/// Begins a quiz by LabLook::seed on the scene that is open; says so if the scene shows no mistake.
+void begin_quiz(Ui& ui);
+
+/// Ends the quiz, counts its points if it was over, and brings back what was set before.
+void finish_quiz(Ui& ui);
+
+/// Holds a picture (PNG or BMP) or a text of printed rows against what is set now, and opens the
+/// laboratory with what may be wrong with it.
+void diagnose_file(Ui& ui, const std::string& path);
+
+/// A file that was dropped on the window: a result to be diagnosed, or else a scene.
+void open_dropped(Ui& ui, const std::string& path);
+
+/// True while run A makes this mistake and is compared with the correct run.
+bool is_on(const Ui& ui, std::string_view id);
+
+} // namespace rasterwalk
