@@ -317,6 +317,13 @@ void draw_canvas_marks(const Ui& ui, const ShownRun& run, ImDrawList* list, ImVe
     }
     if (ui.hovered_row) draw_lit_row(m, *ui.hovered_row, 0.25f);
     draw_current(m);
+    // Beside each other, what is pointed at in one picture is marked in both.
+    if (ui.compare.place_of_b && ui.hovered_pixel) {
+        frame_pixel(m, ui.hovered_pixel->x, ui.hovered_pixel->y, IM_COL32(0, 0, 0, 160),
+                    2.5f * m.u);
+        frame_pixel(m, ui.hovered_pixel->x, ui.hovered_pixel->y, m.colour(Meaning::current),
+                    1.2f * m.u);
+    }
     if (ui.session.selection.pixel) {
         const glm::ivec2 pixel = *ui.session.selection.pixel;
         frame_pixel(m, pixel.x, pixel.y, IM_COL32(0, 0, 0, 220), 4.0f * m.u);

@@ -8,6 +8,7 @@
 #include "session/diagnose.h"
 #include "session/second_run.h"
 #include "ui/actions.h"
+#include "ui/panels/panels.h"
 
 namespace rasterwalk {
 
@@ -93,7 +94,7 @@ void diagnose_file(Ui& ui, const std::string& path) {
     LabLook& lab = ui.lab;
     const Session& session = ui.session;
     lab.mode = LabMode::result;
-    ui.session.tab = "lab";
+    open_tab(ui, "lab");
     lab.result_path = path;
     lab.diagnosis = std::nullopt;
     lab.result_fault.clear();

@@ -4,6 +4,7 @@
 
 #include "scene/error.h"
 #include "session/lesson_link.h"
+#include "ui/lab.h"
 #include "ui/lesson_state.h"
 #include "ui/panels/panels.h"
 
@@ -58,6 +59,11 @@ void follow_link(Ui& ui, const std::string& target) {
     try {
         const LessonLink link = parse_lesson_link(target);
         ui.session.notice.clear();
+        if (link.kind == LessonLink::Kind::bug) {
+            // The laboratory knows how to turn it off again.
+            turn_on(ui, find_bug(lab_bugs(ui), link.argument), false);
+            return;
+        }
         follow_lesson_link(ui.session, ui.results.frame, link);
         switch (link.kind) {
         case LessonLink::Kind::show: {

@@ -133,9 +133,11 @@ void check_argument(const LessonLink& link) {
     case Kind::overlay:
         require_word(link, "overlay", overlay_words());
         break;
+    case Kind::bug:
+        find_bug(read_bugs(), link.argument);
+        break;
     case Kind::show:
     case Kind::preset:
-    case Kind::bug:
     case Kind::term:
     case Kind::lesson:
         break;

@@ -120,7 +120,7 @@ void draw_settings(Ui& ui) {
         if (button(ui, "compare.setting." + name, name, Look::link,
                    std::string(find_setting(name)->help) + "\nClick: shows it in the settings.")) {
             ui.setting_search = name;
-            ui.session.tab = "settings";
+            open_tab(ui, "settings");
         }
         ImGui::PopStyleVar();
         const Setting& setting = *find_setting(name);
