@@ -150,7 +150,7 @@ float depth_asked(const Ui& ui) {
     const auto pixel = ui.hovered_pixel ? ui.hovered_pixel : ui.session.selection.pixel;
     const Framebuffer& framebuffer = *ui.results.framebuffer;
     if (!pixel || !framebuffer.contains(pixel->x, pixel->y)) return 0.0f;
-    return framebuffer.depth[framebuffer.at(pixel->x, pixel->y)];
+    return stored_depth(framebuffer, pixel->x, pixel->y);
 }
 
 void draw_numbers(Ui& ui, const DepthView& view, ImVec2 low, float right) {

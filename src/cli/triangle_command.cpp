@@ -185,7 +185,8 @@ void print_rows(std::ostream& out, const RowHistory& history) {
                    "right by");
     for (int i = 0; i < history.rows.size(); ++i) {
         const auto at = static_cast<std::size_t>(i);
-        const bool is_empty = history.rows.is_empty_row(i);
+        const bool is_empty = history.rows.left[at].column == empty_left &&
+                              history.rows.right[at].column == empty_right;
         const auto end = [&](int column, const char* empty) {
             return is_empty ? std::string(empty) : std::to_string(column);
         };

@@ -236,6 +236,11 @@ class Evaluator {
         if (wants("min", 2)) return {std::min(a.value, b.value), a.is_whole && b.is_whole};
         if (wants("max", 2)) return {std::max(a.value, b.value), a.is_whole && b.is_whole};
         if (wants("clamp", 3)) return {std::min(std::max(a.value, b.value), c.value), false};
+        if (wants("wrap", 2)) {
+            const float rest = std::fmod(a.value, b.value);
+            if (std::isnan(rest)) return {0.0f, true};
+            return {rest < 0.0f ? rest + b.value : rest, a.is_whole && b.is_whole};
+        }
         if (wants("accumulate", 3)) {
             float value = a.value;
             for (int i = 0; i < static_cast<int>(c.value); ++i)

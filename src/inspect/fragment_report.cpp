@@ -71,6 +71,24 @@ Formula along_row(const FragmentReport& report, std::string id, std::string name
     return formula;
 }
 
+/// The same where the row's ends are multiplied by 1/z once more.
+Formula along_row_twice(const FragmentReport& report, Formula formula, float left_zinv,
+                        float right_zinv) {
+    const CarriedRow& row = report.row;
+    formula.inputs.push_back({"zl", {left_zinv}, from_row_end(row.triangle, row.row, false)});
+    if (report.step > 0) {
+        formula.inputs.push_back({"zr", {right_zinv}, from_row_end(row.triangle, row.row, true)});
+    }
+    const auto put = [&](std::string_view word, std::string_view by) {
+        for (std::size_t at = 0; (at = formula.expression.find(word, at)) != std::string::npos;
+             at += by.size())
+            formula.expression.replace(at, word.size(), by);
+    };
+    put("left", "left · zl");
+    put("right", "right · zr");
+    return formula;
+}
+
 void add_depths(FragmentReport& report, const Carried& carried) {
     const RowEnds& ends = report.row.under(Interpolation::perspective);
     const Fragment& fragment = carried[0];
@@ -99,15 +117,46 @@ void add_depths(FragmentReport& report, const Carried& carried) {
                                {z}});
 }
 
-Formula difference(const QuantityInfo& info, float affine, float perspective) {
+Formula difference(const QuantityInfo& info, Interpolation way, float wrong, float perspective) {
     const std::string id(info.id);
-    return {id + ".off",
-            std::string(info.name) + " off by",
-            "How far the affine value is from the perspective-correct one.",
-            "abs(affine − perspective)",
-            {{"affine", {affine}, from_formula(id + ".affine")},
-             {"perspective", {perspective}, from_formula(id + ".perspective")}},
-            {std::abs(affine - perspective)}};
+    Formula formula{id + ".off",
+                    std::string(info.name) + " off by",
+                    "How far the affine value is from the perspective-correct one.",
+                    "abs(affine − perspective)",
+                    {{"affine", {wrong}, from_formula(formula_id(info.quantity, way))},
+                     {"perspective", {perspective}, from_formula(id + ".perspective")}},
+                    {std::abs(wrong - perspective)}};
+    if (way == Interpolation::zinv_twice) {
+        formula.help = "How far the value divided by z once too often is from the right one.";
+        formula.expression = "abs(wrong − perspective)";
+        formula.inputs[0].symbol = "wrong";
+    }
+    return formula;
+}
+
+/// How a value that is divided by z twice gets along the row, and what is recovered of it.
+void add_twice(FragmentReport& report, const QuantityInfo& info, const Carried& carried) {
+    const std::string id(info.id), name(info.name), carried_name = std::string(info.carried_name);
+    const Quantity quantity = info.quantity;
+    const RowEnds& ends = report.row.under(Interpolation::zinv_twice);
+    const auto way = static_cast<std::size_t>(Interpolation::zinv_twice);
+    const float value = part_of(carried[way].varyings, quantity);
+    report.formulas.push_back(along_row_twice(
+        report,
+        along_row(report, id + ".carried_twice", carried_name + "²",
+                  "What the row carries by mistake: the ends, divided by z already, once more "
+                  "multiplied by their 1/z.",
+                  part_of(ends.left.varyings, quantity), part_of(ends.right.varyings, quantity),
+                  value),
+        ends.left.zinv, ends.right.zinv));
+    report.formulas.push_back(
+        {id + ".zinv_twice",
+         name,
+         std::string(info.help) + " Divided by z twice, and multiplied by it only once here.",
+         "carried / (1/z)",
+         {{"carried", {value}, from_formula(id + ".carried_twice")},
+          {"(1/z)", {carried[way].zinv}, from_formula("zinv")}},
+         {part_of(report.under(Interpolation::zinv_twice), quantity)}});
 }
 
 void add_varying(FragmentReport& report, const QuantityInfo& info, const Carried& carried) {
@@ -134,8 +183,12 @@ void add_varying(FragmentReport& report, const QuantityInfo& info, const Carried
          {{symbol, {part_of(carried[0].varyings, quantity)}, from_formula(id + ".carried")},
           {"(1/z)", {carried[0].zinv}, from_formula("zinv")}},
          {part_of(report.under(Interpolation::perspective), quantity)}});
+    const Interpolation wrong = report.interpolation == Interpolation::zinv_twice
+                                    ? Interpolation::zinv_twice
+                                    : Interpolation::affine;
+    if (wrong == Interpolation::zinv_twice) add_twice(report, info, carried);
     report.formulas.push_back(
-        difference(info, part_of(report.under(Interpolation::affine), quantity),
+        difference(info, wrong, part_of(report.under(wrong), quantity),
                    part_of(report.under(Interpolation::perspective), quantity)));
 }
 
@@ -156,37 +209,35 @@ void add_light(const Frame& frame, FragmentReport& report) {
         point.reflectance.sources[i] =
             from_vertex(triangle, 0, std::string("reflectance.") + channel_names[i]);
     }
-    report.light = point.terms =
-        reflected_light(point.position.value, point.normal.value, point.reflectance.value, light);
-    append_light_formulas(point, light, report.formulas);
+    const LightRules& rules = frame.settings.light_rules;
+    report.light = point.terms = reflected_light(point.position.value, point.normal.value,
+                                                 point.reflectance.value, light, rules);
+    append_light_formulas(point, frame.settings, report.formulas);
 
     for (std::size_t v = 0; v < 3; ++v) {
         const Vertex& vertex = corners.vertices[v];
         report.at_vertex[v] =
-            reflected_light(vertex.position, vertex.normal, vertex.reflectance, light);
+            reflected_light(vertex.position, vertex.normal, vertex.reflectance, light, rules);
     }
     report.light_per_vertex = report.under(report.interpolation).illumination;
-    const glm::vec3 cut = clamped(report.light_per_vertex);
-    const glm::vec3 flat = clamped(point.reflectance.value);
     for (int i = 0; i < 3; ++i) {
         const auto part = static_cast<std::size_t>(i);
         const std::string name = channel_names[part];
-        report.formulas.push_back(
-            {"vertex_light.colour." + name,
-             name,
-             "The light of the vertices, interpolated; cut to 0..1 as the screen can show it.",
-             "clamp(R, 0, 1)",
-             {{"R",
-               {report.light_per_vertex[i]},
-               from_formula(formula_id(colour[part], report.interpolation))}},
-             {cut[i]}});
-        report.formulas.push_back(
-            {"flat.colour." + name,
-             name,
-             "The surface's own colour: this stage computes no light.",
-             "clamp(ρ, 0, 1)",
-             {{"ρ", {point.reflectance.value[i]}, from_vertex(triangle, 0, "reflectance." + name)}},
-             {flat[i]}});
+        const ColourOverOne rule = frame.settings.colour_over_one;
+        Formula by_vertex =
+            shown_channel("vertex_light.colour." + name, name,
+                          {"R",
+                           {report.light_per_vertex[i]},
+                           from_formula(formula_id(colour[part], report.interpolation))},
+                          rule);
+        by_vertex.help = "The light of the vertices, interpolated. " + by_vertex.help;
+        report.formulas.push_back(by_vertex);
+        Formula flat = shown_channel(
+            "flat.colour." + name, name,
+            {"ρ", {point.reflectance.value[i]}, from_vertex(triangle, 0, "reflectance." + name)},
+            rule);
+        flat.help = "The surface's own colour: this stage computes no light. " + flat.help;
+        report.formulas.push_back(flat);
     }
 }
 
@@ -205,16 +256,20 @@ void add_depth_test(FragmentReport& report) {
         depth.inputs = {{"z", {report.fragment.z}, from_formula("z.affine")}};
     }
     report.formulas.push_back(depth);
+    Source stored = report.stored_by
+                        ? from_moment(*report.stored_by)
+                        : from_words("the depth buffer's start: nothing drawn here yet");
+    if (!report.stored_by && report.stored != 0.0f) stored = from_setting("depth_clear");
+    if (!report.has_cell) stored = from_words("this pixel has no cell in the depth buffer");
     report.formulas.push_back(
         {"margin",
          "margin",
-         "How much nearer than what is stored; above 0 the fragment is drawn.",
+         report.depth_test == DepthTest::reversed
+             ? "How much nearer than what is stored; the test is the wrong way round, and below 0 "
+               "the fragment is drawn."
+             : "How much nearer than what is stored; above 0 the fragment is drawn.",
          "new − stored",
-         {{"new", {report.depth}, from_formula("depth")},
-          {"stored",
-           {report.stored},
-           report.stored_by ? from_moment(*report.stored_by)
-                            : from_words("the depth buffer's start: nothing drawn here yet")}},
+         {{"new", {report.depth}, from_formula("depth")}, {"stored", {report.stored}, stored}},
          {report.depth - report.stored}});
 }
 
@@ -222,8 +277,10 @@ void add_depth_test(FragmentReport& report) {
 
 std::string formula_id(Quantity quantity, Interpolation way) {
     if (quantity == Quantity::zinv) return "zinv";
-    return std::string(quantity_list()[static_cast<std::size_t>(quantity)].id) +
-           (way == Interpolation::affine ? ".affine" : ".perspective");
+    const std::string id(quantity_list()[static_cast<std::size_t>(quantity)].id);
+    if (way == Interpolation::perspective) return id + ".perspective";
+    const bool is_twice = way == Interpolation::zinv_twice && is_varying(quantity);
+    return id + (is_twice ? ".zinv_twice" : ".affine");
 }
 
 std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& cursor) {
@@ -254,7 +311,9 @@ std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& 
     report.fragment = event.fragment;
     report.depth = event.depth;
     report.stored = event.stored;
-    report.stored_by = watcher.written_by;
+    report.has_cell =
+        has_depth_cell(report.pixel.x, report.pixel.y, size, frame.settings.depth_index);
+    if (report.has_cell) report.stored_by = watcher.written_by;
     report.fate = event.fate;
     report.before = event.before;
     report.after = event.after;
@@ -275,7 +334,8 @@ std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& 
         report.varyings[i] = recover_varyings(carried[i], way);
     }
     add_depths(report, carried);
-    report.formulas.push_back(difference(quantity_list()[1], carried[0].z, 1.0f / carried[0].zinv));
+    report.formulas.push_back(difference(quantity_list()[1], Interpolation::affine, carried[0].z,
+                                         1.0f / carried[0].zinv));
     for (const QuantityInfo& info : quantity_list()) {
         if (is_varying(info.quantity)) add_varying(report, info, carried);
     }

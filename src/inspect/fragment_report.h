@@ -26,9 +26,10 @@ namespace rasterwalk {
 ///     z.affine z.perspective z.off
 ///     q.carried           interpolated q/z
 ///     q.affine q.perspective q.off
+///     q.carried_twice q.zinv_twice    only where that is in force; q.off is then of the latter
 ///     pixel_light.*       the light at the fragment's own place, see light_formulas.h
-///     vertex_light.colour.red ...   the light that the vertices brought along, cut to 0..1
-///     flat.colour.red ... the reflectance, cut to 0..1; the colour where there is no light
+///     vertex_light.colour.red ...   the light that the vertices brought along, as shown
+///     flat.colour.red ... the reflectance, as shown; the colour where there is no light
 ///     depth margin        value for the depth buffer, and what it is above the stored one
 struct FragmentReport {
     Cursor cursor;
@@ -47,6 +48,7 @@ struct FragmentReport {
     glm::vec3 light_per_vertex{0.0f};    ///< carried from the vertices as is in force
 
     float depth = 0.0f, stored = 0.0f;
+    bool has_cell = true;            ///< in the depth buffer; without one nothing is ever stored
     std::optional<Cursor> stored_by; ///< the fragment that stored it; none: never written
     Fate fate = Fate::written;
     glm::vec3 before{0.0f}, after{0.0f}; ///< the pixel's colour; not clamped

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "inspect/formula.h"
+#include "pipeline/settings.h"
 #include "stages/light.h"
 
 namespace rasterwalk {
@@ -30,12 +31,14 @@ struct LitPoint {
 inline constexpr std::array<const char*, 3> axis_names{"x", "y", "z"};
 inline constexpr std::array<const char*, 3> channel_names{"red", "green", "blue"};
 
-/// A colour as the screen can show it: every channel cut to 0..1.
-glm::vec3 clamped(const glm::vec3& colour);
-
 /// Appends, in this order and with these ids after the prefix: r.x r.y r.z, r2, cosine, area,
-/// D.red D.green D.blue, R.red ..., colour.red ... (clamped).
-void append_light_formulas(const LitPoint& point, const Light& light,
+/// D.red D.green D.blue, R.red ..., colour.red ... (as the screen shows it).
+void append_light_formulas(const LitPoint& point, const Settings& settings,
                            std::vector<Formula>& formulas);
+
+/// A channel as the screen shows it: cut to 0..1, or wrapped. The formula's one input, and its
+/// symbol in the expression, is the channel as it was worked out.
+Formula shown_channel(std::string id, std::string name, const FormulaInput& channel,
+                      ColourOverOne rule);
 
 } // namespace rasterwalk

@@ -11,7 +11,8 @@ std::optional<RowGraph> row_graph(const Frame& frame, int triangle, int index) {
     RowGraph graph;
     graph.row = *row;
     graph.first_column = row->under(Interpolation::perspective).left.column;
-    for (const Interpolation way : {Interpolation::perspective, Interpolation::affine}) {
+    for (const Interpolation way :
+         {Interpolation::perspective, Interpolation::affine, Interpolation::zinv_twice}) {
         std::vector<Fragment>& fragments = graph.fragments[static_cast<std::size_t>(way)];
         fragments.reserve(static_cast<std::size_t>(row->count));
         for (LineWalker walker = row->walk(way); !walker.done(); walker.advance()) {

@@ -13,8 +13,9 @@ namespace rasterwalk {
 /// A row with the fragments of all its columns, under both interpolations.
 struct RowGraph {
     CarriedRow row;
-    int first_column = 0;                           ///< of the picture, at index 0
-    std::array<std::vector<Fragment>, 2> fragments; ///< indexed by Interpolation, then column
+    int first_column = 0; ///< of the picture, at index 0
+    /// Indexed by Interpolation, then column.
+    std::array<std::vector<Fragment>, interpolation_count> fragments;
 
     int count() const { return row.count; }
     const Fragment& at(Interpolation way, int index) const {

@@ -85,6 +85,9 @@ void add_rotation(Made& made) {
     }
 }
 
+constexpr const char* transposed_help =
+    "Turned by R d, with d = P − C: the same turn as d R, but the other way round";
+
 void add_rotated(Made& made) {
     const ShadedVertex& shaded = made.report.shaded;
     for (int i = 0; i < 3; ++i) {
@@ -104,18 +107,24 @@ void add_rotated(Made& made) {
             made.add(formula);
             continue;
         }
+        const bool is_row_vector = made.frame.settings.rotation == Rotation::row_vector;
+        if (!is_row_vector) formula.help.replace(0, formula.help.find('.'), transposed_help);
         for (int k = 0; k < 3; ++k) {
             const std::string d = std::string("d.") + axis_names[k];
-            const std::string r = rotation_symbol(k, i);
+            const int row = is_row_vector ? k : i, column = is_row_vector ? i : k;
+            const std::string r = rotation_symbol(row, column);
             formula.expression += (k == 0 ? "" : " + ") + d + " · " + r;
             formula.inputs.push_back({d,
                                       {shaded.minus_camera[k]},
                                       from_formula(std::string("minus_camera.") + axis_names[k])});
-            formula.inputs.push_back({r, {made.rotation[i][k]}, from_formula(rotation_id(k, i))});
+            formula.inputs.push_back(
+                {r, {made.rotation[column][row]}, from_formula(rotation_id(row, column))});
         }
         made.add(formula);
     }
 }
+
+constexpr const char* minus_sign = "−";
 
 /// Column or row: the projected number, and the whole pixel that becomes of it.
 void add_projected(Made& made, int i) {
@@ -133,6 +142,7 @@ void add_projected(Made& made, int i) {
          {axis, {shaded.position_camera[i]}, from_formula("rotated." + axis)},
          {"1/z", {shaded.pixel.zinv}, from_formula("zinv")}},
         {i == 0 ? shaded.projected_x : shaded.projected_y}};
+    if (settings.image_axes == ImageAxes::mirrored) projected.expression.insert(0, minus_sign);
     if (is_bench) {
         projected.help = "The bench gives its vertices in pixels.";
         projected.expression = axis;
@@ -154,6 +164,15 @@ void add_projected(Made& made, int i) {
         pixel.inputs.push_back(
             {half, {static_cast<float>(middle), true}, from_setting("viewport.size")});
     }
+    if (settings.outside_picture == OutsidePicture::clamped) {
+        const Viewport& size = settings.viewport;
+        const std::string side = i == 0 ? "W" : "H";
+        pixel.help += " Moved into the picture where it lies outside.";
+        pixel.expression = "clamp(" + pixel.expression + ", 0, " + side + " − 1)";
+        pixel.inputs.push_back({side,
+                                {static_cast<float>(i == 0 ? size.width : size.height), true},
+                                from_setting("viewport.size")});
+    }
     made.add(projected);
     made.add(pixel);
 }
@@ -171,7 +190,7 @@ void add_light(Made& made) {
         point.normal.sources[i] = from_formula(std::string("normal.") + axis_names[i]);
         point.reflectance.sources[i] = from_formula(std::string("reflectance.") + channel_names[i]);
     }
-    append_light_formulas(point, made.frame.settings.light, report.formulas);
+    append_light_formulas(point, made.frame.settings, report.formulas);
 }
 
 } // namespace
@@ -191,7 +210,8 @@ VertexReport vertex_report(const Frame& frame, int triangle, int vertex) {
         other.rounding = static_cast<Rounding>(i);
         report.by_rounding[i] = frame.stages->vertex_shader(given, rotation, other);
     }
-    report.light = reflected_light(given.position, given.normal, given.reflectance, rules.light);
+    report.light = reflected_light(given.position, given.normal, given.reflectance, rules.light,
+                                   rules.light_rules);
 
     Made made{frame, given, rotation, report};
     add_given(made, "world", axis_names, report.shaded.position_world,
@@ -199,7 +219,7 @@ VertexReport vertex_report(const Frame& frame, int triangle, int vertex) {
     add_camera_space(made);
     if (!made.is_bench()) add_rotation(made);
     add_rotated(made);
-    if (report.shaded.fault == VertexFault::none) {
+    if (has_pixel(report.shaded)) {
         made.add({"zinv",
                   "1/z",
                   "What the depth buffer holds: larger is nearer.",
@@ -214,6 +234,10 @@ VertexReport vertex_report(const Frame& frame, int triangle, int vertex) {
               "The share of light that the surface gives back.");
     add_light(made);
     return report;
+}
+
+bool has_pixel(const ShadedVertex& vertex) {
+    return vertex.fault == VertexFault::none || vertex.fault == VertexFault::taken_for_behind;
 }
 
 Number vertex_number(const ShadedVertex& vertex, std::string_view id) {

@@ -23,7 +23,7 @@ struct VertexReport {
     int triangle = -1;
     int vertex = -1; ///< 0..2
     ShadedVertex shaded;
-    ShadedVertex transposed;                 ///< with R v in place of v R: mistake B24
+    ShadedVertex transposed; ///< with R v in place of v R, mistake B24, or v R again
     std::array<ShadedVertex, 3> by_rounding; ///< indexed by Rounding
     LightTerms light;
     std::vector<Formula> formulas;
@@ -31,6 +31,9 @@ struct VertexReport {
 
 /// The report on vertex 0, 1 or 2 of a triangle, drawn or left out.
 VertexReport vertex_report(const Frame& frame, int triangle, int vertex);
+
+/// Has the vertex been given a pixel, be it one for which it is then left out?
+bool has_pixel(const ShadedVertex& vertex);
 
 /// The number of this id in a vertex that went another way; ids of world, minus_camera, rotated,
 /// zinv, projected and pixel only, for others 0.

@@ -51,7 +51,7 @@ DepthView depth_view(const Framebuffer& framebuffer, const std::optional<DepthRa
     view.histogram.axis = axis_around(view.present.value_or(view.range));
     view.histogram.bins.assign(depth_bins, 0);
     for (const float depth : framebuffer.depth) {
-        if (!(depth > 0.0f)) continue;
+        if (!(depth > 0.0f) || depth == framebuffer.rules.depth_clear) continue;
         ++view.drawn;
         view.farther += depth < view.range.far ? 1 : 0;
         view.nearer += depth > view.range.near ? 1 : 0;

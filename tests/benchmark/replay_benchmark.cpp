@@ -76,7 +76,7 @@ void print_replay_times(const Scene& scene) {
     replay.begin(frame);
     DrawTally tally;
     Framebuffer whole;
-    clear(whole, frame.settings.viewport);
+    clear(whole, frame);
     const double drawing = milliseconds([&] { tally = draw(frame, {}, whole); });
     std::printf("\n%s: %d triangles, %lld fragments, %d x %d\n", scene.name.c_str(),
                 frame.triangle_count(), static_cast<long long>(tally.fragments), whole.size.width,

@@ -39,9 +39,9 @@ class Sampler : public Observer {
 
 std::vector<FragmentEvent> some_fragments(const Frame& frame, int count) {
     Framebuffer framebuffer;
-    clear(framebuffer, frame.settings.viewport);
+    clear(framebuffer, frame);
     const auto all = static_cast<int>(draw(frame, {}, framebuffer).fragments);
-    clear(framebuffer, frame.settings.viewport);
+    clear(framebuffer, frame);
     Sampler sampler(static_cast<std::uint32_t>(all), std::max(all / count, 1));
     draw(frame, {}, framebuffer, &sampler);
     return sampler.kept;
@@ -73,17 +73,19 @@ void check_row_end(const FragmentReport& report, const PolygonRows& rows, const 
                    const FormulaInput& input, const std::string& where) {
     const Fragment& end =
         input.source.is_right ? rows.right[report.cursor.index] : rows.left[report.cursor.index];
-    const bool perspective = report.interpolation == Interpolation::perspective;
+    constexpr std::array<const char*, interpolation_count> in_force{".carried", ".affine",
+                                                                    ".carried_twice"};
+    const char* const suffix = in_force[static_cast<std::size_t>(report.interpolation)];
     std::optional<float> expected;
     if (id == "column") expected = static_cast<float>(end.column);
     if (id == "zinv") expected = end.zinv;
     if (id == "z.affine") expected = end.z;
     for (const Quantity q : places) {
-        if (id == std::string(quantity_list()[static_cast<std::size_t>(q)].id) +
-                      (perspective ? ".carried" : ".affine")) {
+        if (id == std::string(quantity_list()[static_cast<std::size_t>(q)].id) + suffix) {
             expected = part_of(end.varyings, q);
         }
     }
+    if (input.symbol == "zl" || input.symbol == "zr") expected = end.zinv;
     if (input.source.row != end.row) FAIL(where << id << " names row " << input.source.row);
     if (expected && !same_bits(*expected, input.number.value)) {
         FAIL(where << id << ": " << input.symbol << " is " << input.number.value
@@ -280,7 +282,7 @@ TEST_CASE("Thousands of fragments of the room report what draw used, and follow 
             ++fragments;
             ++(event.fate == Fate::written ? written : failed);
             stored_by_someone += report->stored_by ? 1 : 0;
-            if (report->stored_by.has_value() != (event.stored != 0.0f)) {
+            if (report->stored_by.has_value() != (event.stored != c.settings.depth_clear)) {
                 FAIL(where << "does not know who stored " << event.stored);
             }
         }

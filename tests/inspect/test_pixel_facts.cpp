@@ -29,7 +29,7 @@ std::string pixel_text(const Frame& frame, std::size_t pixel) {
 
 Recorder fragments_of(const Frame& frame, const Cursor& to) {
     Framebuffer framebuffer;
-    clear(framebuffer, frame.settings.viewport);
+    clear(framebuffer, frame);
     Recorder recorder;
     draw(frame, {.from = cursor_begin, .to = to, .scissor = {}}, framebuffer, &recorder);
     return recorder;

@@ -29,7 +29,12 @@ std::string first_fault(const Frame& frame, const Framebuffer& picture, const gl
         return fault(std::to_string(history.entries.size()) + " entries, overdraw " +
                      std::to_string(picture.overdraw[at]));
     }
-    float depth = 0.0f;
+    const Settings& settings = frame.settings;
+    const bool reversed = depth_rule(settings) == DepthTest::reversed;
+    const bool has_cell =
+        has_depth_cell(pixel.x, pixel.y, settings.viewport, settings.depth_index) ||
+        !has_fragments(settings.stage);
+    float depth = settings.depth_clear, winner_depth = depth;
     glm::vec3 colour(0.0f);
     int owner = -1, last_written = -1;
     for (std::size_t i = 0; i < history.entries.size(); ++i) {
@@ -39,10 +44,12 @@ std::string first_fault(const Frame& frame, const Framebuffer& picture, const gl
         if (!same_bits(entry.stored, depth)) return fault(name + " stored depth");
         if (!same_bits(entry.colour_before, colour)) return fault(name + " colour before");
         if (!same_bits(entry.margin, entry.depth - entry.stored)) return fault(name + " margin");
-        const bool should_pass = !history.depth_tested || entry.margin > 0.0f;
+        const bool should_pass =
+            !history.depth_tested || (reversed ? entry.margin < 0.0f : entry.margin > 0.0f);
         if ((entry.fate == Fate::written) != should_pass) return fault(name + " fate");
         if (entry.fate == Fate::written) {
-            depth = entry.depth;
+            winner_depth = entry.depth;
+            if (has_cell) depth = entry.depth;
             colour = entry.colour_after;
             owner = entry.cursor.triangle;
             last_written = static_cast<int>(i);
@@ -55,8 +62,11 @@ std::string first_fault(const Frame& frame, const Framebuffer& picture, const gl
     if (!same_bits(depth, picture.depth[at])) return fault("last depth");
     if (owner != picture.owner[at]) return fault("owner");
     for (const PixelEntry& entry : history.entries) {
-        if (!same_bits(entry.margin_to_winner, entry.depth - depth)) return fault("to winner");
-        if (history.depth_tested && entry.margin_to_winner > 0.0f) return fault("winner is beaten");
+        if (!same_bits(entry.margin_to_winner, entry.depth - winner_depth)) {
+            return fault("to winner");
+        }
+        const float lead = reversed ? -entry.margin_to_winner : entry.margin_to_winner;
+        if (history.depth_tested && has_cell && lead > 0.0f) return fault("winner is beaten");
     }
     return {};
 }
@@ -124,7 +134,7 @@ TEST_CASE("The cursor of an entry is the moment in which the pixel changes") {
     REQUIRE(history.entries.size() >= 3);
     Framebuffer picture;
     for (const PixelEntry& entry : history.entries) {
-        clear(picture, frame.settings.viewport);
+        clear(picture, frame);
         draw(frame, {.from = cursor_begin, .to = entry.cursor, .scissor = {}}, picture);
         const std::size_t at = picture.at(pixel.x, pixel.y);
         INFO(to_text(entry.cursor));

@@ -27,11 +27,12 @@ TEST_CASE("Along a row the graph has the numbers that are drawn, under either in
         const std::optional<RowGraph> graph = row_graph(frame, t, *index);
         REQUIRE(graph);
         Framebuffer framebuffer;
-        clear(framebuffer, settings.viewport);
+        clear(framebuffer, frame);
         test::Recorder recorder;
         draw(frame, {{t, Phase::rows, *index, 0}, {t, Phase::rows, *index + 1, 0}, {}}, framebuffer,
              &recorder);
-        REQUIRE(static_cast<int>(recorder.fragments.size()) == graph->count());
+        REQUIRE(static_cast<int>(recorder.fragments.size()) ==
+                drawn_pixels(graph->count(), settings.spans));
         for (const FragmentEvent& event : recorder.fragments) {
             const Fragment& shown = graph->at(settings.interpolation, event.cursor.step);
             if (!same_bits(shown, event.fragment)) {

@@ -31,7 +31,7 @@ TEST_CASE("A frame drawn in random slices is the same bits as the frame drawn at
             }
             std::sort(cuts.begin(), cuts.end());
             Framebuffer sliced;
-            clear(sliced, frame.settings.viewport);
+            clear(sliced, frame);
             std::int64_t fragments = 0;
             std::string text;
             for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
@@ -41,7 +41,7 @@ TEST_CASE("A frame drawn in random slices is the same bits as the frame drawn at
             CAPTURE(text);
             require_same(whole, sliced);
             Framebuffer again;
-            clear(again, frame.settings.viewport);
+            clear(again, frame);
             REQUIRE(draw(frame, {}, again).fragments == fragments);
         }
     });
@@ -53,7 +53,7 @@ TEST_CASE("Each single moment drawn by itself adds up to the frame") {
         std::vector<Cursor> moments = all_moments(frame);
         moments.push_back(cursor_end);
         Framebuffer stepped;
-        clear(stepped, frame.settings.viewport);
+        clear(stepped, frame);
         const bool one_a_moment = has_fragments(frame.settings.stage);
         for (std::size_t i = 0; i + 1 < moments.size(); ++i) {
             const DrawTally tally = draw(frame, {moments[i], moments[i + 1], {}}, stepped);
@@ -70,7 +70,7 @@ TEST_CASE("An empty or reversed window draws nothing") {
     const Scene scene = small_scene();
     for_each_frame(scene, [&](const Frame& frame) {
         Framebuffer empty, drawn;
-        clear(empty, frame.settings.viewport);
+        clear(empty, frame);
         drawn = empty;
         for (const Cursor& cursor : all_moments(frame)) {
             CHECK(draw(frame, {cursor, cursor, {}}, drawn).fragments == 0);
@@ -87,10 +87,10 @@ TEST_CASE("A scissor of one pixel tells of that pixel what the whole frame does"
     for_each_frame(scene, [&](const Frame& frame) {
         Recorder everything;
         Framebuffer whole;
-        clear(whole, frame.settings.viewport);
+        clear(whole, frame);
         draw(frame, {}, whole, &everything);
         Framebuffer pieced;
-        clear(pieced, frame.settings.viewport);
+        clear(pieced, frame);
         for (int row = 0; row < whole.size.height; ++row) {
             for (int column = 0; column < whole.size.width; ++column) {
                 Recorder pixel;
@@ -126,13 +126,13 @@ TEST_CASE("A scissor that misses the picture or has no inside draws nothing") {
           Rectangle{99, 0, 120, 5}, Rectangle{0, 11, 16, 40},
           Rectangle{INT_MAX, INT_MAX, INT_MIN, INT_MIN}}) {
         Framebuffer framebuffer;
-        clear(framebuffer, frame.settings.viewport);
+        clear(framebuffer, frame);
         const Framebuffer empty = framebuffer;
         CHECK(draw(frame, {cursor_begin, cursor_end, scissor}, framebuffer).fragments == 0);
         require_same(empty, framebuffer);
     }
     Framebuffer framebuffer;
-    clear(framebuffer, frame.settings.viewport);
+    clear(framebuffer, frame);
     draw(frame, {cursor_begin, cursor_end, Rectangle{INT_MIN, INT_MIN, INT_MAX, INT_MAX}},
          framebuffer);
     require_same(draw_frame(frame), framebuffer);
@@ -149,7 +149,7 @@ TEST_CASE("A framebuffer that holds a window of the picture gets the same bits a
             const Viewport size{random.integer(1, whole.size.width - origin.x),
                                 random.integer(1, whole.size.height - origin.y)};
             Framebuffer window, expected;
-            clear(window, size, origin);
+            clear(window, frame, size, origin);
             expected = window;
             draw(frame, {}, window);
             for (int row = origin.y; row < origin.y + size.height; ++row) {

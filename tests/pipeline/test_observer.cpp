@@ -20,7 +20,7 @@ TEST_CASE("An observer is told every moment in order, and changes no bit") {
     for_each_frame(scene, [&](const Frame& frame) {
         Recorder recorder(true);
         Framebuffer watched;
-        clear(watched, frame.settings.viewport);
+        clear(watched, frame);
         const DrawTally tally = draw(frame, {}, watched, &recorder);
         require_same(draw_frame(frame), watched);
         CHECK(tally.fragments == static_cast<std::int64_t>(recorder.fragments.size()));
@@ -56,7 +56,7 @@ TEST_CASE("The planes follow from the fragments that an observer is told") {
     for_each_frame(scene, [&](const Frame& frame) {
         Recorder recorder;
         Framebuffer drawn, built;
-        clear(drawn, frame.settings.viewport);
+        clear(drawn, frame);
         built = drawn;
         draw(frame, {}, drawn, &recorder);
         for (const FragmentEvent& event : recorder.fragments) {
@@ -69,7 +69,11 @@ TEST_CASE("The planes follow from the fragments that an observer is told") {
                 continue;
             }
             built.colour[pixel] = event.after;
-            built.depth[pixel] = event.depth;
+            const bool has_cell =
+                has_depth_cell(event.fragment.column, event.fragment.row, frame.settings.viewport,
+                               frame.settings.depth_index) ||
+                !has_fragments(frame.settings.stage); // marks change no depth
+            if (has_cell) built.depth[pixel] = event.depth;
             built.owner[pixel] = event.cursor.triangle;
         }
         require_same(built, drawn);
@@ -82,7 +86,7 @@ TEST_CASE("A window tells an observer of its own samples only, with what each do
     for_each_frame(scene, [&](const Frame& frame) {
         Recorder all(true);
         Framebuffer framebuffer;
-        clear(framebuffer, frame.settings.viewport);
+        clear(framebuffer, frame);
         draw(frame, {}, framebuffer, &all);
         for (int round = 0; round < 30; ++round) {
             Cursor from = any_cursor(random, frame.triangle_count());
@@ -111,9 +115,10 @@ namespace {
 /// A row table as an observer of edge samples would make it.
 struct ReplayedRows {
     struct Ends {
-        int left = INT_MAX, right = -INT_MAX;
+        int left, right;
         Fragment left_sample, right_sample;
     };
+    int left_start = INT_MAX, right_start = -INT_MAX;
     std::map<int, Ends> rows; ///< by number in the table
     int outside = 0;
 
@@ -123,7 +128,9 @@ struct ReplayedRows {
             ++outside;
             return {};
         }
-        Ends& ends = rows[r];
+        const Ends start{left_start, right_start, Fragment{left_start, sample.row, 0.0f, 0.0f, {}},
+                         Fragment{right_start, sample.row, 0.0f, 0.0f, {}}};
+        Ends& ends = rows.try_emplace(r, start).first->second;
         const RowWrite write{true, sample.column<ends.left, sample.column> ends.right};
         if (write.left) ends.left_sample = sample;
         if (write.right) ends.right_sample = sample;
@@ -161,16 +168,21 @@ TEST_CASE("10,000 random row tables replayed sample by sample are the ones made 
         const int count = handout ? frame.triangle_count() : 1000;
         Recorder recorder(true);
         Framebuffer framebuffer;
-        clear(framebuffer, viewport);
+        clear(framebuffer, frame);
         const DrawWindow window{cursor_begin, {count, Phase::vertices, 0, 0}, {}};
         const DrawTally tally = draw(frame, window, framebuffer, &recorder);
         CAPTURE(variant.name);
         std::int64_t outside = 0;
         auto event = recorder.samples.begin();
         for (int t = 0; t < count; ++t) {
+            if (!frame.is_drawn(t)) continue;
             PolygonRows rows;
             compute_polygon_rows(frame.triangle_vertices(t), edge_rules(frame.settings), rows);
             ReplayedRows replayed;
+            if (frame.settings.row_start == RowStart::window) {
+                replayed.left_start = viewport.width;
+                replayed.right_start = 0;
+            }
             for (; event != recorder.samples.end() && event->cursor.triangle == t; ++event) {
                 if (replayed.enter(event->sample, rows) == event->write) continue;
                 FAIL("another end is written than is told at " + to_text(event->cursor));

@@ -16,7 +16,7 @@ namespace {
 
 Framebuffer drawn_from_start(const Frame& frame, const Cursor& cursor) {
     Framebuffer framebuffer;
-    clear(framebuffer, frame.settings.viewport);
+    clear(framebuffer, frame);
     draw(frame, {cursor_begin, cursor, {}}, framebuffer);
     return framebuffer;
 }

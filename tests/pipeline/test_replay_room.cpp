@@ -19,7 +19,7 @@ namespace {
 
 void require_same_as_from_start(const Frame& frame, Replay& replay, const Cursor& cursor) {
     Framebuffer expected;
-    clear(expected, frame.settings.viewport);
+    clear(expected, frame);
     draw(frame, {cursor_begin, cursor, {}}, expected);
     const std::string difference = first_difference(expected, replay.at(cursor));
     if (difference.empty()) return;

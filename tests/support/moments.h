@@ -14,6 +14,7 @@ inline std::vector<Cursor> all_moments(const Frame& frame) {
     std::vector<Cursor> moments;
     const Settings& settings = frame.settings;
     const Viewport size = settings.viewport;
+    const int first = settings.bounds == Bounds::excludes_zero ? 1 : 0;
     for (int t = 0; t < frame.triangle_count(); ++t) {
         if (!frame.is_drawn(t)) continue;
         for (int v = 0; v < 3; ++v)
@@ -31,13 +32,16 @@ inline std::vector<Cursor> all_moments(const Frame& frame) {
         compute_polygon_rows(vertices, edge_rules(settings), rows);
         for (int r = 0; r < rows.size(); ++r) {
             const int row = rows.first_row + r;
-            if (row < 0 || row >= size.height || rows.is_empty_row(r)) continue;
+            if (row < first || row >= size.height || rows.is_empty_row(r)) continue;
             if (settings.stage == Stage::rows) {
                 moments.push_back({t, Phase::rows, r, 0});
                 continue;
             }
-            for (int c = rows.left[r].column; c <= rows.right[r].column; ++c) {
-                if (c >= 0 && c < size.width)
+            int last = rows.right[r].column;
+            if (settings.spans == Spans::last_dropped) --last;
+            if (settings.spans == Spans::single_skipped && rows.left[r].column == last) continue;
+            for (int c = rows.left[r].column; c <= last; ++c) {
+                if (c >= first && c < size.width)
                     moments.push_back({t, Phase::rows, r, c - rows.left[r].column});
             }
         }

@@ -2,6 +2,7 @@
 
 #include "scene/read_scene.h"
 #include "session/content.h"
+#include "session/setting_table.h"
 
 namespace rasterwalk::test {
 
@@ -75,25 +76,38 @@ std::array<glm::vec3, 3> random_triangle(Random& random, Viewport viewport) {
 }
 
 const std::vector<Variant>& rule_variants() {
-    static const std::vector<Variant> variants{
-        {"handout", [](Settings&) {}},
-        {"rounding=floor", [](Settings& s) { s.rounding = Rounding::floor; }},
-        {"rounding=round", [](Settings& s) { s.rounding = Rounding::round; }},
-        {"line_walk=multiply", [](Settings& s) { s.line_walk = LineWalk::multiply; }},
-        {"line_walk=exact", [](Settings& s) { s.line_walk = LineWalk::exact; }},
-        {"edge_samples=rows", [](Settings& s) { s.edge_samples = EdgeSamples::rows; }},
-        {"depth_test=linear_z", [](Settings& s) { s.depth_test = DepthTest::linear_z; }},
-        {"depth_test=off", [](Settings& s) { s.depth_test = DepthTest::off; }},
-        {"interpolation=affine", [](Settings& s) { s.interpolation = Interpolation::affine; }},
-        {"everything changed",
-         [](Settings& s) {
-             s.rounding = Rounding::floor;
-             s.line_walk = LineWalk::exact;
-             s.edge_samples = EdgeSamples::rows;
-             s.depth_test = DepthTest::linear_z;
-             s.interpolation = Interpolation::affine;
-         }},
-    };
+    static const std::vector<Variant> variants = [] {
+        std::vector<Variant> all{{"handout", [](Settings&) {}}};
+        for (const Setting& setting : setting_table()) {
+            const auto* const choice = std::get_if<ChoiceSetting>(&setting.kind);
+            if (choice == nullptr || setting.name == "stage") continue;
+            for (const std::string_view word : choice->words.subspan(1)) {
+                all.push_back({std::string(setting.name).append("=").append(word),
+                               [&setting, word](Settings& s) { set_value(s, setting, word); }});
+            }
+        }
+        all.push_back({"depth_clear=0.3", [](Settings& s) { s.depth_clear = 0.3f; }});
+        all.push_back({"everything changed", [](Settings& s) {
+                           s.rounding = Rounding::floor;
+                           s.line_walk = LineWalk::exact;
+                           s.edge_samples = EdgeSamples::rows;
+                           s.depth_test = DepthTest::linear_z;
+                           s.interpolation = Interpolation::affine;
+                       }});
+        all.push_back(
+            {"many mistakes", [](Settings& s) {
+                 for (const char* mistake :
+                      {"edge_samples=shifted", "row_start=window", "empty_rows=overflow",
+                       "row_search=all_rows", "spans=last_dropped", "bounds=excludes_zero",
+                       "depth_test=reversed", "depth_clear=0.6", "depth_index=transposed",
+                       "shading=before_depth_test", "interpolation=zinv_twice",
+                       "image_axes=mirrored", "rotation=transposed", "behind_camera=drawn",
+                       "outside_picture=clamped", "light.direction=not_normalized",
+                       "light.falloff=cubed", "light.sum=reflectance_plus", "colour_over_one=wrap"})
+                     set_from_text(s, mistake);
+             }});
+        return all;
+    }();
     return variants;
 }
 

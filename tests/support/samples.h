@@ -35,7 +35,8 @@ struct Variant {
     std::function<void(Settings&)> apply;
 };
 
-/// The handout's rules; each other value of each such setting by itself; and all of them changed.
+/// The handout's rules; each other word of each choice setting by itself; and several changed at
+/// once.
 const std::vector<Variant>& rule_variants();
 
 /// A camera pose from which all of the room can be drawn.

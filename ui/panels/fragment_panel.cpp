@@ -13,8 +13,8 @@ namespace rasterwalk {
 
 namespace {
 
-ImU32 screen_colour(const glm::vec3& colour) {
-    const glm::vec3 cut = clamped(colour);
+ImU32 screen_colour(const Ui& ui, const glm::vec3& colour) {
+    const glm::vec3 cut = shown_colour(colour, ui.results.frame.settings.colour_over_one);
     return packed({cut.r, cut.g, cut.b, 1.0f});
 }
 
@@ -24,7 +24,7 @@ void draw_swatch(const Ui& ui, const glm::vec3& colour, float width = 0.0f) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 end{at.x + (width > 0.0f ? width : size), at.y + size};
     ImDrawList* const list = ImGui::GetWindowDrawList();
-    list->AddRectFilled(at, end, screen_colour(colour), 2.0f * ui.options.text_scale);
+    list->AddRectFilled(at, end, screen_colour(ui, colour), 2.0f * ui.options.text_scale);
     list->AddRect(at, end, packed(palette(ui.options.theme).dim), 2.0f * ui.options.text_scale);
     ImGui::Dummy({end.x - at.x, size});
 }
@@ -121,7 +121,9 @@ void draw_error(Ui& ui, const QuantityInfo& info) {
 
 void draw_headers(Ui& ui) {
     const Palette& p = palette(ui.options.theme);
-    const bool affine = report_of(ui).interpolation == Interpolation::affine;
+    const Interpolation way = report_of(ui).interpolation;
+    const bool affine = way != Interpolation::perspective;
+    const bool twice = way == Interpolation::zinv_twice;
     struct Header {
         const char* title;
         const char* name;
@@ -130,9 +132,15 @@ void draw_headers(Ui& ui) {
     };
     const Header headers[] = {
         {"value", "value", "What is interpolated along the row.", false},
-        {"affine", "affine", "Interpolated as it is, in equal steps across the picture.", affine},
+        {twice ? "1/z twice" : "affine", "affine",
+         twice ? "Carried as q/z², by mistake, and divided by 1/z only once at the pixel."
+               : "Interpolated as it is, in equal steps across the picture.",
+         affine},
         {"perspective", "perspective", "Carried as q/z and divided by 1/z at the pixel.", !affine},
-        {"off by", "off", "How far the affine value is from the right one.", false}};
+        {"off by", "off",
+         twice ? "How far the value divided by z twice is from the right one."
+               : "How far the affine value is from the right one.",
+         false}};
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     ImGui::PushFont(ui.fonts.small);
     for (const Header& header : headers) {
@@ -154,7 +162,8 @@ void draw_headers(Ui& ui) {
 void draw_values(Ui& ui) {
     const Palette& p = palette(ui.options.theme);
     const FragmentReport& report = report_of(ui);
-    const bool affine = report.interpolation == Interpolation::affine;
+    const bool affine = report.interpolation != Interpolation::perspective;
+    const Interpolation wrong_way = affine ? report.interpolation : Interpolation::affine;
     if (!ImGui::BeginTable("values", 4,
                            ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_BordersInnerH)) {
         return;
@@ -174,7 +183,7 @@ void draw_values(Ui& ui) {
         ImGui::PopFont();
         const std::string cell(info.id);
         ImGui::TableNextColumn();
-        draw_number(ui, formula_id(info.quantity, Interpolation::affine), cell + ".affine", 4,
+        draw_number(ui, formula_id(info.quantity, wrong_way), cell + ".affine", 4,
                     affine ? p.text : p.dim);
         ImGui::TableNextColumn();
         draw_number(ui, formula_id(info.quantity, Interpolation::perspective),
@@ -188,6 +197,10 @@ void draw_values(Ui& ui) {
 
 std::string verdict(const FragmentReport& report) {
     if (report.depth_test == DepthTest::off) return "no depth test: the last one drawn stays";
+    if (report.depth_test == DepthTest::reversed) {
+        return report.fate == Fate::written ? "✓ passed: it is farther than what was there"
+                                            : "✗ failed: it is not farther than what was there";
+    }
     return report.fate == Fate::written ? "✓ passed: nothing nearer was there"
                                         : "✗ failed: something nearer was there";
 }

@@ -44,8 +44,14 @@ void draw_end_cell(Ui& ui, const std::string& name, const Fragment& end, const E
                                packed(colour_of(Meaning::current, ui.options.theme), 0.25f));
     }
     if (!writer.is_set()) {
-        right_aligned(is_left ? "+INT_MAX" : "−INT_MAX", p.dim);
-        name_widget(ui, name, "No sample has reached this row yet: any column is an improvement.");
+        const bool is_extreme = end.column == empty_left || end.column == empty_right;
+        right_aligned(!is_extreme ? std::to_string(end.column)
+                      : is_left   ? "+INT_MAX"
+                                  : "−INT_MAX",
+                      p.dim);
+        name_widget(ui, name,
+                    is_extreme ? "No sample has reached this row yet: any column is an improvement."
+                               : "Where this end starts: no sample has improved on it.");
         return;
     }
     const ImVec4 colour = colour_of(edge_meaning(writer.edge), ui.options.theme);

@@ -194,18 +194,18 @@ std::string other_roundings(const VertexReport& vertex, std::string_view id, Rou
     return text;
 }
 
-/// What R v in place of v R would make of it.
-std::string other_convention(const VertexReport& vertex, const Formula& formula) {
-    const bool has_pixel = !formula.id.starts_with("rotated.");
-    if (has_pixel && vertex.transposed.fault != VertexFault::none) {
-        return std::string("R v instead of v R would leave the triangle out: ") +
-               fault_text(vertex.transposed.fault);
+/// What R v in place of v R would make of it, or the other way round.
+std::string other_convention(const VertexReport& vertex, const Formula& formula,
+                             Rotation rotation) {
+    const std::string words =
+        rotation == Rotation::row_vector ? "R v instead of v R" : "v R, which is right,";
+    const bool is_of_pixel = !formula.id.starts_with("rotated.");
+    if (is_of_pixel && vertex.transposed.fault != VertexFault::none) {
+        return words + " would leave the triangle out: " + fault_text(vertex.transposed.fault);
     }
     const Number other = vertex_number(vertex.transposed, formula.id);
-    if (other.value == formula.result.value) {
-        return "R v instead of v R would give the same";
-    }
-    return "R v instead of v R would give " + shown(other);
+    if (other.value == formula.result.value) return words + " would give the same";
+    return words + " would give " + shown(other);
 }
 
 void draw_what_else(Ui& ui, const VertexReport& vertex, const Formula& formula) {
@@ -220,7 +220,7 @@ void draw_what_else(Ui& ui, const VertexReport& vertex, const Formula& formula) 
     }
     const bool has_camera = ui.results.scene->space == SceneSpace::world;
     if (has_camera && depends_on_rotation(formula.id)) {
-        wrapped_text(other_convention(vertex, formula));
+        wrapped_text(other_convention(vertex, formula, settings.rotation));
         name_widget(ui, "vertices.other_convention",
                     "A vector before the matrix or behind it: one is the transpose of the other, "
                     "and turns the camera the other way. Without a turn they are the same.");
