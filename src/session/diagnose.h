@@ -4,10 +4,7 @@
 // mistakes that may have made it are carried out, one by one, and it is measured how near each
 // comes.
 
-#include <array>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -16,16 +13,10 @@
 #include "scene/image.h"
 #include "scene/scene.h"
 #include "session/bug.h"
+#include "session/printed_rows.h"
 #include "session/suspect.h"
 
 namespace rasterwalk {
-
-/// How far two pictures of the same size lie apart.
-struct ImageDistance {
-    double mean = 0.0;          ///< steps of 255, over all channels of all pixels
-    std::int64_t different = 0; ///< pixels
-};
-ImageDistance image_distance(const Image& a, const Image& b);
 
 /// Settings whose picture has the same size as this one and shows the same view: the focal length
 /// follows the height. Throws UsageError if that makes it too long or too short.
@@ -37,17 +28,6 @@ Settings fitted_to(const Settings& settings, const Image& picture, SceneSpace sp
 Diagnosis diagnose_picture(const Image& picture, const Scene& scene, const Settings& reference,
                            const std::vector<Bug>& bugs);
 
-/// The row table of one polygon as it was printed: a pair of ends each line.
-struct PrintedRow {
-    glm::ivec2 start{0, 0}, end{0, 0}; ///< column, row
-
-    friend bool operator==(const PrintedRow&, const PrintedRow&) = default;
-};
-
-/// Reads lines of the form `Start: (10,5). End: (10,5).`; other lines that do not begin with Start
-/// are passed over. Throws InputError with file:line, also if there is no such line at all.
-std::vector<PrintedRow> parse_printed_rows(std::string_view text, const std::string& path);
-
 /// What may be wrong with a printed row table. It is held against that of the polygon; without one
 /// against that of the lab's test polygon and of every triangle of the scene, whichever is nearest.
 /// @param polygon vertices, pixels
@@ -58,8 +38,5 @@ Diagnosis diagnose_rows(const std::vector<PrintedRow>& rows, const std::vector<g
 
 /// The largest side of a picture that is diagnosed, pixels: it is drawn some hundred times.
 inline constexpr int largest_diagnosed = 2048;
-
-/// The most rows that a printed table may have.
-inline constexpr std::size_t most_printed_rows = 100'000;
 
 } // namespace rasterwalk
