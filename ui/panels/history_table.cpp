@@ -14,10 +14,9 @@ namespace rasterwalk {
 namespace {
 
 /// Colour as it reaches the screen.
-ImU32 screen_colour(const glm::vec3& colour, float opacity) {
-    return packed({std::clamp(colour.r, 0.0f, 1.0f), std::clamp(colour.g, 0.0f, 1.0f),
-                   std::clamp(colour.b, 0.0f, 1.0f), 1.0f},
-                  opacity);
+ImU32 screen_colour(const Ui& ui, const glm::vec3& colour, float opacity) {
+    const glm::vec3 cut = shown_colour(colour, ui.results.frame.settings.colour_over_one);
+    return packed({cut.r, cut.g, cut.b, 1.0f}, opacity);
 }
 
 enum Column {
@@ -251,7 +250,7 @@ void draw_history_swatch(const Ui& ui, ImVec2 at, float size, const glm::vec3& c
                          float opacity) {
     ImDrawList* const list = ImGui::GetWindowDrawList();
     const ImVec2 high{at.x + size, at.y + size};
-    list->AddRectFilled(at, high, screen_colour(colour, opacity), 2.0f * ui.options.text_scale);
+    list->AddRectFilled(at, high, screen_colour(ui, colour, opacity), 2.0f * ui.options.text_scale);
     list->AddRect(at, high, packed(palette(ui.options.theme).dim, 0.7f * opacity),
                   2.0f * ui.options.text_scale);
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <string>
 
+#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include "ui/compare.h"
