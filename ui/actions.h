@@ -27,6 +27,7 @@ struct Action {
     bool (*is_on)(const Ui&); ///< for switches; null otherwise
 };
 
+/// All actions, in the order of the menus.
 std::span<const Action> action_table();
 const Action& find_action(std::string_view name);
 
@@ -39,9 +40,6 @@ std::string chord_text(const Chord& chord);
 /// Runs the actions whose keys were pressed, and moves camera and light while the lab's keys are
 /// held. Does nothing while text is typed.
 void handle_keys(Ui& ui);
-
-/// True while a key is held that moves camera or light.
-bool is_moving_by_key(const Ui& ui);
 
 /// Opens a scene file; a fault goes to session.notice and the old scene stays.
 void open_scene(Ui& ui, const std::string& path);

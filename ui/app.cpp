@@ -6,6 +6,7 @@
 #include "ui/actions.h"
 #include "ui/canvas.h"
 #include "ui/compare.h"
+#include "ui/held_keys.h"
 #include "ui/kept_options.h"
 #include "ui/keys.h"
 #include "ui/layout.h"
@@ -157,7 +158,7 @@ bool build_pass(Ui& ui, float seconds) {
     ui.follow_cursor = ui.results.cursor != before;
     const Asked asked = asked_for(ui.session);
     draw_everything(ui);
-    if (is_at_rest() && !is_moving_by_key(ui)) {
+    if (is_at_rest() && !is_moving_by_key()) {
         note_choices(ui.session);
         note_place(ui.session);
         save_progress(ui);
@@ -203,7 +204,7 @@ void build_ui(Ui& ui) {
 }
 
 bool is_animating(const Ui& ui) {
-    return ui.session.play.running || is_moving_by_key(ui) || is_blinking(ui);
+    return ui.session.play.running || is_moving_by_key() || is_blinking(ui);
 }
 
 } // namespace rasterwalk

@@ -10,6 +10,7 @@
 #include "ui/compare.h"
 #include "ui/compare_view.h"
 #include "ui/depth_legend.h"
+#include "ui/difference_legend.h"
 #include "ui/overlays.h"
 #include "ui/picture_texture.h"
 #include "ui/style.h"
@@ -243,7 +244,7 @@ void draw_canvas(Ui& ui, const Area& area) {
 
     const ImVec2 frame_low = ImGui::GetCursorScreenPos();
     const ImVec2 space = ImGui::GetContentRegionAvail();
-    const float difference = difference_legend_height(ui);
+    const float difference = difference_legend_height(ui, space.y);
     const float legend = difference > 0.0f ? difference : depth_legend_height(ui, space.y);
     const float legend_gap = legend > 0.0f ? 8.0f * u : 0.0f;
     const ImVec2 frame_room{std::max(space.x, 1.0f), std::max(space.y - legend - legend_gap, 1.0f)};

@@ -162,20 +162,6 @@ void show_textures(Ui& ui) {
     show_texture(ui, ui.compare.picture, b.picture, b.picture_number, scale);
 }
 
-const char* difference_unit(View view) {
-    switch (view) {
-    case View::colour:
-        return "B − A, linear colour of the channel that differs most";
-    case View::depth:
-        return "B − A, 1/z";
-    case View::triangle:
-        return "another triangle";
-    case View::overdraw:
-        return "B − A, fragments";
-    }
-    return "";
-}
-
 void draw_views(Ui& ui, bool as_list) {
     const CompareView chosen = ui.session.compare_view;
     if (as_list) {
@@ -218,7 +204,9 @@ void draw_compare_bar(Ui& ui) {
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     ImGui::PushFont(ui.fonts.small);
     const float ends = button_width("swap") + button_width("×") + gap;
-    const bool as_list = views_width() + ends + gap > ImGui::GetContentRegionAvail().x;
+    const float counts = ImGui::CalcTextSize("000 000 pixels differ").x;
+    const bool as_list =
+        views_width() + counts + ends + 2.0f * gap > ImGui::GetContentRegionAvail().x;
     if (is_comparing(ui)) {
         draw_views(ui, as_list);
         ImGui::SameLine();
@@ -255,9 +243,9 @@ void draw_compare_bar(Ui& ui) {
 
 Panes panes_of(const Ui& ui, const Pane& canvas) {
     if (!is_comparing(ui)) return {canvas, canvas};
+    const float u = ui.options.text_scale;
     Pane below = canvas;
-    below.low.y = std::min(canvas.low.y + std::round(title_height * ui.options.text_scale),
-                           canvas.high.y - 1.0f);
+    if (canvas.room().y >= low_canvas * u) below.low.y += std::round(title_height * u);
     if (!is_side_by_side(ui)) return {below, below};
     const float middle = std::round(0.5f * (canvas.low.x + canvas.high.x));
     Panes panes{below, below};
@@ -296,59 +284,6 @@ void draw_compared(Ui& ui, ImDrawList* list, const Pane& canvas) {
         draw_difference(ui, list, canvas);
         break;
     }
-}
-
-float difference_legend_height(const Ui& ui) {
-    const bool shows = is_comparing(ui) && ui.session.compare_view == CompareView::difference;
-    return shows ? std::round(46.0f * ui.options.text_scale) : 0.0f;
-}
-
-void draw_difference_legend(Ui& ui, ImVec2 low, ImVec2 high) {
-    const Compared& b = *ui.results.compared;
-    const Palette& p = palette(ui.options.theme);
-    const float u = ui.options.text_scale;
-    ImDrawList* const list = ImGui::GetWindowDrawList();
-    const float line = ui.fonts.small->FontSize + 4.0f * u;
-    const float top = low.y + line, bottom = top + 10.0f * u;
-    constexpr int steps = 96;
-    for (int i = 0; i < steps; ++i) {
-        const float value =
-            b.difference_limit * (2.0f * (static_cast<float>(i) + 0.5f) / steps - 1.0f);
-        const auto colour = difference_colour(value, b.difference_limit);
-        const float from = low.x + (high.x - low.x) * static_cast<float>(i) / steps;
-        const float to = low.x + (high.x - low.x) * static_cast<float>(i + 1) / steps;
-        list->AddRectFilled({from, top}, {to, bottom}, IM_COL32(colour.r, colour.g, colour.b, 255));
-    }
-    ImGui::PushFont(ui.fonts.small);
-    const double limit = static_cast<double>(b.difference_limit);
-    char number[32];
-    std::snprintf(number, sizeof number, "%g", limit);
-    const std::string ends[] = {std::string("−") + number, "0", std::string("+") + number};
-    for (int i = 0; i < 3; ++i) {
-        const float width = ImGui::CalcTextSize(ends[i].c_str()).x;
-        const float at = low.x + 0.5f * static_cast<float>(i) * (high.x - low.x);
-        list->AddText({at - 0.5f * static_cast<float>(i) * width, bottom + 3.0f * u}, packed(p.dim),
-                      ends[i].c_str());
-    }
-    const auto& pixel = ui.hovered_pixel ? ui.hovered_pixel : ui.session.selection.pixel;
-    std::string said = difference_unit(ui.session.view);
-    if (pixel && ui.results.framebuffer->contains(pixel->x, pixel->y)) {
-        const float value = b.difference_values[ui.results.framebuffer->at(pixel->x, pixel->y)];
-        const float place = std::clamp(0.5f + 0.5f * value / b.difference_limit, 0.0f, 1.0f);
-        const float x = low.x + place * (high.x - low.x);
-        list->AddTriangleFilled({x, top - 1.0f}, {x - 5.0f * u, top - 7.0f * u},
-                                {x + 5.0f * u, top - 7.0f * u}, packed(p.text));
-        said += " · at (" + std::to_string(pixel->x) + ", " + std::to_string(pixel->y) +
-                "): " + (value > 0.0f ? "+" : "") + fixed(static_cast<double>(value), 4);
-    }
-    ImGui::SetCursorScreenPos(low);
-    text_in(p.text, shortened(said, high.x - low.x));
-    ImGui::PopFont();
-    ImGui::SetCursorScreenPos(low);
-    ImGui::Dummy({high.x - low.x, high.y - low.y});
-    name_widget(ui, "compare.scale",
-                "What the colours of the difference mean: blue where B is less than A, orange "
-                "where it is more, black where they are the same.");
 }
 
 } // namespace rasterwalk

@@ -11,6 +11,10 @@ struct Pane {
     ImVec2 room() const { return {high.x - low.x, high.y - low.y}; }
 };
 
+/// In a canvas lower than this the titles lie on the pictures, and the scale of the difference says
+/// less; design pixels.
+inline constexpr float low_canvas = 200.0f;
+
 /// The line above the pictures while two runs are compared: in which way they are shown, how far
 /// they lie apart, and the ends of it. Where they cannot be compared it says why.
 void draw_compare_bar(Ui& ui);
@@ -28,10 +32,5 @@ void draw_wipe_handle(Ui& ui, const Pane& canvas);
 
 /// The pictures of both runs in the way chosen, with the marks on them, and their titles.
 void draw_compared(Ui& ui, ImDrawList* list, const Pane& canvas);
-
-/// The scale of the difference picture below it, with the number under the pointer. 0: there is
-/// none.
-float difference_legend_height(const Ui& ui);
-void draw_difference_legend(Ui& ui, ImVec2 low, ImVec2 high);
 
 } // namespace rasterwalk

@@ -231,13 +231,15 @@ void draw_with_card(const char* name, const std::function<void()>& page,
     const float page_height = ImGui::GetCursorPosY();
     ImGui::EndChild();
     // A card for which there is no room scrolls by itself: neither of the two is ever out of sight.
+    // Its height is that of the frame before: what does not fit yet must not make the panel scroll.
     const float card_room = std::max(room - left - spacing, 1.0f);
     const bool scrolls = card_height > card_room + 1.0f && card_room > ImGui::GetTextLineHeight();
-    if (scrolls) ImGui::BeginChild(card_id, {0, card_room}, false, ImGuiWindowFlags_NoNav);
-    const float top = ImGui::GetCursorPosY();
+    ImGui::BeginChild(card_id, {0, std::max(scrolls ? card_room : card_height, 1.0f)}, false,
+                      scrolls ? ImGuiWindowFlags_NoNav
+                              : ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoScrollbar);
     card();
-    const float card_height_now = ImGui::GetCursorPosY() - top;
-    if (scrolls) ImGui::EndChild();
+    const float card_height_now = ImGui::GetCursorPosY();
+    ImGui::EndChild();
     sizes->SetFloat(page_id, page_height);
     sizes->SetFloat(card_id, card_height_now);
 }

@@ -67,20 +67,23 @@ TEST_CASE("Both pictures stand side by side with the same zoom, and each can be 
     const WidgetPlace canvas = driver.hand.find("canvas");
     CHECK(b.origin.x - a.origin.x ==
           Approx(0.5f * (canvas.bottom_right.x - canvas.top_left.x)).margin(1.0));
-    // The same pixel in B's picture.
-    ImGui::GetIO().MousePos = {b.origin.x + b.scale * 300.5f, b.origin.y + b.scale * 200.5f};
+    // The same pixel in B's picture; the pointer is always at a whole number.
+    const glm::vec2 pointer{std::floor(b.origin.x + b.scale * 300.5f),
+                            std::floor(b.origin.y + b.scale * 200.5f)};
+    const glm::ivec2 pixel((pointer.x - b.origin.x) / b.scale, (pointer.y - b.origin.y) / b.scale);
+    ImGui::GetIO().MousePos = {pointer.x, pointer.y};
     driver.hand.frames(3);
-    CHECK(driver.ui.hovered_pixel == glm::ivec2(300, 200));
+    CHECK(driver.ui.hovered_pixel == pixel);
     ImGui::GetIO().MouseDown[0] = true;
     driver.hand.frames(1);
     ImGui::GetIO().MouseDown[0] = false;
     driver.hand.frames(2);
-    CHECK(driver.ui.session.selection.pixel == glm::ivec2(300, 200));
+    CHECK(driver.ui.session.selection.pixel == pixel);
     ImGui::GetIO().MouseWheel = 6.0f;
     driver.hand.frames(2);
     CHECK(driver.ui.compare.place_of_b->scale == driver.ui.picture_place.scale);
     CHECK(driver.ui.picture_place.scale > 4.0f);
-    CHECK(driver.ui.hovered_pixel == glm::ivec2(300, 200));
+    CHECK(driver.ui.hovered_pixel == pixel);
 }
 
 TEST_CASE("The wipe's divider is dragged, and neither picks nor moves the picture") {

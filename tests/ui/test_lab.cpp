@@ -55,8 +55,7 @@ TEST_CASE("Every mistake is described and shows on its own scene, from which one
     REQUIRE(bugs.size() > 25);
     for (const Bug& bug : bugs) {
         INFO(bug.id);
-        driver.ui.lab.chosen = bug.id;
-        driver.hand.frames(2);
+        driver.hand.click("lab." + bug.id);
         driver.hand.click("lab.scene");
         CHECK(is_on(driver.ui, bug.id));
         CHECK(driver.ui.session.notice == "");

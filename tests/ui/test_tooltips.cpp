@@ -15,7 +15,7 @@ bool needs_tooltip(const std::string& name) {
     for (const char* exempt : {"canvas", "graph.plot", "graph.carried", "fragment.none"}) {
         if (name == exempt) return false;
     }
-    for (const char* exempt : {"splitter.", "lesson.link.", "microscope.sample."}) {
+    for (const char* exempt : {"splitter.", "lesson.link.", "lab.link.", "microscope.sample."}) {
         if (name.starts_with(exempt)) return false;
     }
     const bool is_table_row =

@@ -109,7 +109,9 @@ void draw_question_card(Ui& ui) {
     draw_guesses(ui);
     const bool has_choice = bug_of(ui, ui.lab.chosen) != nullptr;
     ImGui::BeginDisabled(!has_choice);
-    const std::string label = has_choice ? "it is " + ui.lab.chosen : "choose one above";
+    const std::string label = has_choice          ? "it is " + ui.lab.chosen
+                              : ui.page_is_narrow ? "choose"
+                                                  : "choose one above";
     if (button(ui, "lab.guess", label, Look::chosen,
                "Takes the guess. A wrong one costs " + std::to_string(cost_of_wrong_guess) +
                    " points.")) {

@@ -1,3 +1,4 @@
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -25,14 +26,20 @@ struct StripItem {
     bool has_state = true; ///< switches: says whether it is on
 };
 
-/// In the short form only the stage on show says its name.
-std::vector<StripItem> strip_items(const Ui& ui, bool short_form) {
+/// How much the strip says; each form needs less room than the one before.
+enum class Form : std::uint8_t {
+    full,
+    short_switches, ///< the switches are abbreviated
+    few_names,      ///< and only the stage on show says its name
+};
+
+std::vector<StripItem> strip_items(const Ui& ui, Form form) {
     std::vector<StripItem> items;
     const Settings& settings = ui.session.settings;
     for (const StageInfo& info : stage_list()) {
         items.push_back({.name = "stage." + std::string(info.name),
                          .first = std::to_string(static_cast<int>(info.stage) + 1),
-                         .second = short_form && settings.stage != info.stage
+                         .second = form == Form::few_names && settings.stage != info.stage
                                        ? std::string()
                                        : std::string(info.title),
                          .first_is_main = false,
@@ -40,7 +47,7 @@ std::vector<StripItem> strip_items(const Ui& ui, bool short_form) {
     }
     const bool perspective = settings.interpolation == Interpolation::perspective;
     items.push_back({.name = "switch.perspective",
-                     .first = "Perspective",
+                     .first = form != Form::full ? "Persp." : "Perspective",
                      .second = perspective                                           ? "on"
                                : settings.interpolation == Interpolation::zinv_twice ? "twice"
                                                                                      : "off",
@@ -49,7 +56,7 @@ std::vector<StripItem> strip_items(const Ui& ui, bool short_form) {
                      .is_switch = true});
     const DepthTest depth = settings.depth_test;
     items.push_back({.name = "switch.depth_test",
-                     .first = "Depth test",
+                     .first = form != Form::full ? "Depth" : "Depth test",
                      .second = depth == DepthTest::off         ? "off"
                                : depth == DepthTest::inverse_z ? "1/z"
                                : depth == DepthTest::reversed  ? "reversed"
@@ -65,7 +72,7 @@ std::vector<StripItem> strip_items(const Ui& ui, bool short_form) {
         }
     }
     items.push_back({.name = "switch.compare",
-                     .first = "Compare",
+                     .first = form != Form::full ? "A | B" : "Compare",
                      .second = "",
                      .first_is_main = true,
                      .chosen = ui.session.other.has_value(),
@@ -109,6 +116,20 @@ float gap(const Ui& ui) {
 }
 float margin(const Ui& ui) {
     return 14.0f * ui.options.text_scale;
+}
+
+int lines_of(const Ui& ui, Form form, float width) {
+    const std::vector<float> widths = item_widths(strip_items(ui, form), ui.options.text_scale);
+    return line_count(flow(widths, gap(ui), width - 2.0f * margin(ui)));
+}
+
+/// The first form that fits on one line; only small windows have no height to spare for a second.
+Form strip_form(const Ui& ui, float width) {
+    for (const Form form : {Form::full, Form::short_switches}) {
+        if (lines_of(ui, form, width) == 1) return form;
+    }
+    return is_compact(ImGui::GetIO().DisplaySize, ui.options) ? Form::few_names
+                                                              : Form::short_switches;
 }
 
 /// The pairs of runs that are often compared: a click each.
@@ -174,9 +195,7 @@ void draw_chevron(Ui& ui, ImVec2 middle) {
 } // namespace
 
 int stage_strip_lines(const Ui& ui, float width) {
-    const bool compact = is_compact(ImGui::GetIO().DisplaySize, ui.options);
-    const std::vector<float> widths = item_widths(strip_items(ui, compact), ui.options.text_scale);
-    return line_count(flow(widths, gap(ui), width - 2.0f * margin(ui)));
+    return lines_of(ui, strip_form(ui, width), width);
 }
 
 void draw_stage_strip(Ui& ui, const Area& area) {
@@ -186,8 +205,7 @@ void draw_stage_strip(Ui& ui, const Area& area) {
     ImGui::SetNextWindowSize(area.size);
     ImGui::PushStyleColor(ImGuiCol_WindowBg, p.ground);
     ImGui::Begin("strip", nullptr, panel_flags);
-    const bool compact = is_compact(ImGui::GetIO().DisplaySize, ui.options);
-    const std::vector<StripItem> items = strip_items(ui, compact);
+    const std::vector<StripItem> items = strip_items(ui, strip_form(ui, area.size.x));
     const std::vector<float> widths = item_widths(items, u);
     const float room = area.size.x - 2.0f * margin(ui);
     float total = 0.0f;
