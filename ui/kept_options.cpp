@@ -23,19 +23,24 @@ void give_up(Ui& ui, const Error& fault) {
 } // namespace
 
 std::string options_text(const UiOptions& options) {
+    toml::table table{{"theme", options.theme == Theme::dark ? "dark" : "light"},
+                      {"text_scale", options.wished_text_scale},
+                      {"lesson_width", options.lesson_width},
+                      {"inspector_width", options.inspector_width}};
+    if (options.score.is_kept) {
+        table.insert("quiz_points", options.score.points);
+        table.insert("quiz_rounds", options.score.rounds);
+    }
     std::ostringstream out;
-    out << toml::table{{"theme", options.theme == Theme::dark ? "dark" : "light"},
-                       {"text_scale", options.wished_text_scale},
-                       {"lesson_width", options.lesson_width},
-                       {"inspector_width", options.inspector_width}}
-        << '\n';
+    out << table << '\n';
     return out.str();
 }
 
 UiOptions parse_options(std::string_view text, const std::string& path, UiOptions options) {
     const toml::table root = parse_toml(text, path);
     const TomlInput input(root, path, "the look of the window");
-    input.allow_only({"theme", "text_scale", "lesson_width", "inspector_width"});
+    input.allow_only(
+        {"theme", "text_scale", "lesson_width", "inspector_width", "quiz_points", "quiz_rounds"});
     if (input.find("theme") != nullptr) {
         const std::string theme = input.text("theme");
         if (theme != "dark" && theme != "light") {
@@ -46,6 +51,9 @@ UiOptions parse_options(std::string_view text, const std::string& path, UiOption
     input.read("text_scale", options.wished_text_scale, smallest_text_scale, largest_text_scale);
     input.read("lesson_width", options.lesson_width, 0.0f, 0.9f);
     input.read("inspector_width", options.inspector_width, 0.0f, 0.9f);
+    options.score.is_kept = input.find("quiz_rounds") != nullptr;
+    input.read("quiz_points", options.score.points, 0, largest_score);
+    input.read("quiz_rounds", options.score.rounds, 0, largest_score);
     return options;
 }
 

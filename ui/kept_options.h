@@ -7,8 +7,8 @@
 namespace rasterwalk {
 
 /// Keeps how the window looks in this file from now on, and takes up what stands in it: theme, text
-/// size, widths of the columns. An empty path, or a file that cannot be read or written: nothing is
-/// kept, and session.notice says so once.
+/// size, widths of the columns, and the score of the quiz if it is to be kept. An empty path, or a
+/// file that cannot be read or written: nothing is kept, and session.notice says so once.
 void keep_options(Ui& ui, const std::string& path);
 
 /// Writes the options if they have changed. To be called when the input has come to rest.

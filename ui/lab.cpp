@@ -1,5 +1,6 @@
 #include "ui/lab.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "scene/error.h"
@@ -83,8 +84,9 @@ void begin_quiz(Ui& ui) {
 void finish_quiz(Ui& ui) {
     if (!ui.session.quiz) return;
     if (is_over(*ui.session.quiz)) {
-        ++ui.lab.rounds;
-        ui.lab.points += score(*ui.session.quiz);
+        ui.options.score.rounds = std::min(ui.options.score.rounds + 1, largest_score);
+        ui.options.score.points =
+            std::min(ui.options.score.points + score(*ui.session.quiz), largest_score);
     }
     end_quiz(ui.session);
     ui.lab.seed = 0;

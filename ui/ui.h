@@ -55,6 +55,14 @@ struct Fonts {
 
 enum class Theme : std::uint8_t { dark, light };
 
+/// What the student has won in quizzes.
+struct QuizScore {
+    int rounds = 0;       ///< that were ended after they were over
+    int points = 0;       ///< in all of them
+    bool is_kept = false; ///< between two runs of the program
+};
+inline constexpr int largest_score = 1'000'000;
+
 /// How the window looks; what a student would expect to find again next time.
 struct UiOptions {
     float wished_text_scale = 1.0f; ///< 1: 16 pixels
@@ -62,6 +70,7 @@ struct UiOptions {
     Theme theme = Theme::dark;
     float lesson_width = 0.0f; ///< columns, share of the window's width; 0: the layout decides
     float inspector_width = 0.0f;
+    QuizScore score;
 };
 
 /// Where the picture lies on the screen: screen = origin + scale * (column, row).
@@ -122,8 +131,6 @@ struct LabLook {
     LabMode mode = LabMode::bugs;
     int seed = 0;             ///< of the next quiz; 0: the program takes one
     bool wants_two = false;   ///< the next quiz hides two mistakes
-    int rounds = 0;           ///< quizzes that were ended after they were over
-    int points = 0;           ///< in all of them
     std::string result_path;  ///< of the student's own result
     std::string result_fault; ///< why it could not be diagnosed
     std::string held_against; ///< "the picture of lab-room"

@@ -103,8 +103,8 @@ TEST_CASE("A round of the quiz is won: hint, wrong guess, right guess, and all i
     driver.hand.click("lab.quiz.end");
     CHECK_FALSE(driver.ui.session.quiz);
     CHECK(driver.ui.session.settings == before);
-    CHECK(driver.ui.lab.rounds == 1);
-    CHECK(driver.ui.lab.points == points_of_question - cost_of_hint - cost_of_wrong_guess);
+    CHECK(driver.ui.options.score.rounds == 1);
+    CHECK(driver.ui.options.score.points == points_of_question - cost_of_hint - cost_of_wrong_guess);
 }
 
 TEST_CASE("A picture with a mistake is diagnosed when its path is named, and the mistake shown") {

@@ -28,11 +28,27 @@ std::string titled(Ui& ui, const std::string& id) {
 }
 
 void draw_score(Ui& ui) {
-    if (ui.lab.rounds == 0) return;
-    text_in(palette(ui.options.theme).dim, std::to_string(ui.lab.points) + " points in " +
-                                               std::to_string(ui.lab.rounds) +
-                                               (ui.lab.rounds == 1 ? " round" : " rounds"));
-    name_widget(ui, "lab.points", "Since the program was opened.");
+    const QuizScore& score = ui.options.score;
+    if (score.rounds == 0) return;
+    text_in(palette(ui.options.theme).dim, std::to_string(score.points) + " points in " +
+                                               std::to_string(score.rounds) +
+                                               (score.rounds == 1 ? " round" : " rounds"));
+    name_widget(ui, "lab.points",
+                score.is_kept ? "In all rounds since you began to keep the score."
+                              : "Since the program was opened.");
+}
+
+/// Kept only if the student wants it.
+void draw_keeping(Ui& ui) {
+    QuizScore& score = ui.options.score;
+    ImGui::Checkbox("keep my score", &score.is_kept);
+    name_widget(ui, "lab.keep_score",
+                "The next time the program is opened the points are still there.");
+    if (score.rounds == 0) return;
+    ImGui::SameLine();
+    if (button(ui, "lab.reset_score", "forget it", Look::quiet, "Sets points and rounds to 0.")) {
+        score.points = score.rounds = 0;
+    }
 }
 
 void draw_beginning(Ui& ui) {
@@ -52,7 +68,9 @@ void draw_beginning(Ui& ui) {
                "Makes a mistake. What is set now comes back when the quiz is ended.")) {
         begin_quiz(ui);
     }
+    ImGui::Spacing();
     draw_score(ui);
+    draw_keeping(ui);
 }
 
 void draw_correct_run_switch(Ui& ui) {
