@@ -124,6 +124,9 @@ struct LabLook {
     bool is_read = false;
     std::string chosen; ///< id of the bug that is described
     std::string on;     ///< id of the bug that was turned on last; empty: none
+    /// For which bug, and down to which screen line, the list was scrolled last.
+    std::string in_sight;
+    float bottom = 0.0f;
     /// What was set before, for turning it off; the scene is null when nothing is on.
     std::shared_ptr<const Scene> scene_before;
     Settings settings_before;

@@ -63,7 +63,7 @@ void name_widget(Ui& ui, std::string_view name, std::string_view tooltip) {
         !ImGui::IsMouseDown(0)) {
         ImGui::BeginTooltip();
         ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24.0f);
-        ImGui::TextUnformatted(begin(tooltip), end(tooltip));
+        wrapped_text(tooltip);
         ImGui::PopTextWrapPos();
         ImGui::EndTooltip();
     }
@@ -104,9 +104,38 @@ void text_in(const ImVec4& colour, std::string_view text) {
     ImGui::PopStyleColor();
 }
 
+std::string broken_into_lines(std::string_view text, float width) {
+    std::string lines;
+    std::size_t line_start = 0; // in lines
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t word = std::min(text.find_first_of(" \n", at), text.size());
+        const std::string_view next = text.substr(at, word - at);
+        const std::size_t line_end = lines.size();
+        if (line_end > line_start) lines += ' ';
+        lines.append(next);
+        const bool is_too_long =
+            ImGui::CalcTextSize(lines.data() + line_start, lines.data() + lines.size()).x > width;
+        if (line_end > line_start && is_too_long) {
+            lines[line_end] = '\n';
+            line_start = line_end + 1;
+        }
+        if (word < text.size() && text[word] == '\n') {
+            lines += '\n';
+            line_start = lines.size();
+        }
+        at = word + 1;
+    }
+    return lines;
+}
+
 void wrapped_text(std::string_view text) {
-    ImGui::PushTextWrapPos(0.0f);
-    ImGui::TextUnformatted(begin(text), end(text));
+    if (text.empty()) return;
+    const float wrap_at = ImGui::GetCurrentWindow()->DC.TextWrapPos;
+    const float width =
+        wrap_at > 0.0f ? wrap_at - ImGui::GetCursorPosX() : ImGui::GetContentRegionAvail().x;
+    // A single word that is too long is still broken by ImGui.
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
+    ImGui::TextUnformatted(broken_into_lines(text, width).c_str());
     ImGui::PopTextWrapPos();
 }
 

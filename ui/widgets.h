@@ -33,7 +33,11 @@ bool button(Ui& ui, std::string_view name, std::string_view label, Look look,
 /// Text in a colour.
 void text_in(const ImVec4& colour, std::string_view text);
 
-/// Text that wraps at the end of the column.
+/// The text with line breaks between words where it would be wider than this, screen pixels. ImGui
+/// by itself also breaks numbers at their point.
+std::string broken_into_lines(std::string_view text, float width);
+
+/// Text that wraps between words, at the end of the column or of the card.
 void wrapped_text(std::string_view text);
 
 /// Text at the right edge of the current table cell or of the width given.

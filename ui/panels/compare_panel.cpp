@@ -203,7 +203,7 @@ void draw_divergence(Ui& ui, const char* title, const std::string& name,
     text_in(p.dim, shortened(kind_text(divergence.kind) +
                                  (divergence.only_rounding ? ", by rounding alone" : ""),
                              ImGui::CalcItemWidth() - ImGui::GetItemRectSize().x));
-    ImGui::TextUnformatted(divergence.text.c_str()); // the card wraps it
+    wrapped_text(divergence.text);
 }
 
 void draw_first(Ui& ui) {

@@ -23,6 +23,17 @@ std::string page_of(const Bug& bug) {
     return text.append("\n\n**Cure.** ").append(plain_markdown(bug.cure)).append("\n");
 }
 
+/// The line chosen last stays in sight when its card takes away room.
+void keep_in_sight(Ui& ui, const Bug& bug) {
+    LabLook& lab = ui.lab;
+    if (lab.chosen != bug.id) return;
+    const float bottom = ImGui::GetWindowPos().y + ImGui::GetWindowHeight();
+    const bool is_new = lab.in_sight != bug.id || lab.bottom != bottom;
+    if (is_new && ImGui::GetItemRectMax().y > bottom) ImGui::SetScrollHereY(0.8f);
+    lab.in_sight = bug.id;
+    lab.bottom = bottom;
+}
+
 void draw_line(Ui& ui, const Bug& bug) {
     const Palette& p = palette(ui.options.theme);
     const bool on = is_on(ui, bug.id);
@@ -30,6 +41,7 @@ void draw_line(Ui& ui, const Bug& bug) {
     const std::string name = "lab." + bug.id;
     if (ImGui::Selectable(("##" + name).c_str(), ui.lab.chosen == bug.id)) ui.lab.chosen = bug.id;
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) turn_on(ui, bug, false);
+    keep_in_sight(ui, bug);
     name_widget(ui, name, bug.sentence + "\nClick: describes it. Double click: turns it on.");
     const float u = ui.options.text_scale;
     ImDrawList* const list = ImGui::GetWindowDrawList();

@@ -163,12 +163,12 @@ void draw_answer(Ui& ui) {
         std::string names;
         for (const std::string& id : question.bugs)
             names += (names.empty() ? "" : ", or ") + titled(ui, id);
-        ImGui::TextUnformatted(("It was " + names + ".").c_str());
+        wrapped_text("It was " + names + ".");
         const Bug* const bug = bug_of(ui, question.bugs.front());
         if (bug == nullptr) continue;
         ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-        ImGui::TextUnformatted(bug->sentence.c_str());
-        ImGui::TextUnformatted(("Cure: " + bug->cure).c_str());
+        wrapped_text(bug->sentence);
+        wrapped_text("Cure: " + bug->cure);
         ImGui::PopStyleColor();
     }
     if (button(ui, "lab.quiz.again", "another one", Look::chosen,

@@ -97,10 +97,10 @@ void draw_lab_result(Ui& ui) {
     const Diagnosis& diagnosis = *lab.diagnosis;
     begin_card(ui);
     ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-    ImGui::TextUnformatted(("Held against " + lab.held_against + ":").c_str());
+    wrapped_text("Held against " + lab.held_against + ":");
     ImGui::PopStyleColor();
     ImGui::PushFont(ui.fonts.bold);
-    ImGui::TextUnformatted(diagnosis.verdict.c_str());
+    wrapped_text(diagnosis.verdict);
     ImGui::PopFont();
     name_widget(ui, "lab.diagnosis", "What is most likely.");
     note_text(ui, "lab.diagnosis", diagnosis.verdict);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -103,10 +104,10 @@ float item_width(const StripItem& item, float unit) {
 std::vector<float> item_widths(const std::vector<StripItem>& items, float unit) {
     std::vector<float> widths;
     for (const StripItem& item : items) {
-        // The widest state counts, so that a switch does not shift its neighbours.
-        StripItem widest = item;
-        if (item.is_switch && item.has_state) widest.second = "off";
-        widths.push_back(item_width(widest, unit));
+        // The widest common state counts, so that a switch does not shift its neighbours.
+        StripItem usual = item;
+        if (item.is_switch && item.has_state) usual.second = "off";
+        widths.push_back(std::max(item_width(usual, unit), item_width(item, unit)));
     }
     return widths;
 }
