@@ -24,11 +24,13 @@ struct StripItem {
     bool chosen = false; ///< the stage on show
     bool is_on = false;  ///< switches
     bool is_switch = false;
-    bool has_state = true; ///< switches: says whether it is on
+    bool has_state = true;             ///< switches: says whether it is on
+    const ComparePair* pair = nullptr; ///< two runs that a click compares; in small letters
 };
 
 /// How much the strip says; each form needs less room than the one before.
 enum class Form : std::uint8_t {
+    with_pairs, ///< the pairs of runs have a button each
     full,
     short_switches, ///< the switches are abbreviated
     few_names,      ///< and only the stage on show says its name
@@ -48,7 +50,7 @@ std::vector<StripItem> strip_items(const Ui& ui, Form form) {
     }
     const bool perspective = settings.interpolation == Interpolation::perspective;
     items.push_back({.name = "switch.perspective",
-                     .first = form != Form::full ? "Persp." : "Perspective",
+                     .first = form > Form::full ? "Persp." : "Perspective",
                      .second = perspective                                           ? "on"
                                : settings.interpolation == Interpolation::zinv_twice ? "twice"
                                                                                      : "off",
@@ -57,7 +59,7 @@ std::vector<StripItem> strip_items(const Ui& ui, Form form) {
                      .is_switch = true});
     const DepthTest depth = settings.depth_test;
     items.push_back({.name = "switch.depth_test",
-                     .first = form != Form::full ? "Depth" : "Depth test",
+                     .first = form > Form::full ? "Depth" : "Depth test",
                      .second = depth == DepthTest::off         ? "off"
                                : depth == DepthTest::inverse_z ? "1/z"
                                : depth == DepthTest::reversed  ? "reversed"
@@ -73,12 +75,26 @@ std::vector<StripItem> strip_items(const Ui& ui, Form form) {
         }
     }
     items.push_back({.name = "switch.compare",
-                     .first = form != Form::full ? "A | B" : "Compare",
+                     .first = form > Form::full ? "A | B" : "Compare",
                      .second = "",
                      .first_is_main = true,
                      .chosen = ui.session.other.has_value(),
                      .is_switch = true,
                      .has_state = false});
+    if (form == Form::with_pairs) {
+        const ComparePair* const on_show = pair_on_show(ui.session);
+        for (const ComparePair& pair : compare_pairs()) {
+            items.push_back({.name = std::string("compare.strip.").append(pair.name),
+                             .first = std::string(pair.left),
+                             .second = "",
+                             .first_is_main = true,
+                             .chosen = on_show == &pair,
+                             .is_switch = true,
+                             .has_state = false,
+                             .pair = &pair});
+        }
+        return items;
+    }
     items.push_back({.name = "compare.pairs",
                      .first = "▾",
                      .second = "",
@@ -98,12 +114,25 @@ float between(const StripItem& item, float unit) {
 }
 
 float item_width(const StripItem& item, float unit) {
-    return text_width(item.first) + between(item, unit) + text_width(item.second) + 23.0f * unit;
+    const float padding = (item.pair != nullptr ? 14.0f : 23.0f) * unit;
+    return text_width(item.first) + between(item, unit) + text_width(item.second) + padding;
 }
 
-std::vector<float> item_widths(const std::vector<StripItem>& items, float unit) {
+/// A pair stands close to what is left of it.
+float gap_before(const StripItem& item, float gap) {
+    return item.pair != nullptr ? 0.25f * gap : gap;
+}
+
+std::vector<float> item_widths(const Ui& ui, const std::vector<StripItem>& items) {
+    const float unit = ui.options.text_scale;
     std::vector<float> widths;
     for (const StripItem& item : items) {
+        if (item.pair != nullptr) {
+            ImGui::PushFont(ui.fonts.small);
+            widths.push_back(item_width(item, unit));
+            ImGui::PopFont();
+            continue;
+        }
         // The widest common state counts, so that a switch does not shift its neighbours.
         StripItem usual = item;
         if (item.is_switch && item.has_state) usual.second = "off";
@@ -120,12 +149,26 @@ float margin(const Ui& ui) {
 }
 
 int lines_of(const Ui& ui, Form form, float width) {
-    const std::vector<float> widths = item_widths(strip_items(ui, form), ui.options.text_scale);
+    const std::vector<float> widths = item_widths(ui, strip_items(ui, form));
     return line_count(flow(widths, gap(ui), width - 2.0f * margin(ui)));
+}
+
+/// Between two stages that are joined by an arrow, beside the gap; design pixels.
+constexpr float arrow_width = 12.0f;
+
+/// What the items need on one line with arrows between the stages.
+float wide_width(const Ui& ui, const std::vector<StripItem>& items) {
+    const std::vector<float> widths = item_widths(ui, items);
+    float total = stage_count * arrow_width * ui.options.text_scale;
+    for (std::size_t i = 0; i < items.size(); ++i)
+        total += widths[i] + gap_before(items[i], gap(ui));
+    return total;
 }
 
 /// The first form that fits on one line; only small windows have no height to spare for a second.
 Form strip_form(const Ui& ui, float width) {
+    const float room = width - 2.0f * margin(ui);
+    if (wide_width(ui, strip_items(ui, Form::with_pairs)) < room) return Form::with_pairs;
     for (const Form form : {Form::full, Form::short_switches}) {
         if (lines_of(ui, form, width) == 1) return form;
     }
@@ -153,6 +196,14 @@ void draw_pairs(Ui& ui) {
     ImGui::EndPopup();
 }
 
+std::string tooltip_of_item(const StripItem& item) {
+    if (item.name == "compare.pairs") return "Which two runs are compared.";
+    if (item.pair == nullptr) return tooltip_of(item.name);
+    std::string text = "Compares ";
+    text.append(item.pair->left).append(" with ").append(item.pair->right);
+    return text.append(". ").append(item.pair->help).append("\nAgain: back to one run.");
+}
+
 void draw_item(Ui& ui, const StripItem& item, ImVec2 at, ImVec2 size) {
     const bool is_list = item.name == "compare.pairs";
     const Palette& p = palette(ui.options.theme);
@@ -160,7 +211,7 @@ void draw_item(Ui& ui, const StripItem& item, ImVec2 at, ImVec2 size) {
     ImGui::SetCursorScreenPos(at);
     const bool pressed = ImGui::InvisibleButton(item.name.c_str(), size);
     const bool hovered = ImGui::IsItemHovered();
-    name_widget(ui, item.name, is_list ? "Which two runs are compared." : tooltip_of(item.name));
+    name_widget(ui, item.name, tooltip_of_item(item));
     ImDrawList* const list = ImGui::GetWindowDrawList();
     const ImVec2 end{at.x + size.x, at.y + size.y};
     const ImVec4& fill = item.chosen ? p.accent : hovered ? p.button_hovered : p.button;
@@ -170,13 +221,21 @@ void draw_item(Ui& ui, const StripItem& item, ImVec2 at, ImVec2 size) {
     const ImVec4& main = item.chosen ? p.accent_text : p.text;
     const ImVec4 state = item.is_on ? p.link : p.changed;
     const ImVec4& side = item.is_switch ? state : item.chosen ? p.accent_text : p.dim;
+    if (item.pair != nullptr) ImGui::PushFont(ui.fonts.small);
     const float y = at.y + 0.5f * (size.y - ImGui::GetFontSize());
     const float content = text_width(item.first) + between(item, u) + text_width(item.second);
     const float x = at.x + 0.5f * (size.x - content);
     list->AddText({x, y}, packed(item.first_is_main ? main : side), item.first.c_str());
     list->AddText({x + text_width(item.first) + 7.0f * u, y},
                   packed(item.first_is_main ? side : main), item.second.c_str());
-    if (is_list) {
+    if (item.pair != nullptr) {
+        ImGui::PopFont();
+        if (pressed && item.chosen) {
+            end_compare(ui);
+        } else if (pressed && !hides_settings(ui.session)) {
+            begin_pair(ui, *item.pair);
+        }
+    } else if (is_list) {
         if (pressed && !hides_settings(ui.session)) ImGui::OpenPopup("compare pairs");
         draw_pairs(ui);
     } else if (pressed) {
@@ -207,24 +266,21 @@ void draw_stage_strip(Ui& ui, const Area& area) {
     ImGui::PushStyleColor(ImGuiCol_WindowBg, p.ground);
     ImGui::Begin("strip", nullptr, panel_flags);
     const std::vector<StripItem> items = strip_items(ui, strip_form(ui, area.size.x));
-    const std::vector<float> widths = item_widths(items, u);
+    const std::vector<float> widths = item_widths(ui, items);
     const float room = area.size.x - 2.0f * margin(ui);
-    float total = 0.0f;
-    for (const float width : widths)
-        total += width + gap(ui);
     // Where there is room the stages are joined by arrows and the switches stand at the right.
-    const float arrow = 12.0f * u;
-    const bool wide = total + stage_count * arrow < room;
+    const float arrow = arrow_width * u;
+    const bool wide = wide_width(ui, items) < room;
     const std::vector<FlowPlace> places = flow(widths, wide ? gap(ui) + arrow : gap(ui), room);
     const float height = 34.0f * u;
-    float switch_x = room + gap(ui);
+    float switch_x = room;
     for (std::size_t i = stage_count; i < items.size(); ++i)
-        switch_x -= widths[i] + gap(ui);
+        switch_x -= widths[i] + gap_before(items[i], gap(ui));
     for (std::size_t i = 0; i < items.size(); ++i) {
         float x = places[i].x;
         if (wide && items[i].is_switch) {
-            x = switch_x;
-            switch_x += widths[i] + gap(ui);
+            x = switch_x + gap_before(items[i], gap(ui));
+            switch_x = x + widths[i];
         }
         const ImVec2 at{area.position.x + margin(ui) + x,
                         area.position.y + 9.0f * u +
