@@ -175,6 +175,7 @@ void open_ui(Ui& ui, TextureHost& textures) {
     ImGui::GetIO().IniFilename = nullptr;
     map_keys();
     ui.textures = &textures;
+    take_up_lesson(ui);
     update(ui.session, ui.results);
     ui.options.text_scale = ui.options.wished_text_scale;
     ImGui::GetIO().DisplaySize = {1600.0f, 1000.0f}; // until the host says better

@@ -19,7 +19,33 @@ void leave_step(LessonView& view) {
     view.covers_inspector = true;
 }
 
+/// What belongs to the step that is on show now.
+void enter_step(Ui& ui, const Lesson& lesson) {
+    ui.lesson.progress.note_step(lesson.id, ui.session.step);
+    const std::string& widget =
+        lesson.steps[static_cast<std::size_t>(ui.session.step)].situation.point_at;
+    if (!widget.empty()) point_at_widget(ui, widget, true);
+}
+
 } // namespace
+
+void take_up_lesson(Ui& ui) {
+    Session& session = ui.session;
+    LessonView& view = ui.lesson;
+    if (session.lesson.empty()) return;
+    if (!session.lesson_folder.empty()) view.lessons.read_folder(session.lesson_folder);
+    const Lesson* const lesson = view.lessons.find(session.lesson);
+    if (lesson == nullptr) {
+        session.notice = "There is no lesson '" + session.lesson.substr(0, 60) + "'.";
+        session.lesson.clear();
+        session.step = 0;
+        return;
+    }
+    session.step = std::clamp(session.step, 0, static_cast<int>(lesson->steps.size()) - 1);
+    view.predictions.clear();
+    leave_step(view);
+    enter_step(ui, *lesson);
+}
 
 void open_lesson(Ui& ui, std::string_view id, int step) {
     LessonView& view = ui.lesson;
@@ -32,10 +58,7 @@ void open_lesson(Ui& ui, std::string_view id, int step) {
     leave_step(view);
     const std::vector<LessonFault> faults = rasterwalk::open_step(ui.session, *lesson, step);
     ui.session.notice = faults.empty() ? "" : fault_text(*lesson, faults.front());
-    view.progress.note_step(lesson->id, ui.session.step);
-    const std::string& widget =
-        lesson->steps[static_cast<std::size_t>(ui.session.step)].situation.point_at;
-    if (!widget.empty()) point_at_widget(ui, widget, true);
+    enter_step(ui, *lesson);
 }
 
 void open_lesson_to_go_on(Ui& ui) {

@@ -11,6 +11,10 @@ namespace rasterwalk {
 /// session.notice.
 void open_lesson(Ui& ui, std::string_view id, int step);
 
+/// Shows the lesson and the step that the session names, whose situation is on the screen already.
+/// Does nothing without a lesson.
+void take_up_lesson(Ui& ui);
+
 /// Opens the lesson with which the student goes on, where they left it.
 void open_lesson_to_go_on(Ui& ui);
 

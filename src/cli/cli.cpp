@@ -23,7 +23,6 @@ namespace {
 /// The command line with a place for everything that can stand on it.
 struct CommandLine {
     CLI::App app{"Walk through a software rasterizer, stage by stage.", "rasterwalk"};
-    std::string file;
     ViewOptions view;
     RenderOptions render;
     StatsOptions stats;
@@ -37,6 +36,7 @@ struct CommandLine {
     BugsOptions bugs;
     CheckOptions check;
     FactsOptions facts;
+    LessonsOptions lessons;
     /// What is to be done once everything is understood; empty: open the window.
     std::function<void()> command;
     ExitCode exit_code = ExitCode::done; ///< of a command that has gone well
@@ -56,17 +56,20 @@ void add_json(CLI::App& command, bool& json) {
 void describe(CommandLine& line, std::ostream& out, std::ostream& err) {
     line.app.set_version_flag("--version", "rasterwalk " + version_text());
     line.app.require_subcommand(0, 1);
-    line.app.add_option("FILE", line.file, "Scene to open in the window (.toml)")->type_name("");
+    line.app
+        .add_option("FILE", line.view.file,
+                    "Scene (.toml), lesson (.md) or saved view (.walk.toml) to open in the window")
+        ->type_name("");
     add_view_options(line.app, line.view);
+    add_look_options(line.app, line.view);
 
     CLI::App& render = add_command(line, "render", "Write the picture as a PNG",
                                    [&] { render_command(line.render, err); });
     render.add_option("-o,--output", line.render.output, "PNG file to write")
         ->type_name("FILE")
         ->required();
-    render.add_option("--view", line.render.plane, "colour, depth, triangle or overdraw")
-        ->type_name("PLANE");
     add_view_options(render, line.render.view);
+    add_plane_options(render, line.render.view);
 
     CLI::App& stats = add_command(line, "stats", "Count triangles, fragments, overdraw ...",
                                   [&] { stats_command(line.stats, out, err); });
@@ -148,6 +151,10 @@ void describe(CommandLine& line, std::ostream& out, std::ostream& err) {
                                  [&] { bugs_command(line.bugs, out); });
     add_json(bugs, line.bugs.json);
 
+    CLI::App& lessons = add_command(line, "lessons", "List the lessons, and what is done of them",
+                                    [&] { lessons_command(line.lessons, out, err); });
+    add_json(lessons, line.lessons.json);
+
     CLI::App& check = add_command(line, "check", "Look for faults in lessons, scenes and presets",
                                   [&] { check_command(line.check, out); });
     check.add_option("PATH", line.check.paths, "Folders, lessons (.md) and scenes (.toml)")
@@ -166,8 +173,9 @@ void describe(CommandLine& line, std::ostream& out, std::ostream& err) {
 /// The word is not a file: perhaps a command was meant.
 void check_file(const CommandLine& line) {
     std::error_code ignored;
-    const std::string& file = line.file;
-    if (file.find_first_of("./") != std::string::npos || std::filesystem::exists(file, ignored)) {
+    const std::string& file = line.view.file;
+    if (file.empty() || file.find_first_of("./") != std::string::npos ||
+        std::filesystem::exists(file, ignored)) {
         return;
     }
     std::vector<std::string_view> names;
@@ -176,17 +184,6 @@ void check_file(const CommandLine& line) {
     }
     throw UsageError("there is neither a command nor a file named '" + file + "'." +
                      did_you_mean(file, names));
-}
-
-Session open_window_session(CommandLine& line) {
-    if (!line.file.empty()) {
-        if (!line.view.scene.empty()) {
-            throw UsageError("the scene is named twice: as FILE and by --scene.");
-        }
-        check_file(line);
-        line.view.scene = line.file;
-    }
-    return open_view(line.view);
 }
 
 /// Reads the arguments. Prints help or version if they ask for it, and then returns false.
@@ -209,12 +206,13 @@ bool parse(CommandLine& line, std::vector<std::string> arguments, std::ostream& 
 
 void run(CommandLine& line, CliRequest& request) {
     if (!line.command) {
-        request.is_plain = line.file.empty() && line.view == ViewOptions{};
-        request.session = open_window_session(line);
+        request.is_plain = line.view == ViewOptions{};
+        check_file(line);
+        request.session = open_view(line.view);
         request.open_window = true;
         return;
     }
-    if (!line.file.empty() || !(line.view == ViewOptions{})) {
+    if (!(line.view == ViewOptions{})) {
         throw UsageError("the options of a command stand behind its name.");
     }
     line.command();

@@ -13,7 +13,6 @@ namespace rasterwalk {
 
 struct RenderOptions {
     ViewOptions view;
-    std::string plane = "colour"; ///< colour, depth, triangle or overdraw
     std::string output;
 };
 void render_command(const RenderOptions& options, std::ostream& err);
@@ -73,6 +72,12 @@ struct FactsOptions {
     bool json = false;
 };
 void facts_command(const FactsOptions& options, std::ostream& out);
+
+struct LessonsOptions {
+    bool json = false;
+};
+/// Lists the lessons and what is done of them; progress that cannot be read is a warning on `err`.
+void lessons_command(const LessonsOptions& options, std::ostream& out, std::ostream& err);
 
 /// The most vertices that `rows` takes.
 inline constexpr std::size_t max_polygon_vertices = 1000;

@@ -1,26 +1,14 @@
 #include "cli/commands.h"
 
-#include <array>
 #include <ostream>
 
 #include "cli/json.h"
 #include "inspect/stats.h"
 #include "pipeline/draw.h"
-#include "scene/error.h"
-#include "session/nearest_name.h"
 
 namespace rasterwalk {
 
 namespace {
-
-View find_plane(const std::string& name) {
-    constexpr std::array<std::string_view, 4> names{"colour", "depth", "triangle", "overdraw"};
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        if (names[i] == name) return static_cast<View>(i);
-    }
-    throw UsageError("--view is colour, depth, triangle or overdraw, not '" + name + "'." +
-                     did_you_mean(name, names));
-}
 
 void report_left_out(const LeftOut& left_out, std::ostream& err) {
     const auto report = [&](int count, const char* reason) {
@@ -56,13 +44,12 @@ toml::table to_json(const FrameStats& stats) {
 } // namespace
 
 void render_command(const RenderOptions& options, std::ostream& err) {
-    const View plane = find_plane(options.plane);
     const Session session = open_view(options.view);
     const Frame frame = prepare_frame(*session.scene, session.settings);
     Framebuffer framebuffer;
     clear(framebuffer, frame);
     draw(frame, {.from = cursor_begin, .to = session.cursor, .scissor = {}}, framebuffer);
-    write_png(view_image(framebuffer, plane), options.output);
+    write_png(view_image(framebuffer, session.view, session.depth_range), options.output);
     report_left_out(count_left_out(frame), err);
 }
 

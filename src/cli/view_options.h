@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "session/session.h"
+#include "session/opened_view.h"
 
 namespace CLI {
 class App;
@@ -11,26 +11,15 @@ class App;
 
 namespace rasterwalk {
 
-/// What the command line says about the view: VIEW in the help.
-struct ViewOptions {
-    std::string scene; ///< path; empty: the lab's room
-    std::string stage;
-    std::string bug; ///< id; its scene is taken unless one is named
-    std::vector<std::string> presets;
-    std::vector<std::string> assignments; ///< name=value
-    std::string to;                       ///< a cursor
-    std::string size;                     ///< WIDTHxHEIGHT; keeps the field of view
-
-    friend bool operator==(const ViewOptions&, const ViewOptions&) = default;
-};
-
-/// Gives a command the options --scene --stage --bug --preset --set --to --size.
+/// Gives a command the options that say what is drawn: --scene --lesson --step --stage --bug
+/// --preset --set --to --size --vertices.
 void add_view_options(CLI::App& command, ViewOptions& options);
 
-/// The session that the options describe. They take effect in the order scene, size, bug, presets,
-/// stage, assignments, so that what is more exact wins. With a bug the correct run is run B. Throws
-/// Error.
-Session open_view(const ViewOptions& options);
+/// Gives it those that say what of it is shown, and how: --view --tab --pixel --zoom --b ...
+void add_look_options(CLI::App& command, ViewOptions& options);
+
+/// --view and --depth-range alone, for what writes one picture.
+void add_plane_options(CLI::App& command, ViewOptions& options);
 
 /// Turns arguments that begin like a negative number ("-5,3") into ones that CLI11 does not take
 /// for options. The program's own name is left out.

@@ -22,6 +22,9 @@ inline constexpr float largest_coordinate = 1e6f;
 /// The largest coordinate of a point given in pixels, either sign.
 inline constexpr float largest_pixel_coordinate = 16384.0f;
 
+/// The smallest depth of such a point.
+inline constexpr float smallest_pixel_depth = 1e-3f;
+
 /// Camera and lamp stay within this many world units of the origin along every axis.
 inline constexpr float largest_place = 1000.0f;
 

@@ -88,8 +88,7 @@ glm::vec3 read_pixel_point(const TomlInput& input, const toml::node& node,
     };
     const float column = coordinate(0, -largest_pixel_coordinate);
     const float row = coordinate(1, -largest_pixel_coordinate);
-    constexpr float smallest_depth = 1e-3f;
-    return {column, row, array->size() == 3 ? coordinate(2, smallest_depth) : 1.0f};
+    return {column, row, array->size() == 3 ? coordinate(2, smallest_pixel_depth) : 1.0f};
 }
 
 PointSets read_points(const TomlInput& input, SceneSpace space,

@@ -1,8 +1,54 @@
 #include "session/bench.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "scene/error.h"
+#include "session/number_text.h"
+#include "session/quoted.h"
+#include "session/setting_table.h"
 
 namespace rasterwalk {
+
+namespace {
+
+[[noreturn]] void refuse(std::string_view text) {
+    throw UsageError("the vertices of a triangle are three places with slashes between them, as "
+                     "10,5/5,10/15,15 or, of triangle 3, 3:10,5/5,10/15,15, and no farther out "
+                     "than " +
+                     number_text(largest_pixel_coordinate) + " pixels; not " + in_quotes(text) +
+                     ".");
+}
+
+/// Cuts off what stands before the separator.
+std::string_view take_part(std::string_view& text, char separator) {
+    const std::size_t end = text.find(separator);
+    const std::string_view part = text.substr(0, end);
+    text.remove_prefix(end == text.npos ? text.size() : end + 1);
+    return part;
+}
+
+std::optional<float> parse_coordinate(std::string_view text, float smallest) {
+    text = trimmed(text);
+    float value = 0.0f;
+    const char* const last = text.data() + text.size();
+    const auto [end, fault] = std::from_chars(text.data(), last, value);
+    const bool is_good = fault == std::errc{} && end == last && value >= smallest &&
+                         value <= largest_pixel_coordinate;
+    return is_good ? std::optional(value) : std::nullopt;
+}
+
+std::optional<glm::vec3> parse_position(std::string_view text) {
+    const auto commas = std::count(text.begin(), text.end(), ',');
+    if (commas != 1 && commas != 2) return std::nullopt;
+    const auto x = parse_coordinate(take_part(text, ','), -largest_pixel_coordinate);
+    const auto y = parse_coordinate(take_part(text, ','), -largest_pixel_coordinate);
+    const auto z = commas == 2 ? parse_coordinate(text, smallest_pixel_depth) : 1.0f;
+    return x && y && z ? std::optional(glm::vec3(*x, *y, *z)) : std::nullopt;
+}
+
+} // namespace
 
 bool is_bench(const Scene& scene) {
     return scene.space == SceneSpace::pixels;
@@ -16,6 +62,70 @@ void move_bench_vertex(Session& session, int triangle, int vertex, glm::ivec2 pi
     position.x = static_cast<float>(std::clamp(pixel.x, -limit, limit));
     position.y = static_cast<float>(std::clamp(pixel.y, -limit, limit));
     session.scene = std::make_shared<const Scene>(std::move(scene));
+}
+
+std::string to_text(const PlacedTriangle& placed) {
+    std::string text;
+    if (placed.triangle != 0) text.append(std::to_string(placed.triangle)).append(":");
+    for (std::size_t v = 0; v < 3; ++v) {
+        const glm::vec3& position = placed.positions[v];
+        text.append(v > 0 ? "/" : "").append(number_text(position.x));
+        text.append(",").append(number_text(position.y));
+        if (position.z != 1.0f) text.append(",").append(number_text(position.z));
+    }
+    return text;
+}
+
+PlacedTriangle parse_placed_triangle(std::string_view text) {
+    PlacedTriangle placed;
+    std::string_view rest = text;
+    if (rest.find(':') != rest.npos) {
+        const std::optional<int> number = parse_int(take_part(rest, ':'));
+        if (!number || *number < 0) refuse(text);
+        placed.triangle = *number;
+    }
+    if (std::count(rest.begin(), rest.end(), '/') != 2) refuse(text);
+    for (glm::vec3& position : placed.positions) {
+        const std::optional<glm::vec3> read = parse_position(take_part(rest, '/'));
+        if (!read) refuse(text);
+        position = *read;
+    }
+    return placed;
+}
+
+void place_triangle(Session& session, const PlacedTriangle& placed) {
+    if (!is_bench(*session.scene)) {
+        throw UsageError("only the vertices of a scene in pixels can be put elsewhere; " +
+                         in_quotes(session.scene->name) + " is none.");
+    }
+    const auto count = session.scene->triangles.size();
+    const auto index = static_cast<std::size_t>(placed.triangle);
+    if (index >= count) {
+        throw UsageError("there is no triangle " + std::to_string(placed.triangle) +
+                         " to put elsewhere: the triangles are 0 to " + std::to_string(count - 1) +
+                         ".");
+    }
+    Scene scene = *session.scene;
+    for (std::size_t v = 0; v < 3; ++v)
+        scene.triangles[index].vertices[v].position = placed.positions[v];
+    session.scene = std::make_shared<const Scene>(std::move(scene));
+}
+
+std::vector<PlacedTriangle> moved_triangles(const Scene& scene, const Scene& original) {
+    std::vector<PlacedTriangle> moved;
+    if (!is_bench(scene) || scene.triangles.size() != original.triangles.size()) return moved;
+    for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
+        PlacedTriangle placed;
+        placed.triangle = static_cast<int>(t);
+        bool is_moved = false;
+        for (std::size_t v = 0; v < 3; ++v) {
+            placed.positions[v] = scene.triangles[t].vertices[v].position;
+            is_moved =
+                is_moved || placed.positions[v] != original.triangles[t].vertices[v].position;
+        }
+        if (is_moved) moved.push_back(placed);
+    }
+    return moved;
 }
 
 void show_bench_example(Session& session, const BenchExample& example) {

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "session/number_text.h"
 #include "session/session.h"
+#include "session/setting_table.h"
 
 namespace rasterwalk {
 
@@ -76,6 +78,16 @@ void set_near(Session& session, const DepthView& view, float value) {
     const float smallest = view.range.far + smallest_distance(axis);
     session.depth_range =
         DepthRange{view.range.far, std::clamp(value, smallest, std::max(axis.near, smallest))};
+}
+
+std::string to_text(const DepthRange& range) {
+    return number_text(range.far).append(",").append(number_text(range.near));
+}
+
+std::optional<DepthRange> parse_depth_range(std::string_view text) {
+    const std::optional<glm::vec2> ends = parse_place(text);
+    if (!ends || ends->x > ends->y) return std::nullopt;
+    return DepthRange{ends->x, ends->y};
 }
 
 } // namespace rasterwalk

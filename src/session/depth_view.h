@@ -5,6 +5,8 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "pipeline/framebuffer.h"
@@ -37,6 +39,10 @@ DepthView depth_view(const Framebuffer& framebuffer, const std::optional<DepthRa
 /// small distance from the other one.
 void set_far(Session& session, const DepthView& view, float value);
 void set_near(Session& session, const DepthView& view, float value);
+
+/// A range as text, far and near: "0.2,0.8"; none if it is not one, or if far is the larger.
+std::string to_text(const DepthRange& range);
+std::optional<DepthRange> parse_depth_range(std::string_view text);
 
 inline constexpr int depth_bins = 96;
 

@@ -1,15 +1,19 @@
 #include "session/lesson_blocks.h"
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
 
 #include "scene/limits.h"
 #include "scene/toml_input.h"
+#include "session/depth_view.h"
 #include "session/facts.h"
 #include "session/lesson_link.h"
 #include "session/nearest_name.h"
 #include "session/number_text.h"
 #include "session/quoted.h"
+#include "session/second_run.h"
 #include "session/setting_table.h"
 
 namespace rasterwalk {
@@ -185,6 +189,31 @@ void add_situation_keys(Keys& keys, Block& block, Situation& s) {
     add("centre", [&](const toml::node& n) {
         s.centre = parse_place(block.text(n));
         if (!s.centre) block.input().fail(n, "a place in the picture is needed here: \"250,131\".");
+        if (std::max(std::abs(s.centre->x), std::abs(s.centre->y)) > farthest_centre) {
+            block.input().fail(n, "this place lies too far outside the picture.");
+        }
+    });
+    add("compare_view", [&](const toml::node& n) {
+        const std::string name = word(block, n, "way to compare", compare_view_names());
+        s.compare_view = find_compare_view(name);
+    });
+    add("wipe", [&](const toml::node& n) {
+        s.wipe = block.input().number(n, 0.0f, 1.0f, "the place of the divider");
+    });
+    add("grid", [&](const toml::node& n) {
+        s.grid = n.value_exact<bool>();
+        if (!s.grid) block.input().fail(n, "the grid is true or false.");
+    });
+    add("depth_range", [&](const toml::node& n) {
+        s.depth_range = parse_depth_range(block.text(n));
+        if (!s.depth_range) {
+            block.input().fail(n, "a range of 1/z is needed here, far and near: \"0.2,0.8\".");
+        }
+    });
+    add("vertices", [&](const toml::node& n) {
+        block.for_each_text(n, most_placed_triangles, [&](const std::string& text) {
+            s.vertices.push_back(parse_placed_triangle(text));
+        });
     });
     add("point_at", [&](const toml::node& n) { s.point_at = block.text(n); });
 }
@@ -244,8 +273,8 @@ void check_kind(Block& block, Kind kind) {
 
 } // namespace
 
-Situation read_situation(const toml::table& table, int line, FaultList& faults) {
-    Block block(table, line, "the block", faults);
+Situation read_situation(const toml::table& table, int line, FaultList& faults, const char* what) {
+    Block block(table, line, what, faults);
     Situation situation;
     situation.line = line;
     Keys keys;

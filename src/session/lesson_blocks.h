@@ -17,7 +17,9 @@ namespace rasterwalk {
 Situation read_lesson_block(const toml::table& table, int line, Lesson& lesson, FaultList& faults);
 
 /// What a block `step`, or a table `at` or `then`, says.
-Situation read_situation(const toml::table& table, int line, FaultList& faults);
+/// @param what how messages name the table
+Situation read_situation(const toml::table& table, int line, FaultList& faults,
+                         const char* what = "the block");
 
 LessonTask read_task(const toml::table& table, int line, FaultList& faults);
 

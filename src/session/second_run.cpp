@@ -39,6 +39,23 @@ const std::array<CompareViewInfo, compare_view_count>& compare_view_list() {
     return list;
 }
 
+std::span<const std::string_view> compare_view_names() {
+    static const auto names = [] {
+        std::array<std::string_view, compare_view_count> words;
+        for (std::size_t i = 0; i < words.size(); ++i)
+            words[i] = compare_view_list()[i].name;
+        return words;
+    }();
+    return names;
+}
+
+std::optional<CompareView> find_compare_view(std::string_view name) {
+    for (const CompareViewInfo& info : compare_view_list()) {
+        if (info.name == name) return info.view;
+    }
+    return std::nullopt;
+}
+
 void compare_with(Session& session, const Settings& other) {
     session.other = other;
     session.followed = RunPair{session.settings, other};

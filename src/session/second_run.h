@@ -37,6 +37,10 @@ struct CompareViewInfo {
 /// All of them, in the order of their switches; indexed by CompareView.
 const std::array<CompareViewInfo, compare_view_count>& compare_view_list();
 
+/// Their names, in the same order, and the one of a name.
+std::span<const std::string_view> compare_view_names();
+std::optional<CompareView> find_compare_view(std::string_view name);
+
 /// The settings of both runs as they stood when follow_first_run() last looked.
 struct RunPair {
     Settings first, second;

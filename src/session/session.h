@@ -43,7 +43,7 @@ struct Session {
     std::optional<Settings> other;   ///< of run B, which is compared with A; none: no comparison
     std::optional<RunPair> followed; ///< for follow_first_run() alone
     CompareView compare_view = CompareView::side_by_side;
-    float wipe = 0.5f; ///< place of the divider, 0 left to 1 right
+    float wipe = 0.5f;        ///< place of the divider, 0 left to 1 right
     std::optional<Quiz> quiz; ///< while it goes on the settings are hidden
     Cursor cursor = cursor_end;
     Selection selection;
@@ -57,9 +57,10 @@ struct Session {
     int jumps = 0;   ///< grows with every go_to(); steps and scrubbing do not count
     UndoStack undo;
     PlaceHistory places;
-    std::string lesson; ///< id of the lesson that is open; empty: none
-    int step = 0;       ///< of the lesson; 0 is its opening
-    std::string notice; ///< a sentence for the status line; may be empty
+    std::string lesson;        ///< id of the lesson that is open; empty: none
+    int step = 0;              ///< of the lesson; 0 is its opening
+    std::string lesson_folder; ///< in which the lessons lie; empty: lessons_folder()
+    std::string notice;        ///< a sentence for the status line; may be empty
 };
 
 /// A session on a scene file, with the presets of lessons_folder(). Throws Error.

@@ -21,8 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view usual_scene = "scenes/lab-room.toml";
-
 /// The file in one folder, if it is there and the path does not lead out of the folder, not even by
 /// a link of the file system.
 std::optional<std::string> find_within(const fs::path& folder, const fs::path& relative) {
@@ -46,6 +44,14 @@ class Applier {
         attempt("scene", [&] { open_scene(folder); });
         if (session_.scene == nullptr) return std::move(faults_);
         set_all();
+        return apply();
+    }
+
+    std::vector<LessonFault> apply() {
+        attempt("vertices", [&] {
+            for (const PlacedTriangle& placed : situation_.vertices)
+                place_triangle(session_, placed);
+        });
         reset_view();
         const Frame frame = prepare_frame(*session_.scene, session_.settings);
         if (situation_.cursor) {
@@ -88,7 +94,10 @@ class Applier {
         session_.play.owed = 0.0f;
         session_.view = situation_.view.value_or(View::colour);
         session_.overlays = situation_.overlays.value_or(OverlaySet{});
-        session_.depth_range = std::nullopt;
+        session_.depth_range = situation_.depth_range;
+        session_.compare_view = situation_.compare_view.value_or(session_.compare_view);
+        session_.wipe = situation_.wipe.value_or(session_.wipe);
+        session_.canvas.grid = situation_.grid.value_or(session_.canvas.grid);
         session_.tab = situation_.tab.value_or("rows");
         session_.canvas.zoom = situation_.zoom.value_or(0.0f);
         const Viewport& size = session_.settings.viewport;
@@ -169,6 +178,11 @@ Situation combined(const Situation& base, const Situation& over) {
     take(result.zoom, over.zoom);
     take(result.centre, over.centre);
     take(result.compare, over.compare);
+    take(result.compare_view, over.compare_view);
+    take(result.wipe, over.wipe);
+    take(result.grid, over.grid);
+    take(result.depth_range, over.depth_range);
+    if (!over.vertices.empty()) result.vertices = over.vertices;
     if (!over.point_at.empty()) result.point_at = over.point_at;
     if (over.line != 0) result.line = over.line;
     for (const auto& [key, line] : over.lines)
@@ -179,6 +193,10 @@ Situation combined(const Situation& base, const Situation& over) {
 std::vector<LessonFault> apply_situation(Session& session, const Situation& situation,
                                          const std::string& folder) {
     return Applier(session, situation).apply(folder);
+}
+
+std::vector<LessonFault> apply_on_scene(Session& session, const Situation& situation) {
+    return Applier(session, situation).apply();
 }
 
 std::string find_lesson_file(const std::string& folder, std::string_view relative) {

@@ -11,6 +11,7 @@
 #include <glm/vec2.hpp>
 
 #include "pipeline/cursor.h"
+#include "session/bench.h"
 #include "session/session.h"
 
 namespace rasterwalk {
@@ -36,9 +37,14 @@ struct Situation {
     std::optional<float> zoom; ///< screen pixels a picture pixel; 0, and none: it fits
     std::optional<glm::vec2> centre;
     std::optional<std::vector<std::string>> compare; ///< run B: A, and these; none: no second run
-    std::string point_at;                            ///< widget that is outlined; empty: none
-    int line = 0;                                    ///< of the block that says so
-    std::map<std::string, int, std::less<>> lines;   ///< of each key
+    std::optional<CompareView> compare_view;         ///< of two runs; none: as it was
+    std::optional<float> wipe;                       ///< place of the divider; none: as it was
+    std::optional<bool> grid;                        ///< of pixels; none: as it was
+    std::optional<DepthRange> depth_range;           ///< of the depth view; none: all that is there
+    std::vector<PlacedTriangle> vertices; ///< of a bench scene, that lie elsewhere than in it
+    std::string point_at;                 ///< widget that is outlined; empty: none
+    int line = 0;                         ///< of the block that says so
+    std::map<std::string, int, std::less<>> lines; ///< of each key
 
     /// The line of a key, or of the block.
     int line_of(std::string_view key) const;
@@ -54,6 +60,10 @@ Situation combined(const Situation& base, const Situation& over);
 std::vector<LessonFault> apply_situation(Session& session, const Situation& situation,
                                          const std::string& folder);
 
+/// The same on the scene and the settings that the session has already, whatever the situation says
+/// of them.
+std::vector<LessonFault> apply_on_scene(Session& session, const Situation& situation);
+
 /// The file a lesson names by a relative path: within `folder`, or else within lessons_folder().
 /// Throws UsageError for a path that is absolute or leads out of the folder, or a file that is not
 /// there.
@@ -64,5 +74,9 @@ Settings settings_with(const Settings& settings, const std::vector<std::string>&
 
 inline constexpr float smallest_zoom = 0.25f; ///< screen pixels a picture pixel
 inline constexpr float largest_zoom = 64.0f;
+inline constexpr float farthest_centre = 1e6f; ///< picture pixels, either sign
+
+/// The scene of a situation that names none, in lessons_folder().
+inline constexpr std::string_view usual_scene = "scenes/lab-room.toml";
 
 } // namespace rasterwalk

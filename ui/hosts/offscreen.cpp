@@ -54,8 +54,8 @@ class Screen {
         : context_(options.width, options.height), width_(options.width), height_(options.height) {
         ui.session = std::move(session);
         ui.options = options.ui;
-        if (!options.tab.empty()) open_tab(ui, options.tab);
         open_ui(ui, textures_);
+        if (!options.tab.empty()) open_tab(ui, options.tab);
         open_gl2();
         ImGui::GetIO().DisplaySize = {static_cast<float>(width_), static_cast<float>(height_)};
     }
@@ -107,20 +107,11 @@ void carry_out(const Deed& deed, Hand& hand) {
     }
 }
 
-void set_view(Ui& ui, const OffscreenOptions& options) {
-    if (options.zoom <= 0.0f) return;
-    ui.session.canvas.zoom = options.zoom;
-    const Viewport& size = ui.session.settings.viewport;
-    ui.session.canvas.centre = options.centre.value_or(
-        glm::vec2(0.5f * static_cast<float>(size.width), 0.5f * static_cast<float>(size.height)));
-}
-
 } // namespace
 
 Image draw_offscreen(Session session, const OffscreenOptions& options) {
     Screen screen(std::move(session), options);
     Hand hand(screen.ui, [&] { screen.frame(); });
-    set_view(screen.ui, options);
     hand.frames(frames_to_rest);
     for (const Deed& deed : options.deeds)
         carry_out(deed, hand);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,9 +24,7 @@ struct OffscreenOptions {
     int width = 1600; ///< pixels
     int height = 1000;
     UiOptions ui;
-    std::string tab;                 ///< of the inspector; empty: the first
-    float zoom = 0.0f;               ///< screen pixels a picture pixel; 0: fit
-    std::optional<glm::vec2> centre; ///< picture pixel in the middle of the canvas when zoomed
+    std::string tab; ///< of the inspector, brought to the front; empty: as the session has it
     std::vector<Deed> deeds;
     std::string report_path; ///< file that takes report_of(); "-" for standard output; empty: none
 };

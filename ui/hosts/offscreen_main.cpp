@@ -1,5 +1,3 @@
-#include <array>
-#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -12,7 +10,6 @@
 #include "scene/error.h"
 #include "scene/image.h"
 #include "session/content.h"
-#include "session/nearest_name.h"
 #include "ui/hosts/offscreen.h"
 #include "ui/style.h"
 
@@ -23,15 +20,10 @@ namespace {
 /// The command line as it was written.
 struct Arguments {
     std::string output;
-    std::string file;
     ViewOptions view;
-    std::string plane = "colour";
     std::string window = "1600x1000";
     std::string theme = "dark";
     float text_scale = 1.0f;
-    float zoom = 0.0f;
-    std::string centre;
-    int triangle = -1;
     std::vector<std::string> clicks, hovers, picks, presses;
     OffscreenOptions options;
 };
@@ -43,9 +35,11 @@ DeedOptions describe(CLI::App& app, Arguments& a) {
     app.footer(
         "--click, --hover, --pick and --press are carried out in the order in which they "
         "stand.\nExit codes: 0 done, 2 wrong usage, 3 bad input, 4 could not read or write.");
-    app.add_option("FILE", a.file, "Scene to open (.toml)");
+    app.add_option("FILE", a.view.file,
+                   "Scene (.toml), lesson (.md) or saved view (.walk.toml) to open");
     app.add_option("-o,--output", a.output, "PNG file to write")->type_name("FILE")->required();
     add_view_options(app, a.view);
+    add_look_options(app, a.view);
     const auto text = [&](const char* names, std::string& value, const char* help,
                           const char* type) {
         app.add_option(names, value, help)->type_name(type)->group("Window");
@@ -54,13 +48,6 @@ DeedOptions describe(CLI::App& app, Arguments& a) {
     app.add_option("--text-scale", a.text_scale, "Size of the text; 1 is 16 pixels")
         ->group("Window");
     text("--theme", a.theme, "dark or light", "NAME");
-    text("--tab", a.options.tab, "Tab of the inspector that is open", "NAME");
-    text("--view", a.plane, "Plane that is shown: colour, depth, triangle or overdraw", "PLANE");
-    app.add_option("--zoom", a.zoom, "Screen pixels for each pixel of the picture")
-        ->group("Window");
-    text("--centre", a.centre, "Pixel in the middle of the zoomed picture", "X,Y");
-    app.add_option("--triangle", a.triangle, "Triangle that is selected, counted from 0")
-        ->group("Window");
     text("--report-widgets", a.options.report_path,
          "Write names and places of all widgets to this file; - for standard output", "FILE");
 
@@ -102,15 +89,6 @@ void read_window(const std::string& text, OffscreenOptions& options) {
     }
 }
 
-View find_plane(const std::string& name) {
-    constexpr std::array<std::string_view, 4> names{"colour", "depth", "triangle", "overdraw"};
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        if (names[i] == name) return static_cast<View>(i);
-    }
-    throw UsageError("--view is colour, depth, triangle or overdraw, not '" + name + "'." +
-                     did_you_mean(name, names));
-}
-
 void check_range(const char* name, float value, float smallest, float largest) {
     if (value >= smallest && value <= largest) return;
     char sentence[160];
@@ -130,35 +108,9 @@ Session understand(Arguments& a) {
         throw UsageError("--theme is dark or light, not '" + a.theme + "'.");
     }
     options.ui.theme = a.theme == "light" ? Theme::light : Theme::dark;
-    if (a.zoom != 0.0f) check_range("--zoom", a.zoom, 0.25f, 64.0f);
-    options.zoom = a.zoom;
-    if (!a.centre.empty()) {
-        float x = 0, y = 0;
-        char rest = 0;
-        const bool is_point = std::sscanf(a.centre.c_str(), " %f , %f %c", &x, &y, &rest) == 2;
-        if (!is_point || !std::isfinite(x) || !std::isfinite(y)) {
-            throw UsageError("--centre takes a pixel X,Y, not '" + a.centre + "'.");
-        }
-        options.centre = glm::vec2(x, y);
-    }
-    if (!a.file.empty()) {
-        if (!a.view.scene.empty()) {
-            throw UsageError("the scene is named twice: as FILE and by --scene.");
-        }
-        a.view.scene = a.file;
-    }
-    const View plane = find_plane(a.plane);
-    Session session = open_view(a.view);
-    session.view = plane;
-    if (a.triangle != -1) {
-        const int count = static_cast<int>(session.scene->triangles.size());
-        if (a.triangle < 0 || a.triangle >= count) {
-            throw UsageError("--triangle is a number from 0 to " + std::to_string(count - 1) +
-                             ", not " + std::to_string(a.triangle) + ".");
-        }
-        session.selection.triangle = a.triangle;
-    }
-    return session;
+    // A tab that is asked for by name is in front of the lesson, where that is a tab too.
+    options.tab = a.view.tab;
+    return open_view(a.view);
 }
 
 int run(int argc, const char* const* argv) {

@@ -288,7 +288,11 @@ void take_up(Ui& ui, bool opens_lesson) {
     keep_options(ui, folder.empty() ? "" : folder + "/window.toml");
     keep_progress(ui, folder.empty() ? "" : folder + "/progress.toml");
     const std::string notice = ui.session.notice;
-    if (opens_lesson) open_lesson_to_go_on(ui);
+    if (opens_lesson) {
+        open_lesson_to_go_on(ui);
+    } else {
+        take_up_lesson(ui); // once more, now that there is a progress to note it in
+    }
     if (!notice.empty()) ui.session.notice = notice;
 }
 

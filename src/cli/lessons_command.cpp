@@ -1,0 +1,87 @@
+#include <algorithm>
+#include <ostream>
+
+#include "cli/commands.h"
+#include "cli/json.h"
+#include "scene/error.h"
+#include "session/lesson_list.h"
+#include "session/progress.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// What is kept of the student's work; a file that cannot be read counts as none.
+Progress progress_so_far(std::ostream& err) {
+    const std::string folder = state_folder();
+    if (folder.empty()) return {};
+    try {
+        return read_progress(folder + "/progress.toml");
+    } catch (const Error& fault) {
+        err << "rasterwalk: what was done is not known: " << fault.what() << '\n';
+        return {};
+    }
+}
+
+/// So many of the lesson's tasks, or predictions, are done.
+template <class Question, class Done>
+int count_done(const std::vector<Question>& questions, const Done& done) {
+    return static_cast<int>(
+        std::count_if(questions.begin(), questions.end(),
+                      [&](const Question& question) { return done.count(question.id) > 0; }));
+}
+
+int steps_seen(const LessonProgress& progress, const Lesson& lesson) {
+    const int count = static_cast<int>(lesson.steps.size());
+    return static_cast<int>(std::count_if(progress.steps.begin(), progress.steps.end(),
+                                          [&](int step) { return step >= 0 && step < count; }));
+}
+
+} // namespace
+
+void lessons_command(const LessonsOptions& options, std::ostream& out, std::ostream& err) {
+    LessonList lessons;
+    const Progress progress = progress_so_far(err);
+    toml::array list;
+    for (const Lesson& lesson : lessons.all()) {
+        const LessonProgress& own = progress.of(lesson.id);
+        const LessonScore score = score_of(progress, lesson);
+        const int steps = static_cast<int>(lesson.steps.size());
+        const int tasks = static_cast<int>(lesson.tasks.size());
+        const int predictions = static_cast<int>(lesson.predictions.size());
+        const int seen = steps_seen(own, lesson);
+        const int solved = count_done(lesson.tasks, own.tasks);
+        const int answered = count_done(lesson.predictions, own.answers);
+        if (!options.json) {
+            const bool is_begun = seen > 0 || solved > 0 || answered > 0;
+            out << lesson.id << "  " << lesson.title << "\n    " << lesson.minutes << " minutes, "
+                << steps << " steps, " << tasks << " tasks, " << predictions
+                << " predictions\n    ";
+            if (score.is_done) {
+                out << "Done.\n";
+            } else if (is_begun) {
+                out << "So far " << seen << " of " << steps << " steps, " << solved << " of "
+                    << tasks << " tasks, " << answered << " of " << predictions
+                    << " predictions.\n";
+            } else {
+                out << "Not begun.\n";
+            }
+        }
+        list.push_back(toml::table{{"id", lesson.id},
+                                   {"title", lesson.title},
+                                   {"section", lesson.section},
+                                   {"about", lesson.about},
+                                   {"minutes", lesson.minutes},
+                                   {"steps", steps},
+                                   {"tasks", tasks},
+                                   {"predictions", predictions},
+                                   {"steps_seen", seen},
+                                   {"tasks_done", solved},
+                                   {"predictions_answered", answered},
+                                   {"last_step", score.last_step},
+                                   {"done", score.is_done}});
+    }
+    if (options.json) print_json(toml::table{{"lessons", std::move(list)}}, out);
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,84 @@
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "session/content.h"
+#include "session/progress.h"
+#include "tests/cli/run.h"
+#include "tests/support/temporary_folder.h"
+
+using namespace rasterwalk;
+using namespace rasterwalk::test;
+
+namespace {
+
+/// What is kept between runs lies in this folder while the test goes on.
+class OwnState {
+  public:
+    OwnState() {
+        if (const char* before = std::getenv("XDG_STATE_HOME")) before_ = before;
+        setenv("XDG_STATE_HOME", folder_.file("state").c_str(), 1);
+        std::filesystem::create_directories(folder_.file("state/rasterwalk"));
+    }
+    ~OwnState() {
+        if (before_.empty()) {
+            unsetenv("XDG_STATE_HOME");
+        } else {
+            setenv("XDG_STATE_HOME", before_.c_str(), 1);
+        }
+    }
+    OwnState(const OwnState&) = delete;
+    OwnState& operator=(const OwnState&) = delete;
+
+    std::string progress() const { return folder_.file("state/rasterwalk/progress.toml"); }
+
+  private:
+    TemporaryFolder folder_;
+    std::string before_;
+};
+
+} // namespace
+
+TEST_CASE("'rasterwalk lessons' lists the lessons and what is done of them") {
+    const OwnState state;
+    const CliRun fresh = run({"lessons"});
+    CHECK(fresh.exit_code == 0);
+    CHECK(fresh.err.empty());
+    CHECK(fresh.out.find("05-row-table  ") != std::string::npos);
+    CHECK(fresh.out.find("Done.") == std::string::npos);
+
+    Progress progress;
+    const Lesson edges = read_lesson(lessons_folder() + "/04-edges.md");
+    for (int step = 0; step < static_cast<int>(edges.steps.size()); ++step)
+        progress.note_step(edges.id, step);
+    for (const LessonTask& task : edges.tasks)
+        progress.note_task(edges.id, task.id);
+    for (const LessonPrediction& prediction : edges.predictions)
+        progress.note_answer(edges.id, prediction.id, {"1", false});
+    progress.note_step("05-row-table", 2);
+    progress.note_step("99-gone", 1);
+    write_progress(progress, state.progress());
+    const CliRun later = run({"lessons"});
+    CHECK(later.err.empty());
+    CHECK(later.out.find("04-edges  " + edges.title) == later.out.find("04-edges"));
+    CHECK(later.out.find("    Done.\n") != std::string::npos);
+    CHECK(later.out.find("So far 1 of 9 steps, 0 of ") != std::string::npos);
+    CHECK(later.out.find("99-gone") == std::string::npos);
+
+    const CliRun json = run({"lessons", "--json"});
+    CHECK(json.exit_code == 0);
+    CHECK(json.out.find("\"id\" : \"04-edges\"") != std::string::npos);
+    CHECK(json.out.find("\"done\" : true") != std::string::npos);
+}
+
+TEST_CASE("'rasterwalk lessons' warns about progress that cannot be read, and goes on") {
+    const OwnState state;
+    std::ofstream(state.progress()) << "lessons = 5\n";
+    const CliRun result = run({"lessons"});
+    CHECK(result.exit_code == 0);
+    CHECK(result.err == "rasterwalk: what was done is not known: " + state.progress() +
+                            ":1: the lessons must be a table.\n");
+    CHECK(result.out.find("01-pinhole-camera") != std::string::npos);
+}
