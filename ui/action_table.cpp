@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "scene/error.h"
-#include "scene/read_scene.h"
 #include "session/setting_table.h"
 #include "session/walk.h"
 #include "ui/canvas.h"
@@ -29,13 +28,6 @@ void set_view(Ui& ui) {
 template <View view>
 bool shows_view(const Ui& ui) {
     return ui.session.view == view;
-}
-
-/// True while a quiz hides the settings; says so.
-bool is_hidden(Ui& ui) {
-    if (!hides_settings(ui.session)) return false;
-    ui.session.notice = "The settings are hidden until the quiz is over.";
-    return true;
 }
 
 template <CompareView view>
@@ -259,7 +251,7 @@ const Action table[] = {
      "Interpolates q/z and divides by 1/z; off, q itself is interpolated and the light skews.",
      {'P'},
      [](Ui& ui) {
-         if (is_hidden(ui)) return;
+         if (refuses_settings(ui.session)) return;
          Interpolation& i = ui.session.settings.interpolation;
          i = i == Interpolation::perspective ? Interpolation::affine : Interpolation::perspective;
      },
@@ -270,7 +262,7 @@ const Action table[] = {
      "Draws a fragment only if it is nearer; off, the last one drawn wins.",
      {'Z'},
      [](Ui& ui) {
-         if (is_hidden(ui)) return;
+         if (refuses_settings(ui.session)) return;
          DepthTest& d = ui.session.settings.depth_test;
          d = d == DepthTest::off ? DepthTest::inverse_z : DepthTest::off;
      },
@@ -324,7 +316,9 @@ const Action table[] = {
      "Swap A and B",
      "Run A becomes B, and B becomes A.",
      {},
-     [](Ui& ui) { swap_runs(ui.session); },
+     [](Ui& ui) {
+         if (!refuses_settings(ui.session)) swap_runs(ui.session);
+     },
      nullptr},
     {"compare.next",
      "Compare",

@@ -5,7 +5,7 @@
 #include <imgui.h>
 
 #include "scene/error.h"
-#include "scene/read_scene.h"
+#include "session/scene_file.h"
 #include "ui/held_keys.h"
 #include "ui/keys.h"
 
@@ -83,8 +83,7 @@ void handle_keys(Ui& ui) {
 
 void open_scene(Ui& ui, const std::string& path) {
     try {
-        set_scene(ui.session, read_scene(path));
-        ui.session.canvas.zoom = 0.0f;
+        set_scene(ui.session, read_scene_file(path));
         ui.session.notice.clear();
     } catch (const Error& fault) {
         ui.session.notice = fault.what();

@@ -35,18 +35,6 @@ bool names(std::span<const std::string_view> assignments, std::string_view setti
     });
 }
 
-/// Takes back what the pair has set in run A, where it still stands.
-void restore_first_run(Ui& ui) {
-    if (!ui.compare.before_pair) return;
-    const Settings& before = *ui.compare.before_pair;
-    Settings& now = ui.session.settings;
-    for (const RunDifference& difference : run_differences(ui.compare.after_pair, before)) {
-        const Setting* const setting = find_setting(difference.setting);
-        if (value_text(*setting, now) == difference.a) set_value(now, *setting, difference.b);
-    }
-    ui.compare.before_pair = std::nullopt;
-}
-
 const ComparePair& pair_for(Stage stage) {
     const std::span<const ComparePair> pairs = compare_pairs();
     const auto found = std::find_if(pairs.begin(), pairs.end(), [&](const ComparePair& pair) {
@@ -67,7 +55,8 @@ std::optional<glm::ivec2> pixel_of(const Frame& frame, const Cursor& cursor) {
 } // namespace
 
 const ComparePair* pair_on_show(const Session& session) {
-    if (!session.other) return nullptr;
+    // While a quiz goes on it would give the mistake away.
+    if (!session.other || hides_settings(session)) return nullptr;
     const std::vector<RunDifference> differences = run_differences(session);
     for (const ComparePair& pair : compare_pairs()) {
         const bool is_all =
@@ -81,26 +70,14 @@ const ComparePair* pair_on_show(const Session& session) {
     return nullptr;
 }
 
-void begin_pair(Ui& ui, const ComparePair& pair) {
-    if (ui.session.other) end_compare(ui);
-    ui.compare.before_pair = ui.session.settings;
-    start_pair(ui.session, pair);
-    ui.compare.after_pair = ui.session.settings;
-}
-
 void toggle_compare(Ui& ui) {
     if (ui.session.other) {
-        end_compare(ui);
+        end_comparison(ui.session);
     } else if (ui.session.quiz) {
         compare_with(ui.session, quiz_reference(ui.session));
     } else {
-        begin_pair(ui, pair_for(ui.session.settings.stage));
+        start_pair(ui.session, pair_for(ui.session.settings.stage));
     }
-}
-
-void end_compare(Ui& ui) {
-    stop_comparing(ui.session);
-    restore_first_run(ui);
 }
 
 void stand_at(Ui& ui, const Cursor& cursor) {

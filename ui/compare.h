@@ -9,17 +9,12 @@ namespace rasterwalk {
 
 // What the student does with two runs: begin, end, and walk from one difference to the next.
 
-/// The pair of which both runs have what it says, and differ in nothing else; null: none.
+/// The pair of which both runs have what it says, and differ in nothing else; null: none, or a quiz
+/// hides it.
 const ComparePair* pair_on_show(const Session& session);
-
-/// Compares the pair; what another pair has set in run A is taken back before.
-void begin_pair(Ui& ui, const ComparePair& pair);
 
 /// Begins to compare the pair that suits the stage, or ends the comparison.
 void toggle_compare(Ui& ui);
-
-/// Ends the comparison; what its pair has set in run A is taken back.
-void end_compare(Ui& ui);
 
 /// Stands at a moment at which the runs differ, and selects what differs there.
 void stand_at(Ui& ui, const Cursor& cursor);

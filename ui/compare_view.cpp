@@ -237,7 +237,7 @@ void draw_compare_bar(Ui& ui) {
     }
     ImGui::SameLine();
     if (button(ui, "compare.end", "×", Look::quiet, "Ends the comparison.\nKey: C"))
-        end_compare(ui);
+        end_comparison(ui.session);
     ImGui::PopFont();
 }
 

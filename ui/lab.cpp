@@ -1,7 +1,6 @@
 #include "ui/lab.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "scene/error.h"
 #include "scene/image.h"
@@ -28,47 +27,21 @@ const std::vector<Bug>& lab_bugs(Ui& ui) {
 }
 
 void turn_on(Ui& ui, const Bug& bug, bool on_its_scene) {
-    turn_off(ui);
-    LabLook& lab = ui.lab;
-    const std::shared_ptr<const Scene> scene = ui.session.scene;
-    const Settings settings = ui.session.settings;
+    if (refuses_settings(ui.session)) return;
     try {
         if (on_its_scene) {
             open_bug(bug, ui.session);
-            ui.session.canvas.zoom = 0.0f;
         } else {
             apply_bug(bug, ui.session);
         }
+        ui.session.notice.clear();
+        ui.lab.chosen = bug.id;
     } catch (const Error& fault) {
         ui.session.notice = fault.what();
-        return;
     }
-    ui.compare.before_pair = std::nullopt;
-    ui.session.notice.clear();
-    lab.on = bug.id;
-    lab.chosen = bug.id;
-    lab.scene_before = scene;
-    lab.settings_before = settings;
-}
-
-void turn_off(Ui& ui) {
-    LabLook& lab = ui.lab;
-    if (lab.on.empty()) return;
-    lab.on.clear();
-    const std::shared_ptr<const Scene> scene = std::exchange(lab.scene_before, nullptr);
-    if (!ui.session.other || scene == nullptr) return;
-    stop_comparing(ui.session);
-    if (ui.session.scene != scene) {
-        ui.session.scene = scene;
-        ui.session.cursor = cursor_end;
-        ui.session.selection = {};
-        ui.session.canvas.zoom = 0.0f;
-    }
-    ui.session.settings = lab.settings_before;
 }
 
 void begin_quiz(Ui& ui) {
-    turn_off(ui);
     LabLook& lab = ui.lab;
     // Any number will do: it only must not be the same each time.
     if (lab.seed == 0) lab.seed = 1000 + ImGui::GetFrameCount() * 37 % 9000;
@@ -132,10 +105,6 @@ void open_dropped(Ui& ui, const std::string& path) {
     } else {
         open_scene(ui, path);
     }
-}
-
-bool is_on(const Ui& ui, std::string_view id) {
-    return ui.session.other.has_value() && ui.lab.on == id;
 }
 
 } // namespace rasterwalk

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "ui/ui.h"
 
@@ -12,12 +11,9 @@ namespace rasterwalk {
 const std::vector<Bug>& lab_bugs(Ui& ui);
 
 /// Makes the mistake in run A and compares it with the correct run; the mistake that was on before
-/// is turned off.
+/// is turned off. Refused while a quiz goes on.
 /// @param on_its_scene loads the scene that shows it best
 void turn_on(Ui& ui, const Bug& bug, bool on_its_scene);
-
-/// Back to what was set before.
-void turn_off(Ui& ui);
 
 /// Begins a quiz by LabLook::seed on the scene that is open; says so if the scene shows no mistake.
 void begin_quiz(Ui& ui);
@@ -31,8 +27,5 @@ void diagnose_file(Ui& ui, const std::string& path);
 
 /// A file that was dropped on the window: a result to be diagnosed, or else a scene.
 void open_dropped(Ui& ui, const std::string& path);
-
-/// True while run A makes this mistake and is compared with the correct run.
-bool is_on(const Ui& ui, std::string_view id);
 
 } // namespace rasterwalk

@@ -4,7 +4,6 @@
 
 #include "scene/error.h"
 #include "session/lesson_link.h"
-#include "ui/lab.h"
 #include "ui/lesson_state.h"
 #include "ui/panels/panels.h"
 
@@ -42,6 +41,12 @@ std::string tab_of(std::string_view widget) {
     return {};
 }
 
+/// What a quiz hides must not be set from outside.
+bool changes_settings(LessonLink::Kind kind) {
+    using Kind = LessonLink::Kind;
+    return kind == Kind::set || kind == Kind::preset || kind == Kind::bug || kind == Kind::compare;
+}
+
 } // namespace
 
 void point_at_widget(Ui& ui, const std::string& widget, bool is_held) {
@@ -59,11 +64,7 @@ void follow_link(Ui& ui, const std::string& target) {
     try {
         const LessonLink link = parse_lesson_link(target);
         ui.session.notice.clear();
-        if (link.kind == LessonLink::Kind::bug) {
-            // The laboratory knows how to turn it off again.
-            turn_on(ui, find_bug(lab_bugs(ui), link.argument), false);
-            return;
-        }
+        if (changes_settings(link.kind) && refuses_settings(ui.session)) return;
         follow_lesson_link(ui.session, ui.results.frame, link);
         switch (link.kind) {
         case LessonLink::Kind::show: {
@@ -94,15 +95,11 @@ void follow_link(Ui& ui, const std::string& target) {
 
 void answer_links(Ui& ui, const MarkdownDocument& document, const MarkdownEvents& events) {
     if (events.hovered >= 0) {
-        try {
-            const LessonLink link =
-                parse_lesson_link(document.links[static_cast<std::size_t>(events.hovered)]);
-            if (link.kind == LessonLink::Kind::show) {
-                point_at_widget(ui, link.argument, false);
-                ui.lesson.is_hovered = true;
-            }
-        } catch (const Error&) {
-            // Said when the link is followed.
+        constexpr std::string_view show = "show:";
+        const std::string& target = document.links[static_cast<std::size_t>(events.hovered)];
+        if (target.starts_with(show)) {
+            point_at_widget(ui, target.substr(show.size()), false);
+            ui.lesson.is_hovered = true;
         }
     }
     // The copy outlives the page, which a link to another lesson replaces.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -104,8 +105,6 @@ struct CompareLook {
     std::optional<PicturePlace> place_of_b; ///< of its picture, while both stand side by side
     float blink_seconds = 0.0f;             ///< since the blinking began; A comes first
     bool blink_is_held = false;
-    std::optional<Settings> before_pair; ///< run A before a pair was begun; none: no pair
-    Settings after_pair;                 ///< run A just after
 };
 
 struct MarkdownPage; // ui/markdown.h
@@ -123,13 +122,9 @@ struct LabLook {
     std::string fault;     ///< why they could not be read
     bool is_read = false;
     std::string chosen; ///< id of the bug that is described
-    std::string on;     ///< id of the bug that was turned on last; empty: none
     /// For which bug, and down to which screen line, the list was scrolled last.
     std::string in_sight;
     float bottom = 0.0f;
-    /// What was set before, for turning it off; the scene is null when nothing is on.
-    std::shared_ptr<const Scene> scene_before;
-    Settings settings_before;
     std::shared_ptr<MarkdownPage> page;
     LabMode mode = LabMode::bugs;
     int seed = 0;             ///< of the next quiz; 0: the program takes one
@@ -213,8 +208,9 @@ struct Ui {
     bool follow_cursor = false;  ///< the cursor moved: tables scroll to what was just written
     int dragged_vertex = -1;     ///< of the bench triangle; -1: none
     bool shows_glossary = false; ///< the glossary is open
-    std::string glossary_search; ///< what the glossary is filtered by
-    bool shows_keys = false;     ///< the sheet of keys is open
+    std::vector<std::filesystem::path> scene_files; ///< of the Scene menu, read when it opens
+    std::string glossary_search;                    ///< what the glossary is filtered by
+    bool shows_keys = false;                        ///< the sheet of keys is open
     bool style_is_stale = true; ///< theme or text size changed: style and fonts are to be made anew
     bool fonts_changed = false; ///< the host makes the font texture anew and sets this back
     bool wants_quit = false;

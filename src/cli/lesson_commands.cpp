@@ -7,12 +7,12 @@
 
 #include "cli/json.h"
 #include "scene/error.h"
-#include "scene/read_scene.h"
 #include "session/bug.h"
 #include "session/content.h"
 #include "session/facts.h"
 #include "session/lesson.h"
 #include "session/lesson_check.h"
+#include "session/scene_file.h"
 #include "session/setting_table.h"
 
 namespace rasterwalk {
@@ -77,7 +77,7 @@ int check_file(const std::string& path, const Session& session, std::ostream& ou
     if (name == "presets.toml") return read([&] { read_presets(path); });
     if (name == "glossary.toml") return read([&] { read_glossary(path); });
     if (name == "bugs.toml") return read([&] { read_bugs(path); });
-    if (name.ends_with(".toml")) return read([&] { read_scene(path); });
+    if (name.ends_with(".toml")) return read([&] { read_scene_file(path); });
     const Lesson lesson = read_lesson(path);
     const std::vector<LessonFault> faults = check_lesson(lesson, session);
     for (const LessonFault& fault : faults)

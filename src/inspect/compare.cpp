@@ -114,13 +114,16 @@ PixelDifference pixel_difference(const Framebuffer& a, const Framebuffer& b) {
 std::vector<float> signed_difference(const Framebuffer& a, const Framebuffer& b, View view) {
     std::vector<float> values(a.colour.size());
     const Colours colours{a, b};
+    const auto width = static_cast<std::size_t>(std::max(a.size.width, 1));
     for (std::size_t i = 0; i < values.size(); ++i) {
+        const int column = a.origin.x + static_cast<int>(i % width);
+        const int row = a.origin.y + static_cast<int>(i / width);
         switch (view) {
         case View::colour:
             values[i] = colour_difference(colours.of_a(i), colours.of_b(i));
             break;
         case View::depth:
-            values[i] = finite(b.depth[i]) - finite(a.depth[i]);
+            values[i] = finite(stored_depth(b, column, row)) - finite(stored_depth(a, column, row));
             break;
         case View::triangle:
             values[i] = a.owner[i] == b.owner[i] ? 0.0f : 1.0f;

@@ -14,12 +14,16 @@ struct Vertex {
     glm::vec3 position{0.0f}; ///< world units; in a scene in pixel space: column, row, depth z > 0
     glm::vec3 normal{0.0f};   ///< unit length, world space
     glm::vec3 reflectance{1.0f}; ///< share of light given back, red green blue, 0..1
+
+    friend bool operator==(const Vertex&, const Vertex&) = default;
 };
 
 /// Three vertices; the order of the list of triangles is the order of drawing.
 struct Triangle {
     std::array<Vertex, 3> vertices;
     int part = 0; ///< index into Scene::parts
+
+    friend bool operator==(const Triangle&, const Triangle&) = default;
 };
 
 /// A named group of triangles ("tall block").
@@ -27,6 +31,8 @@ struct Part {
     std::string name;
     int first_triangle = 0;
     int triangle_count = 0;
+
+    friend bool operator==(const Part&, const Part&) = default;
 };
 
 /// A pinhole camera; P_camera = (P_world - position) * R, row vectors (lab section "Moving the
@@ -68,6 +74,8 @@ struct BenchExample {
     std::string name;
     std::string about; ///< one sentence: what there is to see
     std::array<glm::vec3, 3> positions;
+
+    friend bool operator==(const BenchExample&, const BenchExample&) = default;
 };
 
 /// What is drawn, and the view with which it opens.
@@ -82,6 +90,8 @@ struct Scene {
     Light light;
     Viewport viewport;
     std::string stage; ///< name of the stage the scene asks for; empty: no wish
+
+    friend bool operator==(const Scene&, const Scene&) = default;
 };
 
 /// normalize(cross(v2 - v0, v1 - v0)): out of the blocks and into the room; zero for a triangle

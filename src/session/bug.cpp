@@ -1,15 +1,16 @@
 #include "session/bug.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 
 #include "scene/error.h"
-#include "scene/read_scene.h"
 #include "scene/read_text.h"
 #include "scene/toml_input.h"
 #include "session/content.h"
 #include "session/nearest_name.h"
+#include "session/quoted.h"
+#include "session/scene_file.h"
+#include "session/second_run.h"
 #include "session/setting_table.h"
 
 namespace rasterwalk {
@@ -32,9 +33,9 @@ Assignments read_assignments(const TomlInput& input, std::string_view key) {
             input.fail(node, error.what());
         }
         const std::size_t place = assignment.find('=');
-        std::string name = assignment.substr(0, place);
-        name.erase(std::remove(name.begin(), name.end(), ' '), name.end());
-        values.emplace_back(std::move(name), assignment.substr(place + 1));
+        // By its name in the table, whatever blanks stand around it.
+        const std::string_view name = trimmed(std::string_view(assignment).substr(0, place));
+        values.emplace_back(find_setting(name)->name, assignment.substr(place + 1));
     }
     return values;
 }
@@ -158,17 +159,27 @@ Settings with_handout_rules(const Settings& settings) {
 }
 
 void apply_bug(const Bug& bug, Session& session) {
-    const Settings base = with_handout_rules(session.settings);
+    end_comparison(session);
+    const Settings before = session.settings;
+    const Settings base = with_handout_rules(before);
     session.settings = wrong_run(bug, base);
     compare_with(session, correct_run(bug, base));
+    session.taken = TakenRun{before, session.settings, nullptr, bug.id};
 }
 
 void open_bug(const Bug& bug, Session& session) {
-    std::array<std::string_view, stage_count> stages;
-    for (std::size_t i = 0; i < stages.size(); ++i)
-        stages[i] = stage_list()[i].name;
-    set_scene(session, read_scene(lessons_folder() + "/" + bug.scene, stages));
+    Scene scene = read_scene_file(lessons_folder() + "/" + bug.scene);
+    end_comparison(session);
+    const Settings before = session.settings;
+    const std::shared_ptr<const Scene> before_scene = session.scene;
+    set_scene(session, std::move(scene));
     apply_bug(bug, session);
+    session.taken->before = before;
+    if (session.scene != before_scene) session.taken->before_scene = before_scene;
+}
+
+bool is_on(const Session& session, std::string_view bug) {
+    return session.other.has_value() && session.taken && session.taken->bug == bug;
 }
 
 } // namespace rasterwalk

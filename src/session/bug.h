@@ -50,10 +50,14 @@ Settings wrong_run(const Bug& bug, const Settings& base);
 Settings with_handout_rules(const Settings& settings);
 
 /// Makes run A the one with the mistake and run B the correct one. Both have the lab's rules but
-/// for what the bug says; scene, camera, light and picture stay. The cursor does too.
+/// for what the bug says; scene, camera, light and picture stay. The cursor does too. A comparison
+/// that is going on is ended first; end_comparison() turns the mistake off again.
 void apply_bug(const Bug& bug, Session& session);
 
 /// The same on the bug's own scene, which it loads. Throws Error.
 void open_bug(const Bug& bug, Session& session);
+
+/// Is this mistake, by its id, compared with the correct run?
+bool is_on(const Session& session, std::string_view bug);
 
 } // namespace rasterwalk

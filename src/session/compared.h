@@ -32,7 +32,7 @@ struct Compared {
     Image difference;                    ///< B minus A in the view shown, at the cursor
     std::uint64_t difference_number = 0; ///< grows whenever `difference` changes
     float difference_limit = 1.0f;       ///< its scale goes from minus this to plus this, in linear
-                                   ///< colour, 1/z or fragments; see difference_colour()
+                                         ///< colour, 1/z or fragments; see difference_colour()
     std::vector<float> difference_values; ///< B minus A of each pixel: the number under the pointer
     PixelDifference pixels;               ///< at the cursor
     Comparison whole;                     ///< of the whole frame

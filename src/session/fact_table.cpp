@@ -175,12 +175,12 @@ void add_pixel_facts(std::vector<Fact>& table) {
                          const PixelEntry* const winner = f.winner();
                          return number(winner != nullptr ? winner->cursor.triangle : -1);
                      }});
-    table.push_back({"pixel.zinv", "1/z of what the picked pixel shows in the end.", real(0),
+    table.push_back({"pixel.zinv", "1/z of what the picked pixel shows in the end.", real(),
                      [](const Facts& f, int) {
                          const PixelEntry* const winner = f.winner();
                          return winner != nullptr ? number(winner->zinv) : Value();
                      }});
-    table.push_back({"pixel.z", "z of what the picked pixel shows in the end.", real(0),
+    table.push_back({"pixel.z", "z of what the picked pixel shows in the end.", real(),
                      [](const Facts& f, int) {
                          const PixelEntry* const winner = f.winner();
                          return winner != nullptr && winner->zinv > 0.0f
@@ -298,7 +298,7 @@ void add_vertex_facts(std::vector<Fact>& table) {
                          const ShadedVertex* const vertex = WithPixel{}(f);
                          return vertex != nullptr ? number(vertex->pixel.row) : Value();
                      }});
-    table.push_back({"vertex.zinv", "Its 1/z.", real(0), [](const Facts& f, int) {
+    table.push_back({"vertex.zinv", "Its 1/z.", real(), [](const Facts& f, int) {
                          const ShadedVertex* const vertex = WithPixel{}(f);
                          return vertex != nullptr ? number(vertex->pixel.zinv) : Value();
                      }});

@@ -11,7 +11,6 @@
 #include "pipeline/frame.h"
 #include "pipeline/timeline.h"
 #include "scene/error.h"
-#include "scene/read_scene.h"
 #include "scene/read_text.h"
 #include "session/bug.h"
 #include "session/content.h"
@@ -22,6 +21,7 @@
 #include "session/nearest_name.h"
 #include "session/number_text.h"
 #include "session/quoted.h"
+#include "session/scene_file.h"
 #include "session/second_run.h"
 #include "session/setting_table.h"
 #include "session/situation.h"
@@ -130,10 +130,7 @@ Start start_of_saved_view(const std::string& path) {
 /// Puts the scene that the options name into the place of the lesson's: its rules stay, its places
 /// mean nothing there.
 void replace_scene(Start& start, const std::string& name) {
-    std::array<std::string_view, stage_count> stages;
-    for (std::size_t i = 0; i < stages.size(); ++i)
-        stages[i] = stage_list()[i].name;
-    set_scene(start.session, read_scene(find_scene_file(name), stages));
+    set_scene(start.session, read_scene_file(find_scene_file(name)));
     Situation& s = start.situation;
     s.cursor = std::nullopt;
     s.pixel = std::nullopt;
@@ -174,11 +171,15 @@ void set_as_options_say(const ViewOptions& options, const std::optional<Bug>& bu
     Settings& settings = session.settings;
     if (!options.size.empty()) set_size(settings, session.scene->space, options.size);
     if (bug) apply_bug(*bug, session);
-    for (const std::string& name : options.presets)
-        apply_preset(find_preset(session.presets, name), settings);
-    if (!options.stage.empty()) set_value(settings, *find_setting("stage"), options.stage);
-    for (const std::string& assignment : options.assignments)
-        set_from_text(settings, assignment);
+    // Both runs of a mistake: or else what is set would count as a part of it.
+    for (Settings* const run : {&settings, bug ? &*session.other : nullptr}) {
+        if (run == nullptr) continue;
+        for (const std::string& name : options.presets)
+            apply_preset(find_preset(session.presets, name), *run);
+        if (!options.stage.empty()) set_value(*run, *find_setting("stage"), options.stage);
+        for (const std::string& assignment : options.assignments)
+            set_from_text(*run, assignment);
+    }
 }
 
 /// Where the start's cursor, pixel and row do not exist with other settings, they give way.

@@ -111,6 +111,11 @@ RowsDistance rows_distance(const std::vector<PrintedRow>& a, const std::vector<P
 }
 
 std::vector<PrintedRow> parse_printed_rows(std::string_view text, const std::string& path) {
+    constexpr std::string_view mark = "\xEF\xBB\xBF"; // with which some editors begin UTF-8
+    if (text.starts_with(mark)) text.remove_prefix(mark.size());
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
+        throw InputError(path, 1, "the text is UTF-16; save it as UTF-8.");
+    }
     std::vector<PrintedRow> rows;
     int number = 0;
     while (!text.empty()) {

@@ -6,6 +6,7 @@
 #include "pipeline/draw.h"
 #include "session/bug.h"
 #include "session/bug_rule.h"
+#include "session/image_variant.h"
 #include "session/session.h"
 
 namespace rasterwalk {
@@ -14,6 +15,9 @@ namespace {
 
 /// Power with which the lamp shows beside the indirect light.
 constexpr float visible_power = 14.0f;
+
+/// The larger side of the picture in which it is tried which mistakes show, pixels.
+constexpr int largest_tried = 500;
 
 /// Random numbers that are the same everywhere (splitmix64).
 class Dice {
@@ -33,8 +37,8 @@ class Dice {
     std::uint64_t state_;
 };
 
-Image picture_of(const Scene& scene, const Settings& settings) {
-    return view_image(draw_frame(prepare_frame(scene, settings)), View::colour);
+std::uint64_t print_of(const Scene& scene, const Settings& settings) {
+    return fingerprint(view_image(draw_frame(prepare_frame(scene, settings)), View::colour));
 }
 
 /// The settings that a quiz begins with, before any mistake is made.
@@ -45,28 +49,43 @@ Settings quiz_settings(const Session& session) {
     return settings;
 }
 
+/// The same, with a picture small enough to be drawn once for each mistake while the student waits.
+Settings settings_to_try(const Session& session) {
+    Settings settings = quiz_settings(session);
+    Viewport& size = settings.viewport;
+    const int larger = std::max(size.width, size.height);
+    if (larger <= largest_tried || session.scene->space == SceneSpace::pixels) return settings;
+    const float share = static_cast<float>(largest_tried) / static_cast<float>(larger);
+    const auto shrunk = [&](int side) {
+        return std::max(static_cast<int>(share * static_cast<float>(side)), 1);
+    };
+    size = {shrunk(size.width), shrunk(size.height)};
+    settings.camera.focal_length *= share;
+    return settings;
+}
+
 Settings with_bug(Settings settings, const Bug& bug) {
     apply_bug_rule(bug, settings);
     return settings;
 }
 
-/// The mistakes that show, each with its picture.
+/// The mistakes that show, each with the fingerprint of its picture.
 struct Shown {
     std::vector<const Bug*> bugs;
-    std::vector<Image> pictures;
+    std::vector<std::uint64_t> prints;
 };
 
 Shown bugs_that_show(const Session& session, const std::vector<Bug>& bugs) {
     Shown shown;
-    const Settings right = quiz_settings(session);
-    const Image reference = picture_of(*session.scene, right);
+    const Settings right = settings_to_try(session);
+    const std::uint64_t reference = print_of(*session.scene, right);
     for (const Bug& bug : bugs) {
         const Settings wrong = with_bug(right, bug);
         if (wrong == right) continue;
-        Image picture = picture_of(*session.scene, wrong);
-        if (picture == reference) continue;
+        const std::uint64_t print = print_of(*session.scene, wrong);
+        if (print == reference) continue;
         shown.bugs.push_back(&bug);
-        shown.pictures.push_back(std::move(picture));
+        shown.prints.push_back(print);
     }
     return shown;
 }
@@ -75,7 +94,7 @@ std::string first_stage(const Scene& scene, const Settings& right, const Bug& bu
     for (const StageInfo& info : stage_list()) {
         Settings settings = right;
         settings.stage = info.stage;
-        if (!(picture_of(scene, settings) == picture_of(scene, with_bug(settings, bug)))) {
+        if (print_of(scene, settings) != print_of(scene, with_bug(settings, bug))) {
             return std::string(info.name);
         }
     }
@@ -86,26 +105,27 @@ QuizQuestion question_about(const Session& session, const Shown& shown, std::siz
     QuizQuestion question;
     question.bugs.push_back(shown.bugs[chosen]->id);
     for (std::size_t i = 0; i < shown.bugs.size(); ++i) {
-        if (i != chosen && shown.pictures[i] == shown.pictures[chosen]) {
+        if (i != chosen && shown.prints[i] == shown.prints[chosen]) {
             question.bugs.push_back(shown.bugs[i]->id);
         }
     }
-    question.first_stage = first_stage(*session.scene, quiz_settings(session), *shown.bugs[chosen]);
+    question.first_stage =
+        first_stage(*session.scene, settings_to_try(session), *shown.bugs[chosen]);
     return question;
 }
 
 /// Can the two be made together so that each still shows?
 bool can_meet(const Session& session, const Shown& shown, std::size_t a, std::size_t b) {
-    if (a == b || shown.pictures[a] == shown.pictures[b]) return false;
+    if (a == b || shown.prints[a] == shown.prints[b]) return false;
     for (const auto& [name, value] : shown.bugs[a]->set) {
         for (const auto& [other, ignored] : shown.bugs[b]->set) {
             if (name == other && name != "stage") return false;
         }
     }
     const Settings both =
-        with_bug(with_bug(quiz_settings(session), *shown.bugs[a]), *shown.bugs[b]);
-    const Image picture = picture_of(*session.scene, both);
-    return !(picture == shown.pictures[a]) && !(picture == shown.pictures[b]);
+        with_bug(with_bug(settings_to_try(session), *shown.bugs[a]), *shown.bugs[b]);
+    const std::uint64_t print = print_of(*session.scene, both);
+    return print != shown.prints[a] && print != shown.prints[b];
 }
 
 /// One or two mistakes, by number; two only if two can be made together.
@@ -127,15 +147,9 @@ const Bug* bug_of(const std::vector<Bug>& bugs, std::string_view id) {
 
 } // namespace
 
-std::vector<Bug> quiz_bugs(const Session& session, const std::vector<Bug>& bugs) {
-    std::vector<Bug> list;
-    for (const Bug* bug : bugs_that_show(session, bugs).bugs)
-        list.push_back(*bug);
-    return list;
-}
-
 bool start_quiz(Session& session, const std::vector<Bug>& bugs, std::uint32_t seed, int count) {
-    if (session.quiz) end_quiz(session);
+    end_quiz(session);
+    end_comparison(session);
     const Shown shown = bugs_that_show(session, bugs);
     if (shown.bugs.empty()) return false;
     Dice dice(seed);
@@ -149,7 +163,6 @@ bool start_quiz(Session& session, const std::vector<Bug>& bugs, std::uint32_t se
         apply_bug_rule(*shown.bugs[i], settings);
     }
     session.settings = settings;
-    stop_comparing(session);
     session.quiz = std::move(quiz);
     session.undo = {};
     return true;
@@ -243,6 +256,12 @@ int score(const Quiz& quiz) {
 
 bool hides_settings(const Session& session) {
     return session.quiz && !is_over(*session.quiz);
+}
+
+bool refuses_settings(Session& session) {
+    if (!hides_settings(session)) return false;
+    session.notice = "The settings are hidden until the quiz is over.";
+    return true;
 }
 
 } // namespace rasterwalk

@@ -44,17 +44,13 @@ struct Quiz {
     friend bool operator==(const Quiz&, const Quiz&) = default;
 };
 
-/// The mistakes that change the picture of the session's scene, seen by its camera: what a quiz may
-/// ask for. Draws the picture twice for each bug.
-std::vector<Bug> quiz_bugs(const Session& session, const std::vector<Bug>& bugs);
-
 /// Begins a quiz on the session's scene, from its camera, at stage pixel_light with a lamp that can
-/// be seen: makes `count` (1 or 2) mistakes of quiz_bugs(). Ends a comparison and forgets what
-/// could be undone, which would give it away. Returns false, and changes nothing, if the scene
-/// shows none.
+/// be seen: makes `count` (1 or 2) of the mistakes that change the picture of this scene. Ends a
+/// quiz and a comparison that are going on, and forgets what could be undone, which would give it
+/// away. Returns false if the scene shows none. Draws the picture once for each mistake.
 bool start_quiz(Session& session, const std::vector<Bug>& bugs, std::uint32_t seed, int count = 1);
 
-/// Ends the quiz and brings back the settings from before.
+/// Ends the quiz, if there is one, and brings back the settings from before.
 void end_quiz(Session& session);
 
 /// The settings without the mistakes, from where the camera stands now: what the picture ought to
@@ -91,5 +87,9 @@ inline constexpr int points_of_question = 100;
 
 /// Are the settings to be hidden?
 bool hides_settings(const Session& session);
+
+/// The same, to be asked before something changes settings that the quiz hides: session.notice says
+/// why it is not done.
+bool refuses_settings(Session& session);
 
 } // namespace rasterwalk

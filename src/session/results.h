@@ -28,9 +28,9 @@ struct Results {
     Results(const Results&) = delete;
     Results& operator=(const Results&) = delete;
 
-    Frame frame;                ///< the scene, projected
+    Frame frame;                    ///< the scene, projected
     std::uint64_t frame_number = 0; ///< grows whenever `frame` is another
-    Cursor cursor;              ///< the session's cursor, moved to a moment that exists
+    Cursor cursor;                  ///< the session's cursor, moved to a moment that exists
     std::optional<Cursor> done; ///< the moment before it: what was just drawn; none at the start
     const Framebuffer* framebuffer = nullptr; ///< at the cursor
     Image picture;                            ///< the view of the framebuffer

@@ -57,6 +57,7 @@ std::optional<CompareView> find_compare_view(std::string_view name) {
 }
 
 void compare_with(Session& session, const Settings& other) {
+    if (!session.other) session.taken = std::nullopt;
     session.other = other;
     session.followed = RunPair{session.settings, other};
 }
@@ -64,6 +65,23 @@ void compare_with(Session& session, const Settings& other) {
 void stop_comparing(Session& session) {
     session.other = std::nullopt;
     session.followed = std::nullopt;
+    session.taken = std::nullopt;
+}
+
+void end_comparison(Session& session) {
+    const std::optional<TakenRun> taken = session.taken;
+    stop_comparing(session);
+    if (!taken) return;
+    if (taken->before_scene != nullptr) {
+        show_scene(session, taken->before_scene);
+        session.settings = taken->before;
+        return;
+    }
+    Settings& now = session.settings;
+    for (const RunDifference& difference : run_differences(taken->after, taken->before)) {
+        const Setting* const setting = find_setting(difference.setting);
+        if (value_text(*setting, now) == difference.a) set_value(now, *setting, difference.b);
+    }
 }
 
 void swap_runs(Session& session) {
@@ -125,13 +143,16 @@ std::span<const ComparePair> compare_pairs() {
 }
 
 void start_pair(Session& session, const ComparePair& pair) {
+    end_comparison(session);
     Settings& a = session.settings;
+    const Settings before = a;
     if (a.stage < pair.first_stage) a.stage = pair.first_stage;
     if (a.stage > pair.last_stage) a.stage = pair.last_stage;
     Settings b = a;
     apply(pair.a, a);
     apply(pair.b, b);
     compare_with(session, b);
+    session.taken = TakenRun{before, a, nullptr, {}};
 }
 
 } // namespace rasterwalk

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "pipeline/settings.h"
+#include "scene/scene.h"
 
 namespace rasterwalk {
 
@@ -48,11 +50,25 @@ struct RunPair {
     friend bool operator==(const RunPair&, const RunPair&) = default;
 };
 
+/// What a pair or a mistake has taken the place of, to be brought back when the comparison ends.
+struct TakenRun {
+    Settings before, after; ///< run A before it was begun, and just after
+    std::shared_ptr<const Scene>
+        before_scene; ///< another scene than the one opened; null: it stayed
+    std::string bug;  ///< id of the mistake; empty: a pair
+
+    friend bool operator==(const TakenRun&, const TakenRun&) = default;
+};
+
 /// Compares the session's settings with these from now on.
 void compare_with(Session& session, const Settings& other);
 
-/// Back to one run.
+/// Back to one run; run A stays as it is.
 void stop_comparing(Session& session);
+
+/// Back to one run, and to what a pair or a mistake took the place of: its scene, and what it has
+/// set in run A, where that still stands.
+void end_comparison(Session& session);
 
 /// A becomes B and B becomes A.
 void swap_runs(Session& session);
@@ -87,7 +103,8 @@ struct ComparePair {
 /// The pairs, in the order of their buttons.
 std::span<const ComparePair> compare_pairs();
 
-/// Sets both runs as the pair says; everything else stays as it is in A.
+/// Sets both runs as the pair says; everything else stays as it is in A. A comparison that is going
+/// on is ended first.
 void start_pair(Session& session, const ComparePair& pair);
 
 } // namespace rasterwalk

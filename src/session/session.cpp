@@ -1,25 +1,22 @@
 #include "session/session.h"
 
-#include <array>
 #include <utility>
 
-#include "scene/read_scene.h"
 #include "session/content.h"
+#include "session/scene_file.h"
 
 namespace rasterwalk {
 
 Session open_session(const std::string& scene_path) {
-    std::array<std::string_view, stage_count> stages;
-    for (std::size_t i = 0; i < stages.size(); ++i)
-        stages[i] = stage_list()[i].name;
     Session session;
     session.presets = read_presets(lessons_folder() + "/presets.toml");
     session.glossary = read_glossary(lessons_folder() + "/glossary.toml");
-    set_scene(session, read_scene(scene_path, stages));
+    set_scene(session, read_scene_file(scene_path));
     return session;
 }
 
 void set_scene(Session& session, Scene scene) {
+    end_quiz(session);
     const Settings fresh = default_settings(scene);
     const auto take_view = [&](Settings& settings) {
         settings.camera = fresh.camera;
@@ -33,14 +30,27 @@ void set_scene(Session& session, Scene scene) {
         if (same_stage && !scene.stage.empty()) other.stage = fresh.stage;
         session.other = other;
     }
+    if (session.taken) {
+        // It can bring back what it set, but neither the scene nor the view of it.
+        session.taken->before_scene = nullptr;
+        take_view(session.taken->before);
+        take_view(session.taken->after);
+    }
     take_view(session.settings);
     if (!scene.stage.empty()) session.settings.stage = fresh.stage;
     session.followed = std::nullopt;
+    // The same scene again is no change that undo could take back.
+    const bool is_same = session.scene != nullptr && *session.scene == scene;
+    show_scene(session, is_same ? session.scene : std::make_shared<const Scene>(std::move(scene)));
+}
+
+void show_scene(Session& session, std::shared_ptr<const Scene> scene) {
+    session.scene = std::move(scene);
     session.cursor = cursor_end;
     session.selection = {};
     session.play.running = false;
     session.play.owed = 0.0f;
-    session.scene = std::make_shared<const Scene>(std::move(scene));
+    session.canvas.zoom = 0.0f;
 }
 
 } // namespace rasterwalk

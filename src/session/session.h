@@ -42,6 +42,7 @@ struct Session {
     Settings settings;               ///< of run A
     std::optional<Settings> other;   ///< of run B, which is compared with A; none: no comparison
     std::optional<RunPair> followed; ///< for follow_first_run() alone
+    std::optional<TakenRun> taken;   ///< while a pair or a mistake is compared
     CompareView compare_view = CompareView::side_by_side;
     float wipe = 0.5f;        ///< place of the divider, 0 left to 1 right
     std::optional<Quiz> quiz; ///< while it goes on the settings are hidden
@@ -67,7 +68,11 @@ struct Session {
 Session open_session(const std::string& scene_path);
 
 /// Replaces the scene: the settings of both runs keep their rules and take the scene's camera,
-/// light and viewport; the cursor goes to the end, the selection is dropped.
+/// light and viewport; the cursor goes to the end, the selection is dropped. A quiz, which asks
+/// about the scene before, is ended.
 void set_scene(Session& session, Scene scene);
+
+/// Puts a scene in the place of the present one and leaves the settings as they are.
+void show_scene(Session& session, std::shared_ptr<const Scene> scene);
 
 } // namespace rasterwalk

@@ -5,7 +5,7 @@
 #include "pipeline/frame.h"
 #include "pipeline/timeline.h"
 #include "scene/error.h"
-#include "scene/read_scene.h"
+#include "session/scene_file.h"
 #include "session/second_run.h"
 #include "session/setting_table.h"
 
@@ -74,7 +74,7 @@ Scene scene_in_file(const Session& session) {
     if (scene.path.empty()) {
         throw UsageError("the scene " + scene.name + " was not read from a file.");
     }
-    return is_bench(scene) ? read_scene(scene.path) : scene;
+    return is_bench(scene) ? read_scene_file(scene.path) : scene;
 }
 
 } // namespace rasterwalk

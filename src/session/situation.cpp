@@ -1,17 +1,16 @@
 #include "session/situation.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <system_error>
 #include <utility>
 
 #include "pipeline/frame.h"
 #include "scene/error.h"
-#include "scene/read_scene.h"
 #include "session/content.h"
 #include "session/moments.h"
 #include "session/quoted.h"
+#include "session/scene_file.h"
 #include "session/second_run.h"
 #include "session/setting_table.h"
 
@@ -74,10 +73,7 @@ class Applier {
 
     void open_scene(const std::string& folder) {
         const std::string wanted = situation_.scene.value_or(std::string(usual_scene));
-        std::array<std::string_view, stage_count> stages;
-        for (std::size_t i = 0; i < stages.size(); ++i)
-            stages[i] = stage_list()[i].name;
-        set_scene(session_, read_scene(find_lesson_file(folder, wanted), stages));
+        set_scene(session_, read_scene_file(find_lesson_file(folder, wanted)));
     }
 
     void set_all() {

@@ -7,7 +7,7 @@ namespace rasterwalk {
 namespace {
 
 Choices choices_of(const Session& session) {
-    return {session.scene, session.settings, session.other,
+    return {session.scene, session.settings, session.other,      session.taken,
             session.view,  session.overlays, session.depth_range};
 }
 
@@ -22,6 +22,7 @@ bool move_between(Session& session, std::vector<Choices>& from, std::vector<Choi
     session.scene = stack.now.scene;
     session.settings = stack.now.settings;
     session.other = stack.now.other;
+    session.taken = stack.now.taken;
     session.followed = std::nullopt;
     session.view = stack.now.view;
     session.overlays = stack.now.overlays;

@@ -7,6 +7,7 @@
 #include "pipeline/framebuffer.h"
 #include "pipeline/settings.h"
 #include "session/overlay.h"
+#include "session/second_run.h"
 
 namespace rasterwalk {
 
@@ -17,6 +18,7 @@ struct Choices {
     std::shared_ptr<const Scene> scene;
     Settings settings;
     std::optional<Settings> other;
+    std::optional<TakenRun> taken;
     View view = View::colour;
     OverlaySet overlays;
     std::optional<DepthRange> depth_range;

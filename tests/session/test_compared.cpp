@@ -119,6 +119,26 @@ TEST_CASE("The difference follows the plane that is shown") {
     }
 }
 
+TEST_CASE("A depth buffer addressed by [x][y] differs as it is shown") {
+    Session session = room();
+    session.view = View::depth;
+    session.settings.stage = Stage::depth;
+    compare_with(session, session.settings);
+    set_from_text(session.settings, "depth_index=transposed");
+    Results results;
+    update(session, results);
+    const Compared& b = *results.compared;
+    const Framebuffer &wrong = *results.framebuffer, &right = *b.framebuffer;
+    for (int row = 0; row < right.size.height; ++row) {
+        for (int column = 0; column < right.size.width; ++column) {
+            INFO("pixel (" << column << ", " << row << ")");
+            REQUIRE(b.difference_values[right.at(column, row)] ==
+                    stored_depth(right, column, row) - stored_depth(wrong, column, row));
+        }
+    }
+    CHECK(b.difference_limit > 0.1f);
+}
+
 TEST_CASE("Pictures of different sizes are not compared") {
     Session session = room();
     compare_with(session, with(session.settings, "viewport.size=60x50"));

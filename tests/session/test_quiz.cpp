@@ -7,7 +7,9 @@
 #include "pipeline/draw.h"
 #include "session/bug.h"
 #include "session/content.h"
+#include "session/scene_file.h"
 #include "session/session.h"
+#include "session/setting_table.h"
 
 using namespace rasterwalk;
 
@@ -104,10 +106,42 @@ TEST_CASE("Two mistakes are found one after the other") {
 
 TEST_CASE("A scene in which nothing shows has no quiz") {
     Session session = small_room();
-    session.settings.camera.position = {0.0f, 0.0f, 900.0f};
+    Scene empty = *session.scene;
+    empty.triangles.clear();
+    empty.parts.clear();
+    set_scene(session, empty);
     const Settings before = session.settings;
-    const std::vector<Bug> none;
-    CHECK_FALSE(start_quiz(session, none, 1));
+    CHECK_FALSE(start_quiz(session, read_bugs(), 1));
     CHECK(session.settings == before);
     CHECK_FALSE(session.quiz);
+}
+
+TEST_CASE("Another scene ends the quiz and keeps its own view") {
+    Session session = small_room();
+    const Settings before = session.settings;
+    REQUIRE(start_quiz(session, read_bugs(), 3));
+    set_scene(session, read_scene_file(lessons_folder() + "/scenes/one-triangle.toml"));
+    CHECK_FALSE(session.quiz);
+    CHECK(session.settings.viewport == Viewport{20, 20});
+    CHECK(session.settings.rounding == before.rounding);
+    CHECK_FALSE(session.other);
+}
+
+TEST_CASE("While a quiz goes on the settings are refused, with a reason") {
+    Session session = small_room();
+    CHECK_FALSE(refuses_settings(session));
+    REQUIRE(start_quiz(session, read_bugs(), 3));
+    CHECK(refuses_settings(session));
+    CHECK(session.notice == "The settings are hidden until the quiz is over.");
+    session.quiz->given_up = true;
+    CHECK_FALSE(refuses_settings(session));
+}
+
+TEST_CASE("In a large picture the quiz tries the mistakes in a small one") {
+    Session session = small_room();
+    set_from_text(session.settings, "viewport.size=4096x4096");
+    set_from_text(session.settings, "camera.focal_length=4096");
+    REQUIRE(start_quiz(session, read_bugs(), 3));
+    CHECK(session.settings.viewport == Viewport{4096, 4096});
+    CHECK(session.settings.camera.focal_length == 4096.0f);
 }

@@ -3,7 +3,9 @@
 #include <catch2/catch.hpp>
 
 #include "scene/read_scene.h"
+#include "session/bug.h"
 #include "session/content.h"
+#include "session/scene_file.h"
 #include "session/session.h"
 #include "session/setting_table.h"
 
@@ -110,4 +112,69 @@ TEST_CASE("Another scene brings its view to both runs") {
     set_scene(session, read_scene(lessons_folder() + "/scenes/one-triangle.toml"));
     CHECK(settings_of(session) == "interpolation affine perspective; ");
     CHECK(session.other->viewport == Viewport{20, 20});
+}
+
+TEST_CASE("The end of a pair takes back what it has set in A, where it still stands") {
+    Session session = room();
+    const Settings before = session.settings;
+    start_pair(session, compare_pairs()[0]);
+    start_pair(session, compare_pairs()[2]);
+    CHECK(session.settings.interpolation == before.interpolation);
+    session.settings.camera.yaw = 0.25f;
+    end_comparison(session);
+    Settings expected = before;
+    expected.camera.yaw = 0.25f;
+    expected.stage = session.settings.stage;
+    CHECK(session.settings == expected);
+    CHECK_FALSE(session.other);
+    CHECK_FALSE(session.taken);
+}
+
+TEST_CASE("A mistake on its own scene is turned off into the scene from before") {
+    Session session = room();
+    const std::shared_ptr<const Scene> scene = session.scene;
+    const Settings before = session.settings;
+    const std::vector<Bug> bugs = read_bugs();
+    open_bug(find_bug(bugs, "B1"), session);
+    CHECK(session.scene != scene);
+    CHECK(is_on(session, "B1"));
+    open_bug(find_bug(bugs, "B14"), session); // the first one is turned off before
+    CHECK_FALSE(is_on(session, "B1"));
+    end_comparison(session);
+    CHECK(session.scene == scene);
+    CHECK(session.settings == before);
+    CHECK_FALSE(is_on(session, "B14"));
+}
+
+TEST_CASE("A scene opened while a mistake is on stays when it is turned off") {
+    Session session = room();
+    apply_bug(find_bug(read_bugs(), "B5"), session);
+    set_scene(session, read_scene_file(lessons_folder() + "/scenes/one-triangle.toml"));
+    const std::shared_ptr<const Scene> bench = session.scene;
+    CHECK(is_on(session, "B5"));
+    end_comparison(session);
+    CHECK(session.scene == bench);
+    CHECK(session.settings.viewport == Viewport{20, 20});
+    CHECK(session.settings.edge_samples == Settings{}.edge_samples);
+}
+
+TEST_CASE("Undo brings back which mistake was on") {
+    Session session = room();
+    note_choices(session);
+    start_pair(session, compare_pairs()[0]);
+    note_choices(session);
+    apply_bug(find_bug(read_bugs(), "B5"), session);
+    note_choices(session);
+    REQUIRE(undo(session));
+    CHECK_FALSE(is_on(session, "B5"));
+    CHECK(session.settings.interpolation == Interpolation::affine);
+    REQUIRE(redo(session));
+    CHECK(is_on(session, "B5"));
+}
+
+TEST_CASE("The same scene opened again is no step for undo") {
+    Session session = room();
+    const std::shared_ptr<const Scene> scene = session.scene;
+    set_scene(session, read_scene_file(lessons_folder() + "/scenes/lab-room.toml"));
+    CHECK(session.scene == scene);
 }

@@ -1,3 +1,4 @@
+#include <cstdlib>
 #include <fstream>
 
 #include <catch2/catch.hpp>
@@ -6,8 +7,10 @@
 #include "session/diagnose.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/shown_number.h"
+#include "ui/compare.h"
 #include "ui/keys.h"
 #include "ui/lab.h"
+#include "ui/lesson_links.h"
 
 namespace rasterwalk {
 
@@ -35,13 +38,13 @@ TEST_CASE("A mistake is turned on and compared with the correct run at once, and
     driver.hand.click("lab.B9");
     CHECK(driver.ui.lab.chosen == "B9");
     driver.hand.click("lab.on");
-    CHECK(is_on(driver.ui, "B9"));
+    CHECK(is_on(driver.ui.session, "B9"));
     REQUIRE(driver.ui.results.compared);
     CHECK(driver.ui.results.compared->whole.pixels.different > 0);
     driver.hand.click("lab.B3");
     driver.hand.click("lab.on");
-    CHECK(is_on(driver.ui, "B3"));
-    CHECK_FALSE(is_on(driver.ui, "B9"));
+    CHECK(is_on(driver.ui.session, "B3"));
+    CHECK_FALSE(is_on(driver.ui.session, "B9"));
     driver.hand.click("lab.off");
     CHECK_FALSE(driver.ui.session.other);
     CHECK(driver.ui.session.settings == before);
@@ -57,7 +60,7 @@ TEST_CASE("Every mistake is described and shows on its own scene, from which one
         INFO(bug.id);
         driver.hand.click("lab." + bug.id);
         driver.hand.click("lab.scene");
-        CHECK(is_on(driver.ui, bug.id));
+        CHECK(is_on(driver.ui.session, bug.id));
         CHECK(driver.ui.session.notice == "");
         driver.hand.click("lab.off");
         CHECK(driver.ui.session.scene == room);
@@ -104,7 +107,8 @@ TEST_CASE("A round of the quiz is won: hint, wrong guess, right guess, and all i
     CHECK_FALSE(driver.ui.session.quiz);
     CHECK(driver.ui.session.settings == before);
     CHECK(driver.ui.options.score.rounds == 1);
-    CHECK(driver.ui.options.score.points == points_of_question - cost_of_hint - cost_of_wrong_guess);
+    CHECK(driver.ui.options.score.points ==
+          points_of_question - cost_of_hint - cost_of_wrong_guess);
 }
 
 TEST_CASE("A picture with a mistake is diagnosed when its path is named, and the mistake shown") {
@@ -121,7 +125,7 @@ TEST_CASE("A picture with a mistake is diagnosed when its path is named, and the
     REQUIRE_FALSE(driver.ui.lab.diagnosis->candidates.empty());
     CHECK(shown_text(driver, "lab.candidate.0") == "B9");
     driver.hand.click("lab.show.0");
-    CHECK(is_on(driver.ui, "B9"));
+    CHECK(is_on(driver.ui.session, "B9"));
 }
 
 TEST_CASE("What cannot be read is said in the laboratory, and rows of the lab are accepted") {
@@ -143,6 +147,55 @@ TEST_CASE("What cannot be read is said in the laboratory, and rows of the lab ar
     REQUIRE(driver.ui.lab.diagnosis);
     CHECK(driver.ui.lab.diagnosis->is_same());
     CHECK(driver.hand.is_visible("lab.diagnosis"));
+}
+
+TEST_CASE("While a quiz hides the settings nothing can set them, and nothing tells them") {
+    Driver driver(lit_room());
+    driver.hand.click("tab.lab");
+    driver.hand.click("lab.mode.quiz");
+    driver.hand.enter("lab.seed", "7");
+    driver.hand.click("lab.quiz.start");
+    const Settings hidden = driver.ui.session.settings;
+    driver.hand.click("lab.quiz.compare");
+    REQUIRE(driver.ui.session.other);
+    driver.hand.click("compare.swap");
+    driver.hand.click("compare.strip.exact");
+    driver.hand.press('P');
+    driver.hand.press('Z');
+    follow_link(driver.ui, "set:interpolation=affine");
+    follow_link(driver.ui, "preset:exact");
+    follow_link(driver.ui, "bug:B9");
+    driver.hand.frames(2);
+    CHECK(driver.ui.session.settings == hidden);
+    CHECK(pair_on_show(driver.ui.session) == nullptr);
+    driver.hand.press('C');
+    CHECK(driver.ui.session.settings == hidden);
+    driver.hand.click("menu.Scene");
+    driver.hand.click("scene.one-triangle");
+    CHECK_FALSE(driver.ui.session.quiz);
+    CHECK(driver.ui.session.settings.viewport == Viewport{20, 20});
+}
+
+TEST_CASE("The key C ends a mistake as the button does") {
+    Driver driver(lit_room());
+    const Settings before = driver.ui.session.settings;
+    driver.hand.click("tab.lab");
+    driver.hand.click("lab.B5");
+    driver.hand.click("lab.on");
+    driver.hand.press('C');
+    CHECK(driver.ui.session.settings == before);
+    CHECK(driver.hand.find("lab.on").visible);
+    driver.hand.press('C');
+    CHECK_FALSE(is_on(driver.ui.session, "B5"));
+}
+
+TEST_CASE("The Scene menu survives that the scenes are gone") {
+    const test::TemporaryFolder folder;
+    Driver driver(lit_room());
+    setenv("RASTERWALK_LESSONS", folder.file("nowhere").c_str(), 1);
+    driver.hand.click("menu.Scene");
+    unsetenv("RASTERWALK_LESSONS");
+    CHECK_THAT(driver.ui.session.notice, Catch::Contains("nowhere"));
 }
 
 TEST_CASE("In a small window the laboratory's buttons can be reached") {

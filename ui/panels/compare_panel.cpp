@@ -35,7 +35,7 @@ void draw_pairs(Ui& ui) {
             {start.x + places[i].x, start.y + static_cast<float>(places[i].line) * line});
         if (button(ui, std::string("compare.tab.").append(pair.name), labels[i],
                    &pair == on_show ? Look::chosen : Look::plain, pair.help)) {
-            begin_pair(ui, pair);
+            start_pair(ui.session, pair);
         }
     }
     ImGui::PopFont();
@@ -60,7 +60,6 @@ void draw_choice_of_difference(Ui& ui, const char* title) {
         if (ImGui::Selectable(name.c_str())) {
             Settings other = ui.session.other.value_or(ui.session.settings);
             set_next_word(other, *choice);
-            if (!ui.session.other) ui.compare.before_pair = std::nullopt;
             compare_with(ui.session, other);
         }
         name_widget(ui, "compare.another." + name, setting.help);

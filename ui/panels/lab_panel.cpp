@@ -36,7 +36,7 @@ void keep_in_sight(Ui& ui, const Bug& bug) {
 
 void draw_line(Ui& ui, const Bug& bug) {
     const Palette& p = palette(ui.options.theme);
-    const bool on = is_on(ui, bug.id);
+    const bool on = is_on(ui.session, bug.id);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const std::string name = "lab." + bug.id;
     if (ImGui::Selectable(("##" + name).c_str(), ui.lab.chosen == bug.id)) ui.lab.chosen = bug.id;
@@ -73,10 +73,10 @@ void draw_list(Ui& ui) {
 
 /// In a low page the buttons come first: they are what must be in sight.
 void draw_buttons(Ui& ui, const Bug& bug) {
-    if (is_on(ui, bug.id)) {
+    if (is_on(ui.session, bug.id)) {
         if (button(ui, "lab.off", "turn off", Look::chosen,
                    "Back to one run and to what was set before.")) {
-            turn_off(ui);
+            end_comparison(ui.session);
         }
     } else if (button(ui, "lab.on", "turn on", Look::plain,
                       "Makes the mistake in run A, and compares it with the correct run B.")) {

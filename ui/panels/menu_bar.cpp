@@ -22,27 +22,35 @@ void draw_action_item(Ui& ui, const Action& action) {
     name_widget(ui, std::string("menu.") + action.name, action.help);
 }
 
-std::vector<std::filesystem::path> scene_files() {
-    std::vector<std::filesystem::path> files;
-    std::error_code fault;
-    const auto folder = std::filesystem::path(lessons_folder()) / "scenes";
-    for (const auto& entry : std::filesystem::directory_iterator(folder, fault)) {
-        if (entry.path().extension() == ".toml") files.push_back(entry.path());
+namespace fs = std::filesystem;
+
+/// The scenes that come with the program; the folder may be gone while it runs.
+void read_scene_list(Ui& ui) {
+    ui.scene_files.clear();
+    try {
+        std::error_code fault;
+        const fs::path folder = fs::path(lessons_folder()) / "scenes";
+        for (fs::directory_iterator entry(folder, fault), end; !fault && entry != end;
+             entry.increment(fault)) {
+            if (entry->path().extension() == ".toml") ui.scene_files.push_back(entry->path());
+        }
+    } catch (const Error& fault) {
+        ui.session.notice = fault.what();
     }
-    std::sort(files.begin(), files.end());
-    return files;
+    std::sort(ui.scene_files.begin(), ui.scene_files.end());
 }
 
 void draw_scene_menu(Ui& ui) {
-    for (const std::filesystem::path& file : scene_files()) {
-        const bool open = file == std::filesystem::path(ui.session.scene->path);
+    if (ImGui::IsWindowAppearing()) read_scene_list(ui);
+    for (const fs::path& file : ui.scene_files) {
+        const bool open = file == fs::path(ui.session.scene->path);
         if (ImGui::MenuItem(file.stem().c_str(), nullptr, open)) open_scene(ui, file.string());
         name_widget(ui, "scene." + file.stem().string(),
                     "Opens this scene: " + file.filename().string());
     }
     ImGui::Separator();
     for (const Preset& preset : ui.session.presets) {
-        if (ImGui::MenuItem(("Preset: " + preset.name).c_str())) {
+        if (ImGui::MenuItem(("Preset: " + preset.name).c_str()) && !refuses_settings(ui.session)) {
             apply_preset(preset, ui.session.settings);
         }
         name_widget(ui, "preset." + preset.name, preset.about);

@@ -189,7 +189,7 @@ void draw_pairs(Ui& ui) {
                                       .append(pair.right)
                                       .append("###")
                                       .append(pair.name);
-        if (ImGui::Selectable(label.c_str(), on_show == &pair)) begin_pair(ui, pair);
+        if (ImGui::Selectable(label.c_str(), on_show == &pair)) start_pair(ui.session, pair);
         name_widget(ui, std::string("compare.pair.").append(pair.name), pair.help);
     }
     if (ImGui::IsKeyPressed(key::escape, false)) ImGui::CloseCurrentPopup();
@@ -231,9 +231,9 @@ void draw_item(Ui& ui, const StripItem& item, ImVec2 at, ImVec2 size) {
     if (item.pair != nullptr) {
         ImGui::PopFont();
         if (pressed && item.chosen) {
-            end_compare(ui);
+            end_comparison(ui.session);
         } else if (pressed && !hides_settings(ui.session)) {
-            begin_pair(ui, *item.pair);
+            start_pair(ui.session, *item.pair);
         }
     } else if (is_list) {
         if (pressed && !hides_settings(ui.session)) ImGui::OpenPopup("compare pairs");

@@ -42,7 +42,7 @@ std::string describe_pixel(const Ui& ui) {
     std::snprintf(text, sizeof text, "   colour %.3f %.3f %.3f", static_cast<double>(c.r),
                   static_cast<double>(c.g), static_cast<double>(c.b));
     words += text;
-    const float depth = framebuffer.depth[at];
+    const float depth = stored_depth(framebuffer, pixel->x, pixel->y);
     if (depth > 0.0f) {
         std::snprintf(text, sizeof text, "   1/z %.4f   z %.4f", static_cast<double>(depth),
                       1.0 / static_cast<double>(depth));
@@ -58,6 +58,8 @@ std::string describe_pixel(const Ui& ui) {
 std::string trouble_text(const Ui& ui) {
     if (!ui.session.notice.empty()) return ui.session.notice;
     if (!ui.fonts.notice.empty()) return ui.fonts.notice;
+    // What a message says may be the answer.
+    if (hides_settings(ui.session)) return {};
     std::string all;
     for (const std::string& message : ui.results.messages) {
         all += (all.empty() ? "" : "; ") + message;

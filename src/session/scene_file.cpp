@@ -1,0 +1,18 @@
+#include "session/scene_file.h"
+
+#include <array>
+#include <string_view>
+
+#include "pipeline/settings.h"
+#include "scene/read_scene.h"
+
+namespace rasterwalk {
+
+Scene read_scene_file(const std::string& path) {
+    std::array<std::string_view, stage_count> stages;
+    for (std::size_t i = 0; i < stages.size(); ++i)
+        stages[i] = stage_list()[i].name;
+    return read_scene(path, stages);
+}
+
+} // namespace rasterwalk

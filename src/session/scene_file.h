@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "scene/scene.h"
+
+namespace rasterwalk {
+
+/// Reads a scene; a stage that it asks for must be one of the pipeline's. Throws AccessError, or
+/// InputError with file:line.
+Scene read_scene_file(const std::string& path);
+
+} // namespace rasterwalk
