@@ -9,6 +9,7 @@
 #include "ui/held_keys.h"
 #include "ui/kept_options.h"
 #include "ui/keys.h"
+#include "ui/lab.h"
 #include "ui/layout.h"
 #include "ui/lesson_links.h"
 #include "ui/lesson_state.h"
@@ -194,6 +195,7 @@ void build_ui(Ui& ui) {
     io.DisplaySize.y = std::max(io.DisplaySize.y, 1.0f);
     io.DeltaTime = std::max(io.DeltaTime, shortest_frame);
     renew_style(ui);
+    carry_on_diagnosis(ui);
     if (!build_pass(ui, io.DeltaTime)) return;
     // The same moment once more, with what is asked for now; no input is used twice.
     const float seconds = io.DeltaTime;
@@ -205,7 +207,8 @@ void build_ui(Ui& ui) {
 }
 
 bool is_animating(const Ui& ui) {
-    return ui.session.play.running || is_moving_by_key() || is_blinking(ui);
+    return ui.session.play.running || is_moving_by_key() || is_blinking(ui) ||
+           ui.lab.frames_to_result > 0;
 }
 
 } // namespace rasterwalk

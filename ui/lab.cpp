@@ -12,6 +12,13 @@
 
 namespace rasterwalk {
 
+namespace {
+
+/// The largest side of a picture for which the student is made to wait, pixels.
+constexpr int largest_result = 1024;
+
+} // namespace
+
 const std::vector<Bug>& lab_bugs(Ui& ui) {
     LabLook& lab = ui.lab;
     if (!lab.is_read) {
@@ -67,17 +74,27 @@ void finish_quiz(Ui& ui) {
 
 void diagnose_file(Ui& ui, const std::string& path) {
     LabLook& lab = ui.lab;
-    const Session& session = ui.session;
     lab.mode = LabMode::result;
     open_tab(ui, "lab");
     lab.result_path = path;
     lab.diagnosis = std::nullopt;
     lab.result_fault.clear();
+    // The frame before says that it may take a while.
+    lab.frames_to_result = 2;
+}
+
+void carry_on_diagnosis(Ui& ui) {
+    LabLook& lab = ui.lab;
+    if (lab.frames_to_result == 0 || --lab.frames_to_result > 0) return;
+    const Session& session = ui.session;
+    const std::string path = lab.result_path;
     try {
         if (is_image_file(path)) {
             const Image picture = read_image(path);
-            if (picture.width > largest_diagnosed || picture.height > largest_diagnosed) {
-                throw InputError(path + ": the picture is too large to be diagnosed.");
+            if (picture.width > largest_result || picture.height > largest_result) {
+                throw InputError(path +
+                                 ": the picture is too large to be diagnosed here; 'rasterwalk "
+                                 "diagnose' takes larger ones.");
             }
             const Settings reference =
                 fitted_to(with_handout_rules(session.settings), picture, session.scene->space);

@@ -22,8 +22,11 @@ void begin_quiz(Ui& ui);
 void finish_quiz(Ui& ui);
 
 /// Holds a picture (PNG or BMP) or a text of printed rows against what is set now, and opens the
-/// laboratory with what may be wrong with it.
+/// laboratory with what may be wrong with it: in the next frame but one, see carry_on_diagnosis().
 void diagnose_file(Ui& ui, const std::string& path);
+
+/// Diagnoses the file that waits for it. To be called once a frame.
+void carry_on_diagnosis(Ui& ui);
 
 /// A file that was dropped on the window: a result to be diagnosed, or else a scene.
 void open_dropped(Ui& ui, const std::string& path);

@@ -130,6 +130,7 @@ struct LabLook {
     int seed = 0;             ///< of the next quiz; 0: the program takes one
     bool wants_two = false;   ///< the next quiz hides two mistakes
     std::string result_path;  ///< of the student's own result
+    int frames_to_result = 0; ///< it is diagnosed when this falls to 0 from 1; until then it waits
     std::string result_fault; ///< why it could not be diagnosed
     std::string held_against; ///< "the picture of lab-room"
     std::optional<Diagnosis> diagnosis;

@@ -49,21 +49,23 @@ Apart samples_apart(const SampleEvent& a, const SampleEvent& b) {
     return same ? Apart::not_at_all : Apart::clearly;
 }
 
-/// How both runs show a colour above 1.
-struct OverOne {
-    ColourOverOne a, b;
+/// By what both runs' pixels are told apart.
+struct SightRules {
+    ColourOverOne over_one_a, over_one_b;
+    bool has_depth_a, has_depth_b; ///< marks have none: what stands in its place says nothing
 };
 
-Apart fragments_apart(const FragmentEvent& a, const FragmentEvent& b, const OverOne& over_one) {
+Apart fragments_apart(const FragmentEvent& a, const FragmentEvent& b, const SightRules& rules) {
     const Fragment &p = a.fragment, &q = b.fragment;
     if (p.column != q.column || p.row != q.row || a.fate != b.fate) return Apart::clearly;
-    const Apart depth = lengths_apart(a.depth, b.depth);
+    const Apart depth =
+        lengths_apart(rules.has_depth_a ? a.depth : 0.0f, rules.has_depth_b ? b.depth : 0.0f);
     // What fails leaves the pixel as it is: there is no colour of its own to compare.
     if (a.fate != Fate::written) return depth;
-    const bool shown_alike = over_one.a == over_one.b;
+    const bool shown_alike = rules.over_one_a == rules.over_one_b;
     return std::max(depth, shown_alike ? colours_apart(a.after, b.after)
-                                       : colours_apart(shown_colour(a.after, over_one.a),
-                                                       shown_colour(b.after, over_one.b)));
+                                       : colours_apart(shown_colour(a.after, rules.over_one_a),
+                                                       shown_colour(b.after, rules.over_one_b)));
 }
 
 struct Difference {
@@ -72,7 +74,7 @@ struct Difference {
 };
 
 /// How the two runs differ at a moment; nothing if they do not.
-std::optional<Difference> difference_at(const Deed& a, const Deed& b, const OverOne& over_one) {
+std::optional<Difference> difference_at(const Deed& a, const Deed& b, const SightRules& rules) {
     if (b.is_nothing()) return Difference{DivergenceKind::missing, false};
     if (a.is_nothing()) return Difference{DivergenceKind::extra, false};
     // A mark that only one of them puts on the picture.
@@ -84,13 +86,14 @@ std::optional<Difference> difference_at(const Deed& a, const Deed& b, const Over
         most = std::max(most, samples_apart(*a.sample, *b.sample));
     }
     for (std::size_t i = 0; i < a.fragments.size(); ++i)
-        most = std::max(most, fragments_apart(a.fragments[i], b.fragments[i], over_one));
+        most = std::max(most, fragments_apart(a.fragments[i], b.fragments[i], rules));
     if (most == Apart::not_at_all) return std::nullopt;
     return Difference{DivergenceKind::other, most == Apart::by_rounding};
 }
 
-OverOne over_one_of(const Frame& a, const Frame& b) {
-    return {a.settings.colour_over_one, b.settings.colour_over_one};
+SightRules sight_rules(const Frame& a, const Frame& b) {
+    return {a.settings.colour_over_one, b.settings.colour_over_one, has_fragments(a.settings.stage),
+            has_fragments(b.settings.stage)};
 }
 
 Divergence divergence_of(const Frame& a, const Frame& b, const PairMoment& moment,
@@ -137,9 +140,9 @@ std::string kind_text(DivergenceKind kind) {
 DivergenceList all_divergences(const Frame& a, const Frame& b, RunWalk& walk) {
     DivergenceList list;
     TriangleGroups groups;
-    const OverOne over_one = over_one_of(a, b);
+    const SightRules rules = sight_rules(a, b);
     const PairVisitor visit = [&](const PairMoment& moment) {
-        const std::optional<Difference> difference = difference_at(moment.a, moment.b, over_one);
+        const std::optional<Difference> difference = difference_at(moment.a, moment.b, rules);
         if (!difference) return true;
         ++list.count;
         groups.add(moment.cursor, difference->kind);
@@ -160,10 +163,10 @@ std::optional<Divergence> next_divergence(const Frame& a, const Frame& b, const 
     std::optional<Divergence> found;
     RunWalk walk(a, b, cursor_end);
     walk.skip_to(from.triangle);
-    const OverOne over_one = over_one_of(a, b);
+    const SightRules rules = sight_rules(a, b);
     const PairVisitor visit = [&](const PairMoment& moment) {
         if (moment.cursor < from) return true;
-        const std::optional<Difference> difference = difference_at(moment.a, moment.b, over_one);
+        const std::optional<Difference> difference = difference_at(moment.a, moment.b, rules);
         if (difference) found = divergence_of(a, b, moment, *difference);
         return !found;
     };
@@ -176,9 +179,9 @@ std::optional<Divergence> previous_divergence(const Frame& a, const Frame& b, co
     // Forwards once to find where it is, and once more to stand there and tell about it.
     std::optional<Cursor> last;
     RunWalk walk(a, b, to);
-    const OverOne over_one = over_one_of(a, b);
+    const SightRules rules = sight_rules(a, b);
     const PairVisitor note_last = [&](const PairMoment& moment) {
-        if (difference_at(moment.a, moment.b, over_one)) last = moment.cursor;
+        if (difference_at(moment.a, moment.b, rules)) last = moment.cursor;
         return true;
     };
     while (!walk.is_done())
@@ -190,9 +193,9 @@ std::optional<Divergence> divergence_at(const Frame& a, const Framebuffer& pictu
                                         const Frame& b, const Framebuffer& picture_b,
                                         const Cursor& cursor) {
     std::optional<Divergence> found;
-    const OverOne over_one = over_one_of(a, b);
+    const SightRules rules = sight_rules(a, b);
     visit_moment(a, picture_a, b, picture_b, cursor, [&](const PairMoment& moment) {
-        const std::optional<Difference> difference = difference_at(moment.a, moment.b, over_one);
+        const std::optional<Difference> difference = difference_at(moment.a, moment.b, rules);
         if (difference) found = divergence_of(a, b, moment, *difference);
         return false;
     });

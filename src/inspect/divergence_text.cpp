@@ -108,6 +108,18 @@ std::string mark_sentence(const Frame& a, const Frame& b, DivergenceKind kind) {
         .append(".");
 }
 
+/// The sentence for a mark that only one run puts on the picture, though both come to it.
+std::string outside_sentence(DivergenceKind kind, const Fragment& in_a, const Fragment& in_b) {
+    const bool only_a = kind == DivergenceKind::missing;
+    const Fragment& other = only_a ? in_b : in_a;
+    return std::string("only ")
+        .append(only_a ? "A" : "B")
+        .append(" puts a mark on the picture: in ")
+        .append(only_a ? "B " : "A ")
+        .append(pixel_text(other.column, other.row))
+        .append(" lies outside the part that is drawn.");
+}
+
 ShadedVertex shade(const Frame& frame, const Cursor& cursor) {
     const Vertex& vertex = frame.scene->triangles[cursor.triangle].vertices[cursor.index];
     const VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
@@ -370,14 +382,20 @@ std::string divergence_text(const Frame& a, const Frame& b, const PairMoment& mo
     switch (cursor.phase) {
     case Phase::vertices:
         if (moment.a.fragments.size() != moment.b.fragments.size()) {
-            return mark_sentence(a, b, kind);
+            if (a.settings.stage != b.settings.stage || one_is_idle) {
+                return mark_sentence(a, b, kind);
+            }
+            return outside_sentence(kind, moment.a.vertex->pixel, moment.b.vertex->pixel);
         }
         return vertex_text(a, b, moment);
     case Phase::edges:
         if (one_is_idle && first < Stage::edges) return stage_sentence(a, b, "edges");
         if (!one_is_idle && moment.a.fragments.size() != moment.b.fragments.size() &&
-            a.settings.stage != b.settings.stage) {
-            return mark_sentence(a, b, kind);
+            moment.a.sample->sample.column == moment.b.sample->sample.column &&
+            moment.a.sample->sample.row == moment.b.sample->sample.row) {
+            return a.settings.stage != b.settings.stage
+                       ? mark_sentence(a, b, kind)
+                       : outside_sentence(kind, moment.a.sample->sample, moment.b.sample->sample);
         }
         return sample_text(a, b, moment);
     case Phase::rows:

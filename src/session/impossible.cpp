@@ -106,12 +106,51 @@ struct Reckoner {
         }
     }
 
+    /// How strongly a part holds together: what is weaker stands in parentheses inside it.
+    static int strength(Kind kind) {
+        switch (kind) {
+        case Kind::negate:
+            return 3;
+        case Kind::multiply:
+        case Kind::divide:
+            return 2;
+        case Kind::add:
+        case Kind::subtract:
+            return 1;
+        case Kind::number:
+        case Kind::absolute:
+        case Kind::smaller:
+        case Kind::larger:
+            return 4;
+        case Kind::equal:
+        case Kind::unequal:
+        case Kind::less:
+        case Kind::less_equal:
+        case Kind::greater:
+        case Kind::greater_equal:
+            return 0;
+        default:
+            return 4;
+        }
+    }
+
+    std::string inner(int index, int least) const {
+        if (strength(node(index).kind) >= least) return text(index);
+        return std::string("(").append(text(index)).append(")");
+    }
+
     /// The part as it could have been written.
     std::string text(int index) const {
         const ExpressionNode& here = node(index);
+        const int own = strength(here.kind);
         const auto two = [&](const char* sign) {
-            return text(here.left).append(sign).append(text(here.right));
+            // a - (b - c) needs its parentheses.
+            const bool is_strict = here.kind == Kind::subtract || here.kind == Kind::divide;
+            return inner(here.left, own)
+                .append(sign)
+                .append(inner(here.right, is_strict ? own + 1 : own));
         };
+        const auto pair = [&] { return text(here.left).append(", ").append(text(here.right)); };
         switch (here.kind) {
         case Kind::number: {
             char digits[40];
@@ -119,13 +158,13 @@ struct Reckoner {
             return digits;
         }
         case Kind::negate:
-            return std::string("-").append(text(here.left));
+            return std::string("-").append(inner(here.left, own));
         case Kind::absolute:
             return std::string("abs(").append(text(here.left)).append(")");
         case Kind::smaller:
         case Kind::larger:
             return std::string(here.kind == Kind::smaller ? "min(" : "max(")
-                .append(two(", "))
+                .append(pair())
                 .append(")");
         case Kind::add:
             return two(" + ");
@@ -167,9 +206,12 @@ std::vector<std::string> impossible_parts(const Expression& condition) {
     for (std::size_t i = 0; i < condition.nodes.size(); ++i) {
         const ExpressionNode& node = condition.nodes[i];
         if (!reckoner.is_impossible(node)) continue;
-        const Reach reach = reckoner.reach(node.left);
+        // The side that is no plain number is the one to speak of.
+        const Reach left = reckoner.reach(node.left);
+        const int side = left.low == left.high ? node.right : node.left;
+        const Reach reach = reckoner.reach(side);
         std::string sentence = "'" + reckoner.text(static_cast<int>(i)) +
-                               "' can never hold: " + reckoner.text(node.left) + " lies between " +
+                               "' can never hold: " + reckoner.text(side) + " lies between " +
                                bound(reach.low) + " and " + bound(reach.high);
         if (reach.is_whole) sentence += " and is whole";
         sentences.push_back(sentence + ".");

@@ -93,6 +93,9 @@ void draw_lab_result(Ui& ui) {
         ImGui::PopStyleColor();
         name_widget(ui, "lab.result.fault", "Why it could not be diagnosed.");
     }
+    if (lab.frames_to_result > 0) {
+        text_in(palette(ui.options.theme).dim, "It is held against every mistake …");
+    }
     if (!lab.diagnosis) return;
     const Diagnosis& diagnosis = *lab.diagnosis;
     begin_card(ui);
