@@ -229,8 +229,11 @@ void draw_vertices(const Marks& m, int triangle, std::span<const Fragment> verti
             const ShadedVertex shaded = frame.stages->vertex_shader(
                 frame.scene->triangles[triangle].vertices[v], rotation, rules);
             const int middle_column = size.width / 2, middle_row = size.height / 2;
-            const ImVec2 real = m.at(shaded.projected_x + static_cast<float>(middle_column),
-                                     shaded.projected_y + static_cast<float>(middle_row));
+            // int() and floor() give the pixel i all that lies from i to i + 1; a pixel that is
+            // rounded to has its number in its middle.
+            const float shift = frame.settings.rounding == Rounding::round ? 0.0f : -0.5f;
+            const ImVec2 real = m.at(shaded.projected_x + static_cast<float>(middle_column) + shift,
+                                     shaded.projected_y + static_cast<float>(middle_row) + shift);
             m.list->AddLine(real, pixel, m.colour(Meaning::current, 0.7f), 1.2f * m.u);
             m.list->AddCircle(real, 4.0f * m.u, m.colour(Meaning::current), 0, 1.5f * m.u);
         }

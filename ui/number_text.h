@@ -7,7 +7,7 @@
 
 namespace rasterwalk {
 
-// Numbers as the tables of the float microscope show them, with true minus signs.
+// Numbers as the tables show them, with true minus signs.
 
 /// A number as the C library prints it.
 std::string printed(const char* format, double value);

@@ -136,6 +136,15 @@ struct LabLook {
     std::optional<Diagnosis> diagnosis;
 };
 
+/// What the row table has on show.
+struct RowsPlace {
+    int triangle = -1;
+    std::optional<int> row; ///< that is selected
+    int jumps = 0;          ///< Session::jumps: a lesson's step or a link may lead elsewhere
+
+    friend bool operator==(const RowsPlace&, const RowsPlace&) = default;
+};
+
 /// What is asked about in the Vertices, Fragment and Graph tabs.
 struct InspectView {
     std::string vertex_number = "pixel.column"; ///< id of a formula, see vertex_report.h
@@ -150,6 +159,7 @@ struct PictureShelf; // ui/pictures.h
 /// What the student answered to a prediction of the lesson that is open.
 struct PredictionView {
     std::string typed;               ///< the number, as it stands in the field
+    bool is_no_number = false;       ///< what stood there when it was answered
     std::optional<Judgement> judged; ///< of the answer given last; none before the first
     std::string said;                ///< that answer, as it is told back
     std::shared_ptr<MarkdownPage> because;
@@ -205,7 +215,8 @@ struct Ui {
     std::optional<glm::ivec2> hovered_pixel; ///< of the picture, under the pointer
     std::optional<int> hovered_row;          ///< row of the picture pointed at in the row table
     bool shows_end_values = false;           ///< further columns in the row table
-    bool scroll_to_row = false;              ///< the row table brings the selected row into view
+    bool scroll_to_row = false;              ///< the row table brings a row into view
+    RowsPlace rows_place;                    ///< for which it did so last
     bool follow_cursor = false;  ///< the cursor moved: tables scroll to what was just written
     int dragged_vertex = -1;     ///< of the bench triangle; -1: none
     bool shows_glossary = false; ///< the glossary is open

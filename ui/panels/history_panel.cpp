@@ -3,6 +3,7 @@
 #include <string>
 
 #include "session/setting_table.h"
+#include "ui/number_text.h"
 #include "ui/panels/history_parts.h"
 #include "ui/panels/panels.h"
 #include "ui/style.h"
@@ -24,22 +25,30 @@ std::string triangle_words(const Ui& ui, int triangle) {
            part_name(*ui.results.scene, triangle) + ")";
 }
 
-/// The nearest of those that do not stay; there must be one.
-const PixelEntry& runner_up(const PixelHistory& history) {
+/// 1 where the larger value in the depth buffer wins, -1 where the smaller one does.
+float winning_sign(const Ui& ui) {
+    return depth_rule(ui.results.frame.settings) == DepthTest::reversed ? -1.0f : 1.0f;
+}
+
+/// The next in the depth test's order among those that do not stay; there must be one.
+const PixelEntry& runner_up(const PixelHistory& history, float sign) {
     const PixelEntry* best = nullptr;
     for (std::size_t i = 0; i < history.entries.size(); ++i) {
         const PixelEntry& entry = history.entries[i];
         if (stays(history, static_cast<int>(i))) continue;
-        if (best == nullptr || entry.depth > best->depth) best = &entry;
+        if (best == nullptr || sign * entry.depth > sign * best->depth) best = &entry;
     }
     return *best;
 }
 
-/// Why the colour that stays does. Two lines: no number comes to stand at the end of a line, where
-/// it would be broken at its point.
+/// Why the colour that stays does, in two lines.
 std::array<std::string, 2> verdict(const Ui& ui, const PixelHistory& history) {
+    const float sign = winning_sign(ui);
+    const std::string value(depth_value_words(ui));
+    const char* const most = sign > 0.0f ? "largest" : "smallest";
     if (history.winner < 0) {
-        return {"Nothing here is nearer than the empty depth buffer, so the pixel stays black.",
+        return {"No " + value + " here is " + (sign > 0.0f ? "larger" : "smaller") +
+                    " than that of the empty depth buffer, so the pixel stays black.",
                 ""};
     }
     const PixelEntry& winner = history.entries[history.winner];
@@ -47,13 +56,14 @@ std::array<std::string, 2> verdict(const Ui& ui, const PixelHistory& history) {
     if (history.entries.size() == 1) return {text + ": it is alone.", ""};
     if (!history.depth_tested)
         return {text + ": there is no depth test, so the last one wins.", ""};
-    const PixelEntry& next = runner_up(history);
+    const PixelEntry& next = runner_up(history, sign);
     const std::string other = triangle_words(ui, next.cursor.triangle);
-    if (next.margin_to_winner >= 0.0f) {
+    const float ahead = -sign * next.margin_to_winner;
+    if (!(ahead > 0.0f)) {
         return {text + ": it came before " + other + ", which is just as near.", ""};
     }
-    return {text + ": its 1/z is the largest,",
-            fixed(static_cast<double>(-next.margin_to_winner), 6) + " ahead of " + other + "."};
+    return {text + ": its " + value + " is the " + most + ",",
+            printed("%.3g", static_cast<double>(ahead)) + " ahead of " + other + "."};
 }
 
 void draw_title(Ui& ui, const PixelHistory& history) {
@@ -151,7 +161,7 @@ void draw_history_panel(Ui& ui) {
     draw_history_table(ui, history, std::max(ImGui::GetContentRegionAvail().y - below, least));
     begin_card(ui);
     for (const std::string& sentence : sentences) {
-        if (!sentence.empty()) ImGui::TextUnformatted(sentence.c_str());
+        wrapped_text(sentence);
     }
     end_card(ui);
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "ui/ui.h"
 
 namespace rasterwalk {
@@ -15,5 +17,8 @@ void draw_history_swatch(const Ui& ui, ImVec2 at, float size, const glm::vec3& c
 
 /// Everything that fell on the pixel, one a line.
 void draw_history_table(Ui& ui, const PixelHistory& history, float height);
+
+/// What the depth test compares: "1/z", or "1/z from linear z".
+std::string_view depth_value_words(const Ui& ui);
 
 } // namespace rasterwalk

@@ -5,6 +5,7 @@
 
 #include "session/moment_text.h"
 #include "session/walk.h"
+#include "ui/number_text.h"
 #include "ui/panels/history_parts.h"
 #include "ui/style.h"
 #include "ui/widgets.h"
@@ -64,7 +65,7 @@ Columns measure_columns(const Ui& ui, const PixelHistory& history, float room) {
         columns.padding = form.padding * ui.options.text_scale;
         columns.widths = {form.has_number ? text_width(mono, "00") : 0.0f,
                           text_width(ui.fonts.bold, form.least_name),
-                          form.has_place ? text_width(mono, "000.000") : 0.0f,
+                          form.has_place ? text_width(mono, "000, 000") : 0.0f,
                           text_width(mono, "0.0000"),
                           history.depth_tested ? text_width(mono, "+0.0000") : 0.0f,
                           text_width(ui.fonts.small, "✓ written"),
@@ -78,8 +79,15 @@ Columns measure_columns(const Ui& ui, const PixelHistory& history, float room) {
     return columns;
 }
 
-std::string signed_number(float value, int digits) {
-    return (value > 0.0f ? "+" : "") + fixed(static_cast<double>(value), digits);
+/// A margin with four digits; one that would read 0 then, by its power of ten.
+std::string margin_text(float value) {
+    const bool is_tiny = value != 0.0f && std::abs(value) < 0.00005f;
+    if (is_tiny) return printed("%+.0e", static_cast<double>(value));
+    return (value > 0.0f ? "+" : "") + fixed(static_cast<double>(value), 4);
+}
+
+bool is_linear_z(const Ui& ui) {
+    return depth_rule(ui.results.frame.settings) == DepthTest::linear_z;
 }
 
 /// Where the fragment lies in its triangle, counted from 1 as everywhere in the interface: row and
@@ -88,12 +96,14 @@ std::string place_text(const PixelEntry& entry) {
     const Cursor& cursor = entry.cursor;
     if (cursor.phase == Phase::vertices) return std::to_string(cursor.index + 1);
     const int second = cursor.phase == Phase::edges ? cursor.step : entry.column;
-    return std::to_string(cursor.index + 1) + "." + std::to_string(second + 1);
+    // A sample as everywhere else, "2.14"; a row and a column must not read like a decimal.
+    const char* const between = cursor.phase == Phase::edges ? "." : ", ";
+    return std::to_string(cursor.index + 1) + between + std::to_string(second + 1);
 }
 
 const char* place_header(Stage stage) {
     if (stage == Stage::points) return "vertex";
-    return stage == Stage::edges ? "sample" : "row.col";
+    return stage == Stage::edges ? "sample" : "row, col";
 }
 
 std::string tooltip(const Ui& ui, const PixelHistory& history, int index) {
@@ -105,13 +115,16 @@ std::string tooltip(const Ui& ui, const PixelHistory& history, int index) {
     };
     std::string text = describe_moment(ui.results.frame, entry.cursor);
     if (history.depth_tested) {
-        text += "\n1/z " + nine(entry.depth) + ", stored before " + nine(entry.stored) +
-                ", margin " + nine(entry.margin);
+        text.append("\n").append(depth_value_words(ui)).append(" ");
+        text += nine(entry.depth) + ", stored before " + nine(entry.stored) + ", margin " +
+                nine(entry.margin);
     } else if (has_fragments(ui.results.frame.settings.stage)) {
         text += "\n1/z " + nine(entry.zinv) + "; no depth test asks for it";
     }
     if (entry.fate == Fate::depth_failed) {
-        text += "\nHidden: its 1/z is not larger than what is stored.";
+        const bool is_reversed = depth_rule(ui.results.frame.settings) == DepthTest::reversed;
+        text += std::string("\nHidden: it is not ") + (is_reversed ? "smaller" : "larger") +
+                " than what is stored.";
     } else if (stays(history, index)) {
         text += "\nWritten, and nothing written after it: its colour stays.";
     } else {
@@ -180,10 +193,11 @@ void draw_entry(Ui& ui, const PixelHistory& history, int index, const Columns& c
         right_aligned(place_text(entry), colour);
     }
     ImGui::TableNextColumn();
-    right_aligned(fixed(static_cast<double>(entry.zinv), 4), colour);
+    right_aligned(fixed(static_cast<double>(is_linear_z(ui) ? entry.depth : entry.zinv), 4),
+                  colour);
     if (columns.has(margin_column)) {
         ImGui::TableNextColumn();
-        right_aligned(signed_number(entry.margin, 4), colour);
+        right_aligned(margin_text(entry.margin), colour);
     }
     ImGui::TableNextColumn();
     draw_fate(ui, history, index, opacity);
@@ -214,7 +228,10 @@ void draw_headers(Ui& ui, const Columns& columns) {
         {"place", place_header(ui.results.frame.settings.stage),
          "Where in its triangle it lies: row of the row table and column from the row's left end, "
          "or edge and sample, or vertex; counted from 1."},
-        {"zinv", "1/z", "Its interpolated 1/z: larger is nearer."},
+        {"zinv", is_linear_z(ui) ? "1/lin z" : "1/z",
+         is_linear_z(ui) ? "One over the z that is interpolated in equal steps: what this depth "
+                           "test compares, and wrong between the ends."
+                         : "Its interpolated 1/z: larger is nearer."},
         {"margin", "margin",
          "Its 1/z less the depth buffer's value before: above 0 it is nearer and is written."},
         {"fate", "fate",
@@ -241,6 +258,10 @@ void draw_headers(Ui& ui, const Columns& columns) {
 }
 
 } // namespace
+
+std::string_view depth_value_words(const Ui& ui) {
+    return is_linear_z(ui) ? "1/z from linear z" : "1/z";
+}
 
 bool stays(const PixelHistory& history, int index) {
     return history.winner == index;

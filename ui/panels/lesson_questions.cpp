@@ -82,12 +82,15 @@ void draw_number_field(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
     if (ImGui::GetContentRegionAvail().x < button_width("answer")) ImGui::NewLine();
     const bool pressed =
         button(ui, name + ".answer", "answer", Look::chosen, "Then the program tells its own.");
+    if (view.is_no_number) {
+        text_in(colour_of(Meaning::fail, ui.options.theme),
+                view.typed.empty() ? "Type a number first." : "That is not a number.");
+        name_widget(ui, name + ".fault", "1/3 and 500*2 are numbers too.");
+    }
     if (!entered && !pressed) return;
     const std::optional<double> number = read_answer(view.typed);
-    if (!number) {
-        ui.session.notice = "'" + view.typed.substr(0, 40) + "' is not a number.";
-        return;
-    }
+    view.is_no_number = !number;
+    if (!number) return;
     std::string said = view.typed;
     if (!prediction.unit.empty()) said.append(" ").append(prediction.unit);
     answer_prediction(ui, lesson, prediction, {*number}, said);
@@ -139,18 +142,24 @@ void draw_pixel_answer(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
     }
 }
 
-/// "You said 12. It is 11 pixels."
+/// A chosen sentence in quotation marks; a number or a pixel as it is, with a full stop.
+std::string as_said(const LessonPrediction& prediction, const std::string& answer) {
+    if (prediction.kind != LessonPrediction::Kind::choice) return answer + ".";
+    return "“" + answer + "”" + (answer.ends_with('.') ? "" : ".");
+}
+
+/// "You said: 12. The program says: 11 pixels."
 std::string verdict(const LessonPrediction& prediction, const PredictionView& view) {
     const Judgement& judged = *view.judged;
     if (!judged.fault.empty()) return judged.fault;
-    std::string text = judged.is_right ? "Right: " : "You said ";
-    text.append(view.said).append(judged.is_right ? "." : ".");
+    std::string text = judged.is_right ? "Right: " : "You said: ";
+    text.append(as_said(prediction, view.said));
     if (prediction.kind != LessonPrediction::Kind::pixel && !judged.is_right) {
-        text.append(" The program says ").append(judged.answer).append(".");
+        text.append(" The program says: ").append(as_said(prediction, judged.answer));
     } else if (!judged.is_right) {
         text.append(" That is not one.");
     } else if (prediction.kind == LessonPrediction::Kind::number && judged.answer != view.said) {
-        text.append(" The program says ").append(judged.answer).append(".");
+        text.append(" The program says: ").append(as_said(prediction, judged.answer));
     }
     return text;
 }

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <climits>
+#include <optional>
+#include <span>
 #include <string>
 
 #include "session/walk.h"
@@ -89,6 +91,18 @@ void draw_values(Ui& ui, const Fragment& end, bool is_set) {
     }
 }
 
+/// The row of the picture at which the work in this table stands: that of the last fragments, or of
+/// the last sample; none before the first.
+std::optional<int> row_at_work(const Ui& ui) {
+    const RowHistory& history = ui.results.rows;
+    const std::optional<Cursor>& done = ui.results.done;
+    if (done && done->triangle == ui.results.triangle && done->phase == Phase::rows) {
+        return history.rows.first_row + done->index;
+    }
+    if (history.last && history.last->write.inside) return history.last->fragment.row;
+    return std::nullopt;
+}
+
 void draw_row(Ui& ui, int index) {
     const Palette& p = palette(ui.options.theme);
     const RowHistory& history = ui.results.rows;
@@ -101,7 +115,7 @@ void draw_row(Ui& ui, int index) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushID(row);
-    const bool lit = is_last || ui.session.selection.row == row ||
+    const bool lit = row_at_work(ui) == row || ui.session.selection.row == row ||
                      (ui.hovered_pixel && ui.hovered_pixel->y == row);
     if (ImGui::Selectable("##row", lit,
                           ImGuiSelectableFlags_SpanAllColumns |
@@ -116,8 +130,13 @@ void draw_row(Ui& ui, int index) {
     const RowWrite write = is_last ? history.last->write : RowWrite{};
     ImGui::TableNextColumn();
     draw_end_cell(ui, name + ".left", history.rows.left[index], left, true, write.left);
+    if (ui.shows_end_values) draw_values(ui, history.rows.left[index], left.is_set());
     ImGui::TableNextColumn();
     draw_end_cell(ui, name + ".right", history.rows.right[index], right, false, write.right);
+    if (ui.shows_end_values) {
+        draw_values(ui, history.rows.right[index], right.is_set());
+        return;
+    }
     ImGui::TableNextColumn();
     const int count = history.rows.pixel_count(index);
     right_aligned(count > 0 ? std::to_string(count) : "—", count > 0 ? p.text : p.dim);
@@ -125,9 +144,6 @@ void draw_row(Ui& ui, int index) {
     draw_writer_cell(ui, name + ".left_by", left);
     ImGui::TableNextColumn();
     draw_writer_cell(ui, name + ".right_by", right);
-    if (!ui.shows_end_values) return;
-    draw_values(ui, history.rows.left[index], left.is_set());
-    draw_values(ui, history.rows.right[index], right.is_set());
 }
 
 /// A sample that fell outside the table: a red line, with the float value that is to blame.
@@ -161,8 +177,11 @@ void draw_outside(Ui& ui, const OutsideSample& sample, int number) {
                         false);
     ImGui::GetWindowDrawList()->AddText(at, packed(red), (std::string("y = ") + value).c_str());
     ImGui::PopClipRect();
-    ImGui::TableSetColumnIndex(5);
-    right_aligned(std::to_string(sample.edge + 1) + "." + std::to_string(sample.sample + 1), red);
+    if (!ui.shows_end_values) {
+        ImGui::TableSetColumnIndex(5);
+        right_aligned(std::to_string(sample.edge + 1) + "." + std::to_string(sample.sample + 1),
+                      red);
+    }
     if (pressed) go_to_sample(ui, sample.edge, sample.sample);
 }
 
@@ -171,22 +190,29 @@ void draw_headers(Ui& ui) {
         const char* name;
         const char* help;
     };
-    const Header headers[] = {
+    static constexpr Header who[] = {
         {"row", "Row of the picture."},
         {"left", "Column of the row's left end: leftPixels[i].x"},
         {"right", "Column of the row's right end: rightPixels[i].x"},
         {"count", "Pixels from the left to the right end, both included."},
         {"left by", "Who wrote the left end: edge.sample, and how often it was replaced (↻)."},
         {"right by", "Who wrote the right end: edge.sample, and how often it was replaced (↻)."},
-        {"left 1/z", "1/z of the left end."},
-        {"left x", "Varying of the left end; q/z with perspective correction."},
-        {"left y", "Varying of the left end; q/z with perspective correction."},
-        {"left z", "Varying of the left end; q/z with perspective correction."},
-        {"right 1/z", "1/z of the right end."},
-        {"right x", "Varying of the right end; q/z with perspective correction."},
-        {"right y", "Varying of the right end; q/z with perspective correction."},
-        {"right z", "Varying of the right end; q/z with perspective correction."},
     };
+    static constexpr Header values[] = {
+        {"row", "Row of the picture."},
+        {"left", "Column of the row's left end: leftPixels[i].x"},
+        {"1/z", "1/z of the left end."},
+        {"x", "Varying of the left end; q/z with perspective correction."},
+        {"y", "Varying of the left end; q/z with perspective correction."},
+        {"z", "Varying of the left end; q/z with perspective correction."},
+        {"right", "Column of the row's right end: rightPixels[i].x"},
+        {"1/z", "1/z of the right end."},
+        {"x", "Varying of the right end; q/z with perspective correction."},
+        {"y", "Varying of the right end; q/z with perspective correction."},
+        {"z", "Varying of the right end; q/z with perspective correction."},
+    };
+    const std::span<const Header> headers =
+        ui.shows_end_values ? std::span<const Header>(values) : std::span<const Header>(who);
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     for (int i = 0; i < ImGui::TableGetColumnCount(); ++i) {
         ImGui::TableSetColumnIndex(i);
@@ -195,7 +221,7 @@ void draw_headers(Ui& ui) {
         right_aligned(is_count && ui.page_is_narrow ? "n" : headers[i].name,
                       palette(ui.options.theme).dim);
         ImGui::PopFont();
-        name_widget(ui, std::string("rows.header.") + headers[i].name, headers[i].help);
+        name_widget(ui, std::string("rows.header.") + std::to_string(i), headers[i].help);
     }
 }
 
@@ -211,10 +237,28 @@ void bring_into_view(Ui& ui) {
     }
 }
 
+/// The row to bring into view, as an index into the table, -1: none. A table that comes to be shown
+/// shows its selected row, or else the row at work.
+int wanted_row(Ui& ui) {
+    const RowHistory& history = ui.results.rows;
+    const RowsPlace place{*ui.results.triangle, ui.session.selection.row, ui.session.jumps};
+    if (!(place == ui.rows_place)) {
+        ui.rows_place = place;
+        ui.scroll_to_row = true;
+    }
+    if (!ui.scroll_to_row) return -1;
+    const auto in_table = [&](std::optional<int> row) {
+        const int index = row.value_or(-1) - history.rows.first_row;
+        return row && index >= 0 && index < history.rows.size() ? index : -1;
+    };
+    const int selected = in_table(ui.session.selection.row);
+    return selected >= 0 ? selected : in_table(row_at_work(ui));
+}
+
 void draw_table(Ui& ui, float height) {
     const RowHistory& history = ui.results.rows;
     const float u = ui.options.text_scale;
-    const int columns = ui.shows_end_values ? 14 : 6;
+    const int columns = ui.shows_end_values ? 11 : 6;
     const ImGuiTableFlags flags =
         ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH |
         (ui.shows_end_values ? ImGuiTableFlags_ScrollX | ImGuiTableFlags_SizingFixedFit
@@ -229,8 +273,9 @@ void draw_table(Ui& ui, float height) {
     static constexpr float roomy[] = {46, 84, 84, 48, 92, 92}, narrow[] = {34, 46, 46, 34, 78, 78};
     const float* const widths = is_narrow ? narrow : roomy;
     for (int i = 0; i < columns; ++i) {
-        const float width = i < 6 ? widths[i] : 76.0f;
-        ImGui::TableSetupColumn("", 0, ui.shows_end_values ? width * u : width);
+        // Of the ends' values those of the left end are in sight at once.
+        const float value_width = i == 0 ? 40.0f : i == 1 || i == 6 ? 46.0f : 70.0f;
+        ImGui::TableSetupColumn("", 0, ui.shows_end_values ? value_width * u : widths[i]);
     }
     draw_headers(ui);
     ImGui::PushFont(ui.fonts.mono);
@@ -240,13 +285,12 @@ void draw_table(Ui& ui, float height) {
     }
     ImGuiListClipper clipper;
     clipper.Begin(history.rows.size());
-    if (ui.follow_cursor && history.last && history.last->write.inside) {
-        const int index = history.last->fragment.row - history.rows.first_row;
+    const std::optional<int> at_work = row_at_work(ui);
+    if (ui.follow_cursor && at_work && history.rows.size() > 0) {
+        const int index = std::clamp(*at_work - history.rows.first_row, 0, history.rows.size() - 1);
         clipper.ForceDisplayRangeByIndices(index, index + 1);
     }
-    const int wanted = ui.scroll_to_row && ui.session.selection.row
-                           ? *ui.session.selection.row - history.rows.first_row
-                           : -1;
+    const int wanted = wanted_row(ui);
     if (wanted < 0 || wanted >= history.rows.size()) {
         ui.scroll_to_row = false;
     } else {
@@ -255,9 +299,8 @@ void draw_table(Ui& ui, float height) {
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             draw_row(ui, i);
-            const bool is_last =
-                history.last && history.last->fragment.row == history.rows.first_row + i;
-            if (ui.follow_cursor && is_last && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
+            const bool is_at_work = at_work == history.rows.first_row + i;
+            if (ui.follow_cursor && is_at_work && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
             if (i == wanted) bring_into_view(ui);
         }
     }
@@ -288,10 +331,10 @@ void draw_last_sample(Ui& ui) {
     text_in(p.dim, ", sample " + std::to_string(last.sample + 1));
     ImGui::PushFont(ui.fonts.mono);
     char text[96];
-    std::snprintf(text, sizeof text, "x = %.6f → %d", static_cast<double>(last.x),
+    std::snprintf(text, sizeof text, "x = %.9g → %d", static_cast<double>(last.x),
                   last.fragment.column);
     ImGui::TextUnformatted(text);
-    std::snprintf(text, sizeof text, "y = %.6f → %d", static_cast<double>(last.y),
+    std::snprintf(text, sizeof text, "y = %.9g → %d", static_cast<double>(last.y),
                   last.fragment.row);
     ImGui::TextUnformatted(text);
     ImGui::PopFont();

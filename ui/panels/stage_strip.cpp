@@ -25,6 +25,7 @@ struct StripItem {
     bool is_on = false;  ///< switches
     bool is_switch = false;
     bool has_state = true;             ///< switches: says whether it is on
+    bool matters = true;               ///< switches: does it change anything at this stage?
     const ComparePair* pair = nullptr; ///< two runs that a click compares; in small letters
 };
 
@@ -56,7 +57,8 @@ std::vector<StripItem> strip_items(const Ui& ui, Form form) {
                                                                                      : "off",
                      .first_is_main = true,
                      .is_on = perspective,
-                     .is_switch = true});
+                     .is_switch = true,
+                     .matters = settings.stage >= Stage::depth});
     const DepthTest depth = settings.depth_test;
     items.push_back({.name = "switch.depth_test",
                      .first = form > Form::full ? "Depth" : "Depth test",
@@ -66,7 +68,8 @@ std::vector<StripItem> strip_items(const Ui& ui, Form form) {
                                                                : "z",
                      .first_is_main = true,
                      .is_on = depth != DepthTest::off,
-                     .is_switch = true});
+                     .is_switch = true,
+                     .matters = settings.stage >= Stage::depth});
     if (hides_settings(ui.session)) {
         for (StripItem& item : items) {
             if (!item.is_switch) continue;
@@ -198,6 +201,9 @@ void draw_pairs(Ui& ui) {
 
 std::string tooltip_of_item(const StripItem& item) {
     if (item.name == "compare.pairs") return "Which two runs are compared.";
+    if (!item.matters) {
+        return tooltip_of(item.name) + "\nAt this stage it changes nothing: it has no depth.";
+    }
     if (item.pair == nullptr) return tooltip_of(item.name);
     std::string text = "Compares ";
     text.append(item.pair->left).append(" with ").append(item.pair->right);
@@ -218,8 +224,8 @@ void draw_item(Ui& ui, const StripItem& item, ImVec2 at, ImVec2 size) {
     if (!item.is_switch || hovered || item.chosen)
         list->AddRectFilled(at, end, packed(fill), 5.0f * u);
     if (item.is_switch) list->AddRect(at, end, packed(p.dim, 0.6f), 5.0f * u);
-    const ImVec4& main = item.chosen ? p.accent_text : p.text;
-    const ImVec4 state = item.is_on ? p.link : p.changed;
+    const ImVec4& main = item.chosen ? p.accent_text : item.matters ? p.text : p.dim;
+    const ImVec4 state = !item.matters ? p.dim : item.is_on ? p.link : p.changed;
     const ImVec4& side = item.is_switch ? state : item.chosen ? p.accent_text : p.dim;
     if (item.pair != nullptr) ImGui::PushFont(ui.fonts.small);
     const float y = at.y + 0.5f * (size.y - ImGui::GetFontSize());

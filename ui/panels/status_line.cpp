@@ -89,8 +89,14 @@ void draw_status_line(Ui& ui, const Area& area) {
         const float start = right - width > left ? right - width : left;
         ImGui::SetCursorScreenPos({start, ImGui::GetItemRectMin().y});
         ImGui::PushClipRect({left, area.position.y}, {right, area.position.y + area.size.y}, true);
-        text_in(colour_of(Meaning::fail, ui.options.theme), shortened(trouble, right - left));
-        name_widget(ui, "status.trouble", trouble);
+        // What was caught is no fault of the student's: only what could not be done stands out.
+        const bool is_fault = !ui.session.notice.empty() || !ui.fonts.notice.empty();
+        text_in(is_fault ? colour_of(Meaning::fail, ui.options.theme) : p.dim,
+                shortened(trouble, right - left));
+        name_widget(ui, "status.trouble",
+                    is_fault ? trouble
+                             : trouble + "\nThe program guards against this and goes on; lesson 12 "
+                                         "tells why it happens.");
         ImGui::PopClipRect();
     }
     ImGui::End();
