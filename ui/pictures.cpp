@@ -1,6 +1,7 @@
 #include "ui/pictures.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 
 #include "scene/error.h"
@@ -65,19 +66,19 @@ Image shrink(const Image& image, int width) {
             const int left = static_cast<int>(static_cast<long>(x) * image.width / small.width);
             const int right = std::max(
                 left + 1, static_cast<int>(static_cast<long>(x + 1) * image.width / small.width));
-            int sums[4] = {};
+            std::int64_t sums[4] = {};
             for (int v = top; v < bottom; ++v) {
                 const std::uint8_t* in =
                     image.rgba.data() +
                     4 * (static_cast<std::size_t>(v) * static_cast<std::size_t>(image.width) +
                          static_cast<std::size_t>(left));
                 for (int u = left; u < right; ++u) {
-                    for (int& sum : sums)
+                    for (std::int64_t& sum : sums)
                         sum += *in++;
                 }
             }
-            const int count = (bottom - top) * (right - left);
-            for (const int sum : sums)
+            const std::int64_t count = std::int64_t{bottom - top} * (right - left);
+            for (const std::int64_t sum : sums)
                 *out++ = static_cast<std::uint8_t>((sum + count / 2) / count);
         }
     }

@@ -17,6 +17,7 @@
 #include "session/bug.h"
 #include "session/lesson_list.h"
 #include "session/lesson_run.h"
+#include "session/lesson_search.h"
 #include "session/progress.h"
 #include "session/results.h"
 #include "session/session.h"
@@ -165,6 +166,13 @@ struct PredictionView {
     std::shared_ptr<MarkdownPage> because;
 };
 
+/// What a search over the lessons has found; searched again when one of the first two changes.
+struct LessonSearch {
+    std::string query;
+    std::uint64_t number = 0; ///< of the lessons, see LessonList
+    std::vector<SearchHit> hits;
+};
+
 /// What the lesson column keeps from one frame to the next.
 struct LessonView {
     StageNotes notes;
@@ -178,6 +186,7 @@ struct LessonView {
     std::set<std::string> open_hints;                           ///< ids of tasks
     std::string shown;             ///< which page is on show; the scroll position belongs to it
     std::string search;            ///< what the list of lessons is searched for
+    LessonSearch found;            ///< what it has found
     bool shows_list = false;       ///< the list of lessons instead of a lesson
     bool shows_stage = false;      ///< the page about the stage instead of the lesson
     bool covers_inspector = false; ///< where the lesson is a tab of the inspector: it is in front

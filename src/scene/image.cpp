@@ -2,9 +2,11 @@
 
 #include <array>
 #include <cstddef>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <string_view>
+#include <system_error>
 
 #include <stb_image.h>
 #include <stb_image_write.h>
@@ -49,6 +51,9 @@ void write_png(const Image& image, const std::string& path) {
 }
 
 bool is_image_file(const std::string& path) {
+    // A pipe would be waited for.
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(path, ignored)) return false;
     std::array<char, 8> head{};
     std::ifstream file(path, std::ios::binary);
     file.read(head.data(), head.size());

@@ -1,6 +1,8 @@
 #include "session/lesson_blocks.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -225,7 +227,10 @@ Expression condition(const Block& block, const toml::node& node) {
 /// An expression is text; a plain number may stand without quotes.
 Expression expression(const Block& block, const toml::node& node) {
     if (const std::optional<double> number = node.value<double>()) {
-        return parse_expression(number_text(static_cast<float>(*number)));
+        // All digits of a double: a count may be larger than a float tells.
+        std::array<char, 64> digits;
+        const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), *number).ptr;
+        return parse_expression({digits.data(), end});
     }
     return parse_expression(block.text(node));
 }

@@ -63,6 +63,7 @@ void LessonList::refresh() {
     files_ = std::move(files);
     lessons_ = std::move(lessons);
     is_read_ = true;
+    ++number_;
 }
 
 void LessonList::read_folder(const std::string& folder) {
@@ -91,10 +92,13 @@ const Lesson* LessonList::find(std::string_view id) {
     if (found == lessons.end()) return nullptr;
     const auto index = static_cast<std::size_t>(found - lessons.begin());
     const FileState now = state_of(files_[index].path);
-    // A file that was taken away leaves its lesson open.
-    if (now != files_[index] && now.size > 0) {
+    if (now != files_[index]) {
         files_[index] = now;
-        lessons_[index] = read_lesson(now.path);
+        // A file that was taken away, or is just being written, leaves its lesson open.
+        if (now.size > 0) {
+            lessons_[index] = read_lesson(now.path);
+            ++number_;
+        }
     }
     return &lessons_[index];
 }

@@ -23,6 +23,9 @@ class LessonList {
     /// Has the file of this lesson changed since it was read?
     bool is_edited(std::string_view id) const;
 
+    /// Grows whenever a lesson is read: what was found in them may be out of date then.
+    std::uint64_t number() const { return number_; }
+
     /// Looks whether files were changed, added or taken away, and reads those again.
     void refresh();
 
@@ -42,6 +45,7 @@ class LessonList {
     std::vector<FileState> files_in_folder() const;
 
     bool is_read_ = false;
+    std::uint64_t number_ = 0;
     std::string folder_;
     std::vector<FileState> files_; ///< of the same index as lessons_
     std::vector<Lesson> lessons_;

@@ -98,8 +98,14 @@ void draw_lessons(Ui& ui, float width) {
 
 void draw_hits(Ui& ui, float width) {
     const Palette& p = palette(ui.options.theme);
-    const std::vector<SearchHit> hits =
-        search_lessons(ui.lesson.lessons.all(), ui.session.glossary, ui.lesson.search);
+    LessonSearch& found = ui.lesson.found;
+    const std::vector<Lesson>& lessons = ui.lesson.lessons.all();
+    if (found.query != ui.lesson.search || found.number != ui.lesson.lessons.number()) {
+        found = {ui.lesson.search, ui.lesson.lessons.number(),
+                 search_lessons(lessons, ui.session.glossary, ui.lesson.search)};
+    }
+    // The copy outlives a lesson's opening, which may search anew.
+    const std::vector<SearchHit> hits = found.hits;
     if (hits.empty()) {
         text_in(p.dim, "Nothing says that.");
         return;
