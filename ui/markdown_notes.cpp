@@ -12,7 +12,7 @@ constexpr std::string_view opening = "[^";
 
 bool is_fence(std::string_view line) {
     const std::size_t start = line.find_first_not_of(' ');
-    return start != line.npos && start < 4 &&
+    return start < 4 && // not npos
            (line.substr(start).starts_with("```") || line.substr(start).starts_with("~~~"));
 }
 
