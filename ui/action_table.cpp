@@ -11,6 +11,7 @@
 #include "ui/keys.h"
 #include "ui/lesson_state.h"
 #include "ui/style.h"
+#include "ui/view_files.h"
 
 namespace rasterwalk {
 
@@ -63,6 +64,27 @@ void walk_to_change(Ui& ui, bool (*walk)(Session&, const Timeline&, const PixelH
 
 // A triangle is stepped over whole; the other keys take what the transport is set to.
 const Action table[] = {
+    {"file.open",
+     "File",
+     "Open ...",
+     "Opens a saved view, a scene or a lesson; the view before it can be brought back by undo.",
+     {'O', true},
+     begin_opening,
+     nullptr},
+    {"file.save_view",
+     "File",
+     "Save the view ...",
+     "Writes everything that is on show into a file that can be opened again.",
+     {'S', true},
+     begin_saving,
+     nullptr},
+    {"file.copy_view",
+     "File",
+     "Copy the view as a command line",
+     "Copies a line that opens the program with exactly this view.",
+     {'C', true},
+     copy_command_line,
+     nullptr},
     {"file.save_picture",
      "File",
      "Save a picture of the window",

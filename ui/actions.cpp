@@ -74,7 +74,8 @@ std::string tooltip_of(std::string_view action) {
 }
 
 void handle_keys(Ui& ui) {
-    if (ImGui::GetIO().WantTextInput) return;
+    const bool is_covered = ui.files.kind != FileSheet::Kind::closed;
+    if (ImGui::GetIO().WantTextInput || is_covered) return;
     for (const Action& action : action_table()) {
         if (is_pressed(action.chord)) action.run(ui);
     }

@@ -38,7 +38,7 @@ std::string tooltip_of(std::string_view action);
 std::string chord_text(const Chord& chord);
 
 /// Runs the actions whose keys were pressed, and moves camera and light while the lab's keys are
-/// held. Does nothing while text is typed.
+/// held. Does nothing while text is typed or a sheet for files is up.
 void handle_keys(Ui& ui);
 
 /// Opens a scene file; a fault goes to session.notice and the old scene stays.

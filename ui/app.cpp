@@ -67,8 +67,8 @@ void renew_style(Ui& ui) {
 }
 
 void draw_column_border(const Ui& ui, float x, float top, float bottom) {
-    ImGui::GetForegroundDrawList()->AddLine({x, top}, {x, bottom},
-                                            packed(palette(ui.options.theme).line));
+    ImGui::GetWindowDrawList()->AddLine({x, top}, {x, bottom},
+                                        packed(palette(ui.options.theme).line));
 }
 
 /// A strip along a border that is dragged to make a column wider.
@@ -91,9 +91,9 @@ void draw_splitter(Ui& ui, const char* name, float x, const Area& middle, float&
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     }
     name_widget(ui, name);
+    draw_column_border(ui, x, middle.position.y, middle.position.y + middle.size.y);
     ImGui::End();
     ImGui::PopStyleVar();
-    draw_column_border(ui, x, middle.position.y, middle.position.y + middle.size.y);
 }
 
 void draw_everything(Ui& ui) {
@@ -115,6 +115,7 @@ void draw_everything(Ui& ui) {
                   ui.options.inspector_width, true);
     draw_key_sheet(ui, window);
     draw_glossary_sheet(ui, window);
+    draw_file_sheet(ui, window);
     release_pointed(ui);
 }
 

@@ -113,15 +113,4 @@ void carry_on_diagnosis(Ui& ui) {
     }
 }
 
-void open_dropped(Ui& ui, const std::string& path) {
-    bool is_result = is_image_file(path);
-    for (const char* ending : {".txt", ".TXT", ".png", ".PNG", ".bmp", ".BMP"})
-        is_result = is_result || path.ends_with(ending);
-    if (is_result) {
-        diagnose_file(ui, path);
-    } else {
-        open_scene(ui, path);
-    }
-}
-
 } // namespace rasterwalk

@@ -28,7 +28,4 @@ void diagnose_file(Ui& ui, const std::string& path);
 /// Diagnoses the file that waits for it. To be called once a frame.
 void carry_on_diagnosis(Ui& ui);
 
-/// A file that was dropped on the window: a result to be diagnosed, or else a scene.
-void open_dropped(Ui& ui, const std::string& path);
-
 } // namespace rasterwalk

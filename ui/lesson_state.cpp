@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "scene/error.h"
+#include "session/content.h"
 #include "ui/lesson_links.h"
 
 namespace rasterwalk {
@@ -10,11 +11,16 @@ namespace rasterwalk {
 namespace {
 
 /// Forgets what belongs to the step that was on show.
-void leave_step(LessonView& view) {
+void forget_step(LessonView& view) {
     view.pages.clear();
     view.open_hints.clear();
     view.pointed_at.clear();
     view.is_held = false;
+}
+
+/// The same, because another comes.
+void leave_step(LessonView& view) {
+    forget_step(view);
     view.shows_list = view.shows_stage = false;
     view.covers_inspector = true;
 }
@@ -32,8 +38,17 @@ void enter_step(Ui& ui, const Lesson& lesson) {
 void take_up_lesson(Ui& ui) {
     Session& session = ui.session;
     LessonView& view = ui.lesson;
-    if (session.lesson.empty()) return;
-    if (!session.lesson_folder.empty()) view.lessons.read_folder(session.lesson_folder);
+    view.predictions.clear();
+    if (session.lesson.empty()) {
+        forget_step(view);
+        return;
+    }
+    const std::string& folder = session.lesson_folder;
+    if (!folder.empty()) {
+        if (view.lessons.folder() != folder) view.lessons.read_folder(folder);
+    } else if (const std::string own = lessons_folder(); view.lessons.folder() != own) {
+        view.lessons.read_folder(own);
+    }
     const Lesson* const lesson = view.lessons.find(session.lesson);
     if (lesson == nullptr) {
         session.notice = "There is no lesson '" + session.lesson.substr(0, 60) + "'.";
@@ -42,7 +57,6 @@ void take_up_lesson(Ui& ui) {
         return;
     }
     session.step = std::clamp(session.step, 0, static_cast<int>(lesson->steps.size()) - 1);
-    view.predictions.clear();
     leave_step(view);
     enter_step(ui, *lesson);
 }

@@ -142,7 +142,10 @@ void apply_style(const UiOptions& options) {
     set(ImGuiCol_TableHeaderBg, p.ground);
     set(ImGuiCol_TableBorderStrong, p.line);
     set(ImGuiCol_TableBorderLight, p.line);
-    set(ImGuiCol_TextSelectedBg, p.accent);
+    ImVec4 selected = p.link;
+    selected.w = 0.35f;
+    set(ImGuiCol_TextSelectedBg, selected);
+    set(ImGuiCol_ModalWindowDimBg, ImVec4(0.0f, 0.0f, 0.0f, 0.45f));
     set(ImGuiCol_NavHighlight, p.link);
     ImGui::GetStyle() = style;
 }

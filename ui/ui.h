@@ -196,6 +196,25 @@ struct LessonView {
     int frames_unseen = 0;         ///< since the widget pointed at was last on the screen
 };
 
+/// A file or folder that the sheet for files lists.
+struct FileEntry {
+    std::string name;
+    bool is_folder = false;
+};
+
+/// The sheet on which a file is opened or a view is saved.
+struct FileSheet {
+    enum class Kind : std::uint8_t { closed, open, save };
+    Kind kind = Kind::closed;
+    std::string path;   ///< as it stands in the field
+    std::string folder; ///< that is listed; kept for the next time
+    std::vector<FileEntry> entries;
+    std::size_t left_out = 0; ///< files that are not listed because there are too many
+    std::string fault;        ///< why it was not opened or saved
+    std::string asked;        ///< file that is there already: may it be replaced? empty: not asked
+    bool wants_focus = false; ///< the field takes the keyboard in the next frame
+};
+
 /// The interface: what the student sets (session), what follows from it (results), and what only
 /// concerns the screen.
 struct Ui {
@@ -212,6 +231,7 @@ struct Ui {
     std::shared_ptr<PictureShelf> pictures; ///< that the lessons show
     CompareLook compare;
     LabLook lab;
+    FileSheet files;
     PictureTexture picture;      ///< shows Results::picture
     PictureTexture overlay;      ///< shows Results::overlay
     bool page_is_low = false;    ///< the inspector's page has few lines: panels are brief

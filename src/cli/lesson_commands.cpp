@@ -77,6 +77,11 @@ int check_file(const std::string& path, const Session& session, std::ostream& ou
     if (name == "presets.toml") return read([&] { read_presets(path); });
     if (name == "glossary.toml") return read([&] { read_glossary(path); });
     if (name == "bugs.toml") return read([&] { read_bugs(path); });
+    if (is_view_file(name)) {
+        ViewOptions options;
+        options.file = path;
+        return read([&] { open_view(options); });
+    }
     if (name.ends_with(".toml")) return read([&] { read_scene_file(path); });
     const Lesson lesson = read_lesson(path);
     const std::vector<LessonFault> faults = check_lesson(lesson, session);

@@ -33,6 +33,9 @@ class LessonList {
     /// none.
     void read_folder(const std::string& folder);
 
+    /// The folder whose lessons these are; empty before any was read.
+    const std::string& folder() const { return folder_; }
+
   private:
     struct FileState {
         std::string path;

@@ -4,8 +4,10 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 
 #include "scene/error.h"
+#include "session/content.h"
 #include "session/quoted.h"
 
 namespace rasterwalk {
@@ -79,9 +81,16 @@ void judge_choice(const LessonPrediction& prediction, const Facts& facts, int gi
 
 } // namespace
 
+bool is_in_lessons_folder(const Lesson& lesson) {
+    std::error_code fault;
+    const std::string folder = lesson.folder.empty() ? "." : lesson.folder;
+    return std::filesystem::equivalent(folder, lessons_folder(), fault) && !fault;
+}
+
 std::vector<LessonFault> open_step(Session& session, const Lesson& lesson, int step) {
     const int last = static_cast<int>(lesson.steps.size()) - 1;
     session.lesson = lesson.id;
+    session.lesson_folder = is_in_lessons_folder(lesson) ? "" : lesson.folder;
     session.step = std::clamp(step, 0, last);
     const LessonStep& shown = lesson.steps[static_cast<std::size_t>(session.step)];
     return apply_situation(session, shown.situation, lesson.folder);

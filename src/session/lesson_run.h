@@ -15,6 +15,9 @@
 
 namespace rasterwalk {
 
+/// Is this one of the lessons that come with the program?
+bool is_in_lessons_folder(const Lesson& lesson);
+
 /// Opens a step: brings the session into its situation and notes lesson and step in it. A step that
 /// does not exist is the nearest that does. Returns what could not be done.
 std::vector<LessonFault> open_step(Session& session, const Lesson& lesson, int step);

@@ -17,6 +17,7 @@
 #include "session/depth_view.h"
 #include "session/facts.h"
 #include "session/lesson_list.h"
+#include "session/lesson_run.h"
 #include "session/moments.h"
 #include "session/nearest_name.h"
 #include "session/number_text.h"
@@ -66,11 +67,6 @@ int parse_step(const std::string& text, const Lesson& lesson) {
                      in_quotes(lesson.id) + ", not " + in_quotes(text) + ".");
 }
 
-bool is_same_folder(const std::string& a, const std::string& b) {
-    std::error_code fault;
-    return fs::equivalent(a.empty() ? "." : a, b.empty() ? "." : b, fault) && !fault;
-}
-
 Start start_of_lesson(const ViewOptions& options) {
     const Lesson lesson = lesson_named(options.lesson);
     const int step = parse_step(options.step, lesson);
@@ -88,9 +84,10 @@ Start start_of_lesson(const ViewOptions& options) {
     start.session = open_session(scene);
     start.session.lesson = lesson.id;
     start.session.step = step;
-    if (!is_same_folder(lesson.folder, lessons_folder())) {
-        start.session.lesson_folder = lesson.folder;
+    if (!lesson.faults.empty()) {
+        start.session.notice = fault_text(lesson, lesson.faults.front());
     }
+    if (!is_in_lessons_folder(lesson)) start.session.lesson_folder = lesson.folder;
     return start;
 }
 
@@ -111,7 +108,7 @@ void take_lesson(const SavedView& saved, Session& session) {
             lesson_named(is_file ? find_file(saved, "lesson", saved.lesson) : saved.lesson);
         session.lesson = lesson.id;
         session.step = std::min(saved.step, static_cast<int>(lesson.steps.size()) - 1);
-        if (is_file) session.lesson_folder = lesson.folder;
+        if (!is_in_lessons_folder(lesson)) session.lesson_folder = lesson.folder;
     } catch (const Error& fault) {
         session.notice = std::string("The lesson of this view is not here: ") + fault.what();
     }
@@ -180,6 +177,12 @@ void set_as_options_say(const ViewOptions& options, const std::optional<Bug>& bu
         for (const std::string& assignment : options.assignments)
             set_from_text(*run, assignment);
     }
+}
+
+/// Do the options draw another picture than the start's?
+bool changes_picture(const ViewOptions& o) {
+    return !(o.scene.empty() && o.size.empty() && o.stage.empty() && o.bug.empty() &&
+             o.presets.empty() && o.assignments.empty() && o.vertices.empty());
 }
 
 /// Where the start's cursor, pixel and row do not exist with other settings, they give way.
@@ -401,12 +404,16 @@ Session open_view(const ViewOptions& given) {
 
     Asked(options, situation).take();
     const std::optional<Settings> correct = session.other;
+    const std::optional<TakenRun> taken = session.taken;
     refuse_faults(start.path, place_all(session, situation));
-    fit(session, situation);
+    if (changes_picture(options)) fit(session, situation);
     refuse_faults(start.path, apply_on_scene(session, situation));
     const Frame frame = prepare_frame(*session.scene, session.settings);
     if (!options.to.empty()) session.cursor = moment_of(frame, options.to);
-    if (bug && options.b.empty() && correct) compare_with(session, *correct);
+    if (bug && options.b.empty() && correct) {
+        compare_with(session, *correct);
+        session.taken = taken; // the laboratory turns it off again
+    }
     session.jumps = 0;
     return std::move(start.session);
 }

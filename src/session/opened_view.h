@@ -42,7 +42,8 @@ struct ViewOptions {
 /// The session that the options describe. It begins with the scene, the step of the lesson or the
 /// saved view; then take effect size, bug, presets, stage, assignments, in this order, so that what
 /// is more exact wins, and then all others. With a bug the correct run is run B unless `b` says
-/// otherwise. Throws Error: what a file says wrongly is an InputError with file:line.
+/// otherwise. Throws Error: what a file says wrongly is an InputError with file:line. A lesson that
+/// is wrong elsewhere than in what this step shows opens, and session.notice says so.
 Session open_view(const ViewOptions& options);
 
 /// The path of the scene that a text names: a file, or one in lessons_folder()

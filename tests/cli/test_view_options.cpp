@@ -213,6 +213,34 @@ TEST_CASE("Values that a view cannot have are refused with a sentence") {
             "--depth-range is a range of 1/z, far and near, as 0.2,0.8 or none, not '0.8,0.2'.");
 }
 
+TEST_CASE("A saved view is opened, and what is said beside it wins") {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("v.walk.toml", "scene = \"scenes/one-triangle.toml\"\n"
+                                                         "set = [\"rounding=floor\"]\n"
+                                                         "cursor = \"t0/e1/s5\"\n"
+                                                         "row = 9\n"
+                                                         "compare = [\"rounding=truncate\"]\n");
+    const Session plain = opened({path});
+    CHECK(plain.settings.rounding == Rounding::floor);
+    CHECK(plain.cursor == Cursor{0, Phase::edges, 1, 5});
+    REQUIRE(plain.other);
+    CHECK(plain.other->rounding == Rounding::truncate);
+    const Session changed =
+        opened({path, "--to", "end", "--row", "none", "--b", "none", "--stage", "fill"});
+    CHECK(changed.settings.rounding == Rounding::floor);
+    CHECK(changed.settings.stage == Stage::fill);
+    CHECK(changed.cursor == cursor_end);
+    CHECK_FALSE(changed.selection.row);
+    CHECK_FALSE(changed.other);
+    refuses({path, "--lesson", "04-edges"}, 2,
+            "a saved view has its own lesson: it does not go with --lesson.");
+    CHECK(run({"check", path}).exit_code == 0);
+    const std::string bad =
+        folder.write("bad.walk.toml", "scene = \"scenes/fence.toml\"\nrow = -1\n");
+    refuses({bad}, 3, bad + ":2: a whole number between 0 and 4096 is needed here.");
+    CHECK(run({"check", bad}).exit_code == 3);
+}
+
 TEST_CASE("A fault of the lesson itself is bad input, with its line") {
     const TemporaryFolder folder;
     const std::string path = folder.write("20-broken.md", "<!-- lesson\n"
@@ -226,6 +254,8 @@ TEST_CASE("A fault of the lesson itself is bad input, with its line") {
                                                           "# T\n\nText.\n");
     refuses({path}, 3, path + ":7: there is no triangle 99: the triangles are 0 to 29.");
     CHECK(opened({path, "--triangle", "3"}).selection.triangle == 3);
+    const std::string elsewhere = folder.write("22-odd.md", "<!-- lesson\nrow = 9999\n-->\n# T\n");
+    CHECK(opened({elsewhere}).notice.starts_with(elsewhere + ":1: "));
     refuses({folder.file("21-absent.md")}, 4,
             "cannot read '" + folder.file("21-absent.md") + "': No such file or directory.");
 }

@@ -11,6 +11,7 @@
 #include "ui/keys.h"
 #include "ui/lab.h"
 #include "ui/lesson_links.h"
+#include "ui/view_files.h"
 
 namespace rasterwalk {
 

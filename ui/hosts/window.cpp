@@ -19,10 +19,10 @@
 #include "ui/app.h"
 #include "ui/hosts/gl2.h"
 #include "ui/kept_options.h"
-#include "ui/lab.h"
 #include "ui/lesson_state.h"
 #include "ui/report.h"
 #include "ui/style.h"
+#include "ui/view_files.h"
 
 namespace rasterwalk {
 

@@ -79,7 +79,7 @@ struct MenuTitle {
     const char* help;
 };
 
-const MenuTitle menus[] = {{"File", "Pictures, and the way out."},
+const MenuTitle menus[] = {{"File", "Views to open and save, pictures, and the way out."},
                            {"Edit", "Undo, redo, and the places visited."},
                            {"View", "What the canvas shows, text size and theme."},
                            {"Scene", "The scenes that come with the program, and presets."},

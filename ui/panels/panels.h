@@ -52,6 +52,10 @@ void edit_setting(Ui& ui, Settings& settings, const Setting& setting, const std:
 /// The sheet of keys (F1).
 void draw_key_sheet(Ui& ui, ImVec2 window);
 
+/// The sheet on which a file is opened or the view is saved, if it is up. Nothing else can be
+/// clicked meanwhile.
+void draw_file_sheet(Ui& ui, ImVec2 window);
+
 /// The words of the lab (F2).
 void draw_glossary_sheet(Ui& ui, ImVec2 window);
 

@@ -1,0 +1,45 @@
+#pragma once
+
+// What is opened from files and saved to them: views, scenes, lessons, results of the student.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+/// Shows a session that was opened from a file in place of the one on show. What the student did
+/// before can be undone, and Back leads to it; a quiz ends.
+void show_view(Ui& ui, Session&& opened);
+
+/// Opens a file by its ending: a saved view (.walk.toml), a lesson (.md), a picture or a text of
+/// printed rows to be diagnosed, else a scene. Throws Error; everything is then as it was.
+void open_file(Ui& ui, const std::string& path);
+
+/// Opens a file that was dropped on the window. A fault is shown on the sheet for opening.
+void open_dropped(Ui& ui, const std::string& path);
+
+/// Copies the view as a command line, for ImGui's clipboard; says so in session.notice.
+void copy_command_line(Ui& ui);
+
+/// Brings up the sheet on which a file is opened, or the view is saved.
+void begin_opening(Ui& ui);
+void begin_saving(Ui& ui);
+
+/// Goes to a folder on the sheet. A folder that cannot be read is a fault on the sheet.
+void enter_folder(FileSheet& sheet, const std::string& folder);
+
+/// Does what the sheet is for with the path that stands on it: enters a folder, opens a file, saves
+/// the view. Asks before a file is overwritten; called again, it is. Faults go to the sheet.
+void finish_sheet(Ui& ui);
+
+/// The path that is meant by what was typed: from the sheet's folder, or absolute, or from the home
+/// folder (~). What is saved ends with .walk.toml.
+std::string meant_path(const FileSheet& sheet);
+
+/// The most files of a folder that the sheet lists.
+inline constexpr std::size_t most_listed_files = 400;
+
+} // namespace rasterwalk
