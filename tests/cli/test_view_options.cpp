@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "session/bug.h"
 #include "session/content.h"
 #include "session/lesson.h"
 #include "session/lesson_run.h"
@@ -152,6 +153,7 @@ TEST_CASE("A second run is what the command line says, or the lesson, or the bug
     const Session bug = opened({"--bug", "B9"});
     REQUIRE(bug.other);
     CHECK(bug.other->spans == Spans::inclusive);
+    CHECK(is_on(bug, "B9"));
     CHECK_FALSE(opened({"--bug", "B9", "--b", "none"}).other);
     const Session other = opened({"--bug", "B9", "--b", "stage=edges"});
     REQUIRE(other.other);
