@@ -51,7 +51,7 @@ bool is_same_file(const std::string& a, const std::string& b) {
 
 /// How the file of a view names another file: such that find_lesson_file() finds it again.
 std::string name_from(const std::string& folder, const std::string& file, const char* what) {
-    for (const std::string& root : {folder, lessons_folder()}) {
+    for (const std::string& root : {lessons_folder(), folder}) {
         const std::string name = name_within(root, file);
         if (name.empty()) continue;
         try {

@@ -95,6 +95,15 @@ TEST_CASE("A saved view reads well") {
           "]\n");
 }
 
+TEST_CASE("The program's own scenes are named alike wherever the view is saved") {
+    const Session session = open_session(own_scene("fence.toml"));
+    for (const char* place : {"/../v.walk.toml", "/v.walk.toml", "/scenes/v.walk.toml"}) {
+        INFO(place);
+        CHECK(view_text(session, lessons_folder() + place).find("scene = 'scenes/fence.toml'\n") !=
+              std::string::npos);
+    }
+}
+
 TEST_CASE("Scene and lesson of a view are found beside it") {
     const TemporaryFolder folder;
     fs::create_directory(folder.file("below"));
