@@ -68,6 +68,10 @@ void open_lesson(Ui& ui, std::string_view id, int step) {
         ui.session.notice = "There is no lesson '" + std::string(id.substr(0, 60)) + "'.";
         return;
     }
+    if (!is_readable(*lesson)) {
+        ui.session.notice = fault_text(*lesson, lesson->faults.front());
+        return;
+    }
     if (ui.session.lesson != lesson->id) view.predictions.clear();
     leave_step(view);
     const std::vector<LessonFault> faults = rasterwalk::open_step(ui.session, *lesson, step);

@@ -7,8 +7,8 @@
 
 namespace rasterwalk {
 
-/// Opens a lesson at a step: its situation comes on the screen. A lesson that is not there goes to
-/// session.notice.
+/// Opens a lesson at a step: its situation comes on the screen. A lesson that is not there, or of
+/// which nothing can be shown, leaves everything as it is, and session.notice says why.
 void open_lesson(Ui& ui, std::string_view id, int step);
 
 /// Shows the lesson and the step that the session names, whose situation is on the screen already.

@@ -188,6 +188,8 @@ void draw_pieces(const Ui& ui, ImDrawList* list, const MarkdownPage& page, const
     for (const PagePiece& piece : page.layout.pieces) {
         ImFont* const font = font_of(ui.fonts, piece.font);
         if (!sight.holds(piece.at.y, piece.at.y + font->FontSize)) continue;
+        // ImGui looks for the end of a text that has no place at all: an empty line of code.
+        if (piece.text.empty()) continue;
         letters += piece.text.size();
         if (letters > most_letters) break;
         const ImVec2 at{std::floor(sight.origin.x + piece.at.x),

@@ -2,35 +2,21 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <filesystem>
 
 #include "scene/error.h"
 #include "session/content.h"
+#include "session/lesson_picture.h"
 
 namespace rasterwalk {
 
 namespace {
 
-/// The file of a picture, which must lie in the folder that holds the lessons' folder; or empty.
-std::filesystem::path file_of(const std::string& target) {
-    const std::filesystem::path written(target);
-    if (written.is_absolute() || written.extension() != ".png") return {};
-    const std::filesystem::path folder(lessons_folder());
-    const std::filesystem::path within = ("lessons" / written).lexically_normal();
-    if (within.empty() || *within.begin() == "..") return {};
-    return folder.parent_path() / within;
-}
-
 ShownPicture read_picture(const std::string& target) {
     ShownPicture picture;
     try {
-        const std::filesystem::path file = file_of(target);
-        if (file.empty()) return picture;
-        picture.image = read_image(file.string());
-        const Image& image = picture.image;
-        if (image.width <= largest_picture_side && image.height <= largest_picture_side) {
-            picture.size = {static_cast<float>(image.width), static_cast<float>(image.height)};
-        }
+        picture.image = read_lesson_picture(lessons_folder(), target);
+        picture.size = {static_cast<float>(picture.image.width),
+                        static_cast<float>(picture.image.height)};
     } catch (const Error&) {
         // The words that stand for the picture are shown.
     }

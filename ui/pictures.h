@@ -32,8 +32,7 @@ ImTextureID picture_texture(Ui& ui, const std::string& target, int width);
 /// @param width 1 .. image.width
 Image shrink(const Image& image, int width);
 
-/// The largest side of a picture, pixels, and how many are kept.
-inline constexpr int largest_picture_side = 4096;
+/// How many pictures are kept.
 inline constexpr std::size_t most_pictures = 64;
 
 } // namespace rasterwalk

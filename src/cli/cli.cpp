@@ -156,7 +156,7 @@ void describe(CommandLine& line, std::ostream& out, std::ostream& err) {
     add_json(lessons, line.lessons.json);
 
     CLI::App& check = add_command(line, "check", "Look for faults in lessons, scenes and presets",
-                                  [&] { check_command(line.check, out); });
+                                  [&] { line.exit_code = check_command(line.check, out, err); });
     check.add_option("PATH", line.check.paths, "Folders, lessons (.md) and scenes (.toml)")
         ->type_name("")
         ->required();

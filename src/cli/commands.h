@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/view_options.h"
+#include "scene/error.h"
 
 namespace rasterwalk {
 
@@ -65,8 +66,9 @@ void bugs_command(const BugsOptions& options, std::ostream& out);
 struct CheckOptions {
     std::vector<std::string> paths; ///< folders, lessons, scenes
 };
-/// Prints every fault, file:line and a sentence; throws InputError if there was one.
-void check_command(const CheckOptions& options, std::ostream& out);
+/// Prints every fault, file:line and a sentence. Returns ExitCode::difference if there is one.
+/// Throws AccessError for a file that is not there.
+ExitCode check_command(const CheckOptions& options, std::ostream& out, std::ostream& err);
 
 struct FactsOptions {
     bool json = false;

@@ -55,6 +55,8 @@ std::vector<std::string> files_to_check(const std::vector<std::string>& paths) {
         if (fs::is_directory(path, ignored)) {
             for (std::string& file : files_in(fs::path(path).lexically_normal()))
                 files.push_back(std::move(file));
+        } else if (!fs::exists(path, ignored)) {
+            throw AccessError("cannot read '" + path + "': there is no such file.");
         } else {
             files.push_back(path);
         }
@@ -106,7 +108,7 @@ const char* type_name(ValueType type) {
 
 } // namespace
 
-void check_command(const CheckOptions& options, std::ostream& out) {
+ExitCode check_command(const CheckOptions& options, std::ostream& out, std::ostream& err) {
     const Session session = empty_session();
     const std::vector<std::string> files = files_to_check(options.paths);
     if (files.empty()) throw InputError("there is nothing to check: no lessons, no scenes.");
@@ -118,8 +120,12 @@ void check_command(const CheckOptions& options, std::ostream& out) {
     };
     const std::string sum =
         counted(static_cast<std::size_t>(faults), "fault") + " in " + counted(files.size(), "file");
-    if (faults > 0) throw InputError(sum + ".");
+    if (faults > 0) {
+        err << "rasterwalk: " << sum << ".\n";
+        return ExitCode::difference;
+    }
     out << counted(files.size(), "file") << ", no faults.\n";
+    return ExitCode::done;
 }
 
 void facts_command(const FactsOptions& options, std::ostream& out) {

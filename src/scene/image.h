@@ -21,6 +21,9 @@ void write_png(const Image& image, const std::string& path);
 /// Does the file begin as a PNG or BMP does? False if it cannot be read.
 bool is_image_file(const std::string& path);
 
+/// Reads a PNG whose sides are not larger than this, pixels. Throws AccessError or InputError.
+Image read_png(const std::string& path, int largest_side);
+
 /// Reads a PNG or BMP of at most 16384 pixels a side. Throws AccessError or InputError.
 Image read_image(const std::string& path);
 

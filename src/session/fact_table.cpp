@@ -2,6 +2,7 @@
 #include <array>
 #include <utility>
 
+#include "scene/limits.h"
 #include "session/fact_values.h"
 #include "session/facts.h"
 
@@ -16,6 +17,7 @@ constexpr std::array<std::string_view, 4> phase_words{"vertices", "edges", "rows
 
 const ValueRange yes_or_no = whole(0, 1);
 const ValueRange count = whole(0, endless);
+const ValueRange place = whole(0, largest_viewport - 1); ///< column or row of the picture
 
 // --- cursor
 
@@ -148,8 +150,8 @@ Value pixel_channel(const Facts& facts, int channel) {
 }
 
 void add_pixel_facts(std::vector<Fact>& table) {
-    table.push_back({"pixel.column", "Column of the picked pixel.", count, pixel_place, 0});
-    table.push_back({"pixel.row", "Row of the picked pixel.", count, pixel_place, 1});
+    table.push_back({"pixel.column", "Column of the picked pixel.", place, pixel_place, 0});
+    table.push_back({"pixel.row", "Row of the picked pixel.", place, pixel_place, 1});
     table.push_back({"pixel.fragments", "Fragments that fall on the picked pixel, drawn or not.",
                      count, [](const Facts& f, int) {
                          const auto& history = f.results().history;

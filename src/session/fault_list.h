@@ -22,6 +22,13 @@ class FaultList {
         }
     }
 
+    /// A fault because of which nothing of the lesson is shown.
+    void refuse(int line, std::string sentence) {
+        is_beyond_limits_ = true;
+        add(line, std::move(sentence));
+    }
+    bool is_beyond_limits() const { return is_beyond_limits_; }
+
     /// Does something; if it throws, that is a fault in this line, or in the one that the sentence
     /// names.
     template <class Deed>
@@ -63,6 +70,7 @@ class FaultList {
 
     std::string path_;
     std::vector<LessonFault> faults_;
+    bool is_beyond_limits_ = false;
 };
 
 } // namespace rasterwalk

@@ -40,7 +40,11 @@ std::size_t letter_length(std::string_view text) {
     for (std::size_t i = 1; i < length; ++i) {
         if ((byte(i) & 0xc0) != 0x80) return 0;
     }
-    return length;
+    // Written longer than need be, half of a pair, beyond the last letter.
+    const unsigned char second = byte(1);
+    const bool is_wrong = (first == 0xe0 && second < 0xa0) || (first == 0xed && second > 0x9f) ||
+                          (first == 0xf0 && second < 0x90) || (first == 0xf4 && second > 0x8f);
+    return is_wrong ? 0 : length;
 }
 
 bool is_clean(std::string_view line) {
@@ -74,11 +78,12 @@ class Reader {
 
     Lesson read() {
         if (check_size() && check_letters()) {
-            while (next_ < lines_.size())
+            while (next_ < lines_.size() && !faults_.is_beyond_limits())
                 read_line();
             end_text();
-            finish();
+            if (!faults_.is_beyond_limits()) finish();
         }
+        if (faults_.is_beyond_limits()) drop_all();
         lesson_.faults = faults_.take();
         return std::move(lesson_);
     }
@@ -88,19 +93,36 @@ class Reader {
     LessonStep& step() { return lesson_.steps.back(); }
     int step_number() const { return static_cast<int>(lesson_.steps.size()) - 1; }
 
+    /// What was read is not to be shown.
+    void drop_all() {
+        Lesson dropped;
+        dropped.id = lesson_.id;
+        dropped.path = lesson_.path;
+        dropped.folder = lesson_.folder;
+        dropped.steps.emplace_back();
+        lesson_ = std::move(dropped);
+    }
+
     bool check_size() {
-        if (lines_.size() <= static_cast<std::size_t>(most_lesson_lines)) return true;
-        faults_.add(most_lesson_lines,
-                    "a lesson has at most " + std::to_string(most_lesson_lines) + " lines.");
-        return false;
+        if (lines_.size() > static_cast<std::size_t>(most_lesson_lines)) {
+            faults_.refuse(most_lesson_lines,
+                           "a lesson has at most " + std::to_string(most_lesson_lines) + " lines.");
+        }
+        for (std::size_t i = 0; i < lines_.size(); ++i) {
+            if (lines_[i].size() <= longest_lesson_line) continue;
+            faults_.refuse(static_cast<int>(i) + 1, "the line is longer than " +
+                                                        std::to_string(longest_lesson_line) +
+                                                        " letters.");
+        }
+        return !faults_.is_beyond_limits();
     }
 
     bool check_letters() {
         bool is_good = true;
         for (std::size_t i = 0; i < lines_.size(); ++i) {
             if (is_clean(lines_[i])) continue;
-            faults_.add(static_cast<int>(i) + 1,
-                        "the line is not plain text in UTF-8, or holds control characters.");
+            faults_.refuse(static_cast<int>(i) + 1,
+                           "the line is not plain text in UTF-8, or holds control characters.");
             is_good = false;
         }
         return is_good;
@@ -109,7 +131,10 @@ class Reader {
     void read_line() {
         const std::string_view line = lines_[next_];
         if (in_code_ || is_fence(line)) {
-            if (is_fence(line)) in_code_ = !in_code_;
+            if (is_fence(line)) {
+                in_code_ = !in_code_;
+                code_line_ = line_number();
+            }
             add_text(line);
             ++next_;
         } else if (line.starts_with("<!--")) {
@@ -154,6 +179,12 @@ class Reader {
         const auto move_all = [](auto& from, auto& to) {
             to.insert(to.end(), from.begin(), from.end());
         };
+        for (const LinkPlace& link : parts.links) {
+            if (++links_ <= most_lesson_links) continue;
+            faults_.refuse(link.line,
+                           "a lesson has at most " + std::to_string(most_lesson_links) + " links.");
+            return;
+        }
         move_all(parts.links, step().links);
         move_all(parts.formulas, step().formulas);
         move_all(parts.footnotes, step().footnotes);
@@ -221,6 +252,11 @@ class Reader {
             }
         }
         if (note.text.empty()) faults_.add(note.line, "the footnote has no text.");
+        if (lesson_.footnotes.size() >= most_lesson_footnotes) {
+            faults_.refuse(note.line, "a lesson has at most " +
+                                          std::to_string(most_lesson_footnotes) + " footnotes.");
+            return;
+        }
         look_through(note.text, note.line);
         lesson_.footnotes.push_back(std::move(note));
     }
@@ -384,17 +420,14 @@ class Reader {
         if (lesson_.steps.front().heading.empty()) {
             faults_.add(1, "the heading with '#' is missing.");
         }
-        if (in_code_)
-            faults_.add(static_cast<int>(lines_.size()), "the block of code does not end.");
+        if (in_code_) faults_.add(code_line_, "the block of code does not end.");
         if (lesson_.picture > step_number()) {
-            faults_.add(lesson_situation_.line,
+            faults_.add(lesson_situation_.line_of("picture"),
                         "'picture' names step " + std::to_string(lesson_.picture) +
                             ", and the last step is " + std::to_string(step_number()) + ".");
         }
-        std::size_t links = 0;
         std::set<std::string> used;
         for (const LessonStep& one : lesson_.steps) {
-            links += one.links.size();
             for (const TextPlace& place : one.footnotes) {
                 used.insert(place.text);
                 if (!has_footnote(place.text)) {
@@ -402,11 +435,6 @@ class Reader {
                                                 "]: at the end of the file.");
                 }
             }
-        }
-        if (links > static_cast<std::size_t>(most_lesson_links)) {
-            faults_.add(1, "a lesson has at most " + std::to_string(most_lesson_links) + " links.");
-            for (LessonStep& one : lesson_.steps)
-                one.links.clear();
         }
         for (const LessonFootnote& note : lesson_.footnotes) {
             if (used.count(note.label) == 0) {
@@ -426,9 +454,11 @@ class Reader {
     FaultList faults_;
     Lesson lesson_;
     Situation lesson_situation_;
+    int links_ = 0;
     std::string text_; ///< of the part that is being read
     int text_line_ = 1;
     bool in_code_ = false;
+    int code_line_ = 0; ///< where the block of code began or ended
     bool has_lesson_block_ = false;
     bool may_have_block_ = true; ///< the step has none yet, and no text
     bool told_steps_ = false, told_questions_ = false;
@@ -438,6 +468,8 @@ class Reader {
 } // namespace
 
 Lesson parse_lesson(std::string_view text, const std::string& path) {
+    constexpr std::string_view byte_order_mark = "\xef\xbb\xbf"; // some editors write it
+    if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
     if (text.size() <= largest_lesson) return Reader(text, path).read();
     Lesson lesson = Reader("", path).read();
     lesson.faults = {{0, "the lesson is larger than 1 MB."}};
@@ -450,10 +482,21 @@ Lesson read_lesson(const std::string& path) {
     } catch (const Error& fault) {
         Lesson lesson = parse_lesson("", path);
         std::string sentence = fault.what();
-        if (sentence.starts_with(path + ": ")) sentence.erase(0, path.size() + 2);
+        // The path stands before the sentence already.
+        const std::string cannot = "cannot read '" + path + "': ";
+        if (sentence.starts_with(path + ": ")) {
+            sentence.erase(0, path.size() + 2);
+        } else if (sentence.starts_with(cannot)) {
+            sentence.replace(0, cannot.size(), "the file cannot be read: ");
+        }
         lesson.faults = {{0, std::move(sentence)}};
         return lesson;
     }
+}
+
+bool is_readable(const Lesson& lesson) {
+    const LessonStep& opening = lesson.steps.front();
+    return lesson.steps.size() > 1 || !opening.heading.empty() || !opening.parts.empty();
 }
 
 std::string fault_text(const Lesson& lesson, const LessonFault& fault) {

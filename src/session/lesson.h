@@ -110,10 +110,14 @@ struct Lesson {
     std::vector<LessonFault> faults; ///< in the order of their lines
 };
 
-/// Reads a lesson. Never throws: what is wrong stands in its faults.
+/// Reads a lesson. Never throws: what is wrong stands in its faults. Of one that goes beyond the
+/// limits below nothing is left but its faults, see is_readable().
 /// @param path names the lesson, and is used in messages
 Lesson parse_lesson(std::string_view text, const std::string& path);
 Lesson read_lesson(const std::string& path);
+
+/// Is there anything to show of it?
+bool is_readable(const Lesson& lesson);
 
 /// "lessons/01-pinhole.md:12: sentence", as it is printed.
 std::string fault_text(const Lesson& lesson, const LessonFault& fault);
@@ -124,12 +128,15 @@ const LessonPrediction* find_prediction(const Lesson& lesson, std::string_view i
 
 inline constexpr std::size_t largest_lesson = std::size_t{1} << 20; ///< bytes
 inline constexpr int most_lesson_lines = 20'000;
+inline constexpr std::size_t longest_lesson_line = 4'000; ///< bytes
 inline constexpr int most_lesson_steps = 64;
 inline constexpr int most_lesson_questions = 100; ///< tasks and predictions together
 inline constexpr int most_lesson_links = 2'000;
 inline constexpr int most_recipe_links = 50;
 inline constexpr int most_choices = 8;
 inline constexpr int most_lesson_faults = 200; ///< later ones are not told
-inline constexpr int deepest_lesson = 32;      ///< quotes, lists and brackets in one another
+inline constexpr std::size_t most_lesson_footnotes = 99;
+inline constexpr int most_table_columns = 40;
+inline constexpr int deepest_lesson = 24; ///< quotes, lists, emphasis and brackets in one another
 
 } // namespace rasterwalk

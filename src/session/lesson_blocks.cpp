@@ -17,6 +17,7 @@
 #include "session/quoted.h"
 #include "session/second_run.h"
 #include "session/setting_table.h"
+#include "session/widget_names.h"
 
 namespace rasterwalk {
 
@@ -217,7 +218,10 @@ void add_situation_keys(Keys& keys, Block& block, Situation& s) {
             s.vertices.push_back(parse_placed_triangle(text));
         });
     });
-    add("point_at", [&](const toml::node& n) { s.point_at = block.text(n); });
+    add("point_at", [&](const toml::node& n) {
+        check_widget_name(block.text(n));
+        s.point_at = block.text(n);
+    });
 }
 
 Expression condition(const Block& block, const toml::node& node) {
@@ -300,6 +304,7 @@ Situation read_lesson_block(const toml::table& table, int line, Lesson& lesson, 
     keys["program"] = [&](const toml::node& n) { lesson.program = block.text(n); };
     keys["minutes"] = [&](const toml::node& n) { lesson.minutes = block.whole(n, 1, 120); };
     keys["picture"] = [&](const toml::node& n) {
+        situation.lines["picture"] = line_of(n);
         lesson.picture = block.whole(n, 0, most_lesson_steps);
     };
     block.read(keys);
@@ -320,10 +325,15 @@ LessonTask read_task(const toml::table& table, int line, FaultList& faults) {
     };
     keys["recipe"] = [&](const toml::node& n) {
         task.recipe_line = line_of(n);
+        std::size_t links = 0;
+        if (const toml::array* list = n.as_array()) links = list->size();
         block.for_each_text(n, most_recipe_links, [&](const std::string& target) {
             parse_lesson_link(target);
             task.recipe.push_back(target);
         });
+        if (links == 0) block.input().fail(n, "a task cannot be solved by doing nothing.");
+        // Half a recipe solves nothing; that need not be told as well.
+        if (task.recipe.size() < links) task.recipe.clear();
     };
     keys["hint"] = [&](const toml::node& n) { task.hint = block.text(n); };
     block.read(keys);
@@ -382,7 +392,12 @@ LessonPrediction read_prediction(const toml::table& table, int line, const Situa
     for (const char* key : {"id", "kind"})
         block.require(key);
     check_kind(block, p.kind);
-    if (p.kind == Kind::choice && p.choices.size() != p.right.size()) {
+    const auto size_of = [&](std::string_view key) -> std::size_t {
+        const toml::node* const node = block.input().find(key);
+        const toml::array* const list = node != nullptr ? node->as_array() : nullptr;
+        return list != nullptr ? list->size() : 0;
+    };
+    if (p.kind == Kind::choice && size_of("choices") != size_of("right")) {
         faults.add(p.answer_line, "'right' needs one condition for each of the choices.");
     }
     return p;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <system_error>
 
 #include "pipeline/frame.h"
@@ -10,6 +11,7 @@
 #include "session/content.h"
 #include "session/facts.h"
 #include "session/lesson_link.h"
+#include "session/lesson_picture.h"
 #include "session/lesson_run.h"
 #include "session/nearest_name.h"
 #include "session/quoted.h"
@@ -85,23 +87,16 @@ class Checker {
             add(picture.line, "the picture " + in_quotes(picture.target) +
                                   " has no text that stands for it: ![text](picture).");
         }
-        constexpr std::string_view screenshots = "../screenshots/";
-        const bool is_screenshot = picture.target.starts_with(screenshots);
-        const std::string_view inner =
-            std::string_view(picture.target).substr(is_screenshot ? screenshots.size() : 0);
-        const fs::path path(inner);
-        const bool leads_out = path.is_absolute() || inner.find("..") != inner.npos ||
-                               inner.find(':') != inner.npos || inner.find('\\') != inner.npos;
-        if (leads_out || !inner.ends_with(".png")) {
-            add(picture.line, "the picture " + in_quotes(picture.target) +
-                                  " must be a PNG in the folder of the lessons or in "
-                                  "../screenshots/.");
-            return;
+        // Each picture is read once.
+        const auto [known, is_new] = pictures_.try_emplace(picture.target);
+        if (is_new) {
+            try {
+                read_lesson_picture(lesson_.folder, picture.target);
+            } catch (const Error& fault) {
+                known->second = fault.what();
+            }
         }
-        std::error_code ignored;
-        if (!fs::is_regular_file(fs::path(lesson_.folder) / picture.target, ignored)) {
-            add(picture.line, "there is no picture " + in_quotes(picture.target) + ".");
-        }
+        if (!known->second.empty()) add(picture.line, known->second);
     }
 
     void check_link(const LinkPlace& place, const Session& opened, Session& walked) {
@@ -167,18 +162,20 @@ class Checker {
         update(session, results);
         if (is_done(task, Facts(session, results))) {
             add(task.done_line, "the task '" + task.id + "' is solved before it is begun.");
+            return;
         }
+        if (task.recipe.empty()) return; // that was told
         try {
             for (const std::string& target : task.recipe) {
                 const LessonLink link = parse_lesson_link(target);
                 check_target(link);
-                follow_lesson_link(session, results.frame, link);
-                update(session, results);
+                follow(session, link);
             }
         } catch (const Error& fault) {
             add(task.recipe_line, fault.what());
             return;
         }
+        update(session, results);
         if (!is_done(task, Facts(session, results))) {
             add(task.recipe_line, "the recipe does not solve the task '" + task.id + "'.");
         }
@@ -188,12 +185,14 @@ class Checker {
 
     void check_prediction(const LessonPrediction& prediction) {
         Session session = fresh();
-        add_all(apply_situation(session, prediction.at, lesson_.folder));
+        const std::vector<LessonFault> faults =
+            apply_situation(session, prediction.at, lesson_.folder);
+        add_all(faults);
         if (prediction.then) {
             Session shown = fresh();
             add_all(apply_situation(shown, *prediction.then, lesson_.folder));
         }
-        if (session.scene == nullptr || !is_complete(prediction)) return;
+        if (!faults.empty() || !is_complete(prediction) || !check_because(prediction)) return;
         if (prediction.kind == LessonPrediction::Kind::pixel) {
             check_pixel(prediction);
         } else {
@@ -206,7 +205,6 @@ class Checker {
                     "the prediction '" + prediction.id + "': " + judgement.fault);
             }
         }
-        check_because(prediction);
     }
 
     static bool is_complete(const LessonPrediction& prediction) {
@@ -238,9 +236,9 @@ class Checker {
         }
     }
 
-    /// Every number that is told after the answer must be there.
-    void check_because(const LessonPrediction& prediction) {
-        if (prediction.because.empty()) return;
+    /// Every number that is told after the answer must be there. False if it cannot be read.
+    bool check_because(const LessonPrediction& prediction) {
+        if (prediction.because.empty()) return true;
         Session session = fresh();
         Situation at = prediction.at;
         if (prediction.right_pixel) at.pixel = prediction.right_pixel;
@@ -262,12 +260,15 @@ class Checker {
             }
         } catch (const Error& fault) {
             add(prediction.because_line, fault.what());
+            return false;
         }
+        return true;
     }
 
     const Lesson& lesson_;
     const Session& like_;
     std::vector<LessonFault> faults_;
+    std::map<std::string, std::string> pictures_; ///< what is wrong with each; empty: nothing
 };
 
 } // namespace

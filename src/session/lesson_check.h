@@ -21,7 +21,9 @@ std::vector<LessonFault> check_lesson(const Lesson& lesson, const Session& sessi
 Session empty_session();
 
 /// The faults of TeX in a formula: commands that the program does not draw, braces that do not
-/// close.
+/// close, arguments that are missing, too deep a nesting.
 std::vector<std::string> formula_faults(std::string_view tex);
+
+inline constexpr int deepest_formula = 12; ///< braces and arguments in one another
 
 } // namespace rasterwalk

@@ -18,6 +18,7 @@
 #include "session/setting_table.h"
 #include "session/situation.h"
 #include "session/walk.h"
+#include "session/widget_names.h"
 
 namespace rasterwalk {
 
@@ -137,6 +138,8 @@ void check_argument(const LessonLink& link) {
         find_bug(read_bugs(), link.argument);
         break;
     case Kind::show:
+        check_widget_name(link.argument);
+        break;
     case Kind::preset:
     case Kind::term:
     case Kind::lesson:

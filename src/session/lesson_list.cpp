@@ -24,6 +24,19 @@ int lesson_number(std::string_view id) {
     return number;
 }
 
+namespace {
+
+/// A lesson that can no longer be read leaves what was read before, and says why.
+void take_up(Lesson& lesson, Lesson&& newer) {
+    if (is_readable(newer) || !is_readable(lesson)) {
+        lesson = std::move(newer);
+    } else {
+        lesson.faults = std::move(newer.faults);
+    }
+}
+
+} // namespace
+
 LessonList::FileState LessonList::state_of(const std::string& path) {
     FileState state{path, {}, 0};
     std::error_code fault;
@@ -54,11 +67,16 @@ void LessonList::refresh() {
     if (is_read_ && files == files_) return;
     std::vector<Lesson> lessons;
     for (const FileState& file : files) {
-        const auto known = std::find(files_.begin(), files_.end(), file);
-        lessons.push_back(
-            is_read_ && known != files_.end()
-                ? std::move(lessons_[static_cast<std::size_t>(known - files_.begin())])
-                : read_lesson(file.path));
+        const auto known = std::find_if(files_.begin(), files_.end(), [&](const FileState& other) {
+            return other.path == file.path;
+        });
+        if (!is_read_ || known == files_.end()) {
+            lessons.push_back(read_lesson(file.path));
+            continue;
+        }
+        Lesson& lesson = lessons_[static_cast<std::size_t>(known - files_.begin())];
+        if (*known != file) take_up(lesson, read_lesson(file.path));
+        lessons.push_back(std::move(lesson));
     }
     files_ = std::move(files);
     lessons_ = std::move(lessons);
@@ -96,7 +114,7 @@ const Lesson* LessonList::find(std::string_view id) {
         files_[index] = now;
         // A file that was taken away, or is just being written, leaves its lesson open.
         if (now.size > 0) {
-            lessons_[index] = read_lesson(now.path);
+            take_up(lessons_[index], read_lesson(now.path));
             ++number_;
         }
     }

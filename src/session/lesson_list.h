@@ -9,7 +9,8 @@
 
 namespace rasterwalk {
 
-/// The lessons of a folder, in the order of their names. A file that changes is read again.
+/// The lessons of a folder, in the order of their names. A file that changes is read again; if
+/// nothing of it can be shown any more, what was read before stays, with the new faults.
 class LessonList {
   public:
     /// All lessons: those of lessons_folder(), unless read_folder() named another. Valid until the

@@ -29,6 +29,7 @@ class Scanner {
     std::string_view rest() const { return text_.substr(at_); }
 
     void next_line() {
+        bars_ = 0;
         at_ = std::min(text_.find('\n', at_), text_.size());
         if (at_ < text_.size()) ++at_;
         ++line_;
@@ -51,6 +52,7 @@ class Scanner {
         }
         if (trimmed(line).empty()) {
             open_.clear();
+            emphasis_ = 0;
             next_line();
             return true;
         }
@@ -64,22 +66,43 @@ class Scanner {
         return false;
     }
 
+    /// How many bytes the mark of a list takes at the front of a line; 0 if there is none.
+    static std::size_t list_mark(std::string_view line) {
+        const std::size_t digits =
+            std::min(line.find_first_not_of("0123456789"), std::min(line.size(), std::size_t{9}));
+        const std::string_view after = line.substr(digits);
+        const bool is_mark =
+            after.size() >= 2 && after[1] == ' ' &&
+            std::string_view(digits > 0 ? ".)" : "-*+").find(after[0]) != std::string_view::npos;
+        return is_mark ? digits + 2 : 0;
+    }
+
+    /// Quotes and lists before the words of a line; a list within a list is indented by two blanks
+    /// at least.
     void check_depth(std::string_view line) {
-        const std::size_t indent = std::min(line.find_first_not_of(" \t>"), line.size());
-        const auto quotes =
-            std::count(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(indent), '>');
-        constexpr std::size_t widest_list_mark = 4;
-        if (quotes > deepest_lesson ||
-            indent > widest_list_mark * static_cast<std::size_t>(deepest_lesson)) {
-            say_too_deep();
+        std::size_t levels = 0;
+        while (!line.empty()) {
+            std::size_t length = 1;
+            if (line[0] == ' ' || line[0] == '\t') {
+                ++levels;
+            } else if (line[0] == '>') {
+                ++levels;
+                if (line.starts_with("> ")) ++length;
+            } else if ((length = list_mark(line)) > 0) {
+                levels += 2;
+            } else {
+                break;
+            }
+            line.remove_prefix(length);
         }
+        if (levels > static_cast<std::size_t>(deepest_lesson)) say_too_deep();
     }
 
     void say_too_deep() {
         if (told_depth_ == line_) return;
         told_depth_ = line_;
-        faults_.add(line_, "the text is nested deeper than " + std::to_string(deepest_lesson) +
-                               " levels.");
+        faults_.refuse(line_, "the text is nested deeper than " + std::to_string(deepest_lesson) +
+                                  " levels.");
     }
 
     void skip(std::size_t count) {
@@ -108,6 +131,17 @@ class Scanner {
             return;
         case '[':
             open_bracket();
+            return;
+        case '*':
+        case '_':
+            pass_emphasis();
+            return;
+        case '|':
+            if (++bars_ == most_table_columns + 2) {
+                faults_.refuse(line_, "a table has at most " + std::to_string(most_table_columns) +
+                                          " columns.");
+            }
+            ++at_;
             return;
         case ']':
             close_bracket();
@@ -164,6 +198,30 @@ class Scanner {
                                    in_quotes(near.substr(0, end + 1)) + ".");
         }
         ++at_;
+    }
+
+    /// Counts roughly how deep emphasis stands in emphasis: a mark before a word opens, one behind
+    /// a word closes.
+    void pass_emphasis() {
+        const char mark = text_[at_];
+        const auto is_blank = [&](std::size_t i) {
+            return i >= text_.size() ||
+                   std::string_view(" \t\n").find(text_[i]) != std::string::npos;
+        };
+        const std::size_t end = std::min(text_.find_first_not_of(mark, at_), text_.size());
+        const int count = static_cast<int>(end - at_);
+        const bool may_open = !is_blank(end);
+        const bool may_close = at_ > 0 && !is_blank(at_ - 1);
+        const bool is_within_word = may_open && may_close;
+        if (is_within_word && mark == '_') {
+            // part of a name
+        } else if (may_close && (!may_open || emphasis_ > 0)) {
+            emphasis_ = std::max(0, emphasis_ - count);
+        } else if (may_open) {
+            emphasis_ += count;
+        }
+        at_ = end;
+        if (emphasis_ > deepest_lesson) say_too_deep();
     }
 
     void open_bracket() {
@@ -232,6 +290,8 @@ class Scanner {
     bool is_line_start_ = true;
     bool in_code_ = false;
     int told_depth_ = 0;
+    int emphasis_ = 0; ///< marks that are open
+    int bars_ = 0;     ///< in the line so far: each ends a cell of a table
     std::vector<Open> open_;
     InlineParts parts_;
     FaultList& faults_;

@@ -174,7 +174,7 @@ TEST_CASE("A link that leads nowhere is answered in the status line") {
     const OwnNote note("rows", "[a](show:nothing.here) [b](foo:bar) [c](set:stage=row) [d](<>)\n");
     Driver driver(room_at(Stage::rows));
     driver.hand.click("lesson.link.0");
-    CHECK_THAT(driver.ui.session.notice, Catch::Contains("'nothing.here' is not on the screen"));
+    CHECK_THAT(driver.ui.session.notice, Catch::Contains("has no widget 'nothing.here'"));
     driver.hand.click("lesson.link.1");
     CHECK_THAT(driver.ui.session.notice, Catch::Contains("'foo:bar' leads nowhere"));
     driver.hand.click("lesson.link.2");

@@ -51,7 +51,7 @@ std::string with_footnotes(const Lesson& lesson, const std::string& text) {
     return result;
 }
 
-void draw_faults(const Ui& ui, const Lesson& lesson) {
+void draw_faults(Ui& ui, const Lesson& lesson) {
     if (lesson.faults.empty()) return;
     const LessonFault& first = lesson.faults.front();
     std::string text = fault_text(lesson, first);
@@ -60,6 +60,7 @@ void draw_faults(const Ui& ui, const Lesson& lesson) {
     }
     ImGui::PushStyleColor(ImGuiCol_Text, colour_of(Meaning::fail, ui.options.theme));
     wrapped_text(text);
+    name_widget(ui, "lesson.faults", "rasterwalk check tells all of them.");
     ImGui::PopStyleColor();
     ImGui::Spacing();
 }

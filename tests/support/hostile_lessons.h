@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace rasterwalk::test {
+
+/// A lesson that is made to hurt, and the fault with which it is refused.
+struct HostileLesson {
+    std::string about;
+    std::string text;
+    int line = 0; ///< of the fault
+    std::string sentence;
+    bool is_readable = false; ///< the rest of it is shown
+};
+
+/// The head of a lesson without faults, nine lines.
+std::string lesson_head();
+
+std::vector<HostileLesson> hostile_lessons();
+
+/// Lessons without nesting that would keep a slow reader busy; each is about 900 kB.
+std::vector<HostileLesson> tiring_lessons();
+
+/// The beginning of a PNG that says it has 100000 x 100000 pixels, and none of them.
+std::string endless_picture();
+
+/// Reading a lesson may take this long, seconds; longer where every access is watched.
+#if defined(__SANITIZE_ADDRESS__) || !defined(NDEBUG)
+inline constexpr double patience = 15.0;
+#else
+inline constexpr double patience = 1.0;
+#endif
+
+} // namespace rasterwalk::test
