@@ -19,6 +19,7 @@
 #include "session/lesson_run.h"
 #include "session/session.h"
 #include "support/oracle.h"
+#include "support/prediction_checks.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;
@@ -30,6 +31,7 @@ namespace {
 Judgement judged(const std::string& lesson_id, const std::string& prediction_id,
                  const GivenAnswer& answer) {
     CAPTURE(lesson_id, prediction_id);
+    note_asked(lesson_id, prediction_id);
     static const Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
     const Lesson lesson = read_lesson(lessons_folder() + "/" + lesson_id + ".md");
     const LessonPrediction* const prediction = find_prediction(lesson, prediction_id);
@@ -165,7 +167,8 @@ const std::string lesson_7 = "07-painters-order";
 
 } // namespace
 
-TEST_CASE("Predictions of lesson 1: one division makes the picture") {
+PREDICTIONS_TEST("Predictions of lesson 1: one division makes the picture", "01-pinhole-camera",
+                 "back-wall-width", "dolly-zoom", "column-at-3", "left-out") {
     require_number(lesson_1, "back-wall-width", 500.0 * 2.0 / 4.001, 1e-3);
     // The opening from 2.001 to 4.002, the wall from 4.001 to 6.002, f from 500 to 1000.
     REQUIRE(1000.0 / 6.002 > 500.0 / 4.001 + 1.0);
@@ -182,7 +185,8 @@ TEST_CASE("Predictions of lesson 1: one division makes the picture") {
     require_number(lesson_1, "left-out", behind);
 }
 
-TEST_CASE("Predictions of lesson 2: seen from a camera that moves and turns") {
+PREDICTIONS_TEST("Predictions of lesson 2: seen from a camera that moves and turns",
+                 "02-moving-the-camera", "step-aside", "rotated-z", "transposed", "along-world-z") {
     require_number(lesson_2, "step-aside", std::floor(500.0 * 0.5 / 2.001) + 250);
     require_number(lesson_2, "rotated-z", std::sin(0.5) + 4.001 * std::cos(0.5), 1e-4);
     // R v: rows of R in place of columns, for the corner (1, -1, 4.001).
@@ -194,7 +198,8 @@ TEST_CASE("Predictions of lesson 2: seen from a camera that moves and turns") {
     require_choice(lesson_2, "along-world-z", 1, 3);
 }
 
-TEST_CASE("Predictions of lesson 3: corners become pixels") {
+PREDICTIONS_TEST("Predictions of lesson 3: corners become pixels", "03-points", "rings",
+                 "lost-rings", "eight-points", "uncovered") {
     std::set<std::array<int, 2>> places, outside;
     for (const Triangle3& triangle : handout()) {
         for (const Place3& corner : triangle) {
@@ -228,7 +233,8 @@ TEST_CASE("Predictions of lesson 3: corners become pixels") {
     require_number(lesson_3, "uncovered", 250000.0 - static_cast<double>(covered.size()));
 }
 
-TEST_CASE("Predictions of lesson 4: samples of edges") {
+PREDICTIONS_TEST("Predictions of lesson 4: samples of edges", "04-edges", "shallow-count",
+                 "level-by-rows", "last-row") {
     require_number(lesson_4, "shallow-count", std::max(13 - 1, 8 - 5) + 1);
     require_number(lesson_4, "level-by-rows", (499 - 499) + 1);
     float y = 2.0f;
@@ -241,7 +247,8 @@ TEST_CASE("Predictions of lesson 4: samples of edges") {
     require_choice(lesson_4, "last-row", 1, 3);
 }
 
-TEST_CASE("Predictions of lesson 5: row tables") {
+PREDICTIONS_TEST("Predictions of lesson 5: row tables", "05-row-table", "rows-of-it", "row-nine",
+                 "passes-the-test", "index") {
     const auto thirty_one = table_of({{{10, 20}, {30, 10}, {20, 40}}});
     require_number(lesson_5, "rows-of-it", static_cast<double>(thirty_one.size()));
     const auto printed = table_of(printed_triangle);
@@ -269,7 +276,8 @@ TEST_CASE("Predictions of lesson 5: row tables") {
     require_number(lesson_5, "index", 0 - 1);
 }
 
-TEST_CASE("Predictions of lesson 6: rows become fragments") {
+PREDICTIONS_TEST("Predictions of lesson 6: rows become fragments", "06-filling", "fragments",
+                 "no-area", "diagonal", "without-last", "overflow") {
     const auto printed = table_of(printed_triangle);
     require_number(lesson_6, "fragments", pixel_count(printed));
     require_number(lesson_6, "no-area", pixel_count(table_of({{{3, 4}, {9, 10}, {15, 16}}})));
@@ -283,7 +291,8 @@ TEST_CASE("Predictions of lesson 6: rows become fragments") {
     require_number(lesson_6, "overflow", wrapped);
 }
 
-TEST_CASE("Predictions of lesson 7: who is in front") {
+PREDICTIONS_TEST("Predictions of lesson 7: who is in front", "07-painters-order", "nearer",
+                 "middle-depth", "wrong-crossing", "bytes") {
     const auto nearest = [](const Corners& corners) {
         double z = 1e9;
         for (const auto& corner : corners)

@@ -16,6 +16,7 @@
 #include "session/content.h"
 #include "session/lesson_run.h"
 #include "session/setting_table.h"
+#include "support/prediction_checks.h"
 #include "support/ray_caster.h"
 
 using namespace rasterwalk;
@@ -36,6 +37,7 @@ struct Asked {
         : lesson(read_lesson(lessons_folder() + "/" + id + ".md")) {}
 
     const LessonPrediction& prediction(const std::string& id) const {
+        note_asked(lesson.id, id);
         const LessonPrediction* found = find_prediction(lesson, id);
         INFO(id);
         REQUIRE(found != nullptr);
@@ -132,7 +134,8 @@ glm::ivec2 brightest_of_ceiling(const Framebuffer& picture) {
 
 } // namespace
 
-TEST_CASE("Lesson 8: the depth of the back wall, and of the middle of the gate") {
+PREDICTIONS_TEST("Lesson 8: the depth of the back wall, and of the middle of the gate",
+                 "08-depth-buffer", "back-wall", "middle-of-the-gate") {
     const Asked asked("08-depth-buffer");
     CHECK(asked.number("back-wall") == Approx(1.0 / 4.001).epsilon(1e-5));
     CHECK(asked.accepts("back-wall", 0.25));
@@ -144,7 +147,7 @@ TEST_CASE("Lesson 8: the depth of the back wall, and of the middle of the gate")
     CHECK_FALSE(asked.accepts("middle-of-the-gate", 10.0));
 }
 
-TEST_CASE("Lesson 8: the depth test played by rays") {
+PREDICTIONS_TEST("Lesson 8: the depth test played by rays", "08-depth-buffer", "how-many-pass") {
     const Asked asked("08-depth-buffer");
     const Scene& room = *asked.session.scene;
     const RayCaster rays(room, room.camera, room.light);
@@ -163,7 +166,8 @@ TEST_CASE("Lesson 8: the depth test played by rays") {
     CHECK(passed == 3);
 }
 
-TEST_CASE("Lesson 8: how well the room hides linear z") {
+PREDICTIONS_TEST("Lesson 8: how well the room hides linear z", "08-depth-buffer",
+                 "pixels-that-change") {
     const Asked asked("08-depth-buffer");
     const int pixels =
         difference(drawn_room({"stage=depth"}), drawn_room({"stage=depth", "depth_test=linear_z"}))
@@ -172,7 +176,8 @@ TEST_CASE("Lesson 8: how well the room hides linear z") {
     CHECK(asked.choice("pixels-that-change") == 1);
 }
 
-TEST_CASE("Lesson 9: three walls in one corner") {
+PREDICTIONS_TEST("Lesson 9: three walls in one corner", "09-light-per-vertex", "three-walls",
+                 "corner-by-hand") {
     const Asked asked("09-light-per-vertex");
     const glm::dvec3 corner(-1, -1, 1);
     const std::array<double, 3> direct = {direct_light(corner, {0, 1, 0}),
@@ -186,7 +191,8 @@ TEST_CASE("Lesson 9: three walls in one corner") {
     CHECK_FALSE(asked.accepts("corner-by-hand", direct[2] + 0.5));
 }
 
-TEST_CASE("Lesson 9: the handout's lamp hardly shows") {
+PREDICTIONS_TEST("Lesson 9: the handout's lamp hardly shows", "09-light-per-vertex",
+                 "the-lab-lamp") {
     const Asked asked("09-light-per-vertex");
     const Difference off = difference(drawn_room({"stage=vertex_light", "light.power=1.1"}),
                                       drawn_room({"stage=vertex_light", "light.power=0"}));
@@ -195,7 +201,8 @@ TEST_CASE("Lesson 9: the handout's lamp hardly shows") {
     CHECK(asked.choice("the-lab-lamp") == 0);
 }
 
-TEST_CASE("Lesson 9: light per vertex is brightest at the corners") {
+PREDICTIONS_TEST("Lesson 9: light per vertex is brightest at the corners", "09-light-per-vertex",
+                 "brightest-ceiling") {
     const Asked asked("09-light-per-vertex");
     const glm::ivec2 best =
         brightest_of_ceiling(drawn_room({"stage=vertex_light", "light.power=14"}));
@@ -205,7 +212,8 @@ TEST_CASE("Lesson 9: light per vertex is brightest at the corners") {
     CHECK_FALSE(asked.accepts_pixel("brightest-ceiling", glm::ivec2(above_lamp)));
 }
 
-TEST_CASE("Lesson 10: the spots of the lamp") {
+PREDICTIONS_TEST("Lesson 10: the spots of the lamp", "10-light-per-pixel", "where-is-the-spot",
+                 "left-wall-spot") {
     const Asked asked("10-light-per-pixel");
     const glm::ivec2 best =
         brightest_of_ceiling(drawn_room({"stage=pixel_light", "light.power=14"}));
@@ -221,7 +229,9 @@ TEST_CASE("Lesson 10: the spots of the lamp") {
     CHECK_FALSE(asked.accepts("left-wall-spot", 0.75 * (14.0 / (2.0 * pi) + 0.5)));
 }
 
-TEST_CASE("Lesson 10: where light per vertex is most wrong, and how often light is worked out") {
+PREDICTIONS_TEST(
+    "Lesson 10: where light per vertex is most wrong, and how often light is worked out",
+    "10-light-per-pixel", "worst-difference") {
     const Asked asked("10-light-per-pixel");
     const Framebuffer pixel = drawn_room({"stage=pixel_light", "light.power=14"});
     const Difference worst =
@@ -244,7 +254,8 @@ TEST_CASE("Lesson 10: where light per vertex is most wrong, and how often light 
     CHECK(count.failed == 35432);
 }
 
-TEST_CASE("Lesson 11: half-way on the screen") {
+PREDICTIONS_TEST("Lesson 11: half-way on the screen", "11-perspective", "half-way",
+                 "colour-half-way") {
     const Asked asked("11-perspective");
     const double near = 2.001, far = 4.001;
     const double half_way = 2.0 / (1.0 / near + 1.0 / far);
@@ -259,7 +270,7 @@ TEST_CASE("Lesson 11: half-way on the screen") {
     CHECK_FALSE(asked.accepts("colour-half-way", (front + back) / 2));
 }
 
-TEST_CASE("Lesson 11: the affine place from far away") {
+PREDICTIONS_TEST("Lesson 11: the affine place from far away", "11-perspective", "from-far-away") {
     const Asked asked("11-perspective");
     Camera camera;
     camera.position.z = -20.001f;
@@ -279,7 +290,8 @@ TEST_CASE("Lesson 11: the affine place from far away") {
     CHECK(asked.choice("from-far-away") == 2);
 }
 
-TEST_CASE("Lesson 11: divided once too often, the ceiling hangs below the lamp") {
+PREDICTIONS_TEST("Lesson 11: divided once too often, the ceiling hangs below the lamp",
+                 "11-perspective", "once-too-often") {
     const Asked asked("11-perspective");
     const double z = room_lamp_z - eye_z;
     const double light = direct_light({0.0, -1.0 / z, room_lamp_z / z}, {0, 1, 0});
@@ -287,7 +299,8 @@ TEST_CASE("Lesson 11: divided once too often, the ceiling hangs below the lamp")
     CHECK(asked.choice("once-too-often") == 2);
 }
 
-TEST_CASE("Lesson 12: without error one pixel more is uncovered") {
+PREDICTIONS_TEST("Lesson 12: without error one pixel more is uncovered", "12-float-traps",
+                 "uncovered-exact") {
     const Asked asked("12-float-traps");
     // A row and a column, which share a pixel.
     CHECK(asked.number("uncovered-exact") == 500 + 500 - 1);
@@ -298,7 +311,8 @@ TEST_CASE("Lesson 12: without error one pixel more is uncovered") {
     CHECK(handout.owner[handout.at(0, 1)] == 3);
 }
 
-TEST_CASE("Lesson 12: samples outside, counted by a loop of its own") {
+PREDICTIONS_TEST("Lesson 12: samples outside, counted by a loop of its own", "12-float-traps",
+                 "floor-outside") {
     const Asked asked("12-float-traps");
     const auto whole = [](double value, bool down) {
         return static_cast<int>(down ? std::floor(value) : value);
@@ -332,14 +346,15 @@ TEST_CASE("Lesson 12: samples outside, counted by a loop of its own") {
     CHECK(asked.choice("floor-outside") == 1);
 }
 
-TEST_CASE("Lesson 12: an edge just in front of the camera") {
+PREDICTIONS_TEST("Lesson 12: an edge just in front of the camera", "12-float-traps", "samples") {
     const Asked asked("12-float-traps");
     const double half = 500.0 * 1.0 / (-1.0 + 1.05);
     CHECK(asked.number("samples") == Approx(2.0 * half + 1.0).margin(2.0));
     CHECK_FALSE(asked.accepts("samples", 500));
 }
 
-TEST_CASE("Lesson 13: the causes of four pictures") {
+PREDICTIONS_TEST("Lesson 13: the causes of four pictures", "13-reading-a-bug", "why-black",
+                 "too-few", "which-factor", "looks-right") {
     const Asked asked("13-reading-a-bug");
     // A buffer that starts at 0.35 hides the back wall, where a fragment did fall.
     const Scene& room = *asked.session.scene;

@@ -2,15 +2,19 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include <catch2/catch.hpp>
 
+#include "scene/read_text.h"
 #include "session/content.h"
 #include "session/facts.h"
 #include "session/lesson.h"
 #include "session/lesson_check.h"
 #include "session/lesson_link.h"
 #include "session/lesson_run.h"
+#include "session/number_text.h"
+#include "tests/support/prediction_checks.h"
 
 using namespace rasterwalk;
 
@@ -48,6 +52,62 @@ struct Student {
     bool has_done(const LessonTask& task) const { return is_done(task, Facts(session, results)); }
 };
 
+/// What a link promises has come true.
+void check_kept(const LessonLink& link, const Student& student) {
+    using Kind = LessonLink::Kind;
+    const Session& session = student.session;
+    const Selection& selection = session.selection;
+    const auto number = [&] { return parse_int(link.argument); };
+    switch (link.kind) {
+    case Kind::set: {
+        // Nothing is left to set.
+        Session again = session;
+        follow_lesson_link(again, student.results.frame, link);
+        CHECK(again.settings == session.settings);
+        break;
+    }
+    case Kind::cursor:
+        CHECK(student.results.cursor == session.cursor);
+        CHECK((session.cursor == cursor_end) == (link.argument == "end"));
+        CHECK_FALSE(selection.triangle);
+        if (link.argument != "end") {
+            CHECK(session.cursor.triangle == parse_cursor(link.argument)->triangle);
+        }
+        break;
+    case Kind::compare:
+        CHECK(session.other.has_value() == (link.argument != "off"));
+        CHECK(student.results.compared.has_value() == (link.argument != "off"));
+        break;
+    case Kind::pixel:
+        CHECK(selection.pixel == parse_pixel(link.argument));
+        CHECK(student.results.history.has_value() == selection.pixel.has_value());
+        break;
+    case Kind::triangle:
+        CHECK(selection.triangle == number());
+        break;
+    case Kind::row:
+        CHECK(selection.row == number());
+        break;
+    case Kind::vertex:
+        CHECK(selection.vertex == number());
+        break;
+    case Kind::tab:
+        CHECK(session.tab == link.argument);
+        break;
+    case Kind::view:
+        CHECK(session.view == find_view(link.argument));
+        break;
+    case Kind::overlay:
+        CHECK(session.overlays.empty() == (link.argument == "none"));
+        break;
+    case Kind::lesson:
+        CHECK(std::filesystem::exists(lessons_folder() + "/" + link.argument + ".md"));
+        break;
+    default:
+        break;
+    }
+}
+
 } // namespace
 
 TEST_CASE("Every lesson has no fault") {
@@ -82,6 +142,7 @@ TEST_CASE("Each step of every lesson can be opened, and each link be followed") 
                 if (link.is_picture) continue;
                 INFO(link.line << ": " << link.target);
                 student.follow(link.target);
+                check_kept(parse_lesson_link(link.target), student);
             }
         }
     }
@@ -137,6 +198,23 @@ TEST_CASE("Each prediction is computed, refuses a wrong answer and takes the rig
     }
 }
 
+TEST_CASE("The program's answer to each prediction is worked out a second time without it") {
+    std::set<std::string> all;
+    for (const Lesson& lesson : all_lessons()) {
+        for (const LessonPrediction& prediction : lesson.predictions)
+            all.insert(lesson.id + "/" + prediction.id);
+    }
+    REQUIRE(all.size() >= 26);
+    for (const std::string& name : all) {
+        INFO(name << " has no PREDICTIONS_TEST");
+        CHECK(test::checked_predictions().count(name) == 1);
+    }
+    for (const std::string& name : test::checked_predictions()) {
+        INFO(name << " has a PREDICTIONS_TEST, but is no prediction of a lesson");
+        CHECK(all.count(name) == 1);
+    }
+}
+
 TEST_CASE("Each lesson holds at least two tasks and two predictions") {
     for (const Lesson& lesson : all_lessons()) {
         INFO(lesson.path);
@@ -145,4 +223,24 @@ TEST_CASE("Each lesson holds at least two tasks and two predictions") {
         CHECK(lesson.minutes >= 10);
         CHECK(lesson.minutes <= 20);
     }
+}
+
+TEST_CASE("Each lesson has its picture in screenshots/ and its place in the README, and none is "
+          "left over") {
+    const std::filesystem::path root(RASTERWALK_ROOT);
+    const std::string readme = read_file((root / "README.md").string());
+    std::set<std::string> wanted, found;
+    for (const Lesson& lesson : all_lessons()) {
+        const std::string picture = std::string("lesson-").append(lesson.id).append(".png");
+        wanted.insert(picture);
+        INFO(lesson.id << ", " << lesson.title << ", " << lesson.minutes << " minutes");
+        CHECK(readme.find("(screenshots/" + picture + ")") != readme.npos);
+        CHECK(readme.find("[" + lesson.title + "](lessons/" + lesson.id + ".md), " +
+                          std::to_string(lesson.minutes) + " minutes") != readme.npos);
+    }
+    for (const auto& entry : std::filesystem::directory_iterator(root / "screenshots")) {
+        const std::string name = entry.path().filename().string();
+        if (name.starts_with("lesson-")) found.insert(name);
+    }
+    CHECK(found == wanted);
 }
