@@ -1,4 +1,5 @@
-// Draws the pictures of shots.txt and compares them with the blessed ones, or blesses them.
+// Draws the pictures of shots.txt, and one of each lesson, and compares them with the blessed ones,
+// or blesses them.
 //
 //     picture_tests [--bless] [--list] [NAME...]
 //
@@ -19,6 +20,8 @@
 
 #include "scene/error.h"
 #include "scene/read_text.h"
+#include "session/lesson.h"
+#include "session/lesson_list.h"
 #include "tests/support/compare_images.h"
 
 namespace rasterwalk {
@@ -58,8 +61,28 @@ std::vector<std::string> words_of(const std::string& line) {
     return words;
 }
 
-std::vector<Shot> read_shots() {
+/// A picture of each lesson: the step that its head names.
+std::vector<Shot> lesson_shots() {
+    std::vector<std::string> paths;
+    for (const auto& entry : fs::directory_iterator(root / "lessons")) {
+        if (is_lesson_file(entry.path().filename().string()))
+            paths.push_back(entry.path().string());
+    }
+    std::sort(paths.begin(), paths.end());
     std::vector<Shot> shots;
+    for (const std::string& path : paths) {
+        const Lesson lesson = read_lesson(path);
+        if (!lesson.faults.empty()) throw InputError(fault_text(lesson, lesson.faults.front()));
+        const std::string name = "lesson-" + lesson.id;
+        shots.push_back({name,
+                         "screenshots/" + name + ".png",
+                         {"--lesson", lesson.id, "--step", std::to_string(lesson.picture)}});
+    }
+    return shots;
+}
+
+std::vector<Shot> read_shots() {
+    std::vector<Shot> shots = lesson_shots();
     std::string line;
     const std::string text = read_file(shots_path.string()) + "\n";
     for (const char c : text) {
@@ -184,7 +207,7 @@ int run(const std::vector<std::string>& words) {
     for (const std::string& name : names) {
         if (std::none_of(shots.begin(), shots.end(),
                          [&](const Shot& shot) { return shot.name == name; })) {
-            throw UsageError("there is no picture '" + name + "' in " + shots_path.string() + ".");
+            throw UsageError("there is no picture '" + name + "': see --list.");
         }
     }
     bool all_well = true;
