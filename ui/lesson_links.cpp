@@ -75,6 +75,9 @@ void follow_link(Ui& ui, const std::string& target) {
             point_at_widget(ui, link.argument, true);
             break;
         }
+        case LessonLink::Kind::bug:
+            ui.lab.chosen = ui.session.taken->bug;
+            break;
         case LessonLink::Kind::tab:
             open_tab(ui, link.argument);
             break;

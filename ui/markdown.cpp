@@ -172,7 +172,7 @@ void draw_pictures(Ui& ui, ImDrawList* list, const MarkdownPage& page, const Sig
         const ImVec2 low{std::floor(sight.origin.x + picture.low.x),
                          std::floor(sight.origin.y + picture.low.y)};
         const ImVec2 size{picture.high.x - picture.low.x, picture.high.y - picture.low.y};
-        const ImTextureID texture =
+        ImTextureID texture =
             picture_texture(ui, std::string(picture.target), static_cast<int>(size.x));
         const ImVec2 high{low.x + size.x, low.y + size.y};
         if (texture != nullptr) list->AddImage(texture, low, high);

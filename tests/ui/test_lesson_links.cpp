@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "session/bug.h"
 #include "session/widget_names.h"
 #include "tests/ui/driver.h"
 #include "ui/lesson_state.h"
@@ -58,7 +59,7 @@ TEST_CASE("Each kind of link does what it says") {
     ui.shows_glossary = false;
     driver.hand.frames(frames_to_rest);
     follow("bug:B3");
-    CHECK_FALSE(ui.lab.on.empty());
+    CHECK(is_on(ui.session, "B3"));
     follow("10-light-per-pixel.md");
     CHECK(ui.session.lesson == "10-light-per-pixel");
     CHECK(ui.session.step == 0);

@@ -221,7 +221,10 @@ void draw_headers(Ui& ui) {
         right_aligned(is_count && ui.page_is_narrow ? "n" : headers[i].name,
                       palette(ui.options.theme).dim);
         ImGui::PopFont();
-        name_widget(ui, std::string("rows.header.") + std::to_string(i), headers[i].help);
+        // The values of both ends have the same titles.
+        const bool is_value = ui.shows_end_values && i >= 2 && i != 6;
+        const std::string end = !is_value ? "" : i < 6 ? "left." : "right.";
+        name_widget(ui, "rows.header." + end + headers[i].name, headers[i].help);
     }
 }
 
