@@ -13,7 +13,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// A key that moves something while it is held: which number, and how fast, in units a second.
+/// A key that moves something while it is held.
 struct HeldKey {
     int key;
     void (*move)(Settings&, float distance);

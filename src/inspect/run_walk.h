@@ -77,8 +77,6 @@ class RunWalk {
     /// Draws the next triangle and tells of every moment. False if the visitor has ended the walk.
     bool walk_triangle(const PairVisitor& visit);
 
-    /// The triangle that comes next.
-    int triangle() const { return triangle_; }
     bool is_done() const;
 
     /// The pictures so far.

@@ -505,13 +505,6 @@ std::string fault_text(const Lesson& lesson, const LessonFault& fault) {
     return text.append(": ").append(fault.sentence);
 }
 
-const LessonTask* find_task(const Lesson& lesson, std::string_view id) {
-    for (const LessonTask& task : lesson.tasks) {
-        if (task.id == id) return &task;
-    }
-    return nullptr;
-}
-
 const LessonPrediction* find_prediction(const Lesson& lesson, std::string_view id) {
     for (const LessonPrediction& prediction : lesson.predictions) {
         if (prediction.id == id) return &prediction;

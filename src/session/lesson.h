@@ -122,8 +122,7 @@ bool is_readable(const Lesson& lesson);
 /// "lessons/01-pinhole.md:12: sentence", as it is printed.
 std::string fault_text(const Lesson& lesson, const LessonFault& fault);
 
-/// The task or prediction of this id; null if there is none.
-const LessonTask* find_task(const Lesson& lesson, std::string_view id);
+/// The prediction of this id; null if there is none.
 const LessonPrediction* find_prediction(const Lesson& lesson, std::string_view id);
 
 inline constexpr std::size_t largest_lesson = std::size_t{1} << 20; ///< bytes

@@ -1,7 +1,6 @@
 #include "session/lesson_text.h"
 
 #include <algorithm>
-#include <iterator>
 
 #include "session/quoted.h"
 
@@ -301,16 +300,6 @@ class Scanner {
 
 InlineParts find_inline_parts(std::string_view text, int first_line, FaultList& faults) {
     return Scanner(text, first_line, faults).scan();
-}
-
-void append(InlineParts& parts, InlineParts more) {
-    const auto move_all = [](auto& from, auto& to) {
-        to.insert(to.end(), std::make_move_iterator(from.begin()),
-                  std::make_move_iterator(from.end()));
-    };
-    move_all(more.links, parts.links);
-    move_all(more.formulas, parts.formulas);
-    move_all(more.footnotes, parts.footnotes);
 }
 
 bool is_fence(std::string_view line) {

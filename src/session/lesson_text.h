@@ -24,9 +24,6 @@ struct InlineParts {
 /// @param first_line of the file in which the text begins
 InlineParts find_inline_parts(std::string_view text, int first_line, FaultList& faults);
 
-/// Appends what was found in another text.
-void append(InlineParts& parts, InlineParts more);
-
 /// Does the line begin or end a block of code (``` or ~~~)?
 bool is_fence(std::string_view line);
 

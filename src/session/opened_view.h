@@ -44,7 +44,7 @@ struct ViewOptions {
 /// is more exact wins, and then all others. With a bug the correct run is run B unless `b` says
 /// otherwise. Throws Error: what a file says wrongly is an InputError with file:line. A lesson that
 /// is wrong elsewhere than in what this step shows opens, and session.notice says so.
-Session open_view(const ViewOptions& options);
+Session open_view(const ViewOptions& given);
 
 /// The path of the scene that a text names: a file, or one in lessons_folder()
 /// ("scenes/fence.toml").

@@ -73,8 +73,8 @@ void Progress::note_task(const std::string& lesson, const std::string& task) {
 }
 
 void Progress::note_answer(const std::string& lesson, const std::string& prediction,
-                           FirstAnswer answer) {
-    lessons[lesson].answers.try_emplace(prediction, std::move(answer));
+                           const FirstAnswer& answer) {
+    lessons[lesson].answers.try_emplace(prediction, answer);
 }
 
 LessonScore score_of(const Progress& progress, const Lesson& lesson) {

@@ -40,7 +40,8 @@ struct Progress {
     void note_step(const std::string& lesson, int step);
     void note_task(const std::string& lesson, const std::string& task);
     /// Only the first answer is kept.
-    void note_answer(const std::string& lesson, const std::string& prediction, FirstAnswer answer);
+    void note_answer(const std::string& lesson, const std::string& prediction,
+                     const FirstAnswer& answer);
 
     friend bool operator==(const Progress&, const Progress&) = default;
 };

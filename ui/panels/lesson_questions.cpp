@@ -154,11 +154,10 @@ std::string verdict(const LessonPrediction& prediction, const PredictionView& vi
     if (!judged.fault.empty()) return judged.fault;
     std::string text = judged.is_right ? "Right: " : "You said: ";
     text.append(as_said(prediction, view.said));
-    if (prediction.kind != LessonPrediction::Kind::pixel && !judged.is_right) {
-        text.append(" The program says: ").append(as_said(prediction, judged.answer));
-    } else if (!judged.is_right) {
-        text.append(" That is not one.");
-    } else if (prediction.kind == LessonPrediction::Kind::number && judged.answer != view.said) {
+    using Kind = LessonPrediction::Kind;
+    if (prediction.kind == Kind::pixel) return judged.is_right ? text : text + " That is not one.";
+    const bool is_nearly = prediction.kind == Kind::number && judged.answer != view.said;
+    if (!judged.is_right || is_nearly) {
         text.append(" The program says: ").append(as_said(prediction, judged.answer));
     }
     return text;
