@@ -54,8 +54,11 @@ LineWalker::LineWalker(const Fragment& a, const Fragment& b, int count, const Li
     step_x_ = static_cast<float>(b.column - a.column) / divisor;
     step_y_ = static_cast<float>(b.row - a.row) / divisor;
     if (rules.walk == LineWalk::integer_step) {
-        step_x_ = static_cast<float>((b.column - a.column) / std::max(count_ - 1, 1));
-        step_y_ = static_cast<float>((b.row - a.row) / std::max(count_ - 1, 1));
+        // The mistake: the division of whole numbers drops the fraction of the step.
+        const int steps = std::max(count_ - 1, 1);
+        const int step_x = (b.column - a.column) / steps, step_y = (b.row - a.row) / steps;
+        step_x_ = static_cast<float>(step_x);
+        step_y_ = static_cast<float>(step_y);
     }
     step_zinv_ = (b.zinv - a.zinv) / divisor;
     step_z_ = (b.z - a.z) / divisor;
