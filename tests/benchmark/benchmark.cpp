@@ -14,10 +14,12 @@
 
 #include <imgui.h>
 
+#include "camera_benchmark.h"
 #include "inspect/compare.h"
 #include "inspect/pixel_history.h"
 #include "pipeline/draw.h"
 #include "replay_benchmark.h"
+#include "scene/error.h"
 #include "scene/read_scene.h"
 #include "session/content.h"
 #include "session/results.h"
@@ -28,6 +30,10 @@
 namespace {
 
 using namespace rasterwalk;
+
+constexpr const char* usage =
+    "usage: rasterwalk-benchmark [REPETITIONS]\n"
+    "       rasterwalk-benchmark camera [--steps N] [--against FILE] [NAME...]";
 
 /// How long one thing took, over all its repetitions.
 struct Measurement {
@@ -175,16 +181,38 @@ void print_table(const Measurements& measurements) {
     }
 }
 
+/// The words behind `camera`. Throws UsageError.
+CameraBenchmark camera_options(const std::vector<std::string>& words) {
+    CameraBenchmark options;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::string& word = words[i];
+        const bool has_value = i + 1 < words.size();
+        if (word == "--steps" && has_value) {
+            options.steps = std::clamp(std::atoi(words[++i].c_str()), 1, 100000);
+        } else if (word == "--against" && has_value) {
+            options.against = words[++i];
+        } else if (!word.starts_with("-")) {
+            options.names.push_back(word);
+        } else {
+            throw UsageError(usage);
+        }
+    }
+    return options;
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
-    if (argc > 2) {
-        std::fputs("usage: rasterwalk-benchmark [REPETITIONS]\n", stderr);
-        return 2;
-    }
+    const std::vector<std::string> words(argv + 1, argv + argc);
     try {
+        if (!words.empty() && words.front() == "camera") {
+            print_camera_times(camera_options({words.begin() + 1, words.end()}));
+            return 0;
+        }
+        if (words.size() > 1) throw UsageError(usage);
         Measurements measurements;
-        if (argc == 2) measurements.repetitions = std::clamp(std::atoi(argv[1]), 1, 100000);
+        if (!words.empty())
+            measurements.repetitions = std::clamp(std::atoi(words[0].c_str()), 1, 100000);
         const std::string path = lessons_folder() + "/scenes/lab-room.toml";
         const Scene scene = read_scene(path);
         std::printf("%s, %d x %d, %d repetitions\n\n", scene.name.c_str(), scene.viewport.width,
@@ -199,6 +227,9 @@ int main(int argc, char** argv) {
         print_table(measurements);
         print_replay_times(scene);
         print_replay_times(test::made_scene(100'000));
+    } catch (const Error& fault) {
+        std::fprintf(stderr, "%s\n", fault.what());
+        return static_cast<int>(fault.code);
     } catch (const std::exception& fault) {
         std::fprintf(stderr, "%s\n", fault.what());
         return 1;

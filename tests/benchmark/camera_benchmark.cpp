@@ -1,0 +1,187 @@
+#include "camera_benchmark.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <functional>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <sstream>
+
+#include <imgui.h>
+
+#include "pipeline/timeline.h"
+#include "scene/error.h"
+#include "scene/read_text.h"
+#include "session/content.h"
+#include "session/results.h"
+#include "session/second_run.h"
+#include "session/setting_table.h"
+#include "support/made_scene.h"
+#include "ui/app.h"
+
+/// The work that is measured runs inside of this function and nothing else does, so that its
+/// instructions can be counted: valgrind --tool=callgrind --toggle-collect=measured_work.
+extern "C" [[gnu::noinline]] void measured_work(const std::function<void()>& work) {
+    work();
+    asm volatile(""); // keeps the call from becoming a jump
+}
+
+namespace rasterwalk {
+
+namespace {
+
+constexpr int made_triangles = 200'000;
+
+/// A step of the camera to the side, radians: so small that the picture is nearly the same.
+constexpr float turn = 0.001f;
+
+double processor_milliseconds(const std::function<void()>& work) {
+    const std::clock_t start = std::clock();
+    measured_work(work);
+    return 1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+/// The figures of another version, by name.
+std::map<std::string, double> read_figures(const std::string& path) {
+    std::map<std::string, double> figures;
+    if (path.empty()) return figures;
+    std::istringstream lines(read_file(path));
+    std::string line;
+    while (std::getline(lines, line)) {
+        std::istringstream words(line);
+        std::string name;
+        double milliseconds = 0.0;
+        if (words >> name >> milliseconds) figures[name] = milliseconds;
+    }
+    return figures;
+}
+
+/// Takes the figures that are asked for and prints a line for each.
+class Figures {
+  public:
+    explicit Figures(const CameraBenchmark& options)
+        : options_(options), other_(read_figures(options.against)) {}
+
+    bool is_wanted(const std::string& name) const {
+        return options_.names.empty() || std::find(options_.names.begin(), options_.names.end(),
+                                                   name) != options_.names.end();
+    }
+
+    /// The smallest time of all steps. The first step, which fills tables, does not count.
+    void take(const std::string& name, const std::function<void()>& step) const {
+        if (!is_wanted(name)) return;
+        step();
+        double smallest = std::numeric_limits<double>::infinity();
+        for (int i = 0; i < options_.steps; ++i)
+            smallest = std::min(smallest, processor_milliseconds(step));
+        std::printf("%-24s %10.3f ms", name.c_str(), smallest);
+        if (const auto other = other_.find(name); other != other_.end() && other->second > 0.0)
+            std::printf("   %6.3f of %10.3f ms", smallest / other->second, other->second);
+        std::printf("\n");
+        std::fflush(stdout);
+    }
+
+  private:
+    const CameraBenchmark& options_;
+    std::map<std::string, double> other_;
+};
+
+Session room() {
+    return open_session(lessons_folder() + "/scenes/lab-room.toml");
+}
+
+Session made() {
+    Session session = room();
+    set_scene(session, test::made_scene(made_triangles));
+    return session;
+}
+
+void compare_with_affine(Session& session) {
+    Settings other = session.settings;
+    set_from_text(other, "interpolation=affine");
+    compare_with(session, other);
+}
+
+/// What follows from the session, without the window: a step of the camera, a moment of time.
+void take_session_figures(const Figures& figures, const std::string& scene, Session (*open)()) {
+    for (const bool is_comparing : {false, true}) {
+        const std::string ending = is_comparing ? "-comparing" : "";
+        const std::string step = scene + "-step" + ending, moment = scene + "-moment" + ending;
+        if (!figures.is_wanted(step) && !figures.is_wanted(moment)) continue;
+        Session session = open();
+        if (is_comparing) compare_with_affine(session);
+        Results results;
+        figures.take(step, [&] {
+            session.settings.camera.yaw += turn;
+            follow_first_run(session);
+            update(session, results);
+        });
+        update(session, results);
+        session.cursor = Timeline(results.frame).at_place(0.7);
+        figures.take(moment, [&] {
+            session.cursor = Timeline(results.frame).next(session.cursor, Granularity::moment);
+            update(session, results);
+        });
+    }
+}
+
+/// The interface without a graphics system: textures are numbers, and nobody shows what is drawn.
+class NoTextures : public TextureHost {
+  public:
+    ImTextureID upload(ImTextureID old, const Image&) override {
+        return old != nullptr ? old : static_cast<ImTextureID>(this);
+    }
+};
+
+/// Whole frames of the window: at rest, and while the camera turns.
+void take_frame_figures(const Figures& figures, const std::string& scene, Session (*open)()) {
+    const std::string rest = scene + "-frame-at-rest", turning = scene + "-frame-turning";
+    if (!figures.is_wanted(rest) && !figures.is_wanted(turning)) return;
+    NoTextures textures;
+    Ui ui;
+    ui.session = open();
+    open_ui(ui, textures);
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = {1600.0f, 1000.0f};
+    io.DeltaTime = 1.0f / 60.0f;
+    const auto frame = [&] {
+        if (ui.fonts_changed || !io.Fonts->IsBuilt()) io.Fonts->Build();
+        ui.fonts_changed = false;
+        build_ui(ui);
+    };
+    for (int i = 0; i < 4; ++i)
+        frame(); // sizes of windows and columns settle
+    figures.take(rest, frame);
+    figures.take(turning, [&] {
+        ui.session.settings.camera.yaw += turn;
+        frame();
+    });
+    close_ui(ui);
+}
+
+constexpr const char* figure_names[] = {
+    "room-step",           "room-moment",           "room-step-comparing", "room-moment-comparing",
+    "room-frame-at-rest",  "room-frame-turning",    "made-step",           "made-moment",
+    "made-step-comparing", "made-moment-comparing", "made-frame-at-rest",  "made-frame-turning",
+};
+
+} // namespace
+
+void print_camera_times(const CameraBenchmark& options) {
+    for (const std::string& name : options.names) {
+        if (std::find(std::begin(figure_names), std::end(figure_names), name) ==
+            std::end(figure_names)) {
+            throw UsageError("there is no figure '" + name + "'.");
+        }
+    }
+    const Figures figures(options);
+    take_session_figures(figures, "room", room);
+    take_frame_figures(figures, "room", room);
+    take_session_figures(figures, "made", made);
+    take_frame_figures(figures, "made", made);
+}
+
+} // namespace rasterwalk
