@@ -14,15 +14,15 @@
 #include <imgui.h>
 
 #include "inspect/microscope.h"
-#include "session/bug.h"
-#include "session/lesson_list.h"
-#include "session/lesson_run.h"
-#include "session/lesson_search.h"
-#include "session/progress.h"
+#include "laboratory/bug.h"
+#include "laboratory/suspect.h"
+#include "lessons/lesson_list.h"
+#include "lessons/lesson_run.h"
+#include "lessons/lesson_search.h"
+#include "lessons/progress.h"
+#include "lessons/stage_note.h"
 #include "session/results.h"
 #include "session/session.h"
-#include "session/stage_note.h"
-#include "session/suspect.h"
 
 namespace rasterwalk {
 
@@ -108,7 +108,7 @@ struct CompareLook {
     bool blink_is_held = false;
 };
 
-struct MarkdownPage; // ui/markdown.h
+struct MarkdownPage; // ui/page/markdown.h
 
 /// The three rooms of the bug laboratory.
 enum class LabMode : std::uint8_t {
@@ -154,8 +154,8 @@ struct InspectView {
     std::string graph_quantity = "z";           ///< id of a quantity, see carried_row.h
 };
 
-struct MarkdownPage; // ui/markdown.h
-struct PictureShelf; // ui/pictures.h
+struct MarkdownPage; // ui/page/markdown.h
+struct PictureShelf; // ui/widgets/pictures.h
 
 /// What the student answered to a prediction of the lesson that is open.
 struct PredictionView {

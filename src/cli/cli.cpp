@@ -8,13 +8,13 @@
 
 #include <CLI/CLI.hpp>
 
+#include "base/error.h"
+#include "base/nearest_name.h"
 #include "cli/commands.h"
 #include "cli/compare_command.h"
 #include "cli/diagnose_command.h"
-#include "cli/view_options.h"
-#include "scene/error.h"
+#include "opening/view_options.h"
 #include "session/content.h"
-#include "session/nearest_name.h"
 
 namespace rasterwalk {
 

@@ -7,10 +7,11 @@
 #include <string_view>
 
 #include "cli/json.h"
-#include "inspect/compare.h"
+#include "compare/compare.h"
+#include "picture/view_image.h"
 #include "pipeline/draw.h"
 #include "session/second_run.h"
-#include "session/setting_table.h"
+#include "settings/setting_table.h"
 
 namespace rasterwalk {
 

@@ -4,11 +4,11 @@
 #include <cstdio>
 #include <ostream>
 
+#include "base/files.h"
+#include "base/image.h"
 #include "cli/json.h"
 #include "cli/points.h"
-#include "scene/image.h"
-#include "scene/read_text.h"
-#include "session/diagnose.h"
+#include "laboratory/diagnose.h"
 
 namespace rasterwalk {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/view_options.h"
-#include "scene/error.h"
+#include "base/error.h"
+#include "opening/view_options.h"
 
 namespace rasterwalk {
 

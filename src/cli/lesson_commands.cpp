@@ -5,15 +5,15 @@
 #include <ostream>
 #include <system_error>
 
+#include "base/error.h"
 #include "cli/json.h"
-#include "scene/error.h"
-#include "session/bug.h"
+#include "facts/facts.h"
+#include "laboratory/bug.h"
+#include "lessons/lesson.h"
+#include "lessons/lesson_check.h"
 #include "session/content.h"
-#include "session/facts.h"
-#include "session/lesson.h"
-#include "session/lesson_check.h"
 #include "session/scene_file.h"
-#include "session/setting_table.h"
+#include "settings/setting_table.h"
 
 namespace rasterwalk {
 
@@ -86,8 +86,8 @@ int check_file(const std::string& path, const Session& session, std::ostream& ou
     }
     if (name.ends_with(".toml")) return read([&] { read_scene_file(path); });
     const Lesson lesson = read_lesson(path);
-    const std::vector<LessonFault> faults = check_lesson(lesson, session);
-    for (const LessonFault& fault : faults)
+    const std::vector<Fault> faults = check_lesson(lesson, session);
+    for (const Fault& fault : faults)
         out << fault_text(lesson, fault) << '\n';
     return static_cast<int>(faults.size());
 }

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <ostream>
 
+#include "base/error.h"
 #include "cli/commands.h"
 #include "cli/json.h"
-#include "scene/error.h"
-#include "session/lesson_list.h"
-#include "session/progress.h"
+#include "lessons/lesson_list.h"
+#include "lessons/progress.h"
 
 namespace rasterwalk {
 

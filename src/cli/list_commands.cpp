@@ -4,9 +4,9 @@
 #include <ostream>
 
 #include "cli/json.h"
-#include "session/bug.h"
+#include "laboratory/bug.h"
 #include "session/content.h"
-#include "session/setting_table.h"
+#include "settings/setting_table.h"
 
 namespace rasterwalk {
 

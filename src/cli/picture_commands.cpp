@@ -4,6 +4,7 @@
 
 #include "cli/json.h"
 #include "inspect/stats.h"
+#include "picture/view_image.h"
 #include "pipeline/draw.h"
 
 namespace rasterwalk {

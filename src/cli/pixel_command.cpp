@@ -7,9 +7,9 @@
 #include <optional>
 #include <ostream>
 
+#include "base/error.h"
 #include "cli/json.h"
 #include "inspect/pixel_history.h"
-#include "scene/error.h"
 
 namespace rasterwalk {
 

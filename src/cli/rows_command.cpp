@@ -6,13 +6,13 @@
 #include <cstdio>
 #include <ostream>
 
+#include "base/error.h"
 #include "cli/json.h"
 #include "cli/points.h"
 #include "cli/row_json.h"
 #include "inspect/row_history.h"
-#include "scene/error.h"
 #include "session/content.h"
-#include "session/setting_table.h"
+#include "settings/setting_table.h"
 
 namespace rasterwalk {
 

@@ -6,10 +6,10 @@
 #include <cstdio>
 #include <ostream>
 
+#include "base/error.h"
 #include "cli/json.h"
 #include "cli/row_json.h"
 #include "inspect/triangle_report.h"
-#include "scene/error.h"
 #include "session/moments.h"
 
 namespace rasterwalk {

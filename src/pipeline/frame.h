@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "pipeline/settings.h"
 #include "scene/scene.h"
+#include "settings/settings.h"
 #include "stages/stages.h"
 
 namespace rasterwalk {

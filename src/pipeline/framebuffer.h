@@ -2,34 +2,16 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "scene/image.h"
 #include "scene/scene.h"
 #include "stages/depth_test.h"
 #include "stages/put_pixel.h"
 
 namespace rasterwalk {
-
-/// Pixels from (left, top) up to, not including, (right, bottom).
-struct Rectangle {
-    int left = 0, top = 0, right = 0, bottom = 0;
-
-    friend bool operator==(const Rectangle&, const Rectangle&) = default;
-};
-
-/// By which rules the planes are begun and shown.
-struct PictureRules {
-    float depth_clear = 0.0f; ///< of the depth buffer where nothing was drawn
-    DepthIndex depth_index = DepthIndex::row_major;
-    ColourOverOne over_one = ColourOverOne::clamp;
-
-    friend bool operator==(const PictureRules&, const PictureRules&) = default;
-};
 
 /// What has been drawn so far: four planes of width x height pixels, row by row from the top. They
 /// hold the whole picture, or a window of it.
@@ -63,38 +45,8 @@ struct Framebuffer {
 void clear(Framebuffer& framebuffer, Viewport size, glm::ivec2 origin = {0, 0},
            const PictureRules& rules = {});
 
-/// Which plane is shown.
-enum class View : std::uint8_t { colour, depth, triangle, overdraw };
-
-/// A range of 1/z; near is the larger end.
-struct DepthRange {
-    float far = 0.0f;
-    float near = 0.0f;
-
-    /// Where a value lies between far, 0, and near, 1; beyond them outside 0..1. In a range without
-    /// width everything is near.
-    float place(float depth) const { return near > far ? (depth - far) / (near - far) : 1.0f; }
-
-    friend bool operator==(const DepthRange&, const DepthRange&) = default;
-};
-
 /// The depth of a pixel as it lies in the depth buffer, which may be transposed: then it is another
 /// pixel's. Where that pixel is not in the planes, what an empty buffer holds.
 float stored_depth(const Framebuffer& framebuffer, int column, int row);
-
-/// From the smallest to the largest 1/z present; none where nothing has a depth.
-std::optional<DepthRange> present_depths(const Framebuffer& framebuffer);
-
-/// A colour as the screen shows it, 0..1: cut at 0 and 1, or, where it wraps, what is left of it in
-/// 8 bits.
-glm::vec3 shown_colour(const glm::vec3& colour, ColourOverOne rule);
-
-/// The planes as pictures of 8 bits a channel. Colour is cut as the lab's PutPixelSDL does:
-/// clamp(255 c, 0, 255), fraction dropped; or wraps, if that is the rule. Depth is coloured from
-/// far to near, and what lies outside the range takes the colour of its end; overdraw from 0 to the
-/// largest count; triangles get colours that neighbours tell apart.
-/// @param depths range for View::depth; none: from the smallest to the largest 1/z present
-Image view_image(const Framebuffer& framebuffer, View view,
-                 const std::optional<DepthRange>& depths = std::nullopt);
 
 } // namespace rasterwalk

@@ -8,8 +8,8 @@
 
 #include <glm/common.hpp>
 
-#include "scene/read_text.h"
-#include "scene/toml_input.h"
+#include "base/files.h"
+#include "base/toml_input.h"
 
 namespace rasterwalk {
 

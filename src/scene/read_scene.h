@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "scene/limits.h"
+#include "base/limits.h"
 #include "scene/scene.h"
 
 namespace rasterwalk {

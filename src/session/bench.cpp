@@ -4,10 +4,10 @@
 #include <charconv>
 #include <cmath>
 
-#include "scene/error.h"
-#include "session/number_text.h"
-#include "session/quoted.h"
-#include "session/setting_table.h"
+#include "base/error.h"
+#include "base/numbers.h"
+#include "base/quoted.h"
+#include "settings/setting_table.h"
 
 namespace rasterwalk {
 

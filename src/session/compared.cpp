@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "picture/view_image.h"
 #include "pipeline/timeline.h"
 #include "session/results.h"
 

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "inspect/compare.h"
+#include "base/image.h"
+#include "compare/compare.h"
 #include "inspect/row_history.h"
 #include "pipeline/frame.h"
 #include "pipeline/replay.h"
-#include "scene/image.h"
 #include "session/inspected.h"
 
 namespace rasterwalk {

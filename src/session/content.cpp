@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include "scene/error.h"
+#include "base/error.h"
 
 namespace rasterwalk {
 

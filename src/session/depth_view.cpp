@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "session/number_text.h"
+#include "base/numbers.h"
+#include "picture/view_image.h"
 #include "session/session.h"
-#include "session/setting_table.h"
+#include "settings/setting_table.h"
 
 namespace rasterwalk {
 

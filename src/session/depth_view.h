@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "picture/view_image.h"
 #include "pipeline/framebuffer.h"
 
 namespace rasterwalk {

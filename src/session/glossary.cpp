@@ -1,7 +1,7 @@
 #include "session/glossary.h"
 
-#include "scene/read_text.h"
-#include "scene/toml_input.h"
+#include "base/files.h"
+#include "base/toml_input.h"
 
 namespace rasterwalk {
 

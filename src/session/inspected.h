@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
-#include "inspect/fragment_report.h"
+#include "explain/fragment_report.h"
+#include "explain/vertex_report.h"
 #include "inspect/row_graph.h"
-#include "inspect/vertex_report.h"
 #include "session/session.h"
 
 namespace rasterwalk {

@@ -3,9 +3,9 @@
 #include <optional>
 #include <string_view>
 
+#include "base/error.h"
+#include "base/quoted.h"
 #include "pipeline/timeline.h"
-#include "scene/error.h"
-#include "session/quoted.h"
 
 namespace rasterwalk {
 

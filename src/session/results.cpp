@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "inspect/stats.h"
+#include "picture/view_image.h"
 
 namespace rasterwalk {
 

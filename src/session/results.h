@@ -6,17 +6,18 @@
 #include <string>
 #include <vector>
 
+#include "base/image.h"
 #include "inspect/pixel_history.h"
 #include "inspect/row_history.h"
+#include "picture/overlay.h"
+#include "picture/view_image.h"
 #include "pipeline/draw.h"
 #include "pipeline/frame.h"
 #include "pipeline/replay.h"
 #include "pipeline/timeline.h"
-#include "scene/image.h"
 #include "session/compared.h"
 #include "session/depth_view.h"
 #include "session/inspected.h"
-#include "session/overlay.h"
 #include "session/session.h"
 
 namespace rasterwalk {

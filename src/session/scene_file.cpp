@@ -3,8 +3,8 @@
 #include <array>
 #include <string_view>
 
-#include "pipeline/settings.h"
 #include "scene/read_scene.h"
+#include "settings/settings.h"
 
 namespace rasterwalk {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "session/preset.h"
 #include "session/session.h"
-#include "session/setting_table.h"
+#include "settings/preset.h"
+#include "settings/setting_table.h"
 
 namespace rasterwalk {
 

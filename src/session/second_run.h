@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "pipeline/settings.h"
 #include "scene/scene.h"
+#include "settings/settings.h"
 
 namespace rasterwalk {
 

@@ -7,20 +7,21 @@
 
 #include <glm/vec2.hpp>
 
+#include "picture/overlay.h"
+#include "picture/view_image.h"
 #include "pipeline/cursor.h"
 #include "pipeline/framebuffer.h"
-#include "pipeline/settings.h"
 #include "pipeline/timeline.h"
 #include "scene/scene.h"
 #include "session/canvas_view.h"
 #include "session/glossary.h"
-#include "session/overlay.h"
 #include "session/places.h"
-#include "session/preset.h"
-#include "session/quiz.h"
+#include "session/quiz_state.h"
 #include "session/second_run.h"
 #include "session/selection.h"
 #include "session/undo.h"
+#include "settings/preset.h"
+#include "settings/settings.h"
 
 namespace rasterwalk {
 

@@ -4,10 +4,11 @@
 #include <optional>
 #include <vector>
 
+#include "picture/overlay.h"
+#include "picture/view_image.h"
 #include "pipeline/framebuffer.h"
-#include "pipeline/settings.h"
-#include "session/overlay.h"
 #include "session/second_run.h"
+#include "settings/settings.h"
 
 namespace rasterwalk {
 

@@ -13,6 +13,8 @@
 
 #include <cstdint>
 
+#include "stages/depth_test.h"
+
 namespace rasterwalk {
 
 /// Which places lie in the picture.
@@ -25,6 +27,22 @@ enum class Bounds : std::uint8_t {
 enum class ColourOverOne : std::uint8_t {
     clamp, ///< as 1
     wrap,  ///< as the lowest 8 bits of 255 c: mistake B22
+};
+
+/// Pixels from (left, top) up to, not including, (right, bottom).
+struct Rectangle {
+    int left = 0, top = 0, right = 0, bottom = 0;
+
+    friend bool operator==(const Rectangle&, const Rectangle&) = default;
+};
+
+/// By which rules the planes are begun and shown.
+struct PictureRules {
+    float depth_clear = 0.0f; ///< of the depth buffer where nothing was drawn
+    DepthIndex depth_index = DepthIndex::row_major;
+    ColourOverOne over_one = ColourOverOne::clamp;
+
+    friend bool operator==(const PictureRules&, const PictureRules&) = default;
 };
 
 /// A channel in 8 bits, as the lab's PutPixelSDL does it: 255 c, fraction dropped. NaN becomes 0.

@@ -14,18 +14,19 @@
 
 #include <imgui.h>
 
+#include "base/error.h"
 #include "camera_benchmark.h"
-#include "inspect/compare.h"
+#include "compare/compare.h"
 #include "inspect/pixel_history.h"
+#include "picture/view_image.h"
 #include "pipeline/draw.h"
 #include "replay_benchmark.h"
-#include "scene/error.h"
 #include "scene/read_scene.h"
 #include "session/content.h"
 #include "session/results.h"
-#include "session/setting_table.h"
+#include "settings/setting_table.h"
 #include "support/made_scene.h"
-#include "ui/app.h"
+#include "ui/app/app.h"
 
 namespace {
 

@@ -12,15 +12,15 @@
 
 #include <imgui.h>
 
+#include "base/error.h"
+#include "base/files.h"
 #include "pipeline/timeline.h"
-#include "scene/error.h"
-#include "scene/read_text.h"
 #include "session/content.h"
 #include "session/results.h"
 #include "session/second_run.h"
-#include "session/setting_table.h"
+#include "settings/setting_table.h"
 #include "support/made_scene.h"
-#include "ui/app.h"
+#include "ui/app/app.h"
 
 /// The work that is measured runs inside of this function and nothing else does, so that its
 /// instructions can be counted: valgrind --tool=callgrind --toggle-collect=measured_work.

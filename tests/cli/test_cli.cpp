@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "scene/image.h"
+#include "base/image.h"
 #include "session/content.h"
 #include "tests/cli/run.h"
 #include "tests/support/temporary_folder.h"

@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "scene/image.h"
+#include "base/image.h"
 #include "tests/cli/run.h"
 #include "tests/support/temporary_folder.h"
 

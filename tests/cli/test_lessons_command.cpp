@@ -4,8 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "lessons/progress.h"
 #include "session/content.h"
-#include "session/progress.h"
 #include "tests/cli/run.h"
 #include "tests/support/temporary_folder.h"
 

@@ -8,9 +8,9 @@ failed=0
 
 new_house() {
     rm -rf "${tree:?}"/*
-    mkdir -p "$tree"/src/{scene,stages,pipeline,inspect,session,cli} "$tree"/ui/{panels,hosts}
+    mkdir -p "$tree"/src/{base,scene,stages,settings,pipeline,picture,inspect,session,cli} "$tree"/ui/{widgets,canvas,bars,inspector,app,hosts}
     echo '#include "scene/scene.h"' >"$tree/src/stages/stages.h"
-    echo '#include "ui/ui.h"' >"$tree/ui/panels/rows_panel.cpp"
+    echo '#include "ui/ui.h"' >"$tree/ui/inspector/rows_panel.cpp"
     printf '#include <imgui.h>\n#include "session/session.h"\n' >"$tree/ui/ui.h"
     printf '#include <GLFW/glfw3.h>\n#include "ui/ui.h"\n#include "cli/cli.h"\n' >"$tree/ui/hosts/window.cpp"
     echo '#include "session/session.h"' >"$tree/src/cli/cli.h"
@@ -49,14 +49,19 @@ faulty src/inspect/stats.h '#include "session/session.h"' 'inspect includes'
 faulty src/session/session.h '#include "ui/ui.h"' 'session includes'
 faulty src/session/session.cpp '#include "cli/cli.h"' 'session includes'
 faulty src/cli/cli.cpp '#include "ui/ui.h"' 'cli includes'
-faulty ui/panels/rows_panel.cpp '#include "cli/cli.h"' 'ui includes'
-faulty ui/app.cpp '#include "ui/hosts/window.h"' 'ui includes'
-faulty ui/app.cpp '#include "ui.h"' '"ui.h" is not written'
+faulty src/base/files.h '#include "scene/scene.h"' 'base includes'
+faulty src/settings/settings.h '#include "pipeline/draw.h"' 'settings includes'
+faulty src/picture/overlay.cpp '#include "inspect/stats.h"' 'picture includes'
+faulty ui/inspector/rows_panel.cpp '#include "ui/bars/bars.h"' 'inspector includes'
+faulty ui/canvas/canvas.cpp '#include "ui/app/app.h"' 'canvas includes'
+faulty ui/ui.h '#include "cli/cli.h"' 'ui includes'
+faulty ui/app/app.cpp '#include "ui/hosts/window.h"' 'app includes'
+faulty ui/app/app.cpp '#include "ui.h"' '"ui.h" is not written'
 for header in imgui.h GL/gl.h GLFW/glfw3.h GL/osmesa.h imgui_impl_opengl2.h; do
     faulty src/session/results.cpp "#include <$header>" "src/ includes <$header>"
 done
 for header in GL/gl.h GLFW/glfw3.h GL/osmesa.h imgui_impl_glfw.h; do
-    faulty ui/app.cpp "#include <$header>" "ui/ includes <$header>"
+    faulty ui/app/app.cpp "#include <$header>" "ui/ includes <$header>"
 done
 faulty src/stages/light.cpp '#pragma STDC FP_CONTRACT ON' 'this pragma'
 new_house; mkdir "$tree/src/misc"; touch "$tree/src/misc/a.h"; echo >>"$tree/src/misc/a.h"

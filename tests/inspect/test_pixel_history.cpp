@@ -6,7 +6,7 @@
 
 #include "inspect/stats.h"
 #include "pipeline/draw.h"
-#include "session/setting_table.h"
+#include "settings/setting_table.h"
 #include "tests/support/bits.h"
 #include "tests/support/random.h"
 #include "tests/support/samples.h"

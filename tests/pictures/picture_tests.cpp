@@ -18,10 +18,10 @@
 #include <spawn.h>
 #include <sys/wait.h>
 
-#include "scene/error.h"
-#include "scene/read_text.h"
-#include "session/lesson.h"
-#include "session/lesson_list.h"
+#include "base/error.h"
+#include "base/files.h"
+#include "lessons/lesson.h"
+#include "lessons/lesson_list.h"
 #include "tests/support/compare_images.h"
 
 namespace rasterwalk {

@@ -5,8 +5,9 @@
 #include <limits>
 #include <set>
 
+#include "picture/colour_map.h"
+#include "picture/view_image.h"
 #include "pipeline/framebuffer.h"
-#include "scene/colour_map.h"
 
 using namespace rasterwalk;
 

@@ -13,6 +13,7 @@
 #include "pipeline/draw.h"
 #include "support/bits.h"
 #include "support/frames.h"
+#include "support/project_root.h"
 #include "support/samples.h"
 
 using namespace rasterwalk;
@@ -120,7 +121,7 @@ TEST_CASE("The handout's picture leaves row 0 black, and nearly all of column 0"
 }
 
 TEST_CASE("The room's pictures are their goldens, bit by bit") {
-    const std::string path = std::string(RASTERWALK_ROOT) + "/tests/golden/room.txt";
+    const std::string path = project_root() + "/tests/golden/room.txt";
     const std::vector<std::string> lines = golden_lines();
     if (const char* bless = std::getenv("RASTERWALK_BLESS"); bless && std::string(bless) == "1") {
         std::ofstream file(path);

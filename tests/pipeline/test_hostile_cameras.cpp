@@ -7,10 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "picture/view_image.h"
 #include "pipeline/draw.h"
 #include "pipeline/replay.h"
 #include "pipeline/timeline.h"
-#include "session/setting_table.h"
+#include "settings/setting_table.h"
 #include "support/bits.h"
 #include "support/recorder.h"
 #include "support/samples.h"

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "picture/view_image.h"
 #include "pipeline/draw.h"
 #include "scene/read_scene.h"
 

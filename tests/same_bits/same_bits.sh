@@ -11,11 +11,8 @@ levels=("-O0" "-O2" "-O3 -march=native")
 cd "$root" || exit 2
 mkdir -p "$folder" || exit 2
 
-sources=(tests/same_bits/hash_pictures.cpp src/stages/*.cpp
-    src/pipeline/{draw,frame,framebuffer,settings}.cpp)
-for source in src/scene/*.cpp; do
-    [ "$source" = src/scene/image.cpp ] || sources+=("$source")
-done
+sources=(tests/same_bits/hash_pictures.cpp src/base/{files,toml_input}.cpp src/scene/*.cpp src/stages/*.cpp
+    src/settings/settings.cpp src/pipeline/{draw,frame,framebuffer}.cpp src/picture/{colour_map,view_image}.cpp)
 launcher=$(command -v ccache || true)
 libraries=$(pkg-config --libs tomlplusplus) || exit 2
 common="-std=c++20 $keeps_bits -Isrc $(pkg-config --cflags tomlplusplus)"

@@ -6,8 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "base/error.h"
 #include "pipeline/draw.h"
-#include "scene/error.h"
 #include "session/content.h"
 #include "tests/support/temporary_folder.h"
 

@@ -2,10 +2,11 @@
 
 #include <catch2/catch.hpp>
 
+#include "picture/view_image.h"
 #include "pipeline/draw.h"
 #include "session/content.h"
 #include "session/results.h"
-#include "session/setting_table.h"
+#include "settings/setting_table.h"
 #include "tests/support/frames.h"
 
 using namespace rasterwalk;

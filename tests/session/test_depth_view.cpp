@@ -5,8 +5,9 @@
 
 #include <catch2/catch.hpp>
 
+#include "picture/colour_map.h"
+#include "picture/view_image.h"
 #include "pipeline/draw.h"
-#include "scene/colour_map.h"
 #include "session/content.h"
 #include "session/results.h"
 

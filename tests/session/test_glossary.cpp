@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "scene/error.h"
+#include "base/error.h"
 #include "session/content.h"
 #include "session/glossary.h"
 

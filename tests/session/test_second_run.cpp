@@ -2,12 +2,12 @@
 
 #include <catch2/catch.hpp>
 
+#include "laboratory/bug.h"
 #include "scene/read_scene.h"
-#include "session/bug.h"
 #include "session/content.h"
 #include "session/scene_file.h"
 #include "session/session.h"
-#include "session/setting_table.h"
+#include "settings/setting_table.h"
 
 using namespace rasterwalk;
 

@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "scene/error.h"
+#include "base/error.h"
 #include "scene/read_scene.h"
 #include "session/content.h"
 #include "tests/support/temporary_folder.h"

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/image.h"
+#include "base/image.h"
 
 namespace rasterwalk {
 

@@ -4,13 +4,15 @@
 
 #include <catch2/catch.hpp>
 
+#include "facts/facts.h"
+#include "lessons/lesson_run.h"
+#include "picture/view_image.h"
 #include "pipeline/timeline.h"
 #include "session/bench.h"
 #include "session/content.h"
-#include "session/facts.h"
-#include "session/lesson_run.h"
 #include "session/second_run.h"
-#include "session/setting_table.h"
+#include "session/tabs.h"
+#include "settings/setting_table.h"
 
 namespace rasterwalk::test {
 

@@ -2,7 +2,7 @@
 
 #include "scene/read_scene.h"
 #include "session/content.h"
-#include "session/setting_table.h"
+#include "settings/setting_table.h"
 
 namespace rasterwalk::test {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/settings.h"
 #include "scene/scene.h"
+#include "settings/settings.h"
 #include "support/random.h"
 
 namespace rasterwalk::test {

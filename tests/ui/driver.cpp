@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "session/content.h"
-#include "ui/app.h"
+#include "ui/app/app.h"
 
 namespace rasterwalk {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "ui/hand.h"
+#include "ui/hand/hand.h"
 #include "ui/ui.h"
 
 namespace rasterwalk {

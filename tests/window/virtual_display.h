@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "scene/image.h"
+#include "base/image.h"
 #include "tests/window/program.h"
 
 namespace rasterwalk::test {

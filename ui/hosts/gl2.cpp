@@ -7,7 +7,7 @@
 #include <GL/gl.h>
 #include <backends/imgui_impl_opengl2.h>
 
-#include "ui/style.h"
+#include "ui/widgets/style.h"
 
 namespace rasterwalk {
 

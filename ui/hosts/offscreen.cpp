@@ -8,14 +8,14 @@
 
 #include <GL/osmesa.h>
 
-#include "scene/error.h"
-#include "scene/read_text.h"
-#include "ui/app.h"
-#include "ui/hand.h"
+#include "base/error.h"
+#include "base/files.h"
+#include "ui/actions/open_tab.h"
+#include "ui/app/app.h"
+#include "ui/hand/hand.h"
+#include "ui/hand/key_names.h"
+#include "ui/hand/report.h"
 #include "ui/hosts/gl2.h"
-#include "ui/key_names.h"
-#include "ui/panels/panels.h"
-#include "ui/report.h"
 
 namespace rasterwalk {
 

@@ -6,12 +6,12 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cli/view_options.h"
-#include "scene/error.h"
-#include "scene/image.h"
+#include "base/error.h"
+#include "base/image.h"
+#include "opening/view_options.h"
 #include "session/content.h"
 #include "ui/hosts/offscreen.h"
-#include "ui/style.h"
+#include "ui/widgets/style.h"
 
 namespace rasterwalk {
 

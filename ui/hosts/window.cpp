@@ -12,17 +12,17 @@
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 
-#include "scene/error.h"
-#include "scene/read_text.h"
-#include "session/progress.h"
-#include "ui/actions.h"
-#include "ui/app.h"
+#include "base/error.h"
+#include "base/files.h"
+#include "lessons/progress.h"
+#include "ui/actions/actions.h"
+#include "ui/actions/lesson_state.h"
+#include "ui/actions/view_files.h"
+#include "ui/app/app.h"
+#include "ui/app/kept_options.h"
+#include "ui/hand/report.h"
 #include "ui/hosts/gl2.h"
-#include "ui/kept_options.h"
-#include "ui/lesson_state.h"
-#include "ui/report.h"
-#include "ui/style.h"
-#include "ui/view_files.h"
+#include "ui/widgets/style.h"
 
 namespace rasterwalk {
 

@@ -3,8 +3,8 @@
 #include <new>
 #include <utility>
 
+#include "base/error.h"
 #include "cli/cli.h"
-#include "scene/error.h"
 #include "ui/hosts/window.h"
 
 int main(int argc, char** argv) {

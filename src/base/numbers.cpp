@@ -1,0 +1,48 @@
+#include "base/numbers.h"
+
+#include <charconv>
+#include <cmath>
+
+#include "base/quoted.h"
+
+namespace rasterwalk {
+
+namespace {
+
+template <class Number>
+std::optional<Number> parse_whole_text(std::string_view text) {
+    text = trimmed(text);
+    Number value{};
+    const char* const last = text.data() + text.size();
+    const auto [end, fault] = std::from_chars(text.data(), last, value);
+    const bool is_good = fault == std::errc{} && end == last;
+    return is_good ? std::optional(value) : std::nullopt;
+}
+
+/// Two numbers with a comma between them.
+template <class Number, class Pair>
+std::optional<Pair> parse_two(std::string_view text) {
+    const std::size_t comma = text.find(',');
+    if (comma == text.npos) return std::nullopt;
+    const auto x = parse_whole_text<Number>(text.substr(0, comma));
+    const auto y = parse_whole_text<Number>(text.substr(comma + 1));
+    return x && y ? std::optional(Pair(*x, *y)) : std::nullopt;
+}
+
+} // namespace
+
+std::optional<int> parse_int(std::string_view text) {
+    return parse_whole_text<int>(text);
+}
+
+std::optional<glm::ivec2> parse_pixel(std::string_view text) {
+    return parse_two<int, glm::ivec2>(text);
+}
+
+std::optional<glm::vec2> parse_place(std::string_view text) {
+    const auto place = parse_two<float, glm::vec2>(text);
+    const bool is_finite = place && std::isfinite(place->x) && std::isfinite(place->y);
+    return is_finite ? place : std::nullopt;
+}
+
+} // namespace rasterwalk

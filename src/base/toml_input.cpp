@@ -1,0 +1,153 @@
+#include "base/toml_input.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <sstream>
+
+#include "base/error.h"
+
+namespace rasterwalk {
+
+namespace {
+
+std::string quoted(std::string_view text) {
+    return std::string("'").append(text).append("'");
+}
+
+std::string plain(float value) {
+    std::ostringstream text;
+    text << value;
+    return text.str();
+}
+
+} // namespace
+
+toml::table parse_toml(std::string_view text, const std::string& path) {
+    try {
+        return toml::parse(text, path);
+    } catch (const toml::parse_error& error) {
+        std::string sentence(error.description());
+        // A key or string of the file may be quoted in it; a message is one line.
+        std::replace_if(
+            sentence.begin(), sentence.end(),
+            [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, ' ');
+        if (!sentence.ends_with('.')) sentence += '.';
+        const int line = static_cast<int>(error.source().begin.line);
+        throw InputError(path, std::max(line, 1), sentence);
+    }
+}
+
+void TomlInput::fail(const toml::node& at, const std::string& sentence) const {
+    throw InputError(*path_, std::max(static_cast<int>(at.source().begin.line), 1), sentence);
+}
+
+void TomlInput::allow_only(std::initializer_list<std::string_view> keys) const {
+    for (auto&& [key, value] : *table_) {
+        const std::string_view name = key.str();
+        if (std::find(keys.begin(), keys.end(), name) != keys.end()) continue;
+        std::string known;
+        for (const std::string_view one : keys) {
+            if (!known.empty()) known += ", ";
+            known += one;
+        }
+        fail(value, what_ + " has no " + quoted(name) + "; it has: " + known + ".");
+    }
+}
+
+const toml::node& TomlInput::require(std::string_view key) const {
+    const toml::node* node = find(key);
+    if (node == nullptr) fail(what_ + " needs " + quoted(key) + ".");
+    return *node;
+}
+
+std::string TomlInput::text(std::string_view key) const {
+    const toml::node& node = require(key);
+    std::string value = text_or_empty(key);
+    if (value.empty()) fail(node, quoted(key) + " of " + what_ + " must not be empty.");
+    return value;
+}
+
+std::string TomlInput::text_or_empty(std::string_view key) const {
+    const toml::node* node = find(key);
+    if (node == nullptr) return {};
+    const auto* value = node->as_string();
+    if (value == nullptr) fail(*node, quoted(key) + " of " + what_ + " must be text in quotes.");
+    return value->get();
+}
+
+const toml::array& TomlInput::list(std::string_view key) const {
+    const toml::node& node = require(key);
+    const toml::array* array = node.as_array();
+    if (array == nullptr) fail(node, quoted(key) + " of " + what_ + " must be a list.");
+    return *array;
+}
+
+float TomlInput::number(const toml::node& node, float smallest, float largest,
+                        const std::string& what) const {
+    double value = 0.0;
+    if (const auto* real = node.as_floating_point()) {
+        value = real->get();
+    } else if (const auto* integer = node.as_integer()) {
+        value = static_cast<double>(integer->get());
+    } else {
+        fail(node, what + " must be a number.");
+    }
+    if (!std::isfinite(value)) fail(node, what + " must be a finite number.");
+    const float rounded = static_cast<float>(value);
+    if (!(rounded >= smallest && rounded <= largest)) {
+        fail(node, what + " must lie between " + plain(smallest) + " and " + plain(largest) + ".");
+    }
+    return rounded;
+}
+
+glm::vec3 TomlInput::vector(const toml::node& node, float smallest, float largest,
+                            const std::string& what) const {
+    const toml::array* array = node.as_array();
+    if (array == nullptr || array->size() != 3) fail(node, what + " must be three numbers.");
+    glm::vec3 value;
+    for (int i = 0; i < 3; ++i) {
+        value[i] = number(*array->get(static_cast<std::size_t>(i)), smallest, largest, what);
+    }
+    return value;
+}
+
+void TomlInput::read(std::string_view key, float& value, float smallest, float largest) const {
+    if (const toml::node* node = find(key)) {
+        value = number(*node, smallest, largest, quoted(key) + " of " + what_);
+    }
+}
+
+void TomlInput::read(std::string_view key, int& value, int smallest, int largest) const {
+    const toml::node* node = find(key);
+    if (node == nullptr) return;
+    const auto* integer = node->as_integer();
+    if (integer == nullptr || integer->get() < smallest || integer->get() > largest) {
+        fail(*node, quoted(key) + " of " + what_ + " must be a whole number between " +
+                        std::to_string(smallest) + " and " + std::to_string(largest) + ".");
+    }
+    value = static_cast<int>(integer->get());
+}
+
+void TomlInput::read(std::string_view key, glm::vec3& value, float smallest, float largest) const {
+    if (const toml::node* node = find(key)) {
+        value = vector(*node, smallest, largest, quoted(key) + " of " + what_);
+    }
+}
+
+void TomlInput::read_colour(std::string_view key, glm::vec3& value, float smallest,
+                            float largest) const {
+    const toml::node* node = find(key);
+    if (node == nullptr) return;
+    const std::string name = quoted(key) + " of " + what_;
+    value = node->is_array() ? vector(*node, smallest, largest, name)
+                             : glm::vec3(number(*node, smallest, largest, name));
+}
+
+TomlInput TomlInput::table(const toml::node& node, std::string what) const {
+    const toml::table* table = node.as_table();
+    if (table == nullptr) fail(node, what + " must be a table.");
+    return {*table, *path_, std::move(what)};
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,68 @@
+#pragma once
+
+// Two runs of one scene, A and B, held against each other: how far their pictures lie apart, and
+// what else differs.
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "base/image.h"
+#include "compare/divergence.h"
+#include "picture/view_image.h"
+#include "pipeline/frame.h"
+#include "pipeline/framebuffer.h"
+
+namespace rasterwalk {
+
+/// How far two pictures of the same size lie apart. A pixel's difference is that of the channel in
+/// which it is largest, in linear colour.
+struct PixelDifference {
+    std::int64_t pixels = 0;    ///< of the picture
+    std::int64_t different = 0; ///< pixels whose colour is not the same to the last bit
+    std::int64_t shown = 0;     ///< of them those whose 8 bits on the screen differ too
+    float largest = 0.0f;
+    double mean = 0.0;               ///< over all pixels of the picture
+    std::optional<glm::ivec2> worst; ///< where the largest is, column and row; none: no difference
+
+    friend bool operator==(const PixelDifference&, const PixelDifference&) = default;
+};
+
+/// Counts what differs; both framebuffers must have the same size.
+PixelDifference pixel_difference(const Framebuffer& a, const Framebuffer& b);
+
+/// B minus A on every pixel, row by row from the top: of the colour the channel that differs most,
+/// of depth 1/z, of overdraw fragments; of owners 1 where they differ.
+std::vector<float> signed_difference(const Framebuffer& a, const Framebuffer& b, View view);
+
+/// The smallest of 1, 2 and 5 times a power of ten that is not below `value`: the end of the scale
+/// of a difference picture. 1 for 0 and for what is not finite.
+float difference_limit(float value);
+
+/// The colour of a signed difference on a scale from -limit to +limit: blue where B is less than A,
+/// orange where it is more, black where they are the same.
+glm::vec<3, std::uint8_t> difference_colour(float value, float limit);
+
+/// The signed differences as a picture; what lies beyond the scale takes the colour of its end.
+Image difference_image(const std::vector<float>& values, Viewport size, float limit);
+
+/// Two runs compared over the whole frame, or up to a moment.
+struct Comparison {
+    PixelDifference pixels;
+    std::int64_t different_rows = 0; ///< rows of row tables whose left or right end differs, or
+                                     ///< that only one run has
+    DivergenceList divergences;
+
+    bool is_same() const {
+        return pixels.different == 0 && different_rows == 0 && divergences.count == 0;
+    }
+};
+
+/// Draws both runs side by side and compares them, moment by moment. They must be of the same scene
+/// and have viewports of the same size. Takes both frames' drawing, and the memory of two pictures.
+Comparison compare_runs(const Frame& a, const Frame& b, const Cursor& to = cursor_end);
+
+} // namespace rasterwalk

@@ -1,0 +1,206 @@
+#include "compare/divergence.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "compare/divergence_text.h"
+#include "compare/run_walk.h"
+#include "picture/view_image.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// How far two numbers lie apart.
+enum class Apart : std::uint8_t { not_at_all, by_rounding, clearly };
+
+/// Rounding errors add up along a row: some hundred of them, each of 6e-8, stay below this part of
+/// the number, and a colour by a small part of a step on the screen.
+constexpr float rounding_part = 1e-4f;
+constexpr float rounding_of_colour = 1e-4f;
+
+Apart numbers_apart(float a, float b, float by_rounding) {
+    if (a == b || (std::isnan(a) && std::isnan(b))) return Apart::not_at_all;
+    return std::abs(a - b) <= by_rounding ? Apart::by_rounding : Apart::clearly;
+}
+
+Apart lengths_apart(float a, float b) {
+    return numbers_apart(a, b, rounding_part * std::max(std::abs(a), std::abs(b)));
+}
+
+Apart colours_apart(const glm::vec3& a, const glm::vec3& b) {
+    Apart most = Apart::not_at_all;
+    for (int i = 0; i < 3; ++i)
+        most = std::max(most, numbers_apart(a[i], b[i], rounding_of_colour));
+    return most;
+}
+
+Apart vertices_apart(const VertexDeed& a, const VertexDeed& b) {
+    if (a.pixel.column != b.pixel.column || a.pixel.row != b.pixel.row) return Apart::clearly;
+    Apart most = lengths_apart(a.pixel.zinv, b.pixel.zinv);
+    if (a.light && b.light) most = std::max(most, colours_apart(*a.light, *b.light));
+    return most;
+}
+
+Apart samples_apart(const SampleEvent& a, const SampleEvent& b) {
+    const bool same = a.sample.column == b.sample.column && a.sample.row == b.sample.row &&
+                      a.write.inside == b.write.inside;
+    return same ? Apart::not_at_all : Apart::clearly;
+}
+
+/// By what both runs' pixels are told apart.
+struct SightRules {
+    ColourOverOne over_one_a, over_one_b;
+    bool has_depth_a, has_depth_b; ///< marks have none: what stands in its place says nothing
+};
+
+Apart fragments_apart(const FragmentEvent& a, const FragmentEvent& b, const SightRules& rules) {
+    const Fragment &p = a.fragment, &q = b.fragment;
+    if (p.column != q.column || p.row != q.row || a.fate != b.fate) return Apart::clearly;
+    const Apart depth =
+        lengths_apart(rules.has_depth_a ? a.depth : 0.0f, rules.has_depth_b ? b.depth : 0.0f);
+    // What fails leaves the pixel as it is: there is no colour of its own to compare.
+    if (a.fate != Fate::written) return depth;
+    const bool shown_alike = rules.over_one_a == rules.over_one_b;
+    return std::max(depth, shown_alike ? colours_apart(a.after, b.after)
+                                       : colours_apart(shown_colour(a.after, rules.over_one_a),
+                                                       shown_colour(b.after, rules.over_one_b)));
+}
+
+struct Difference {
+    DivergenceKind kind = DivergenceKind::other;
+    bool only_rounding = false;
+};
+
+/// How the two runs differ at a moment; nothing if they do not.
+std::optional<Difference> difference_at(const Deed& a, const Deed& b, const SightRules& rules) {
+    if (b.is_nothing()) return Difference{DivergenceKind::missing, false};
+    if (a.is_nothing()) return Difference{DivergenceKind::extra, false};
+    // A mark that only one of them puts on the picture.
+    if (a.fragments.size() > b.fragments.size()) return Difference{DivergenceKind::missing, false};
+    if (a.fragments.size() < b.fragments.size()) return Difference{DivergenceKind::extra, false};
+    Apart most = Apart::not_at_all;
+    if (a.vertex != nullptr && b.vertex != nullptr) most = vertices_apart(*a.vertex, *b.vertex);
+    if (a.sample != nullptr && b.sample != nullptr) {
+        most = std::max(most, samples_apart(*a.sample, *b.sample));
+    }
+    for (std::size_t i = 0; i < a.fragments.size(); ++i)
+        most = std::max(most, fragments_apart(a.fragments[i], b.fragments[i], rules));
+    if (most == Apart::not_at_all) return std::nullopt;
+    return Difference{DivergenceKind::other, most == Apart::by_rounding};
+}
+
+SightRules sight_rules(const Frame& a, const Frame& b) {
+    return {a.settings.colour_over_one, b.settings.colour_over_one, has_fragments(a.settings.stage),
+            has_fragments(b.settings.stage)};
+}
+
+Divergence divergence_of(const Frame& a, const Frame& b, const PairMoment& moment,
+                         const Difference& difference) {
+    return {moment.cursor, difference.kind, difference.only_rounding,
+            divergence_text(a, b, moment, difference.kind)};
+}
+
+/// Collects the divergences of one triangle by phase and kind.
+class TriangleGroups {
+  public:
+    void add(const Cursor& cursor, DivergenceKind kind) {
+        DivergenceGroup& group =
+            groups_[static_cast<std::size_t>(cursor.phase)][static_cast<std::size_t>(kind)];
+        if (group.count++ == 0) group = {cursor.triangle, cursor.phase, kind, 1, cursor, cursor};
+        group.last = cursor;
+    }
+    void move_to(std::vector<DivergenceGroup>& list) {
+        for (auto& kinds : groups_) {
+            for (DivergenceGroup& group : kinds) {
+                if (group.count > 0) list.push_back(std::exchange(group, {}));
+            }
+        }
+    }
+
+  private:
+    std::array<std::array<DivergenceGroup, 3>, 3> groups_;
+};
+
+} // namespace
+
+std::string kind_text(DivergenceKind kind) {
+    switch (kind) {
+    case DivergenceKind::missing:
+        return "missing in B";
+    case DivergenceKind::extra:
+        return "extra in B";
+    case DivergenceKind::other:
+        break;
+    }
+    return "other value";
+}
+
+DivergenceList all_divergences(const Frame& a, const Frame& b, RunWalk& walk) {
+    DivergenceList list;
+    TriangleGroups groups;
+    const SightRules rules = sight_rules(a, b);
+    const PairVisitor visit = [&](const PairMoment& moment) {
+        const std::optional<Difference> difference = difference_at(moment.a, moment.b, rules);
+        if (!difference) return true;
+        ++list.count;
+        groups.add(moment.cursor, difference->kind);
+        if (!list.first) list.first = divergence_of(a, b, moment, *difference);
+        if (!list.first_beyond_rounding && !difference->only_rounding) {
+            list.first_beyond_rounding = divergence_of(a, b, moment, *difference);
+        }
+        return true;
+    };
+    while (!walk.is_done()) {
+        walk.walk_triangle(visit);
+        groups.move_to(list.groups);
+    }
+    return list;
+}
+
+std::optional<Divergence> next_divergence(const Frame& a, const Frame& b, const Cursor& from) {
+    std::optional<Divergence> found;
+    RunWalk walk(a, b, cursor_end);
+    walk.skip_to(from.triangle);
+    const SightRules rules = sight_rules(a, b);
+    const PairVisitor visit = [&](const PairMoment& moment) {
+        if (moment.cursor < from) return true;
+        const std::optional<Difference> difference = difference_at(moment.a, moment.b, rules);
+        if (difference) found = divergence_of(a, b, moment, *difference);
+        return !found;
+    };
+    while (!walk.is_done() && walk.walk_triangle(visit)) {
+    }
+    return found;
+}
+
+std::optional<Divergence> previous_divergence(const Frame& a, const Frame& b, const Cursor& to) {
+    // Forwards once to find where it is, and once more to stand there and tell about it.
+    std::optional<Cursor> last;
+    RunWalk walk(a, b, to);
+    const SightRules rules = sight_rules(a, b);
+    const PairVisitor note_last = [&](const PairMoment& moment) {
+        if (difference_at(moment.a, moment.b, rules)) last = moment.cursor;
+        return true;
+    };
+    while (!walk.is_done())
+        walk.walk_triangle(note_last);
+    return last ? next_divergence(a, b, *last) : std::nullopt;
+}
+
+std::optional<Divergence> divergence_at(const Frame& a, const Framebuffer& picture_a,
+                                        const Frame& b, const Framebuffer& picture_b,
+                                        const Cursor& cursor) {
+    std::optional<Divergence> found;
+    const SightRules rules = sight_rules(a, b);
+    visit_moment(a, picture_a, b, picture_b, cursor, [&](const PairMoment& moment) {
+        const std::optional<Difference> difference = difference_at(moment.a, moment.b, rules);
+        if (difference) found = divergence_of(a, b, moment, *difference);
+        return false;
+    });
+    return found;
+}
+
+} // namespace rasterwalk

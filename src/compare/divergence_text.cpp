@@ -1,0 +1,409 @@
+#include "compare/divergence_text.h"
+#include "picture/view_image.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string_view>
+
+#include <glm/geometric.hpp>
+
+namespace rasterwalk {
+
+namespace {
+
+std::string number(float value, int digits = 6) {
+    std::array<char, 48> text;
+    std::snprintf(text.data(), text.size(), "%.*g", digits, static_cast<double>(value));
+    return text.data();
+}
+
+/// Digits that tell two numbers apart.
+int digits_for(float a, float b) {
+    int digits = 6;
+    while (digits < 9 && a != b && number(a, digits) == number(b, digits))
+        ++digits;
+    return digits;
+}
+
+int digits_for(const glm::vec3& a, const glm::vec3& b) {
+    return std::max({digits_for(a.x, b.x), digits_for(a.y, b.y), digits_for(a.z, b.z)});
+}
+
+std::string triple(const glm::vec3& v, int digits) {
+    return "(" + number(v.x, digits) + ", " + number(v.y, digits) + ", " + number(v.z, digits) +
+           ")";
+}
+
+std::string pixel_text(int column, int row) {
+    return std::string("pixel (")
+        .append(std::to_string(column))
+        .append(", ")
+        .append(std::to_string(row))
+        .append(")");
+}
+
+std::string numbered(std::string_view what, int index, int count) {
+    return std::string(what)
+        .append(" ")
+        .append(std::to_string(index + 1))
+        .append(" of ")
+        .append(std::to_string(count));
+}
+
+std::string_view stage_name(const Frame& frame) {
+    return stage_list()[static_cast<std::size_t>(frame.settings.stage)].name;
+}
+
+std::string_view rounding_word(Rounding rounding) {
+    switch (rounding) {
+    case Rounding::truncate:
+        return "cut";
+    case Rounding::floor:
+        return "rounded down";
+    case Rounding::round:
+        return "rounded";
+    }
+    return "rounded";
+}
+
+std::string_view fault_text(VertexFault fault) {
+    switch (fault) {
+    case VertexFault::not_finite:
+        return "a coordinate is not a finite number";
+    case VertexFault::behind_camera:
+        return "a vertex lies on or behind the camera plane";
+    case VertexFault::too_far_out:
+        return "a vertex is projected too far out";
+    case VertexFault::taken_for_behind:
+        return "a vertex in column −1 is taken for one behind the camera";
+    case VertexFault::none:
+        break;
+    }
+    return "it is not drawn";
+}
+
+/// The sentence for a moment that only one run has because the other stops before it.
+std::string stage_sentence(const Frame& a, const Frame& b, std::string_view what) {
+    const bool only_a = a.settings.stage > b.settings.stage;
+    return std::string("only ")
+        .append(only_a ? "A" : "B")
+        .append(" has ")
+        .append(what)
+        .append(": its stage is ")
+        .append(stage_name(only_a ? a : b))
+        .append(", that of ")
+        .append(only_a ? "B " : "A ")
+        .append(stage_name(only_a ? b : a))
+        .append(".");
+}
+
+std::string mark_sentence(const Frame& a, const Frame& b, DivergenceKind kind) {
+    return std::string("only ")
+        .append(kind == DivergenceKind::missing ? "A" : "B")
+        .append(" puts a mark on the picture; stage ")
+        .append(stage_name(a))
+        .append(" against ")
+        .append(stage_name(b))
+        .append(".");
+}
+
+/// The sentence for a mark that only one run puts on the picture, though both come to it.
+std::string outside_sentence(DivergenceKind kind, const Fragment& in_a, const Fragment& in_b) {
+    const bool only_a = kind == DivergenceKind::missing;
+    const Fragment& other = only_a ? in_b : in_a;
+    return std::string("only ")
+        .append(only_a ? "A" : "B")
+        .append(" puts a mark on the picture: in ")
+        .append(only_a ? "B " : "A ")
+        .append(pixel_text(other.column, other.row))
+        .append(" lies outside the part that is drawn.");
+}
+
+ShadedVertex shade(const Frame& frame, const Cursor& cursor) {
+    const Vertex& vertex = frame.scene->triangles[cursor.triangle].vertices[cursor.index];
+    const VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
+    return frame.stages->vertex_shader(vertex, camera_rotation(rules.camera), rules);
+}
+
+/// How a run comes from the projected place to the pixel.
+std::string projection(const Frame& frame, const ShadedVertex& shaded, const Fragment& pixel,
+                       int digits) {
+    const bool from_middle = frame.scene->space == SceneSpace::world;
+    return std::string("projected to (")
+        .append(number(shaded.projected_x, digits))
+        .append(", ")
+        .append(number(shaded.projected_y, digits))
+        .append(from_middle ? ") from the middle, " : "), ")
+        .append(rounding_word(frame.settings.rounding))
+        .append(" to ")
+        .append(pixel_text(pixel.column, pixel.row));
+}
+
+std::string vertex_text(const Frame& a, const Frame& b, const PairMoment& moment) {
+    std::string text = numbered("vertex", moment.cursor.index, 3).append(": ");
+    const VertexDeed &in_a = *moment.a.vertex, &in_b = *moment.b.vertex;
+    if (in_a.pixel.column != in_b.pixel.column || in_a.pixel.row != in_b.pixel.row) {
+        const ShadedVertex p = shade(a, moment.cursor), q = shade(b, moment.cursor);
+        const int digits = std::max(digits_for(p.projected_x, q.projected_x),
+                                    digits_for(p.projected_y, q.projected_y));
+        return text.append("in A ")
+            .append(projection(a, p, in_a.pixel, digits))
+            .append("; in B ")
+            .append(projection(b, q, in_b.pixel, digits))
+            .append(".");
+    }
+    if (in_a.pixel.zinv != in_b.pixel.zinv) {
+        const int digits = digits_for(in_a.pixel.zinv, in_b.pixel.zinv);
+        return text.append("1/z is ")
+            .append(number(in_a.pixel.zinv, digits))
+            .append(" in A, ")
+            .append(number(in_b.pixel.zinv, digits))
+            .append(" in B.");
+    }
+    if (!in_a.light || !in_b.light) return text + "the runs differ.";
+    const int digits = digits_for(*in_a.light, *in_b.light);
+    return text.append("its light is ")
+        .append(triple(*in_a.light, digits))
+        .append(" in A, ")
+        .append(triple(*in_b.light, digits))
+        .append(" in B.");
+}
+
+/// First and last row of a triangle's table.
+struct TableRows {
+    int first = 0, last = 0;
+};
+
+TableRows table_rows(const Frame& frame, int triangle) {
+    const std::span<const Fragment> v = frame.triangle_vertices(triangle);
+    const auto [top, bottom] = std::minmax({v[0].row, v[1].row, v[2].row});
+    return {top, bottom};
+}
+
+/// One coordinate of a sample on its way to a pixel: "y = 0.999842 is cut to 0".
+std::string coordinate_text(const Frame& frame, char axis, float place, int pixel, int digits) {
+    std::string text = std::string(1, axis).append(" = ").append(number(place, digits));
+    if (static_cast<float>(pixel) == place) return text;
+    // Walked without error, the place that is shown may itself be off by a rounding error.
+    const bool by_fraction = frame.settings.line_walk == LineWalk::exact &&
+                             to_pixel(place, frame.settings.rounding) != pixel;
+    return text.append(by_fraction ? ", without error " : " is ")
+        .append(by_fraction ? "" : rounding_word(frame.settings.rounding))
+        .append(by_fraction ? "" : " to ")
+        .append(std::to_string(pixel));
+}
+
+std::string sample_side(const Frame& frame, const SampleEvent& sample, bool with_x, bool with_y,
+                        int digits) {
+    std::string text;
+    if (with_x) text = coordinate_text(frame, 'x', sample.x, sample.sample.column, digits);
+    if (with_y) {
+        text.append(with_x ? ", " : "")
+            .append(coordinate_text(frame, 'y', sample.y, sample.sample.row, digits));
+    }
+    if (sample.write.inside) return text;
+    const TableRows rows = table_rows(frame, sample.cursor.triangle);
+    const bool above = sample.sample.row < rows.first;
+    return text.append(above ? ", above the first row " : ", below the last row ")
+        .append(std::to_string(above ? rows.first : rows.last));
+}
+
+int sample_count(const Frame& frame, const Cursor& cursor) {
+    const std::span<const Fragment> v = frame.triangle_vertices(cursor.triangle);
+    return edge_sample_count(v[cursor.index], v[(cursor.index + 1) % 3],
+                             edge_rules(frame.settings).samples);
+}
+
+std::string sample_text(const Frame& a, const Frame& b, const PairMoment& moment) {
+    const Cursor& cursor = moment.cursor;
+    const std::string edge = "edge " + std::to_string(cursor.index + 1);
+    const int count_a = sample_count(a, cursor), count_b = sample_count(b, cursor);
+    if (moment.a.sample == nullptr || moment.b.sample == nullptr) {
+        return edge + " has " + std::to_string(count_a) + " samples in A and " +
+               std::to_string(count_b) + " in B.";
+    }
+    const SampleEvent &p = *moment.a.sample, &q = *moment.b.sample;
+    const bool with_y = p.sample.row != q.sample.row || p.write.inside != q.write.inside;
+    const bool with_x = p.sample.column != q.sample.column || !with_y;
+    const int digits = std::max(digits_for(p.x, q.x), digits_for(p.y, q.y));
+    std::string text = edge + ", " + numbered("sample", cursor.step, count_a).append(". A: ");
+    return text.append(sample_side(a, p, with_x, with_y, digits))
+        .append(". B: ")
+        .append(sample_side(b, q, with_x, with_y, digits))
+        .append(".");
+}
+
+/// What a run's row table has in the row of a moment: "the columns 12 to 40".
+std::string row_ends(const Frame& frame, const Cursor& cursor) {
+    PolygonRows rows;
+    frame.stages->compute_polygon_rows(frame.triangle_vertices(cursor.triangle),
+                                       edge_rules(frame.settings), rows);
+    if (cursor.index >= rows.size()) {
+        return std::string("has only ").append(std::to_string(rows.size())).append(" rows");
+    }
+    const std::string row = std::to_string(rows.first_row + cursor.index);
+    if (rows.is_empty_row(cursor.index)) return "has nothing in row " + row;
+    return "has row " + row + " from column " + std::to_string(rows.left[cursor.index].column) +
+           " to " + std::to_string(rows.right[cursor.index].column);
+}
+
+std::string fate_text(const Frame& frame, const FragmentEvent& event, int digits) {
+    std::string text = number(event.depth, digits);
+    if (depth_rule(frame.settings) == DepthTest::off) return text + " is written without a test";
+    return text.append(event.fate == Fate::written ? " is written over " : " is hidden by ")
+        .append(number(event.stored, digits));
+}
+
+std::string colour_text(const FragmentEvent& p, const FragmentEvent& q) {
+    static constexpr std::array<std::string_view, 3> channels{"red", "green", "blue"};
+    std::size_t worst = 0;
+    for (std::size_t i = 1; i < 3; ++i) {
+        const auto apart = [&](std::size_t k) {
+            return std::abs(p.after[static_cast<int>(k)] - q.after[static_cast<int>(k)]);
+        };
+        if (apart(i) > apart(worst)) worst = i;
+    }
+    const int digits = digits_for(p.after, q.after);
+    const int channel = static_cast<int>(worst);
+    return std::string("the colour is ")
+        .append(triple(p.after, digits))
+        .append(" in A, ")
+        .append(triple(q.after, digits))
+        .append(" in B; ")
+        .append(channels[worst])
+        .append(" differs by ")
+        .append(number(q.after[channel] - p.after[channel], 3));
+}
+
+/// The same colour, but what is brighter than 1 is shown in another way.
+std::string shown_text(const Frame& a, const Frame& b, const glm::vec3& colour) {
+    const glm::vec3 in_a = shown_colour(colour, a.settings.colour_over_one);
+    const glm::vec3 in_b = shown_colour(colour, b.settings.colour_over_one);
+    return std::string("the colour ")
+        .append(triple(colour, 6))
+        .append(" is shown as ")
+        .append(triple(in_a, 6))
+        .append(" in A, ")
+        .append(triple(in_b, 6))
+        .append(" in B.");
+}
+
+/// For light per pixel: where in the room each run takes the fragment to be.
+std::string place_text(const Frame& a, const Frame& b, const FragmentEvent& p,
+                       const FragmentEvent& q) {
+    if (a.settings.stage != Stage::pixel_light || b.settings.stage != Stage::pixel_light) return "";
+    const glm::vec3 in_a = recover_varyings(p.fragment, a.settings.interpolation).position_world;
+    const glm::vec3 in_b = recover_varyings(q.fragment, b.settings.interpolation).position_world;
+    const float apart = glm::distance(in_a, in_b);
+    if (!(apart > 0.0f)) return "";
+    const int digits = digits_for(in_a, in_b);
+    return std::string("; its place in the room is ")
+        .append(triple(in_a, digits))
+        .append(" in A and ")
+        .append(triple(in_b, digits))
+        .append(" in B, ")
+        .append(number(apart, 3))
+        .append(" apart");
+}
+
+std::string fragment_text(const Frame& a, const Frame& b, const FragmentEvent& p,
+                          const FragmentEvent& q) {
+    if (p.fragment.column != q.fragment.column || p.fragment.row != q.fragment.row) {
+        return "A " + row_ends(a, p.cursor) + ", B " + row_ends(b, q.cursor) + ".";
+    }
+    std::string text = pixel_text(p.fragment.column, p.fragment.row).append(": ");
+    const int digits = std::max(digits_for(p.depth, q.depth), digits_for(p.stored, q.stored));
+    if (p.fate != q.fate) {
+        return text.append("1/z = ")
+            .append(fate_text(a, p, digits))
+            .append(" in A; ")
+            .append(fate_text(b, q, digits))
+            .append(" in B.");
+    }
+    const bool colours_differ = p.fate == Fate::written && p.after != q.after;
+    if (p.depth != q.depth) {
+        text.append("the depth value is ")
+            .append(number(p.depth, digits))
+            .append(" in A, ")
+            .append(number(q.depth, digits))
+            .append(colours_differ ? " in B; " : " in B.");
+    }
+    const bool shown_otherwise = a.settings.colour_over_one != b.settings.colour_over_one;
+    if (!colours_differ && p.depth == q.depth && shown_otherwise) {
+        return text.append(shown_text(a, b, p.after));
+    }
+    if (!colours_differ) return text;
+    return text.append(colour_text(p, q)).append(place_text(a, b, p, q)).append(".");
+}
+
+std::string row_text(const Frame& a, const Frame& b, const PairMoment& moment) {
+    const std::size_t count = std::min(moment.a.fragments.size(), moment.b.fragments.size());
+    if (moment.a.fragments.size() != moment.b.fragments.size()) {
+        if (has_fragments(a.settings.stage) != has_fragments(b.settings.stage)) {
+            return mark_sentence(a, b,
+                                 moment.a.fragments.size() > count ? DivergenceKind::missing
+                                                                   : DivergenceKind::extra);
+        }
+        const bool only_a = moment.a.fragments.size() > count;
+        const FragmentEvent& one = (only_a ? moment.a : moment.b).fragments[count];
+        const std::string ends_a = row_ends(a, moment.cursor), ends_b = row_ends(b, moment.cursor);
+        std::string text = "only " + std::string(only_a ? "A" : "B") + " draws " +
+                           pixel_text(one.fragment.column, one.fragment.row) + ": ";
+        if (ends_a == ends_b) return text + "each " + ends_a + ", but not all of it is drawn.";
+        return text + "A " + ends_a + ", B " + ends_b + ".";
+    }
+    // Both ends of a row are one moment: the first that differs is told.
+    for (std::size_t i = 0; i + 1 < count; ++i) {
+        const FragmentEvent &p = moment.a.fragments[i], &q = moment.b.fragments[i];
+        if (p.fragment.column != q.fragment.column || p.fragment.row != q.fragment.row ||
+            p.fate != q.fate || p.after != q.after) {
+            return fragment_text(a, b, p, q);
+        }
+    }
+    return fragment_text(a, b, moment.a.fragments.back(), moment.b.fragments.back());
+}
+
+} // namespace
+
+std::string divergence_text(const Frame& a, const Frame& b, const PairMoment& moment,
+                            DivergenceKind kind) {
+    const Cursor& cursor = moment.cursor;
+    const bool drawn_in_a = a.is_drawn(cursor.triangle), drawn_in_b = b.is_drawn(cursor.triangle);
+    if (drawn_in_a != drawn_in_b) {
+        const VertexFault fault = (drawn_in_a ? b : a).left_out[cursor.triangle];
+        return std::string(drawn_in_a ? "B" : "A")
+            .append(" leaves the triangle out: ")
+            .append(fault_text(fault))
+            .append(".");
+    }
+    const bool one_is_idle = moment.a.is_nothing() || moment.b.is_nothing();
+    const Stage first = std::min(a.settings.stage, b.settings.stage);
+    switch (cursor.phase) {
+    case Phase::vertices:
+        if (moment.a.fragments.size() != moment.b.fragments.size()) {
+            if (a.settings.stage != b.settings.stage || one_is_idle) {
+                return mark_sentence(a, b, kind);
+            }
+            return outside_sentence(kind, moment.a.vertex->pixel, moment.b.vertex->pixel);
+        }
+        return vertex_text(a, b, moment);
+    case Phase::edges:
+        if (one_is_idle && first < Stage::edges) return stage_sentence(a, b, "edges");
+        if (!one_is_idle && moment.a.fragments.size() != moment.b.fragments.size() &&
+            moment.a.sample->sample.column == moment.b.sample->sample.column &&
+            moment.a.sample->sample.row == moment.b.sample->sample.row) {
+            return a.settings.stage != b.settings.stage
+                       ? mark_sentence(a, b, kind)
+                       : outside_sentence(kind, moment.a.sample->sample, moment.b.sample->sample);
+        }
+        return sample_text(a, b, moment);
+    case Phase::rows:
+        if (one_is_idle && first < Stage::rows) return stage_sentence(a, b, "rows");
+        return row_text(a, b, moment);
+    }
+    return "";
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,181 @@
+#include "compare/run_walk.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "pipeline/draw.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// So many fragments of a run may be kept at once.
+constexpr int most_kept = 1 << 16;
+
+/// The light at a vertex as q, however the run carries it on.
+glm::vec3 light_at(const Frame& frame, const Cursor& cursor) {
+    const Vertex& vertex = frame.scene->triangles[cursor.triangle].vertices[cursor.index];
+    VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
+    rules.interpolation = Interpolation::affine;
+    const glm::mat3 rotation = camera_rotation(rules.camera);
+    return frame.stages->vertex_shader(vertex, rotation, rules).pixel.varyings.illumination;
+}
+
+/// The rows [first, last) of a triangle's row table that lie in the picture.
+struct RowRange {
+    int first = 0, last = 0;
+};
+
+RowRange rows_in_picture(const Frame& frame, int triangle) {
+    if (!frame.is_drawn(triangle) || frame.settings.stage < Stage::rows) return {};
+    const std::span<const Fragment> v = frame.triangle_vertices(triangle);
+    const auto [top, bottom] = std::minmax({v[0].row, v[1].row, v[2].row});
+    const int size = bottom - top + 1;
+    return {std::clamp(-top, 0, size), std::clamp(frame.settings.viewport.height - top, 0, size)};
+}
+
+Cursor behind(const Cursor& cursor) {
+    Cursor next = cursor;
+    ++(cursor.phase == Phase::vertices ? next.index : next.step);
+    return next;
+}
+
+/// A framebuffer like the picture as far as the work at `cursor` can tell: the row that it touches.
+void copy_row(const Frame& frame, const Framebuffer& picture, const Cursor& cursor,
+              Framebuffer& copy) {
+    if (!(copy.size == picture.size)) clear(copy, picture.size);
+    copy.rules = picture.rules;
+    // Vertices and edge samples leave only marks, which look at nothing.
+    if (cursor.phase != Phase::rows) return;
+    const std::span<const Fragment> v = frame.triangle_vertices(cursor.triangle);
+    const int row = std::min({v[0].row, v[1].row, v[2].row}) + cursor.index;
+    if (row < 0 || row >= picture.size.height) return;
+    const auto first = static_cast<std::ptrdiff_t>(picture.at(0, row));
+    const auto copy_plane = [&](const auto& from, auto& into) {
+        std::copy_n(from.begin() + first, picture.size.width, into.begin() + first);
+    };
+    copy_plane(picture.colour, copy.colour);
+    copy_plane(picture.depth, copy.depth);
+    copy_plane(picture.owner, copy.owner);
+    copy_plane(picture.overdraw, copy.overdraw);
+}
+
+void watch_moment(const Frame& frame, const Framebuffer& picture, const Cursor& cursor,
+                  Framebuffer& scratch, Deeds& deeds) {
+    if (cursor.triangle < 0 || cursor.triangle >= frame.triangle_count()) return;
+    if (!frame.is_drawn(cursor.triangle)) return;
+    copy_row(frame, picture, cursor, scratch);
+    draw(frame, {cursor, behind(cursor), {}}, scratch, &deeds);
+}
+
+} // namespace
+
+void Deeds::clear() {
+    vertices_.clear();
+    samples_.clear();
+    fragments_.clear();
+    vertex_ = sample_ = fragment_ = 0;
+}
+
+void Deeds::vertex(const Cursor& cursor, const Fragment& pixel) {
+    VertexDeed deed{cursor, pixel, {}};
+    if (lighting_of(frame_.settings.stage) == Lighting::per_vertex) {
+        deed.light = light_at(frame_, cursor);
+    }
+    vertices_.push_back(deed);
+}
+
+Cursor Deeds::next() const {
+    Cursor cursor = cursor_end;
+    if (vertex_ < vertices_.size()) cursor = std::min(cursor, vertices_[vertex_].cursor);
+    if (sample_ < samples_.size()) cursor = std::min(cursor, samples_[sample_].cursor);
+    if (fragment_ < fragments_.size()) cursor = std::min(cursor, fragments_[fragment_].cursor);
+    return cursor;
+}
+
+Deed Deeds::take(const Cursor& cursor) {
+    Deed deed;
+    if (vertex_ < vertices_.size() && vertices_[vertex_].cursor == cursor) {
+        deed.vertex = &vertices_[vertex_++];
+    }
+    if (sample_ < samples_.size() && samples_[sample_].cursor == cursor) {
+        deed.sample = &samples_[sample_++];
+    }
+    const std::size_t first = fragment_;
+    while (fragment_ < fragments_.size() && fragments_[fragment_].cursor == cursor)
+        ++fragment_;
+    deed.fragments = std::span(fragments_).subspan(first, fragment_ - first);
+    return deed;
+}
+
+namespace {
+
+/// Tells of the moments of both runs in order. False if the visitor has ended the walk.
+bool merge(Deeds& a, Deeds& b, const PairVisitor& visit) {
+    while (true) {
+        const Cursor cursor = std::min(a.next(), b.next());
+        if (cursor == cursor_end) return true;
+        if (!visit({cursor, a.take(cursor), b.take(cursor)})) return false;
+    }
+}
+
+} // namespace
+
+RunWalk::RunWalk(const Frame& a, const Frame& b, const Cursor& to)
+    : a_(a), b_(b), to_(to), deeds_a_(a), deeds_b_(b) {
+    clear(picture_a_, a);
+    clear(picture_b_, b);
+}
+
+bool RunWalk::is_done() const {
+    return triangle_ >= a_.triangle_count() || Cursor{triangle_, Phase::vertices, 0, 0} >= to_;
+}
+
+void RunWalk::skip_to(int triangle) {
+    const Cursor from{triangle_, Phase::vertices, 0, 0};
+    const Cursor to = std::min(to_, {triangle, Phase::vertices, 0, 0});
+    if (from >= to) return;
+    draw(a_, {from, to, {}}, picture_a_);
+    draw(b_, {from, to, {}}, picture_b_);
+    triangle_ = triangle;
+}
+
+bool RunWalk::walk_part(const Cursor& from, const Cursor& to, const PairVisitor& visit) {
+    const Cursor end = std::min(to, to_);
+    if (from >= end) return true;
+    deeds_a_.clear();
+    deeds_b_.clear();
+    draw(a_, {from, end, {}}, picture_a_, &deeds_a_);
+    draw(b_, {from, end, {}}, picture_b_, &deeds_b_);
+    return merge(deeds_a_, deeds_b_, visit);
+}
+
+bool RunWalk::walk_triangle(const PairVisitor& visit) {
+    const int triangle = triangle_++;
+    if (!a_.is_drawn(triangle) && !b_.is_drawn(triangle)) return true;
+    const RowRange rows_a = rows_in_picture(a_, triangle), rows_b = rows_in_picture(b_, triangle);
+    const int last = std::max(rows_a.last, rows_b.last);
+    const int rows_at_once = std::max(1, most_kept / std::max(1, a_.settings.viewport.width));
+    Cursor from{triangle, Phase::vertices, 0, 0};
+    // Rows above and below the picture cost nothing, and go with the first and the last part.
+    int row = last;
+    if (rows_a.last > rows_a.first) row = std::min(row, rows_a.first);
+    if (rows_b.last > rows_b.first) row = std::min(row, rows_b.first);
+    for (row += rows_at_once; row < last; row += rows_at_once) {
+        const Cursor to{triangle, Phase::rows, row, 0};
+        if (!walk_part(from, to, visit)) return false;
+        from = to;
+    }
+    return walk_part(from, {triangle + 1, Phase::vertices, 0, 0}, visit);
+}
+
+void visit_moment(const Frame& a, const Framebuffer& picture_a, const Frame& b,
+                  const Framebuffer& picture_b, const Cursor& cursor, const PairVisitor& visit) {
+    static thread_local Framebuffer scratch;
+    Deeds deeds_a(a), deeds_b(b);
+    watch_moment(a, picture_a, cursor, scratch, deeds_a);
+    watch_moment(b, picture_b, cursor, scratch, deeds_b);
+    merge(deeds_a, deeds_b, visit);
+}
+
+} // namespace rasterwalk

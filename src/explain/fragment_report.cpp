@@ -1,0 +1,374 @@
+#include "explain/fragment_report.h"
+
+#include <cmath>
+
+#include "explain/light_formulas.h"
+#include "pipeline/draw.h"
+
+namespace rasterwalk {
+
+namespace {
+
+constexpr std::array<Interpolation, interpolation_count> ways{
+    Interpolation::perspective, Interpolation::affine, Interpolation::zinv_twice};
+
+using Carried = std::array<Fragment, interpolation_count>; ///< indexed by Interpolation
+
+/// Keeps the event of one fragment, and who wrote on its pixel before.
+class Watcher : public Observer {
+  public:
+    explicit Watcher(const Cursor& of) : wanted(of) {}
+
+    void fragment(const FragmentEvent& now) override {
+        if (now.cursor == wanted) {
+            event = now;
+        } else if (now.fate == Fate::written && !event) {
+            written_by = now.cursor;
+        }
+    }
+
+    std::optional<FragmentEvent> event;
+    std::optional<Cursor> written_by;
+
+  private:
+    Cursor wanted;
+};
+
+/// How a value gets along a row: by the walk that is in force, as one formula of both ends.
+Formula along_row(const FragmentReport& report, std::string id, std::string name, std::string help,
+                  float left, float right, float result) {
+    const CarriedRow& row = report.row;
+    Formula formula{std::move(id),
+                    std::move(name),
+                    std::move(help),
+                    "",
+                    {{"left", {left}, from_row_end(row.triangle, row.row, false)},
+                     {"right", {right}, from_row_end(row.triangle, row.row, true)},
+                     {"n",
+                      {static_cast<float>(row.count), true},
+                      from_words("pixels of the row, both ends included")},
+                     {"i",
+                      {static_cast<float>(report.step), true},
+                      from_words("column in the row, counted from 0")}},
+                    {result}};
+    switch (row.line.walk) {
+    case LineWalk::accumulate:
+    case LineWalk::integer_step: // only the place's step is cut, and along a row it is 1
+        formula.expression = "accumulate(left, (right − left) / (n − 1), i)";
+        break;
+    case LineWalk::multiply:
+        formula.expression = "left + i · ((right − left) / (n − 1))";
+        break;
+    case LineWalk::exact:
+        formula.expression = "left · (1 − i / (n − 1)) + right · (i / (n − 1))";
+        break;
+    }
+    // The first sample is the left end itself, whichever way the row is walked.
+    if (report.step == 0) {
+        formula.expression = "left";
+        formula.inputs.resize(1);
+    }
+    return formula;
+}
+
+/// The same where the row's ends are multiplied by 1/z once more.
+Formula along_row_twice(const FragmentReport& report, Formula formula, float left_zinv,
+                        float right_zinv) {
+    const CarriedRow& row = report.row;
+    formula.inputs.push_back({"zl", {left_zinv}, from_row_end(row.triangle, row.row, false)});
+    if (report.step > 0) {
+        formula.inputs.push_back({"zr", {right_zinv}, from_row_end(row.triangle, row.row, true)});
+    }
+    const auto put = [&](std::string_view word, std::string_view by) {
+        for (std::size_t at = 0; (at = formula.expression.find(word, at)) != std::string::npos;
+             at += by.size())
+            formula.expression.replace(at, word.size(), by);
+    };
+    put("left", "left · zl");
+    put("right", "right · zr");
+    return formula;
+}
+
+void add_depths(FragmentReport& report, const Carried& carried) {
+    const RowEnds& ends = report.row.under(Interpolation::perspective);
+    const Fragment& fragment = carried[0];
+    report.formulas.push_back(
+        {"column",
+         "column",
+         "Where in the picture: the row's left end, and so many columns on.",
+         "left + i",
+         {{"left",
+           {static_cast<float>(ends.left.column), true},
+           from_row_end(report.row.triangle, report.row.row, false)},
+          {"i", {static_cast<float>(report.step), true}, from_words("column in the row")}},
+         {static_cast<float>(report.pixel.x), true}});
+    report.formulas.push_back(along_row(report, "zinv", "1/z", std::string(quantity_list()[0].help),
+                                        ends.left.zinv, ends.right.zinv, fragment.zinv));
+    report.formulas.push_back(along_row(report, "z.affine", "z",
+                                        "z interpolated as if it changed in equal steps: wrong "
+                                        "between the vertices.",
+                                        ends.left.z, ends.right.z, fragment.z));
+    const float z = 1.0f / fragment.zinv;
+    report.formulas.push_back({"z.perspective",
+                               "z",
+                               "z as it is: one over the interpolated 1/z.",
+                               "1 / (1/z)",
+                               {{"(1/z)", {fragment.zinv}, from_formula("zinv")}},
+                               {z}});
+}
+
+Formula difference(const QuantityInfo& info, Interpolation way, float wrong, float perspective) {
+    const std::string id(info.id);
+    Formula formula{id + ".off",
+                    std::string(info.name) + " off by",
+                    "How far the affine value is from the perspective-correct one.",
+                    "abs(affine − perspective)",
+                    {{"affine", {wrong}, from_formula(formula_id(info.quantity, way))},
+                     {"perspective", {perspective}, from_formula(id + ".perspective")}},
+                    {std::abs(wrong - perspective)}};
+    if (way == Interpolation::zinv_twice) {
+        formula.help = "How far the value divided by z once too often is from the right one.";
+        formula.expression = "abs(wrong − perspective)";
+        formula.inputs[0].symbol = "wrong";
+    }
+    return formula;
+}
+
+/// How a value that is divided by z twice gets along the row, and what is recovered of it.
+void add_twice(FragmentReport& report, const QuantityInfo& info, const Carried& carried) {
+    const std::string id(info.id), name(info.name), carried_name = std::string(info.carried_name);
+    const Quantity quantity = info.quantity;
+    const RowEnds& ends = report.row.under(Interpolation::zinv_twice);
+    const auto way = static_cast<std::size_t>(Interpolation::zinv_twice);
+    const float value = part_of(carried[way].varyings, quantity);
+    report.formulas.push_back(along_row_twice(
+        report,
+        along_row(report, id + ".carried_twice", carried_name + "²",
+                  "What the row carries by mistake: the ends, divided by z already, once more "
+                  "multiplied by their 1/z.",
+                  part_of(ends.left.varyings, quantity), part_of(ends.right.varyings, quantity),
+                  value),
+        ends.left.zinv, ends.right.zinv));
+    report.formulas.push_back(
+        {id + ".zinv_twice",
+         name,
+         std::string(info.help) + " Divided by z twice, and multiplied by it only once here.",
+         "carried / (1/z)",
+         {{"carried", {value}, from_formula(id + ".carried_twice")},
+          {"(1/z)", {carried[way].zinv}, from_formula("zinv")}},
+         {part_of(report.under(Interpolation::zinv_twice), quantity)}});
+}
+
+void add_varying(FragmentReport& report, const QuantityInfo& info, const Carried& carried) {
+    const std::string id(info.id), name(info.name), carried_name(info.carried_name);
+    const Quantity quantity = info.quantity;
+    const auto add_walk = [&](Interpolation way, const std::string& formula_of,
+                              const std::string& shown_name, const std::string& help) {
+        const RowEnds& ends = report.row.under(way);
+        report.formulas.push_back(
+            along_row(report, formula_of, shown_name, help, part_of(ends.left.varyings, quantity),
+                      part_of(ends.right.varyings, quantity),
+                      part_of(carried[static_cast<std::size_t>(way)].varyings, quantity)));
+    };
+    add_walk(Interpolation::affine, id + ".affine", name,
+             std::string(info.help) + " Interpolated as it is: wrong between the vertices.");
+    add_walk(Interpolation::perspective, id + ".carried", carried_name,
+             "What a perspective-correct row carries: the value divided by z.");
+    const std::string symbol = "(" + carried_name + ")";
+    report.formulas.push_back(
+        {id + ".perspective",
+         name,
+         std::string(info.help) + " Carried divided by z, and multiplied by it again here.",
+         symbol + " / (1/z)",
+         {{symbol, {part_of(carried[0].varyings, quantity)}, from_formula(id + ".carried")},
+          {"(1/z)", {carried[0].zinv}, from_formula("zinv")}},
+         {part_of(report.under(Interpolation::perspective), quantity)}});
+    const Interpolation wrong = report.interpolation == Interpolation::zinv_twice
+                                    ? Interpolation::zinv_twice
+                                    : Interpolation::affine;
+    if (wrong == Interpolation::zinv_twice) add_twice(report, info, carried);
+    report.formulas.push_back(
+        difference(info, wrong, part_of(report.under(wrong), quantity),
+                   part_of(report.under(Interpolation::perspective), quantity)));
+}
+
+void add_light(const Frame& frame, FragmentReport& report) {
+    const int triangle = report.cursor.triangle;
+    const Triangle& corners = frame.scene->triangles[static_cast<std::size_t>(triangle)];
+    const Light& light = frame.settings.light;
+    LitPoint point;
+    point.prefix = "pixel_light.";
+    point.position.value = report.under(report.interpolation).position_world;
+    point.normal.value = corners.vertices[0].normal;
+    point.reflectance.value = corners.vertices[0].reflectance;
+    constexpr std::array<Quantity, 3> place{Quantity::x, Quantity::y, Quantity::z_world};
+    constexpr std::array<Quantity, 3> colour{Quantity::red, Quantity::green, Quantity::blue};
+    for (std::size_t i = 0; i < 3; ++i) {
+        point.position.sources[i] = from_formula(formula_id(place[i], report.interpolation));
+        point.normal.sources[i] = from_vertex(triangle, 0, std::string("normal.") + axis_names[i]);
+        point.reflectance.sources[i] =
+            from_vertex(triangle, 0, std::string("reflectance.") + channel_names[i]);
+    }
+    const LightRules& rules = frame.settings.light_rules;
+    report.light = point.terms = reflected_light(point.position.value, point.normal.value,
+                                                 point.reflectance.value, light, rules);
+    append_light_formulas(point, frame.settings, report.formulas);
+
+    for (std::size_t v = 0; v < 3; ++v) {
+        const Vertex& vertex = corners.vertices[v];
+        report.at_vertex[v] =
+            reflected_light(vertex.position, vertex.normal, vertex.reflectance, light, rules);
+    }
+    report.light_per_vertex = report.under(report.interpolation).illumination;
+    for (int i = 0; i < 3; ++i) {
+        const auto part = static_cast<std::size_t>(i);
+        const std::string name = channel_names[part];
+        const ColourOverOne rule = frame.settings.colour_over_one;
+        Formula by_vertex =
+            shown_channel("vertex_light.colour." + name, name,
+                          {"R",
+                           {report.light_per_vertex[i]},
+                           from_formula(formula_id(colour[part], report.interpolation))},
+                          rule);
+        by_vertex.help = "The light of the vertices, interpolated. " + by_vertex.help;
+        report.formulas.push_back(by_vertex);
+        Formula flat = shown_channel(
+            "flat.colour." + name, name,
+            {"ρ", {point.reflectance.value[i]}, from_vertex(triangle, 0, "reflectance." + name)},
+            rule);
+        flat.help = "The surface's own colour: this stage computes no light. " + flat.help;
+        report.formulas.push_back(flat);
+    }
+}
+
+void add_depth_test(FragmentReport& report) {
+    const bool is_linear = report.depth_test == DepthTest::linear_z;
+    Formula depth{"depth",
+                  "new",
+                  "The fragment's value for the depth buffer: larger is nearer.",
+                  "(1/z)",
+                  {{"(1/z)", {report.fragment.zinv}, from_formula("zinv")}},
+                  {report.depth}};
+    if (is_linear) {
+        depth.help = "The fragment's value for the depth buffer, from z interpolated as if it "
+                     "changed in equal steps.";
+        depth.expression = "1 / z";
+        depth.inputs = {{"z", {report.fragment.z}, from_formula("z.affine")}};
+    }
+    report.formulas.push_back(depth);
+    Source stored = report.stored_by
+                        ? from_moment(*report.stored_by)
+                        : from_words("the depth buffer's start: nothing drawn here yet");
+    if (!report.stored_by && report.stored != 0.0f) stored = from_setting("depth_clear");
+    if (!report.has_cell) stored = from_words("this pixel has no cell in the depth buffer");
+    report.formulas.push_back(
+        {"margin",
+         "margin",
+         report.depth_test == DepthTest::reversed
+             ? "How much nearer than what is stored; the test is the wrong way round, and below 0 "
+               "the fragment is drawn."
+             : "How much nearer than what is stored; above 0 the fragment is drawn.",
+         "new − stored",
+         {{"new", {report.depth}, from_formula("depth")}, {"stored", {report.stored}, stored}},
+         {report.depth - report.stored}});
+}
+
+} // namespace
+
+std::string formula_id(Quantity quantity, Interpolation way) {
+    if (quantity == Quantity::zinv) return "zinv";
+    const std::string id(quantity_list()[static_cast<std::size_t>(quantity)].id);
+    if (way == Interpolation::perspective) return id + ".perspective";
+    const bool is_twice = way == Interpolation::zinv_twice && is_varying(quantity);
+    return id + (is_twice ? ".zinv_twice" : ".affine");
+}
+
+std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& cursor) {
+    if (!has_fragments(frame.settings.stage) || cursor.phase != Phase::rows) return std::nullopt;
+    if (cursor.triangle < 0 || cursor.triangle >= frame.triangle_count()) return std::nullopt;
+    if (!frame.is_drawn(cursor.triangle)) return std::nullopt;
+    const std::optional<CarriedRow> row = carried_row(frame, cursor.triangle, cursor.index);
+    if (!row || cursor.step < 0 || cursor.step >= row->count) return std::nullopt;
+
+    FragmentReport report;
+    report.cursor = cursor;
+    report.row = *row;
+    report.step = cursor.step;
+    report.pixel = {row->under(Interpolation::perspective).left.column + cursor.step, row->row};
+    const Viewport size = frame.settings.viewport;
+    if (report.pixel.x < 0 || report.pixel.x >= size.width || report.pixel.y < 0 ||
+        report.pixel.y >= size.height) {
+        return std::nullopt;
+    }
+    Framebuffer one_pixel;
+    clear(one_pixel, frame, {1, 1}, report.pixel);
+    Watcher watcher(cursor);
+    Cursor after = cursor;
+    ++after.step;
+    draw(frame, {cursor_begin, after, {}}, one_pixel, &watcher);
+    if (!watcher.event) return std::nullopt;
+    const FragmentEvent& event = *watcher.event;
+    report.fragment = event.fragment;
+    report.depth = event.depth;
+    report.stored = event.stored;
+    report.has_cell =
+        has_depth_cell(report.pixel.x, report.pixel.y, size, frame.settings.depth_index);
+    if (report.has_cell) report.stored_by = watcher.written_by;
+    report.fate = event.fate;
+    report.before = event.before;
+    report.after = event.after;
+
+    const PixelRules rules = pixel_rules(frame.settings);
+    report.interpolation = rules.interpolation;
+    report.lighting = rules.lighting;
+    report.depth_test = depth_rule(frame.settings);
+    const Vertex& corner =
+        frame.scene->triangles[static_cast<std::size_t>(cursor.triangle)].vertices[0];
+    report.colour =
+        frame.stages->pixel_shader(report.fragment, {corner.normal, corner.reflectance}, rules);
+
+    Carried carried;
+    for (const Interpolation way : ways) {
+        const auto i = static_cast<std::size_t>(way);
+        carried[i] = report.row.at(way, report.step);
+        report.varyings[i] = recover_varyings(carried[i], way);
+    }
+    add_depths(report, carried);
+    report.formulas.push_back(difference(quantity_list()[1], Interpolation::affine, carried[0].z,
+                                         1.0f / carried[0].zinv));
+    for (const QuantityInfo& info : quantity_list()) {
+        if (is_varying(info.quantity)) add_varying(report, info, carried);
+    }
+    add_light(frame, report);
+    add_depth_test(report);
+    return report;
+}
+
+namespace {
+
+/// The last fragment written on a pixel.
+class LastWritten : public Observer {
+  public:
+    void fragment(const FragmentEvent& event) override {
+        if (event.fate == Fate::written) cursor = event.cursor;
+    }
+    std::optional<Cursor> cursor;
+};
+
+} // namespace
+
+std::optional<Cursor> fragment_on_pixel(const Frame& frame, const glm::ivec2& pixel,
+                                        const Cursor& moment) {
+    const Viewport size = frame.settings.viewport;
+    const bool inside =
+        pixel.x >= 0 && pixel.x < size.width && pixel.y >= 0 && pixel.y < size.height;
+    if (!inside || !has_fragments(frame.settings.stage)) return std::nullopt;
+    Framebuffer one_pixel;
+    clear(one_pixel, frame, {1, 1}, pixel);
+    LastWritten watcher;
+    draw(frame, {cursor_begin, moment, {}}, one_pixel, &watcher);
+    if (!watcher.cursor) draw(frame, {moment, cursor_end, {}}, one_pixel, &watcher);
+    return watcher.cursor;
+}
+
+} // namespace rasterwalk

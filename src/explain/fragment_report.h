@@ -1,0 +1,77 @@
+#pragma once
+
+// Everything about one fragment: how its numbers were carried along its row, the right way and the
+// wrong way; its light, term by term; its depth test; what it did to its pixel. Each number stands
+// there as the drawing had it, with the formula by which anyone can work it out again.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "explain/formula.h"
+#include "inspect/carried_row.h"
+#include "pipeline/observer.h"
+#include "stages/light.h"
+
+namespace rasterwalk {
+
+/// The report on one fragment.
+///
+/// Ids of its formulas, with q one of x y z_world red green blue:
+///     column              where in the picture
+///     zinv                interpolated 1/z
+///     z.affine z.perspective z.off
+///     q.carried           interpolated q/z
+///     q.affine q.perspective q.off
+///     q.carried_twice q.zinv_twice    only where that is in force; q.off is then of the latter
+///     pixel_light.*       the light at the fragment's own place, see light_formulas.h
+///     vertex_light.colour.red ...   the light that the vertices brought along, as shown
+///     flat.colour.red ... the reflectance, as shown; the colour where there is no light
+///     depth margin        value for the depth buffer, and what it is above the stored one
+struct FragmentReport {
+    Cursor cursor;
+    glm::ivec2 pixel{0, 0}; ///< of the picture
+    CarriedRow row;
+    int step = 0; ///< column in the row, from its left end
+
+    Interpolation interpolation = Interpolation::perspective; ///< in force
+    Lighting lighting = Lighting::none;                       ///< in force
+    DepthTest depth_test = DepthTest::off;                    ///< in force
+
+    Fragment fragment;                                  ///< as draw() had it
+    std::array<Varyings, interpolation_count> varyings; ///< recovered, q; indexed by Interpolation
+    LightTerms light;                    ///< at its own place, interpolated as is in force
+    std::array<LightTerms, 3> at_vertex; ///< light at the three vertices
+    glm::vec3 light_per_vertex{0.0f};    ///< carried from the vertices as is in force
+
+    float depth = 0.0f, stored = 0.0f;
+    bool has_cell = true;            ///< in the depth buffer; without one nothing is ever stored
+    std::optional<Cursor> stored_by; ///< the fragment that stored it; none: never written
+    Fate fate = Fate::written;
+    glm::vec3 before{0.0f}, after{0.0f}; ///< the pixel's colour; not clamped
+    glm::vec3 colour{0.0f};              ///< that the pixel shader gives it, drawn or not
+
+    std::vector<Formula> formulas;
+
+    const Varyings& under(Interpolation way) const {
+        return varyings[static_cast<std::size_t>(way)];
+    }
+};
+
+/// The report on the fragment at this moment; none if the moment is no fragment in the picture.
+/// Costs the triangles before it whose box its pixel lies in, and a look at the others.
+std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& cursor);
+
+/// The fragment that a pixel of the picture shows at `moment`; if none is drawn there yet, the one
+/// that it will show in the end; none if no fragment is ever drawn there.
+std::optional<Cursor> fragment_on_pixel(const Frame& frame, const glm::ivec2& pixel,
+                                        const Cursor& moment);
+
+/// The id of a quantity's formula under one interpolation: "x.affine", or "zinv", which is the
+/// same under both.
+std::string formula_id(Quantity quantity, Interpolation way);
+
+} // namespace rasterwalk

@@ -1,0 +1,177 @@
+#include "explain/light_formulas.h"
+#include "picture/view_image.h"
+
+namespace rasterwalk {
+
+namespace {
+
+using Inputs = std::vector<FormulaInput>;
+
+Inputs parts(const char* symbol, const SourcedVector& vector) {
+    Inputs inputs;
+    for (int i = 0; i < 3; ++i) {
+        inputs.push_back({std::string(symbol) + "." + axis_names[i],
+                          {vector.value[i]},
+                          vector.sources[static_cast<std::size_t>(i)]});
+    }
+    return inputs;
+}
+
+SourcedVector ray(const LitPoint& point) {
+    SourcedVector r{point.terms.to_light, {}};
+    for (std::size_t i = 0; i < 3; ++i)
+        r.sources[i] = from_formula(point.prefix + "r." + axis_names[i]);
+    return r;
+}
+
+/// Is the point not the lamp itself?
+bool has_direction(const LightTerms& terms) {
+    return terms.distance2 > 0.0f && terms.sphere_area > 0.0f;
+}
+
+/// The slant, by the rule in force.
+Formula cosine_formula(const LitPoint& point, LightDirection direction) {
+    Formula cosine{point.prefix + "cosine",
+                   "cosine",
+                   "How slanted the light falls: r · n at unit length; nothing comes from behind.",
+                   "max(0, (r.x · n.x + r.y · n.y + r.z · n.z) / sqrt(r²))",
+                   parts("r", ray(point)),
+                   {point.terms.cosine}};
+    for (const FormulaInput& n : parts("n", point.normal))
+        cosine.inputs.push_back(n);
+    if (direction == LightDirection::not_normalized) {
+        cosine.help = "How slanted the light falls, by mistake with r as long as the way is.";
+        cosine.expression = "max(0, r.x · n.x + r.y · n.y + r.z · n.z)";
+    } else {
+        cosine.inputs.push_back({"r²", {point.terms.distance2}, from_formula(point.prefix + "r2")});
+    }
+    if (!has_direction(point.terms)) {
+        cosine.help = "The lamp itself stands here: there is no direction to it.";
+        cosine.expression = "0";
+        cosine.inputs.clear();
+    }
+    return cosine;
+}
+
+/// Over what the power is spread, by the rule in force.
+Formula area_formula(const LitPoint& point, LightFalloff falloff) {
+    Formula area{point.prefix + "area",
+                 "4πr²",
+                 "The sphere over which the lamp's power has spread at this distance.",
+                 "4 · π · r²",
+                 {{"π", {3.14159265f}, from_words("the constant π")},
+                  {"r²", {point.terms.distance2}, from_formula(point.prefix + "r2")}},
+                 {point.terms.sphere_area}};
+    if (falloff == LightFalloff::no_4pi) {
+        area.name = "r²";
+        area.help = "What the power is divided by; a sphere would be 4π times as large.";
+        area.expression = "r²";
+        area.inputs.erase(area.inputs.begin());
+    }
+    if (falloff == LightFalloff::cubed) {
+        area.name = "4πr³";
+        area.help = "What the power is divided by: a sphere's area, and once more the distance.";
+        area.expression = "4 · π · r² · sqrt(r²)";
+    }
+    return area;
+}
+
+/// D = P (cosine / area), and R = rho (D + N), of one channel.
+void append_channel(const LitPoint& point, const Light& light, int channel,
+                    std::vector<Formula>& formulas) {
+    const std::string name = channel_names[channel];
+    const LightTerms& terms = point.terms;
+    Formula direct{point.prefix + "D." + name,
+                   "D " + name,
+                   "Direct light: the lamp's power spread over the sphere, weakened by the slant.",
+                   "P · (cosine / area)",
+                   {{"P", {light.power[channel]}, from_setting("light.power")},
+                    {"cosine", {terms.cosine}, from_formula(point.prefix + "cosine")},
+                    {"area", {terms.sphere_area}, from_formula(point.prefix + "area")}},
+                   {terms.direct[channel]}};
+    if (!has_direction(terms)) {
+        direct.help = "Direct light: none where the lamp itself stands.";
+        direct.expression = "0";
+        direct.inputs.clear();
+    }
+    formulas.push_back(direct);
+}
+
+} // namespace
+
+Formula shown_channel(std::string id, std::string name, const FormulaInput& channel,
+                      ColourOverOne rule) {
+    const float shown = shown_colour(glm::vec3(channel.number.value), rule).r;
+    Formula formula{std::move(id),
+                    std::move(name),
+                    "As the screen can show it: cut to 0..1.",
+                    "clamp(" + channel.symbol + ", 0, 1)",
+                    {channel},
+                    {shown}};
+    if (rule == ColourOverOne::wrap) {
+        formula.help = "As the screen shows it: what is left of 255 times the channel in 8 bits.";
+        formula.expression = "wrap(int(255 · " + channel.symbol + "), 256) / 255";
+    }
+    return formula;
+}
+
+void append_light_formulas(const LitPoint& point, const Settings& settings,
+                           std::vector<Formula>& formulas) {
+    const LightTerms& terms = point.terms;
+    const LightRules& rules = settings.light_rules;
+    const Light& light = settings.light;
+    const bool is_turned_round = rules.direction == LightDirection::from_light;
+    for (int i = 0; i < 3; ++i) {
+        const std::string axis = axis_names[i];
+        const std::string lamp = "L." + axis, place = "p." + axis;
+        formulas.push_back({point.prefix + "r." + axis,
+                            "r." + axis,
+                            is_turned_round ? "From the lamp to the point, the wrong way round."
+                                            : "From the point to the lamp.",
+                            is_turned_round ? place + " − " + lamp : lamp + " − " + place,
+                            {{lamp, {light.position[i]}, from_setting("light.position")},
+                             {place,
+                              {point.position.value[i]},
+                              point.position.sources[static_cast<std::size_t>(i)]}},
+                            {terms.to_light[i]}});
+    }
+    formulas.push_back({point.prefix + "r2",
+                        "r²",
+                        "The distance to the lamp, squared.",
+                        "r.x² + r.y² + r.z²",
+                        parts("r", ray(point)),
+                        {terms.distance2}});
+    formulas.push_back(cosine_formula(point, rules.direction));
+    formulas.push_back(area_formula(point, rules.falloff));
+    for (int i = 0; i < 3; ++i)
+        append_channel(point, light, i, formulas);
+    for (int i = 0; i < 3; ++i) {
+        const std::string name = channel_names[i];
+        Formula sum{point.prefix + "R." + name,
+                    "R " + name,
+                    "Reflected light: what the surface gives back of the direct and the indirect "
+                    "light.",
+                    "ρ · (D + N)",
+                    {{"ρ",
+                      {point.reflectance.value[i]},
+                      point.reflectance.sources[static_cast<std::size_t>(i)]},
+                     {"D", {terms.direct[i]}, from_formula(point.prefix + "D." + name)},
+                     {"N", {light.indirect[i]}, from_setting("light.indirect")}},
+                    {terms.reflected[i]}};
+        if (rules.sum == LightSum::reflectance_plus) {
+            sum.help = "The direct light and, by mistake, the reflectance added to it.";
+            sum.expression = "D + ρ";
+            sum.inputs.pop_back();
+        }
+        formulas.push_back(sum);
+    }
+    for (int i = 0; i < 3; ++i) {
+        const std::string name = channel_names[i];
+        formulas.push_back(
+            shown_channel(point.prefix + "colour." + name, name,
+                          {"R", {terms.reflected[i]}, from_formula(point.prefix + "R." + name)},
+                          settings.colour_over_one));
+    }
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,275 @@
+#include "explain/vertex_report.h"
+
+#include "explain/light_formulas.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// What the formulas of a vertex are made from.
+struct Made {
+    const Frame& frame;
+    const Vertex& vertex;
+    const glm::mat3& rotation;
+    VertexReport& report;
+
+    void add(Formula formula) { report.formulas.push_back(std::move(formula)); }
+    bool is_bench() const { return frame.scene->space == SceneSpace::pixels; }
+};
+
+std::string given_text(const Made& made) {
+    return "given by the scene: vertex " + std::to_string(made.report.vertex + 1) +
+           " of triangle " + std::to_string(made.report.triangle + 1) + ", " +
+           part_name(*made.frame.scene, made.report.triangle);
+}
+
+void add_given(Made& made, const std::string& space, const std::array<const char*, 3>& names,
+               const glm::vec3& value, const std::string& help) {
+    for (int i = 0; i < 3; ++i) {
+        made.add({space + "." + names[i],
+                  names[i],
+                  help,
+                  "v",
+                  {{"v", {value[i]}, from_words(given_text(made))}},
+                  {value[i]}});
+    }
+}
+
+void add_camera_space(Made& made) {
+    const ShadedVertex& shaded = made.report.shaded;
+    const glm::vec3& camera = made.frame.settings.camera.position;
+    for (int i = 0; i < 3; ++i) {
+        const std::string axis = axis_names[i];
+        Formula formula{"minus_camera." + axis,
+                        axis,
+                        "The world moved so that the camera stands at the origin: P − C.",
+                        "P." + axis + " − C." + axis,
+                        {{"P." + axis, {shaded.position_world[i]}, from_formula("world." + axis)},
+                         {"C." + axis, {camera[i]}, from_setting("camera.position")}},
+                        {shaded.minus_camera[i]}};
+        if (made.is_bench()) {
+            formula.help = "The bench gives its vertices in pixels: there is no camera.";
+            formula.expression = "P." + axis;
+            formula.inputs.pop_back();
+        }
+        made.add(formula);
+    }
+}
+
+std::string rotation_id(int row, int column) {
+    return "R." + std::to_string(row + 1) + "." + std::to_string(column + 1);
+}
+std::string rotation_symbol(int row, int column) {
+    static constexpr const char* digits[] = {"₁", "₂", "₃"};
+    return std::string("R") + digits[row] + digits[column];
+}
+
+/// R of the camera for row vectors: row and column from 1, each a product of sines and cosines.
+void add_rotation(Made& made) {
+    static constexpr const char* expressions[3][3] = {
+        {"cos(yaw)", "sin(pitch) · sin(yaw)", "cos(pitch) · sin(yaw)"},
+        {"0", "cos(pitch)", "−sin(pitch)"},
+        {"−sin(yaw)", "sin(pitch) · cos(yaw)", "cos(pitch) · cos(yaw)"}};
+    const Camera& camera = made.frame.settings.camera;
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) {
+            made.add({rotation_id(row, column),
+                      rotation_symbol(row, column),
+                      "The camera's turn, row and column of R; its columns are the camera's right, "
+                      "down and forward axes in the world.",
+                      expressions[row][column],
+                      {{"yaw", {camera.yaw}, from_setting("camera.yaw")},
+                       {"pitch", {camera.pitch}, from_setting("camera.pitch")}},
+                      {made.rotation[column][row]}});
+        }
+    }
+}
+
+constexpr const char* transposed_help =
+    "Turned by R d, with d = P − C: the same turn as d R, but the other way round";
+
+void add_rotated(Made& made) {
+    const ShadedVertex& shaded = made.report.shaded;
+    for (int i = 0; i < 3; ++i) {
+        const std::string axis = axis_names[i];
+        Formula formula{"rotated." + axis,
+                        axis,
+                        "Turned so that the camera looks along +z: d R, with d = P − C.",
+                        "",
+                        {},
+                        {shaded.position_camera[i]}};
+        if (i == 2) formula.help += " How far in front of the camera.";
+        if (made.is_bench()) {
+            formula.help = "The bench gives its vertices in pixels: there is no camera.";
+            formula.expression = "P." + axis;
+            formula.inputs = {
+                {"P." + axis, {shaded.position_world[i]}, from_formula("world." + axis)}};
+            made.add(formula);
+            continue;
+        }
+        const bool is_row_vector = made.frame.settings.rotation == Rotation::row_vector;
+        if (!is_row_vector) formula.help.replace(0, formula.help.find('.'), transposed_help);
+        for (int k = 0; k < 3; ++k) {
+            const std::string d = std::string("d.") + axis_names[k];
+            const int row = is_row_vector ? k : i, column = is_row_vector ? i : k;
+            const std::string r = rotation_symbol(row, column);
+            formula.expression += (k == 0 ? "" : " + ") + d + " · " + r;
+            formula.inputs.push_back({d,
+                                      {shaded.minus_camera[k]},
+                                      from_formula(std::string("minus_camera.") + axis_names[k])});
+            formula.inputs.push_back(
+                {r, {made.rotation[column][row]}, from_formula(rotation_id(row, column))});
+        }
+        made.add(formula);
+    }
+}
+
+constexpr const char* minus_sign = "−";
+
+/// Column or row: the projected number, and the whole pixel that becomes of it.
+void add_projected(Made& made, int i) {
+    const ShadedVertex& shaded = made.report.shaded;
+    const Settings& settings = made.frame.settings;
+    const std::string axis = axis_names[i];
+    const std::string word(rounding_function(settings.rounding));
+    const bool is_bench = made.is_bench();
+    Formula projected{
+        "projected." + axis,
+        axis,
+        "Pixels from the middle of the picture, before rounding. The program multiplies by 1/z.",
+        "f · " + axis + " · 1/z",
+        {{"f", {settings.camera.focal_length}, from_setting("camera.focal_length")},
+         {axis, {shaded.position_camera[i]}, from_formula("rotated." + axis)},
+         {"1/z", {shaded.pixel.zinv}, from_formula("zinv")}},
+        {i == 0 ? shaded.projected_x : shaded.projected_y}};
+    if (settings.image_axes == ImageAxes::mirrored) projected.expression.insert(0, minus_sign);
+    if (is_bench) {
+        projected.help = "The bench gives its vertices in pixels.";
+        projected.expression = axis;
+        projected.inputs = {{axis, {shaded.position_camera[i]}, from_formula("rotated." + axis)}};
+    }
+    Formula pixel{i == 0 ? "pixel.column" : "pixel.row",
+                  i == 0 ? "column" : "row",
+                  "Made a whole number and moved to the middle of the picture.",
+                  word + "(" + projected.expression + ")",
+                  projected.inputs,
+                  {static_cast<float>(i == 0 ? shaded.pixel.column : shaded.pixel.row), true}};
+    if (is_bench) {
+        pixel.help = "Made a whole number.";
+    } else {
+        const int side = i == 0 ? settings.viewport.width : settings.viewport.height;
+        const int middle = side / 2;
+        const std::string half = i == 0 ? "W/2" : "H/2";
+        pixel.expression += " + " + half;
+        pixel.inputs.push_back(
+            {half, {static_cast<float>(middle), true}, from_setting("viewport.size")});
+    }
+    if (settings.outside_picture == OutsidePicture::clamped) {
+        const Viewport& size = settings.viewport;
+        const std::string side = i == 0 ? "W" : "H";
+        pixel.help += " Moved into the picture where it lies outside.";
+        pixel.expression = "clamp(" + pixel.expression + ", 0, " + side + " − 1)";
+        pixel.inputs.push_back({side,
+                                {static_cast<float>(i == 0 ? size.width : size.height), true},
+                                from_setting("viewport.size")});
+    }
+    made.add(projected);
+    made.add(pixel);
+}
+
+void add_light(Made& made) {
+    VertexReport& report = made.report;
+    LitPoint point;
+    point.prefix = "light.";
+    point.position.value = made.vertex.position;
+    point.normal.value = made.vertex.normal;
+    point.reflectance.value = made.vertex.reflectance;
+    point.terms = report.light;
+    for (std::size_t i = 0; i < 3; ++i) {
+        point.position.sources[i] = from_formula(std::string("world.") + axis_names[i]);
+        point.normal.sources[i] = from_formula(std::string("normal.") + axis_names[i]);
+        point.reflectance.sources[i] = from_formula(std::string("reflectance.") + channel_names[i]);
+    }
+    append_light_formulas(point, made.frame.settings, report.formulas);
+}
+
+} // namespace
+
+VertexReport vertex_report(const Frame& frame, int triangle, int vertex) {
+    const Vertex& given = frame.scene->triangles[static_cast<std::size_t>(triangle)]
+                              .vertices[static_cast<std::size_t>(vertex)];
+    const glm::mat3 rotation = camera_rotation(frame.settings.camera);
+    const VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
+    VertexReport report;
+    report.triangle = triangle;
+    report.vertex = vertex;
+    report.shaded = frame.stages->vertex_shader(given, rotation, rules);
+    report.transposed = frame.stages->vertex_shader(given, glm::transpose(rotation), rules);
+    for (std::size_t i = 0; i < report.by_rounding.size(); ++i) {
+        VertexRules other = rules;
+        other.rounding = static_cast<Rounding>(i);
+        report.by_rounding[i] = frame.stages->vertex_shader(given, rotation, other);
+    }
+    report.light = reflected_light(given.position, given.normal, given.reflectance, rules.light,
+                                   rules.light_rules);
+
+    Made made{frame, given, rotation, report};
+    add_given(made, "world", axis_names, report.shaded.position_world,
+              "The vertex where the scene has it.");
+    add_camera_space(made);
+    if (!made.is_bench()) add_rotation(made);
+    add_rotated(made);
+    if (has_pixel(report.shaded)) {
+        made.add({"zinv",
+                  "1/z",
+                  "What the depth buffer holds: larger is nearer.",
+                  "1 / z",
+                  {{"z", {report.shaded.position_camera.z}, from_formula("rotated.z")}},
+                  {report.shaded.pixel.zinv}});
+        add_projected(made, 0);
+        add_projected(made, 1);
+    }
+    add_given(made, "normal", axis_names, given.normal, "Across the surface, of unit length.");
+    add_given(made, "reflectance", channel_names, given.reflectance,
+              "The share of light that the surface gives back.");
+    add_light(made);
+    return report;
+}
+
+bool has_pixel(const ShadedVertex& vertex) {
+    return vertex.fault == VertexFault::none || vertex.fault == VertexFault::taken_for_behind;
+}
+
+Number vertex_number(const ShadedVertex& vertex, std::string_view id) {
+    const auto part = [&](const glm::vec3& vector) {
+        return Number{id.back() == 'x' ? vector.x : id.back() == 'y' ? vector.y : vector.z};
+    };
+    if (id.starts_with("world.")) return part(vertex.position_world);
+    if (id.starts_with("minus_camera.")) return part(vertex.minus_camera);
+    if (id.starts_with("rotated.")) return part(vertex.position_camera);
+    if (id == "zinv") return {vertex.pixel.zinv};
+    if (id == "projected.x") return {vertex.projected_x};
+    if (id == "projected.y") return {vertex.projected_y};
+    if (id == "pixel.column") return {static_cast<float>(vertex.pixel.column), true};
+    if (id == "pixel.row") return {static_cast<float>(vertex.pixel.row), true};
+    return {};
+}
+
+bool depends_on_rotation(std::string_view id) {
+    return id.starts_with("rotated.") || id == "zinv" || id.starts_with("projected.") ||
+           id.starts_with("pixel.");
+}
+
+std::string_view rounding_function(Rounding rounding) {
+    switch (rounding) {
+    case Rounding::truncate:
+        return "int";
+    case Rounding::floor:
+        return "floor";
+    case Rounding::round:
+        return "round";
+    }
+    return {};
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,48 @@
+#pragma once
+
+// A vertex through the spaces, every number with its formula, and what other rules would make of
+// it.
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "explain/formula.h"
+#include "pipeline/frame.h"
+#include "stages/light.h"
+
+namespace rasterwalk {
+
+/// One vertex of a triangle on its way to a pixel.
+///
+/// Ids of its formulas: world.x .y .z, minus_camera.x ..., R.1.1 to R.3.3 (of the camera, row and
+/// column), rotated.x ..., zinv, projected.x .y, pixel.column .row, normal.x ..., reflectance.red
+/// ..., and the light's with prefix `light.`, see light_formulas.h. Of a vertex with a fault those
+/// from zinv on may be missing.
+struct VertexReport {
+    int triangle = -1;
+    int vertex = -1; ///< 0..2
+    ShadedVertex shaded;
+    ShadedVertex transposed; ///< with R v in place of v R, mistake B24, or v R again
+    std::array<ShadedVertex, 3> by_rounding; ///< indexed by Rounding
+    LightTerms light;
+    std::vector<Formula> formulas;
+};
+
+/// The report on vertex 0, 1 or 2 of a triangle, drawn or left out.
+VertexReport vertex_report(const Frame& frame, int triangle, int vertex);
+
+/// Has the vertex been given a pixel, be it one for which it is then left out?
+bool has_pixel(const ShadedVertex& vertex);
+
+/// The number of this id in a vertex that went another way; ids of world, minus_camera, rotated,
+/// zinv, projected and pixel only, for others 0.
+Number vertex_number(const ShadedVertex& vertex, std::string_view id);
+
+/// Does the camera's rotation enter the number? Then R v in place of v R can change it.
+bool depends_on_rotation(std::string_view id);
+
+/// The rounding as C++ and the lab write it: int, floor, round.
+std::string_view rounding_function(Rounding rounding);
+
+} // namespace rasterwalk

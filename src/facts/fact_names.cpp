@@ -1,0 +1,125 @@
+#include <algorithm>
+#include <array>
+
+#include "facts/fact_values.h"
+#include "facts/facts.h"
+
+namespace rasterwalk {
+
+namespace {
+
+struct NumberPart {
+    std::string_view name;
+    int index;
+};
+constexpr std::array<NumberPart, 3> axis_parts{{{"x", 0}, {"y", 1}, {"z", 2}}};
+constexpr std::array<NumberPart, 3> colour_parts{{{"red", 0}, {"green", 1}, {"blue", 2}}};
+constexpr std::array<NumberPart, 2> size_parts{{{"width", 0}, {"height", 1}}};
+
+/// The parts of a setting of several numbers.
+std::span<const NumberPart> parts_of(const Setting& setting) {
+    if (std::holds_alternative<SizeSetting>(setting.kind)) return size_parts;
+    const auto* const vector = std::get_if<VectorSetting>(&setting.kind);
+    if (vector == nullptr) return {};
+    return vector->is_colour ? std::span<const NumberPart>(colour_parts) : axis_parts;
+}
+
+/// A setting, or one part of it.
+struct SettingName {
+    const Setting* setting = nullptr;
+    int part = -1; ///< -1: the setting itself
+};
+
+/// The picture's size is written without the word size: `viewport.width`.
+std::string part_name(const Setting& setting, const NumberPart& part) {
+    const bool is_size = std::holds_alternative<SizeSetting>(setting.kind);
+    const std::string_view name = setting.name;
+    const std::string_view start = is_size ? name.substr(0, name.rfind('.')) : name;
+    return std::string(start).append(".").append(part.name);
+}
+
+SettingName find_setting_name(std::string_view name) {
+    for (const Setting& setting : setting_table()) {
+        if (!name.starts_with(setting.name.substr(0, setting.name.rfind('.')))) continue;
+        const auto* const vector = std::get_if<VectorSetting>(&setting.kind);
+        const bool has_value =
+            parts_of(setting).empty() || (vector != nullptr && vector->is_colour);
+        if (has_value && setting.name == name) return {&setting, -1};
+        for (const NumberPart& part : parts_of(setting)) {
+            if (part_name(setting, part) == name) return {&setting, part.index};
+        }
+    }
+    return {};
+}
+
+struct SettingRange {
+    ValueRange operator()(const ChoiceSetting& kind) const { return words(kind.words); }
+    ValueRange operator()(const NumberSetting& kind) const {
+        return real(number_as_double(kind.smallest), number_as_double(kind.largest));
+    }
+    ValueRange operator()(const VectorSetting& kind) const {
+        return real(number_as_double(kind.smallest), number_as_double(kind.largest));
+    }
+    ValueRange operator()(const SizeSetting& kind) const { return whole(1, kind.largest); }
+
+    static double number_as_double(float value) { return std::get<double>(number(value)); }
+};
+
+struct SettingValue {
+    Settings settings; // the table only gives out what can be written
+    int part;
+
+    Value operator()(const ChoiceSetting& kind) {
+        return std::string(kind.words[static_cast<std::size_t>(kind.read(settings))]);
+    }
+    Value operator()(const NumberSetting& kind) { return number(kind.value(settings)); }
+    Value operator()(const VectorSetting& kind) {
+        const glm::vec3& value = kind.value(settings);
+        if (part < 0) return number(std::max({value.x, value.y, value.z}));
+        return number(value[part]);
+    }
+    Value operator()(const SizeSetting& kind) {
+        const Viewport& size = kind.value(settings);
+        return number(part == 0 ? size.width : size.height);
+    }
+};
+
+const Fact* find_fact(std::string_view name) {
+    for (const Fact& fact : fact_table()) {
+        if (fact.name == name) return &fact;
+    }
+    return nullptr;
+}
+
+} // namespace
+
+std::optional<ValueRange> find_name(std::string_view name) {
+    if (const Fact* fact = find_fact(name)) return fact->range;
+    const SettingName found = find_setting_name(name);
+    if (found.setting == nullptr) return std::nullopt;
+    return std::visit(SettingRange{}, found.setting->kind);
+}
+
+Value Facts::operator()(std::string_view name) const {
+    if (const Fact* fact = find_fact(name)) return fact->read(*this, fact->number);
+    const SettingName found = find_setting_name(name);
+    if (found.setting == nullptr) return {};
+    return std::visit(SettingValue{session_->settings, found.part}, found.setting->kind);
+}
+
+std::vector<std::string> all_names() {
+    std::vector<std::string> names;
+    for (const Fact& fact : fact_table())
+        names.push_back(fact.name);
+    for (const Setting& setting : setting_table()) {
+        const auto* const vector = std::get_if<VectorSetting>(&setting.kind);
+        if (parts_of(setting).empty() || (vector != nullptr && vector->is_colour)) {
+            names.emplace_back(setting.name);
+        }
+        for (const NumberPart& part : parts_of(setting))
+            names.push_back(part_name(setting, part));
+    }
+    return names;
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,379 @@
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "base/limits.h"
+#include "facts/fact_values.h"
+#include "facts/facts.h"
+#include "picture/view_image.h"
+#include "session/tabs.h"
+
+namespace rasterwalk {
+
+namespace {
+
+constexpr std::array<std::string_view, 4> phase_words{"vertices", "edges", "rows", "end"};
+
+const ValueRange yes_or_no = whole(0, 1);
+const ValueRange count = whole(0, endless);
+const ValueRange place = whole(0, largest_viewport - 1); ///< column or row of the picture
+
+// --- cursor
+
+/// The cursor, if it stands in this phase of a triangle.
+const Cursor* cursor_in(const Facts& facts, Phase phase) {
+    const Cursor& cursor = facts.results().cursor;
+    return cursor != cursor_end && cursor.phase == phase ? &cursor : nullptr;
+}
+
+Value cursor_phase(const Facts& facts, int) {
+    const Cursor& cursor = facts.results().cursor;
+    const std::size_t phase = cursor == cursor_end ? 3 : static_cast<std::size_t>(cursor.phase);
+    return std::string(phase_words[phase]);
+}
+
+/// Row or column of the picture where the next fragment falls.
+Value cursor_pixel(const Facts& facts, int axis) {
+    const Cursor* const cursor = cursor_in(facts, Phase::rows);
+    if (cursor == nullptr) return {};
+    const Timeline timeline(facts.results().frame);
+    const PolygonRows& rows = timeline.moments(cursor->triangle).rows;
+    if (axis == 1) return number(rows.first_row + cursor->index);
+    return number(rows.left[static_cast<std::size_t>(cursor->index)].column + cursor->step);
+}
+
+void add_cursor_facts(std::vector<Fact>& table) {
+    table.push_back({"cursor", "The moment: what comes next. `end` after everything.", moment(),
+                     [](const Facts& f, int) { return Value(f.results().cursor); }});
+    table.push_back({"cursor.triangle", "Triangle of the moment.", count, [](const Facts& f, int) {
+                         const Cursor& cursor = f.results().cursor;
+                         return cursor == cursor_end ? Value() : number(cursor.triangle);
+                     }});
+    table.push_back(
+        {"cursor.phase", "What kind of work comes next.", words(phase_words), cursor_phase});
+    table.push_back(
+        {"cursor.vertex", "Vertex that comes next, 0 to 2.", whole(0, 2), [](const Facts& f, int) {
+             const Cursor* const at = cursor_in(f, Phase::vertices);
+             return at != nullptr ? number(at->index) : Value();
+         }});
+    table.push_back({"cursor.edge", "Edge whose sample comes next, 0 to 2.", whole(0, 2),
+                     [](const Facts& f, int) {
+                         const Cursor* const at = cursor_in(f, Phase::edges);
+                         return at != nullptr ? number(at->index) : Value();
+                     }});
+    table.push_back({"cursor.sample", "Sample of that edge.", count, [](const Facts& f, int) {
+                         const Cursor* const at = cursor_in(f, Phase::edges);
+                         return at != nullptr ? number(at->step) : Value();
+                     }});
+    table.push_back({"cursor.column", "Column of the picture in which the next fragment falls.",
+                     whole(-endless, endless), cursor_pixel, 0});
+    table.push_back({"cursor.row", "Row of the picture in which the next fragment falls.",
+                     whole(-endless, endless), cursor_pixel, 1});
+}
+
+// --- what is looked at
+
+void add_session_facts(std::vector<Fact>& table) {
+    table.push_back({"triangle", "Selected triangle.", count,
+                     [](const Facts& f, int) { return number(f.session().selection.triangle); }});
+    table.push_back({"triangle.count", "Triangles of the scene.", count, [](const Facts& f, int) {
+                         return number(f.results().frame.triangle_count());
+                     }});
+    table.push_back({"triangle.shown",
+                     "Triangle that the inspector shows: the selected one, or "
+                     "the one that was just drawn.",
+                     count, [](const Facts& f, int) { return number(f.results().triangle); }});
+    table.push_back({"row", "Selected row of the picture.", whole(-endless, endless),
+                     [](const Facts& f, int) { return number(f.session().selection.row); }});
+    table.push_back({"vertex", "Selected vertex of the triangle on show, 0 to 2.", whole(0, 2),
+                     [](const Facts& f, int) { return number(f.session().selection.vertex); }});
+    table.push_back({"tab", "Tab of the inspector that is open.", words(tab_names()),
+                     [](const Facts& f, int) { return Value(f.session().tab); }});
+    table.push_back({"view", "Plane of the picture that is shown.", words(view_names()),
+                     [](const Facts& f, int) {
+                         const auto view = static_cast<std::size_t>(f.session().view);
+                         return Value(std::string(view_names()[view]));
+                     }});
+    for (const OverlayInfo& info : overlay_list()) {
+        table.push_back({"overlay." + std::string(info.name),
+                         "1 while the overlay '" + std::string(info.title) + "' is on.", yes_or_no,
+                         [](const Facts& f, int overlay) {
+                             const auto which = static_cast<Overlay>(overlay);
+                             return number(f.session().overlays.has(which) ? 1 : 0);
+                         },
+                         static_cast<int>(info.overlay)});
+    }
+    table.push_back({"zoom", "Screen pixels for each pixel of the picture; 0: it fits.",
+                     real(0, 64),
+                     [](const Facts& f, int) { return number(f.session().canvas.zoom); }});
+}
+
+// --- the whole frame
+
+template <class Number>
+void add_frame_fact(std::vector<Fact>& table, const char* name, const char* help, Number) {
+    table.push_back(
+        {name, help, count, [](const Facts& f, int) { return Number{}(f.frame_stats()); }});
+}
+
+void add_frame_facts(std::vector<Fact>& table) {
+    add_frame_fact(table, "frame.fragments",
+                   "Fragments that fall in the picture, drawn or not; before stage fill, marks.",
+                   [](const FrameStats& s) { return number(s.fragments); });
+    add_frame_fact(table, "frame.triangles", "Triangles that are drawn.",
+                   [](const FrameStats& s) { return number(s.triangles - s.left_out.total()); });
+    add_frame_fact(table, "frame.left_out", "Triangles that are left out.",
+                   [](const FrameStats& s) { return number(s.left_out.total()); });
+    add_frame_fact(table, "frame.max_overdraw", "Most fragments on one pixel.",
+                   [](const FrameStats& s) { return number(std::int64_t{s.max_overdraw}); });
+    add_frame_fact(table, "frame.uncovered", "Pixels on which nothing falls.",
+                   [](const FrameStats& s) { return number(s.uncovered); });
+    add_frame_fact(table, "frame.rows_outside",
+                   "Edge samples that fall outside their triangle's row table.",
+                   [](const FrameStats& s) { return number(s.rows_outside); });
+    add_frame_fact(table, "frame.rows_outside_triangles", "Triangles that have such samples.",
+                   [](const FrameStats& s) { return number(s.rows_outside_triangles); });
+}
+
+// --- the picked pixel
+
+Value pixel_place(const Facts& facts, int axis) {
+    const std::optional<PixelHistory>& history = facts.results().history;
+    return history ? number(axis == 0 ? history->pixel.x : history->pixel.y) : Value();
+}
+
+Value pixel_channel(const Facts& facts, int channel) {
+    if (!facts.results().history) return {};
+    const PixelEntry* const winner = facts.winner();
+    return winner != nullptr ? number(winner->colour_after[channel]) : number(0);
+}
+
+void add_pixel_facts(std::vector<Fact>& table) {
+    table.push_back({"pixel.column", "Column of the picked pixel.", place, pixel_place, 0});
+    table.push_back({"pixel.row", "Row of the picked pixel.", place, pixel_place, 1});
+    table.push_back({"pixel.fragments", "Fragments that fall on the picked pixel, drawn or not.",
+                     count, [](const Facts& f, int) {
+                         const auto& history = f.results().history;
+                         return history ? number(static_cast<std::int64_t>(history->entries.size()))
+                                        : Value();
+                     }});
+    table.push_back({"pixel.uncovered", "1 if nothing falls on the picked pixel.", yes_or_no,
+                     [](const Facts& f, int) {
+                         const auto& history = f.results().history;
+                         return history ? number(history->entries.empty() ? 1 : 0) : Value();
+                     }});
+    table.push_back({"pixel.losers", "Fragments on the picked pixel that fail the depth test.",
+                     count, [](const Facts& f, int) {
+                         const auto& history = f.results().history;
+                         if (!history) return Value();
+                         return number(std::count_if(
+                             history->entries.begin(), history->entries.end(),
+                             [](const PixelEntry& e) { return e.fate == Fate::depth_failed; }));
+                     }});
+    table.push_back({"pixel.owner", "Triangle that the picked pixel shows in the end; -1: none.",
+                     whole(-1, endless), [](const Facts& f, int) {
+                         if (!f.results().history) return Value();
+                         const PixelEntry* const winner = f.winner();
+                         return number(winner != nullptr ? winner->cursor.triangle : -1);
+                     }});
+    table.push_back({"pixel.zinv", "1/z of what the picked pixel shows in the end.", real(),
+                     [](const Facts& f, int) {
+                         const PixelEntry* const winner = f.winner();
+                         return winner != nullptr ? number(winner->zinv) : Value();
+                     }});
+    table.push_back({"pixel.z", "z of what the picked pixel shows in the end.", real(),
+                     [](const Facts& f, int) {
+                         const PixelEntry* const winner = f.winner();
+                         return winner != nullptr && winner->zinv > 0.0f
+                                    ? number(1.0f / winner->zinv)
+                                    : Value();
+                     }});
+    constexpr std::array<const char*, 3> channels{"red", "green", "blue"};
+    for (int i = 0; i < 3; ++i) {
+        const std::string channel = channels[static_cast<std::size_t>(i)];
+        table.push_back({"pixel." + channel,
+                         "The picked pixel's " + channel +
+                             " in the end, linear, not cut at 1; 0 where nothing falls.",
+                         real(), pixel_channel, i});
+    }
+    table.push_back({"pixel.light_error",
+                     "How far off affine interpolation puts the light there, largest channel.",
+                     real(0), [](const Facts& f, int) {
+                         const auto error = f.interpolation_error();
+                         return error ? number(error->light) : Value();
+                     }});
+    table.push_back({"pixel.position_error",
+                     "How far off affine interpolation puts the place there, world units.", real(0),
+                     [](const Facts& f, int) {
+                         const auto error = f.interpolation_error();
+                         return error ? number(error->position) : Value();
+                     }});
+}
+
+// --- the row table of the triangle on show
+
+Value edge_samples(const Facts& facts, int edge) {
+    const RowHistory* const table = facts.table();
+    if (table == nullptr) return {};
+    const Frame& frame = facts.results().frame;
+    const std::span<const Fragment> vertices = frame.triangle_vertices(*facts.results().triangle);
+    const EdgeRules rules = edge_rules(frame.settings);
+    return number(samples_before(vertices, rules, edge + 1, 0) -
+                  samples_before(vertices, rules, edge, 0));
+}
+
+/// An end of the selected row; none where no sample reached it.
+Value row_end(const Facts& facts, int end) {
+    const std::optional<int> row = facts.table_row();
+    if (!row || facts.table()->rows.is_empty_row(*row)) return {};
+    const PolygonRows& rows = facts.table()->rows;
+    return number((end == 0 ? rows.left : rows.right)[static_cast<std::size_t>(*row)].column);
+}
+
+Value table_fragments(const Facts& facts, int) {
+    const RowHistory* const table = facts.table();
+    if (table == nullptr) return {};
+    std::int64_t sum = 0;
+    for (int row = 0; row < table->rows.size(); ++row)
+        sum += table->rows.pixel_count(row);
+    return number(sum);
+}
+
+void add_table_facts(std::vector<Fact>& table) {
+    table.push_back({"table.rows", "Rows of the row table of the triangle on show.", count,
+                     [](const Facts& f, int) {
+                         return f.table() != nullptr ? number(f.table()->rows.size()) : Value();
+                     }});
+    table.push_back({"table.first_row", "Row of the picture with which the table begins.",
+                     whole(-endless, endless), [](const Facts& f, int) {
+                         return f.table() != nullptr ? number(f.table()->rows.first_row) : Value();
+                     }});
+    table.push_back({"table.outside", "Edge samples that fall outside the table.", count,
+                     [](const Facts& f, int) {
+                         return f.table() != nullptr ? number(f.table()->rows.outside) : Value();
+                     }});
+    table.push_back({"table.fragments", "Pixels from end to end of all rows of the table.", count,
+                     table_fragments});
+    table.push_back({"table.left", "Left end of the selected row, when the table is finished.",
+                     whole(-endless, endless), row_end, 0});
+    table.push_back({"table.right", "Right end of the selected row, when the table is finished.",
+                     whole(-endless, endless), row_end, 1});
+    table.push_back({"table.count", "Pixels of the selected row, both ends included.", count,
+                     [](const Facts& f, int) {
+                         const std::optional<int> row = f.table_row();
+                         return row ? number(f.table()->rows.pixel_count(*row)) : Value();
+                     }});
+    for (int edge = 0; edge < 3; ++edge) {
+        const std::string name = "edge" + std::to_string(edge + 1);
+        table.push_back({"table." + name + ".samples",
+                         "Samples of edge " + std::to_string(edge + 1) +
+                             " of the triangle on show, counted from 1.",
+                         count, edge_samples, edge});
+    }
+}
+
+// --- the selected vertex
+
+/// Which of its numbers: 0 to 2 in the world, 3 to 5 seen from the camera, then projected x and y.
+Value vertex_place(const Facts& facts, int which) {
+    const ShadedVertex* const vertex = facts.vertex();
+    if (vertex == nullptr) return {};
+    if (which < 3) return number(vertex->position_world[which]);
+    if (which < 6) return number(vertex->position_camera[which - 3]);
+    if (vertex->fault != VertexFault::none) return {};
+    return number(which == 6 ? vertex->projected_x : vertex->projected_y);
+}
+
+void add_vertex_facts(std::vector<Fact>& table) {
+    const auto with_pixel = [](const Facts& f) {
+        const ShadedVertex* const vertex = f.vertex();
+        return vertex != nullptr && vertex->fault == VertexFault::none ? vertex : nullptr;
+    };
+    using WithPixel = decltype(with_pixel);
+    table.push_back({"vertex.column", "Column of the selected vertex of the triangle on show.",
+                     whole(-endless, endless), [](const Facts& f, int) {
+                         const ShadedVertex* const vertex = WithPixel{}(f);
+                         return vertex != nullptr ? number(vertex->pixel.column) : Value();
+                     }});
+    table.push_back({"vertex.row", "Its row.", whole(-endless, endless), [](const Facts& f, int) {
+                         const ShadedVertex* const vertex = WithPixel{}(f);
+                         return vertex != nullptr ? number(vertex->pixel.row) : Value();
+                     }});
+    table.push_back({"vertex.zinv", "Its 1/z.", real(), [](const Facts& f, int) {
+                         const ShadedVertex* const vertex = WithPixel{}(f);
+                         return vertex != nullptr ? number(vertex->pixel.zinv) : Value();
+                     }});
+    table.push_back(
+        {"vertex.z", "Its z before the camera; negative behind it.", real(), vertex_place, 5});
+    constexpr std::array<const char*, 8> names{"world_x",     "world_y",    "world_z",
+                                               "camera_x",    "camera_y",   "camera_z",
+                                               "projected_x", "projected_y"};
+    constexpr std::array<const char*, 8> helps{
+        "Its place in the world, x.",
+        "Its place in the world, y.",
+        "Its place in the world, z.",
+        "Its place seen from the camera, x.",
+        "Its place seen from the camera, y.",
+        "Its place seen from the camera, z.",
+        "Pixels from the middle of the picture to the right, before int().",
+        "Pixels from the middle of the picture downward, before int()."};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        table.push_back({std::string("vertex.").append(names[i]), helps[i], real(), vertex_place,
+                         static_cast<int>(i)});
+    }
+}
+
+// --- two runs
+
+/// The comparison of the whole frames; null without a second run.
+const Comparison* comparison(const Facts& facts) {
+    const std::optional<Compared>& compared = facts.results().compared;
+    return compared ? &compared->whole : nullptr;
+}
+
+template <class Read>
+void add_compare_fact(std::vector<Fact>& table, const char* name, const char* help,
+                      ValueRange range, Read) {
+    table.push_back({name, help, std::move(range), [](const Facts& f, int) {
+                         const Comparison* const whole = comparison(f);
+                         return whole != nullptr ? Read{}(*whole) : Value();
+                     }});
+}
+
+void add_compare_facts(std::vector<Fact>& table) {
+    table.push_back({"comparing", "1 while a second run is compared.", yes_or_no,
+                     [](const Facts& f, int) { return number(f.session().other ? 1 : 0); }});
+    add_compare_fact(table, "compare.different_pixels", "Pixels whose colour differs in run B.",
+                     count, [](const Comparison& c) { return number(c.pixels.different); });
+    add_compare_fact(table, "compare.largest_difference",
+                     "Largest difference of a pixel, linear, of its channel that differs most.",
+                     real(0), [](const Comparison& c) { return number(c.pixels.largest); });
+    add_compare_fact(table, "compare.mean_difference", "The same on average, over all pixels.",
+                     real(0), [](const Comparison& c) { return number(c.pixels.mean); });
+    add_compare_fact(table, "compare.rows", "Rows of row tables that differ.", count,
+                     [](const Comparison& c) { return number(c.different_rows); });
+    add_compare_fact(table, "compare.first", "First moment at which the runs differ, or none.",
+                     moment(), [](const Comparison& c) {
+                         const std::optional<Divergence>& first = c.divergences.first;
+                         return first ? Value(first->cursor) : Value();
+                     });
+}
+
+} // namespace
+
+std::span<const Fact> fact_table() {
+    static const std::vector<Fact> table = [] {
+        std::vector<Fact> facts;
+        add_cursor_facts(facts);
+        add_session_facts(facts);
+        add_frame_facts(facts);
+        add_pixel_facts(facts);
+        add_table_facts(facts);
+        add_vertex_facts(facts);
+        add_compare_facts(facts);
+        return facts;
+    }();
+    return table;
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,111 @@
+#include "facts/facts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/common.hpp>
+
+#include "inspect/carried_row.h"
+#include "stages/pixel_shader.h"
+
+namespace rasterwalk {
+
+namespace {
+
+double largest_part(const glm::vec3& v) {
+    return static_cast<double>(std::max({v.x, v.y, v.z}));
+}
+
+/// The light at a fragment that came one way: from the vertices in stage vertex_light, else from
+/// its own place.
+glm::vec3 light_of(const Frame& frame, const Varyings& varyings, int triangle) {
+    if (frame.settings.stage == Stage::vertex_light) return varyings.illumination;
+    const Vertex& corner = frame.scene->triangles[static_cast<std::size_t>(triangle)].vertices[0];
+    return reflected_light(varyings.position_world, corner.normal, corner.reflectance,
+                           frame.settings.light)
+        .reflected;
+}
+
+std::optional<InterpolationError> error_of(const Frame& frame, const Cursor& at) {
+    if (at.phase != Phase::rows || !has_fragments(frame.settings.stage)) return std::nullopt;
+    const std::optional<CarriedRow> row = carried_row(frame, at.triangle, at.index);
+    if (!row || at.step >= row->count) return std::nullopt;
+    const auto recovered = [&](Interpolation way) {
+        return recover_varyings(row->at(way, at.step), way);
+    };
+    const Varyings right = recovered(Interpolation::perspective);
+    const Varyings wrong = recovered(Interpolation::affine);
+    const glm::vec3 light =
+        glm::abs(light_of(frame, wrong, at.triangle) - light_of(frame, right, at.triangle));
+    return InterpolationError{
+        largest_part(light),
+        static_cast<double>(glm::length(wrong.position_world - right.position_world))};
+}
+
+} // namespace
+
+Facts::Facts(const Session& session, const Results& results, FactCache* cache)
+    : session_(&session), results_(&results), cache_(cache) {}
+
+FactCache& Facts::cache() const {
+    FactCache& cache = cache_ != nullptr ? *cache_ : own_;
+    if (cache.frame_number != results_->frame_number) {
+        cache = FactCache{};
+        cache.frame_number = results_->frame_number;
+    }
+    return cache;
+}
+
+const FrameStats& Facts::frame_stats() const {
+    FactCache& known = cache();
+    if (!known.frame) known.frame = rasterwalk::frame_stats(results_->frame);
+    return *known.frame;
+}
+
+const RowHistory* Facts::table() const {
+    const std::optional<int>& triangle = results_->triangle;
+    const Frame& frame = results_->frame;
+    if (!triangle || !frame.is_drawn(*triangle)) return nullptr;
+    FactCache& known = cache();
+    if (known.table_triangle != triangle) {
+        known.table = row_history(frame.triangle_vertices(*triangle), edge_rules(frame.settings));
+        known.table_triangle = triangle;
+    }
+    return &known.table;
+}
+
+std::optional<int> Facts::table_row() const {
+    const RowHistory* const history = table();
+    const std::optional<int>& row = session_->selection.row;
+    if (history == nullptr || !row) return std::nullopt;
+    const int index = *row - history->rows.first_row;
+    return index >= 0 && index < history->rows.size() ? std::optional(index) : std::nullopt;
+}
+
+const PixelEntry* Facts::winner() const {
+    const std::optional<PixelHistory>& history = results_->history;
+    if (!history || history->winner < 0) return nullptr;
+    return &history->entries[static_cast<std::size_t>(history->winner)];
+}
+
+std::optional<InterpolationError> Facts::interpolation_error() const {
+    const PixelEntry* const entry = winner();
+    if (entry == nullptr) return std::nullopt;
+    FactCache& known = cache();
+    if (known.error_at != entry->cursor) {
+        known.error = error_of(results_->frame, entry->cursor);
+        known.error_at = entry->cursor;
+    }
+    return known.error;
+}
+
+const ShadedVertex* Facts::vertex() const {
+    const std::optional<int>& vertex = session_->selection.vertex;
+    const std::vector<VertexReport>& reports = results_->inspected.vertices;
+    if (!vertex || *vertex < 0 || static_cast<std::size_t>(*vertex) >= reports.size()) {
+        return nullptr;
+    }
+    return &reports[static_cast<std::size_t>(*vertex)].shaded;
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,92 @@
+#pragma once
+
+// What lessons can ask for by name: the one table of facts over what the session asks for and what
+// came of it, and every setting under its own name.
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "facts/value.h"
+#include "inspect/row_history.h"
+#include "inspect/stats.h"
+#include "session/results.h"
+#include "session/session.h"
+
+namespace rasterwalk {
+
+/// The affine against the perspective-correct way on one fragment.
+struct InterpolationError {
+    double light = 0.0;    ///< largest channel difference of the light, linear
+    double position = 0.0; ///< world units
+};
+
+/// Facts that cost more than a look; kept as long as the frame stays.
+struct FactCache {
+    std::uint64_t frame_number = 0;
+    std::optional<FrameStats> frame;
+    std::optional<int> table_triangle;
+    RowHistory table;
+    std::optional<Cursor> error_at;
+    std::optional<InterpolationError> error;
+};
+
+/// Answers questions about a session and its results; both must live as long, and the results be up
+/// to date. Counts from 0, as everywhere.
+class Facts {
+  public:
+    /// @param cache kept by the caller from one time to the next, so that nothing is worked out
+    ///              twice; null: it lives as long as this
+    Facts(const Session& session, const Results& results, FactCache* cache = nullptr);
+
+    /// The value of a fact or a setting; none if it is not there, or there is no such name.
+    Value operator()(std::string_view name) const;
+
+    // For the table of facts:
+    const Session& session() const { return *session_; }
+    const Results& results() const { return *results_; }
+    /// The whole frame in numbers.
+    const FrameStats& frame_stats() const;
+    /// The finished row table of the triangle on show; null if it has none.
+    const RowHistory* table() const;
+    /// The selected row in that table; none if no row is selected, or it lies outside of it.
+    std::optional<int> table_row() const;
+    /// The fragment that the picked pixel shows in the end; null if there is none.
+    const PixelEntry* winner() const;
+    /// Of that fragment; none if it belongs to no row.
+    std::optional<InterpolationError> interpolation_error() const;
+    /// The selected vertex of the triangle on show; null if none is selected.
+    const ShadedVertex* vertex() const;
+
+  private:
+    FactCache& cache() const;
+
+    const Session* session_;
+    const Results* results_;
+    FactCache* cache_;
+    mutable FactCache own_;
+};
+
+/// One fact: a name with a meaning.
+struct Fact {
+    std::string name; ///< `pixel.light_error`
+    std::string help; ///< one sentence
+    ValueRange range;
+    Value (*read)(const Facts&, int number);
+    int number = 0; ///< told to `read`, where facts are alike: which overlay, edge, component
+};
+
+/// Every fact, grouped by the part before the point.
+std::span<const Fact> fact_table();
+
+/// What a name stands for, fact or setting; none if there is no such name. Settings of several
+/// numbers have parts: `camera.position.z`, `light.power.red`, `viewport.width`.
+std::optional<ValueRange> find_name(std::string_view name);
+
+/// The names of all facts and settings: for messages.
+std::vector<std::string> all_names();
+
+} // namespace rasterwalk

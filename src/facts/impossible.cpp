@@ -1,0 +1,222 @@
+#include <algorithm>
+#include <cmath>
+
+#include "facts/expression.h"
+#include "facts/facts.h"
+
+namespace rasterwalk {
+
+namespace {
+
+using Kind = ExpressionNode::Kind;
+
+/// All that a number can be.
+struct Reach {
+    double low, high;
+    bool is_whole;
+};
+
+constexpr double endless = std::numeric_limits<double>::infinity();
+
+/// Endless ends make sums and products that are no number: nothing is known of them then.
+Reach known(double low, double high, bool is_whole) {
+    return {std::isnan(low) ? -endless : low, std::isnan(high) ? endless : high, is_whole};
+}
+
+Reach product(const Reach& a, const Reach& b) {
+    const double corners[] = {a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high};
+    if (std::any_of(std::begin(corners), std::end(corners),
+                    [](double c) { return std::isnan(c); })) {
+        return {-endless, endless, a.is_whole && b.is_whole};
+    }
+    const auto [low, high] = std::minmax_element(std::begin(corners), std::end(corners));
+    return {*low, *high, a.is_whole && b.is_whole};
+}
+
+struct Reckoner {
+    const Expression& expression;
+
+    const ExpressionNode& node(int index) const {
+        return expression.nodes[static_cast<std::size_t>(index)];
+    }
+
+    Reach reach(int index) const {
+        const ExpressionNode& here = node(index);
+        if (here.kind == Kind::number) {
+            return {here.number, here.number, here.number == std::floor(here.number)};
+        }
+        if (here.kind == Kind::name) {
+            const ValueRange range = find_name(here.text).value_or(ValueRange{});
+            return {range.low, range.high, range.is_whole};
+        }
+        if (here.left < 0) return {-endless, endless, false};
+        const Reach a = reach(here.left);
+        if (here.kind == Kind::negate) return {-a.high, -a.low, a.is_whole};
+        if (here.kind == Kind::absolute) {
+            const double far = std::max(std::abs(a.low), std::abs(a.high));
+            const double near =
+                a.low <= 0.0 && a.high >= 0.0 ? 0.0 : std::min(std::abs(a.low), std::abs(a.high));
+            return {near, far, a.is_whole};
+        }
+        if (here.right < 0) return {-endless, endless, false};
+        const Reach b = reach(here.right);
+        const bool both_whole = a.is_whole && b.is_whole;
+        switch (here.kind) {
+        case Kind::add:
+            return known(a.low + b.low, a.high + b.high, both_whole);
+        case Kind::subtract:
+            return known(a.low - b.high, a.high - b.low, both_whole);
+        case Kind::multiply:
+            return product(a, b);
+        case Kind::divide:
+            if (b.low <= 0.0 && b.high >= 0.0) return {-endless, endless, false};
+            return product({a.low, a.high, false}, {1.0 / b.high, 1.0 / b.low, false});
+        case Kind::smaller:
+            return {std::min(a.low, b.low), std::min(a.high, b.high), both_whole};
+        case Kind::larger:
+            return {std::max(a.low, b.low), std::max(a.high, b.high), both_whole};
+        default:
+            return {-endless, endless, false};
+        }
+    }
+
+    bool is_impossible(const ExpressionNode& here) const {
+        const bool is_comparison = here.kind >= Kind::equal && here.kind <= Kind::greater_equal;
+        if (!is_comparison || node(here.left).type != ValueType::number ||
+            node(here.left).kind == Kind::none || node(here.right).kind == Kind::none) {
+            return false;
+        }
+        const Reach a = reach(here.left), b = reach(here.right);
+        const bool a_is_one = a.low == a.high, b_is_one = b.low == b.high;
+        switch (here.kind) {
+        case Kind::equal:
+            return a.low > b.high || b.low > a.high ||
+                   (a.is_whole && b_is_one && b.low != std::floor(b.low)) ||
+                   (b.is_whole && a_is_one && a.low != std::floor(a.low));
+        case Kind::unequal:
+            return a_is_one && b_is_one && a.low == b.low;
+        case Kind::less:
+            return a.low >= b.high;
+        case Kind::less_equal:
+            return a.low > b.high;
+        case Kind::greater:
+            return a.high <= b.low;
+        default:
+            return a.high < b.low;
+        }
+    }
+
+    /// How strongly a part holds together: what is weaker stands in parentheses inside it.
+    static int strength(Kind kind) {
+        switch (kind) {
+        case Kind::negate:
+            return 3;
+        case Kind::multiply:
+        case Kind::divide:
+            return 2;
+        case Kind::add:
+        case Kind::subtract:
+            return 1;
+        case Kind::number:
+        case Kind::absolute:
+        case Kind::smaller:
+        case Kind::larger:
+            return 4;
+        case Kind::equal:
+        case Kind::unequal:
+        case Kind::less:
+        case Kind::less_equal:
+        case Kind::greater:
+        case Kind::greater_equal:
+            return 0;
+        default:
+            return 4;
+        }
+    }
+
+    std::string inner(int index, int least) const {
+        if (strength(node(index).kind) >= least) return text(index);
+        return std::string("(").append(text(index)).append(")");
+    }
+
+    /// The part as it could have been written.
+    std::string text(int index) const {
+        const ExpressionNode& here = node(index);
+        const int own = strength(here.kind);
+        const auto two = [&](const char* sign) {
+            // a - (b - c) needs its parentheses.
+            const bool is_strict = here.kind == Kind::subtract || here.kind == Kind::divide;
+            return inner(here.left, own)
+                .append(sign)
+                .append(inner(here.right, is_strict ? own + 1 : own));
+        };
+        const auto pair = [&] { return text(here.left).append(", ").append(text(here.right)); };
+        switch (here.kind) {
+        case Kind::number: {
+            char digits[40];
+            std::snprintf(digits, sizeof digits, "%.9g", here.number);
+            return digits;
+        }
+        case Kind::negate:
+            return std::string("-").append(inner(here.left, own));
+        case Kind::absolute:
+            return std::string("abs(").append(text(here.left)).append(")");
+        case Kind::smaller:
+        case Kind::larger:
+            return std::string(here.kind == Kind::smaller ? "min(" : "max(")
+                .append(pair())
+                .append(")");
+        case Kind::add:
+            return two(" + ");
+        case Kind::subtract:
+            return two(" - ");
+        case Kind::multiply:
+            return two(" * ");
+        case Kind::divide:
+            return two(" / ");
+        case Kind::equal:
+            return two(" == ");
+        case Kind::unequal:
+            return two(" != ");
+        case Kind::less:
+            return two(" < ");
+        case Kind::less_equal:
+            return two(" <= ");
+        case Kind::greater:
+            return two(" > ");
+        case Kind::greater_equal:
+            return two(" >= ");
+        default:
+            return here.text;
+        }
+    }
+};
+
+std::string bound(double value) {
+    char digits[40];
+    std::snprintf(digits, sizeof digits, "%.9g", value);
+    return digits;
+}
+
+} // namespace
+
+std::vector<std::string> impossible_parts(const Expression& condition) {
+    const Reckoner reckoner{condition};
+    std::vector<std::string> sentences;
+    for (std::size_t i = 0; i < condition.nodes.size(); ++i) {
+        const ExpressionNode& node = condition.nodes[i];
+        if (!reckoner.is_impossible(node)) continue;
+        // The side that is no plain number is the one to speak of.
+        const Reach left = reckoner.reach(node.left);
+        const int side = left.low == left.high ? node.right : node.left;
+        const Reach reach = reckoner.reach(side);
+        std::string sentence = "'" + reckoner.text(static_cast<int>(i)) +
+                               "' can never hold: " + reckoner.text(side) + " lies between " +
+                               bound(reach.low) + " and " + bound(reach.high);
+        if (reach.is_whole) sentence += " and is whole";
+        sentences.push_back(sentence + ".");
+    }
+    return sentences;
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,185 @@
+#include "laboratory/bug.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/nearest_name.h"
+#include "base/quoted.h"
+#include "base/toml_input.h"
+#include "session/content.h"
+#include "session/scene_file.h"
+#include "session/second_run.h"
+#include "settings/setting_table.h"
+
+namespace rasterwalk {
+
+namespace {
+
+Assignments read_assignments(const TomlInput& input, std::string_view key) {
+    Assignments values;
+    for (const toml::node& node : input.list(key)) {
+        const auto* text = node.as_string();
+        if (text == nullptr) {
+            input.fail(node,
+                       std::string("each entry of '").append(key) + "' is text: \"name=value\".");
+        }
+        const std::string& assignment = text->get();
+        try {
+            Settings tried;
+            set_from_text(tried, assignment);
+        } catch (const UsageError& error) {
+            input.fail(node, error.what());
+        }
+        const std::size_t place = assignment.find('=');
+        // By its name in the table, whatever blanks stand around it.
+        const std::string_view name = trimmed(std::string_view(assignment).substr(0, place));
+        values.emplace_back(find_setting(name)->name, assignment.substr(place + 1));
+    }
+    return values;
+}
+
+/// B, a number, and a letter where there are variants.
+bool is_id(std::string_view id) {
+    constexpr std::size_t longest = 5;
+    if (id.size() < 2 || id.size() > longest || id.front() != 'B') return false;
+    std::string_view number = id.substr(1);
+    if (number.size() > 1 && number.back() >= 'a' && number.back() <= 'z') number.remove_suffix(1);
+    return std::all_of(number.begin(), number.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+/// A file in the folder of scenes and nowhere else.
+bool is_scene_path(std::string_view path) {
+    return path.starts_with("scenes/") && path.ends_with(".toml") &&
+           path.find("..") == std::string_view::npos &&
+           std::count(path.begin(), path.end(), '/') == 1;
+}
+
+Bug read_bug(const TomlInput& input) {
+    input.allow_only({"id", "name", "sentence", "symptom", "look", "cure", "section", "code",
+                      "scene", "set", "against"});
+    Bug bug;
+    bug.id = input.text("id");
+    if (!is_id(bug.id)) {
+        input.fail(*input.find("id"), "'id' is B and a number, and a letter for variants: \"B9\".");
+    }
+    bug.name = input.text("name");
+    bug.sentence = input.text("sentence");
+    bug.symptom = input.text("symptom");
+    bug.look = input.text("look");
+    bug.cure = input.text("cure");
+    bug.section = input.text("section");
+    bug.code = input.text_or_empty("code");
+    bug.scene = input.text("scene");
+    if (!is_scene_path(bug.scene)) {
+        input.fail(*input.find("scene"), "'scene' is a file of this folder: \"scenes/name.toml\".");
+    }
+    bug.set = read_assignments(input, "set");
+    if (bug.set.empty()) input.fail(*input.find("set"), "'set' must change something.");
+    if (input.find("against") != nullptr) bug.against = read_assignments(input, "against");
+    return bug;
+}
+
+void assign(const Assignments& values, Settings& settings) {
+    for (const auto& [name, value] : values) {
+        if (const Setting* setting = find_setting(name)) set_value(settings, *setting, value);
+    }
+}
+
+char capital(char c) {
+    return static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+}
+
+bool same_letters(std::string_view a, std::string_view b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](char x, char y) { return capital(x) == capital(y); });
+}
+
+} // namespace
+
+std::vector<Bug> parse_bugs(std::string_view text, const std::string& path) {
+    const toml::table root = parse_toml(text, path);
+    const TomlInput input(root, path, "the file of bugs");
+    input.allow_only({"bug"});
+    std::vector<Bug> bugs;
+    for (const toml::node& node : input.list("bug")) {
+        const TomlInput table = input.table(node, "bug " + std::to_string(bugs.size() + 1));
+        Bug bug = read_bug(table);
+        for (const Bug& other : bugs) {
+            if (other.id == bug.id) table.fail("there are two bugs with the id '" + bug.id + "'.");
+        }
+        bugs.push_back(std::move(bug));
+    }
+    return bugs;
+}
+
+std::vector<Bug> read_bugs(const std::string& path) {
+    return parse_bugs(read_file(path), path);
+}
+
+std::vector<Bug> read_bugs() {
+    return read_bugs(lessons_folder() + "/bugs.toml");
+}
+
+const Bug& find_bug(const std::vector<Bug>& bugs, std::string_view id) {
+    std::vector<std::string_view> ids;
+    for (const Bug& bug : bugs) {
+        if (same_letters(bug.id, id)) return bug;
+        ids.push_back(bug.id);
+    }
+    constexpr std::size_t longest = 20;
+    throw UsageError("there is no bug '" + std::string(id.substr(0, longest)) +
+                     "'; 'rasterwalk bugs' lists them." + did_you_mean(id, ids));
+}
+
+Settings correct_run(const Bug& bug, const Settings& base) {
+    Settings settings = base;
+    assign(bug.against, settings);
+    // The stage is no mistake: both runs must get as far.
+    for (const auto& [name, value] : bug.set) {
+        if (name == "stage") assign({{name, value}}, settings);
+    }
+    return settings;
+}
+
+Settings wrong_run(const Bug& bug, const Settings& base) {
+    Settings settings = correct_run(bug, base);
+    assign(bug.set, settings);
+    return settings;
+}
+
+Settings with_handout_rules(const Settings& settings) {
+    Settings rules;
+    rules.stage = settings.stage;
+    rules.camera = settings.camera;
+    rules.light = settings.light;
+    rules.viewport = settings.viewport;
+    return rules;
+}
+
+void apply_bug(const Bug& bug, Session& session) {
+    end_comparison(session);
+    const Settings before = session.settings;
+    const Settings base = with_handout_rules(before);
+    session.settings = wrong_run(bug, base);
+    compare_with(session, correct_run(bug, base));
+    session.taken = TakenRun{before, session.settings, nullptr, bug.id};
+}
+
+void open_bug(const Bug& bug, Session& session) {
+    Scene scene = read_scene_file(lessons_folder() + "/" + bug.scene);
+    end_comparison(session);
+    const Settings before = session.settings;
+    const std::shared_ptr<const Scene> before_scene = session.scene;
+    set_scene(session, std::move(scene));
+    apply_bug(bug, session);
+    session.taken->before = before;
+    if (session.scene != before_scene) session.taken->before_scene = before_scene;
+}
+
+bool is_on(const Session& session, std::string_view bug) {
+    return session.other.has_value() && session.taken && session.taken->bug == bug;
+}
+
+} // namespace rasterwalk

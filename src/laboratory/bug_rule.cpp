@@ -1,0 +1,14 @@
+#include "laboratory/bug_rule.h"
+
+#include "settings/setting_table.h"
+
+namespace rasterwalk {
+
+void apply_bug_rule(const Bug& bug, Settings& settings) {
+    for (const auto& [name, value] : bug.set) {
+        const Setting* const setting = name == "stage" ? nullptr : find_setting(name);
+        if (setting != nullptr) set_value(settings, *setting, value);
+    }
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "laboratory/bug.h"
+#include "settings/settings.h"
+
+namespace rasterwalk {
+
+/// Makes the mistake in these settings and leaves everything else as it is: the stage and whatever
+/// else the laboratory sets so that the mistake is easy to see.
+void apply_bug_rule(const Bug& bug, Settings& settings);
+
+} // namespace rasterwalk

@@ -1,0 +1,197 @@
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "laboratory/bug_rule.h"
+#include "laboratory/diagnose.h"
+#include "laboratory/picture_trial.h"
+#include "settings/setting_table.h"
+
+namespace rasterwalk {
+
+namespace {
+
+void try_bases(PictureTrial& trial, const std::vector<Base>& bases) {
+    for (const Base& base : bases) {
+        if (base.assumptions == 0) continue;
+        const Settings& first = bases.front().settings;
+        const bool other_stage = base.settings.stage != first.stage;
+        const bool other_power = !(base.settings.light == first.light);
+        const std::string stage(stage_list()[static_cast<std::size_t>(base.settings.stage)].name);
+        std::string name = other_stage ? "Drawn at stage " + stage : "";
+        if (other_power) {
+            name.append(name.empty() ? "Another" : " with another").append(" light power");
+        }
+        trial.add({.id = other_power ? "light_power" : "stage",
+                   .name = std::move(name),
+                   .remark = base.remark,
+                   .assumptions = base.assumptions},
+                  trial.drawn(base.settings));
+    }
+}
+
+void try_orientations(PictureTrial& trial, const std::vector<Base>& bases) {
+    for (const Base& base : bases) {
+        const Image image = trial.draw_again(base.settings);
+        for (const OrientationInfo& info : orientation_list()) {
+            if (info.orientation == Orientation::upright) continue;
+            trial.add({.id = info.id,
+                       .name = info.name,
+                       .remark = base.remark,
+                       .assumptions = base.assumptions + 1},
+                      oriented(image, info.orientation));
+        }
+    }
+}
+
+void try_shifts(PictureTrial& trial, const std::vector<Base>& bases) {
+    constexpr std::array<const char*, 3> across{"left", "", "right"}, along{"up", "", "down"};
+    for (const Base& base : bases) {
+        const Image image = trial.draw_again(base.settings);
+        for (int dy = -1; dy <= 1; ++dy) {
+            for (int dx = -1; dx <= 1; ++dx) {
+                if (dx == 0 && dy == 0) continue;
+                const std::string where_x = across[static_cast<std::size_t>(dx + 1)];
+                const std::string where_y = along[static_cast<std::size_t>(dy + 1)];
+                const std::string both = where_x.empty() || where_y.empty() ? "" : " and a pixel ";
+                std::string name = "Shifted by a pixel ";
+                name.append(where_x).append(both).append(where_y);
+                trial.add({.id = "shifted",
+                           .name = std::move(name),
+                           .remark = base.remark,
+                           .assumptions = base.assumptions + 1},
+                          shifted(image, dx, dy));
+            }
+        }
+    }
+}
+
+/// The settings with a bug, unless it changes nothing about the picture.
+void try_settings(PictureTrial& trial, Hypothesis hypothesis, const Settings& settings,
+                  const Settings& without) {
+    const Drawn& one = trial.drawn(settings);
+    if (one.print != trial.drawn(without).print) trial.add(std::move(hypothesis), one, settings);
+}
+
+Hypothesis suspicion(const Bug& bug, const std::string& remark, int assumptions) {
+    return {.id = bug.id,
+            .name = bug.name,
+            .remark = remark,
+            .assumptions = assumptions,
+            .is_bug = true};
+}
+
+void try_bug(PictureTrial& trial, const std::vector<Base>& bases, const Bug& bug) {
+    const Settings& reference = bases.front().settings;
+    // As the laboratory shows it, with its own stage and lamp.
+    const Settings shown = wrong_run(bug, reference);
+    Settings changed = reference;
+    apply_bug_rule(bug, changed);
+    if (changed == reference) {
+        // The reference makes this mistake itself: not to be told from it at the same stage.
+        Hypothesis hypothesis = suspicion(bug, "", 1);
+        hypothesis.is_bug = false;
+        if (!(shown == reference)) trial.add(std::move(hypothesis), trial.drawn(shown));
+        return;
+    }
+    for (const Base& base : bases) {
+        Settings settings = base.settings;
+        apply_bug_rule(bug, settings);
+        try_settings(trial, suspicion(bug, base.remark, base.assumptions + 1), settings,
+                     base.settings);
+    }
+    try_settings(trial, suspicion(bug, "", 1), shown, correct_run(bug, reference));
+}
+
+/// With a mistake in the picture the lamp's power was not fitted well: again with the mistakes that
+/// come nearest.
+void try_powers_again(PictureTrial& trial) {
+    constexpr std::size_t most_tried = 4;
+    std::vector<PictureTrial::Tried> nearest = trial.tried;
+    std::sort(nearest.begin(), nearest.end(),
+              [&](const PictureTrial::Tried& a, const PictureTrial::Tried& b) {
+                  return trial.hypotheses[a.hypothesis].distance <
+                         trial.hypotheses[b.hypothesis].distance;
+              });
+    if (nearest.size() > most_tried) nearest.resize(most_tried);
+    for (const PictureTrial::Tried& one : nearest) {
+        const std::optional<Settings> lit = with_fitted_power(trial, one.settings);
+        if (!lit) continue;
+        Hypothesis hypothesis = trial.hypotheses[one.hypothesis];
+        const std::size_t old = hypothesis.remark.find("light.power=");
+        if (old != std::string::npos) {
+            hypothesis.remark.replace(old, std::string::npos,
+                                      "light.power=" + number_text(lit->light.power.x));
+        } else {
+            hypothesis.remark = power_remark(hypothesis.remark, *lit);
+            ++hypothesis.assumptions;
+        }
+        trial.add(std::move(hypothesis), trial.drawn(*lit));
+    }
+}
+
+/// Every other word of every choice but the stage.
+void try_choices(PictureTrial& trial, const std::vector<Base>& bases) {
+    for (const Setting& setting : setting_table()) {
+        const auto* const choice = std::get_if<ChoiceSetting>(&setting.kind);
+        if (choice == nullptr || setting.name == "stage") continue;
+        for (const std::string_view word : choice->words) {
+            for (const Base& base : bases) {
+                Settings settings = base.settings;
+                set_value(settings, setting, word);
+                std::string id = std::string(setting.name).append("=").append(word);
+                Hypothesis hypothesis{.id = id,
+                                      .name = "Drawn by " + id,
+                                      .remark = base.remark,
+                                      .assumptions = base.assumptions + 1};
+                const Drawn& one = trial.drawn(settings);
+                if (one.print == trial.drawn(base.settings).print) continue;
+                trial.add(std::move(hypothesis), one);
+            }
+        }
+    }
+}
+
+} // namespace
+
+Settings fitted_to(const Settings& settings, const Image& picture, SceneSpace space) {
+    Settings fitted = settings;
+    const std::string size =
+        std::to_string(picture.width).append("x").append(std::to_string(picture.height));
+    if (settings.viewport == Viewport{picture.width, picture.height}) return fitted;
+    set_value(fitted, *find_setting("viewport.size"), size);
+    if (space == SceneSpace::pixels) return fitted;
+    const float growth = static_cast<float>(picture.height) /
+                         static_cast<float>(std::max(settings.viewport.height, 1));
+    set_value(fitted, *find_setting("camera.focal_length"),
+              number_text(settings.camera.focal_length * growth));
+    return fitted;
+}
+
+Diagnosis diagnose_picture(const Image& picture, const Scene& scene, const Settings& reference,
+                           const std::vector<Bug>& bugs) {
+    PictureTrial trial(picture, scene);
+    Diagnosis diagnosis;
+    const ImageDistance apart = trial.drawn(reference).distance;
+    diagnosis.distance = apart.mean;
+    diagnosis.different = apart.different;
+    if (!diagnosis.is_same()) {
+        const std::vector<Base> bases = find_bases(trial, reference);
+        try_bases(trial, bases);
+        for (const Bug& bug : bugs)
+            try_bug(trial, bases, bug);
+        const bool is_found =
+            std::any_of(trial.hypotheses.begin(), trial.hypotheses.end(),
+                        [](const Hypothesis& h) { return h.is_bug && h.distance == 0.0; });
+        if (!is_found) {
+            try_powers_again(trial);
+            try_choices(trial, bases);
+            try_orientations(trial, bases);
+            try_shifts(trial, bases);
+        }
+    }
+    rank_suspects(std::move(trial.hypotheses), "this very picture", diagnosis);
+    return diagnosis;
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,204 @@
+#include <algorithm>
+#include <climits>
+#include <cstdlib>
+#include <utility>
+
+#include "laboratory/bug_rule.h"
+#include "laboratory/diagnose.h"
+#include "pipeline/frame.h"
+#include "settings/setting_table.h"
+
+namespace rasterwalk {
+
+namespace {
+
+using Rows = std::vector<PrintedRow>;
+
+/// Of larger scenes only the first triangles are looked at.
+constexpr int most_triangles_tried = 2000;
+
+std::uint64_t fingerprint(const Rows& rows) {
+    std::uint64_t hash = 14695981039346656037u;
+    for (const PrintedRow& row : rows) {
+        for (const int value : {row.start.x, row.start.y, row.end.x, row.end.y}) {
+            hash = (hash ^ static_cast<std::uint32_t>(value)) * 1099511628211u;
+        }
+    }
+    return hash;
+}
+
+/// A polygon that the table may belong to: its vertices, or a triangle of the scene.
+struct Polygon {
+    std::vector<Fragment> vertices;
+    int triangle = -1;
+    std::string about;
+};
+
+Polygon polygon_of(const std::vector<glm::ivec2>& points) {
+    Polygon polygon;
+    polygon.about = "the polygon";
+    for (const glm::ivec2& point : points) {
+        Fragment vertex;
+        vertex.column = point.x;
+        vertex.row = point.y;
+        vertex.zinv = vertex.z = 1.0f;
+        polygon.vertices.push_back(vertex);
+        polygon.about.append(" (")
+            .append(std::to_string(point.x))
+            .append(",")
+            .append(std::to_string(point.y))
+            .append(")");
+    }
+    return polygon;
+}
+
+/// The row table of a polygon under these settings; nothing if the triangle is left out.
+Rows table_of(const Polygon& polygon, const Scene& scene, const Settings& settings) {
+    PolygonRows table;
+    if (polygon.triangle < 0) {
+        compute_polygon_rows(polygon.vertices, edge_rules(settings), table);
+        return printed(table);
+    }
+    Scene one = {};
+    one.space = scene.space;
+    one.triangles.push_back(scene.triangles[static_cast<std::size_t>(polygon.triangle)]);
+    const Frame frame = prepare_frame(one, settings);
+    if (!frame.is_drawn(0)) return {};
+    compute_polygon_rows(frame.triangle_vertices(0), edge_rules(settings), table);
+    return printed(table);
+}
+
+/// The polygon whose table comes nearest under the reference's rules.
+Polygon nearest_polygon(const Rows& rows, const Scene& scene, const Settings& reference) {
+    Polygon nearest = polygon_of({{10, 5}, {5, 10}, {15, 15}});
+    double smallest = rows_distance(table_of(nearest, scene, reference), rows).mean;
+    const Frame frame = prepare_frame(scene, reference);
+    const int count = std::min(frame.triangle_count(), most_triangles_tried);
+    for (int t = 0; t < count; ++t) {
+        if (!frame.is_drawn(t)) continue;
+        const Polygon polygon{{},
+                              t,
+                              std::string("triangle ")
+                                  .append(std::to_string(t))
+                                  .append(" (")
+                                  .append(part_name(scene, t))
+                                  .append(")")};
+        PolygonRows table;
+        compute_polygon_rows(frame.triangle_vertices(t), edge_rules(reference), table);
+        const double distance = rows_distance(printed(table), rows).mean;
+        if (distance >= smallest) continue;
+        smallest = distance;
+        nearest = polygon;
+    }
+    return nearest;
+}
+
+/// A way in which a right table may have come out wrong after all.
+struct RowsEdit {
+    const char *id, *name;
+    void (*apply)(Rows&);
+};
+
+template <class Change>
+void for_each_end(Rows& rows, Change change) {
+    for (PrintedRow& row : rows) {
+        change(row.start);
+        change(row.end);
+    }
+}
+
+/// The ends of rows that no sample reached stay as they are.
+void move_column(int& column, int by) {
+    if (std::abs(column) != INT_MAX) column += by;
+}
+
+const std::vector<RowsEdit>& rows_edits() {
+    static const std::vector<RowsEdit> edits{
+        {"last_column_dropped", "The last column of every row is missing",
+         [](Rows& rows) {
+             for (PrintedRow& row : rows)
+                 move_column(row.end.x, -1);
+         }},
+        {"ends_exchanged", "Left and right ends are exchanged",
+         [](Rows& rows) {
+             for (PrintedRow& row : rows)
+                 std::swap(row.start.x, row.end.x);
+         }},
+        {"axes_exchanged", "Column and row are exchanged in print",
+         [](Rows& rows) { for_each_end(rows, [](glm::ivec2& end) { std::swap(end.x, end.y); }); }},
+        {"last_row_dropped", "The last row is missing",
+         [](Rows& rows) {
+             if (!rows.empty()) rows.pop_back();
+         }},
+        {"first_row_dropped", "The first row is missing",
+         [](Rows& rows) {
+             if (!rows.empty()) rows.erase(rows.begin());
+         }},
+        {"rows_from_zero", "Rows are counted from the top of the polygon",
+         [](Rows& rows) {
+             const int first = rows.empty() ? 0 : rows.front().start.y;
+             for_each_end(rows, [&](glm::ivec2& end) { end.y -= first; });
+         }},
+        {"shifted_left", "Shifted by a column to the left",
+         [](Rows& rows) { for_each_end(rows, [](glm::ivec2& end) { move_column(end.x, -1); }); }},
+        {"shifted_right", "Shifted by a column to the right",
+         [](Rows& rows) { for_each_end(rows, [](glm::ivec2& end) { move_column(end.x, 1); }); }},
+        {"shifted_up", "Shifted up by a row",
+         [](Rows& rows) { for_each_end(rows, [](glm::ivec2& end) { --end.y; }); }},
+        {"shifted_down", "Shifted down by a row",
+         [](Rows& rows) { for_each_end(rows, [](glm::ivec2& end) { ++end.y; }); }},
+    };
+    return edits;
+}
+
+} // namespace
+
+Diagnosis diagnose_rows(const std::vector<PrintedRow>& rows, const std::vector<glm::ivec2>& polygon,
+                        const Scene& scene, const Settings& reference, const std::vector<Bug>& bugs,
+                        std::string& about) {
+    const Polygon subject =
+        polygon.empty() ? nearest_polygon(rows, scene, reference) : polygon_of(polygon);
+    about = subject.about;
+    const Rows right = table_of(subject, scene, reference);
+    const std::uint64_t right_print = fingerprint(right);
+    Diagnosis diagnosis;
+    const RowsDistance apart = rows_distance(right, rows);
+    diagnosis.distance = apart.mean;
+    diagnosis.different = apart.different;
+    std::vector<Hypothesis> hypotheses;
+    const auto add = [&](Hypothesis hypothesis, const Rows& table) {
+        hypothesis.result = fingerprint(table);
+        if (hypothesis.result == right_print) return;
+        const RowsDistance distance = rows_distance(table, rows);
+        hypothesis.distance = distance.mean;
+        hypothesis.different = distance.different;
+        hypotheses.push_back(std::move(hypothesis));
+    };
+    if (!diagnosis.is_same()) {
+        for (const Bug& bug : bugs) {
+            Settings settings = reference;
+            apply_bug_rule(bug, settings);
+            add({.id = bug.id, .name = bug.name, .is_bug = true},
+                table_of(subject, scene, settings));
+        }
+        for (const Setting& setting : setting_table()) {
+            const auto* const choice = std::get_if<ChoiceSetting>(&setting.kind);
+            if (choice == nullptr) continue;
+            for (const std::string_view word : choice->words) {
+                Settings settings = reference;
+                set_value(settings, setting, word);
+                const std::string id = std::string(setting.name).append("=").append(word);
+                add({.id = id, .name = "Made by " + id}, table_of(subject, scene, settings));
+            }
+        }
+        for (const RowsEdit& edit : rows_edits()) {
+            Rows edited = right;
+            edit.apply(edited);
+            add({.id = edit.id, .name = edit.name}, edited);
+        }
+    }
+    rank_suspects(std::move(hypotheses), "this very table", diagnosis);
+    return diagnosis;
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,83 @@
+#include "laboratory/image_variant.h"
+
+#include <cstddef>
+#include <cstdlib>
+
+#include <glm/vec2.hpp>
+
+namespace rasterwalk {
+
+namespace {
+
+/// The picture with its pixels taken from elsewhere; black where that lies outside.
+template <class From>
+Image rearranged(const Image& image, From from) {
+    Image result = image;
+    for (int row = 0; row < image.height; ++row) {
+        for (int column = 0; column < image.width; ++column) {
+            const glm::ivec2 p = from(column, row);
+            const bool is_inside = p.x >= 0 && p.x < image.width && p.y >= 0 && p.y < image.height;
+            const auto place = [&](int x, int y) {
+                return 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                            static_cast<std::size_t>(x));
+            };
+            for (std::size_t i = 0; i < 3; ++i) {
+                result.rgba[place(column, row) + i] =
+                    is_inside ? image.rgba[place(p.x, p.y) + i] : std::uint8_t{0};
+            }
+        }
+    }
+    return result;
+}
+
+} // namespace
+
+ImageDistance image_distance(const Image& a, const Image& b) {
+    ImageDistance distance;
+    std::int64_t sum = 0;
+    for (std::size_t i = 0; i + 3 < a.rgba.size(); i += 4) {
+        int pixel = 0;
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            pixel += std::abs(static_cast<int>(a.rgba[i + channel]) -
+                              static_cast<int>(b.rgba[i + channel]));
+        }
+        sum += pixel;
+        distance.different += pixel > 0 ? 1 : 0;
+    }
+    const double channels = 0.75 * static_cast<double>(a.rgba.size());
+    if (channels > 0.0) distance.mean = static_cast<double>(sum) / channels;
+    return distance;
+}
+
+/// FNV-1a.
+std::uint64_t fingerprint(const Image& image) {
+    std::uint64_t hash = 14695981039346656037u;
+    for (const std::uint8_t byte : image.rgba)
+        hash = (hash ^ byte) * 1099511628211u;
+    return hash;
+}
+
+const std::array<OrientationInfo, 4>& orientation_list() {
+    static constexpr std::array<OrientationInfo, 4> list{{
+        {Orientation::upright, "upright", "upright"},
+        {Orientation::mirrored, "mirrored", "Mirrored, left and right exchanged"},
+        {Orientation::upside_down, "upside_down", "Upside down"},
+        {Orientation::half_turn, "half_turn", "Turned by half a turn"},
+    }};
+    return list;
+}
+
+Image oriented(const Image& image, Orientation orientation) {
+    const bool x = orientation == Orientation::mirrored || orientation == Orientation::half_turn;
+    const bool y = orientation == Orientation::upside_down || orientation == Orientation::half_turn;
+    return rearranged(image, [&](int column, int row) {
+        return glm::ivec2(x ? image.width - 1 - column : column, y ? image.height - 1 - row : row);
+    });
+}
+
+Image shifted(const Image& image, int columns, int rows) {
+    return rearranged(
+        image, [&](int column, int row) { return glm::ivec2(column - columns, row - rows); });
+}
+
+} // namespace rasterwalk

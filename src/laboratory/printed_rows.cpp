@@ -1,0 +1,146 @@
+#include "laboratory/printed_rows.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "base/error.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// An end that is off by more counts as this far off: one wild number must not drown the others.
+constexpr std::int64_t most_columns_off = 16;
+
+/// Takes text from the front.
+class LineReader {
+  public:
+    explicit LineReader(std::string_view text) : rest_(text) { skip_blanks(); }
+
+    bool take(std::string_view word) {
+        if (!rest_.starts_with(word)) return false;
+        rest_.remove_prefix(word.size());
+        skip_blanks();
+        return true;
+    }
+    std::optional<int> take_number() {
+        int value = 0;
+        const auto [end, fault] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);
+        if (fault != std::errc{}) return std::nullopt;
+        rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
+        skip_blanks();
+        return value;
+    }
+    std::optional<glm::ivec2> take_place() {
+        if (!take("(")) return std::nullopt;
+        const std::optional<int> column = take_number();
+        if (!column || !take(",")) return std::nullopt;
+        const std::optional<int> row = take_number();
+        if (!row || !take(")")) return std::nullopt;
+        return glm::ivec2(*column, *row);
+    }
+    bool is_done() const { return rest_.empty(); }
+
+  private:
+    void skip_blanks() {
+        rest_.remove_prefix(std::min(rest_.find_first_not_of(" \t\r"), rest_.size()));
+    }
+    std::string_view rest_;
+};
+
+std::optional<PrintedRow> parse_row(std::string_view line) {
+    LineReader reader(line);
+    if (!reader.take("Start:")) return std::nullopt;
+    const std::optional<glm::ivec2> start = reader.take_place();
+    if (!start || !reader.take(".") || !reader.take("End:")) return std::nullopt;
+    const std::optional<glm::ivec2> end = reader.take_place();
+    reader.take(".");
+    if (!end || !reader.is_done()) return std::nullopt;
+    return PrintedRow{*start, *end};
+}
+
+std::int64_t columns_off(int a, int b) {
+    const std::int64_t apart = std::abs(static_cast<std::int64_t>(a) - b);
+    return std::min(apart, most_columns_off);
+}
+
+} // namespace
+
+std::vector<PrintedRow> printed(const PolygonRows& table) {
+    std::vector<PrintedRow> rows;
+    rows.reserve(table.left.size());
+    for (std::size_t i = 0; i < table.left.size(); ++i) {
+        rows.push_back({{table.left[i].column, table.left[i].row},
+                        {table.right[i].column, table.right[i].row}});
+    }
+    return rows;
+}
+
+RowsDistance rows_distance(const std::vector<PrintedRow>& a, const std::vector<PrintedRow>& b) {
+    std::map<int, std::pair<const PrintedRow*, const PrintedRow*>> rows;
+    std::int64_t sum = 0, different = 0, repeated = 0;
+    for (const PrintedRow& row : a) {
+        const bool is_new = rows[row.start.y].first == nullptr;
+        rows[row.start.y].first = &row;
+        repeated += is_new ? 0 : 1;
+    }
+    for (const PrintedRow& row : b) {
+        const bool is_new = rows[row.start.y].second == nullptr;
+        rows[row.start.y].second = &row;
+        repeated += is_new ? 0 : 1;
+    }
+    for (const auto& [number, both] : rows) {
+        if (both.first == nullptr || both.second == nullptr) {
+            sum += 2 * most_columns_off;
+            ++different;
+            continue;
+        }
+        const PrintedRow &p = *both.first, &q = *both.second;
+        sum += columns_off(p.start.x, q.start.x) + columns_off(p.end.x, q.end.x) +
+               columns_off(p.end.y, q.end.y);
+        different += p == q ? 0 : 1;
+    }
+    different += repeated;
+    sum += 2 * most_columns_off * repeated;
+    const auto ends = static_cast<double>(2 * std::max<std::size_t>(rows.size(), 1));
+    return {static_cast<double>(sum) / ends, different};
+}
+
+std::vector<PrintedRow> parse_printed_rows(std::string_view text, const std::string& path) {
+    constexpr std::string_view mark = "\xEF\xBB\xBF"; // with which some editors begin UTF-8
+    if (text.starts_with(mark)) text.remove_prefix(mark.size());
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
+        throw InputError(path, 1, "the text is UTF-16; save it as UTF-8.");
+    }
+    std::vector<PrintedRow> rows;
+    int number = 0;
+    while (!text.empty()) {
+        ++number;
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        std::string_view line = text.substr(0, end);
+        text.remove_prefix(std::min(end + 1, text.size()));
+        line.remove_prefix(std::min(line.find_first_not_of(" \t\r"), line.size()));
+        if (!line.starts_with("Start")) continue;
+        const std::optional<PrintedRow> row = parse_row(line);
+        if (!row) {
+            throw InputError(path, number,
+                             "a row is printed as 'Start: (10,5). End: (10,5).' with whole "
+                             "numbers.");
+        }
+        if (rows.size() == most_printed_rows) {
+            throw InputError(path, number, "there are too many rows.");
+        }
+        rows.push_back(*row);
+    }
+    if (rows.empty()) {
+        throw InputError(path + ": this is neither a PNG or BMP picture nor a printed row table: "
+                                "there is no line like 'Start: (10,5). End: (10,5).'.");
+    }
+    return rows;
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,102 @@
+#include "laboratory/suspect.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rasterwalk {
+
+namespace {
+
+/// Each further assumption must be worth this part of the distance.
+constexpr double price_of_assumption = 0.02;
+
+/// Below this part nothing is explained.
+constexpr double explains_nothing = 0.3;
+
+double price(const Hypothesis& h) {
+    return h.distance * (1.0 + price_of_assumption * h.assumptions);
+}
+
+/// B and a number: a mistake of the laboratory.
+bool is_bug_id(const std::string& id) {
+    return id.size() > 1 && id[0] == 'B' && id[1] >= '0' && id[1] <= '9';
+}
+
+std::string suspect_text(const Suspect& suspect) {
+    std::string text;
+    for (std::size_t i = 0; i < suspect.names.size(); ++i) {
+        if (i > 0) text += i + 1 == suspect.names.size() ? " or " : ", ";
+        if (is_bug_id(suspect.ids[i])) text.append(suspect.ids[i]).append(" ");
+        text += suspect.names[i];
+    }
+    if (!suspect.remark.empty()) text.append(" (").append(suspect.remark).append(")");
+    return text;
+}
+
+std::string verdict_text(const Suspect& first, std::string_view same) {
+    const std::string who = suspect_text(first);
+    if (first.distance == 0.0) {
+        return who + (first.ids.size() > 1 ? " make " : " makes ") + std::string(same) + ".";
+    }
+    const std::string percent = std::to_string(std::lround(100.0 * first.explained)) + " %";
+    if (first.explained < explains_nothing) {
+        return "No known mistake explains the difference; the nearest, " + who + ", explains " +
+               percent + " of it.";
+    }
+    return "Most likely " + who + ", which explains " + percent + " of the difference.";
+}
+
+} // namespace
+
+void rank_suspects(std::vector<Hypothesis> hypotheses, std::string_view same,
+                   Diagnosis& diagnosis) {
+    std::stable_sort(hypotheses.begin(), hypotheses.end(),
+                     [](const Hypothesis& a, const Hypothesis& b) {
+                         if (price(a) != price(b)) return price(a) < price(b);
+                         if (a.assumptions != b.assumptions) return a.assumptions < b.assumptions;
+                         return a.is_bug && !b.is_bug;
+                     });
+    std::vector<const Hypothesis*> leaders; // of each suspect
+    for (const Hypothesis& h : hypotheses) {
+        const auto leader = std::find_if(leaders.begin(), leaders.end(), [&](const Hypothesis* l) {
+            return l->result == h.result && l->distance == h.distance;
+        });
+        if (leader != leaders.end()) {
+            // What needs more assumptions, or is only another name of a bug's setting, adds
+            // nothing.
+            Suspect& suspect =
+                diagnosis.candidates[static_cast<std::size_t>(leader - leaders.begin())];
+            const bool is_equal =
+                h.is_bug == (*leader)->is_bug && h.assumptions == (*leader)->assumptions;
+            const bool is_new =
+                std::find(suspect.ids.begin(), suspect.ids.end(), h.id) == suspect.ids.end();
+            if (is_equal && is_new) {
+                suspect.ids.push_back(h.id);
+                suspect.names.push_back(h.name);
+            }
+            continue;
+        }
+        // The same mistake with other assumptions is worse than what is listed already.
+        const bool is_listed = std::any_of(
+            diagnosis.candidates.begin(), diagnosis.candidates.end(), [&](const Suspect& suspect) {
+                return std::find(suspect.ids.begin(), suspect.ids.end(), h.id) != suspect.ids.end();
+            });
+        if (is_listed || diagnosis.candidates.size() == most_suspects) continue;
+        const double explained =
+            diagnosis.distance > 0.0 ? 1.0 - h.distance / diagnosis.distance : 0.0;
+        // What brings nothing nearer is not worth naming, unless there is nothing else.
+        if (explained <= 0.0 && !leaders.empty()) continue;
+        leaders.push_back(&h);
+        diagnosis.candidates.push_back(
+            {{h.id}, {h.name}, h.remark, h.distance, h.different, std::clamp(explained, 0.0, 1.0)});
+    }
+    if (diagnosis.is_same()) {
+        diagnosis.verdict = "no difference";
+    } else if (leaders.empty()) {
+        diagnosis.verdict = "No known mistake explains the difference.";
+    } else {
+        diagnosis.verdict = verdict_text(diagnosis.candidates.front(), same);
+    }
+}
+
+} // namespace rasterwalk

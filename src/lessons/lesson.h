@@ -1,0 +1,140 @@
+#pragma once
+
+// A lesson: text that drives the program. The format is told in lessons/README.md.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "facts/expression.h"
+#include "view/situation.h"
+
+namespace rasterwalk {
+
+/// A link target with its place.
+struct LinkPlace {
+    std::string target;
+    std::string words; ///< what is read in its place, Markdown
+    int line = 0;
+    bool is_picture = false; ///< ![words](target)
+};
+
+/// Something to do, ticked off when a condition holds.
+struct LessonTask {
+    std::string id;
+    std::optional<Expression> done;  ///< none if it could not be read
+    std::vector<std::string> recipe; ///< link targets that solve it, from the step's situation
+    std::string hint;                ///< Markdown; may be empty
+    std::string text;                ///< Markdown that the student reads, without the quote's `>`
+    int step = 0;
+    int line = 0; ///< of its comment
+    int done_line = 0, recipe_line = 0;
+};
+
+/// A question that is answered before the program shows.
+struct LessonPrediction {
+    enum class Kind : std::uint8_t { number, pixel, choice };
+
+    std::string id;
+    Kind kind = Kind::number;
+    // A number:
+    std::optional<Expression> answer;
+    std::optional<Expression> tolerance; ///< how far a right answer may be off; none: 0
+    std::string unit;                    ///< behind the field; may be empty
+    // One of several:
+    std::vector<std::string> choices;
+    std::vector<Expression> right; ///< a condition for each choice; exactly one holds
+    // A pixel:
+    std::optional<Expression> where;                    ///< with the student's pixel picked
+    std::optional<glm::ivec2> right_pixel, wrong_pixel; ///< examples; both are tried by `check`
+
+    Situation at;                  ///< in which the answer is found; the step's is in it already
+    std::optional<Situation> then; ///< shown after the answer, likewise; none: nothing changes
+    std::string because; ///< Markdown with {answer} and {EXPRESSION}, see fill_in(); may be empty
+    std::string text;    ///< Markdown that the student reads, without the quote's `>`
+    int step = 0;
+    int line = 0; ///< of its comment
+    int answer_line = 0, because_line = 0;
+};
+
+/// A piece of a step, in the order of reading.
+struct LessonPart {
+    enum class Kind : std::uint8_t { text, task, prediction };
+    Kind kind = Kind::text;
+    std::string text; ///< Markdown; of a text only
+    int index = -1;   ///< in Lesson::tasks or Lesson::predictions
+    int line = 0;     ///< where its text begins
+};
+
+/// A piece of text with its place.
+struct TextPlace {
+    std::string text;
+    int line = 0;
+};
+
+/// One screen of a lesson.
+struct LessonStep {
+    std::string heading; ///< inline Markdown; that of step 0 is the lesson's
+    Situation situation; ///< complete: the lesson's and the step's own
+    std::vector<LessonPart> parts;
+    std::vector<LinkPlace> links;     ///< and pictures in its texts, tasks, hints and predictions
+    std::vector<TextPlace> formulas;  ///< TeX between dollar signs, likewise
+    std::vector<TextPlace> footnotes; ///< labels that are referred to, likewise
+    int line = 0;
+};
+
+/// A footnote: [^label] in a text, [^label]: text at the end of the file.
+struct LessonFootnote {
+    std::string label;
+    std::string text; ///< Markdown
+    int line = 0;
+};
+
+/// A lesson as it was read. Where there are faults, the rest is still there as far as it goes.
+struct Lesson {
+    std::string id;     ///< the file's name without .md: `07-painters-order`
+    std::string path;   ///< of the file
+    std::string folder; ///< in which it lies; scenes and pictures are found from there
+    std::string title;
+    std::string section; ///< of the lab
+    int minutes = 0;
+    std::string about;             ///< one sentence for the list
+    std::string program;           ///< the part of the student's own program it speaks of
+    int picture = 0;               ///< step that its picture in screenshots/ shows
+    std::vector<LessonStep> steps; ///< step 0 is the opening; there is always one
+    std::vector<LessonTask> tasks;
+    std::vector<LessonPrediction> predictions;
+    std::vector<LessonFootnote> footnotes;
+    std::vector<Fault> faults; ///< in the order of their lines
+};
+
+/// Reads a lesson. Never throws: what is wrong stands in its faults. Of one that goes beyond the
+/// limits below nothing is left but its faults, see is_readable().
+/// @param path names the lesson, and is used in messages
+Lesson parse_lesson(std::string_view text, const std::string& path);
+Lesson read_lesson(const std::string& path);
+
+/// Is there anything to show of it?
+bool is_readable(const Lesson& lesson);
+
+/// "lessons/01-pinhole.md:12: sentence", as it is printed.
+std::string fault_text(const Lesson& lesson, const Fault& fault);
+
+/// The prediction of this id; null if there is none.
+const LessonPrediction* find_prediction(const Lesson& lesson, std::string_view id);
+
+inline constexpr std::size_t largest_lesson = std::size_t{1} << 20; ///< bytes
+inline constexpr int most_lesson_lines = 20'000;
+inline constexpr std::size_t longest_lesson_line = 4'000; ///< bytes
+inline constexpr int most_lesson_steps = 64;
+inline constexpr int most_lesson_questions = 100; ///< tasks and predictions together
+inline constexpr int most_lesson_links = 2'000;
+inline constexpr int most_recipe_links = 50;
+inline constexpr int most_choices = 8;
+inline constexpr std::size_t most_lesson_footnotes = 99;
+inline constexpr int most_table_columns = 40;
+inline constexpr int deepest_lesson = 24; ///< quotes, lists, emphasis and brackets in one another
+
+} // namespace rasterwalk

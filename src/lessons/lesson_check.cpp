@@ -1,0 +1,285 @@
+#include "lessons/lesson_check.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <system_error>
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "base/quoted.h"
+#include "facts/facts.h"
+#include "lessons/lesson_link.h"
+#include "lessons/lesson_picture.h"
+#include "lessons/lesson_run.h"
+#include "pipeline/frame.h"
+#include "session/content.h"
+
+namespace rasterwalk {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Plays a lesson and writes down what goes wrong.
+class Checker {
+  public:
+    Checker(const Lesson& lesson, const Session& like)
+        : lesson_(lesson), like_(like), faults_(lesson.faults) {}
+
+    std::vector<Fault> check() {
+        for (const LessonStep& step : lesson_.steps)
+            check_step(step);
+        for (const LessonTask& task : lesson_.tasks)
+            check_task(task);
+        for (const LessonPrediction& prediction : lesson_.predictions)
+            check_prediction(prediction);
+        std::stable_sort(faults_.begin(), faults_.end(),
+                         [](const Fault& a, const Fault& b) { return a.line < b.line; });
+        return std::move(faults_);
+    }
+
+  private:
+    /// What one step hands on to the next is told once.
+    void add(int line, const std::string& sentence) {
+        const Fault fault{line, sentence};
+        if (std::find(faults_.begin(), faults_.end(), fault) == faults_.end()) {
+            faults_.push_back(fault);
+        }
+    }
+    void add_all(const std::vector<Fault>& faults) {
+        for (const Fault& fault : faults)
+            add(fault.line, fault.sentence);
+    }
+
+    Session fresh() const {
+        Session session;
+        session.presets = like_.presets;
+        session.glossary = like_.glossary;
+        return session;
+    }
+
+    // --- steps and their links
+
+    void check_step(const LessonStep& step) {
+        Session session = fresh();
+        add_all(apply_situation(session, step.situation, lesson_.folder));
+        for (const TextPlace& formula : step.formulas) {
+            for (const std::string& sentence : formula_faults(formula.text))
+                add(formula.line, sentence);
+        }
+        if (session.scene == nullptr) return;
+        // A link may build on those before it.
+        Session walked = session;
+        for (const LinkPlace& link : step.links) {
+            if (link.is_picture) {
+                check_picture(link);
+            } else {
+                check_link(link, session, walked);
+            }
+        }
+    }
+
+    void check_picture(const LinkPlace& picture) {
+        if (trimmed(picture.words).empty()) {
+            add(picture.line, "the picture " + in_quotes(picture.target) +
+                                  " has no text that stands for it: ![text](picture).");
+        }
+        // Each picture is read once.
+        const auto [known, is_new] = pictures_.try_emplace(picture.target);
+        if (is_new) {
+            try {
+                read_lesson_picture(lesson_.folder, picture.target);
+            } catch (const Error& fault) {
+                known->second = fault.what();
+            }
+        }
+        if (!known->second.empty()) add(picture.line, known->second);
+    }
+
+    void check_link(const LinkPlace& place, const Session& opened, Session& walked) {
+        try {
+            const LessonLink link = parse_lesson_link(place.target);
+            check_target(link);
+            try {
+                Session session = opened;
+                follow(session, link);
+            } catch (const Error&) {
+                follow(walked, link);
+                return;
+            }
+            // What cannot be reached from here is no place to go on from.
+            try {
+                follow(walked, link);
+            } catch (const Error&) {
+                walked = opened;
+                follow(walked, link);
+            }
+        } catch (const Error& fault) {
+            add(place.line, fault.what());
+        }
+    }
+
+    static void follow(Session& session, const LessonLink& link) {
+        follow_lesson_link(session, prepare_frame(*session.scene, session.settings), link);
+    }
+
+    /// What a link names that the session does not know.
+    void check_target(const LessonLink& link) const {
+        if (link.kind == LessonLink::Kind::lesson) {
+            std::error_code ignored;
+            const fs::path file = fs::path(lesson_.folder) / (link.argument + ".md");
+            if (!fs::is_regular_file(file, ignored)) {
+                throw UsageError("there is no lesson " + in_quotes(link.argument + ".md") + ".");
+            }
+        }
+        if (link.kind != LessonLink::Kind::term) return;
+        std::vector<std::string_view> words;
+        for (const Term& term : like_.glossary)
+            words.push_back(term.word);
+        if (std::find(words.begin(), words.end(), link.argument) == words.end()) {
+            throw UsageError("the glossary has no term " + in_quotes(link.argument) + "." +
+                             did_you_mean(link.argument, words));
+        }
+    }
+
+    // --- tasks
+
+    const Situation& situation_of(int step) const {
+        return lesson_.steps[static_cast<std::size_t>(step)].situation;
+    }
+
+    void check_task(const LessonTask& task) {
+        if (!task.done) return;
+        for (const std::string& sentence : impossible_parts(*task.done))
+            add(task.done_line, sentence);
+        Session session = fresh();
+        apply_situation(session, situation_of(task.step), lesson_.folder);
+        if (session.scene == nullptr) return;
+        Results results;
+        update(session, results);
+        if (is_done(task, Facts(session, results))) {
+            add(task.done_line, "the task '" + task.id + "' is solved before it is begun.");
+            return;
+        }
+        if (task.recipe.empty()) return; // that was told
+        try {
+            for (const std::string& target : task.recipe) {
+                const LessonLink link = parse_lesson_link(target);
+                check_target(link);
+                follow(session, link);
+            }
+        } catch (const Error& fault) {
+            add(task.recipe_line, fault.what());
+            return;
+        }
+        update(session, results);
+        if (!is_done(task, Facts(session, results))) {
+            add(task.recipe_line, "the recipe does not solve the task '" + task.id + "'.");
+        }
+    }
+
+    // --- predictions
+
+    void check_prediction(const LessonPrediction& prediction) {
+        Session session = fresh();
+        const std::vector<Fault> faults = apply_situation(session, prediction.at, lesson_.folder);
+        add_all(faults);
+        if (prediction.then) {
+            Session shown = fresh();
+            add_all(apply_situation(shown, *prediction.then, lesson_.folder));
+        }
+        if (!faults.empty() || !is_complete(prediction) || !check_because(prediction)) return;
+        if (prediction.kind == LessonPrediction::Kind::pixel) {
+            check_pixel(prediction);
+        } else {
+            const GivenAnswer none{prediction.kind == LessonPrediction::Kind::number
+                                       ? GivenAnswer{0.0}
+                                       : GivenAnswer{0}};
+            const Judgement judgement = judge(lesson_, prediction, none, like_);
+            if (!judgement.fault.empty()) {
+                add(prediction.answer_line,
+                    "the prediction '" + prediction.id + "': " + judgement.fault);
+            }
+        }
+    }
+
+    static bool is_complete(const LessonPrediction& prediction) {
+        switch (prediction.kind) {
+        case LessonPrediction::Kind::number:
+            return prediction.answer.has_value();
+        case LessonPrediction::Kind::choice:
+            return prediction.choices.size() >= 2 &&
+                   prediction.choices.size() == prediction.right.size();
+        case LessonPrediction::Kind::pixel:
+            return prediction.where && prediction.right_pixel && prediction.wrong_pixel;
+        }
+        return false;
+    }
+
+    void check_pixel(const LessonPrediction& prediction) {
+        for (const std::string& sentence : impossible_parts(*prediction.where))
+            add(prediction.answer_line, sentence);
+        const Judgement right = judge(lesson_, prediction, {*prediction.right_pixel}, like_);
+        const Judgement wrong = judge(lesson_, prediction, {*prediction.wrong_pixel}, like_);
+        for (const Judgement* judgement : {&right, &wrong}) {
+            if (!judgement->fault.empty()) add(prediction.answer_line, judgement->fault);
+        }
+        if (right.fault.empty() && !right.is_right) {
+            add(prediction.answer_line, "the pixel of 'recipe' is not right by 'where'.");
+        }
+        if (wrong.is_right) {
+            add(prediction.answer_line, "the pixel of 'wrong' is right by 'where'.");
+        }
+    }
+
+    /// Every number that is told after the answer must be there. False if it cannot be read.
+    bool check_because(const LessonPrediction& prediction) {
+        if (prediction.because.empty()) return true;
+        Session session = fresh();
+        Situation at = prediction.at;
+        if (prediction.right_pixel) at.pixel = prediction.right_pixel;
+        apply_situation(session, at, lesson_.folder);
+        Results results;
+        update(session, results);
+        const Facts facts(session, results);
+        try {
+            std::string missing;
+            fill_in(prediction.because, "", 0.0, [&](std::string_view name) {
+                const Value value = facts(name);
+                if (!is_there(value)) missing = std::string(name);
+                return value;
+            });
+            if (!missing.empty()) {
+                add(prediction.because_line,
+                    "'" + missing + "' is not there in the situation of the prediction '" +
+                        prediction.id + "'.");
+            }
+        } catch (const Error& fault) {
+            add(prediction.because_line, fault.what());
+            return false;
+        }
+        return true;
+    }
+
+    const Lesson& lesson_;
+    const Session& like_;
+    std::vector<Fault> faults_;
+    std::map<std::string, std::string> pictures_; ///< what is wrong with each; empty: nothing
+};
+
+} // namespace
+
+std::vector<Fault> check_lesson(const Lesson& lesson, const Session& session) {
+    return Checker(lesson, session).check();
+}
+
+Session empty_session() {
+    Session session;
+    session.presets = read_presets(lessons_folder() + "/presets.toml");
+    session.glossary = read_glossary(lessons_folder() + "/glossary.toml");
+    return session;
+}
+
+} // namespace rasterwalk

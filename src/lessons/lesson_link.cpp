@@ -1,0 +1,270 @@
+#include "lessons/lesson_link.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "base/numbers.h"
+#include "base/quoted.h"
+#include "facts/facts.h"
+#include "laboratory/bug.h"
+#include "lessons/widget_names.h"
+#include "picture/view_image.h"
+#include "pipeline/timeline.h"
+#include "session/moments.h"
+#include "session/second_run.h"
+#include "session/tabs.h"
+#include "session/walk.h"
+#include "settings/preset.h"
+#include "settings/setting_table.h"
+#include "view/situation.h"
+
+namespace rasterwalk {
+
+namespace {
+
+using Kind = LessonLink::Kind;
+
+constexpr std::array<std::pair<std::string_view, Kind>, 14> kinds{{
+    {"set", Kind::set},
+    {"cursor", Kind::cursor},
+    {"show", Kind::show},
+    {"compare", Kind::compare},
+    {"pixel", Kind::pixel},
+    {"triangle", Kind::triangle},
+    {"row", Kind::row},
+    {"vertex", Kind::vertex},
+    {"tab", Kind::tab},
+    {"view", Kind::view},
+    {"overlay", Kind::overlay},
+    {"preset", Kind::preset},
+    {"bug", Kind::bug},
+    {"term", Kind::term},
+}};
+
+[[noreturn]] void refuse_target(std::string_view target) {
+    std::string known;
+    for (const auto& [name, kind] : kinds)
+        known.append(name).append(": ");
+    throw UsageError("the link " + in_quotes(target) + " leads nowhere: links begin with " + known +
+                     "or name another lesson, NN-name.md.");
+}
+
+/// `10-per-pixel.md`: two digits, a name, no folder.
+bool is_lesson_file(std::string_view target) {
+    constexpr std::string_view ending = ".md";
+    return target.size() > ending.size() + 3 && target.ends_with(ending) && target[2] == '-' &&
+           target.find_first_not_of("0123456789") == 2 &&
+           target.substr(0, target.size() - ending.size())
+                   .find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == target.npos;
+}
+
+std::vector<std::string> assignments_of(std::string_view argument) {
+    std::vector<std::string> parts;
+    while (true) {
+        const std::size_t end = std::min(argument.find('&'), argument.size());
+        parts.emplace_back(argument.substr(0, end));
+        if (end == argument.size()) return parts;
+        argument.remove_prefix(end + 1);
+    }
+}
+
+void require(bool is_good, const LessonLink& link, const char* what) {
+    if (is_good) return;
+    throw UsageError("the link cannot go to " + in_quotes(link.argument) + ": it takes " + what +
+                     ".");
+}
+
+void require_word(const LessonLink& link, const char* what,
+                  std::span<const std::string_view> words) {
+    if (std::find(words.begin(), words.end(), link.argument) != words.end()) return;
+    std::string known;
+    for (const std::string_view word : words)
+        known.append(known.empty() ? "" : ", ").append(word);
+    throw UsageError(std::string("there is no ")
+                         .append(what)
+                         .append(" ")
+                         .append(in_quotes(link.argument))
+                         .append("; there are ")
+                         .append(known)
+                         .append(".")
+                         .append(did_you_mean(link.argument, words)));
+}
+
+std::vector<std::string_view> overlay_words() {
+    std::vector<std::string_view> words{"none"};
+    for (const OverlayInfo& info : overlay_list())
+        words.push_back(info.name);
+    return words;
+}
+
+/// What can be told from the argument alone.
+void check_argument(const LessonLink& link) {
+    const bool is_none = link.argument == "none";
+    switch (link.kind) {
+    case Kind::set:
+    case Kind::compare:
+        if (link.kind == Kind::compare && link.argument == "off") break;
+        for (const std::string& assignment : assignments_of(link.argument)) {
+            Settings tried;
+            set_from_text(tried, assignment);
+        }
+        break;
+    case Kind::cursor:
+        if (!parse_cursor(link.argument)) {
+            throw UsageError("the link names no moment: " + in_quotes(link.argument) +
+                             " is not of the form t12/e2/s14.");
+        }
+        break;
+    case Kind::pixel:
+        require(is_none || parse_pixel(link.argument), link, "a column and a row: 250,131");
+        break;
+    case Kind::triangle:
+    case Kind::row:
+    case Kind::vertex:
+        require(is_none || parse_int(link.argument), link, "a whole number or none");
+        break;
+    case Kind::tab:
+        require_word(link, "tab", tab_names());
+        break;
+    case Kind::view:
+        require_word(link, "view", view_names());
+        break;
+    case Kind::overlay:
+        require_word(link, "overlay", overlay_words());
+        break;
+    case Kind::bug:
+        find_bug(read_bugs(), link.argument);
+        break;
+    case Kind::show:
+        check_widget_name(link.argument);
+        break;
+    case Kind::preset:
+    case Kind::term:
+    case Kind::lesson:
+        break;
+    }
+}
+
+int checked(const LessonLink& link, const char* what, int count) {
+    const int number = parse_int(link.argument).value_or(-1);
+    if (number >= 0 && number < count) return number;
+    throw UsageError(std::string("there is no ")
+                         .append(what)
+                         .append(" ")
+                         .append(in_quotes(link.argument))
+                         .append(": they are 0 to ")
+                         .append(std::to_string(count - 1))
+                         .append("."));
+}
+
+/// The number that a link selects, or nothing.
+std::optional<int> chosen(const LessonLink& link, const char* what, int count) {
+    if (link.argument == "none") return std::nullopt;
+    return checked(link, what, count);
+}
+
+void pick_pixel(Session& session, const LessonLink& link) {
+    const std::optional<glm::ivec2> pixel = parse_pixel(link.argument);
+    const Viewport& size = session.settings.viewport;
+    if (pixel &&
+        (pixel->x < 0 || pixel->y < 0 || pixel->x >= size.width || pixel->y >= size.height)) {
+        throw UsageError("the pixel " + in_quotes(link.argument) + " lies outside the picture of " +
+                         std::to_string(size.width) + " x " + std::to_string(size.height) +
+                         " pixels.");
+    }
+    session.selection.pixel = pixel;
+}
+
+void follow_compare(Session& session, const LessonLink& link) {
+    if (link.argument == "off") {
+        stop_comparing(session);
+    } else {
+        compare_with(session, settings_with(session.settings, assignments_of(link.argument)));
+    }
+}
+
+void toggle_overlay(Session& session, const LessonLink& link) {
+    if (const std::optional<Overlay> overlay = find_overlay(link.argument)) {
+        session.overlays.set(*overlay, true);
+    } else {
+        session.overlays = {};
+    }
+}
+
+} // namespace
+
+LessonLink parse_lesson_link(std::string_view target) {
+    LessonLink link;
+    if (is_lesson_file(target)) {
+        link.kind = Kind::lesson;
+        link.argument = std::string(target.substr(0, target.size() - 3));
+        return link;
+    }
+    const std::size_t colon = target.find(':');
+    const std::string_view name = target.substr(0, colon);
+    const auto found = std::find_if(kinds.begin(), kinds.end(),
+                                    [&](const auto& kind) { return kind.first == name; });
+    if (found == kinds.end()) refuse_target(target);
+    link.kind = found->second;
+    if (colon != target.npos) link.argument = target.substr(colon + 1);
+    if (link.argument.empty())
+        throw UsageError("the link " + in_quotes(target) + " is not complete.");
+    for (std::size_t at = 0; (at = link.argument.find("%20", at)) != link.argument.npos; ++at)
+        link.argument.replace(at, 3, " ");
+    check_argument(link);
+    return link;
+}
+
+void follow_lesson_link(Session& session, const Frame& frame, const LessonLink& link) {
+    switch (link.kind) {
+    case Kind::set:
+        session.settings = settings_with(session.settings, assignments_of(link.argument));
+        break;
+    case Kind::cursor: {
+        const Cursor cursor = moment_of(frame, link.argument);
+        session.selection.triangle = std::nullopt;
+        go_to(session, cursor);
+        break;
+    }
+    case Kind::compare:
+        follow_compare(session, link);
+        break;
+    case Kind::pixel:
+        pick_pixel(session, link);
+        break;
+    case Kind::triangle:
+        session.selection.triangle = chosen(link, "triangle", frame.triangle_count());
+        break;
+    case Kind::row:
+        session.selection.row = chosen(link, "row", session.settings.viewport.height);
+        break;
+    case Kind::vertex:
+        session.selection.vertex = chosen(link, "vertex", 3);
+        break;
+    case Kind::tab:
+        session.tab = link.argument;
+        break;
+    case Kind::view:
+        session.view = *find_view(link.argument);
+        break;
+    case Kind::overlay:
+        toggle_overlay(session, link);
+        break;
+    case Kind::preset:
+        apply_preset(find_preset(session.presets, link.argument), session.settings);
+        break;
+    case Kind::bug:
+        open_bug(find_bug(read_bugs(), link.argument), session);
+        break;
+    case Kind::show:
+    case Kind::term:
+    case Kind::lesson:
+        break;
+    }
+}
+
+} // namespace rasterwalk

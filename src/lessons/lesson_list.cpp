@@ -1,0 +1,131 @@
+#include "lessons/lesson_list.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "base/error.h"
+#include "session/content.h"
+
+namespace rasterwalk {
+
+bool is_lesson_file(std::string_view name) {
+    const auto is_digit = [&](std::size_t i) {
+        return std::isdigit(static_cast<unsigned char>(name[i])) != 0;
+    };
+    return name.size() > 6 && is_digit(0) && is_digit(1) && name[2] == '-' && name.ends_with(".md");
+}
+
+int lesson_number(std::string_view id) {
+    int number = 0;
+    for (const char c : id.substr(0, 2)) {
+        if (std::isdigit(static_cast<unsigned char>(c)) == 0) return 0;
+        number = 10 * number + (c - '0');
+    }
+    return number;
+}
+
+namespace {
+
+/// A lesson that can no longer be read leaves what was read before, and says why.
+void take_up(Lesson& lesson, Lesson&& newer) {
+    if (is_readable(newer) || !is_readable(lesson)) {
+        lesson = std::move(newer);
+    } else {
+        lesson.faults = std::move(newer.faults);
+    }
+}
+
+} // namespace
+
+LessonList::FileState LessonList::state_of(const std::string& path) {
+    FileState state{path, {}, 0};
+    std::error_code fault;
+    const auto written = std::filesystem::last_write_time(path, fault);
+    if (!fault) state.written = written;
+    const std::uintmax_t size = std::filesystem::file_size(path, fault);
+    if (!fault) state.size = size;
+    return state;
+}
+
+std::vector<LessonList::FileState> LessonList::files_in_folder() const {
+    namespace fs = std::filesystem;
+    std::vector<FileState> files;
+    std::error_code fault;
+    for (fs::directory_iterator entry(folder_, fault), end; !fault && entry != end;
+         entry.increment(fault)) {
+        if (!is_lesson_file(entry->path().filename().string())) continue;
+        files.push_back(state_of(entry->path().string()));
+    }
+    std::sort(files.begin(), files.end(),
+              [](const FileState& a, const FileState& b) { return a.path < b.path; });
+    if (files.size() > most_lessons) files.resize(most_lessons);
+    return files;
+}
+
+void LessonList::refresh() {
+    std::vector<FileState> files = files_in_folder();
+    if (is_read_ && files == files_) return;
+    std::vector<Lesson> lessons;
+    for (const FileState& file : files) {
+        const auto known = std::find_if(files_.begin(), files_.end(), [&](const FileState& other) {
+            return other.path == file.path;
+        });
+        if (!is_read_ || known == files_.end()) {
+            lessons.push_back(read_lesson(file.path));
+            continue;
+        }
+        Lesson& lesson = lessons_[static_cast<std::size_t>(known - files_.begin())];
+        if (*known != file) take_up(lesson, read_lesson(file.path));
+        lessons.push_back(std::move(lesson));
+    }
+    files_ = std::move(files);
+    lessons_ = std::move(lessons);
+    is_read_ = true;
+    ++number_;
+}
+
+void LessonList::read_folder(const std::string& folder) {
+    folder_ = folder;
+    is_read_ = false;
+    files_.clear();
+    lessons_.clear();
+    refresh();
+}
+
+const std::vector<Lesson>& LessonList::all() {
+    if (!is_read_) {
+        try {
+            read_folder(lessons_folder());
+        } catch (const Error&) {
+            is_read_ = true; // no folder, no lessons; whoever needs them says so
+        }
+    }
+    return lessons_;
+}
+
+const Lesson* LessonList::find(std::string_view id) {
+    const std::vector<Lesson>& lessons = all();
+    const auto found = std::find_if(lessons.begin(), lessons.end(),
+                                    [&](const Lesson& lesson) { return lesson.id == id; });
+    if (found == lessons.end()) return nullptr;
+    const auto index = static_cast<std::size_t>(found - lessons.begin());
+    const FileState now = state_of(files_[index].path);
+    if (now != files_[index]) {
+        files_[index] = now;
+        // A file that was taken away, or is just being written, leaves its lesson open.
+        if (now.size > 0) {
+            take_up(lessons_[index], read_lesson(now.path));
+            ++number_;
+        }
+    }
+    return &lessons_[index];
+}
+
+bool LessonList::is_edited(std::string_view id) const {
+    for (std::size_t i = 0; i < lessons_.size(); ++i) {
+        if (lessons_[i].id == id) return state_of(files_[i].path) != files_[i];
+    }
+    return false;
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+#include "lessons/lesson.h"
+
+namespace rasterwalk {
+
+/// The lessons of a folder, in the order of their names. A file that changes is read again; if
+/// nothing of it can be shown any more, what was read before stays, with the new faults.
+class LessonList {
+  public:
+    /// All lessons: those of lessons_folder(), unless read_folder() named another. Valid until the
+    /// next call of refresh() or read_folder().
+    const std::vector<Lesson>& all();
+
+    /// The lesson of this id, read again if its file has changed; null if there is none. Valid
+    /// until the next call.
+    const Lesson* find(std::string_view id);
+
+    /// Has the file of this lesson changed since it was read?
+    bool is_edited(std::string_view id) const;
+
+    /// Grows whenever a lesson is read: what was found in them may be out of date then.
+    std::uint64_t number() const { return number_; }
+
+    /// Looks whether files were changed, added or taken away, and reads those again.
+    void refresh();
+
+    /// Reads the lessons of this folder from now on. Never throws: a folder that cannot be read has
+    /// none.
+    void read_folder(const std::string& folder);
+
+    /// The folder whose lessons these are; empty before any was read.
+    const std::string& folder() const { return folder_; }
+
+  private:
+    struct FileState {
+        std::string path;
+        std::filesystem::file_time_type written{};
+        std::uintmax_t size = 0;
+
+        friend bool operator==(const FileState&, const FileState&) = default;
+    };
+    static FileState state_of(const std::string& path);
+    std::vector<FileState> files_in_folder() const;
+
+    bool is_read_ = false;
+    std::uint64_t number_ = 0;
+    std::string folder_;
+    std::vector<FileState> files_; ///< of the same index as lessons_
+    std::vector<Lesson> lessons_;
+};
+
+/// Is this the name of a lesson's file: two digits, a hyphen, a name, `.md`?
+bool is_lesson_file(std::string_view name);
+
+/// The number with which a lesson's id begins; 0 if it begins with none.
+int lesson_number(std::string_view id);
+
+/// The most lessons of a folder that are read.
+inline constexpr std::size_t most_lessons = 100;
+
+} // namespace rasterwalk

@@ -1,0 +1,223 @@
+#include "lessons/lesson_run.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+
+#include "base/error.h"
+#include "base/quoted.h"
+#include "session/content.h"
+
+namespace rasterwalk {
+
+namespace {
+
+using Kind = LessonPrediction::Kind;
+
+/// A session of its own in the situation in which the answer is found.
+struct Trial {
+    Session session;
+    Results results;
+
+    std::vector<Fault> open(const Situation& situation, const std::string& folder,
+                            const Session& like) {
+        session.presets = like.presets;
+        std::vector<Fault> faults = apply_situation(session, situation, folder);
+        if (session.scene != nullptr) update(session, results);
+        return faults;
+    }
+};
+
+std::string pixel_text(const glm::ivec2& pixel) {
+    return std::string("(")
+        .append(std::to_string(pixel.x))
+        .append(", ")
+        .append(std::to_string(pixel.y))
+        .append(")");
+}
+
+/// NaN if there is no number.
+double value_of(const Expression& expression, const FactReader& fact) {
+    return number_of(expression, fact).value_or(std::nan(""));
+}
+
+void judge_number(const LessonPrediction& prediction, const Facts& facts, double given,
+                  Judgement& result) {
+    const FactReader reader = std::cref(facts);
+    const double number = prediction.answer ? value_of(*prediction.answer, reader) : std::nan("");
+    const double tolerance = prediction.tolerance ? value_of(*prediction.tolerance, reader) : 0.0;
+    if (std::isnan(number) || std::isnan(tolerance)) {
+        result.fault = "The program has no answer here: something that it asks for is not there.";
+        return;
+    }
+    result.number = number;
+    // What was typed and what was computed may differ in the last bits.
+    const double slack = std::abs(tolerance) + 1e-6 * std::max(1.0, std::abs(number));
+    result.is_right = std::abs(given - number) <= slack;
+    result.answer = answer_text(number);
+    if (!prediction.unit.empty()) result.answer.append(" ").append(prediction.unit);
+}
+
+void judge_choice(const LessonPrediction& prediction, const Facts& facts, int given,
+                  Judgement& result) {
+    const FactReader reader = std::cref(facts);
+    for (std::size_t i = 0; i < prediction.right.size(); ++i) {
+        if (!holds(prediction.right[i], reader)) continue;
+        if (result.choice >= 0) {
+            result.fault = "More than one of the choices is right.";
+            return;
+        }
+        result.choice = static_cast<int>(i);
+    }
+    if (result.choice < 0) {
+        result.fault = "None of the choices is right.";
+        return;
+    }
+    result.is_right = given == result.choice;
+    result.answer = prediction.choices[static_cast<std::size_t>(result.choice)];
+}
+
+} // namespace
+
+bool is_in_lessons_folder(const Lesson& lesson) {
+    std::error_code fault;
+    const std::string folder = lesson.folder.empty() ? "." : lesson.folder;
+    return std::filesystem::equivalent(folder, lessons_folder(), fault) && !fault;
+}
+
+std::vector<Fault> open_step(Session& session, const Lesson& lesson, int step) {
+    const int last = static_cast<int>(lesson.steps.size()) - 1;
+    session.lesson = lesson.id;
+    session.lesson_folder = is_in_lessons_folder(lesson) ? "" : lesson.folder;
+    session.step = std::clamp(step, 0, last);
+    const LessonStep& shown = lesson.steps[static_cast<std::size_t>(session.step)];
+    return apply_situation(session, shown.situation, lesson.folder);
+}
+
+bool is_done(const LessonTask& task, const Facts& facts) {
+    return task.done && holds(*task.done, std::cref(facts));
+}
+
+Judgement judge(const Lesson& lesson, const LessonPrediction& prediction, const GivenAnswer& answer,
+                const Session& session) {
+    Judgement result;
+    Trial trial;
+    Situation at = prediction.at;
+    if (const auto* pixel = std::get_if<glm::ivec2>(&answer.value)) at.pixel = *pixel;
+    const std::vector<Fault> faults = trial.open(at, lesson.folder, session);
+    if (!faults.empty()) {
+        result.fault = faults.front().sentence;
+        return result;
+    }
+    const Facts facts(trial.session, trial.results);
+    const FactReader reader = std::cref(facts);
+    const double* const number = std::get_if<double>(&answer.value);
+    const int* const choice = std::get_if<int>(&answer.value);
+    switch (prediction.kind) {
+    case Kind::number:
+        judge_number(prediction, facts, number != nullptr ? *number : std::nan(""), result);
+        break;
+    case Kind::choice:
+        judge_choice(prediction, facts, choice != nullptr ? *choice : -1, result);
+        break;
+    case Kind::pixel:
+        result.is_right = prediction.where && holds(*prediction.where, reader);
+        if (prediction.right_pixel) result.answer = pixel_text(*prediction.right_pixel);
+        break;
+    }
+    try {
+        const bool is_number = prediction.kind == Kind::number && result.fault.empty();
+        result.because = fill_in(prediction.because, result.answer,
+                                 is_number ? std::optional(result.number) : std::nullopt, reader);
+    } catch (const Error& fault) {
+        if (result.fault.empty()) result.fault = fault.what();
+    }
+    return result;
+}
+
+std::optional<double> read_answer(std::string_view text) {
+    std::string written(trimmed(text));
+    if (const auto comma = written.find(','); comma != written.npos) written[comma] = '.';
+    // Typographic minus signs, as they stand in the lessons.
+    for (const std::string_view minus : {"\xe2\x88\x92", "\xe2\x80\x93"}) {
+        for (std::size_t at = 0; (at = written.find(minus, at)) != written.npos; ++at)
+            written.replace(at, minus.size(), "-");
+    }
+    try {
+        const Expression expression = parse_expression(written);
+        if (!expression.is_constant()) return std::nullopt;
+        return number_of(expression, [](std::string_view) { return Value(); });
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+}
+
+std::string answer_text(double number, int digits) {
+    std::array<char, 400> text;
+    const bool is_whole = number == std::floor(number) && std::abs(number) < 1e15;
+    if (digits < 0 && is_whole) {
+        std::snprintf(text.data(), text.size(), "%.0f", number + 0.0);
+    } else if (digits < 0) {
+        // Five figures that matter; of zeros in front of them at most four.
+        const double size = std::abs(number);
+        const int before = size >= 1.0 ? static_cast<int>(std::floor(std::log10(size))) + 1
+                                       : -static_cast<int>(std::floor(-std::log10(size)));
+        if (size >= 1e15 || before < -4) {
+            std::snprintf(text.data(), text.size(), "%.4e", number);
+            return text.data();
+        }
+        std::snprintf(text.data(), text.size(), "%.*f", std::clamp(5 - before, 0, 12), number);
+        std::string result = text.data();
+        if (result.find('.') != result.npos) {
+            result.erase(result.find_last_not_of('0') + 1);
+            if (result.ends_with('.')) result.pop_back();
+        }
+        return result == "-0" ? "0" : result;
+    } else {
+        std::snprintf(text.data(), text.size(), "%.*f", std::min(digits, 12), number);
+    }
+    return text.data();
+}
+
+std::string fill_in(std::string_view text, std::string_view answer, std::optional<double> number,
+                    const FactReader& fact) {
+    std::string result;
+    while (true) {
+        const std::size_t begin = std::min(text.find_first_of("{`$"), text.size());
+        result += text.substr(0, begin);
+        text.remove_prefix(begin);
+        if (text.empty()) return result;
+        // Code and formulas have braces of their own.
+        if (text[0] != '{') {
+            const std::size_t end = text.find(text[0], 1);
+            const std::size_t length = end == text.npos ? 1 : end + 1;
+            result += text.substr(0, length);
+            text.remove_prefix(length);
+            continue;
+        }
+        const std::size_t end = text.find('}');
+        if (end == text.npos) throw UsageError("a '}' is missing after " + in_quotes(text) + ".");
+        std::string_view inner = text.substr(1, end - 1);
+        text.remove_prefix(end + 1);
+        int digits = -1;
+        if (const std::size_t colon = inner.find(':'); colon != inner.npos) {
+            const std::string_view after = trimmed(inner.substr(colon + 1));
+            if (after.size() != 1 || after[0] < '0' || after[0] > '9') {
+                throw UsageError("behind the colon in " + in_quotes(inner) +
+                                 " stands how many digits, 0 to 9.");
+            }
+            digits = after[0] - '0';
+            inner = inner.substr(0, colon);
+        }
+        if (trimmed(inner) == "answer") {
+            result += number ? answer_text(*number, digits) : std::string(answer);
+            continue;
+        }
+        const std::optional<double> value = number_of(parse_expression(inner), fact);
+        result += value ? answer_text(*value, digits) : "\xe2\x80\x93";
+    }
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,63 @@
+#pragma once
+
+// A lesson in use: its steps are shown, its tasks looked at, its predictions judged.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "facts/facts.h"
+#include "lessons/lesson.h"
+#include "session/results.h"
+#include "session/session.h"
+
+namespace rasterwalk {
+
+/// Is this one of the lessons that come with the program?
+bool is_in_lessons_folder(const Lesson& lesson);
+
+/// Opens a step: brings the session into its situation and notes lesson and step in it. A step that
+/// does not exist is the nearest that does. Returns what could not be done.
+std::vector<Fault> open_step(Session& session, const Lesson& lesson, int step);
+
+/// Is the task solved as things stand?
+bool is_done(const LessonTask& task, const Facts& facts);
+
+/// What the student answered: a number, a pixel, or which of the choices, from 0.
+struct GivenAnswer {
+    std::variant<double, glm::ivec2, int> value;
+};
+
+/// What became of an answer.
+struct Judgement {
+    std::string fault; ///< a sentence why the program has no answer; empty if it has
+    bool is_right = false;
+    std::string answer;  ///< the program's own, with its unit: "373 samples", or the right choice
+    double number = 0.0; ///< the program's own, of a number
+    int choice = -1;     ///< the right one, of a choice
+    std::string because; ///< with all numbers filled in
+};
+
+/// Finds the program's own answer in the situation `at` and judges the student's. The session that
+/// the student sees is not touched: presets are taken from it, nothing else.
+Judgement judge(const Lesson& lesson, const LessonPrediction& prediction, const GivenAnswer& answer,
+                const Session& session);
+
+/// Reads a number as a student writes it: `12`, `-0.5`, `0,5`, `1/3`, `500*2/4`. None if it is not
+/// one.
+std::optional<double> read_answer(std::string_view text);
+
+/// A number as it is told to the student: whole as it is, others with `digits` after the point, or
+/// with five figures that matter if digits is -1.
+std::string answer_text(double number, int digits = -1);
+
+/// Replaces every {EXPRESSION} by its number, and {answer} by `number` or, if that is none, by
+/// `answer`; {EXPRESSION:2} has two digits after the point. What is not there becomes a dash.
+/// Braces in code and formulas are left alone. Throws UsageError for an expression that is not
+/// understood.
+std::string fill_in(std::string_view text, std::string_view answer, std::optional<double> number,
+                    const FactReader& fact);
+
+} // namespace rasterwalk

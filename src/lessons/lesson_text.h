@@ -1,0 +1,30 @@
+#pragma once
+
+// What is written inside the lines of a lesson's text: links, pictures, formulas, footnotes. Code
+// is passed over.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/faults.h"
+#include "lessons/lesson.h"
+
+namespace rasterwalk {
+
+/// What was found, each in the order of reading.
+struct InlineParts {
+    std::vector<LinkPlace> links;     ///< and pictures
+    std::vector<TextPlace> formulas;  ///< without the dollar signs
+    std::vector<TextPlace> footnotes; ///< labels of [^label]
+};
+
+/// Looks through some Markdown. What the format does not have (reference links, bare addresses,
+/// HTML, too deep nesting) is a fault.
+/// @param first_line of the file in which the text begins
+InlineParts find_inline_parts(std::string_view text, int first_line, FaultList& faults);
+
+/// Does the line begin or end a block of code (``` or ~~~)?
+bool is_fence(std::string_view line);
+
+} // namespace rasterwalk

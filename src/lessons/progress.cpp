@@ -1,0 +1,170 @@
+#include "lessons/progress.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/toml_input.h"
+
+namespace rasterwalk {
+
+namespace {
+
+LessonProgress parse_lesson_progress(const TomlInput& input) {
+    LessonProgress lesson;
+    input.allow_only({"last_step", "steps", "tasks", "answers"});
+    input.read("last_step", lesson.last_step, 0, most_lesson_steps);
+    if (input.find("steps") != nullptr) {
+        for (const toml::node& node : input.list("steps")) {
+            const auto step = node.value<int>();
+            if (!step || *step < 0 || *step > most_lesson_steps)
+                input.fail(node, "A step is a number.");
+            lesson.steps.insert(*step);
+        }
+    }
+    if (input.find("tasks") != nullptr) {
+        for (const toml::node& node : input.list("tasks")) {
+            const auto id = node.value<std::string>();
+            if (!id) input.fail(node, "A task is named by a text.");
+            lesson.tasks.insert(*id);
+        }
+    }
+    const toml::node* const answers = input.find("answers");
+    if (answers == nullptr) return lesson;
+    const TomlInput table = input.table(*answers, "the answers");
+    for (const auto& [id, node] : table.nodes()) {
+        const TomlInput answer = table.table(node, "an answer");
+        answer.allow_only({"said", "right"});
+        const toml::node* const right = answer.find("right");
+        const auto is_right = right != nullptr ? right->value<bool>() : std::optional<bool>(false);
+        if (!is_right) answer.fail(*right, "'right' is true or false.");
+        lesson.answers[std::string(id.str())] = {answer.text_or_empty("said"), *is_right};
+    }
+    return lesson;
+}
+
+} // namespace
+
+const LessonProgress& Progress::of(const std::string& lesson) const {
+    static const LessonProgress none;
+    const auto found = lessons.find(lesson);
+    return found == lessons.end() ? none : found->second;
+}
+
+bool Progress::is_step_seen(const std::string& lesson, int step) const {
+    return of(lesson).steps.count(step) > 0;
+}
+
+bool Progress::is_task_done(const std::string& lesson, const std::string& task) const {
+    return of(lesson).tasks.count(task) > 0;
+}
+
+void Progress::note_step(const std::string& lesson, int step) {
+    last_lesson = lesson;
+    lessons[lesson].last_step = step;
+    lessons[lesson].steps.insert(step);
+}
+
+void Progress::note_task(const std::string& lesson, const std::string& task) {
+    lessons[lesson].tasks.insert(task);
+}
+
+void Progress::note_answer(const std::string& lesson, const std::string& prediction,
+                           const FirstAnswer& answer) {
+    lessons[lesson].answers.try_emplace(prediction, answer);
+}
+
+LessonScore score_of(const Progress& progress, const Lesson& lesson) {
+    const LessonProgress& own = progress.of(lesson.id);
+    LessonScore score;
+    score.all = static_cast<int>(lesson.tasks.size() + lesson.predictions.size());
+    for (const LessonTask& task : lesson.tasks)
+        score.done += own.tasks.count(task.id) > 0 ? 1 : 0;
+    for (const LessonPrediction& prediction : lesson.predictions)
+        score.done += own.answers.count(prediction.id) > 0 ? 1 : 0;
+    const int last = static_cast<int>(lesson.steps.size()) - 1;
+    score.last_step = std::clamp(own.last_step, 0, std::max(last, 0));
+    bool all_seen = true;
+    for (int step = 0; step <= last; ++step)
+        all_seen = all_seen && own.steps.count(step) > 0;
+    score.is_done = all_seen && score.done == score.all;
+    return score;
+}
+
+std::string lesson_to_open(const Progress& progress, const std::vector<Lesson>& lessons) {
+    if (lessons.empty()) return {};
+    for (const Lesson& lesson : lessons) {
+        if (lesson.id == progress.last_lesson && !score_of(progress, lesson).is_done) {
+            return lesson.id;
+        }
+    }
+    for (const Lesson& lesson : lessons) {
+        if (!score_of(progress, lesson).is_done) return lesson.id;
+    }
+    return lessons.front().id;
+}
+
+std::string progress_text(const Progress& progress) {
+    toml::table lessons;
+    for (const auto& [id, own] : progress.lessons) {
+        toml::array steps, tasks;
+        for (const int step : own.steps)
+            steps.push_back(step);
+        for (const std::string& task : own.tasks)
+            tasks.push_back(task);
+        toml::table answers;
+        for (const auto& [prediction, answer] : own.answers) {
+            answers.insert(prediction,
+                           toml::table{{"said", answer.said}, {"right", answer.is_right}});
+        }
+        lessons.insert(id, toml::table{{"last_step", own.last_step},
+                                       {"steps", std::move(steps)},
+                                       {"tasks", std::move(tasks)},
+                                       {"answers", std::move(answers)}});
+    }
+    std::ostringstream out;
+    out << toml::table{{"last_lesson", progress.last_lesson}, {"lessons", std::move(lessons)}}
+        << '\n';
+    return out.str();
+}
+
+Progress parse_progress(std::string_view text, const std::string& path) {
+    const toml::table root = parse_toml(text, path);
+    const TomlInput input(root, path, "the progress");
+    input.allow_only({"last_lesson", "lessons"});
+    Progress progress;
+    progress.last_lesson = input.text_or_empty("last_lesson");
+    const toml::node* const lessons = input.find("lessons");
+    if (lessons == nullptr) return progress;
+    const TomlInput table = input.table(*lessons, "the lessons");
+    for (const auto& [id, node] : table.nodes()) {
+        progress.lessons[std::string(id.str())] =
+            parse_lesson_progress(table.table(node, "a lesson"));
+    }
+    return progress;
+}
+
+Progress read_progress(const std::string& path) {
+    std::error_code fault;
+    if (!std::filesystem::exists(path, fault) && !fault) return {};
+    return parse_progress(read_file(path, largest_progress), path);
+}
+
+void write_progress(const Progress& progress, const std::string& path) {
+    std::error_code fault; // the writing itself will tell
+    std::filesystem::create_directories(std::filesystem::path(path).parent_path(), fault);
+    write_file(path, progress_text(progress));
+}
+
+std::string state_folder() {
+    const char* const state = std::getenv("XDG_STATE_HOME");
+    if (state != nullptr && *state == '/') return std::string(state).append("/rasterwalk");
+    const char* const home = std::getenv("HOME");
+    if (home == nullptr || *home == '\0') return {};
+    return std::string(home).append("/.local/state/rasterwalk");
+}
+
+} // namespace rasterwalk

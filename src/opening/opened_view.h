@@ -1,0 +1,60 @@
+#pragma once
+
+// From what a command line, a lesson or a saved view says to a session: what the program opens
+// with.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lessons/lesson.h"
+#include "session/session.h"
+
+namespace rasterwalk {
+
+/// What a command line says about the view, as it was written. What is empty was not said. Where a
+/// lesson or a saved view sets something, `none` takes it away again.
+struct ViewOptions {
+    std::string file;   ///< a scene (.toml), a lesson (.md) or a saved view (.walk.toml)
+    std::string scene;  ///< path, from here or from lessons_folder(); the lab's room if not given
+    std::string lesson; ///< id, or path of a lesson
+    std::string step;   ///< of the lesson; 0 is its opening
+    std::string stage;
+    std::string bug; ///< id; its scene is taken unless one is named
+    std::vector<std::string> presets;
+    std::vector<std::string> assignments; ///< name=value
+    std::string to;                       ///< a cursor
+    std::string size;                     ///< WIDTHxHEIGHT; keeps the field of view
+    std::vector<std::string> vertices;    ///< of a bench scene, see parse_placed_triangle()
+
+    std::string tab;
+    std::string view; ///< plane that is shown
+    std::vector<std::string> overlays;
+    std::string pixel, triangle, row, vertex;
+    std::string zoom, centre, grid;
+    std::vector<std::string> b; ///< name=value: run B differs by these
+    std::string compare_view, wipe;
+    std::string depth_range;
+
+    friend bool operator==(const ViewOptions&, const ViewOptions&) = default;
+};
+
+/// The session that the options describe. It begins with the scene, the step of the lesson or the
+/// saved view; then take effect size, bug, presets, stage, assignments, in this order, so that what
+/// is more exact wins, and then all others. With a bug the correct run is run B unless `b` says
+/// otherwise. Throws Error: what a file says wrongly is an InputError with file:line. A lesson that
+/// is wrong elsewhere than in what this step shows opens, and session.notice says so.
+Session open_view(const ViewOptions& given);
+
+/// The path of the scene that a text names: a file, or one in lessons_folder()
+/// ("scenes/fence.toml").
+std::string find_scene_file(const std::string& name);
+
+/// The lesson of this id or at this path. Throws Error if there is none; what is wrong in it stands
+/// in its faults.
+Lesson lesson_named(const std::string& name);
+
+/// Is this the name of a saved view?
+bool is_view_file(std::string_view path);
+
+} // namespace rasterwalk

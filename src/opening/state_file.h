@@ -1,0 +1,42 @@
+#pragma once
+
+// The exact view in a file of text, *.walk.toml, to be opened again or given to someone else.
+
+#include <string>
+#include <string_view>
+
+#include "view/situation.h"
+
+namespace rasterwalk {
+
+/// A view as it stands in a file.
+struct SavedView {
+    std::string path;    ///< of the file; the scene and the lesson are found from its folder
+    std::string scene;   ///< file beside it or in a folder below, or one of the program's own
+    std::string lesson;  ///< id, or a file (.md) beside it; empty: none
+    int step = 0;        ///< of the lesson
+    Situation situation; ///< on that scene; its lines are those of the file
+};
+
+/// The view as text. Scene and lesson are named from the folder in which the file is to lie.
+/// Throws UsageError where they cannot be: a file outside this folder cannot be named, so that what
+/// is handed on can be opened elsewhere.
+/// @param path of the file that is to hold it
+std::string view_text(const Session& session, const std::string& path);
+
+/// Writes it. Throws Error; the file is then as it was.
+void write_view(const Session& session, const std::string& path);
+
+/// Reads a view. Throws AccessError, or InputError with file:line for everything that is not one:
+/// unknown keys, values that cannot be, a file that is too large.
+SavedView parse_view(std::string_view text, const std::string& path);
+SavedView read_view(const std::string& path);
+
+/// The path of the file that a view names: in its own folder, or else in lessons_folder(). Throws
+/// InputError with the line of `key`.
+std::string find_file(const SavedView& view, const char* key, const std::string& name);
+
+/// The largest file of a view that is read, bytes.
+inline constexpr std::size_t largest_view_file = std::size_t{1} << 20;
+
+} // namespace rasterwalk

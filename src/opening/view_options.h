@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "opening/opened_view.h"
+
+namespace CLI {
+class App;
+}
+
+namespace rasterwalk {
+
+/// Gives a command the options that say what is drawn: --scene --lesson --step --stage --bug
+/// --preset --set --to --size --vertices.
+void add_view_options(CLI::App& command, ViewOptions& options);
+
+/// Gives it those that say what of it is shown, and how: --view --tab --pixel --zoom --b ...
+void add_look_options(CLI::App& command, ViewOptions& options);
+
+/// --view and --depth-range alone, for what writes one picture.
+void add_plane_options(CLI::App& command, ViewOptions& options);
+
+/// Turns arguments that begin like a negative number ("-5,3") into ones that CLI11 does not take
+/// for options. The program's own name is left out.
+std::vector<std::string> command_arguments(int argc, const char* const* argv);
+
+} // namespace rasterwalk

@@ -1,0 +1,388 @@
+#include "picture/overlay.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "picture/colour_map.h"
+
+namespace rasterwalk {
+
+namespace {
+
+constexpr glm::vec<3, std::uint8_t> orange{230, 159, 0};
+constexpr glm::vec<3, std::uint8_t> sky_blue{86, 180, 233};
+constexpr glm::vec<3, std::uint8_t> yellow{240, 228, 66};
+constexpr glm::vec<3, std::uint8_t> vermillion{213, 94, 0};
+constexpr glm::vec<3, std::uint8_t> reddish_purple{204, 121, 167};
+
+/// From the lowest layer to the highest: tints of everything first, then what marks few pixels.
+constexpr Overlay layers[] = {Overlay::owner,    Overlay::overdraw, Overlay::affine_error,
+                              Overlay::depth,    Overlay::over_one, Overlay::drawn_twice,
+                              Overlay::uncovered};
+
+float brightest_channel(const glm::vec3& colour) {
+    return std::max({colour.r, colour.g, colour.b});
+}
+
+/// A straight-alpha colour that further tints are laid over.
+struct Blend {
+    float red = 0.0f, green = 0.0f, blue = 0.0f, opacity = 0.0f;
+
+    void lay(const Tint& tint) {
+        const float below = opacity * (1.0f - tint.opacity);
+        const float sum = tint.opacity + below;
+        if (!(sum > 0.0f)) return;
+        const auto mix = [&](float channel, std::uint8_t over) {
+            return (static_cast<float>(over) * tint.opacity + channel * below) / sum;
+        };
+        red = mix(red, tint.colour.r);
+        green = mix(green, tint.colour.g);
+        blue = mix(blue, tint.colour.b);
+        opacity = sum;
+    }
+};
+
+/// How much of an overlay a pixel has; below 0: nothing at all.
+struct Amounts {
+    const Framebuffer& framebuffer;
+    const PixelFacts& facts;
+    const OverlayTotals& totals;
+
+    float of(Overlay overlay, std::size_t pixel) const {
+        switch (overlay) {
+        case Overlay::owner:
+            return framebuffer.owner[pixel] >= 0 ? 1.0f : -1.0f;
+        case Overlay::overdraw:
+            return framebuffer.overdraw[pixel] == 0
+                       ? -1.0f
+                       : static_cast<float>(framebuffer.overdraw[pixel]) /
+                             static_cast<float>(totals.most_overdraw);
+        case Overlay::drawn_twice:
+            return facts.drawn_twice[pixel] ? 1.0f : -1.0f;
+        case Overlay::depth:
+            if (facts.depth.empty() || facts.depth[pixel] == DepthVerdicts{}) return -1.0f;
+            return facts.depth[pixel].failed > 0 ? 1.0f : 0.0f;
+        case Overlay::uncovered:
+            return framebuffer.overdraw[pixel] == 0 ? 1.0f : -1.0f;
+        case Overlay::over_one:
+            return brightest_channel(framebuffer.colour[pixel]) > 1.0f ? 1.0f : -1.0f;
+        case Overlay::affine_error:
+            return totals.largest_error > 0.0f ? facts.affine_error[pixel] / totals.largest_error
+                                               : -1.0f;
+        case Overlay::wireframe:
+            break;
+        }
+        return -1.0f;
+    }
+};
+
+void count_owners(const Framebuffer& framebuffer, int triangles, OverlayTotals& totals) {
+    std::vector<bool> seen(static_cast<std::size_t>(triangles), false);
+    for (const std::int32_t owner : framebuffer.owner) {
+        if (owner >= 0) seen[static_cast<std::size_t>(owner)] = true;
+    }
+    totals.visible_triangles = static_cast<int>(std::count(seen.begin(), seen.end(), true));
+}
+
+OverlayTotals count_totals(const Frame& frame, const Framebuffer& framebuffer, OverlaySet shown,
+                           const PixelFacts& facts) {
+    OverlayTotals totals;
+    if (shown.has(Overlay::owner)) count_owners(framebuffer, frame.triangle_count(), totals);
+    for (const std::uint32_t overdraw : framebuffer.overdraw) {
+        totals.fragments += overdraw;
+        totals.most_overdraw = std::max(totals.most_overdraw, overdraw);
+        totals.uncovered += overdraw == 0 ? 1 : 0;
+    }
+    if (shown.has(Overlay::over_one)) {
+        for (const glm::vec3& colour : framebuffer.colour) {
+            const float channel = brightest_channel(colour);
+            totals.over_one += channel > 1.0f ? 1 : 0;
+            totals.brightest = std::max(totals.brightest, channel);
+        }
+    }
+    if (shown.has(Overlay::drawn_twice)) {
+        totals.drawn_twice = std::count_if(facts.drawn_twice.begin(), facts.drawn_twice.end(),
+                                           [](const DrawnTwice& twice) { return bool(twice); });
+    }
+    if (shown.has(Overlay::depth)) {
+        for (const DepthVerdicts& verdicts : facts.depth) {
+            totals.failed_pixels += verdicts.failed > 0 ? 1 : 0;
+            totals.failed_fragments += verdicts.failed;
+        }
+    }
+    if (shown.has(Overlay::affine_error)) {
+        double sum = 0.0;
+        std::int64_t covered = 0;
+        for (std::size_t i = 0; i < facts.affine_error.size(); ++i) {
+            if (framebuffer.owner[i] < 0) continue;
+            ++covered;
+            sum += static_cast<double>(facts.affine_error[i]);
+            totals.largest_error = std::max(totals.largest_error, facts.affine_error[i]);
+        }
+        totals.mean_error = covered > 0 ? sum / static_cast<double>(covered) : 0.0;
+    }
+    return totals;
+}
+
+/// The different edges of the frame, in the order of drawing, each once.
+std::vector<WireEdge> find_wires(const Frame& frame) {
+    std::vector<WireEdge> wires;
+    for (int t = 0; t < frame.triangle_count(); ++t) {
+        if (!frame.is_drawn(t)) continue;
+        const std::span<const Fragment> v = frame.triangle_vertices(t);
+        for (int e = 0; e < 3; ++e) {
+            const Fragment& a = v[e];
+            const Fragment& b = v[(e + 1) % 3];
+            wires.push_back({{a.column, a.row}, {b.column, b.row}, t, e});
+        }
+    }
+    const auto key = [](const WireEdge& wire) {
+        const std::array from{wire.from.x, wire.from.y}, to{wire.to.x, wire.to.y};
+        return from < to ? std::pair(from, to) : std::pair(to, from);
+    };
+    std::stable_sort(wires.begin(), wires.end(),
+                     [&](const WireEdge& a, const WireEdge& b) { return key(a) < key(b); });
+    wires.erase(std::unique(wires.begin(), wires.end(),
+                            [&](const WireEdge& a, const WireEdge& b) { return key(a) == key(b); }),
+                wires.end());
+    std::sort(wires.begin(), wires.end(), [](const WireEdge& a, const WireEdge& b) {
+        return std::pair(a.triangle, a.edge) < std::pair(b.triangle, b.edge);
+    });
+    return wires;
+}
+
+Image compose_image(const Framebuffer& framebuffer, OverlaySet shown, const Amounts& amounts) {
+    Image image{framebuffer.size.width, framebuffer.size.height, {}};
+    image.rgba.resize(4 * framebuffer.owner.size());
+    std::size_t pixel = 0;
+    for (int row = 0; row < image.height; ++row) {
+        for (int column = 0; column < image.width; ++column, ++pixel) {
+            Blend blend;
+            for (const Overlay overlay : layers) {
+                if (!shown.has(overlay)) continue;
+                const float amount = amounts.of(overlay, pixel);
+                if (amount < 0.0f) continue;
+                blend.lay(overlay_tint(overlay, amount, {column, row}, framebuffer.owner[pixel]));
+            }
+            const auto byte = [](float value) {
+                return static_cast<std::uint8_t>(std::lround(value));
+            };
+            image.rgba[4 * pixel + 0] = byte(blend.red);
+            image.rgba[4 * pixel + 1] = byte(blend.green);
+            image.rgba[4 * pixel + 2] = byte(blend.blue);
+            image.rgba[4 * pixel + 3] = byte(255.0f * blend.opacity);
+        }
+    }
+    return image;
+}
+
+/// 0..period - 1, for numbers of either sign.
+int wrapped(int value, int period) {
+    return ((value % period) + period) % period;
+}
+
+double distance_to_wire(const WireEdge& wire, glm::ivec2 pixel) {
+    const double dx = wire.to.x - wire.from.x, dy = wire.to.y - wire.from.y;
+    const double px = pixel.x - wire.from.x, py = pixel.y - wire.from.y;
+    const double length2 = dx * dx + dy * dy;
+    const double t = length2 > 0.0 ? std::clamp((px * dx + py * dy) / length2, 0.0, 1.0) : 0.0;
+    return std::hypot(px - t * dx, py - t * dy);
+}
+
+const WireEdge* nearest_wire(const OverlayPicture& picture, glm::ivec2 pixel, double reach) {
+    const WireEdge* nearest = nullptr;
+    for (const WireEdge& wire : picture.wires) {
+        const double distance = distance_to_wire(wire, pixel);
+        if (distance > reach) continue;
+        nearest = &wire;
+        reach = distance;
+    }
+    return nearest;
+}
+
+std::string decimals(double value, int digits) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.*f", digits, value);
+    return text;
+}
+
+std::string counted(std::int64_t count, std::string_view one, std::string_view many) {
+    return std::to_string(count).append(" ").append(count == 1 ? one : many);
+}
+
+} // namespace
+
+const std::array<OverlayInfo, overlay_count>& overlay_list() {
+    static constexpr std::array<OverlayInfo, overlay_count> list{{
+        {Overlay::wireframe, "wireframe", "wireframe",
+         "The true edges of all triangles: straight lines between the projected vertices."},
+        {Overlay::owner, "owner", "triangle owner",
+         "Tints every triangle in a colour of its own and names the one under the pointer."},
+        {Overlay::overdraw, "overdraw", "overdraw",
+         "How many fragments fell on each pixel, drawn or not."},
+        {Overlay::drawn_twice, "drawn_twice", "drawn twice",
+         "Pixels on which two neighbours both drew a fragment: both ends of a row are inclusive, "
+         "so both draw the edge that they share."},
+        {Overlay::depth, "depth", "depth test",
+         "Hatched where some fragment failed the depth test, blue where all passed."},
+        {Overlay::uncovered, "uncovered", "uncovered", "Pixels on which nothing fell."},
+        {Overlay::over_one, "over_one", "colour over 1",
+         "Pixels with a channel above 1, which is cut when the colour is shown."},
+        {Overlay::affine_error, "affine_error", "affine error",
+         "How far apart the affine and the perspective-correct position of the visible point lie "
+         "in the world."},
+    }};
+    return list;
+}
+
+std::optional<Overlay> find_overlay(std::string_view name) {
+    for (const OverlayInfo& info : overlay_list()) {
+        if (info.name == name) return info.overlay;
+    }
+    return std::nullopt;
+}
+
+int OverlaySet::count() const {
+    return std::popcount(bits);
+}
+
+FactsWanted facts_wanted(OverlaySet overlays) {
+    return {overlays.has(Overlay::drawn_twice), overlays.has(Overlay::depth),
+            overlays.has(Overlay::affine_error)};
+}
+
+void compose_overlays(const Frame& frame, const Cursor& cursor, const Framebuffer& framebuffer,
+                      OverlaySet overlays, bool same_moment, OverlayPicture& picture) {
+    picture.shown = overlays;
+    const FactsWanted wanted = facts_wanted(overlays);
+    if (!same_moment || !picture.facts.known.includes(wanted)) {
+        picture.facts = pixel_facts(frame, cursor, wanted);
+    }
+    picture.totals = count_totals(frame, framebuffer, overlays, picture.facts);
+    picture.wires.clear();
+    if (overlays.has(Overlay::wireframe)) {
+        picture.wires = find_wires(frame);
+        picture.totals.wires = static_cast<int>(picture.wires.size());
+        if (picture.wires.size() > most_wires) picture.wires.resize(most_wires);
+    }
+    OverlaySet tints = overlays;
+    tints.set(Overlay::wireframe, false);
+    picture.image = tints.empty() ? Image{}
+                                  : compose_image(framebuffer, tints,
+                                                  {framebuffer, picture.facts, picture.totals});
+}
+
+Tint overlay_tint(Overlay overlay, float amount, glm::ivec2 pixel, int triangle) {
+    switch (overlay) {
+    case Overlay::owner:
+        return {distinct_colour(triangle), 0.6f};
+    case Overlay::overdraw:
+        return {viridis(amount), 0.65f};
+    case Overlay::affine_error:
+        return {reddish_purple, 0.9f * amount};
+    case Overlay::depth:
+        if (amount > 0.0f) return {vermillion, wrapped(pixel.x + pixel.y, 6) < 2 ? 0.9f : 0.35f};
+        return {sky_blue, 0.22f};
+    case Overlay::over_one:
+        // Stripes as cameras show what is too bright; between them the picture can be seen.
+        switch (wrapped(pixel.x - pixel.y, 6)) {
+        case 0:
+        case 1:
+            return {{255, 255, 255}, 0.9f};
+        case 2:
+            return {{0, 0, 0}, 0.75f};
+        default:
+            return {{255, 255, 255}, 0.2f};
+        }
+    case Overlay::drawn_twice:
+        return {yellow, 0.95f};
+    case Overlay::uncovered:
+        return {orange, wrapped(pixel.x + pixel.y, 4) < 2 ? 1.0f : 0.55f};
+    case Overlay::wireframe:
+        break;
+    }
+    return {};
+}
+
+std::string overlay_total(Overlay overlay, const Frame& frame, const OverlayPicture& picture) {
+    const OverlayTotals& totals = picture.totals;
+    switch (overlay) {
+    case Overlay::wireframe:
+        if (totals.wires > most_wires) {
+            return "the first " + std::to_string(most_wires) + " of " +
+                   counted(totals.wires, "edge", "edges");
+        }
+        return counted(totals.wires, "edge", "edges");
+    case Overlay::owner:
+        return std::to_string(totals.visible_triangles) + " of " +
+               counted(frame.triangle_count(), "triangle", "triangles") + " to be seen";
+    case Overlay::overdraw:
+        return counted(totals.fragments, "fragment", "fragments") + ", at most " +
+               std::to_string(totals.most_overdraw) + " on a pixel";
+    case Overlay::drawn_twice:
+        return counted(totals.drawn_twice, "pixel", "pixels");
+    case Overlay::depth:
+        if (picture.facts.depth.empty()) return "no depth test is in force";
+        return std::to_string(totals.failed_fragments) + " failed on " +
+               counted(totals.failed_pixels, "pixel", "pixels");
+    case Overlay::uncovered:
+        return std::to_string(totals.uncovered) + " uncovered";
+    case Overlay::over_one:
+        return counted(totals.over_one, "pixel", "pixels") + ", the brightest " +
+               decimals(static_cast<double>(totals.brightest), 2);
+    case Overlay::affine_error:
+        return "at most " + decimals(static_cast<double>(totals.largest_error), 3) + ", mean " +
+               decimals(totals.mean_error, 3) + " world units";
+    }
+    return {};
+}
+
+std::array<std::string, 2> overlay_scale(Overlay overlay, const OverlayPicture& picture) {
+    if (overlay == Overlay::overdraw) return {"1", std::to_string(picture.totals.most_overdraw)};
+    if (overlay == Overlay::affine_error)
+        return {"0", decimals(static_cast<double>(picture.totals.largest_error), 3)};
+    return {};
+}
+
+std::string overlay_value(Overlay overlay, const Frame& frame, const Framebuffer& framebuffer,
+                          const OverlayPicture& picture, glm::ivec2 pixel, float reach) {
+    if (!framebuffer.contains(pixel.x, pixel.y)) return {};
+    const std::size_t at = framebuffer.at(pixel.x, pixel.y);
+    const int owner = framebuffer.owner[at];
+    switch (overlay) {
+    case Overlay::wireframe: {
+        const WireEdge* const wire = nearest_wire(picture, pixel, static_cast<double>(reach));
+        if (wire == nullptr) return "no edge";
+        return "edge " + std::to_string(wire->edge + 1) + " of triangle " +
+               std::to_string(wire->triangle + 1);
+    }
+    case Overlay::owner:
+        if (owner < 0) return "none";
+        return "triangle " + std::to_string(owner + 1) + ", " + part_name(*frame.scene, owner);
+    case Overlay::overdraw:
+        return counted(framebuffer.overdraw[at], "fragment", "fragments");
+    case Overlay::drawn_twice: {
+        const DrawnTwice& twice = picture.facts.drawn_twice[at];
+        if (!twice) return "no";
+        return "triangles " + std::to_string(twice.first + 1) + " and " +
+               std::to_string(twice.second + 1);
+    }
+    case Overlay::depth:
+        if (picture.facts.depth.empty()) return {};
+        return std::to_string(picture.facts.depth[at].passed) + " passed, " +
+               std::to_string(picture.facts.depth[at].failed) + " failed";
+    case Overlay::uncovered:
+        return framebuffer.overdraw[at] == 0 ? "uncovered" : "covered";
+    case Overlay::over_one:
+        return owner < 0
+                   ? "none"
+                   : decimals(static_cast<double>(brightest_channel(framebuffer.colour[at])), 3);
+    case Overlay::affine_error:
+        return owner < 0 ? "none"
+                         : decimals(static_cast<double>(picture.facts.affine_error[at]), 4);
+    }
+    return {};
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,131 @@
+#pragma once
+
+// What can be laid over the picture, any number of them at once: each is a plane of facts about the
+// pixels, a way to colour it, a total, and a sentence about the pixel pointed at.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "base/image.h"
+#include "picture/pixel_facts.h"
+#include "pipeline/framebuffer.h"
+
+namespace rasterwalk {
+
+enum class Overlay : std::uint8_t {
+    wireframe,    ///< the edges of all triangles that are drawn, as lines
+    owner,        ///< each triangle tinted in a colour of its own
+    overdraw,     ///< how many fragments fell on the pixel
+    drawn_twice,  ///< pixels on which two neighbours both drew; see PixelFacts
+    depth,        ///< whether some fragment of the pixel failed the depth test
+    uncovered,    ///< pixels on which nothing fell
+    over_one,     ///< pixels of a colour that is cut at 1 when it is shown
+    affine_error, ///< how far off affine interpolation puts the visible point
+};
+
+inline constexpr int overlay_count = 8;
+
+/// What the interface says of an overlay.
+struct OverlayInfo {
+    Overlay overlay;
+    std::string_view name;  ///< one word, for tests and lessons
+    std::string_view title; ///< on the switch and in the legend
+    std::string_view help;  ///< one sentence
+};
+
+/// All overlays, in the order of their switches; indexed by Overlay.
+const std::array<OverlayInfo, overlay_count>& overlay_list();
+
+/// The overlay of this name.
+std::optional<Overlay> find_overlay(std::string_view name);
+
+/// The overlays that are switched on.
+struct OverlaySet {
+    std::uint8_t bits = 0;
+
+    bool has(Overlay overlay) const { return ((bits >> static_cast<int>(overlay)) & 1) != 0; }
+    void set(Overlay overlay, bool on) {
+        const auto bit = static_cast<std::uint8_t>(1u << static_cast<int>(overlay));
+        bits = static_cast<std::uint8_t>(on ? bits | bit : bits & ~bit);
+    }
+    bool empty() const { return bits == 0; }
+    int count() const;
+    friend bool operator==(const OverlaySet&, const OverlaySet&) = default;
+};
+
+/// The facts that a set of overlays needs.
+FactsWanted facts_wanted(OverlaySet overlays);
+
+/// The edge of a triangle between two projected vertices, column and row. An edge that several
+/// triangles have in common is that of the first.
+struct WireEdge {
+    glm::ivec2 from, to;
+    int triangle = 0;
+    int edge = 0; ///< 0..2
+};
+
+/// More edges than this are not drawn: they would be a carpet, and ImGui's draw lists count their
+/// corners in 16 bits.
+inline constexpr int most_wires = 3000;
+
+/// What the overlays come to, in the whole picture. Only numbers of those shown are worked out.
+struct OverlayTotals {
+    int wires = 0;                   ///< different edges, drawn or not
+    int visible_triangles = 0;       ///< that own a pixel
+    std::int64_t fragments = 0;      ///< that fell in the picture
+    std::uint32_t most_overdraw = 0; ///< on one pixel
+    std::int64_t drawn_twice = 0;    ///< pixels
+    std::int64_t failed_pixels = 0;  ///< with a fragment that failed
+    std::int64_t failed_fragments = 0;
+    std::int64_t uncovered = 0; ///< pixels
+    std::int64_t over_one = 0;  ///< pixels
+    float brightest = 0.0f;     ///< largest channel of any pixel
+    float largest_error = 0.0f; ///< world units
+    double mean_error = 0.0;    ///< world units, over the pixels that are covered
+};
+
+/// The overlays on show, ready to be laid over the picture.
+struct OverlayPicture {
+    OverlaySet shown;
+    PixelFacts facts;
+    OverlayTotals totals;
+    std::vector<WireEdge> wires; ///< at most most_wires
+    Image image; ///< all overlays but the wireframe; without pixels if there is none
+};
+
+/// Makes what is shown over the framebuffer that stands at `cursor`. Facts that `picture` has
+/// already are kept if `same_moment`: the frame and the cursor are those of the last call.
+void compose_overlays(const Frame& frame, const Cursor& cursor, const Framebuffer& framebuffer,
+                      OverlaySet overlays, bool same_moment, OverlayPicture& picture);
+
+/// A colour laid over the picture.
+struct Tint {
+    glm::vec<3, std::uint8_t> colour{0, 0, 0};
+    float opacity = 0.0f; ///< 0..1
+};
+
+/// How an overlay colours a pixel. The pattern, where it has one, tells it from others without
+/// colour.
+/// @param amount how much of it, 0..1; for depth 1 is failed and 0 passed; for the owner unused
+Tint overlay_tint(Overlay overlay, float amount, glm::ivec2 pixel, int triangle = 0);
+
+/// What the overlay comes to: "998 pixels".
+std::string overlay_total(Overlay overlay, const Frame& frame, const OverlayPicture& picture);
+
+/// The two ends of the overlay's scale, "0" and "0.52 world units"; both empty if it has none.
+std::array<std::string, 2> overlay_scale(Overlay overlay, const OverlayPicture& picture);
+
+/// What the overlay says of one pixel of the picture: "2 passed, 1 failed".
+/// @param reach how far from the pixel's middle an edge of the wireframe may run, pixels
+std::string overlay_value(Overlay overlay, const Frame& frame, const Framebuffer& framebuffer,
+                          const OverlayPicture& picture, glm::ivec2 pixel, float reach = 3.0f);
+
+} // namespace rasterwalk

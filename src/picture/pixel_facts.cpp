@@ -1,0 +1,196 @@
+#include "picture/pixel_facts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "pipeline/draw.h"
+#include "pipeline/observer.h"
+#include "stages/pixel_shader.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// The frame with the same fragments and the same depth test, but without light, which would only
+/// take time.
+Frame unlit_frame(const Frame& frame, Interpolation interpolation) {
+    Settings settings = frame.settings;
+    settings.interpolation = interpolation;
+    settings.stage = std::min(settings.stage, Stage::depth);
+    return prepare_frame(*frame.scene, settings, *frame.stages);
+}
+
+/// A side of a triangle: the two points that it joins, the smaller one first.
+struct Side {
+    std::array<float, 6> points;
+    int triangle;
+    int opposite; ///< vertex of the triangle that is not on the side, 0..2
+};
+
+Side side_of(const Scene& scene, int triangle, int from) {
+    const auto& vertices = scene.triangles[static_cast<std::size_t>(triangle)].vertices;
+    glm::vec3 a = vertices[static_cast<std::size_t>(from)].position;
+    glm::vec3 b = vertices[static_cast<std::size_t>((from + 1) % 3)].position;
+    const auto comes_before = [](const glm::vec3& p, const glm::vec3& q) {
+        return std::array{p.x, p.y, p.z} < std::array{q.x, q.y, q.z};
+    };
+    if (comes_before(b, a)) std::swap(a, b);
+    return {{a.x, a.y, a.z, b.x, b.y, b.z}, triangle, (from + 2) % 3};
+}
+
+/// On which side of the line from a to b does p lie in the picture? 0: on it.
+int side_of_line(const Fragment& a, const Fragment& b, const Fragment& p) {
+    const std::int64_t area = static_cast<std::int64_t>(b.column - a.column) * (p.row - a.row) -
+                              static_cast<std::int64_t>(b.row - a.row) * (p.column - a.column);
+    return area > 0 ? 1 : area < 0 ? -1 : 0;
+}
+
+/// For each triangle the earlier ones that have an edge in common with it and are not folded over
+/// it: those of triangle t stand from begin[t] up to begin[t + 1].
+struct Neighbours {
+    std::vector<int> begin;
+    std::vector<int> earlier;
+
+    std::span<const int> of(int triangle) const {
+        const auto t = static_cast<std::size_t>(triangle);
+        return {earlier.data() + begin[t], static_cast<std::size_t>(begin[t + 1] - begin[t])};
+    }
+};
+
+Neighbours find_neighbours(const Frame& frame) {
+    std::vector<Side> sides;
+    for (int t = 0; t < frame.triangle_count(); ++t) {
+        for (int v = 0; v < 3 && frame.is_drawn(t); ++v)
+            sides.push_back(side_of(*frame.scene, t, v));
+    }
+    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+        return a.points != b.points ? a.points < b.points : a.triangle < b.triangle;
+    });
+    std::vector<std::pair<int, int>> pairs; // later, earlier
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        const Side& later = sides[i];
+        const std::span<const Fragment> v = frame.triangle_vertices(later.triangle);
+        const Fragment& a = v[(later.opposite + 1) % 3];
+        const Fragment& b = v[(later.opposite + 2) % 3];
+        const int on_side = side_of_line(a, b, v[later.opposite]);
+        for (std::size_t j = i; j > 0 && i - j < most_on_an_edge; --j) {
+            const Side& earlier = sides[j - 1];
+            if (earlier.points != later.points) break;
+            const Fragment& p = frame.triangle_vertices(earlier.triangle)[earlier.opposite];
+            if (earlier.triangle != later.triangle && on_side * side_of_line(a, b, p) < 0)
+                pairs.emplace_back(later.triangle, earlier.triangle);
+        }
+    }
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    Neighbours neighbours;
+    neighbours.begin.assign(static_cast<std::size_t>(frame.triangle_count()) + 1, 0);
+    for (const auto& [later, earlier] : pairs) {
+        ++neighbours.begin[static_cast<std::size_t>(later) + 1];
+        neighbours.earlier.push_back(earlier);
+    }
+    for (std::size_t t = 1; t < neighbours.begin.size(); ++t)
+        neighbours.begin[t] += neighbours.begin[t - 1];
+    return neighbours;
+}
+
+/// Notes the planes while the frame is drawn.
+class FactsObserver : public Observer {
+  public:
+    FactsObserver(const Frame& frame, PixelFacts& facts)
+        : frame_(frame), facts_(facts), width_(frame.settings.viewport.width) {
+        if (!facts.drawn_twice.empty()) neighbours_ = find_neighbours(frame);
+        if (!facts.affine_error.empty())
+            positions.assign(facts.affine_error.size(), glm::vec3(0.0f));
+    }
+
+    void fragment(const FragmentEvent& event) override {
+        const Fragment& f = event.fragment;
+        const std::size_t pixel = static_cast<std::size_t>(f.row) * width_ + f.column;
+        if (!facts_.drawn_twice.empty()) note_neighbours(event.cursor.triangle, f, pixel);
+        if (!facts_.depth.empty()) {
+            DepthVerdicts& verdicts = facts_.depth[pixel];
+            ++(event.fate == Fate::written ? verdicts.passed : verdicts.failed);
+        }
+        if (!positions.empty() && event.fate == Fate::written) {
+            positions[pixel] = recover_varyings(f, frame_.settings.interpolation).position_world;
+        }
+    }
+
+    std::vector<glm::vec3> positions; ///< of the visible fragments, if the error is wanted
+
+  private:
+    void note_neighbours(int triangle, const Fragment& fragment, std::size_t pixel) {
+        if (triangle != rows_of_) make_rows(triangle);
+        for (std::size_t n = 0; n < rows_.size() && n < count_; ++n) {
+            const PolygonRows& rows = rows_[n];
+            const int row = fragment.row - rows.first_row;
+            if (row < 0 || row >= rows.size()) continue;
+            const int step = fragment.column - rows.left[row].column;
+            if (step < 0 || step >= drawn_pixels(rows.pixel_count(row), frame_.settings.spans))
+                continue;
+            facts_.drawn_twice[pixel] = {neighbours_.of(triangle)[n], triangle};
+        }
+    }
+
+    /// The row tables of the triangle's neighbours: what they have drawn, since they came earlier.
+    void make_rows(int triangle) {
+        rows_of_ = triangle;
+        const std::span<const int> earlier = neighbours_.of(triangle);
+        count_ = earlier.size();
+        if (rows_.size() < count_) rows_.resize(count_);
+        for (std::size_t n = 0; n < count_; ++n) {
+            frame_.stages->compute_polygon_rows(frame_.triangle_vertices(earlier[n]),
+                                                edge_rules(frame_.settings), rows_[n]);
+        }
+    }
+
+    const Frame& frame_;
+    PixelFacts& facts_;
+    std::size_t width_;
+    Neighbours neighbours_;
+    int rows_of_ = -1;
+    std::vector<PolygonRows> rows_; ///< of the neighbours; only the first count_ are in use
+    std::size_t count_ = 0;
+};
+
+std::vector<glm::vec3> draw_again(const Frame& frame, const Cursor& to, PixelFacts& facts) {
+    Framebuffer framebuffer;
+    clear(framebuffer, frame);
+    FactsObserver observer(frame, facts);
+    draw(frame, {.from = cursor_begin, .to = to, .scissor = {}}, framebuffer, &observer);
+    return std::move(observer.positions);
+}
+
+} // namespace
+
+PixelFacts pixel_facts(const Frame& frame, const Cursor& to, const FactsWanted& wanted) {
+    PixelFacts facts;
+    facts.known = wanted;
+    const Viewport size = frame.settings.viewport;
+    const std::size_t count =
+        static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+    if (wanted.drawn_twice) facts.drawn_twice.resize(count);
+    if (wanted.depth && depth_rule(frame.settings) != DepthTest::off) facts.depth.resize(count);
+    if (wanted.affine_error) facts.affine_error.resize(count);
+    if (!wanted.any() || !has_fragments(frame.settings.stage)) return facts;
+
+    const std::vector<glm::vec3> right =
+        draw_again(unlit_frame(frame, Interpolation::perspective), to, facts);
+    if (!wanted.affine_error) return facts;
+    // Where fragments fall and which of them stay does not depend on the interpolation.
+    PixelFacts error_only;
+    error_only.affine_error.resize(count);
+    const std::vector<glm::vec3> affine =
+        draw_again(unlit_frame(frame, Interpolation::affine), to, error_only);
+    for (std::size_t i = 0; i < count; ++i) {
+        const float error = glm::distance(right[i], affine[i]);
+        facts.affine_error[i] = std::isfinite(error) ? error : 0.0f;
+    }
+    return facts;
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,103 @@
+#include "picture/view_image.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "picture/colour_map.h"
+
+namespace rasterwalk {
+
+namespace {
+
+using Rgb = glm::vec<3, std::uint8_t>;
+
+Rgb depth_colour(float depth, const DepthRange& range) {
+    if (!(depth > 0.0f)) return {0, 0, 0};
+    const float place = range.place(depth);
+    // Of endless numbers the place may be no number.
+    return viridis(place > 0.0f ? place : 0.0f);
+}
+
+} // namespace
+
+std::span<const std::string_view> view_names() {
+    static constexpr std::array<std::string_view, 4> names{"colour", "depth", "triangle",
+                                                           "overdraw"};
+    return names;
+}
+
+std::optional<View> find_view(std::string_view name) {
+    const std::span<const std::string_view> names = view_names();
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) return std::nullopt;
+    return static_cast<View>(found - names.begin());
+}
+
+glm::vec3 shown_colour(const glm::vec3& colour, ColourOverOne rule) {
+    if (rule == ColourOverOne::clamp) {
+        const auto cut = [](float c) { return std::min(std::max(c, 0.0f), 1.0f); };
+        return {cut(colour.r), cut(colour.g), cut(colour.b)};
+    }
+    const auto part = [rule](float c) { return static_cast<float>(to_byte(c, rule)) / 255.0f; };
+    return {part(colour.r), part(colour.g), part(colour.b)};
+}
+
+std::optional<DepthRange> present_depths(const Framebuffer& framebuffer) {
+    float nearest = 0.0f, farthest = INFINITY;
+    for (const float depth : framebuffer.depth) {
+        if (!(depth > 0.0f) || depth == framebuffer.rules.depth_clear) continue;
+        nearest = std::max(nearest, depth);
+        farthest = std::min(farthest, depth);
+    }
+    if (!(nearest > 0.0f)) return std::nullopt;
+    return DepthRange{farthest, nearest};
+}
+
+Image view_image(const Framebuffer& framebuffer, View view,
+                 const std::optional<DepthRange>& depths) {
+    Image image{framebuffer.size.width, framebuffer.size.height, {}};
+    const std::size_t count = framebuffer.colour.size();
+    image.rgba.resize(4 * count);
+    DepthRange range;
+    if (view == View::depth) range = depths ? *depths : present_depths(framebuffer).value_or(range);
+    std::uint32_t most = 1;
+    for (const std::uint32_t overdraw : framebuffer.overdraw)
+        most = std::max(most, overdraw);
+    const auto depth_of = [&](std::size_t i) {
+        if (framebuffer.rules.depth_index == DepthIndex::row_major) return framebuffer.depth[i];
+        const auto width = static_cast<std::size_t>(framebuffer.size.width);
+        return stored_depth(framebuffer, framebuffer.origin.x + static_cast<int>(i % width),
+                            framebuffer.origin.y + static_cast<int>(i / width));
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+        Rgb rgb{0, 0, 0};
+        switch (view) {
+        case View::colour: {
+            const glm::vec3& c = framebuffer.colour[i];
+            const ColourOverOne rule = framebuffer.rules.over_one;
+            rgb = {to_byte(c.r, rule), to_byte(c.g, rule), to_byte(c.b, rule)};
+            break;
+        }
+        case View::depth:
+            rgb = depth_colour(depth_of(i), range);
+            break;
+        case View::triangle:
+            if (framebuffer.owner[i] >= 0) rgb = distinct_colour(framebuffer.owner[i]);
+            break;
+        case View::overdraw:
+            if (framebuffer.overdraw[i] > 0) {
+                rgb =
+                    viridis(static_cast<float>(framebuffer.overdraw[i]) / static_cast<float>(most));
+            }
+            break;
+        }
+        image.rgba[4 * i + 0] = rgb.r;
+        image.rgba[4 * i + 1] = rgb.g;
+        image.rgba[4 * i + 2] = rgb.b;
+        image.rgba[4 * i + 3] = 255;
+    }
+    return image;
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,52 @@
+#pragma once
+
+// The planes of a framebuffer as pictures that can be looked at.
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include <glm/vec3.hpp>
+
+#include "base/image.h"
+#include "picture/view_image.h"
+#include "pipeline/framebuffer.h"
+
+namespace rasterwalk {
+
+/// Which plane is shown.
+enum class View : std::uint8_t { colour, depth, triangle, overdraw };
+
+/// The views by name, in the order of View.
+std::span<const std::string_view> view_names();
+std::optional<View> find_view(std::string_view name);
+
+/// A range of 1/z; near is the larger end.
+struct DepthRange {
+    float far = 0.0f;
+    float near = 0.0f;
+
+    /// Where a value lies between far, 0, and near, 1; beyond them outside 0..1. In a range without
+    /// width everything is near.
+    float place(float depth) const { return near > far ? (depth - far) / (near - far) : 1.0f; }
+
+    friend bool operator==(const DepthRange&, const DepthRange&) = default;
+};
+
+/// From the smallest to the largest 1/z present; none where nothing has a depth.
+std::optional<DepthRange> present_depths(const Framebuffer& framebuffer);
+
+/// A colour as the screen shows it, 0..1: cut at 0 and 1, or, where it wraps, what is left of it in
+/// 8 bits.
+glm::vec3 shown_colour(const glm::vec3& colour, ColourOverOne rule);
+
+/// The planes as pictures of 8 bits a channel. Colour is cut as the lab's PutPixelSDL does:
+/// clamp(255 c, 0, 255), fraction dropped; or wraps, if that is the rule. Depth is coloured from
+/// far to near, and what lies outside the range takes the colour of its end; overdraw from 0 to the
+/// largest count; triangles get colours that neighbours tell apart.
+/// @param depths range for View::depth; none: from the smallest to the largest 1/z present
+Image view_image(const Framebuffer& framebuffer, View view,
+                 const std::optional<DepthRange>& depths = std::nullopt);
+
+} // namespace rasterwalk

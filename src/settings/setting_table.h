@@ -1,0 +1,84 @@
+#pragma once
+
+// The one table of named settings. It serves the controls on the screen, `--set name=value`, links
+// in lessons, presets, state files and tests: whatever one of them can set, all can.
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "base/limits.h"
+#include "settings/settings.h"
+
+namespace rasterwalk {
+
+/// One of a few words.
+struct ChoiceSetting {
+    std::span<const std::string_view> words;
+    int (*read)(const Settings&);
+    void (*write)(Settings&, int index);
+};
+
+/// A real number.
+struct NumberSetting {
+    float& (*value)(Settings&);
+    float smallest, largest;
+    float drag_step; ///< change per pixel of mouse movement
+};
+
+/// Three real numbers: `0,-0.5,-0.7`.
+struct VectorSetting {
+    glm::vec3& (*value)(Settings&);
+    float smallest, largest;
+    float drag_step;
+    bool is_colour; ///< red green blue; one number stands for all three
+};
+
+/// A size in pixels: `500x500`.
+struct SizeSetting {
+    Viewport& (*value)(Settings&);
+    int largest; ///< of either side; the smallest is 1
+};
+
+/// One setting: what it is called, what it means, which values it takes.
+struct Setting {
+    std::string_view name;    ///< lower_case with dots: `light.power`
+    std::string_view group;   ///< heading it stands under in the settings panel
+    std::string_view help;    ///< one sentence
+    std::string_view section; ///< section of the lab
+    std::string_view unit;    ///< "pixels", "radians" ...; empty for words
+    std::variant<ChoiceSetting, NumberSetting, VectorSetting, SizeSetting> kind;
+};
+
+/// Every setting, in the order of the settings panel.
+std::span<const Setting> setting_table();
+
+/// The setting of this name, or null.
+const Setting* find_setting(std::string_view name);
+
+/// A setting's value in the text form that set_value reads; numbers as short as they can be and
+/// still be read back as the same bits.
+std::string value_text(const Setting& setting, const Settings& settings);
+
+/// Which values the setting takes: "truncate, floor or round", "a number from 1 to 100000".
+std::string allowed_text(const Setting& setting);
+
+/// A number as short as it can be and still be read back as the same bits: `0.1`, `-3.001`.
+std::string number_text(float value);
+
+/// Sets one setting from text. Throws UsageError with a sentence that names the setting, the value
+/// and what it would take: unknown word, no number, not finite, out of range.
+void set_value(Settings& settings, const Setting& setting, std::string_view value);
+
+/// The same by name, from `name=value`. An unknown name is answered with the nearest known one.
+void set_from_text(Settings& settings, std::string_view assignment);
+
+/// Brings every number and vector back into the range that its setting takes; what is no number
+/// becomes the smallest. For whatever moves settings by itself: drags, held keys.
+void clamp_to_ranges(Settings& settings);
+
+} // namespace rasterwalk

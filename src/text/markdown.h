@@ -1,0 +1,72 @@
+#pragma once
+
+// Markdown as a tree of blocks: what lessons, notes and descriptions are written in.
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rasterwalk {
+
+/// A stretch of text in one style. A "\n" in it is a line break that the author asked for.
+struct MarkdownRun {
+    std::string text; ///< UTF-8 without control characters
+    bool emphasis = false;
+    bool strong = false;
+    bool code = false;
+    int link = -1;          ///< index in MarkdownDocument::links; -1: none
+    std::int8_t raised = 0; ///< of a formula: 1 superscript, -1 subscript
+};
+
+/// A part of the page. Text stands in `runs` (paragraph, heading, cell, code), everything else in
+/// `children`.
+struct MarkdownBlock {
+    enum class Kind : std::uint8_t {
+        paragraph,
+        heading,
+        list, ///< children: items
+        item,
+        code,  ///< one run, a line for each "\n"
+        quote, ///< shown as a box
+        table, ///< children: rows
+        row,   ///< children: cells
+        cell,
+        rule,    ///< a line across the page
+        math,    ///< a formula on a line of its own: one run of TeX
+        picture, ///< `target` names the file; runs: the words that stand for it
+    };
+    enum class Align : std::uint8_t { left, centre, right };
+
+    Kind kind = Kind::paragraph;
+    int level = 0;             ///< heading: 1..6
+    bool is_numbered = false;  ///< list
+    int start = 1;             ///< numbered list: the first number
+    bool is_tight = true;      ///< list: no space between its items
+    bool is_header = false;    ///< cell
+    Align align = Align::left; ///< cell
+    std::string label;         ///< quote that begins with a paragraph all in strong: that paragraph
+    std::string target;        ///< picture: where it lies, as written
+    std::vector<MarkdownRun> runs;
+    std::vector<MarkdownBlock> children;
+};
+
+/// A page of Markdown, ready to be laid out.
+struct MarkdownDocument {
+    std::vector<MarkdownBlock> blocks;
+    std::vector<std::string> links; ///< targets, in the order of the page; `note:1` is a footnote
+    std::vector<std::string> notes; ///< the footnotes, plain text; they also stand at the end
+    std::string fault;              ///< a sentence why the page cannot be shown; then it is empty
+};
+
+/// Reads Markdown (CommonMark with tables, footnotes and formulas between dollars, without HTML).
+/// Never fails: odd bytes become U+FFFD, and a text beyond the limits below gives a document with a
+/// fault.
+MarkdownDocument parse_markdown(std::string_view text);
+
+/// The largest text that is read, bytes, and the deepest nesting of lists and quotes.
+inline constexpr std::size_t largest_markdown = std::size_t{1} << 20;
+inline constexpr int deepest_markdown = 32;
+
+} // namespace rasterwalk

@@ -1,0 +1,394 @@
+#include "text/markdown.h"
+
+#include <algorithm>
+
+#include <md4c.h>
+
+#include "text/markdown_notes.h"
+#include "text/markdown_text.h"
+#include "text/math.h"
+#include "text/math_runs.h"
+
+namespace rasterwalk {
+
+namespace {
+
+using Kind = MarkdownBlock::Kind;
+
+/// Link targets of a page, all together, bytes: reference links repeat theirs at every use.
+constexpr std::size_t largest_targets = std::size_t{1} << 20;
+
+/// The parser looks through all lines of a paragraph for each bracket in it; this many looks take
+/// about a tenth of a second.
+constexpr std::size_t most_bracket_looks = 200'000'000;
+
+/// True if the parser would look through lines for brackets more often than it may.
+bool is_bracket_swamp(std::string_view text) {
+    std::size_t lines = 0, brackets = 0, looks = 0;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::string_view line = text.substr(0, end);
+        text.remove_prefix(std::min(end + 1, text.size()));
+        if (line.find_first_not_of(" \t") == std::string_view::npos) {
+            looks += lines * brackets;
+            lines = brackets = 0;
+        } else {
+            ++lines;
+            brackets += static_cast<std::size_t>(std::count(line.begin(), line.end(), '['));
+        }
+    }
+    return looks + lines * brackets > most_bracket_looks;
+}
+
+std::string attribute_text(const MD_ATTRIBUTE& attribute) {
+    std::string text;
+    for (int i = 0; attribute.size > 0 && attribute.substr_offsets[i] < attribute.size; ++i) {
+        const MD_OFFSET begin = attribute.substr_offsets[i];
+        const std::string_view part(attribute.text + begin,
+                                    attribute.substr_offsets[i + 1] - begin);
+        if (attribute.substr_types[i] == MD_TEXT_ENTITY) {
+            append_entity(text, part);
+        } else if (attribute.substr_types[i] == MD_TEXT_NULLCHAR) {
+            text += replacement_character;
+        } else {
+            text += part;
+        }
+    }
+    return text;
+}
+
+/// Collects what the parser reports. Its functions return false to end the parsing.
+class Builder {
+  public:
+    explicit Builder(MarkdownDocument& document) : document_(document) {
+        open_.push_back({&root_, false});
+    }
+
+    bool enter(MD_BLOCKTYPE type, const void* detail);
+    bool leave(MD_BLOCKTYPE type);
+    bool enter_span(MD_SPANTYPE type, const void* detail);
+    void leave_span(MD_SPANTYPE type);
+    void leave_paragraph(MarkdownBlock& block);
+    void text(MD_TEXTTYPE type, std::string_view text);
+
+    /// The blocks of the page.
+    std::vector<MarkdownBlock> take() { return std::move(root_.children); }
+
+  private:
+    struct Open {
+        MarkdownBlock* block;
+        bool has_loose_text; ///< its last child is a paragraph for text that stands in it directly
+    };
+
+    MarkdownBlock& push(Kind kind);
+    MarkdownBlock& text_block();
+    MarkdownRun& run();
+
+    MarkdownDocument& document_;
+    MarkdownBlock root_;
+    // Pointers stay valid: only the children of the innermost block grow.
+    std::vector<Open> open_;
+    int emphasis_ = 0, strong_ = 0, code_ = 0;
+    int link_ = -1;
+    std::size_t target_bytes_ = 0;
+    std::string formula_; ///< TeX of the formula that is being read
+    /// The picture or formula with which the paragraph begins; it alone makes a block of its own.
+    struct Lead {
+        Kind kind = Kind::paragraph;
+        std::string source;
+        std::size_t runs = 0; ///< of the paragraph, when it ended
+    } lead_;
+};
+
+MarkdownBlock& Builder::push(Kind kind) {
+    Open& parent = open_.back();
+    parent.has_loose_text = false;
+    MarkdownBlock& block = parent.block->children.emplace_back();
+    block.kind = kind;
+    open_.push_back({&block, false});
+    return block;
+}
+
+/// Items of a tight list hold their text without a paragraph around it.
+MarkdownBlock& Builder::text_block() {
+    Open& open = open_.back();
+    switch (open.block->kind) {
+    case Kind::list:
+    case Kind::item:
+    case Kind::quote:
+    case Kind::table:
+    case Kind::row:
+        if (!open.has_loose_text) {
+            open.block->children.emplace_back();
+            open.has_loose_text = true;
+        }
+        return open.block->children.back();
+    default:
+        return *open.block;
+    }
+}
+
+/// The run to which text in the present style belongs.
+MarkdownRun& Builder::run() {
+    std::vector<MarkdownRun>& runs = text_block().runs;
+    const bool emphasis = emphasis_ > 0, strong = strong_ > 0, code = code_ > 0;
+    if (!runs.empty()) {
+        MarkdownRun& last = runs.back();
+        if (last.emphasis == emphasis && last.strong == strong && last.code == code &&
+            last.link == link_ && last.raised == 0) {
+            return last;
+        }
+    }
+    return runs.emplace_back(MarkdownRun{{}, emphasis, strong, code, link_, 0});
+}
+
+bool Builder::enter(MD_BLOCKTYPE type, const void* detail) {
+    if (open_.size() > static_cast<std::size_t>(deepest_markdown)) {
+        document_.fault =
+            "The text is nested deeper than " + std::to_string(deepest_markdown) + " levels.";
+        return false;
+    }
+    switch (type) {
+    case MD_BLOCK_QUOTE:
+        push(Kind::quote);
+        break;
+    case MD_BLOCK_UL: {
+        MarkdownBlock& list = push(Kind::list);
+        list.is_tight = static_cast<const MD_BLOCK_UL_DETAIL*>(detail)->is_tight != 0;
+        break;
+    }
+    case MD_BLOCK_OL: {
+        const auto& ordered = *static_cast<const MD_BLOCK_OL_DETAIL*>(detail);
+        MarkdownBlock& list = push(Kind::list);
+        list.is_numbered = true;
+        list.is_tight = ordered.is_tight != 0;
+        list.start = static_cast<int>(std::min(ordered.start, 999'999'999u));
+        break;
+    }
+    case MD_BLOCK_LI:
+        push(Kind::item);
+        break;
+    case MD_BLOCK_HR:
+        push(Kind::rule);
+        break;
+    case MD_BLOCK_H:
+        push(Kind::heading).level =
+            static_cast<int>(static_cast<const MD_BLOCK_H_DETAIL*>(detail)->level);
+        break;
+    case MD_BLOCK_CODE:
+        push(Kind::code);
+        break;
+    case MD_BLOCK_P:
+    case MD_BLOCK_HTML:
+        push(Kind::paragraph);
+        break;
+    case MD_BLOCK_TABLE:
+        push(Kind::table);
+        break;
+    case MD_BLOCK_TR:
+        push(Kind::row);
+        break;
+    case MD_BLOCK_TH:
+    case MD_BLOCK_TD: {
+        MarkdownBlock& cell = push(Kind::cell);
+        const MD_ALIGN align = static_cast<const MD_BLOCK_TD_DETAIL*>(detail)->align;
+        cell.is_header = type == MD_BLOCK_TH;
+        cell.align = align == MD_ALIGN_CENTER  ? MarkdownBlock::Align::centre
+                     : align == MD_ALIGN_RIGHT ? MarkdownBlock::Align::right
+                                               : MarkdownBlock::Align::left;
+        break;
+    }
+    case MD_BLOCK_DOC:
+    case MD_BLOCK_THEAD:
+    case MD_BLOCK_TBODY:
+        break;
+    }
+    return true;
+}
+
+bool Builder::leave(MD_BLOCKTYPE type) {
+    if (type == MD_BLOCK_DOC || type == MD_BLOCK_THEAD || type == MD_BLOCK_TBODY) return true;
+    MarkdownBlock& block = *open_.back().block;
+    open_.pop_back();
+    if (block.kind == Kind::code && !block.runs.empty()) {
+        std::string& text = block.runs.back().text;
+        if (text.ends_with('\n')) text.pop_back();
+    }
+    if (type == MD_BLOCK_P) leave_paragraph(block);
+    if (block.kind != Kind::quote || block.children.size() < 2) return true;
+    const MarkdownBlock& first = block.children.front();
+    if (first.kind == Kind::paragraph && first.runs.size() == 1 && first.runs[0].strong) {
+        block.label = first.runs[0].text;
+        block.children.erase(block.children.begin());
+    }
+    return true;
+}
+
+bool Builder::enter_span(MD_SPANTYPE type, const void* detail) {
+    switch (type) {
+    case MD_SPAN_STRONG:
+        ++strong_;
+        break;
+    case MD_SPAN_CODE:
+        ++code_;
+        break;
+    case MD_SPAN_A: {
+        const MD_ATTRIBUTE& href = static_cast<const MD_SPAN_A_DETAIL*>(detail)->href;
+        target_bytes_ += href.size;
+        if (target_bytes_ > largest_targets) {
+            document_.fault = "The targets of the links are longer than 1 MB together.";
+            return false;
+        }
+        link_ = static_cast<int>(document_.links.size());
+        document_.links.push_back(attribute_text(href));
+        break;
+    }
+    case MD_SPAN_LATEXMATH:
+    case MD_SPAN_LATEXMATH_DISPLAY:
+        formula_.clear();
+        break;
+    case MD_SPAN_IMG:
+        if (text_block().runs.empty()) {
+            lead_ = {Kind::picture,
+                     attribute_text(static_cast<const MD_SPAN_IMG_DETAIL*>(detail)->src), 0};
+        }
+        ++emphasis_; // within a text, the words that stand for a picture
+        break;
+    default:
+        ++emphasis_;
+        break;
+    }
+    return true;
+}
+
+/// A picture or a formula that is all of its paragraph becomes a block of its own.
+void Builder::leave_paragraph(MarkdownBlock& block) {
+    const bool is_alone = lead_.kind != Kind::paragraph && block.runs.size() == lead_.runs;
+    if (is_alone && lead_.kind == Kind::picture) {
+        block.kind = Kind::picture;
+        block.target = lead_.source;
+    } else if (is_alone) {
+        block.kind = Kind::math;
+        block.runs = {MarkdownRun{lead_.source}};
+    }
+    lead_ = {};
+}
+
+void Builder::leave_span(MD_SPANTYPE type) {
+    switch (type) {
+    case MD_SPAN_STRONG:
+        --strong_;
+        break;
+    case MD_SPAN_CODE:
+        --code_;
+        break;
+    case MD_SPAN_A:
+        link_ = -1;
+        break;
+    case MD_SPAN_LATEXMATH:
+    case MD_SPAN_LATEXMATH_DISPLAY: {
+        std::vector<MarkdownRun>& runs = text_block().runs;
+        const bool is_lead = runs.empty() && type == MD_SPAN_LATEXMATH_DISPLAY;
+        for (MarkdownRun& part : math_runs(parse_math(formula_))) {
+            part.link = link_;
+            runs.push_back(std::move(part));
+        }
+        if (is_lead) lead_ = {Kind::math, formula_, runs.size()};
+        break;
+    }
+    case MD_SPAN_IMG:
+        --emphasis_;
+        if (lead_.kind == Kind::picture && lead_.runs == 0) lead_.runs = text_block().runs.size();
+        break;
+    default:
+        --emphasis_;
+        break;
+    }
+}
+
+void Builder::text(MD_TEXTTYPE type, std::string_view text) {
+    if (type == MD_TEXT_LATEXMATH) {
+        formula_ += text;
+        return;
+    }
+    std::string& out = run().text;
+    const bool in_code_block = text_block().kind == Kind::code;
+    switch (type) {
+    case MD_TEXT_NULLCHAR:
+        out += replacement_character;
+        break;
+    case MD_TEXT_BR:
+        out += '\n';
+        break;
+    case MD_TEXT_SOFTBR:
+        out += ' ';
+        break;
+    case MD_TEXT_ENTITY:
+        append_entity(out, text);
+        break;
+    default:
+        for (const char c : text) {
+            if (c == '\t') {
+                out += in_code_block ? "    " : " ";
+            } else if (c == '\n' && !in_code_block) {
+                out += ' ';
+            } else {
+                out += c;
+            }
+        }
+    }
+}
+
+/// What a callback answers to end the parsing. The parser overlooks positive answers.
+constexpr int stop = -1;
+
+Builder& builder(void* data) {
+    return *static_cast<Builder*>(data);
+}
+
+} // namespace
+
+MarkdownDocument parse_markdown(std::string_view text) {
+    MarkdownDocument document;
+    if (text.size() > largest_markdown) {
+        document.fault = "The text is longer than 1 MB.";
+        return document;
+    }
+    std::string source = clean_text(text);
+    document.notes = take_footnotes(source);
+    if (is_bracket_swamp(source)) {
+        document.fault = "A paragraph has too many lines and brackets.";
+        return document;
+    }
+    MD_PARSER parser{};
+    parser.flags = MD_FLAG_TABLES | MD_FLAG_NOHTML | MD_FLAG_LATEXMATHSPANS;
+    parser.enter_block = [](MD_BLOCKTYPE type, void* detail, void* data) {
+        return builder(data).enter(type, detail) ? 0 : stop;
+    };
+    parser.leave_block = [](MD_BLOCKTYPE type, void*, void* data) {
+        return builder(data).leave(type) ? 0 : stop;
+    };
+    parser.enter_span = [](MD_SPANTYPE type, void* detail, void* data) {
+        return builder(data).enter_span(type, detail) ? 0 : stop;
+    };
+    parser.leave_span = [](MD_SPANTYPE type, void*, void* data) {
+        builder(data).leave_span(type);
+        return 0;
+    };
+    parser.text = [](MD_TEXTTYPE type, const MD_CHAR* part, MD_SIZE size, void* data) {
+        builder(data).text(type, {part, size});
+        return 0;
+    };
+    Builder collected(document);
+    const int outcome =
+        md_parse(source.data(), static_cast<MD_SIZE>(source.size()), &parser, &collected);
+    if (outcome != 0 && document.fault.empty()) document.fault = "The text could not be read.";
+    if (document.fault.empty()) {
+        document.blocks = collected.take();
+    } else {
+        document.links.clear();
+    }
+    return document;
+}
+
+} // namespace rasterwalk

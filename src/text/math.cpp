@@ -1,0 +1,206 @@
+#include "text/math.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace rasterwalk {
+
+namespace {
+
+using Kind = MathNode::Kind;
+using Style = MathNode::Style;
+
+struct Command {
+    std::string_view name, sign;
+    Style style;
+};
+
+constexpr std::array commands{
+    Command{"cdot", "·", Style::relation},   Command{"times", "×", Style::relation},
+    Command{"le", "≤", Style::relation},     Command{"leq", "≤", Style::relation},
+    Command{"ge", "≥", Style::relation},     Command{"geq", "≥", Style::relation},
+    Command{"ne", "≠", Style::relation},     Command{"approx", "≈", Style::relation},
+    Command{"to", "→", Style::relation},     Command{"pm", "±", Style::relation},
+    Command{"infty", "∞", Style::upright},   Command{"ldots", "…", Style::upright},
+    Command{"dots", "…", Style::upright},    Command{"sum", "∑", Style::upright},
+    Command{"max", " max", Style::upright},  Command{"min", " min", Style::upright},
+    Command{"cos", " cos", Style::upright},  Command{"sin", " sin", Style::upright},
+    Command{"tan", " tan", Style::upright},  Command{"alpha", "α", Style::slanted},
+    Command{"beta", "β", Style::slanted},    Command{"gamma", "γ", Style::slanted},
+    Command{"delta", "δ", Style::slanted},   Command{"Delta", "Δ", Style::upright},
+    Command{"epsilon", "ε", Style::slanted}, Command{"theta", "θ", Style::slanted},
+    Command{"lambda", "λ", Style::slanted},  Command{"mu", "μ", Style::slanted},
+    Command{"pi", "π", Style::slanted},      Command{"rho", "ρ", Style::slanted},
+    Command{"sigma", "σ", Style::slanted},   Command{"phi", "φ", Style::slanted},
+    Command{"omega", "ω", Style::slanted},   Command{"lfloor", "⌊", Style::upright},
+    Command{"rfloor", "⌋", Style::upright},  Command{"lvert", "|", Style::upright},
+    Command{"rvert", "|", Style::upright},   Command{",", " ", Style::upright},
+    Command{";", " ", Style::upright},       Command{"quad", "  ", Style::upright},
+    Command{"{", "{", Style::upright},       Command{"}", "}", Style::upright},
+    Command{"_", "_", Style::upright},       Command{"$", "$", Style::upright},
+};
+
+MathNode symbol(std::string_view text, Style style = Style::upright) {
+    return {Kind::symbol, std::string(text), style, {}};
+}
+
+class Reader {
+  public:
+    explicit Reader(std::string_view tex) : rest_(tex) {}
+
+    /// Everything up to the closing brace, or to the end.
+    MathNode row(int depth);
+    bool done() const { return rest_.empty(); }
+
+  private:
+    MathNode atom(int depth);
+    MathNode argument(int depth);
+    MathNode command(int depth);
+    MathNode scripts(MathNode base, int depth);
+    std::string_view raw_argument();
+    void skip_blanks() {
+        while (!rest_.empty() && (rest_[0] == ' ' || rest_[0] == '\n'))
+            rest_.remove_prefix(1);
+    }
+    bool take(char c) {
+        if (rest_.empty() || rest_[0] != c) return false;
+        rest_.remove_prefix(1);
+        return true;
+    }
+
+    std::string_view rest_;
+};
+
+MathNode Reader::row(int depth) {
+    MathNode result;
+    if (depth >= deepest_math) rest_ = {};
+    for (skip_blanks(); !rest_.empty(); skip_blanks()) {
+        if (take('}')) break;
+        result.children.push_back(scripts(atom(depth), depth));
+    }
+    return result;
+}
+
+MathNode Reader::scripts(MathNode base, int depth) {
+    MathNode script{Kind::script, {}, Style::upright, {std::move(base), {}, {}}};
+    bool is_script = false;
+    for (skip_blanks(); !rest_.empty(); skip_blanks()) {
+        const char c = rest_[0];
+        if (c != '^' && c != '_') break;
+        rest_.remove_prefix(1);
+        script.children[c == '^' ? 1 : 2] = argument(depth);
+        is_script = true;
+    }
+    return is_script ? script : std::move(script.children[0]);
+}
+
+/// What follows a command or a script: a group in braces, or one symbol.
+MathNode Reader::argument(int depth) {
+    skip_blanks();
+    if (depth >= deepest_math) rest_ = {};
+    if (rest_.empty()) return {};
+    if (take('{')) return row(depth + 1);
+    return atom(depth + 1);
+}
+
+std::string_view Reader::raw_argument() {
+    skip_blanks();
+    if (!take('{')) return {};
+    const std::size_t end = std::min(rest_.find('}'), rest_.size());
+    const std::string_view text = rest_.substr(0, end);
+    rest_.remove_prefix(std::min(end + 1, rest_.size()));
+    return text;
+}
+
+MathNode Reader::atom(int depth) {
+    const char c = rest_[0];
+    if (take('{')) return row(depth + 1);
+    if (take('\\')) return command(depth);
+    const auto byte = static_cast<unsigned char>(c);
+    if (std::isdigit(byte) != 0) {
+        std::size_t end = 0;
+        while (end < rest_.size() &&
+               (std::isdigit(static_cast<unsigned char>(rest_[end])) != 0 || rest_[end] == '.'))
+            ++end;
+        if (rest_[end - 1] == '.' && end > 1) --end; // the end of a sentence
+        const MathNode number = symbol(rest_.substr(0, end));
+        rest_.remove_prefix(end);
+        return number;
+    }
+    std::size_t length = 1;
+    while (byte >= 0x80 && length < rest_.size() &&
+           (static_cast<unsigned char>(rest_[length]) & 0xC0u) == 0x80u)
+        ++length;
+    const std::string_view text = rest_.substr(0, length);
+    rest_.remove_prefix(length);
+    if (std::isalpha(byte) != 0) return symbol(text, Style::slanted);
+    if (text == "-") return symbol("−", Style::relation);
+    if (text == "*") return symbol("·", Style::relation);
+    if (text == "=" || text == "<" || text == ">" || text == "+") {
+        return symbol(text, Style::relation);
+    }
+    if (text == ",") return symbol(", ");
+    return symbol(text);
+}
+
+MathNode Reader::command(int depth) {
+    std::size_t length = 0;
+    while (length < rest_.size() && std::isalpha(static_cast<unsigned char>(rest_[length])) != 0)
+        ++length;
+    if (length == 0 && !rest_.empty()) length = 1;
+    const std::string_view name = rest_.substr(0, length);
+    rest_.remove_prefix(length);
+    if (name == "frac") {
+        MathNode top = argument(depth);
+        MathNode bottom = argument(depth);
+        return {Kind::fraction, {}, Style::upright, {std::move(top), std::move(bottom)}};
+    }
+    if (name == "sqrt") return {Kind::root, {}, Style::upright, {argument(depth)}};
+    if (name == "hat" || name == "vec" || name == "bar") {
+        const char* const mark = name == "hat" ? "ˆ" : name == "vec" ? "→" : "¯";
+        return {Kind::accent, mark, Style::upright, {argument(depth)}};
+    }
+    if (name == "text" || name == "mathrm" || name == "texttt") return symbol(raw_argument());
+    if (name == "left" || name == "right") {
+        // The bracket itself follows; a dot stands for none.
+        if (take('.') || rest_.empty()) return {};
+        return atom(depth);
+    }
+    const auto* const known = std::find_if(commands.begin(), commands.end(),
+                                           [&](const Command& c) { return c.name == name; });
+    if (known != commands.end()) return symbol(known->sign, known->style);
+    std::string text = "\\";
+    text += name;
+    return symbol(text);
+}
+
+/// A sign at the beginning, or after another sign or a bracket, belongs to what follows: no blanks.
+void settle_signs(MathNode& node) {
+    bool at_start = true;
+    for (MathNode& child : node.children) {
+        const bool is_relation = child.kind == Kind::symbol && child.style == Style::relation;
+        if (is_relation && at_start) child.style = Style::upright;
+        at_start = node.kind == Kind::row && child.kind == Kind::symbol &&
+                   (is_relation || child.text == "(" || child.text == "[" || child.text == ", ");
+        settle_signs(child);
+        if (node.kind != Kind::row) at_start = true;
+    }
+}
+
+} // namespace
+
+MathNode parse_math(std::string_view tex) {
+    constexpr std::size_t longest = 2000;
+    Reader reader(tex.substr(0, longest));
+    MathNode formula = reader.row(0);
+    while (!reader.done()) { // after a brace that closes nothing
+        MathNode more = reader.row(0);
+        for (MathNode& child : more.children)
+            formula.children.push_back(std::move(child));
+    }
+    settle_signs(formula);
+    return formula;
+}
+
+} // namespace rasterwalk

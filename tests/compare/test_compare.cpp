@@ -1,0 +1,62 @@
+#include "compare/compare.h"
+#include "picture/view_image.h"
+
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+using namespace rasterwalk;
+
+namespace {
+
+Framebuffer picture(const std::vector<glm::vec3>& colours) {
+    Framebuffer framebuffer;
+    clear(framebuffer, {static_cast<int>(colours.size()), 1});
+    framebuffer.colour = colours;
+    return framebuffer;
+}
+
+} // namespace
+
+TEST_CASE("Pixels that differ are counted, with the largest and the mean difference") {
+    const Framebuffer a = picture({{0, 0, 0}, {0.5f, 0.5f, 0.5f}, {1, 1, 1}, {2, 0, 0}});
+    const Framebuffer b =
+        picture({{0, 0, 0}, {0.5f, 0.25f, 0.625f}, {1, 1.0000001f, 1}, {2.5f, 0, 0}});
+    const PixelDifference difference = pixel_difference(a, b);
+    CHECK(difference.pixels == 4);
+    CHECK(difference.different == 3);
+    CHECK(difference.shown == 1); // the others are cut at 1
+    CHECK(difference.largest == 0.5f);
+    CHECK(difference.mean == Approx((0.25 + 0.5) / 4));
+    CHECK(*difference.worst == glm::ivec2(3, 0));
+    const std::vector<float> values = signed_difference(a, b, View::colour);
+    CHECK(values[0] == 0.0f);
+    CHECK(values[1] == -0.25f);
+    CHECK(values[3] == 0.5f);
+}
+
+TEST_CASE("Colours that are no numbers are compared as they are shown") {
+    const Framebuffer a = picture({{NAN, 0, 0}, {INFINITY, 0, 0}, {NAN, 0, 0}});
+    const Framebuffer b = picture({{NAN, 0, 0}, {-INFINITY, 0, 0}, {0.5f, 0, 0}});
+    const PixelDifference difference = pixel_difference(a, b);
+    CHECK(difference.different == 2);
+    CHECK(difference.largest == 1.0f);
+}
+
+TEST_CASE("The scale of a difference ends at a round number") {
+    CHECK(difference_limit(0.0f) == 1.0f);
+    CHECK(difference_limit(0.3f) == 0.5f);
+    CHECK(difference_limit(0.5f) == 0.5f);
+    CHECK(difference_limit(0.0011f) == 0.002f);
+    CHECK(difference_limit(7.0f) == 10.0f);
+    CHECK(difference_limit(INFINITY) == 1.0f);
+}
+
+TEST_CASE("The colours of a difference are symmetric about black") {
+    using Rgb = glm::vec<3, std::uint8_t>;
+    CHECK(difference_colour(0.0f, 1.0f) == Rgb{0, 0, 0});
+    CHECK(difference_colour(-1.0f, 1.0f) == Rgb{86, 180, 233});
+    CHECK(difference_colour(-3.0f, 1.0f) == Rgb{86, 180, 233});
+    CHECK(difference_colour(1.0f, 1.0f) == Rgb{230, 159, 0});
+    CHECK(difference_colour(1e-9f, 1.0f).r > 50);
+}

@@ -1,0 +1,229 @@
+#include "facts/facts.h"
+
+#include <set>
+
+#include <catch2/catch.hpp>
+
+#include "explain/light_formulas.h"
+#include "picture/view_image.h"
+#include "session/content.h"
+#include "session/second_run.h"
+#include "session/tabs.h"
+
+using namespace rasterwalk;
+
+namespace {
+
+/// A session with its results, and what lessons can ask of them.
+struct Asked {
+    Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
+    Results results;
+    FactCache cache;
+
+    Value value(std::string_view name) {
+        update(session, results);
+        return Facts(session, results, &cache)(name);
+    }
+    double number(std::string_view name) {
+        const Value found = value(name);
+        INFO(name);
+        REQUIRE(std::holds_alternative<double>(found));
+        return std::get<double>(found);
+    }
+    bool is_there(std::string_view name) { return rasterwalk::is_there(value(name)); }
+};
+
+} // namespace
+
+TEST_CASE("Names of facts are told once and have a sentence") {
+    std::set<std::string> names;
+    for (const std::string& name : all_names()) {
+        INFO(name);
+        CHECK(names.insert(name).second);
+        CHECK(find_name(name));
+    }
+    for (const Fact& fact : fact_table()) {
+        INFO(fact.name);
+        CHECK(fact.help.ends_with('.'));
+    }
+    CHECK_FALSE(find_name("camera.position"));
+    CHECK_FALSE(find_name("camera.position.w"));
+    CHECK_FALSE(find_name(""));
+}
+
+TEST_CASE("Every fact has a value of its type and in its range, or none") {
+    Asked room;
+    room.session.selection = {21, 1, 250, glm::ivec2(250, 131)};
+    room.session.cursor = {21, Phase::rows, 10, 3};
+    compare_with(room.session, room.session.settings);
+    for (const std::string& name : all_names()) {
+        INFO(name);
+        const Value value = room.value(name);
+        const ValueRange range = *find_name(name);
+        if (!is_there(value)) continue;
+        switch (range.type) {
+        case ValueType::number: {
+            const double number = std::get<double>(value);
+            CHECK(number >= range.low);
+            CHECK(number <= range.high);
+            if (range.is_whole) CHECK(number == std::floor(number));
+            break;
+        }
+        case ValueType::word:
+            CHECK(std::count(range.words.begin(), range.words.end(),
+                             std::get<std::string>(value)) == 1);
+            break;
+        case ValueType::moment:
+            CHECK(std::holds_alternative<Cursor>(value));
+            break;
+        case ValueType::truth:
+            CHECK(false);
+        }
+    }
+}
+
+TEST_CASE("Settings are facts under their own names") {
+    Asked room;
+    CHECK(room.number("light.power") == 1.1);
+    CHECK(room.number("light.power.green") == 1.1);
+    CHECK(room.number("camera.position.z") == -3.001);
+    CHECK(room.number("viewport.width") == 500);
+    CHECK(room.value("stage") == Value(std::string("pixel_light")));
+    CHECK_FALSE(room.is_there("camera.position"));
+}
+
+TEST_CASE("The frame's facts are the golden numbers of the room") {
+    Asked room;
+    CHECK(room.number("frame.fragments") == 328'789);
+    CHECK(room.number("frame.triangles") == 30);
+    CHECK(room.number("frame.left_out") == 0);
+    CHECK(room.number("frame.max_overdraw") == 8);
+    CHECK(room.number("frame.uncovered") == 998);
+    CHECK(room.number("frame.rows_outside") == 4);
+    room.session.settings.camera.position.z = -0.9f;
+    CHECK(room.number("frame.left_out") > 0);
+    CHECK(room.number("frame.triangles") + room.number("frame.left_out") == 30);
+}
+
+TEST_CASE("What is not selected is not there") {
+    Asked room;
+    for (const char* name :
+         {"triangle", "row", "vertex", "pixel.column", "pixel.owner", "pixel.z",
+          "pixel.light_error", "table.left", "table.count", "vertex.column", "cursor.triangle",
+          "cursor.edge", "cursor.row", "compare.first", "compare.different_pixels"}) {
+        INFO(name);
+        CHECK_FALSE(room.is_there(name));
+    }
+    room.session.selection.pixel = glm::ivec2(0, 0);
+    CHECK(room.number("pixel.uncovered") == 1);
+    CHECK(room.number("pixel.owner") == -1);
+    CHECK(room.number("pixel.red") == 0);
+    CHECK_FALSE(room.is_there("pixel.z"));
+    room.session.selection.pixel = glm::ivec2(600, 0);
+    CHECK_FALSE(room.is_there("pixel.uncovered"));
+}
+
+TEST_CASE("A pixel's facts are those of the fragment that stays") {
+    Asked room;
+    room.session.selection.pixel = glm::ivec2(250, 400);
+    room.session.settings.stage = Stage::depth;
+    CHECK(room.number("pixel.owner") >= 10);
+    CHECK(room.number("pixel.owner") < 20);
+    CHECK(room.number("pixel.zinv") == Approx(0.4170).margin(1e-4));
+    CHECK(room.number("pixel.z") == Approx(1.0 / 0.4170).margin(1e-3));
+    CHECK(room.number("pixel.losers") >= 1);
+    CHECK(room.number("pixel.red") == 0.75);
+    // The same as the report on that fragment has it.
+    room.session.settings.stage = Stage::pixel_light;
+    const double error = room.number("pixel.position_error");
+    const auto at = fragment_on_pixel(room.results.frame, {250, 400}, cursor_end);
+    REQUIRE(at);
+    const auto report = fragment_report(room.results.frame, *at);
+    REQUIRE(report);
+    const glm::vec3 apart = report->under(Interpolation::affine).position_world -
+                            report->under(Interpolation::perspective).position_world;
+    CHECK(error == static_cast<double>(glm::length(apart)));
+    CHECK(room.number("pixel.light_error") >= 0.0);
+}
+
+TEST_CASE("The light error is the difference of the two pictures") {
+    Asked room;
+    room.session.settings.light.power = glm::vec3(14.0f);
+    const glm::ivec2 pixel(60, 420);
+    room.session.selection.pixel = pixel;
+    const auto colour = [&](Interpolation way) {
+        room.session.settings.interpolation = way;
+        update(room.session, room.results);
+        return room.results.framebuffer->colour[room.results.framebuffer->at(pixel.x, pixel.y)];
+    };
+    const glm::vec3 apart =
+        glm::abs(colour(Interpolation::affine) - colour(Interpolation::perspective));
+    const double expected = static_cast<double>(std::max({apart.x, apart.y, apart.z}));
+    CHECK(expected > 0.0);
+    CHECK(room.number("pixel.light_error") == expected);
+}
+
+TEST_CASE("The table's facts are of the finished table of the triangle on show") {
+    Asked bench;
+    bench.session = open_session(lessons_folder() + "/scenes/one-triangle.toml");
+    bench.session.cursor = cursor_begin;
+    update(bench.session, bench.results);
+    const RowHistory rows =
+        row_history(bench.results.frame.triangle_vertices(0), edge_rules(bench.session.settings));
+    CHECK(bench.number("table.rows") == rows.rows.size());
+    CHECK(bench.number("table.first_row") == rows.rows.first_row);
+    CHECK(bench.number("table.edge1.samples") + bench.number("table.edge2.samples") +
+              bench.number("table.edge3.samples") ==
+          rows.sample_count);
+    double sum = 0.0;
+    for (int i = 0; i < rows.rows.size(); ++i) {
+        bench.session.selection.row = rows.rows.first_row + i;
+        CHECK(bench.number("table.count") == rows.rows.pixel_count(i));
+        CHECK(bench.number("table.left") == rows.rows.left[static_cast<std::size_t>(i)].column);
+        CHECK(bench.number("table.right") == rows.rows.right[static_cast<std::size_t>(i)].column);
+        sum += bench.number("table.count");
+    }
+    CHECK(bench.number("table.fragments") == sum);
+    bench.session.selection.row = rows.rows.first_row - 1;
+    CHECK_FALSE(bench.is_there("table.count"));
+}
+
+TEST_CASE("The cursor's facts tell what comes next") {
+    Asked room;
+    room.session.cursor = {4, Phase::edges, 1, 7};
+    CHECK(room.number("cursor.triangle") == 4);
+    CHECK(room.value("cursor.phase") == Value(std::string("edges")));
+    CHECK(room.number("cursor.edge") == 1);
+    CHECK(room.number("cursor.sample") == 7);
+    CHECK_FALSE(room.is_there("cursor.vertex"));
+    CHECK_FALSE(room.is_there("cursor.column"));
+    room.session.cursor = {20, Phase::rows, 30, 2};
+    update(room.session, room.results);
+    const Timeline timeline(room.results.frame);
+    const PolygonRows& rows = timeline.moments(20).rows;
+    CHECK(room.number("cursor.row") == rows.first_row + 30);
+    CHECK(room.number("cursor.column") == rows.left[30].column + 2);
+    room.session.cursor = cursor_end;
+    CHECK(room.value("cursor.phase") == Value(std::string("end")));
+    CHECK(room.value("cursor") == Value(cursor_end));
+}
+
+TEST_CASE("Two runs have facts while they are compared") {
+    Asked room;
+    Settings other = room.session.settings;
+    other.interpolation = Interpolation::affine;
+    compare_with(room.session, other);
+    CHECK(room.number("comparing") == 1);
+    CHECK(room.number("compare.different_pixels") > 1000);
+    CHECK(room.number("compare.largest_difference") > 0.0);
+    CHECK(room.is_there("compare.first"));
+    stop_comparing(room.session);
+    CHECK(room.number("comparing") == 0);
+    CHECK_FALSE(room.is_there("compare.different_pixels"));
+}
+
+TEST_CASE("The names of tabs and views are found") {
+    CHECK(find_view("overdraw") == View::overdraw);
+    CHECK_FALSE(find_view("colours"));
+    CHECK(std::count(tab_names().begin(), tab_names().end(), "rows") == 1);
+}

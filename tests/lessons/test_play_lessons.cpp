@@ -1,0 +1,248 @@
+// Every lesson is played from its first step to its last, as a student could.
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include <catch2/catch.hpp>
+
+#include "base/files.h"
+#include "base/numbers.h"
+#include "facts/facts.h"
+#include "lessons/lesson.h"
+#include "lessons/lesson_check.h"
+#include "lessons/lesson_link.h"
+#include "lessons/lesson_run.h"
+#include "picture/view_image.h"
+#include "session/content.h"
+#include "support/project_root.h"
+#include "tests/support/prediction_checks.h"
+
+using namespace rasterwalk;
+
+namespace {
+
+std::vector<Lesson> all_lessons() {
+    std::vector<std::string> paths;
+    for (const auto& entry : std::filesystem::directory_iterator(lessons_folder())) {
+        const std::string name = entry.path().filename().string();
+        if (name.size() > 6 && name[2] == '-' && name.ends_with(".md")) {
+            paths.push_back(entry.path().string());
+        }
+    }
+    std::sort(paths.begin(), paths.end());
+    std::vector<Lesson> lessons;
+    for (const std::string& path : paths)
+        lessons.push_back(read_lesson(path));
+    return lessons;
+}
+
+/// The session of a student who has opened a step.
+struct Student {
+    Session session = empty_session();
+    Results results;
+
+    std::vector<Fault> open(const Lesson& lesson, int step) {
+        std::vector<Fault> faults = open_step(session, lesson, step);
+        update(session, results);
+        return faults;
+    }
+    void follow(const std::string& target) {
+        follow_lesson_link(session, results.frame, parse_lesson_link(target));
+        update(session, results);
+    }
+    bool has_done(const LessonTask& task) const { return is_done(task, Facts(session, results)); }
+};
+
+/// What a link promises has come true.
+void check_kept(const LessonLink& link, const Student& student) {
+    using Kind = LessonLink::Kind;
+    const Session& session = student.session;
+    const Selection& selection = session.selection;
+    const auto number = [&] { return parse_int(link.argument); };
+    switch (link.kind) {
+    case Kind::set: {
+        // Nothing is left to set.
+        Session again = session;
+        follow_lesson_link(again, student.results.frame, link);
+        CHECK(again.settings == session.settings);
+        break;
+    }
+    case Kind::cursor:
+        CHECK(student.results.cursor == session.cursor);
+        CHECK((session.cursor == cursor_end) == (link.argument == "end"));
+        CHECK_FALSE(selection.triangle);
+        if (link.argument != "end") {
+            CHECK(session.cursor.triangle == parse_cursor(link.argument)->triangle);
+        }
+        break;
+    case Kind::compare:
+        CHECK(session.other.has_value() == (link.argument != "off"));
+        CHECK(student.results.compared.has_value() == (link.argument != "off"));
+        break;
+    case Kind::pixel:
+        CHECK(selection.pixel == parse_pixel(link.argument));
+        CHECK(student.results.history.has_value() == selection.pixel.has_value());
+        break;
+    case Kind::triangle:
+        CHECK(selection.triangle == number());
+        break;
+    case Kind::row:
+        CHECK(selection.row == number());
+        break;
+    case Kind::vertex:
+        CHECK(selection.vertex == number());
+        break;
+    case Kind::tab:
+        CHECK(session.tab == link.argument);
+        break;
+    case Kind::view:
+        CHECK(session.view == find_view(link.argument));
+        break;
+    case Kind::overlay:
+        CHECK(session.overlays.empty() == (link.argument == "none"));
+        break;
+    case Kind::lesson:
+        CHECK(std::filesystem::exists(lessons_folder() + "/" + link.argument + ".md"));
+        break;
+    default:
+        break;
+    }
+}
+
+} // namespace
+
+TEST_CASE("Every lesson has no fault") {
+    const Session session = empty_session();
+    for (const Lesson& lesson : all_lessons()) {
+        for (const Fault& fault : check_lesson(lesson, session)) {
+            // A lesson may speak of one that is not written yet.
+            if (fault.sentence.starts_with("there is no lesson '")) {
+                WARN(fault_text(lesson, fault));
+            } else {
+                FAIL_CHECK(fault_text(lesson, fault));
+            }
+        }
+    }
+}
+
+TEST_CASE("Each step of every lesson can be opened, and each link be followed") {
+    Student student;
+    for (const Lesson& lesson : all_lessons()) {
+        INFO(lesson.path);
+        for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+            const LessonStep& step = lesson.steps[i];
+            INFO(step.heading);
+            CHECK(student.open(lesson, static_cast<int>(i)).empty());
+            CHECK(student.session.lesson == lesson.id);
+            CHECK(student.session.step == static_cast<int>(i));
+            CHECK(student.results.cursor == student.session.cursor);
+            if (step.situation.cursor && *step.situation.cursor != cursor_end) {
+                CHECK(student.session.cursor.triangle == step.situation.cursor->triangle);
+            }
+            for (const LinkPlace& link : step.links) {
+                if (link.is_picture) continue;
+                INFO(link.line << ": " << link.target);
+                student.follow(link.target);
+                check_kept(parse_lesson_link(link.target), student);
+            }
+        }
+    }
+}
+
+TEST_CASE("Each task is not solved before, and is after its recipe") {
+    Student student;
+    for (const Lesson& lesson : all_lessons()) {
+        for (const LessonTask& task : lesson.tasks) {
+            INFO(lesson.path << ":" << task.line << " " << task.id);
+            student.open(lesson, task.step);
+            CHECK_FALSE(student.has_done(task));
+            for (const std::string& target : task.recipe)
+                student.follow(target);
+            CHECK(student.has_done(task));
+        }
+    }
+}
+
+TEST_CASE("Each prediction is computed, refuses a wrong answer and takes the right one") {
+    const Session session = empty_session();
+    for (const Lesson& lesson : all_lessons()) {
+        for (const LessonPrediction& prediction : lesson.predictions) {
+            INFO(lesson.path << ":" << prediction.line << " " << prediction.id);
+            const auto judged = [&](GivenAnswer answer) {
+                Judgement judgement = judge(lesson, prediction, answer, session);
+                CHECK(judgement.fault.empty());
+                CHECK(judgement.because.find('{') == std::string::npos);
+                return judgement;
+            };
+            switch (prediction.kind) {
+            case LessonPrediction::Kind::number: {
+                const double right = judged({0.0}).number;
+                CHECK(judged({right}).is_right);
+                const double far = 2.0 * std::abs(right) + 1000.0;
+                CHECK_FALSE(judged({right + far}).is_right);
+                // What is shown is what would be accepted.
+                CHECK(judged({*read_answer(answer_text(right))}).is_right);
+                break;
+            }
+            case LessonPrediction::Kind::choice: {
+                const int right = judged({0}).choice;
+                for (int i = 0; i < static_cast<int>(prediction.choices.size()); ++i)
+                    CHECK(judged({i}).is_right == (i == right));
+                break;
+            }
+            case LessonPrediction::Kind::pixel:
+                CHECK(judged({*prediction.right_pixel}).is_right);
+                CHECK_FALSE(judged({*prediction.wrong_pixel}).is_right);
+                break;
+            }
+        }
+    }
+}
+
+TEST_CASE("The program's answer to each prediction is worked out a second time without it") {
+    std::set<std::string> all;
+    for (const Lesson& lesson : all_lessons()) {
+        for (const LessonPrediction& prediction : lesson.predictions)
+            all.insert(lesson.id + "/" + prediction.id);
+    }
+    REQUIRE(all.size() >= 26);
+    for (const std::string& name : all) {
+        INFO(name << " has no PREDICTIONS_TEST");
+        CHECK(test::checked_predictions().count(name) == 1);
+    }
+    for (const std::string& name : test::checked_predictions()) {
+        INFO(name << " has a PREDICTIONS_TEST, but is no prediction of a lesson");
+        CHECK(all.count(name) == 1);
+    }
+}
+
+TEST_CASE("Each lesson holds at least two tasks and two predictions") {
+    for (const Lesson& lesson : all_lessons()) {
+        INFO(lesson.path);
+        CHECK(lesson.tasks.size() >= 2);
+        CHECK(lesson.predictions.size() >= 2);
+        CHECK(lesson.minutes >= 10);
+        CHECK(lesson.minutes <= 20);
+    }
+}
+
+TEST_CASE("Each lesson has its picture in screenshots/ and its place in the README, and none is "
+          "left over") {
+    const std::filesystem::path root(project_root());
+    const std::string readme = read_file((root / "README.md").string());
+    std::set<std::string> wanted, found;
+    for (const Lesson& lesson : all_lessons()) {
+        const std::string picture = std::string("lesson-").append(lesson.id).append(".png");
+        wanted.insert(picture);
+        INFO(lesson.id << ", " << lesson.title << ", " << lesson.minutes << " minutes");
+        CHECK(readme.find("(screenshots/" + picture + ")") != readme.npos);
+        CHECK(readme.find("[" + lesson.title + "](lessons/" + lesson.id + ".md), " +
+                          std::to_string(lesson.minutes) + " minutes") != readme.npos);
+    }
+    for (const auto& entry : std::filesystem::directory_iterator(root / "screenshots")) {
+        const std::string name = entry.path().filename().string();
+        if (name.starts_with("lesson-")) found.insert(name);
+    }
+    CHECK(found == wanted);
+}

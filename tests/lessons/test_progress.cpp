@@ -1,0 +1,158 @@
+#include "lessons/progress.h"
+
+#include <catch2/catch.hpp>
+
+#include "base/error.h"
+#include "tests/support/temporary_folder.h"
+
+using namespace rasterwalk;
+
+namespace {
+
+Progress some_progress() {
+    Progress progress;
+    progress.note_step("04-edges", 0);
+    progress.note_step("04-edges", 3);
+    progress.note_task("04-edges", "no-gap");
+    progress.note_answer("04-edges", "how-many", {"12 \"samples\"\n\\ and π", false});
+    progress.note_answer("05-row-table", "index", {"-1", true});
+    progress.note_step("05-row-table", 1);
+    return progress;
+}
+
+/// A lesson of three steps with a task and a prediction.
+Lesson small_lesson(const std::string& id) {
+    Lesson lesson;
+    lesson.id = id;
+    lesson.steps.resize(3);
+    lesson.tasks.emplace_back().id = "task";
+    lesson.predictions.emplace_back().id = "prediction";
+    return lesson;
+}
+
+void finish(Progress& progress, const std::string& lesson) {
+    for (const int step : {0, 1, 2})
+        progress.note_step(lesson, step);
+    progress.note_task(lesson, "task");
+    progress.note_answer(lesson, "prediction", {"5", false});
+}
+
+std::string fault_of(const std::string& text) {
+    try {
+        parse_progress(text, "progress.toml");
+        return "none";
+    } catch (const InputError& fault) {
+        return fault.what();
+    }
+}
+
+} // namespace
+
+TEST_CASE("Progress is the same after it was written and read") {
+    const Progress progress = some_progress();
+    CHECK(parse_progress(progress_text(progress), "progress.toml") == progress);
+    CHECK(parse_progress(progress_text(Progress{}), "progress.toml") == Progress{});
+    CHECK(parse_progress("", "progress.toml") == Progress{});
+
+    const test::TemporaryFolder folder;
+    const std::string path = folder.file("a/new/folder/progress.toml");
+    CHECK(read_progress(path) == Progress{});
+    write_progress(progress, path);
+    CHECK(read_progress(path) == progress);
+    write_progress(Progress{}, path);
+    CHECK(read_progress(path) == Progress{});
+}
+
+TEST_CASE("Only the first answer counts, and the last step is remembered") {
+    Progress progress = some_progress();
+    progress.note_answer("05-row-table", "index", {"0", false});
+    CHECK(progress.of("05-row-table").answers.at("index") == FirstAnswer{"-1", true});
+    CHECK(progress.last_lesson == "05-row-table");
+    CHECK(progress.of("04-edges").last_step == 3);
+    CHECK(progress.is_step_seen("04-edges", 0));
+    CHECK_FALSE(progress.is_step_seen("04-edges", 1));
+    CHECK(progress.is_task_done("04-edges", "no-gap"));
+    CHECK_FALSE(progress.is_task_done("05-row-table", "no-gap"));
+    CHECK(progress.of("never opened") == LessonProgress{});
+}
+
+TEST_CASE("A lesson is done when all was seen, solved and answered, rightly or not") {
+    const Lesson lesson = small_lesson("01-a");
+    Progress progress;
+    CHECK(score_of(progress, lesson).all == 2);
+    CHECK(score_of(progress, lesson).done == 0);
+    progress.note_task("01-a", "task");
+    progress.note_task("01-a", "a task that the lesson had once");
+    CHECK(score_of(progress, lesson).done == 1);
+    finish(progress, "01-a");
+    CHECK(score_of(progress, lesson).is_done);
+    CHECK(score_of(progress, lesson).last_step == 2);
+    // A step was added to the lesson, or steps were taken away.
+    Lesson other = lesson;
+    other.steps.resize(4);
+    CHECK_FALSE(score_of(progress, other).is_done);
+    other.steps.resize(2);
+    CHECK(score_of(progress, other).last_step == 1);
+}
+
+TEST_CASE("The student goes on with the lesson that was left, or the first that is not done") {
+    const std::vector<Lesson> lessons{small_lesson("01-a"), small_lesson("02-b"),
+                                      small_lesson("03-c")};
+    Progress progress;
+    CHECK(lesson_to_open(progress, {}).empty());
+    CHECK(lesson_to_open(progress, lessons) == "01-a");
+    progress.note_step("02-b", 1);
+    CHECK(lesson_to_open(progress, lessons) == "02-b");
+    finish(progress, "02-b");
+    CHECK(lesson_to_open(progress, lessons) == "01-a");
+    finish(progress, "01-a");
+    CHECK(lesson_to_open(progress, lessons) == "03-c");
+    finish(progress, "03-c");
+    CHECK(lesson_to_open(progress, lessons) == "01-a");
+    progress.last_lesson = "99-gone";
+    CHECK(lesson_to_open(progress, lessons) == "01-a");
+}
+
+TEST_CASE("A file of progress that is damaged is refused with its line") {
+    CHECK(fault_of("last_lesson = 5") ==
+          "progress.toml:1: 'last_lesson' of the progress must be text in quotes.");
+    CHECK(fault_of("lesson = 'a'").find("progress.toml:1: the progress has no 'lesson'") == 0);
+    CHECK(fault_of("\nlessons = 5") == "progress.toml:2: the lessons must be a table.");
+    CHECK(fault_of("[lessons]\na = 5") == "progress.toml:2: a lesson must be a table.");
+    CHECK(fault_of("[lessons.a]\nsteps = [1, 'two']") == "progress.toml:2: A step is a number.");
+    CHECK(fault_of("[lessons.a]\nsteps = [-1]") == "progress.toml:2: A step is a number.");
+    CHECK(fault_of("[lessons.a]\nsteps = [65]") == "progress.toml:2: A step is a number.");
+    CHECK(fault_of("[lessons.a]\nlast_step = 9999999999").find("progress.toml:2: ") == 0);
+    CHECK(fault_of("[lessons.a]\ntasks = [5]") == "progress.toml:2: A task is named by a text.");
+    CHECK(fault_of("[lessons.a]\nanswers = [5]") ==
+          "progress.toml:2: the answers must be a table.");
+    CHECK(fault_of("[lessons.a.answers]\nb = 5") == "progress.toml:2: an answer must be a table.");
+    CHECK(fault_of("[lessons.a.answers]\nb = { right = 'no' }") ==
+          "progress.toml:2: 'right' is true or false.");
+    CHECK(fault_of("= = =").find("progress.toml:1: ") == 0);
+    CHECK(fault_of(std::string(300, '[')).find("progress.toml:1: ") == 0);
+    CHECK(fault_of("\xff\xfe").find("progress.toml:1: ") == 0);
+}
+
+TEST_CASE("A file of progress that is too large, or none, is refused") {
+    const test::TemporaryFolder folder;
+    const std::string path = folder.write("progress.toml", std::string(largest_progress + 1, '\n'));
+    CHECK_THROWS_AS(read_progress(path), InputError);
+    CHECK_THROWS_AS(read_progress(folder.file("")), AccessError);
+    CHECK_THROWS_AS(write_progress(Progress{}, "/proc/nowhere/progress.toml"), AccessError);
+}
+
+TEST_CASE("What was damaged by one byte is read or refused, and never crashes") {
+    const std::string good = progress_text(some_progress());
+    for (std::size_t i = 0; i < good.size(); ++i) {
+        for (const char c : {'\0', '"', '[', '}', '\n', '\xff', '9'}) {
+            std::string text = good;
+            text[i] = c;
+            try {
+                parse_progress(text, "progress.toml");
+            } catch (const InputError& fault) {
+                REQUIRE(std::string(fault.what()).find("progress.toml:") == 0);
+            }
+        }
+    }
+}

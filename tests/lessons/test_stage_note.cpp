@@ -1,0 +1,160 @@
+#include "lessons/stage_note.h"
+
+#include <filesystem>
+
+#include <catch2/catch.hpp>
+
+#include "base/error.h"
+#include "lessons/lesson_link.h"
+#include "scene/read_scene.h"
+#include "session/content.h"
+#include "settings/setting_table.h"
+#include "tests/support/temporary_folder.h"
+
+using namespace rasterwalk;
+
+namespace {
+
+Session open_room() {
+    return open_session(lessons_folder() + "/scenes/lab-room.toml");
+}
+
+Frame frame_of(const Session& session) {
+    return prepare_frame(*session.scene, session.settings);
+}
+
+/// The sentence with which a link is refused; empty if it is followed.
+std::string refusal(Session& session, std::string_view target) {
+    try {
+        follow_lesson_link(session, frame_of(session), parse_lesson_link(target));
+    } catch (const UsageError& fault) {
+        return fault.what();
+    }
+    return {};
+}
+
+} // namespace
+
+TEST_CASE("Each stage has its note, and a bench has one for all stages") {
+    Session session = open_room();
+    Session bench = open_session(lessons_folder() + "/scenes/one-triangle.toml");
+    for (const StageInfo& info : stage_list()) {
+        INFO(info.name);
+        session.settings.stage = bench.settings.stage = info.stage;
+        CHECK(note_name(session) == info.name);
+        CHECK(note_name(bench) == "bench");
+    }
+}
+
+TEST_CASE("Every note can be read and begins with its title") {
+    StageNotes notes;
+    for (const StageInfo& info : stage_list()) {
+        const StageNote& note = notes.find(std::string(info.name));
+        INFO(note.path);
+        CHECK(note.fault.empty());
+        CHECK(note.text.substr(0, note.text.find('\n')) == "# " + std::string(info.title));
+    }
+    CHECK(notes.find("bench").text.starts_with("# The bench\n"));
+}
+
+TEST_CASE("A note that is missing, a folder or too large has a fault in its place") {
+    const test::TemporaryFolder folder;
+    std::filesystem::create_directories(folder.file("stages/edges.md"));
+    folder.write("stages/rows.md", std::string(largest_note + 1, 'a'));
+    const std::string path = folder.file("");
+    const StageNote missing = read_stage_note(path, "points");
+    CHECK(missing.text.empty());
+    CHECK_THAT(missing.fault, Catch::Contains("points.md") && Catch::Contains("No such file"));
+    CHECK_THAT(read_stage_note(path, "edges").fault, Catch::Contains("Is a directory"));
+    CHECK_THAT(read_stage_note(path, "rows").fault, Catch::Contains("larger than 1 MB"));
+}
+
+TEST_CASE("A note that is changed while the program runs is read again") {
+    const test::TemporaryFolder folder;
+    folder.write("presets.toml", "");
+    std::filesystem::create_directories(folder.file("stages"));
+    const char* const before = std::getenv("RASTERWALK_LESSONS");
+    const std::string kept = before != nullptr ? before : "";
+    setenv("RASTERWALK_LESSONS", folder.file("").c_str(), 1);
+    StageNotes notes;
+    CHECK_FALSE(notes.find("fill").fault.empty());
+    folder.write("stages/fill.md", "one");
+    CHECK(notes.find("fill").text == "one");
+    CHECK(notes.find("fill").text == "one");
+    folder.write("stages/fill.md", "and two");
+    CHECK(notes.find("fill").text == "and two");
+    std::filesystem::remove(folder.file("stages/fill.md"));
+    CHECK_FALSE(notes.find("fill").fault.empty());
+    if (before != nullptr) {
+        setenv("RASTERWALK_LESSONS", kept.c_str(), 1);
+    } else {
+        unsetenv("RASTERWALK_LESSONS");
+    }
+}
+
+TEST_CASE("A link sets a setting") {
+    Session session = open_room();
+    CHECK(refusal(session, "set:interpolation=affine").empty());
+    CHECK(session.settings.interpolation == Interpolation::affine);
+    CHECK(refusal(session, "set:light.power=14").empty());
+    CHECK(session.settings.light.power == glm::vec3(14.0f));
+}
+
+TEST_CASE("A link goes to a moment, stops the play and shows the triangle that is drawn") {
+    Session session = open_room();
+    session.selection.triangle = 3;
+    session.play.running = true;
+    CHECK(refusal(session, "cursor:t20/e1/s4").empty());
+    CHECK(session.cursor == Cursor{20, Phase::edges, 1, 4});
+    CHECK_FALSE(session.play.running);
+    CHECK_FALSE(session.selection.triangle);
+    CHECK(refusal(session, "cursor:end").empty());
+    CHECK(session.cursor == cursor_end);
+}
+
+TEST_CASE("A link that cannot be followed is answered by a sentence and changes nothing") {
+    Session session = open_room();
+    session.settings.stage = Stage::points;
+    session.selection.triangle = 3;
+    const Settings settings = session.settings;
+    const std::pair<std::string, std::string> cases[] = {
+        {"", "leads nowhere"},
+        {"https://example.org", "leads nowhere"},
+        {"../../etc/passwd", "leads nowhere"},
+        {"set:", "is not complete"},
+        {"cursor:", "is not complete"},
+        {"show:", "is not complete"},
+        {"set", "is not complete"},
+        {"set:stage", "is not of the form name=value"},
+        {"set:stages=rows", "Did you mean 'stage'?"},
+        {"set:stage=row", "stage cannot be 'row'"},
+        {"set:light.power=nan", "light.power cannot be 'nan'"},
+        {"cursor:t0/x1", "is not of the form"},
+        {"cursor:t99", "there is no moment t99: the scene has the triangles t0 to t29"},
+        {"cursor:t0/e1/s4", "in stage points a triangle has no edges"},
+        {"cursor:t2147483647/r2147483647/c2147483647", "there is no moment"},
+        {std::string("set:\0\n=\x01", 8), "there is no setting"},
+        {std::string(100'000, 'a'), "leads nowhere"},
+    };
+    for (const auto& [target, answer] : cases) {
+        INFO(target.substr(0, 80));
+        const std::string sentence = refusal(session, target);
+        CHECK_THAT(sentence, Catch::Contains(answer));
+        CHECK(sentence.ends_with(answer.ends_with('?') ? '?' : '.'));
+        CHECK(sentence.find('\n') == std::string::npos);
+        CHECK(sentence.size() < 300);
+        CHECK(session.settings == settings);
+        CHECK(session.cursor == cursor_end);
+        CHECK(session.selection.triangle == 3);
+    }
+}
+
+TEST_CASE("A link that only points at a widget leaves the session alone") {
+    Session session = open_room();
+    const LessonLink link = parse_lesson_link("show:tab.rows");
+    CHECK(link.kind == LessonLink::Kind::show);
+    CHECK(link.argument == "tab.rows");
+    const Settings before = session.settings;
+    follow_lesson_link(session, frame_of(session), link);
+    CHECK(session.settings == before);
+}

@@ -1,0 +1,322 @@
+#include "picture/overlay.h"
+
+#include <algorithm>
+
+#include <catch2/catch.hpp>
+
+#include "base/error.h"
+#include "picture/colour_map.h"
+#include "picture/view_image.h"
+#include "session/content.h"
+#include "session/results.h"
+#include "support/samples.h"
+
+using namespace rasterwalk;
+
+namespace {
+
+Session room_session() {
+    return open_session(lessons_folder() + "/scenes/lab-room.toml");
+}
+
+OverlaySet all_overlays() {
+    OverlaySet set;
+    for (const OverlayInfo& info : overlay_list())
+        set.set(info.overlay, true);
+    return set;
+}
+
+/// The four bytes of a pixel of the overlays' picture.
+std::array<int, 4> bytes_at(const Results& results, int column, int row) {
+    const std::size_t at = 4 * results.framebuffer->at(column, row);
+    const auto& rgba = results.overlay.image.rgba;
+    return {rgba[at], rgba[at + 1], rgba[at + 2], rgba[at + 3]};
+}
+
+std::string total(Overlay overlay, const Results& results) {
+    return overlay_total(overlay, results.frame, results.overlay);
+}
+std::string value(Overlay overlay, const Results& results, int column, int row) {
+    return overlay_value(overlay, results.frame, *results.framebuffer, results.overlay,
+                         {column, row});
+}
+
+} // namespace
+
+TEST_CASE("The table of overlays stands in the order of the enumerators, and finds each by name") {
+    int number = 0;
+    for (const OverlayInfo& info : overlay_list()) {
+        CHECK(static_cast<int>(info.overlay) == number++);
+        CHECK(find_overlay(info.name) == info.overlay);
+        CHECK_FALSE(info.help.empty());
+    }
+    CHECK(number == overlay_count);
+    CHECK_FALSE(find_overlay("shadow"));
+}
+
+TEST_CASE("An overlay is switched on and off without touching the others") {
+    OverlaySet set;
+    CHECK(set.empty());
+    set.set(Overlay::affine_error, true);
+    set.set(Overlay::depth, true);
+    set.set(Overlay::depth, true);
+    CHECK(set.count() == 2);
+    set.set(Overlay::depth, false);
+    CHECK(set.has(Overlay::affine_error));
+    CHECK_FALSE(set.has(Overlay::depth));
+    set.set(Overlay::affine_error, false);
+    CHECK(set == OverlaySet{});
+}
+
+TEST_CASE("The totals of the room are its golden numbers") {
+    Session session = room_session();
+    session.settings.stage = Stage::depth;
+    session.overlays = all_overlays();
+    Results results;
+    update(session, results);
+    CHECK(total(Overlay::uncovered, results) == "998 uncovered");
+    CHECK(total(Overlay::overdraw, results) == "328789 fragments, at most 8 on a pixel");
+    const OverlayTotals& totals = results.overlay.totals;
+    CHECK(totals.fragments == 328789);
+    CHECK(totals.over_one == 0);
+    // Every fragment either passed or failed, and every covered pixel has one that passed.
+    std::int64_t passed = 0, failed = 0;
+    for (const DepthVerdicts& verdicts : results.overlay.facts.depth) {
+        passed += verdicts.passed;
+        failed += verdicts.failed;
+    }
+    CHECK(passed + failed == 328789);
+    CHECK(failed == totals.failed_fragments);
+    // The sum over split quads that the handout speaks of: between one and two per cent.
+    CHECK(totals.drawn_twice > 3288);
+    CHECK(totals.drawn_twice < 6576);
+    CHECK(totals.largest_error == Approx(0.5).margin(0.1));
+    // 18 edges of the box and its four walls' and floor's diagonals, less what the front is open;
+    // and each block's edges with a diagonal on every side.
+    CHECK(totals.wires == static_cast<int>(results.overlay.wires.size()));
+}
+
+TEST_CASE("Every pixel of the overlays' picture is the tint of that overlay, and clear elsewhere") {
+    Session session = room_session();
+    session.settings.light.power = glm::vec3(60.0f);
+    Results results;
+    for (const OverlayInfo& info : overlay_list()) {
+        if (info.overlay == Overlay::wireframe) continue;
+        session.overlays = {};
+        session.overlays.set(info.overlay, true);
+        update(session, results);
+        const Framebuffer& drawn = *results.framebuffer;
+        const PixelFacts& facts = results.overlay.facts;
+        int tinted = 0;
+        for (int row = 0; row < 500; ++row) {
+            for (int column = 0; column < 500; ++column) {
+                const std::size_t at = drawn.at(column, row);
+                float amount = -1.0f;
+                switch (info.overlay) {
+                case Overlay::owner:
+                    amount = drawn.owner[at] >= 0 ? 1.0f : -1.0f;
+                    break;
+                case Overlay::overdraw:
+                    if (drawn.overdraw[at] > 0)
+                        amount = static_cast<float>(drawn.overdraw[at]) / 8.0f;
+                    break;
+                case Overlay::drawn_twice:
+                    amount = facts.drawn_twice[at].first >= 0 ? 1.0f : -1.0f;
+                    break;
+                case Overlay::depth:
+                    if (drawn.overdraw[at] > 0) amount = facts.depth[at].failed > 0 ? 1.0f : 0.0f;
+                    break;
+                case Overlay::uncovered:
+                    amount = drawn.owner[at] < 0 ? 1.0f : -1.0f;
+                    break;
+                case Overlay::over_one:
+                    for (int c = 0; c < 3; ++c) {
+                        if (drawn.colour[at][c] > 1.0f) amount = 1.0f;
+                    }
+                    break;
+                default:
+                    amount = facts.affine_error[at] / results.overlay.totals.largest_error;
+                }
+                std::array<int, 4> expected{0, 0, 0, 0};
+                const Tint tint = amount < 0.0f ? Tint{}
+                                                : overlay_tint(info.overlay, amount, {column, row},
+                                                               drawn.owner[at]);
+                if (tint.opacity > 0.0f) {
+                    expected = {tint.colour.r, tint.colour.g, tint.colour.b,
+                                static_cast<int>(255.0f * tint.opacity + 0.5f)};
+                    ++tinted;
+                }
+                if (bytes_at(results, column, row) != expected) {
+                    FAIL(info.name << ": column " << column << " row " << row);
+                }
+            }
+        }
+        INFO(info.name);
+        CHECK(tinted > 500);
+    }
+}
+
+TEST_CASE("Overlays that lie on each other mix as two sheets of coloured glass") {
+    Session session = room_session();
+    Results results;
+    session.overlays.set(Overlay::owner, true);
+    session.overlays.set(Overlay::depth, true);
+    update(session, results);
+    const int column = 300, row = 400;
+    const int owner = results.framebuffer->owner[results.framebuffer->at(column, row)];
+    const Tint below = overlay_tint(Overlay::owner, 1.0f, {column, row}, owner);
+    const float failed =
+        results.overlay.facts.depth[results.framebuffer->at(column, row)].failed > 0 ? 1.0f : 0.0f;
+    const Tint above = overlay_tint(Overlay::depth, failed, {column, row});
+    // Over a picture of black and over one of white the result must be that of two layers.
+    for (const float ground : {0.0f, 255.0f}) {
+        const std::array<int, 4> mixed = bytes_at(results, column, row);
+        for (int c = 0; c < 3; ++c) {
+            const float once = ground + below.opacity * (below.colour[c] - ground);
+            const float twice = once + above.opacity * (above.colour[c] - once);
+            const float opacity = static_cast<float>(mixed[3]) / 255.0f;
+            CHECK(ground + opacity * (static_cast<float>(mixed[c]) - ground) ==
+                  Approx(twice).margin(1.5));
+        }
+    }
+}
+
+TEST_CASE("Overlays leave the picture and the framebuffer as they are") {
+    Session session = room_session();
+    Results plain, covered;
+    update(session, plain);
+    session.overlays = all_overlays();
+    update(session, covered);
+    CHECK(plain.picture == covered.picture);
+    CHECK(*plain.framebuffer == *covered.framebuffer);
+    CHECK(plain.overlay.image.rgba.empty());
+}
+
+TEST_CASE("Facts are worked out once a moment, and anew when the moment is another") {
+    Session session = room_session();
+    session.overlays.set(Overlay::affine_error, true);
+    Results results;
+    update(session, results);
+    const float* const plane = results.overlay.facts.affine_error.data();
+    const std::uint64_t number = results.overlay_number;
+    update(session, results);
+    CHECK(results.overlay_number == number);
+    session.overlays.set(Overlay::wireframe, true);
+    update(session, results);
+    CHECK(results.overlay.facts.affine_error.data() == plane);
+    CHECK(results.overlay_number == number + 1);
+    session.cursor = Cursor{4, Phase::vertices, 0, 0};
+    update(session, results);
+    CHECK(results.overlay_number == number + 2);
+    // Only floor and left wall are drawn; nothing stands in the middle of the ceiling yet.
+    CHECK(results.overlay.facts.affine_error[results.framebuffer->at(250, 20)] == 0.0f);
+    CHECK(results.overlay.facts.affine_error[results.framebuffer->at(250, 470)] > 0.0f);
+    CHECK(value(Overlay::owner, results, 250, 20) == "none");
+    session.settings.camera.yaw = 0.1f;
+    update(session, results);
+    CHECK(results.overlay_number == number + 3);
+    session.view = View::depth;
+    update(session, results);
+    CHECK(results.overlay_number == number + 3);
+}
+
+TEST_CASE("Each overlay says of a pixel what is so") {
+    Session session = room_session();
+    session.settings.light.power = glm::vec3(60.0f);
+    session.overlays = all_overlays();
+    Results results;
+    update(session, results);
+    CHECK(value(Overlay::uncovered, results, 0, 0) == "uncovered");
+    CHECK(value(Overlay::uncovered, results, 250, 250) == "covered");
+    CHECK(value(Overlay::owner, results, 250, 350) == "triangle 11, short block");
+    CHECK(value(Overlay::overdraw, results, 0, 0) == "0 fragments");
+    const std::size_t at = results.framebuffer->at(250, 350);
+    const DepthVerdicts verdicts = results.overlay.facts.depth[at];
+    CHECK(verdicts.passed + verdicts.failed == results.framebuffer->overdraw[at]);
+    CHECK(value(Overlay::depth, results, 250, 350) ==
+          std::to_string(verdicts.passed) + " passed, " + std::to_string(verdicts.failed) +
+              " failed");
+    // On the diagonal of the back wall.
+    int twice = 0;
+    for (int i = 136; i < 364; ++i) {
+        for (const int column : {i, 499 - i}) {
+            twice += value(Overlay::drawn_twice, results, column, i) == "triangles 9 and 10";
+        }
+    }
+    CHECK(twice > 50);
+    CHECK(value(Overlay::wireframe, results, 200, 60) == "no edge");
+    const Fragment corner = results.frame.triangle_vertices(8)[0];
+    CHECK(value(Overlay::wireframe, results, corner.column, corner.row) != "no edge");
+    CHECK(value(Overlay::over_one, results, 0, 0) == "none");
+    CHECK(value(Overlay::affine_error, results, 700, 700).empty());
+}
+
+TEST_CASE("A carpet of edges is cut off, and said to be") {
+    std::vector<std::array<glm::vec3, 3>> many;
+    for (int i = 0; i < 2000; ++i) {
+        const float x = static_cast<float>(i % 50), y = static_cast<float>(i / 50);
+        many.push_back({{{x, y, 1}, {x + 3, y, 1}, {x, y + 5, 1}}});
+    }
+    Session session;
+    session.scene = std::make_shared<const Scene>(test::pixel_scene(many, {64, 64}));
+    session.settings = default_settings(*session.scene);
+    session.overlays.set(Overlay::wireframe, true);
+    Results results;
+    update(session, results);
+    CHECK(results.overlay.wires.size() == most_wires);
+    CHECK(total(Overlay::wireframe, results) == "the first 3000 of 6000 edges");
+}
+
+TEST_CASE("An edge that two triangles have in common is one edge") {
+    Session session;
+    session.scene = std::make_shared<const Scene>(test::pixel_scene(
+        {{{{2, 2, 1}, {9, 2, 1}, {2, 9, 1}}}, {{{9, 2, 1}, {9, 9, 1}, {2, 9, 1}}}}, {12, 12}));
+    session.settings = default_settings(*session.scene);
+    session.overlays.set(Overlay::wireframe, true);
+    Results results;
+    update(session, results);
+    CHECK(total(Overlay::wireframe, results) == "5 edges");
+    CHECK(value(Overlay::wireframe, results, 6, 5) == "edge 2 of triangle 1");
+}
+
+TEST_CASE("Overlays are told apart without colour: no two patterns are the same") {
+    std::vector<std::vector<float>> patterns;
+    for (const Overlay overlay :
+         {Overlay::depth, Overlay::over_one, Overlay::drawn_twice, Overlay::uncovered}) {
+        std::vector<float> lightness;
+        for (int i = 0; i < 144; ++i) {
+            const Tint tint = overlay_tint(overlay, 1.0f, {i % 12, i / 12});
+            lightness.push_back(tint.opacity * static_cast<float>(tint.colour.g + tint.colour.r));
+        }
+        // Where it is darker than its own mean: the drawing, without how dark it is.
+        const float mean = [&] {
+            float sum = 0.0f;
+            for (const float l : lightness)
+                sum += l;
+            return sum / 144.0f;
+        }();
+        for (float& l : lightness)
+            l = l < mean - 1e-3f ? 1.0f : 0.0f;
+        for (const auto& other : patterns)
+            CHECK_FALSE(other == lightness);
+        patterns.push_back(lightness);
+    }
+}
+
+TEST_CASE("Undo takes back overlays and the range of the depth view") {
+    Session session = room_session();
+    note_choices(session);
+    session.overlays.set(Overlay::uncovered, true);
+    note_choices(session);
+    session.depth_range = DepthRange{0.3f, 0.4f};
+    note_choices(session);
+    REQUIRE(undo(session));
+    CHECK_FALSE(session.depth_range);
+    CHECK(session.overlays.has(Overlay::uncovered));
+    REQUIRE(undo(session));
+    CHECK(session.overlays.empty());
+    REQUIRE(redo(session));
+    REQUIRE(redo(session));
+    CHECK(session.overlays.has(Overlay::uncovered));
+    CHECK(session.depth_range == DepthRange{0.3f, 0.4f});
+}

@@ -1,0 +1,248 @@
+#include "picture/pixel_facts.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include <catch2/catch.hpp>
+
+#include <glm/geometric.hpp>
+
+#include "pipeline/draw.h"
+#include "pipeline/timeline.h"
+#include "stages/pixel_shader.h"
+#include "support/frames.h"
+#include "support/recorder.h"
+#include "support/samples.h"
+
+using namespace rasterwalk;
+using namespace rasterwalk::test;
+
+namespace {
+
+std::string pixel_text(const Frame& frame, std::size_t pixel) {
+    const auto width = static_cast<std::size_t>(frame.settings.viewport.width);
+    return "column " + std::to_string(pixel % width) + " row " + std::to_string(pixel / width);
+}
+
+Recorder fragments_of(const Frame& frame, const Cursor& to) {
+    Framebuffer framebuffer;
+    clear(framebuffer, frame);
+    Recorder recorder;
+    draw(frame, {.from = cursor_begin, .to = to, .scissor = {}}, framebuffer, &recorder);
+    return recorder;
+}
+
+std::size_t pixel_of(const Frame& frame, const Fragment& f) {
+    return static_cast<std::size_t>(f.row) *
+               static_cast<std::size_t>(frame.settings.viewport.width) +
+           static_cast<std::size_t>(f.column);
+}
+
+/// By the definition: two vertices in the same places, the third ones on different sides of the
+/// line through them in the picture.
+bool are_neighbours(const Frame& frame, int s, int t) {
+    const auto& p = frame.scene->triangles[s].vertices;
+    const auto& q = frame.scene->triangles[t].vertices;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            for (const int way : {1, 2}) {
+                if (p[i].position != q[j].position ||
+                    p[(i + 1) % 3].position != q[(j + way) % 3].position)
+                    continue;
+                const auto v = frame.triangle_vertices(s);
+                const auto w = frame.triangle_vertices(t);
+                const auto height = [&](const Fragment& f) {
+                    return static_cast<double>(v[(i + 1) % 3].column - v[i].column) *
+                               (f.row - v[i].row) -
+                           static_cast<double>(v[(i + 1) % 3].row - v[i].row) *
+                               (f.column - v[i].column);
+                };
+                if (height(v[(i + 2) % 3]) * height(w[(j + 3 - way) % 3]) < 0.0) return true;
+            }
+        }
+    }
+    return false;
+}
+
+/// The first pixel on which the plane says something else than the fragments themselves.
+std::string first_wrong_pair(const Frame& frame, const Cursor& to) {
+    const PixelFacts facts = pixel_facts(frame, to, {.drawn_twice = true});
+    std::map<std::size_t, std::set<int>> by_pixel;
+    for (const FragmentEvent& event : fragments_of(frame, to).fragments)
+        by_pixel[pixel_of(frame, event.fragment)].insert(event.cursor.triangle);
+    for (std::size_t pixel = 0; pixel < facts.drawn_twice.size(); ++pixel) {
+        std::set<std::pair<int, int>> pairs;
+        const std::set<int>& triangles = by_pixel[pixel];
+        for (const int s : triangles) {
+            for (const int t : triangles) {
+                if (s < t && are_neighbours(frame, s, t)) pairs.insert({s, t});
+            }
+        }
+        const DrawnTwice& twice = facts.drawn_twice[pixel];
+        const bool is_right =
+            pairs.empty() ? !twice : pairs.count({twice.first, twice.second}) == 1;
+        if (!is_right) {
+            return pixel_text(frame, pixel) + ": said " + std::to_string(twice.first) + " and " +
+                   std::to_string(twice.second) + ", of " + std::to_string(pairs.size());
+        }
+    }
+    return {};
+}
+
+} // namespace
+
+TEST_CASE("Neighbours that both drew on a pixel are those that the fragments show") {
+    const Scene room = lab_room();
+    for (const Variant& variant : rule_variants()) {
+        INFO(variant.name);
+        CHECK(first_wrong_pair(frame_of(room, Stage::depth, variant), cursor_end) == "");
+    }
+}
+
+TEST_CASE("At any moment only what was drawn before it counts as drawn twice") {
+    const Scene room = lab_room();
+    const Frame frame = frame_of(room, Stage::fill, rule_variants().front());
+    const Timeline timeline(frame);
+    Random random(8);
+    for (int i = 0; i < 8; ++i) {
+        const Cursor to = timeline.at_place(random.integer(0, 1000) / 1000.0);
+        INFO(to_text(to));
+        CHECK(first_wrong_pair(frame, to) == "");
+    }
+}
+
+TEST_CASE("The two halves of a square draw its diagonal twice, and nothing else") {
+    const Scene scene = pixel_scene(
+        {{{{2, 2, 1}, {9, 2, 1}, {2, 9, 1}}}, {{{9, 2, 1}, {9, 9, 1}, {2, 9, 1}}}}, {12, 12});
+    const Frame frame = frame_of(scene, Stage::fill, rule_variants().front());
+    const PixelFacts facts = pixel_facts(frame, cursor_end, {.drawn_twice = true});
+    for (int row = 0; row < 12; ++row) {
+        for (int column = 0; column < 12; ++column) {
+            const bool on_diagonal = column + row == 11 && column >= 2 && column <= 9;
+            INFO("column " << column << " row " << row);
+            CHECK(facts.drawn_twice[static_cast<std::size_t>(12 * row + column)] ==
+                  (on_diagonal ? DrawnTwice{0, 1} : DrawnTwice{}));
+        }
+    }
+}
+
+TEST_CASE("A triangle folded over its neighbour covers it rightly") {
+    const Scene scene = pixel_scene(
+        {{{{2, 2, 1}, {9, 2, 1}, {2, 9, 1}}}, {{{9, 2, 1}, {4, 2, 1}, {2, 9, 1}}}}, {12, 12});
+    const Frame frame = frame_of(scene, Stage::fill, rule_variants().front());
+    const PixelFacts facts = pixel_facts(frame, cursor_end, {.drawn_twice = true});
+    CHECK(std::count(facts.drawn_twice.begin(), facts.drawn_twice.end(), DrawnTwice{}) == 144);
+}
+
+TEST_CASE("Passed and failed fragments are those of the drawing, light or not, at any moment") {
+    const Scene room = lab_room();
+    for (const Stage stage : {Stage::depth, Stage::vertex_light, Stage::pixel_light}) {
+        for (const Variant& variant : rule_variants()) {
+            const Frame frame = frame_of(room, stage, variant);
+            if (frame.settings.depth_test == DepthTest::off) continue;
+            for (const Cursor to : {cursor_end, Cursor{13, Phase::rows, 20, 5}}) {
+                const PixelFacts facts = pixel_facts(frame, to, {.depth = true});
+                std::vector<DepthVerdicts> expected(facts.depth.size());
+                REQUIRE(expected.size() == 250'000);
+                for (const FragmentEvent& event : fragments_of(frame, to).fragments) {
+                    DepthVerdicts& verdicts = expected[pixel_of(frame, event.fragment)];
+                    ++(event.fate == Fate::written ? verdicts.passed : verdicts.failed);
+                }
+                const auto wrong =
+                    std::mismatch(expected.begin(), expected.end(), facts.depth.begin());
+                INFO(variant.name << ", " << to_text(to));
+                if (wrong.first != expected.end()) {
+                    const auto pixel = static_cast<std::size_t>(wrong.first - expected.begin());
+                    FAIL(pixel_text(frame, pixel)
+                         << ": " << wrong.second->passed << " passed, " << wrong.second->failed
+                         << " failed; drawn " << wrong.first->passed << " and "
+                         << wrong.first->failed);
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("Without a depth test there is nothing to tell of it") {
+    const Scene room = lab_room();
+    Settings settings = default_settings(room);
+    settings.stage = Stage::fill;
+    CHECK(pixel_facts(prepare_frame(room, settings), cursor_end, {.depth = true}).depth.empty());
+    settings.stage = Stage::depth;
+    settings.depth_test = DepthTest::off;
+    CHECK(pixel_facts(prepare_frame(room, settings), cursor_end, {.depth = true}).depth.empty());
+}
+
+TEST_CASE("The affine error is the distance between the two places the visible point is given") {
+    const Scene room = lab_room();
+    float largest = 0.0f;
+    for (const Stage stage : {Stage::fill, Stage::vertex_light, Stage::pixel_light}) {
+        for (const Interpolation in_force : {Interpolation::perspective, Interpolation::affine}) {
+            Settings settings = default_settings(room);
+            settings.stage = stage;
+            settings.interpolation = in_force;
+            const Frame frame = prepare_frame(room, settings);
+            std::vector<glm::vec3> places[2];
+            for (const Interpolation way : {Interpolation::perspective, Interpolation::affine}) {
+                settings.interpolation = way;
+                auto& plane = places[static_cast<int>(way)];
+                plane.assign(250'000, glm::vec3(0.0f));
+                const Frame other = prepare_frame(room, settings);
+                for (const FragmentEvent& event : fragments_of(other, cursor_end).fragments) {
+                    if (event.fate != Fate::written) continue;
+                    plane[pixel_of(frame, event.fragment)] =
+                        recover_varyings(event.fragment, way).position_world;
+                }
+            }
+            const PixelFacts facts = pixel_facts(frame, cursor_end, {.affine_error = true});
+            for (std::size_t i = 0; i < 250'000; ++i) {
+                const float expected = glm::distance(places[0][i], places[1][i]);
+                if (facts.affine_error[i] != expected) {
+                    FAIL(pixel_text(frame, i)
+                         << ": " << facts.affine_error[i] << ", drawn twice " << expected);
+                }
+                largest = std::max(largest, expected);
+            }
+        }
+    }
+    // About half a world unit, which is a quarter of the room's edge.
+    CHECK(largest == Approx(0.5f).margin(0.1f));
+}
+
+TEST_CASE("Only what is asked for is worked out") {
+    const Scene room = lab_room();
+    const Frame frame = prepare_frame(room, default_settings(room));
+    const PixelFacts none = pixel_facts(frame, cursor_end, {});
+    CHECK((none.drawn_twice.empty() && none.depth.empty() && none.affine_error.empty()));
+    const PixelFacts depth = pixel_facts(frame, cursor_end, {.depth = true});
+    CHECK((depth.drawn_twice.empty() && !depth.depth.empty() && depth.affine_error.empty()));
+    CHECK(depth.known.includes({.depth = true}));
+    CHECK_FALSE(depth.known.includes({.depth = true, .affine_error = true}));
+}
+
+TEST_CASE("Before stage fill there are no fragments to tell of") {
+    const Scene room = lab_room();
+    for (const Stage stage : {Stage::points, Stage::edges, Stage::rows}) {
+        const Frame frame = frame_of(room, stage, rule_variants().front());
+        const PixelFacts facts = pixel_facts(frame, cursor_end, {true, true, true});
+        CHECK(std::count(facts.drawn_twice.begin(), facts.drawn_twice.end(), DrawnTwice{}) ==
+              250'000);
+        CHECK(std::count(facts.affine_error.begin(), facts.affine_error.end(), 0.0f) == 250'000);
+        CHECK(facts.depth.empty());
+    }
+}
+
+TEST_CASE("A fan of thousands of triangles on one edge takes no longer than as many others") {
+    std::vector<std::array<glm::vec3, 3>> fan;
+    for (int i = 0; i < 20'000; ++i)
+        fan.push_back({{{2, 8, 1}, {13, 8, 1}, {i % 16, i % 2 == 0 ? 2 : 14, 1}}});
+    const Scene scene = pixel_scene(fan, {16, 16});
+    const Frame frame = frame_of(scene, Stage::fill, rule_variants().front());
+    const auto begin = std::chrono::steady_clock::now();
+    const PixelFacts facts = pixel_facts(frame, cursor_end, {.drawn_twice = true});
+    CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(5));
+    CHECK(facts.drawn_twice[8 * 16 + 7]);
+}

@@ -1,0 +1,78 @@
+#include <catch2/catch.hpp>
+
+#include "picture/resample.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// Columns of opaque black and white in turn.
+Image stripes(int width, int height) {
+    Image image{width, height, {}};
+    for (int i = 0; i < width * height; ++i) {
+        const std::uint8_t v = i % width % 2 == 0 ? 0 : 255;
+        image.rgba.insert(image.rgba.end(), {v, v, v, 255});
+    }
+    return image;
+}
+
+int red(const Image& image, int column, int row) {
+    return image.rgba[4 * static_cast<std::size_t>(row * image.width + column)];
+}
+
+int opacity(const Image& image, int column, int row) {
+    return image.rgba[4 * static_cast<std::size_t>(row * image.width + column) + 3];
+}
+
+} // namespace
+
+TEST_CASE("Resampled by a whole number a picture has larger pixels, and nothing else") {
+    const Image image = stripes(4, 3);
+    CHECK(resampled(image, 1.0f) == image);
+    const Image twice = resampled(image, 2.0f);
+    REQUIRE(twice.width == 8);
+    REQUIRE(twice.height == 6);
+    for (int column = 0; column < 8; ++column)
+        CHECK(red(twice, column, 5) == red(image, column / 2, 2));
+}
+
+TEST_CASE("Resampled by a fraction every line keeps its share of the light") {
+    for (const float scale : {1.25f, 1.47f, 2.5f, 3.3f}) {
+        INFO("scale " << scale);
+        const Image image = stripes(40, 2);
+        const Image larger = resampled(image, scale);
+        REQUIRE(larger.width == resampled_side(40, scale));
+        for (int line = 1; line < 39; line += 2) {
+            // What of the white line arrives between the middles of its dark neighbours.
+            double light = 0.0;
+            for (int column = 0; column < larger.width; ++column) {
+                const double middle = (column + 0.5) / static_cast<double>(scale);
+                if (middle > line - 0.5 && middle < line + 1.5)
+                    light += red(larger, column, 0) / 255.0;
+            }
+            CHECK(light == Approx(static_cast<double>(scale)).margin(0.6));
+        }
+    }
+}
+
+TEST_CASE("Made smaller a picture is averaged, so that no line is lost") {
+    const Image half = resampled(stripes(40, 40), 0.5f);
+    REQUIRE(half.width == 20);
+    for (int column = 0; column < 20; ++column)
+        CHECK(red(half, column, 7) == 128);
+    CHECK(resampled(stripes(3, 3), 0.01f).width == 1);
+}
+
+TEST_CASE("What a picture does not reach is transparent, and tints keep their colour") {
+    Image image{1, 1, {200, 100, 50, 128}};
+    const Image larger = resampled(image, 1.5f);
+    REQUIRE(larger.width == 2);
+    CHECK(red(larger, 0, 0) == 200);
+    CHECK(opacity(larger, 0, 0) == 128);
+    CHECK(red(larger, 1, 0) == 200);
+    CHECK(opacity(larger, 1, 0) == 64);
+    CHECK(opacity(larger, 1, 1) == 32);
+    CHECK(resampled(Image{}, 2.0f).width == 0);
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,278 @@
+#include "settings/setting_table.h"
+
+#include <cmath>
+#include <cstring>
+#include <random>
+#include <set>
+
+#include <catch2/catch.hpp>
+
+#include "base/error.h"
+
+using namespace rasterwalk;
+using Catch::Matchers::Contains;
+
+namespace {
+
+std::string value_of(const Settings& settings, std::string_view name) {
+    const Setting* setting = find_setting(name);
+    REQUIRE(setting != nullptr);
+    return value_text(*setting, settings);
+}
+
+/// The sentence with which an assignment is refused.
+std::string refusal(const std::string& assignment) {
+    Settings settings;
+    try {
+        set_from_text(settings, assignment);
+    } catch (const UsageError& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+} // namespace
+
+TEST_CASE("The table holds exactly the settings that are promised, each with help") {
+    const std::vector<std::string_view> promised{"stage",
+                                                 "rounding",
+                                                 "line_walk",
+                                                 "edge_samples",
+                                                 "row_start",
+                                                 "row_search",
+                                                 "empty_rows",
+                                                 "spans",
+                                                 "depth_test",
+                                                 "depth_clear",
+                                                 "depth_index",
+                                                 "shading",
+                                                 "interpolation",
+                                                 "camera.position",
+                                                 "camera.yaw",
+                                                 "camera.pitch",
+                                                 "camera.focal_length",
+                                                 "rotation",
+                                                 "image_axes",
+                                                 "behind_camera",
+                                                 "outside_picture",
+                                                 "light.position",
+                                                 "light.power",
+                                                 "light.indirect",
+                                                 "light.direction",
+                                                 "light.falloff",
+                                                 "light.sum",
+                                                 "viewport.size",
+                                                 "bounds",
+                                                 "colour_over_one"};
+    std::vector<std::string_view> names;
+    for (const Setting& setting : setting_table()) {
+        names.push_back(setting.name);
+        INFO(setting.name);
+        CHECK_FALSE(setting.group.empty());
+        CHECK(setting.help.ends_with('.'));
+        CHECK_FALSE(setting.section.empty());
+    }
+    CHECK(names == promised);
+}
+
+TEST_CASE("The defaults are the lab's rules") {
+    const Settings settings;
+    CHECK(value_of(settings, "stage") == "pixel_light");
+    CHECK(value_of(settings, "rounding") == "truncate");
+    CHECK(value_of(settings, "line_walk") == "accumulate");
+    CHECK(value_of(settings, "edge_samples") == "longest_axis");
+    CHECK(value_of(settings, "depth_test") == "inverse_z");
+    CHECK(value_of(settings, "interpolation") == "perspective");
+    CHECK(value_of(settings, "camera.position") == "0,0,-3.001");
+    CHECK(value_of(settings, "light.power") == "1.1");
+    CHECK(value_of(settings, "viewport.size") == "500x500");
+}
+
+TEST_CASE("Every word of every choice is set and read back, and lands in its own member") {
+    Settings settings;
+    for (const Setting& setting : setting_table()) {
+        const auto* choice = std::get_if<ChoiceSetting>(&setting.kind);
+        if (choice == nullptr) continue;
+        for (const std::string_view word : choice->words) {
+            set_value(settings, setting, word);
+            INFO(setting.name << " = " << word);
+            CHECK(value_text(setting, settings) == word);
+        }
+    }
+    // Every choice now stands on its last word.
+    CHECK(settings.stage == Stage::pixel_light);
+    CHECK(settings.rounding == Rounding::round);
+    CHECK(settings.line_walk == LineWalk::integer_step);
+    CHECK(settings.edge_samples == EdgeSamples::shifted);
+    CHECK(settings.row_start == RowStart::window);
+    CHECK(settings.row_search == RowSearch::all_rows);
+    CHECK(settings.empty_rows == EmptyRows::overflow);
+    CHECK(settings.spans == Spans::last_dropped);
+    CHECK(settings.bounds == Bounds::excludes_zero);
+    CHECK(settings.depth_test == DepthTest::reversed);
+    CHECK(settings.depth_index == DepthIndex::transposed);
+    CHECK(settings.shading == Shading::before_depth_test);
+    CHECK(settings.interpolation == Interpolation::zinv_twice);
+    CHECK(settings.rotation == Rotation::transposed);
+    CHECK(settings.image_axes == ImageAxes::mirrored);
+    CHECK(settings.behind_camera == BehindCamera::mark_minus_one);
+    CHECK(settings.outside_picture == OutsidePicture::clamped);
+    CHECK(settings.light_rules.direction == LightDirection::not_normalized);
+    CHECK(settings.light_rules.falloff == LightFalloff::cubed);
+    CHECK(settings.light_rules.sum == LightSum::reflectance_plus);
+    CHECK(settings.colour_over_one == ColourOverOne::wrap);
+}
+
+TEST_CASE("A setting's values as text are those of its defaults: every choice's first word") {
+    const Settings settings;
+    for (const Setting& setting : setting_table()) {
+        const auto* choice = std::get_if<ChoiceSetting>(&setting.kind);
+        if (choice == nullptr || setting.name == "stage") continue;
+        INFO(setting.name);
+        CHECK(value_text(setting, settings) == choice->words.front());
+    }
+}
+
+TEST_CASE("Numbers, places, colours and sizes are set from text") {
+    Settings settings;
+    for (const char* assignment :
+         {"camera.yaw=-0.25", "camera.pitch= 0.5 ", "camera.focal_length=1e3",
+          "camera.position=1, -2.5 ,3", "light.position=4,5,6", "light.power=14",
+          "light.indirect=0.1,0.2,0.3", "viewport.size=640x480"}) {
+        set_from_text(settings, assignment);
+    }
+    CHECK(settings.camera.yaw == -0.25f);
+    CHECK(settings.camera.pitch == 0.5f);
+    CHECK(settings.camera.focal_length == 1000.0f);
+    CHECK(settings.camera.position == glm::vec3(1.0f, -2.5f, 3.0f));
+    CHECK(settings.light.position == glm::vec3(4.0f, 5.0f, 6.0f));
+    CHECK(settings.light.power == glm::vec3(14.0f));
+    CHECK(settings.light.indirect == glm::vec3(0.1f, 0.2f, 0.3f));
+    CHECK(settings.viewport == Viewport{640, 480});
+    CHECK(value_of(settings, "light.power") == "14");
+    CHECK(value_of(settings, "light.indirect") == "0.1,0.2,0.3");
+    CHECK(value_of(settings, "camera.focal_length") == "1000");
+}
+
+TEST_CASE("The text of any value is read back as the same bits") {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> exponent(-30.0f, 9.9f);
+    const Setting& place = *find_setting("camera.position");
+    for (int i = 0; i < 20000; ++i) {
+        Settings settings;
+        for (int axis = 0; axis < 3; ++axis) {
+            const float size = std::exp2(exponent(random));
+            settings.camera.position[axis] = i % 2 == 0 ? size : -size;
+        }
+        Settings again;
+        const std::string text = value_text(place, settings);
+        set_value(again, place, text);
+        if (std::memcmp(&again.camera.position, &settings.camera.position, sizeof(glm::vec3)) !=
+            0) {
+            FAIL(text << " is not read back as what it was made from");
+        }
+    }
+}
+
+TEST_CASE("Numbers are written as people write them") {
+    CHECK(number_text(0.1f) == "0.1");
+    CHECK(number_text(-3.001f) == "-3.001");
+    CHECK(number_text(100000.0f) == "100000");
+    CHECK(number_text(0.0f) == "0");
+    CHECK(number_text(0.0001f) == "0.0001");
+    CHECK(number_text(1e-10f) == "1e-10");
+}
+
+TEST_CASE("An unknown setting is refused with the nearest name there is") {
+    CHECK(refusal("roundign=floor") == "there is no setting 'roundign'. Did you mean 'rounding'?");
+    CHECK(refusal("power=3") == "there is no setting 'power'. Did you mean 'light.power'?");
+    CHECK(refusal("light.powr=3") == "there is no setting 'light.powr'. Did you mean "
+                                     "'light.power'?");
+    CHECK(refusal("qqqqqqqqqqqqqq=3") == "there is no setting 'qqqqqqqqqqqqqq'.");
+    CHECK(refusal("=3") == "there is no setting ''.");
+    CHECK(refusal("rounding") == "'rounding' is not of the form name=value.");
+    CHECK(refusal("") == "'' is not of the form name=value.");
+}
+
+TEST_CASE("A value that a setting does not take is refused with what it does take") {
+    CHECK(refusal("rounding=up") == "rounding cannot be 'up': it takes truncate, floor or round.");
+    CHECK(refusal("stage=Depth") == "stage cannot be 'Depth': it takes points, edges, rows, fill, "
+                                    "depth, vertex_light or pixel_light.");
+    CHECK(refusal("camera.focal_length=0") ==
+          "camera.focal_length cannot be '0': it takes a number from 1 to 100000.");
+    CHECK(refusal("viewport.size=0x0") ==
+          "viewport.size cannot be '0x0': it takes WIDTHxHEIGHT, each from 1 to 4096.");
+    for (const char* assignment : {"rounding=",
+                                   "camera.yaw=",
+                                   "camera.yaw=nan",
+                                   "camera.yaw=inf",
+                                   "camera.yaw=1e99",
+                                   "camera.yaw=0x10",
+                                   "camera.yaw=1 2",
+                                   "camera.yaw=1,2",
+                                   "camera.position=1",
+                                   "camera.position=1,2",
+                                   "camera.position=1,2,3,4",
+                                   "camera.position=1,,3",
+                                   "camera.position=1,nan,3",
+                                   "camera.position=1e6,0,0",
+                                   "light.power=-1",
+                                   "light.power=1,2",
+                                   "light.power=",
+                                   "viewport.size=500",
+                                   "viewport.size=500x",
+                                   "viewport.size=5x5x5",
+                                   "viewport.size=-5x5",
+                                   "viewport.size=100000x100000",
+                                   "viewport.size=99999999999x1",
+                                   "viewport.size=5.5x5"}) {
+        INFO(assignment);
+        CHECK_THAT(refusal(assignment), Contains(" cannot be "));
+    }
+}
+
+TEST_CASE("A refused value leaves all settings as they were") {
+    Settings settings;
+    const Settings before;
+    for (const char* assignment :
+         {"camera.position=1,2,x", "viewport.size=7x0", "light.power=3,4"}) {
+        CHECK_THROWS_AS(set_from_text(settings, assignment), UsageError);
+    }
+    for (const Setting& setting : setting_table()) {
+        CHECK(value_text(setting, settings) == value_text(setting, before));
+    }
+}
+
+TEST_CASE("A message about a monstrous value is itself short and on one line") {
+    const std::string sentence = refusal("camera.yaw=" + std::string(100000, '\n'));
+    CHECK(sentence.size() < 200);
+    CHECK(sentence.find('\n') == std::string::npos);
+}
+
+TEST_CASE("Numbers and vectors that have left their range are brought back into it") {
+    for (const float stray : {1e30f, -1e30f, INFINITY, -INFINITY, NAN}) {
+        Settings settings;
+        settings.camera.position = glm::vec3(stray, 0.0f, stray);
+        settings.camera.yaw = settings.camera.pitch = settings.camera.focal_length = stray;
+        settings.light.position.y = stray;
+        settings.light.power = settings.light.indirect = glm::vec3(stray);
+        clamp_to_ranges(settings);
+        INFO("from " << stray);
+        for (const Setting& setting : setting_table()) {
+            INFO(setting.name << " is " << value_text(setting, settings));
+            Settings again = settings;
+            CHECK_NOTHROW(set_value(again, setting, value_text(setting, settings)));
+        }
+        CHECK(settings.camera.pitch == (stray > 0.0f ? largest_pitch : -largest_pitch));
+        CHECK(settings.camera.position.y == 0.0f);
+    }
+}
+
+TEST_CASE("Settings within their ranges keep every bit") {
+    Settings settings;
+    settings.camera.pitch = largest_pitch;
+    settings.light.power = glm::vec3(0.0f, largest_power, 0.1f);
+    const Settings before = settings;
+    clamp_to_ranges(settings);
+    CHECK(settings == before);
+}

@@ -1,0 +1,71 @@
+#include <catch2/catch.hpp>
+
+#include "support/project_root.h"
+#include "tests/support/made_scene.h"
+#include "tests/ui/driver.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// A corner of a draw list is numbered in 16 bits.
+constexpr int most_corners = 65'536;
+
+int largest_list() {
+    const ImDrawData* const data = ImGui::GetDrawData();
+    int largest = 0;
+    for (int i = 0; i < data->CmdListsCount; ++i)
+        largest = std::max(largest, data->CmdLists[i]->VtxBuffer.Size);
+    return largest;
+}
+
+Session session_on(Scene scene) {
+    Session session = open_session(project_root() + "/lessons/scenes/lab-room.toml");
+    set_scene(session, std::move(scene));
+    return session;
+}
+
+/// Many triangles on the same few pixels.
+Scene pile(int triangles) {
+    Scene scene = test::made_scene(triangles);
+    for (std::size_t i = 0; i < scene.triangles.size(); ++i)
+        scene.triangles[i] = scene.triangles[i % 3];
+    return scene;
+}
+
+void look_at_all(Driver& driver, const char* what) {
+    for (const char* stage : {"points", "edges", "rows"}) {
+        driver.hand.click(std::string("stage.") + stage);
+        for (const float zoom : {0.0f, 1.5f, 8.0f, 16.0f, 64.0f}) {
+            driver.ui.session.canvas.zoom = zoom;
+            driver.ui.session.canvas.centre = {250.0f, 250.0f};
+            for (const int all : {0, 255}) {
+                driver.ui.session.overlays.bits = static_cast<std::uint8_t>(all);
+                driver.hand.frames(2);
+                INFO(what << ", stage " << stage << ", zoom " << zoom << ", overlays " << all);
+                CHECK(largest_list() < most_corners);
+            }
+        }
+    }
+}
+
+} // namespace
+
+TEST_CASE("No draw list gets more corners than can be numbered, however many triangles there are") {
+    for (const int triangles : {150, 700, 3000}) {
+        Driver driver(session_on(test::made_scene(triangles)), {1600, 1000}, 1.5f);
+        look_at_all(driver, "many triangles");
+    }
+    Driver driver(session_on(pile(700)), {2400, 1600}, 2.5f);
+    look_at_all(driver, "a pile of triangles");
+}
+
+TEST_CASE("Points are ringed once each as long as they can be told apart") {
+    Driver few("lab-room.toml");
+    few.hand.click("stage.edges");
+    const int edges = ImGui::GetDrawData()->TotalVtxCount;
+    few.hand.click("stage.points");
+    CHECK(ImGui::GetDrawData()->TotalVtxCount > edges + 24 * 16);
+}
+
+} // namespace rasterwalk

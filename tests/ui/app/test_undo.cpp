@@ -1,0 +1,56 @@
+#include <catch2/catch.hpp>
+
+#include "tests/ui/driver.h"
+#include "ui/actions/keys.h"
+
+namespace rasterwalk {
+
+TEST_CASE("Ten edits are undone one by one, and done again") {
+    Driver driver;
+    driver.hand.click("stage.depth");
+    std::vector<Settings> states{driver.ui.session.settings};
+    const char* const edits[] = {"stage.points",      "stage.rows",         "switch.perspective",
+                                 "switch.depth_test", "stage.fill",         "stage.pixel_light",
+                                 "switch.depth_test", "switch.perspective", "stage.edges",
+                                 "stage.vertex_light"};
+    for (const char* edit : edits) {
+        driver.hand.click(edit);
+        states.push_back(driver.ui.session.settings);
+    }
+    for (std::size_t i = states.size() - 1; i > 0; --i) {
+        driver.hand.press('Z', {.ctrl = true});
+        INFO("after undoing " << edits[i - 1]);
+        CHECK(driver.ui.session.settings == states[i - 1]);
+        CHECK(driver.ui.results.frame.settings == states[i - 1]);
+    }
+    for (std::size_t i = 1; i < states.size(); ++i) {
+        driver.hand.press('Z', {.ctrl = true, .shift = true});
+        INFO("after redoing " << edits[i - 1]);
+        CHECK(driver.ui.session.settings == states[i]);
+    }
+}
+
+TEST_CASE("A drag of the camera is one step to undo") {
+    Driver driver;
+    const Camera before = driver.ui.session.settings.camera;
+    driver.hand.drag("canvas", 80.0f, 20.0f, {}, 1);
+    CHECK_FALSE(driver.ui.session.settings.camera == before);
+    driver.hand.press('Z', {.ctrl = true});
+    CHECK(driver.ui.session.settings.camera == before);
+}
+
+TEST_CASE("Back and forward lead through the places visited") {
+    Driver driver;
+    driver.hand.click("stage.depth");
+    driver.hand.click_picture(250, 350);
+    driver.hand.click_picture(100, 300);
+    driver.hand.press(key::left, {.alt = true});
+    CHECK(*driver.ui.session.selection.pixel == glm::ivec2(250, 350));
+    driver.hand.press(key::left, {.alt = true});
+    CHECK_FALSE(driver.ui.session.selection.pixel);
+    driver.hand.press(key::right, {.alt = true});
+    driver.hand.press(key::right, {.alt = true});
+    CHECK(*driver.ui.session.selection.pixel == glm::ivec2(100, 300));
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,112 @@
+#include <catch2/catch.hpp>
+
+#include "picture/view_image.h"
+#include "tests/ui/driver.h"
+#include "ui/actions/keys.h"
+#include "ui/canvas/canvas.h"
+
+namespace rasterwalk {
+
+TEST_CASE("A click on the picture picks the pixel, its row and its triangle") {
+    Driver driver;
+    driver.hand.click("stage.depth");
+    driver.hand.click_picture(250, 350);
+    const Selection& selection = driver.ui.session.selection;
+    REQUIRE(selection.pixel);
+    CHECK(*selection.pixel == glm::ivec2(250, 350));
+    CHECK(selection.row == 350);
+    REQUIRE(selection.triangle);
+    CHECK(part_name(*driver.ui.session.scene, *selection.triangle) == "short block");
+    CHECK(driver.ui.results.triangle == selection.triangle);
+}
+
+TEST_CASE("Shift and a click pick the triangle and leave the pixel") {
+    Driver driver;
+    driver.hand.click("stage.depth");
+    driver.hand.click_picture(250, 350);
+    driver.hand.click_picture(40, 250, {.shift = true});
+    const Selection& selection = driver.ui.session.selection;
+    CHECK(*selection.pixel == glm::ivec2(250, 350));
+    CHECK(part_name(*driver.ui.session.scene, *selection.triangle) == "left wall");
+}
+
+TEST_CASE("The wheel zooms about the pointer and a double click fits again") {
+    Driver driver;
+    driver.hand.hover_picture(100, 120);
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    driver.hand.wheel_picture(100, 120, 6.0f);
+    const PicturePlace& place = driver.ui.picture_place;
+    CHECK(place.scale > grid_zoom);
+    CHECK(std::floor((mouse.x - place.origin.x) / place.scale) == 100.0f);
+    CHECK(std::floor((mouse.y - place.origin.y) / place.scale) == 120.0f);
+    driver.hand.double_click_picture(100, 120);
+    CHECK(driver.ui.session.canvas.zoom == 0.0f);
+}
+
+TEST_CASE("A drag moves the picture with the pointer") {
+    Driver driver;
+    driver.hand.wheel_picture(250, 250, 8.0f);
+    driver.hand.drag_picture(250, 250, 255, 248);
+    const PicturePlace& place = driver.ui.picture_place;
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    CHECK(std::abs((mouse.x - place.origin.x) / place.scale - 250.5f) < 0.5f);
+    CHECK(std::abs((mouse.y - place.origin.y) / place.scale - 250.5f) < 0.5f);
+    CHECK_FALSE(driver.ui.session.selection.pixel);
+}
+
+TEST_CASE("A drag with the right button turns the camera") {
+    Driver driver;
+    driver.hand.drag("canvas", 60.0f, 30.0f, {}, 1);
+    CHECK(driver.ui.session.settings.camera.yaw > 0.0f);
+    CHECK(driver.ui.session.settings.camera.pitch < 0.0f);
+    CHECK(driver.ui.results.frame.settings.camera == driver.ui.session.settings.camera);
+}
+
+TEST_CASE("The lab's keys move camera and light") {
+    Driver driver;
+    const Settings before = driver.ui.session.settings;
+    const Settings& now = driver.ui.session.settings;
+    driver.hand.press(key::up);
+    CHECK(now.camera.position.z > before.camera.position.z);
+    driver.hand.press(key::down);
+    CHECK(now.camera.position.z == Approx(before.camera.position.z));
+    driver.hand.press(key::right);
+    CHECK(now.camera.yaw > before.camera.yaw);
+    driver.hand.press(key::left);
+    CHECK(now.camera.yaw == Approx(before.camera.yaw).margin(1e-6));
+    struct Move {
+        int key;
+        int axis;
+        float sign;
+    };
+    for (const Move move : {Move{'W', 2, 1.0f}, Move{'S', 2, -1.0f}, Move{'A', 0, -1.0f},
+                            Move{'D', 0, 1.0f}, Move{'Q', 1, -1.0f}, Move{'E', 1, 1.0f}}) {
+        INFO("key " << static_cast<char>(move.key));
+        const glm::vec3 place = now.light.position;
+        driver.hand.press(move.key);
+        CHECK(move.sign * (now.light.position[move.axis] - place[move.axis]) > 0.0f);
+    }
+    CHECK(driver.ui.results.frame.settings == driver.ui.session.settings);
+}
+
+TEST_CASE("Keys do nothing to the picture while text is typed") {
+    Driver driver;
+    driver.hand.click("tab.settings");
+    driver.hand.click("settings.search");
+    driver.hand.press('P');
+    driver.hand.press('W');
+    CHECK(driver.ui.session.settings.interpolation == Interpolation::perspective);
+    CHECK(driver.ui.session.settings.light.position == driver.ui.session.scene->light.position);
+}
+
+TEST_CASE("The view selector shows another plane of the framebuffer") {
+    Driver driver;
+    driver.hand.click("stage.depth");
+    const Image colours = driver.ui.results.picture;
+    driver.hand.click("canvas.view");
+    driver.hand.click("canvas.view.overdraw");
+    CHECK(driver.ui.session.view == View::overdraw);
+    CHECK_FALSE(driver.ui.results.picture == colours);
+}
+
+} // namespace rasterwalk

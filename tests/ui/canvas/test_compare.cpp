@@ -1,0 +1,249 @@
+#include <catch2/catch.hpp>
+
+#include "support/project_root.h"
+#include "tests/ui/shown_number.h"
+#include "ui/actions/compare.h"
+#include "ui/actions/keys.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// The room with a lamp that can be seen, at stage pixel_light.
+Session lit_room() {
+    Session session = open_session(project_root() + "/lessons/scenes/lab-room.toml");
+    session.settings.stage = Stage::pixel_light;
+    session.settings.light.power = glm::vec3(14.0f);
+    return session;
+}
+
+} // namespace
+
+TEST_CASE("One click compares affine with perspective, and one ends it as it was before") {
+    Driver driver(lit_room());
+    const Settings before = driver.ui.session.settings;
+    driver.hand.click("switch.compare");
+    REQUIRE(driver.ui.results.compared);
+    CHECK(driver.ui.session.settings.interpolation == Interpolation::affine);
+    CHECK(driver.ui.session.other->interpolation == Interpolation::perspective);
+    CHECK(driver.ui.results.compared->pixels.different > 100'000);
+    CHECK(shown_text(driver, "compare.title_a") == "interpolation = affine");
+    CHECK(shown_text(driver, "compare.title_b") == "interpolation = perspective");
+    CHECK_THAT(shown_text(driver, "compare.counts"), Catch::Contains("pixels differ"));
+    driver.hand.press('C');
+    CHECK_FALSE(driver.ui.session.other);
+    CHECK_FALSE(driver.ui.results.compared);
+    CHECK(driver.ui.session.settings == before);
+}
+
+TEST_CASE("Every pair is compared by one click in the strip, and a second one ends it") {
+    Driver driver(lit_room());
+    for (const ComparePair& pair : compare_pairs()) {
+        const std::string name = std::string("compare.strip.").append(pair.name);
+        INFO(name);
+        driver.hand.click(name);
+        CHECK(pair_on_show(driver.ui.session) == &pair);
+        CHECK(driver.ui.results.compared->whole.pixels.different > 0);
+    }
+    driver.hand.click("compare.strip.exact");
+    CHECK_FALSE(driver.ui.session.other);
+    CHECK(driver.ui.session.settings == lit_room().settings);
+}
+
+TEST_CASE("In a narrow window every pair is begun from the list in the strip and from the tab") {
+    Driver driver(lit_room(), {1280, 800});
+    for (const ComparePair& pair : compare_pairs()) {
+        const std::string name(pair.name);
+        INFO(name);
+        driver.hand.click("compare.pairs");
+        driver.hand.click("compare.pair." + name);
+        CHECK(pair_on_show(driver.ui.session) == &pair);
+        CHECK(driver.ui.results.compared->whole.pixels.different > 0);
+    }
+    driver.hand.click("tab.compare");
+    for (const ComparePair& pair : compare_pairs()) {
+        const std::string name(pair.name);
+        INFO(name);
+        driver.hand.click("compare.tab." + name);
+        CHECK(pair_on_show(driver.ui.session) == &pair);
+    }
+    driver.hand.click("compare.end");
+    CHECK(driver.ui.session.settings == lit_room().settings);
+}
+
+TEST_CASE("Both pictures stand side by side with the same zoom, and each can be pointed at") {
+    Driver driver(lit_room());
+    driver.hand.click("switch.compare");
+    REQUIRE(driver.ui.compare.place_of_b);
+    const PicturePlace a = driver.ui.picture_place;
+    const PicturePlace b = *driver.ui.compare.place_of_b;
+    CHECK(a.scale == b.scale);
+    CHECK(b.origin.y == a.origin.y);
+    const WidgetPlace canvas = driver.hand.find("canvas");
+    CHECK(b.origin.x - a.origin.x ==
+          Approx(0.5f * (canvas.bottom_right.x - canvas.top_left.x)).margin(1.0));
+    // The same pixel in B's picture; the pointer is always at a whole number.
+    const glm::vec2 pointer{std::floor(b.origin.x + b.scale * 300.5f),
+                            std::floor(b.origin.y + b.scale * 200.5f)};
+    const glm::ivec2 pixel((pointer.x - b.origin.x) / b.scale, (pointer.y - b.origin.y) / b.scale);
+    ImGui::GetIO().MousePos = {pointer.x, pointer.y};
+    driver.hand.frames(3);
+    CHECK(driver.ui.hovered_pixel == pixel);
+    ImGui::GetIO().MouseDown[0] = true;
+    driver.hand.frames(1);
+    ImGui::GetIO().MouseDown[0] = false;
+    driver.hand.frames(2);
+    CHECK(driver.ui.session.selection.pixel == pixel);
+    ImGui::GetIO().MouseWheel = 6.0f;
+    driver.hand.frames(2);
+    CHECK(driver.ui.compare.place_of_b->scale == driver.ui.picture_place.scale);
+    CHECK(driver.ui.picture_place.scale > 4.0f);
+    CHECK(driver.ui.hovered_pixel == pixel);
+}
+
+TEST_CASE("The wipe's divider is dragged, and neither picks nor moves the picture") {
+    Driver driver(lit_room());
+    driver.hand.click("switch.compare");
+    driver.hand.click("compare.wipe");
+    CHECK(driver.ui.session.compare_view == CompareView::wipe);
+    const float before = driver.ui.session.wipe;
+    driver.hand.drag("compare.divider", 120.0f, 0.0f);
+    CHECK(driver.ui.session.wipe > before + 0.1f);
+    CHECK(driver.ui.session.canvas.zoom == 0.0f);
+    CHECK_FALSE(driver.ui.session.selection.pixel);
+    driver.hand.drag("compare.divider", -5000.0f, 0.0f);
+    CHECK(driver.ui.session.wipe == 0.0f);
+    driver.hand.click_picture(250, 250);
+    CHECK(driver.ui.session.selection.pixel == glm::ivec2(250, 250));
+}
+
+TEST_CASE("Blinking shows A and B in turn once a second, and can be held") {
+    Driver driver(lit_room());
+    driver.hand.click("switch.compare");
+    driver.hand.click("compare.blink");
+    driver.hand.leave();
+    bool seen[2] = {false, false};
+    int changes = 0;
+    bool before = blink_shows_b(driver.ui);
+    for (int i = 0; i < 60; ++i) {
+        driver.hand.frames(1, 0.05f);
+        const bool b = blink_shows_b(driver.ui);
+        CHECK(driver.hand.is_visible(b ? "compare.title_b" : "compare.title_a"));
+        CHECK_FALSE(driver.hand.is_visible(b ? "compare.title_a" : "compare.title_b"));
+        seen[b ? 1 : 0] = true;
+        changes += b != before ? 1 : 0;
+        before = b;
+    }
+    CHECK(seen[0]);
+    CHECK(seen[1]);
+    CHECK(changes >= 5);
+    CHECK(changes <= 7);
+    driver.hand.press('H');
+    const bool held = blink_shows_b(driver.ui);
+    driver.hand.frames(30, 0.05f);
+    CHECK(blink_shows_b(driver.ui) == held);
+}
+
+TEST_CASE("The difference has a scale, and the number under the pointer is B minus A") {
+    Driver driver(lit_room());
+    driver.hand.click("switch.compare");
+    driver.hand.click("compare.difference");
+    CHECK(driver.hand.is_visible("compare.scale"));
+    CHECK(driver.ui.compare.difference.number == driver.ui.results.compared->difference_number);
+    driver.ui.session.canvas.zoom = 1.0f;
+    driver.ui.session.canvas.centre = {250.0f, 250.0f};
+    driver.hand.frames(2);
+    CHECK(driver.textures.last == driver.ui.results.compared->difference);
+}
+
+TEST_CASE("The tab leads to the first divergence, to the next, and back; a click on a group too") {
+    Driver driver(lit_room());
+    driver.hand.click("tab.compare");
+    driver.hand.click("compare.tab.exact");
+    const DivergenceList& list = driver.ui.results.compared->whole.divergences;
+    REQUIRE(list.first);
+    driver.hand.click("compare.first");
+    CHECK(driver.ui.session.cursor == list.first->cursor);
+    CHECK(driver.ui.session.selection.triangle == list.first->cursor.triangle);
+    REQUIRE(driver.ui.results.compared->here);
+    CHECK(driver.ui.results.compared->here->cursor == list.first->cursor);
+    driver.hand.click("compare.previous");
+    CHECK(driver.ui.session.cursor == list.first->cursor);
+    CHECK_THAT(driver.ui.session.notice, Catch::Contains("do not differ before"));
+    driver.hand.click("compare.next");
+    const Cursor second = driver.ui.session.cursor;
+    CHECK(second > list.first->cursor);
+    driver.hand.press('J');
+    CHECK(driver.ui.session.cursor > second);
+    driver.hand.press('K');
+    CHECK(driver.ui.session.cursor == second);
+    const int last = static_cast<int>(list.groups.size()) - 1;
+    driver.hand.click("compare.group." + std::to_string(last));
+    CHECK(driver.ui.session.cursor == list.groups.back().first);
+}
+
+TEST_CASE("The counts of the tab are those of the comparison") {
+    Driver driver(lit_room());
+    driver.hand.click("tab.compare");
+    driver.hand.click("compare.tab.affine");
+    const Comparison& whole = driver.ui.results.compared->whole;
+    CHECK(shown_text(driver, "compare.count.pixels") == grouped(whole.pixels.different));
+    CHECK(shown_text(driver, "compare.count.rows") == grouped(whole.different_rows));
+    CHECK(number_in(shown_text(driver, "compare.count.largest")) ==
+          Approx(static_cast<double>(whole.pixels.largest)).margin(0.00006));
+    CHECK(grouped(-1234567) == "-1 234 567");
+    CHECK(grouped(999) == "999");
+}
+
+TEST_CASE("Run B is set in the tab, and what is changed in A is changed in both") {
+    Driver driver(lit_room());
+    driver.hand.click("tab.compare");
+    driver.hand.click("compare.another");
+    driver.hand.click("compare.another.rounding");
+    REQUIRE(driver.ui.session.other);
+    CHECK(driver.ui.session.other->rounding == Rounding::floor);
+    driver.hand.click("compare.b.rounding");
+    driver.hand.click("compare.b.rounding=round");
+    CHECK(driver.ui.session.other->rounding == Rounding::round);
+    CHECK(driver.ui.session.settings.rounding == Rounding::truncate);
+    driver.hand.click("switch.perspective");
+    CHECK(driver.ui.session.other->interpolation == Interpolation::affine);
+    driver.hand.click("compare.swap");
+    CHECK(driver.ui.session.settings.rounding == Rounding::round);
+    CHECK(driver.ui.session.other->rounding == Rounding::truncate);
+}
+
+TEST_CASE("Comparing is undone and done again") {
+    Driver driver(lit_room());
+    driver.hand.frames(2);
+    driver.hand.click("switch.compare");
+    driver.hand.press('Z', {.ctrl = true});
+    CHECK_FALSE(driver.ui.session.other);
+    CHECK(driver.ui.session.settings == lit_room().settings);
+    driver.hand.press('Z', {.ctrl = true, .shift = true});
+    CHECK(driver.ui.session.other);
+}
+
+TEST_CASE("In a small window every way to show two runs has room") {
+    for (const SmallWindow& window : small_windows) {
+        Driver driver(lit_room(), window.size, window.text_scale);
+        driver.hand.click("switch.compare");
+        driver.ui.session.tab = "compare";
+        for (const CompareViewInfo& info : compare_view_list()) {
+            INFO(info.name << " at " << window.size.x << " x " << window.size.y << ", text "
+                           << window.text_scale);
+            driver.ui.session.compare_view = info.view;
+            driver.hand.frames(4);
+            CHECK(driver.hand.find("compare.end").is_whole);
+            CHECK(driver.hand.find("compare.swap").is_whole);
+            CHECK(driver.ui.picture_place.scale > 0.2f);
+        }
+        for (const char* name : {"compare.first", "compare.next", "compare.previous",
+                                 "compare.count.moments", "compare.group.0"}) {
+            INFO(name);
+            CHECK(driver.hand.find(name).visible);
+        }
+    }
+}
+
+} // namespace rasterwalk

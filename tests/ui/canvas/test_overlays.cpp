@@ -1,0 +1,188 @@
+#include <catch2/catch.hpp>
+
+#include "picture/view_image.h"
+#include "tests/ui/driver.h"
+#include "ui/actions/keys.h"
+
+namespace rasterwalk {
+
+namespace {
+
+void switch_overlay(Driver& driver, const std::string& name) {
+    driver.hand.click("canvas.overlays");
+    driver.hand.click("overlay." + name);
+    driver.hand.press(key::escape);
+}
+
+bool lies_within(const WidgetPlace& inner, const WidgetPlace& outer) {
+    return inner.top_left.x >= outer.top_left.x && inner.top_left.y >= outer.top_left.y &&
+           inner.bottom_right.x <= outer.bottom_right.x &&
+           inner.bottom_right.y <= outer.bottom_right.y;
+}
+
+} // namespace
+
+TEST_CASE("Every overlay is switched on and off by its name, and undone") {
+    Driver driver;
+    const Session& session = driver.ui.session;
+    for (const OverlayInfo& info : overlay_list()) {
+        INFO(info.name);
+        switch_overlay(driver, std::string(info.name));
+        CHECK(session.overlays.has(info.overlay));
+        CHECK(session.overlays.count() == 1);
+        CHECK(driver.ui.results.overlay.shown == session.overlays);
+        CHECK(driver.hand.is_visible("legend." + std::string(info.name)));
+        driver.hand.press('Z', {.ctrl = true});
+        CHECK(session.overlays.empty());
+        CHECK_FALSE(driver.hand.is_visible("legend." + std::string(info.name)));
+    }
+}
+
+TEST_CASE("Overlays are one texture beside that of the picture, made anew only when they change") {
+    Driver driver;
+    driver.ui.session.canvas.zoom = 1.0f; // shown as it is
+    driver.hand.frames();
+    const int before = driver.textures.uploads;
+    switch_overlay(driver, "uncovered");
+    CHECK(driver.textures.uploads == before + 1);
+    CHECK(driver.textures.last == driver.ui.results.overlay.image);
+    CHECK(driver.ui.overlay.id != nullptr);
+    CHECK(driver.ui.overlay.id != driver.ui.picture.id);
+    driver.hand.frames(5);
+    CHECK(driver.textures.uploads == before + 1);
+    switch_overlay(driver, "wireframe");
+    switch_overlay(driver, "uncovered");
+    CHECK(driver.ui.results.overlay.image.rgba.empty());
+}
+
+TEST_CASE("The list of overlays stays open while several are chosen, and all go off at once") {
+    Driver driver;
+    driver.hand.click("canvas.overlays");
+    driver.hand.click("overlay.owner");
+    driver.hand.click("overlay.depth");
+    driver.hand.click("overlay.wireframe");
+    CHECK(driver.ui.session.overlays.count() == 3);
+    driver.hand.click("overlay.none");
+    CHECK(driver.ui.session.overlays.empty());
+}
+
+TEST_CASE("The legends lie on the canvas, however small the window and large the text") {
+    struct Case {
+        ImVec2 window;
+        float text_scale;
+    };
+    for (const Case& c :
+         {Case{{1600, 1000}, 1.0f}, Case{{1600, 1000}, 1.5f}, Case{{1024, 640}, 1.0f},
+          Case{{1024, 640}, 1.5f}, Case{{800, 600}, 2.0f}}) {
+        Driver driver("lab-room.toml", c.window, c.text_scale);
+        INFO(c.window.x << " x " << c.window.y << ", text " << c.text_scale);
+        for (const char* name : {"wireframe", "drawn_twice", "depth"})
+            switch_overlay(driver, name);
+        const WidgetPlace canvas = driver.hand.find("canvas");
+        for (const char* name : {"legend.wireframe", "legend.drawn_twice", "legend.depth"}) {
+            INFO(name);
+            const WidgetPlace legend = driver.hand.find(name);
+            CHECK(legend.is_whole);
+            CHECK(lies_within(legend, canvas));
+        }
+        CHECK(driver.hand.find("canvas.overlays").is_whole);
+        CHECK(driver.hand.find("canvas.grid").is_whole);
+    }
+}
+
+TEST_CASE("All legends at once can be scrolled to in a small window") {
+    Driver driver("lab-room.toml", {1024, 640}, 1.5f);
+    for (const OverlayInfo& info : overlay_list())
+        switch_overlay(driver, std::string(info.name));
+    for (const OverlayInfo& info : overlay_list()) {
+        INFO(info.name);
+        CHECK_NOTHROW(driver.hand.find("legend." + std::string(info.name)));
+    }
+}
+
+TEST_CASE("The legend folds up and unfolds") {
+    Driver driver;
+    switch_overlay(driver, "owner");
+    const WidgetPlace open = driver.hand.find("legend.owner");
+    driver.hand.click("legend.fold");
+    CHECK_FALSE(driver.ui.shows_legend);
+    const WidgetPlace folded = driver.hand.find("legend.owner");
+    CHECK(folded.bottom_right.x - folded.top_left.x <
+          0.25f * (open.bottom_right.x - open.top_left.x));
+    driver.hand.click("legend.fold");
+    CHECK(driver.ui.shows_legend);
+}
+
+TEST_CASE("A click on the legend picks no pixel under it, one beside it does") {
+    Driver driver;
+    switch_overlay(driver, "owner");
+    driver.hand.click("legend.owner");
+    CHECK_FALSE(driver.ui.session.selection.pixel);
+    driver.hand.click_picture(250, 350);
+    REQUIRE(driver.ui.session.selection.triangle);
+    const std::string named =
+        overlay_value(Overlay::owner, driver.ui.results.frame, *driver.ui.results.framebuffer,
+                      driver.ui.results.overlay, {250, 350});
+    CHECK(named == "triangle " + std::to_string(*driver.ui.session.selection.triangle + 1) +
+                       ", short block");
+}
+
+TEST_CASE("The ends of the depth range are dragged, undone as one step, and fitted again") {
+    Driver driver;
+    driver.hand.click("stage.depth");
+    CHECK_FALSE(driver.hand.is_visible("depth.near"));
+    driver.hand.click("canvas.view");
+    driver.hand.click("canvas.view.depth 1/z");
+    const DepthRange present = *driver.ui.results.depth->present;
+    const Image automatic = driver.ui.results.picture;
+    driver.hand.drag("depth.far", 120.0f, 0.0f);
+    REQUIRE(driver.ui.session.depth_range);
+    const DepthRange dragged = *driver.ui.session.depth_range;
+    CHECK(dragged.near == present.near);
+    const WidgetPlace plot = driver.hand.find("depth.histogram");
+    const DepthRange& axis = driver.ui.results.depth->histogram.axis;
+    const float a_pixel = (axis.near - axis.far) / (plot.bottom_right.x - plot.top_left.x);
+    CHECK(dragged.far == Approx(present.far + 120.0f * a_pixel).margin(1.01f * a_pixel));
+    CHECK_FALSE(driver.ui.results.picture == automatic);
+    driver.hand.drag("depth.near", -80.0f, 0.0f);
+    CHECK(driver.ui.session.depth_range->near < present.near);
+    CHECK(driver.ui.session.depth_range->far == dragged.far);
+    driver.hand.press('Z', {.ctrl = true});
+    CHECK(driver.ui.session.depth_range == dragged);
+    driver.hand.click("depth.autofit");
+    CHECK_FALSE(driver.ui.session.depth_range);
+    CHECK(driver.ui.results.picture == automatic);
+    driver.hand.press('Z', {.ctrl = true});
+    CHECK(driver.ui.session.depth_range == dragged);
+}
+
+TEST_CASE(
+    "A handle that is dragged past the other stops before it and comes back with the pointer") {
+    Driver driver;
+    driver.hand.click("stage.depth");
+    driver.hand.click("canvas.view");
+    driver.hand.click("canvas.view.depth 1/z");
+    driver.hand.drag("depth.far", 5000.0f, 0.0f);
+    const DepthRange range = *driver.ui.session.depth_range;
+    CHECK(range.far < range.near);
+    CHECK(range.near - range.far < 0.02f * (range.near - driver.ui.results.depth->present->far));
+    // Both can still be taken hold of.
+    driver.hand.drag("depth.far", -100.0f, 0.0f);
+    CHECK(driver.ui.session.depth_range->far < range.far);
+    CHECK(driver.ui.session.depth_range->near == range.near);
+}
+
+TEST_CASE("The depth legend is whole in small windows") {
+    for (const float text_scale : {1.0f, 1.5f}) {
+        Driver driver("lab-room.toml", {1024, 640}, text_scale);
+        driver.hand.click("canvas.view");
+        driver.hand.click("canvas.view.depth 1/z");
+        for (const char* name : {"depth.far", "depth.near", "depth.histogram", "depth.autofit",
+                                 "depth.far_text", "depth.near_text"}) {
+            INFO(name << ", text " << text_scale);
+            CHECK(driver.hand.find(name).is_whole);
+        }
+    }
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,129 @@
+#include <catch2/catch.hpp>
+
+#include "tests/ui/shown_number.h"
+#include "ui/actions/keys.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// The report that a test makes for itself, of the picked pixel.
+FragmentReport report_on_picked(const Driver& driver) {
+    const Frame& frame = driver.ui.results.frame;
+    const auto cursor =
+        fragment_on_pixel(frame, *driver.ui.session.selection.pixel, driver.ui.results.cursor);
+    REQUIRE(cursor);
+    const auto report = fragment_report(frame, *cursor);
+    REQUIRE(report);
+    return *report;
+}
+
+double value_of(const FragmentReport& report, const std::string& id) {
+    const Formula* const formula = find_formula(report.formulas, id);
+    REQUIRE(formula != nullptr);
+    return static_cast<double>(formula->result.value);
+}
+
+} // namespace
+
+TEST_CASE("The values of a clicked pixel are those of the report, right and wrong side by side") {
+    Driver driver;
+    driver.hand.click("tab.fragment");
+    driver.hand.click_picture(398, 121);
+    const FragmentReport report = report_on_picked(driver);
+    for (const std::string quantity : {"z", "x", "y", "z_world"}) {
+        for (const std::string way : {".affine", ".perspective", ".off"}) {
+            const std::string id = quantity + way;
+            INFO(id);
+            CHECK(number_in(shown_text(driver, "fragment." + id)) ==
+                  Approx(value_of(report, id)).margin(0.000051));
+            driver.hand.click("fragment." + id);
+            CHECK(driver.ui.inspect.fragment_number == id);
+            CHECK(shown_text(driver, "fragment.formula.result") ==
+                  shown(find_formula(report.formulas, id)->result));
+        }
+    }
+    CHECK(value_of(report, "z_world.off") > 0.1);
+}
+
+TEST_CASE("The way in force is marked, and the switch changes it but not the numbers") {
+    Driver driver;
+    driver.hand.click("tab.fragment");
+    driver.hand.click_picture(398, 121);
+    const std::string affine = shown_text(driver, "fragment.z_world.affine");
+    const std::string right = shown_text(driver, "fragment.z_world.perspective");
+    CHECK(affine != right);
+    driver.hand.click("switch.perspective");
+    CHECK(driver.ui.results.inspected.fragment->interpolation == Interpolation::affine);
+    CHECK(shown_text(driver, "fragment.z_world.affine") == affine);
+    CHECK(shown_text(driver, "fragment.z_world.perspective") == right);
+}
+
+TEST_CASE("The light term by term is that of the report, of the lighting in force and the other") {
+    Driver driver;
+    driver.hand.click("tab.fragment");
+    driver.hand.click_picture(398, 121);
+    const FragmentReport report = report_on_picked(driver);
+    for (const std::string id : {"pixel_light.r2", "pixel_light.cosine", "pixel_light.area",
+                                 "pixel_light.D.red", "pixel_light.R.red", "pixel_light.R.blue"}) {
+        INFO(id);
+        const Formula* const formula = find_formula(report.formulas, id);
+        REQUIRE(formula != nullptr);
+        CHECK(shown_text(driver, "fragment." + id) == shown(formula->result));
+    }
+    driver.hand.click("fragment.light.per_vertex");
+    CHECK_FALSE(driver.hand.is_visible("fragment.pixel_light.r2"));
+    const std::string light = shown_text(driver, "fragment.vertex_light.v1.red");
+    CHECK(light == shown({report.at_vertex[1].reflected.r}));
+    // Its source is the vertex, where the same number stands.
+    driver.hand.click("fragment.vertex_light.v1.red");
+    CHECK(driver.ui.session.tab == "vertices");
+    CHECK(driver.ui.session.selection.vertex == 1);
+    CHECK(driver.ui.inspect.vertex_number == "light.R.red");
+    CHECK(shown_text(driver, "vertices.formula.result") == light);
+}
+
+TEST_CASE("The panel follows the cursor again when the picked pixel is let go") {
+    Driver driver;
+    driver.hand.click("tab.fragment");
+    driver.hand.click_picture(398, 121);
+    driver.ui.session.cursor = *parse_cursor("t20/r5/c3");
+    driver.hand.frames(2);
+    CHECK(driver.ui.results.inspected.fragment->pixel == glm::ivec2(398, 121));
+    driver.hand.click("fragment.follow");
+    CHECK_FALSE(driver.ui.session.selection.pixel);
+    CHECK(driver.ui.results.inspected.fragment->cursor.triangle == 20);
+    driver.hand.click_picture(398, 121);
+    driver.hand.click("fragment.go");
+    CHECK(driver.ui.results.done == driver.ui.results.inspected.fragment->cursor);
+}
+
+TEST_CASE("Where there is no fragment the panel says why") {
+    Driver driver;
+    driver.hand.click("tab.fragment");
+    driver.hand.click_picture(0, 250);
+    CHECK(driver.hand.is_visible("fragment.none"));
+    driver.hand.click("stage.edges");
+    driver.hand.click("fragment.fill");
+    CHECK(driver.ui.session.settings.stage == Stage::fill);
+}
+
+TEST_CASE("In a small window the fragment's formula is in sight, and all else can be reached") {
+    for (const SmallWindow& window : small_windows) {
+        INFO(window.size.x << " x " << window.size.y << ", text " << window.text_scale);
+        Driver driver("lab-room.toml", window.size, window.text_scale);
+        driver.ui.session.selection.pixel = glm::ivec2(398, 121);
+        driver.ui.session.tab = "fragment";
+        driver.hand.frames(4);
+        driver.hand.click("fragment.z.perspective");
+        CHECK(driver.hand.is_visible("fragment.formula.result"));
+        for (const char* name :
+             {"fragment.z_world.off", "fragment.light.per_vertex", "fragment.pixel_light.R.red",
+              "fragment.after", "fragment.fate", "fragment.pixel", "fragment.go"}) {
+            INFO(name);
+            CHECK(driver.hand.find(name).is_whole);
+        }
+    }
+}
+
+} // namespace rasterwalk

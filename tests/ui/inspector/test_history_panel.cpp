@@ -1,0 +1,136 @@
+#include <catch2/catch.hpp>
+
+#include "session/results.h"
+#include "tests/ui/driver.h"
+#include "ui/actions/keys.h"
+
+namespace rasterwalk {
+
+namespace {
+
+constexpr int window_widths[] = {1600, 1024, 800};
+constexpr int window_heights[] = {1000, 640, 600};
+
+glm::vec3 picked_colour(const Driver& driver) {
+    const Framebuffer& picture = *driver.ui.results.framebuffer;
+    const glm::ivec2 pixel = *driver.ui.session.selection.pixel;
+    return picture.colour[picture.at(pixel.x, pixel.y)];
+}
+
+} // namespace
+
+TEST_CASE("Without a picked pixel the history asks for one, and so do the keys for its changes") {
+    Driver driver;
+    driver.hand.click("tab.history");
+    CHECK(driver.hand.is_visible("history.empty"));
+    for (const int key : {'N', 'B'}) {
+        driver.ui.session.notice.clear();
+        driver.hand.press(key);
+        CHECK_THAT(driver.ui.session.notice, Catch::Contains("pick a pixel first"));
+        CHECK(driver.ui.results.cursor == cursor_end);
+    }
+    driver.hand.click_picture(240, 300);
+    CHECK_FALSE(driver.hand.is_visible("history.empty"));
+    CHECK(driver.hand.is_visible("history.2"));
+}
+
+TEST_CASE("A click on a line of the history goes to the moment just after that fragment") {
+    Driver driver;
+    driver.hand.click("tab.history");
+    driver.hand.click_picture(240, 300);
+    REQUIRE(driver.ui.results.history);
+    const std::vector<PixelEntry> entries = driver.ui.results.history->entries;
+    REQUIRE(entries.size() == 3);
+    for (const int line : {2, 0, 1}) {
+        INFO("line " << line);
+        driver.hand.click("history." + std::to_string(line));
+        CHECK(driver.ui.results.done == entries[line].cursor);
+        CHECK(driver.ui.session.selection.triangle == entries[line].cursor.triangle);
+        CHECK(picked_colour(driver) == entries[line].colour_after);
+        // What is still to come keeps its line.
+        CHECK(driver.hand.is_visible("history.2"));
+    }
+    driver.hand.press(key::left, {.alt = true});
+    CHECK(driver.ui.results.done == entries[0].cursor);
+}
+
+TEST_CASE("The keys and the buttons of the transport walk through the changes of the pixel") {
+    Driver driver;
+    driver.hand.click_picture(240, 300);
+    REQUIRE(driver.ui.results.history);
+    const std::vector<PixelEntry> entries = driver.ui.results.history->entries;
+    driver.hand.press(key::home);
+    driver.hand.press('N');
+    CHECK(driver.ui.results.done == entries[0].cursor);
+    driver.hand.click("walk.next_change");
+    CHECK(driver.ui.results.done == entries[1].cursor);
+    CHECK(driver.ui.session.notice.empty());
+    driver.hand.press('N');
+    CHECK(driver.ui.results.done == entries[1].cursor);
+    CHECK(driver.ui.session.notice == "Pixel (240, 300) has no later change.");
+    driver.hand.click("walk.previous_change");
+    CHECK(driver.ui.results.done == entries[0].cursor);
+    CHECK(driver.ui.session.notice.empty());
+    driver.hand.press('B');
+    CHECK(driver.ui.session.notice == "Pixel (240, 300) has no earlier change.");
+}
+
+TEST_CASE("An uncovered pixel says which triangle comes nearest, and lets its remedy be tried") {
+    Driver driver;
+    driver.hand.click("tab.history");
+    driver.hand.click_picture(0, 250);
+    REQUIRE(driver.ui.results.history);
+    REQUIRE(driver.ui.results.history->entries.empty());
+    driver.hand.click("history.near.0");
+    CHECK(driver.ui.session.selection.triangle == 2);
+    driver.hand.click("history.try.rounding=floor");
+    CHECK(driver.ui.session.settings.rounding == Rounding::floor);
+    REQUIRE(driver.ui.results.history);
+    REQUIRE(driver.ui.results.history->entries.size() == 1);
+    CHECK(driver.ui.results.history->entries[0].cursor.triangle == 2);
+    CHECK(driver.hand.is_visible("history.0"));
+    driver.hand.press('Z', {.ctrl = true});
+    CHECK(driver.ui.session.settings.rounding == Rounding::truncate);
+    CHECK(driver.hand.is_visible("history.near.0"));
+}
+
+TEST_CASE("The history follows the stage: marks have their lines too") {
+    Driver driver;
+    driver.hand.click("tab.history");
+    driver.hand.click_picture(126, 126);
+    driver.hand.click("stage.edges");
+    REQUIRE(driver.ui.results.history);
+    CHECK(driver.ui.results.history->entries.size() == 10);
+    driver.hand.click("history.4");
+    CHECK(driver.ui.results.done == driver.ui.results.history->entries[4].cursor);
+    driver.hand.click("stage.points");
+    CHECK(driver.ui.results.history->entries.size() == 5);
+    CHECK(driver.hand.is_visible("history.0"));
+}
+
+TEST_CASE("The buttons for the changes of a picked pixel are whole at every size of the window") {
+    for (const float text_scale : {1.0f, 1.5f, 2.0f}) {
+        for (int i = 0; i < 3; ++i) {
+            const ImVec2 window(static_cast<float>(window_widths[i]),
+                                static_cast<float>(window_heights[i]));
+            Driver driver("lab-room.toml", window, text_scale);
+            driver.ui.session.selection.pixel = glm::ivec2(240, 300);
+            driver.ui.session.tab = "history";
+            driver.hand.frames(4);
+            INFO(window.x << " x " << window.y << ", text " << text_scale);
+            const WidgetPlace back = driver.ui.widgets.at("walk.previous_change");
+            const WidgetPlace next = driver.ui.widgets.at("walk.next_change");
+            const WidgetPlace words = driver.ui.widgets.at("walk.words");
+            for (const WidgetPlace& place : {back, next}) {
+                CHECK(place.visible);
+                CHECK(place.is_whole);
+            }
+            CHECK(next.bottom_right.x <= window.x);
+            CHECK(back.bottom_right.x < next.top_left.x);
+            CHECK(words.bottom_right.x <= back.top_left.x);
+            CHECK(driver.ui.widgets.at("history.0").visible);
+        }
+    }
+}
+
+} // namespace rasterwalk

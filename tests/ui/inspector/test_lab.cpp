@@ -1,0 +1,225 @@
+#include <cstdlib>
+#include <fstream>
+
+#include <catch2/catch.hpp>
+
+#include "laboratory/diagnose.h"
+#include "laboratory/quiz.h"
+#include "picture/view_image.h"
+#include "pipeline/draw.h"
+#include "support/project_root.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/ui/shown_number.h"
+#include "ui/actions/compare.h"
+#include "ui/actions/keys.h"
+#include "ui/actions/lab.h"
+#include "ui/actions/lesson_links.h"
+#include "ui/actions/view_files.h"
+
+namespace rasterwalk {
+
+namespace {
+
+Session lit_room() {
+    Session session = open_session(project_root() + "/lessons/scenes/lab-room.toml");
+    session.settings.stage = Stage::pixel_light;
+    session.settings.light.power = glm::vec3(14.0f);
+    return session;
+}
+
+Image picture_with(const Bug& bug, const Session& session) {
+    const Settings settings = wrong_run(bug, with_handout_rules(session.settings));
+    const Frame frame = prepare_frame(*session.scene, settings);
+    return view_image(draw_frame(frame), View::colour, std::nullopt);
+}
+
+} // namespace
+
+TEST_CASE("A mistake is turned on and compared with the correct run at once, and turned off") {
+    Driver driver(lit_room());
+    const Settings before = driver.ui.session.settings;
+    driver.hand.click("tab.lab");
+    driver.hand.click("lab.B9");
+    CHECK(driver.ui.lab.chosen == "B9");
+    driver.hand.click("lab.on");
+    CHECK(is_on(driver.ui.session, "B9"));
+    REQUIRE(driver.ui.results.compared);
+    CHECK(driver.ui.results.compared->whole.pixels.different > 0);
+    driver.hand.click("lab.B3");
+    driver.hand.click("lab.on");
+    CHECK(is_on(driver.ui.session, "B3"));
+    CHECK_FALSE(is_on(driver.ui.session, "B9"));
+    driver.hand.click("lab.off");
+    CHECK_FALSE(driver.ui.session.other);
+    CHECK(driver.ui.session.settings == before);
+}
+
+TEST_CASE("Every mistake is described and shows on its own scene, from which one comes back") {
+    Driver driver(lit_room());
+    const std::shared_ptr<const Scene> room = driver.ui.session.scene;
+    driver.hand.click("tab.lab");
+    const std::vector<Bug> bugs = lab_bugs(driver.ui);
+    REQUIRE(bugs.size() > 25);
+    for (const Bug& bug : bugs) {
+        INFO(bug.id);
+        driver.hand.click("lab." + bug.id);
+        driver.hand.click("lab.scene");
+        CHECK(is_on(driver.ui.session, bug.id));
+        CHECK(driver.ui.session.notice == "");
+        driver.hand.click("lab.off");
+        CHECK(driver.ui.session.scene == room);
+    }
+}
+
+TEST_CASE("A round of the quiz is won: hint, wrong guess, right guess, and all is as before") {
+    Driver driver(lit_room());
+    const Settings before = driver.ui.session.settings;
+    driver.hand.click("tab.lab");
+    driver.hand.click("lab.mode.quiz");
+    driver.ui.lab.seed = 7;
+    driver.hand.click("lab.quiz.start");
+    REQUIRE(driver.ui.session.quiz);
+    const std::vector<std::string> right = driver.ui.session.quiz->questions[0].bugs;
+    // Nothing gives it away.
+    driver.hand.click("tab.settings");
+    CHECK(driver.hand.is_visible("settings.hidden"));
+    CHECK_FALSE(driver.hand.is_visible("setting.rounding"));
+    const Settings hidden = driver.ui.session.settings;
+    driver.hand.click("switch.perspective");
+    CHECK(driver.ui.session.settings == hidden);
+    driver.hand.click("tab.lab");
+    driver.hand.click("lab.quiz.compare");
+    REQUIRE(driver.ui.results.compared);
+    CHECK(driver.ui.results.compared->pixels.different > 0);
+    CHECK(shown_text(driver, "compare.title_b") == "the correct run");
+    driver.hand.click("lab.hint");
+    CHECK(driver.ui.session.quiz->questions[0].hints == 1);
+    const auto choose = [&](const std::string& id) {
+        driver.hand.click("lab.choice." + id);
+        driver.hand.click("lab.guess");
+    };
+    for (const Bug& bug : lab_bugs(driver.ui)) {
+        if (std::find(right.begin(), right.end(), bug.id) != right.end()) continue;
+        choose(bug.id);
+        break;
+    }
+    CHECK_FALSE(is_over(*driver.ui.session.quiz));
+    choose(right.front());
+    CHECK(is_solved(*driver.ui.session.quiz));
+    CHECK(driver.hand.is_visible("lab.verdict"));
+    driver.hand.click("lab.quiz.end");
+    CHECK_FALSE(driver.ui.session.quiz);
+    CHECK(driver.ui.session.settings == before);
+    CHECK(driver.ui.options.score.rounds == 1);
+    CHECK(driver.ui.options.score.points ==
+          points_of_question - cost_of_hint - cost_of_wrong_guess);
+}
+
+TEST_CASE("A picture with a mistake is diagnosed when its path is named, and the mistake shown") {
+    const Session session = lit_room();
+    test::TemporaryFolder folder;
+    const std::string path = folder.file("mine.bmp.png");
+    const std::vector<Bug> bugs = read_bugs();
+    write_png(picture_with(find_bug(bugs, "B9"), session), path);
+    Driver driver(session);
+    driver.hand.click("tab.lab");
+    driver.hand.click("lab.mode.result");
+    driver.hand.enter("lab.path", path);
+    REQUIRE(driver.ui.lab.diagnosis);
+    REQUIRE_FALSE(driver.ui.lab.diagnosis->candidates.empty());
+    CHECK(shown_text(driver, "lab.candidate.0") == "B9");
+    driver.hand.click("lab.show.0");
+    CHECK(is_on(driver.ui.session, "B9"));
+}
+
+TEST_CASE("What cannot be read is said in the laboratory, and rows of the lab are accepted") {
+    test::TemporaryFolder folder;
+    Driver driver(lit_room());
+    open_dropped(driver.ui, folder.file("nothing.png"));
+    driver.hand.frames(2);
+    CHECK(driver.ui.session.tab == "lab");
+    CHECK(driver.hand.is_visible("lab.result.fault"));
+    const std::string path = folder.file("rows.txt");
+    std::ofstream(path) << "Start: (10,5). End: (10,5).\nStart: (9,6). End: (10,6).\n"
+                           "Start: (8,7). End: (11,7).\nStart: (7,8). End: (11,8).\n"
+                           "Start: (6,9). End: (12,9).\nStart: (5,10). End: (12,10).\n"
+                           "Start: (7,11). End: (13,11).\nStart: (9,12). End: (13,12).\n"
+                           "Start: (11,13). End: (14,13).\nStart: (13,14). End: (14,14).\n"
+                           "Start: (15,15). End: (15,15).\n";
+    open_dropped(driver.ui, path);
+    driver.hand.frames(2);
+    REQUIRE(driver.ui.lab.diagnosis);
+    CHECK(driver.ui.lab.diagnosis->is_same());
+    CHECK(driver.hand.is_visible("lab.diagnosis"));
+}
+
+TEST_CASE("While a quiz hides the settings nothing can set them, and nothing tells them") {
+    Driver driver(lit_room());
+    driver.hand.click("tab.lab");
+    driver.hand.click("lab.mode.quiz");
+    driver.hand.enter("lab.seed", "7");
+    driver.hand.click("lab.quiz.start");
+    const Settings hidden = driver.ui.session.settings;
+    driver.hand.click("lab.quiz.compare");
+    REQUIRE(driver.ui.session.other);
+    driver.hand.click("compare.swap");
+    driver.hand.click("compare.strip.exact");
+    driver.hand.press('P');
+    driver.hand.press('Z');
+    follow_link(driver.ui, "set:interpolation=affine");
+    follow_link(driver.ui, "preset:exact");
+    follow_link(driver.ui, "bug:B9");
+    driver.hand.frames(2);
+    CHECK(driver.ui.session.settings == hidden);
+    CHECK(pair_on_show(driver.ui.session) == nullptr);
+    driver.hand.press('C');
+    CHECK(driver.ui.session.settings == hidden);
+    driver.hand.click("menu.Scene");
+    driver.hand.click("scene.one-triangle");
+    CHECK_FALSE(driver.ui.session.quiz);
+    CHECK(driver.ui.session.settings.viewport == Viewport{20, 20});
+}
+
+TEST_CASE("The key C ends a mistake as the button does") {
+    Driver driver(lit_room());
+    const Settings before = driver.ui.session.settings;
+    driver.hand.click("tab.lab");
+    driver.hand.click("lab.B5");
+    driver.hand.click("lab.on");
+    driver.hand.press('C');
+    CHECK(driver.ui.session.settings == before);
+    CHECK(driver.hand.find("lab.on").visible);
+    driver.hand.press('C');
+    CHECK_FALSE(is_on(driver.ui.session, "B5"));
+}
+
+TEST_CASE("The Scene menu survives that the scenes are gone") {
+    const test::TemporaryFolder folder;
+    Driver driver(lit_room());
+    setenv("RASTERWALK_LESSONS", folder.file("nowhere").c_str(), 1);
+    driver.hand.click("menu.Scene");
+    unsetenv("RASTERWALK_LESSONS");
+    CHECK_THAT(driver.ui.session.notice, Catch::Contains("nowhere"));
+}
+
+TEST_CASE("In a small window the laboratory's buttons can be reached") {
+    for (const SmallWindow& window : small_windows) {
+        INFO(window.size.x << " x " << window.size.y << ", text " << window.text_scale);
+        Driver driver(lit_room(), window.size, window.text_scale);
+        driver.ui.session.tab = "lab";
+        driver.hand.frames(4);
+        for (const char* name : {"lab.B9", "lab.on", "lab.scene", "lab.mode.bugs", "lab.mode.quiz",
+                                 "lab.mode.result"}) {
+            INFO(name);
+            CHECK(driver.hand.find(name).is_whole);
+        }
+        driver.hand.click("lab.mode.quiz");
+        driver.hand.click("lab.quiz.start");
+        for (const char* name : {"lab.choice.B3", "lab.guess", "lab.hint", "lab.give_up"}) {
+            INFO(name);
+            CHECK(driver.hand.find(name).is_whole);
+        }
+    }
+}
+
+} // namespace rasterwalk

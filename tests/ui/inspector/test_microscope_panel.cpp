@@ -1,0 +1,109 @@
+#include <catch2/catch.hpp>
+
+#include "session/bench.h"
+#include "tests/ui/driver.h"
+#include "ui/actions/keys.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// Puts the bench example with the smallest edge that loses its last row under the microscope.
+void open_outside_example(Driver& driver) {
+    const std::vector<BenchExample> examples = driver.ui.session.scene->examples;
+    for (const BenchExample& example : examples) {
+        if (example.name == "A sample outside") show_bench_example(driver.ui.session, example);
+    }
+    driver.hand.frames();
+    driver.hand.click("tab.microscope");
+    driver.hand.click("microscope.edge.0");
+    REQUIRE(driver.ui.microscope.shown.count == 4);
+}
+
+Cursor sample(int triangle, int edge, int step) {
+    return {triangle, Phase::edges, edge, step};
+}
+
+} // namespace
+
+TEST_CASE("The microscope goes to the sample that is clicked, and to the next that differs") {
+    Driver driver("one-triangle.toml");
+    open_outside_example(driver);
+    driver.hand.click("microscope.next");
+    CHECK(driver.ui.results.done == sample(0, 0, 3));
+    CHECK_FALSE(driver.ui.microscope.shows_x);
+    driver.hand.click("microscope.sample.1");
+    CHECK(driver.ui.results.done == sample(0, 0, 1));
+    driver.hand.click("microscope.curve");
+    CHECK(driver.ui.results.done->phase == Phase::edges);
+    driver.hand.drag("microscope.curve", 5000.0f, 0.0f);
+    CHECK(driver.ui.results.done == sample(0, 0, 3));
+}
+
+TEST_CASE("An edge that is picked stays under the microscope until the cursor moves on an edge") {
+    Driver driver("one-triangle.toml");
+    open_outside_example(driver);
+    driver.hand.click("microscope.sample.0");
+    driver.hand.click("microscope.edge.1");
+    CHECK(driver.ui.microscope.edge == 1);
+    driver.hand.frames(3);
+    CHECK(driver.ui.microscope.edge == 1);
+    driver.hand.press(key::period);
+    CHECK(driver.ui.results.done == sample(0, 0, 1));
+    CHECK(driver.ui.microscope.edge == 0);
+    // On to the second edge, sample by sample.
+    for (int i = 0; i < 3; ++i)
+        driver.hand.press(key::period);
+    CHECK(driver.ui.results.done == sample(0, 1, 0));
+    CHECK(driver.ui.microscope.edge == 1);
+}
+
+TEST_CASE("The microscope opens on the coordinate that drifts, and shows the one that is asked") {
+    Driver driver("one-triangle.toml");
+    open_outside_example(driver);
+    CHECK_FALSE(driver.ui.microscope.shows_x); // (0,2) to (3,1): x steps by whole pixels
+    driver.hand.click("microscope.edge.1");    // (3,1) to (2,6): y does
+    CHECK(driver.ui.microscope.shows_x);
+    driver.hand.click("microscope.y");
+    CHECK_FALSE(driver.ui.microscope.shows_x);
+    driver.hand.click("microscope.x");
+    CHECK(driver.ui.microscope.shows_x);
+}
+
+TEST_CASE("The current sample is in view, in every window and text size") {
+    const ImVec2 windows[] = {{1600, 1000}, {1024, 640}, {800, 600}};
+    for (const ImVec2& window : windows) {
+        for (const float scale : {1.0f, 1.5f, 2.0f}) {
+            CAPTURE(window.x, window.y, scale);
+            Driver driver("lab-room.toml", window, scale);
+            driver.ui.session.tab = "microscope";
+            driver.ui.session.cursor = sample(20, 1, 91);
+            driver.hand.frames(4);
+            REQUIRE(driver.ui.microscope.shown.count == 98);
+            CHECK(driver.hand.is_visible("microscope.sample.90"));
+            for (int e = 0; e < 3; ++e)
+                CHECK(driver.hand.is_visible("microscope.edge." + std::to_string(e)));
+            driver.hand.press(key::period);
+            CHECK(driver.hand.is_visible("microscope.sample.91"));
+            driver.ui.session.cursor = sample(20, 1, 3);
+            driver.hand.frames(4);
+            CHECK(driver.hand.is_visible("microscope.sample.2"));
+        }
+    }
+}
+
+TEST_CASE("The microscope has a word for a triangle that is left out, and for none at all") {
+    Driver driver;
+    driver.hand.click("tab.microscope");
+    driver.ui.session.settings.camera.position = {0.0f, 0.0f, 0.0f};
+    driver.ui.session.selection.triangle = 0;
+    driver.hand.frames(2);
+    CHECK_FALSE(driver.hand.is_visible("microscope.edge.0"));
+    Scene empty;
+    empty.viewport = {20, 20};
+    set_scene(driver.ui.session, empty);
+    driver.hand.frames(2);
+    CHECK_FALSE(driver.hand.is_visible("microscope.edge.0"));
+}
+
+} // namespace rasterwalk

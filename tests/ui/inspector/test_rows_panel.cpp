@@ -1,0 +1,92 @@
+#include <catch2/catch.hpp>
+
+#include "inspect/row_history.h"
+#include "tests/ui/driver.h"
+#include "ui/actions/keys.h"
+
+namespace rasterwalk {
+
+TEST_CASE("The row table fills as the cursor moves") {
+    Driver driver("one-triangle.toml");
+    driver.hand.click("walk.first");
+    CHECK(driver.ui.results.rows.samples == 0);
+    CHECK(driver.ui.results.rows.rows.is_empty_row(0));
+    driver.hand.click("step.line");
+    driver.hand.click("walk.step");
+    driver.hand.click("walk.step");
+    CHECK(driver.ui.results.rows.samples == 6);
+    CHECK_FALSE(driver.ui.results.rows.rows.is_empty_row(5));
+    CHECK(driver.ui.results.rows.rows.is_empty_row(6));
+}
+
+TEST_CASE("A click on a cell goes to the moment in which it was written") {
+    Driver driver("one-triangle.toml");
+    driver.hand.click("rows.12.left");
+    const RowHistory& rows = driver.ui.results.rows;
+    REQUIRE(rows.last);
+    CHECK(rows.last->fragment.row == 12);
+    CHECK(rows.last->write.left);
+    CHECK(to_text(driver.ui.results.cursor) == "t0/e1/s5");
+    driver.hand.press(key::left, {.alt = true});
+    CHECK(driver.ui.results.cursor == cursor_end);
+}
+
+TEST_CASE("A row that is pointed at lights up in the picture, and the other way round") {
+    Driver driver("one-triangle.toml");
+    driver.hand.hover("rows.9");
+    CHECK(driver.ui.hovered_row == 9);
+    driver.hand.hover_picture(8, 11);
+    REQUIRE(driver.ui.hovered_pixel);
+    CHECK(driver.ui.hovered_pixel->y == 11);
+    CHECK_FALSE(driver.ui.hovered_row);
+}
+
+TEST_CASE("The table is copied in the lab's own form") {
+    Driver driver("one-triangle.toml");
+    driver.hand.click("rows.copy");
+    const std::string text = ImGui::GetClipboardText();
+    CHECK(text.substr(0, text.find('\n')) == "Start: (10,5). End: (10,5).");
+    CHECK(std::count(text.begin(), text.end(), '\n') == 11);
+}
+
+TEST_CASE("A write outside the table has a line of its own that leads to its sample") {
+    Driver driver("one-triangle.toml");
+    driver.hand.drag_picture(10, 5, 0, 2);
+    driver.hand.drag_picture(5, 10, 3, 1);
+    driver.hand.drag_picture(15, 15, 3, 4);
+    const RowHistory& rows = driver.ui.results.rows;
+    REQUIRE(rows.outside.size() == 1);
+    CHECK(rows.outside[0].row == 0);
+    CHECK(rows.outside[0].y < 1.0f);
+    driver.hand.click("rows.outside.0");
+    REQUIRE(driver.ui.results.rows.last);
+    CHECK_FALSE(driver.ui.results.rows.last->write.inside);
+}
+
+TEST_CASE("A dragged bench vertex takes the row table with it") {
+    Driver driver("one-triangle.toml");
+    driver.hand.drag_picture(15, 15, 12, 18);
+    const glm::vec3 moved = driver.ui.session.scene->triangles[0].vertices[2].position;
+    CHECK(moved.x == 12.0f);
+    CHECK(moved.y == 18.0f);
+    CHECK(driver.ui.results.rows.rows.size() == 14);
+    driver.hand.press('Z', {.ctrl = true});
+    CHECK(driver.ui.results.rows.rows.size() == 11);
+}
+
+TEST_CASE("The bench offers its examples") {
+    Driver driver("one-triangle.toml");
+    const std::vector<BenchExample> examples = driver.ui.session.scene->examples;
+    CHECK(examples.size() >= 11);
+    for (const BenchExample& example : examples) {
+        INFO(example.name);
+        driver.hand.click("bench.examples");
+        driver.hand.click("bench.example." + example.name);
+        for (int v = 0; v < 3; ++v) {
+            CHECK(driver.ui.session.scene->triangles[0].vertices[v].position ==
+                  example.positions[v]);
+        }
+    }
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,93 @@
+#include <catch2/catch.hpp>
+
+#include "explain/vertex_report.h"
+#include "tests/ui/shown_number.h"
+
+namespace rasterwalk {
+
+namespace {
+
+const char* const numbers[] = {"world.x",   "world.z",     "minus_camera.z", "rotated.x",
+                               "rotated.z", "projected.x", "projected.y",    "pixel.column",
+                               "pixel.row", "zinv",        "normal.x",       "light.R.red"};
+
+std::string cell(const std::string& id, int vertex) {
+    return "vertices." + id + ".v" + std::to_string(vertex);
+}
+
+} // namespace
+
+TEST_CASE("Each number of the vertices is that of the report, and a click shows its formula") {
+    Driver driver;
+    driver.ui.session.selection.triangle = 7;
+    driver.hand.click("tab.vertices");
+    for (int v = 0; v < 3; ++v) {
+        const VertexReport report = vertex_report(driver.ui.results.frame, 7, v);
+        for (const std::string id : numbers) {
+            INFO(id << " of vertex " << v);
+            const Formula* const formula = find_formula(report.formulas, id);
+            REQUIRE(formula != nullptr);
+            const double value = static_cast<double>(formula->result.value);
+            CHECK(number_in(shown_text(driver, cell(id, v))) == Approx(value).margin(0.00051));
+            driver.hand.click(cell(id, v));
+            CHECK(driver.ui.inspect.vertex_number == id);
+            CHECK(driver.ui.session.selection.vertex == v);
+            // A number that is given is its own formula.
+            if (formula->inputs.size() > 1)
+                CHECK(shown_text(driver, "vertices.formula.result") == shown(formula->result));
+        }
+    }
+}
+
+TEST_CASE("The inputs of a vertex's formula lead on: to another formula, and to a setting") {
+    Driver driver;
+    driver.ui.session.selection.triangle = 7;
+    driver.hand.click("tab.vertices");
+    driver.hand.click(cell("pixel.column", 1));
+    driver.hand.click("vertices.formula.x");
+    CHECK(driver.ui.inspect.vertex_number == "rotated.x");
+    CHECK(driver.ui.session.selection.vertex == 1);
+    driver.hand.click(cell("projected.x", 1));
+    driver.hand.click("vertices.formula.f");
+    CHECK(driver.ui.session.tab == "settings");
+    CHECK(driver.hand.is_visible("setting.camera.focal_length"));
+    CHECK_FALSE(driver.hand.is_visible("setting.rounding"));
+}
+
+TEST_CASE("The vertices follow the camera, and say what the other rounding and order would give") {
+    Driver driver;
+    driver.ui.session.selection.triangle = 7;
+    driver.hand.click("tab.vertices");
+    driver.hand.click(cell("pixel.column", 0));
+    const std::string before = shown_text(driver, cell("pixel.column", 0));
+    driver.ui.session.settings.camera.yaw = 0.3f;
+    driver.hand.frames(2);
+    CHECK(shown_text(driver, cell("pixel.column", 0)) != before);
+    CHECK(driver.hand.is_visible("vertices.other_roundings"));
+    CHECK(driver.hand.is_visible("vertices.other_convention"));
+    driver.hand.click(cell("world.x", 0));
+    CHECK_FALSE(driver.hand.is_visible("vertices.other_roundings"));
+}
+
+TEST_CASE("In a small window the formula is in sight, and all of the panel can be reached") {
+    for (const SmallWindow& window : small_windows) {
+        INFO(window.size.x << " x " << window.size.y << ", text " << window.text_scale);
+        Driver driver("lab-room.toml", window.size, window.text_scale);
+        driver.ui.session.selection.triangle = 7;
+        driver.ui.session.tab = "vertices";
+        driver.hand.frames(4);
+        driver.hand.click(cell("pixel.column", 0));
+        CHECK(driver.hand.is_visible(cell("pixel.column", 0)));
+        for (const char* name : {"vertices.formula.f", "vertices.formula.result"}) {
+            INFO(name);
+            CHECK(driver.hand.is_visible(name));
+        }
+        for (const char* name : {"vertices.other_roundings", "vertices.other_convention",
+                                 "vertices.light.R.blue.v2", "vertices.world.x.v0"}) {
+            INFO(name);
+            CHECK(driver.hand.find(name).is_whole);
+        }
+    }
+}
+
+} // namespace rasterwalk

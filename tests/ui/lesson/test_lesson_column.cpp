@@ -1,0 +1,284 @@
+#include <fstream>
+
+#include <catch2/catch.hpp>
+
+#include "session/content.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/ui/driver.h"
+#include "ui/actions/keys.h"
+#include "ui/actions/lesson_links.h"
+#include "ui/actions/lesson_state.h"
+
+namespace rasterwalk {
+
+namespace {
+
+constexpr const char* lesson_text = R"(<!-- lesson
+title = "A tiny lesson"
+section = "Drawing edges"
+minutes = 10
+about = "It is made for a test."
+program = "nothing"
+scene = "scenes/lab-room.toml"
+set = ["stage=depth"]
+-->
+# A tiny lesson
+
+It begins with the [edges](set:stage=edges) and a note.[^1]
+
+## Look at rows
+<!-- step
+set = ["stage=rows"]
+tab = "vertices"
+triangle = 20
+-->
+
+<!-- task
+id = "affine"
+done = "interpolation == affine"
+recipe = ["set:interpolation=affine"]
+hint = "There is a switch above the picture."
+-->
+> **Task.** Make it affine.
+
+<!-- prediction
+id = "how-many"
+kind = "number"
+answer = "triangle.count"
+unit = "triangles"
+then = { tab = "settings" }
+because = "There are {answer}."
+-->
+> **Prediction.** How many triangles are there?
+
+<!-- prediction
+id = "who"
+kind = "choice"
+choices = ["the floor", "the tall block"]
+right = ["triangle < 20", "triangle >= 20"]
+-->
+> **Prediction.** What is selected?
+
+<!-- prediction
+id = "black"
+kind = "pixel"
+where = "pixel.uncovered"
+recipe = "0,0"
+wrong = "250,250"
+-->
+> **Prediction.** Which pixel stays black?
+
+[^1]: A note to the text.
+)";
+
+/// The interface with the lessons of a folder of its own.
+struct Classroom {
+    test::TemporaryFolder folder;
+    std::string file = folder.file("01-tiny.md");
+    Driver driver;
+
+    explicit Classroom(ImVec2 window = {1600, 1000}) : driver("lab-room.toml", window) {
+        write(lesson_text);
+        driver.ui.lesson.lessons.read_folder(folder.file(""));
+    }
+    void write(const std::string& text) const { std::ofstream(file) << text; }
+    void open() {
+        driver.hand.click("lesson.list");
+        driver.hand.click("lesson.item.01-tiny");
+    }
+};
+
+} // namespace
+
+TEST_CASE("A lesson is opened from the list and walked by its buttons") {
+    Classroom room;
+    Ui& ui = room.driver.ui;
+    Hand& hand = room.driver.hand;
+    room.open();
+    CHECK(ui.session.lesson == "01-tiny");
+    CHECK(ui.session.step == 0);
+    CHECK(ui.session.settings.stage == Stage::depth);
+    hand.click("lesson.part0.link.0");
+    CHECK(ui.session.settings.stage == Stage::edges);
+
+    hand.click("lesson.next");
+    CHECK(ui.session.step == 1);
+    CHECK(ui.session.settings.stage == Stage::rows);
+    CHECK(ui.session.tab == "vertices");
+    CHECK(ui.session.selection.triangle == 20);
+    hand.click("lesson.previous");
+    CHECK(ui.session.step == 0);
+    CHECK(ui.session.settings.stage == Stage::depth);
+    hand.click("lesson.step.1");
+    CHECK(ui.session.step == 1);
+
+    hand.click("stage.fill");
+    hand.press('R');
+    CHECK(ui.session.settings.stage == Stage::rows);
+    hand.press(key::page_up);
+    CHECK(ui.session.step == 0);
+    hand.press(key::page_down);
+    CHECK(ui.session.step == 1);
+}
+
+TEST_CASE("A task is ticked off when it is solved, and stays so") {
+    Classroom room;
+    Ui& ui = room.driver.ui;
+    room.open();
+    room.driver.hand.click("lesson.next");
+    room.driver.hand.click("lesson.task.affine.hint");
+    CHECK_FALSE(ui.lesson.progress.is_task_done("01-tiny", "affine"));
+    room.driver.hand.click("switch.perspective");
+    CHECK(ui.session.settings.interpolation == Interpolation::affine);
+    CHECK(ui.lesson.progress.is_task_done("01-tiny", "affine"));
+    room.driver.hand.click("switch.perspective");
+    CHECK(ui.lesson.progress.is_task_done("01-tiny", "affine"));
+}
+
+TEST_CASE("A prediction is answered before the program shows, and the first answer is kept") {
+    Classroom room;
+    Ui& ui = room.driver.ui;
+    Hand& hand = room.driver.hand;
+    room.open();
+    hand.click("lesson.next");
+    const auto answers = [&] { return ui.lesson.progress.of("01-tiny").answers; };
+
+    SECTION("a number") {
+        CHECK(ui.session.tab == "vertices");
+        hand.click("lesson.prediction.how-many.number");
+        hand.type_text("12");
+        hand.click("lesson.prediction.how-many.answer");
+        CHECK_FALSE(answers().at("how-many").is_right);
+        CHECK(ui.lesson.predictions.at("how-many").judged->number == 30.0);
+        CHECK(ui.session.tab == "settings"); // what the reveal shows
+        hand.click("lesson.prediction.how-many.again");
+        CHECK_FALSE(ui.lesson.predictions.at("how-many").judged);
+        ui.lesson.predictions.at("how-many").typed.clear();
+        hand.click("lesson.prediction.how-many.number");
+        hand.type_text("30");
+        hand.click("lesson.prediction.how-many.answer");
+        CHECK(ui.lesson.predictions.at("how-many").judged->is_right);
+        CHECK_FALSE(answers().at("how-many").is_right);
+        CHECK(answers().at("how-many").said == "12 triangles");
+    }
+    SECTION("one of several") {
+        hand.click("lesson.prediction.who.choice.1");
+        CHECK(answers().at("who").is_right);
+        CHECK(answers().at("who").said == "the tall block");
+    }
+    SECTION("a pixel") {
+        hand.click_picture(250, 250);
+        hand.click("lesson.prediction.black.answer");
+        CHECK_FALSE(answers().at("black").is_right);
+    }
+}
+
+TEST_CASE("What is searched for is found in lessons and glossary") {
+    Classroom room;
+    room.driver.hand.click("lesson.list");
+    room.driver.hand.click("lesson.search");
+    room.driver.hand.type_text("affine");
+    CHECK(room.driver.ui.widgets.count("lesson.hit.0") == 1);
+    CHECK(room.driver.ui.widgets.count("lesson.item.01-tiny") == 0);
+    // Terms come first, the step after them.
+    int hits = 0;
+    while (room.driver.ui.widgets.count("lesson.hit." + std::to_string(hits)) > 0)
+        ++hits;
+    room.driver.hand.click("lesson.hit." + std::to_string(hits - 1));
+    CHECK(room.driver.ui.session.lesson == "01-tiny");
+    CHECK(room.driver.ui.session.step == 1);
+}
+
+TEST_CASE("A lesson that is edited is read again, and keeps its place") {
+    Classroom room;
+    Ui& ui = room.driver.ui;
+    room.open();
+    room.driver.hand.click("lesson.next");
+    std::string text = lesson_text;
+    text.replace(text.find("Look at rows"), 12, "See the rows of it");
+    CHECK_FALSE(lesson_was_edited(ui));
+    room.write(text);
+    CHECK(lesson_was_edited(ui));
+    room.driver.hand.frames(frames_to_rest);
+    CHECK(ui.session.step == 1);
+    CHECK(open_lesson_of(ui)->steps[1].heading == "See the rows of it");
+}
+
+TEST_CASE("Progress is kept in a file, taken up again, and forgotten on request") {
+    const test::TemporaryFolder state;
+    const std::string file = state.file("new/progress.toml");
+    {
+        Classroom room;
+        keep_progress(room.driver.ui, file);
+        room.open();
+        room.driver.hand.click("lesson.next");
+        room.driver.hand.click("lesson.prediction.who.choice.0");
+        room.driver.hand.frames(frames_to_rest);
+    }
+    Classroom room;
+    keep_progress(room.driver.ui, file);
+    CHECK(room.driver.ui.session.notice.empty());
+    const LessonProgress& own = room.driver.ui.lesson.progress.of("01-tiny");
+    CHECK(own.steps == std::set<int>{0, 1});
+    CHECK(own.answers.at("who") == FirstAnswer{"the floor", false});
+    open_lesson_to_go_on(room.driver.ui);
+    CHECK(room.driver.ui.session.step == 1);
+    room.driver.hand.frames(frames_to_rest);
+    room.driver.hand.click("lesson.list");
+    room.driver.hand.click("lesson.reset");
+    room.driver.hand.click("lesson.reset.yes");
+    CHECK(room.driver.ui.lesson.progress == Progress{});
+}
+
+TEST_CASE("Progress that cannot be kept is said once, and nothing is lost") {
+    Classroom room;
+    keep_progress(room.driver.ui, "/proc/nowhere/progress.toml");
+    room.open();
+    room.driver.hand.frames(frames_to_rest);
+    CHECK(room.driver.ui.session.notice.find("will not be kept") != std::string::npos);
+    CHECK(room.driver.ui.lesson.progress.is_step_seen("01-tiny", 0));
+    CHECK(room.driver.ui.lesson.progress_path.empty());
+}
+
+TEST_CASE("In a small window the lesson stays in front when a step opens a tab") {
+    Classroom room({1024, 640});
+    room.driver.hand.click("tab.lesson");
+    room.open();
+    room.driver.hand.click("lesson.next");
+    CHECK(room.driver.ui.session.tab == "vertices");
+    CHECK(room.driver.ui.widgets.count("lesson.previous") == 1);
+    room.driver.hand.click("tab.vertices");
+    CHECK(room.driver.ui.widgets.count("lesson.previous") == 0);
+}
+
+TEST_CASE("Every widget that a lesson points at is in the window at that step") {
+    Driver driver;
+    const auto is_there = [&](const std::string& widget) {
+        return driver.ui.widgets.count(widget) > 0;
+    };
+    // A copy: to open a lesson may read it anew.
+    const std::vector<Lesson> lessons = driver.ui.lesson.lessons.all();
+    REQUIRE(lessons.size() >= 13);
+    for (const Lesson& lesson : lessons) {
+        for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+            for (const LinkPlace& link : lesson.steps[i].links) {
+                if (!link.target.starts_with("show:")) continue;
+                INFO(lesson.path << ":" << link.line << ": " << link.target);
+                open_lesson(driver.ui, lesson.id, static_cast<int>(i));
+                driver.hand.frames(frames_to_rest);
+                const std::string widget = link.target.substr(5);
+                follow_link(driver.ui, link.target);
+                driver.hand.frames(frames_to_rest);
+                CHECK(is_there(widget));
+            }
+            const std::string& pointed = lesson.steps[i].situation.point_at;
+            if (pointed.empty()) continue;
+            INFO(lesson.path << ": step " << i << " points at " << pointed);
+            open_lesson(driver.ui, lesson.id, static_cast<int>(i));
+            driver.hand.frames(frames_to_rest);
+            CHECK(is_there(pointed));
+        }
+    }
+}
+
+} // namespace rasterwalk

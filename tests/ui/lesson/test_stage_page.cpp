@@ -1,0 +1,209 @@
+#include <cstdlib>
+#include <filesystem>
+
+#include <catch2/catch.hpp>
+
+#include "lessons/lesson_link.h"
+#include "session/content.h"
+#include "settings/setting_table.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/ui/driver.h"
+#include "ui/actions/keys.h"
+#include "ui/actions/open_tab.h"
+#include "ui/page/markdown.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// A folder of lessons with a single note, for as long as it lives.
+class OwnNote {
+  public:
+    explicit OwnNote(const std::string& stage, const std::string& text) {
+        folder_.write("presets.toml", "preset = []\n");
+        folder_.write("glossary.toml", "term = []\n");
+        std::filesystem::create_directory_symlink(lessons_folder() + "/scenes",
+                                                  folder_.file("scenes"));
+        std::filesystem::create_directories(folder_.file("stages"));
+        if (!stage.empty()) folder_.write("stages/" + stage + ".md", text);
+        if (const char* before = std::getenv("RASTERWALK_LESSONS")) before_ = before;
+        setenv("RASTERWALK_LESSONS", folder_.file("").c_str(), 1);
+    }
+    OwnNote(const OwnNote&) = delete;
+    OwnNote& operator=(const OwnNote&) = delete;
+    ~OwnNote() {
+        if (before_.empty()) {
+            unsetenv("RASTERWALK_LESSONS");
+        } else {
+            setenv("RASTERWALK_LESSONS", before_.c_str(), 1);
+        }
+    }
+
+  private:
+    test::TemporaryFolder folder_;
+    std::string before_;
+};
+
+Session room_at(Stage stage) {
+    Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
+    session.settings.stage = stage;
+    return session;
+}
+
+float top_of(const Driver& driver, const std::string& widget) {
+    return driver.ui.widgets.at(widget).top_left.y;
+}
+
+/// Follows every link of the page on show by a click, each from the same start.
+void follow_all(const Session& start, ImVec2 window) {
+    Driver driver(start, window);
+    if (driver.ui.widgets.count("tab.lesson") > 0) driver.hand.click("tab.lesson");
+    const std::vector<std::string> links = document_of(*driver.ui.lesson.pages.at("stage")).links;
+    CHECK_FALSE(links.empty());
+    for (std::size_t i = 0; i < links.size(); ++i) {
+        INFO(driver.ui.lesson.shown << ": link " << i << ", " << links[i]);
+        driver.ui.session = start;
+        open_tab(driver.ui, driver.ui.widgets.count("tab.lesson") > 0 ? "lesson" : "vertices");
+        driver.hand.frames(frames_to_rest);
+        driver.hand.click("lesson.link." + std::to_string(i));
+        CHECK(driver.ui.session.notice == "");
+        const LessonLink link = parse_lesson_link(links[i]);
+        if (link.kind == LessonLink::Kind::set) {
+            const std::size_t place = link.argument.find('=');
+            const Setting* const setting = find_setting(link.argument.substr(0, place));
+            REQUIRE(setting != nullptr);
+            CHECK(value_text(*setting, driver.ui.session.settings) ==
+                  link.argument.substr(place + 1));
+        } else if (link.kind == LessonLink::Kind::cursor) {
+            CHECK(to_text(driver.ui.results.cursor) == link.argument);
+        } else {
+            CHECK(driver.ui.lesson.pointed_at == link.argument);
+            CHECK(driver.hand.is_visible(link.argument));
+        }
+    }
+}
+
+} // namespace
+
+TEST_CASE("Every link of every note does what it says, in a column and in a tab") {
+    const Session bench = open_session(lessons_folder() + "/scenes/one-triangle.toml");
+    for (const ImVec2 window : {ImVec2(1600, 1000), ImVec2(1024, 640)}) {
+        for (const StageInfo& info : stage_list())
+            follow_all(room_at(info.stage), window);
+        follow_all(bench, window);
+    }
+}
+
+TEST_CASE("The buttons and bars of the lesson walk through the stages") {
+    Driver driver(room_at(Stage::points));
+    CHECK_FALSE(driver.hand.is_visible("lesson.previous"));
+    for (int i = 1; i < stage_count; ++i) {
+        driver.hand.click("lesson.next");
+        CHECK(driver.ui.session.settings.stage == static_cast<Stage>(i));
+    }
+    CHECK_FALSE(driver.hand.is_visible("lesson.next"));
+    driver.hand.click("lesson.previous");
+    CHECK(driver.ui.session.settings.stage == Stage::vertex_light);
+    driver.hand.click("lesson.bar.edges");
+    CHECK(driver.ui.session.settings.stage == Stage::edges);
+}
+
+TEST_CASE("Another page begins at its top; the same page keeps its place") {
+    Driver driver(room_at(Stage::rows), {1100, 700});
+    const float top = top_of(driver, "lesson.link.0");
+    driver.hand.wheel("lesson.link.0", -3.0f);
+    const float scrolled = top_of(driver, "lesson.link.0");
+    CHECK(scrolled < top);
+    driver.hand.click("switch.perspective");
+    CHECK(top_of(driver, "lesson.link.0") == scrolled);
+    driver.hand.click("stage.fill");
+    driver.hand.click("stage.rows");
+    CHECK(top_of(driver, "lesson.link.0") == top);
+}
+
+TEST_CASE("The buttons of the lesson are whole in small windows and at large text") {
+    struct Window {
+        ImVec2 size;
+        float scale;
+    };
+    for (const Window& window :
+         {Window{{1600, 1000}, 1.0f}, Window{{1024, 640}, 1.0f}, Window{{1600, 1000}, 1.5f},
+          Window{{1600, 1000}, 2.0f}, Window{{800, 600}, 1.0f}, Window{{800, 600}, 2.0f}}) {
+        INFO(window.size.x << "x" << window.size.y << " at " << window.scale);
+        Driver driver(room_at(Stage::rows), window.size, window.scale);
+        open_tab(driver.ui, "lesson");
+        driver.hand.frames(frames_to_rest);
+        for (const char* name : {"lesson.previous", "lesson.next", "lesson.bar.rows"}) {
+            INFO(name);
+            CHECK(driver.hand.find(name).is_whole);
+        }
+    }
+}
+
+TEST_CASE(
+    "A link that points at something outlines it while it is hovered, and stays after a click") {
+    const OwnNote note("rows", "# Rows\n\n[the tab](show:tab.history)\n");
+    Driver driver(room_at(Stage::rows));
+    CHECK(driver.ui.lesson.pointed_at.empty());
+    driver.hand.hover("lesson.link.0");
+    CHECK(driver.ui.lesson.pointed_at == "tab.history");
+    driver.hand.leave();
+    driver.hand.frames(frames_to_rest);
+    CHECK(driver.ui.lesson.pointed_at.empty());
+    driver.hand.click("lesson.link.0");
+    driver.hand.leave();
+    driver.hand.frames(frames_to_rest);
+    CHECK(driver.ui.lesson.pointed_at == "tab.history");
+    CHECK(driver.ui.session.tab == "history");
+    driver.hand.press(key::period);
+    CHECK(driver.ui.lesson.pointed_at.empty());
+}
+
+TEST_CASE("A link to a widget in a closed tab points at the tab, and a click opens it") {
+    const OwnNote note("rows", "[power](show:setting.light.power)\n");
+    Driver driver(room_at(Stage::rows));
+    driver.hand.hover("lesson.link.0");
+    CHECK(driver.ui.lesson.pointed_at == "tab.settings");
+    driver.hand.click("lesson.link.0");
+    CHECK(driver.ui.session.tab == "settings");
+    CHECK(driver.ui.lesson.pointed_at == "setting.light.power");
+    CHECK(driver.ui.widgets.at("setting.light.power").visible);
+}
+
+TEST_CASE("A link that leads nowhere is answered in the status line") {
+    const OwnNote note("rows", "[a](show:nothing.here) [b](foo:bar) [c](set:stage=row) [d](<>)\n");
+    Driver driver(room_at(Stage::rows));
+    driver.hand.click("lesson.link.0");
+    CHECK_THAT(driver.ui.session.notice, Catch::Contains("has no widget 'nothing.here'"));
+    driver.hand.click("lesson.link.1");
+    CHECK_THAT(driver.ui.session.notice, Catch::Contains("'foo:bar' leads nowhere"));
+    driver.hand.click("lesson.link.2");
+    CHECK_THAT(driver.ui.session.notice, Catch::Contains("stage cannot be 'row'"));
+    driver.hand.click("lesson.link.3");
+    CHECK_THAT(driver.ui.session.notice, Catch::Contains("leads nowhere"));
+    CHECK(driver.ui.session.settings.stage == Stage::rows);
+}
+
+TEST_CASE("Without its notes the program shows the stage's title and goes on") {
+    const Session session = room_at(Stage::rows);
+    const OwnNote note("", "");
+    Driver driver(session);
+    CHECK(driver.hand.is_visible("lesson.next"));
+    driver.hand.click("lesson.next");
+    CHECK(driver.ui.session.settings.stage == Stage::fill);
+}
+
+TEST_CASE("A page of a megabyte is drawn and scrolled") {
+    std::string text;
+    while (text.size() + 40 < largest_markdown)
+        text += "word [link](set:stage=rows) `code`\n\n";
+    const Session session = room_at(Stage::rows);
+    const OwnNote note("rows", text);
+    Driver driver(session);
+    CHECK(driver.ui.widgets.at("lesson.link.0").visible);
+    driver.hand.wheel("lesson.link.0", -200.0f);
+    CHECK_FALSE(driver.hand.is_visible("lesson.link.0"));
+    CHECK(driver.hand.is_visible("lesson.next"));
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,333 @@
+#include <filesystem>
+
+#include <catch2/catch.hpp>
+
+#include "laboratory/bug.h"
+#include "laboratory/quiz.h"
+#include "opening/opened_view.h"
+#include "opening/state_file.h"
+#include "session/content.h"
+#include "tests/support/random_session.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/ui/driver.h"
+#include "ui/actions/keys.h"
+#include "ui/actions/lab.h"
+#include "ui/actions/lesson_state.h"
+#include "ui/actions/view_files.h"
+
+namespace rasterwalk {
+
+namespace {
+
+using test::bytes_of;
+using test::check_same_view;
+using test::TemporaryFolder;
+
+constexpr Held ctrl{true, false, false};
+
+bool is_up(const Driver& driver) {
+    return driver.ui.files.kind != FileSheet::Kind::closed;
+}
+
+/// Saves by keys and a typed path.
+void save(Driver& driver, const std::string& path) {
+    driver.hand.press('S', ctrl);
+    REQUIRE(is_up(driver));
+    driver.hand.enter("files.path", path);
+}
+
+void open(Driver& driver, const std::string& path) {
+    driver.hand.press('O', ctrl);
+    REQUIRE(is_up(driver));
+    driver.hand.enter("files.path", path);
+}
+
+/// A view with a little of everything.
+void set_up_view(Driver& driver) {
+    driver.hand.click("stage.depth");
+    driver.hand.click_picture(250, 400);
+    driver.hand.click("tab.history");
+    driver.hand.press('C'); // compares
+    driver.hand.press(key::comma);
+}
+
+} // namespace
+
+TEST_CASE("What is saved by keys and opened again is the same view") {
+    const TemporaryFolder folder;
+    const std::string path = folder.file("mine.walk.toml");
+    Driver driver;
+    set_up_view(driver);
+    save(driver, path);
+    CHECK_FALSE(is_up(driver));
+    CHECK(driver.ui.session.notice == "Saved as " + path + ".");
+    const Session saved = driver.ui.session;
+
+    open_lesson(driver.ui, "05-row-table", 4);
+    driver.hand.frames(3);
+    const Session between = driver.ui.session;
+    REQUIRE(between.scene->path != saved.scene->path);
+    open(driver, path);
+    CHECK_FALSE(is_up(driver));
+    check_same_view(driver.ui.session, saved);
+    CHECK(driver.ui.session.lesson.empty());
+
+    SECTION("one undo brings back what was there before") {
+        driver.hand.press('Z', ctrl);
+        CHECK(driver.ui.session.scene->path == between.scene->path);
+        CHECK(driver.ui.session.settings == between.settings);
+        CHECK_FALSE(driver.ui.session.other);
+        driver.hand.press('Z', {true, true, false});
+        CHECK(driver.ui.session.settings == saved.settings);
+        CHECK(driver.ui.session.other == saved.other);
+    }
+    SECTION("and Back leads to the place before") {
+        driver.hand.press(key::left, {false, false, true});
+        CHECK(driver.ui.session.cursor == between.cursor);
+    }
+}
+
+TEST_CASE("A view with a lesson opens at its step") {
+    const TemporaryFolder folder;
+    const std::string path = folder.file("step.walk.toml");
+    Driver driver;
+    open_lesson(driver.ui, "05-row-table", 3);
+    driver.hand.frames(3);
+    driver.hand.press(key::period);
+    const Session saved = driver.ui.session;
+    save(driver, path);
+    open_lesson(driver.ui, "09-light-per-vertex", 0);
+    driver.hand.frames(3);
+    open(driver, path);
+    check_same_view(driver.ui.session, saved);
+    CHECK(driver.hand.is_visible("lesson.next"));
+    CHECK(driver.ui.lesson.shown == "05-row-table/3");
+}
+
+TEST_CASE("A broken file is refused with its line, and nothing changes") {
+    const TemporaryFolder folder;
+    Driver driver;
+    set_up_view(driver);
+    const Session before = driver.ui.session;
+    const std::string path = folder.write("broken.walk.toml", "scene = \"scenes/fence.toml\"\n"
+                                                              "stage = \"depth\"\n");
+    open(driver, path);
+    CHECK(is_up(driver));
+    CHECK(driver.ui.files.fault.starts_with(path + ":2: the view has no 'stage'"));
+    CHECK(driver.hand.is_visible("files.message"));
+    check_same_view(driver.ui.session, before);
+    driver.hand.press(key::escape);
+    CHECK_FALSE(is_up(driver));
+    check_same_view(driver.ui.session, before);
+    driver.hand.frames(3);
+    CHECK_FALSE(driver.hand.is_visible("files.path"));
+
+    const std::string bad_scene = folder.write("bad.toml", "name = \"x\"\n");
+    const std::string bad_lesson = folder.write("07-bad.md", "<!-- lesson\nrow = 999\n-->\n# T\n");
+    for (const std::string& bad : {bad_scene, bad_lesson, folder.file("absent.walk.toml")}) {
+        open(driver, bad);
+        CHECK(is_up(driver));
+        CHECK(driver.ui.files.fault.find(bad) != std::string::npos);
+        driver.hand.click("files.cancel");
+        CHECK_FALSE(is_up(driver));
+        check_same_view(driver.ui.session, before);
+    }
+}
+
+TEST_CASE("A file is not overwritten unasked") {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("there.walk.toml", "old");
+    Driver driver;
+    save(driver, path);
+    CHECK(is_up(driver));
+    CHECK(driver.ui.files.asked == path);
+    CHECK(bytes_of(path) == "old");
+    SECTION("Cancel leaves it") {
+        driver.hand.click("files.cancel");
+        CHECK(bytes_of(path) == "old");
+    }
+    SECTION("Enter once more replaces it") {
+        driver.hand.press(key::enter);
+        CHECK_FALSE(is_up(driver));
+        CHECK(bytes_of(path).starts_with("# A view of Rasterwalk"));
+    }
+    SECTION("so does the button") {
+        driver.hand.click("files.do");
+        CHECK_FALSE(is_up(driver));
+        CHECK(bytes_of(path) != "old");
+    }
+    SECTION("another name is another question") {
+        driver.hand.enter("files.path", folder.file("other"));
+        CHECK_FALSE(is_up(driver));
+        CHECK(bytes_of(path) == "old");
+        CHECK(std::filesystem::exists(folder.file("other.walk.toml")));
+    }
+}
+
+TEST_CASE("What cannot be written is said on the sheet") {
+    Driver driver;
+    save(driver, "/nowhere/at/all");
+    CHECK(is_up(driver));
+    CHECK(driver.ui.files.fault.find("/nowhere/at/all.walk.toml") != std::string::npos);
+}
+
+TEST_CASE("The view is copied as a command line") {
+    Driver driver;
+    driver.hand.click("stage.depth");
+    driver.hand.click_picture(250, 400);
+    driver.hand.press('C', ctrl);
+    const std::string copied = ImGui::GetClipboardText();
+    CHECK(copied.starts_with("rasterwalk --stage depth --triangle "));
+    CHECK(copied.find(" --pixel 250,400") != std::string::npos);
+    CHECK(driver.ui.session.notice == "Copied: " + copied);
+    CHECK_FALSE(driver.ui.session.other); // C alone compares
+
+    ImGui::SetClipboardText("mine");
+    driver.hand.click("tab.settings");
+    driver.hand.click("settings.search");
+    driver.hand.type_text("light");
+    driver.hand.press('C', ctrl); // is the field's
+    CHECK(std::string(ImGui::GetClipboardText()) == "light");
+}
+
+TEST_CASE("A quiz gives nothing away, and ends when a file is opened") {
+    const TemporaryFolder folder;
+    const std::string path = folder.file("v.walk.toml");
+    Driver driver;
+    save(driver, path);
+    REQUIRE(start_quiz(driver.ui.session, read_bugs(), 1));
+    driver.hand.frames(3);
+    driver.hand.press('S', ctrl);
+    CHECK_FALSE(is_up(driver));
+    ImGui::SetClipboardText("mine");
+    driver.hand.press('C', ctrl);
+    CHECK(std::string(ImGui::GetClipboardText()) == "mine");
+    open(driver, path);
+    CHECK_FALSE(driver.ui.session.quiz);
+    CHECK(driver.ui.session.settings == default_settings(*driver.ui.session.scene));
+}
+
+TEST_CASE("Files dropped on the window open by their kind") {
+    const TemporaryFolder folder;
+    Driver driver;
+    const auto drop = [&](const std::string& path) {
+        open_dropped(driver.ui, path);
+        driver.hand.frames(3);
+    };
+    drop(lessons_folder() + "/04-edges.md");
+    CHECK(driver.ui.session.lesson == "04-edges");
+    CHECK(driver.ui.session.step == 0);
+    const std::string view = folder.file("v.walk.toml");
+    write_view(driver.ui.session, view);
+    drop(lessons_folder() + "/scenes/fence.toml");
+    CHECK(driver.ui.session.scene->name != "The lab's room");
+    CHECK(driver.ui.session.lesson == "04-edges"); // another scene does not close the lesson
+    drop(view);
+    CHECK(driver.ui.session.lesson == "04-edges");
+    CHECK_FALSE(is_up(driver));
+
+    const std::string bad = folder.write("bad.walk.toml", "zoom = 3\n");
+    drop(bad);
+    CHECK(is_up(driver));
+    CHECK(driver.ui.files.fault == bad + ":1: the view needs 'scene'.");
+    CHECK(driver.hand.is_visible("files.entry.v.walk.toml"));
+}
+
+TEST_CASE("A lesson of another folder brings its folder's lessons with it, and leaves with it") {
+    const TemporaryFolder folder;
+    const std::string mine =
+        folder.write("07-mine.md", bytes_of(lessons_folder() + "/03-points.md"));
+    Driver driver;
+    open_dropped(driver.ui, mine);
+    driver.hand.frames(3);
+    CHECK(driver.ui.session.lesson == "07-mine");
+    CHECK(driver.ui.lesson.lessons.all().size() == 1);
+    const std::string view = folder.file("v.walk.toml");
+    save(driver, view);
+    open(driver, lessons_folder() + "/04-edges.md");
+    CHECK(driver.ui.lesson.lessons.all().size() > 1);
+    open(driver, view);
+    CHECK(driver.ui.session.lesson == "07-mine");
+    CHECK(driver.ui.lesson.shown == "07-mine/0");
+}
+
+TEST_CASE("On the sheet folders are entered and files chosen") {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder.file("below"));
+    folder.write(".hidden.toml", "");
+    folder.write("notes.pdf", "");
+    folder.write("a.toml", bytes_of(lessons_folder() + "/scenes/fence.toml"));
+    Driver driver;
+    driver.hand.press('O', ctrl);
+    driver.hand.enter("files.path", folder.file(""));
+    CHECK(is_up(driver));
+    CHECK(driver.ui.files.entries.size() == 2);
+    driver.hand.click("files.entry.below");
+    CHECK(driver.ui.files.entries.empty());
+    CHECK(std::filesystem::equivalent(driver.ui.files.folder, folder.file("below")));
+    driver.hand.click("files.up");
+    driver.hand.click("files.entry.a.toml");
+    CHECK(driver.ui.files.path == "a.toml");
+    CHECK(is_up(driver));
+    driver.hand.double_click("files.entry.a.toml");
+    CHECK_FALSE(is_up(driver));
+    CHECK(driver.ui.session.scene->path == folder.file("a.toml"));
+
+    // A view of this scene belongs beside it.
+    driver.hand.press('S', ctrl);
+    CHECK(std::filesystem::equivalent(driver.ui.files.folder, folder.file("")));
+    CHECK(driver.ui.files.path == "a.walk.toml");
+    driver.hand.press(key::enter);
+    CHECK(std::filesystem::exists(folder.file("a.walk.toml")));
+    driver.hand.press('O', ctrl);
+    driver.hand.click("files.own");
+    CHECK(driver.hand.is_visible("files.entry.scenes"));
+    driver.hand.click("files.here");
+    CHECK(std::filesystem::equivalent(driver.ui.files.folder, "."));
+}
+
+TEST_CASE("Under the sheet nothing is reached by keys or clicks") {
+    Driver driver;
+    driver.hand.press('O', ctrl);
+    driver.hand.click("files.here"); // the field has the keyboard no more
+    const Session before = driver.ui.session;
+    for (const int code :
+         {static_cast<int>(key::comma), static_cast<int>('1'), static_cast<int>('C'),
+          static_cast<int>('P'), static_cast<int>('W'), key::home}) {
+        driver.hand.press(code);
+    }
+    driver.hand.click("stage.points");
+    check_same_view(driver.ui.session, before);
+    CHECK(is_up(driver));
+}
+
+TEST_CASE("The sheet is whole in small windows and large text, with tooltips everywhere") {
+    struct Case {
+        ImVec2 window;
+        float text_scale;
+    };
+    for (const Case& one :
+         {Case{{1600, 1000}, 1.0f}, Case{{1024, 640}, 1.0f}, Case{{1024, 640}, 1.5f},
+          Case{{800, 600}, 1.5f}, Case{{1600, 1000}, 2.0f}}) {
+        INFO(one.window.x << " x " << one.window.y << " at " << one.text_scale);
+        Driver driver("lab-room.toml", one.window, one.text_scale);
+        for (const int key : {'O', 'S'}) {
+            driver.hand.press(key, ctrl);
+            driver.hand.frames(3);
+            for (const char* name : {"files.path", "files.folder", "files.up", "files.here",
+                                     "files.do", "files.cancel"}) {
+                INFO(name);
+                REQUIRE(driver.ui.widgets.count(name) == 1);
+                CHECK(driver.ui.widgets.at(name).is_whole);
+            }
+            for (const auto& [name, place] : driver.ui.widgets) {
+                if (!name.starts_with("files.")) continue;
+                INFO(name);
+                CHECK(place.has_tooltip);
+            }
+            driver.hand.press(key::escape);
+        }
+    }
+}
+
+} // namespace rasterwalk

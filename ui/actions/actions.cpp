@@ -1,0 +1,94 @@
+#include "ui/actions/actions.h"
+
+#include <algorithm>
+
+#include <imgui.h>
+
+#include "base/error.h"
+#include "session/scene_file.h"
+#include "ui/actions/held_keys.h"
+#include "ui/actions/keys.h"
+
+namespace rasterwalk {
+
+namespace {
+
+bool is_pressed(const Chord& chord) {
+    const ImGuiIO& io = ImGui::GetIO();
+    // Plus is Shift and equal on many keyboards.
+    const bool shift_fits = io.KeyShift == chord.shift || chord.key == key::equal;
+    if (chord.key == 0 || io.KeyCtrl != chord.ctrl || !shift_fits || io.KeyAlt != chord.alt) {
+        return false;
+    }
+    const bool repeats = chord.key == key::period || chord.key == key::comma ||
+                         chord.key == key::left_bracket || chord.key == key::right_bracket;
+    return ImGui::IsKeyPressed(chord.key, repeats);
+}
+
+std::string key_name(int code) {
+    switch (code) {
+    case key::space:
+        return "Space";
+    case key::home:
+        return "Home";
+    case key::end:
+        return "End";
+    case key::page_up:
+        return "Page up";
+    case key::page_down:
+        return "Page down";
+    case key::left:
+        return "←";
+    case key::right:
+        return "→";
+    case key::equal:
+        return "+";
+    case key::minus:
+        return "−";
+    default:
+        break;
+    }
+    if (code >= key::f1 && code <= key::f12) return "F" + std::to_string(code - key::f1 + 1);
+    return std::string(1, static_cast<char>(code));
+}
+
+} // namespace
+
+const Action& find_action(std::string_view name) {
+    const auto found = std::find_if(action_table().begin(), action_table().end(),
+                                    [&](const Action& a) { return name == a.name; });
+    IM_ASSERT(found != action_table().end());
+    return *found;
+}
+
+std::string chord_text(const Chord& chord) {
+    if (chord.key == 0) return {};
+    return std::string(chord.ctrl ? "Ctrl+" : "") + (chord.alt ? "Alt+" : "") +
+           (chord.shift ? "Shift+" : "") + key_name(chord.key);
+}
+
+std::string tooltip_of(std::string_view action) {
+    const Action& found = find_action(action);
+    const std::string chord = chord_text(found.chord);
+    return chord.empty() ? found.help : std::string(found.help) + "\nKey: " + chord;
+}
+
+void handle_keys(Ui& ui) {
+    const bool is_covered = ui.files.kind != FileSheet::Kind::closed;
+    if (ImGui::GetIO().WantTextInput || is_covered) return;
+    for (const Action& action : action_table()) {
+        if (is_pressed(action.chord)) action.run(ui);
+    }
+    move_by_held_keys(ui);
+}
+
+void open_scene(Ui& ui, const std::string& path) {
+    try {
+        set_scene(ui.session, read_scene_file(path));
+        ui.session.notice.clear();
+    } catch (const Error& fault) {
+        ui.session.notice = fault.what();
+    }
+}
+
+} // namespace rasterwalk

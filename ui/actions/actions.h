@@ -1,0 +1,47 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+/// A key with the keys held beside it.
+struct Chord {
+    int key = 0; ///< see ui/actions/keys.h; 0: none
+    bool ctrl = false;
+    bool shift = false;
+    bool alt = false;
+};
+
+/// Something that the student can do. One table feeds the keys, the menus, the tooltips and the
+/// sheet of keys.
+struct Action {
+    const char* name;  ///< by which code and tests find it
+    const char* menu;  ///< the menu it stands in; empty: none
+    const char* title; ///< in the menu
+    const char* help;  ///< one sentence
+    Chord chord;
+    void (*run)(Ui&);
+    bool (*is_on)(const Ui&); ///< for switches; null otherwise
+};
+
+/// All actions, in the order of the menus.
+std::span<const Action> action_table();
+const Action& find_action(std::string_view name);
+
+/// The action's help with its key: "Draws the next piece. Key: ."
+std::string tooltip_of(std::string_view action);
+
+/// "Ctrl+Shift+Z"; empty for no key.
+std::string chord_text(const Chord& chord);
+
+/// Runs the actions whose keys were pressed, and moves camera and light while the lab's keys are
+/// held. Does nothing while text is typed or a sheet for files is up.
+void handle_keys(Ui& ui);
+
+/// Opens a scene file; a fault goes to session.notice and the old scene stays.
+void open_scene(Ui& ui, const std::string& path);
+
+} // namespace rasterwalk

@@ -1,0 +1,168 @@
+#include "ui/actions/compare.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "laboratory/quiz.h"
+#include "session/walk.h"
+#include "settings/setting_table.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// Seconds from one showing of A to the next.
+constexpr float blink_period = 1.0f;
+
+/// The value that an assignment `name=value` gives, as value_text() writes it.
+std::string value_of(std::string_view assignment, Settings settings) {
+    set_from_text(settings, assignment);
+    const Setting* const setting = find_setting(assignment.substr(0, assignment.find('=')));
+    return setting == nullptr ? std::string() : value_text(*setting, settings);
+}
+
+bool has_all(const Settings& settings, std::span<const std::string_view> assignments) {
+    return std::all_of(assignments.begin(), assignments.end(), [&](std::string_view assignment) {
+        const Setting* const setting = find_setting(assignment.substr(0, assignment.find('=')));
+        return setting != nullptr &&
+               value_text(*setting, settings) == value_of(assignment, settings);
+    });
+}
+
+bool names(std::span<const std::string_view> assignments, std::string_view setting) {
+    return std::any_of(assignments.begin(), assignments.end(), [&](std::string_view assignment) {
+        return assignment.substr(0, assignment.find('=')) == setting;
+    });
+}
+
+const ComparePair& pair_for(Stage stage) {
+    const std::span<const ComparePair> pairs = compare_pairs();
+    const auto found = std::find_if(pairs.begin(), pairs.end(), [&](const ComparePair& pair) {
+        return pair.first_stage <= stage && stage <= pair.last_stage;
+    });
+    return found == pairs.end() ? pairs.front() : *found;
+}
+
+/// The pixel of a fragment, if the moment is one in that frame.
+std::optional<glm::ivec2> pixel_of(const Frame& frame, const Cursor& cursor) {
+    if (cursor.phase != Phase::rows || !has_fragments(frame.settings.stage)) return std::nullopt;
+    const Timeline timeline(frame);
+    if (!timeline.exists(cursor)) return std::nullopt;
+    const Fragment& left = timeline.moments(cursor.triangle).rows.left[cursor.index];
+    return glm::ivec2(left.column + cursor.step, left.row);
+}
+
+} // namespace
+
+const ComparePair* pair_on_show(const Session& session) {
+    // While a quiz goes on it would give the mistake away.
+    if (!session.other || hides_settings(session)) return nullptr;
+    const std::vector<RunDifference> differences = run_differences(session);
+    for (const ComparePair& pair : compare_pairs()) {
+        const bool is_all =
+            std::all_of(differences.begin(), differences.end(),
+                        [&](const RunDifference& d) { return names(pair.a, d.setting); });
+        if (!differences.empty() && is_all && has_all(session.settings, pair.a) &&
+            has_all(*session.other, pair.b)) {
+            return &pair;
+        }
+    }
+    return nullptr;
+}
+
+void toggle_compare(Ui& ui) {
+    if (ui.session.other) {
+        end_comparison(ui.session);
+    } else if (ui.session.quiz) {
+        compare_with(ui.session, quiz_reference(ui.session));
+    } else {
+        start_pair(ui.session, pair_for(ui.session.settings.stage));
+    }
+}
+
+void stand_at(Ui& ui, const Cursor& cursor) {
+    go_to(ui.session, cursor);
+    Selection& selection = ui.session.selection;
+    selection.triangle = cursor.triangle;
+    selection.pixel = std::nullopt;
+    if (cursor.phase == Phase::vertices) selection.vertex = cursor.index;
+    std::optional<glm::ivec2> pixel = pixel_of(ui.results.frame, cursor);
+    if (!pixel && ui.results.compared) pixel = pixel_of(ui.results.compared->frame, cursor);
+    if (!pixel || !ui.results.framebuffer->contains(pixel->x, pixel->y)) return;
+    selection.pixel = pixel;
+    selection.row = pixel->y;
+}
+
+void go_to_next_divergence(Ui& ui) {
+    if (!ui.results.compared) {
+        ui.session.notice = "There are no two runs: press C to compare.";
+        return;
+    }
+    Cursor from = ui.session.cursor;
+    if (from != cursor_end) ++from.step;
+    const auto found = next_divergence(ui.results.frame, ui.results.compared->frame, from);
+    if (found) stand_at(ui, found->cursor);
+    ui.session.notice = found ? "" : "The runs do not differ any more after this moment.";
+}
+
+void go_to_previous_divergence(Ui& ui) {
+    if (!ui.results.compared) {
+        ui.session.notice = "There are no two runs: press C to compare.";
+        return;
+    }
+    const auto found =
+        previous_divergence(ui.results.frame, ui.results.compared->frame, ui.session.cursor);
+    if (found) stand_at(ui, found->cursor);
+    ui.session.notice = found ? "" : "The runs do not differ before this moment.";
+}
+
+bool is_comparing(const Ui& ui) {
+    return ui.results.compared.has_value();
+}
+
+bool is_blinking(const Ui& ui) {
+    return is_comparing(ui) && ui.session.compare_view == CompareView::blink &&
+           !ui.compare.blink_is_held;
+}
+
+bool blink_shows_b(const Ui& ui) {
+    return std::fmod(ui.compare.blink_seconds, blink_period) >= 0.5f * blink_period;
+}
+
+std::string run_words(const Session& session, bool of_b, bool one_line) {
+    if (hides_settings(session)) return of_b ? "the correct run" : "with a mistake";
+    constexpr std::size_t most_on_a_line = 2;
+    const std::vector<RunDifference> differences = run_differences(session);
+    if (differences.empty()) return "the same settings";
+    std::string words;
+    for (std::size_t i = 0; i < differences.size(); ++i) {
+        if (one_line && i == most_on_a_line) {
+            return words.append(" and ")
+                .append(std::to_string(differences.size() - i))
+                .append(" more");
+        }
+        if (i > 0) words += one_line ? ", " : "\n";
+        words.append(differences[i].setting).append(" = ");
+        words += of_b ? differences[i].b : differences[i].a;
+    }
+    return words;
+}
+
+std::string grouped(std::int64_t number) {
+    std::string digits = std::to_string(number);
+    for (std::ptrdiff_t at = static_cast<std::ptrdiff_t>(digits.size()) - 3;
+         at > (number < 0 ? 1 : 0); at -= 3)
+        digits.insert(static_cast<std::size_t>(at), " ");
+    return digits;
+}
+
+std::string difference_words(const PixelDifference& pixels) {
+    if (pixels.different == 0) return "no pixel differs";
+    std::string words = grouped(pixels.different);
+    words += pixels.different == 1 ? " pixel differs" : " pixels differ";
+    words += " · largest " + fixed(static_cast<double>(pixels.largest), 3);
+    return words + " · mean " + fixed(pixels.mean, 4);
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,117 @@
+#include "ui/actions/lab.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/image.h"
+#include "laboratory/diagnose.h"
+#include "laboratory/quiz.h"
+#include "session/second_run.h"
+#include "ui/actions/actions.h"
+#include "ui/actions/open_tab.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// The largest side of a picture for which the student is made to wait, pixels.
+constexpr int largest_result = 1024;
+
+} // namespace
+
+const std::vector<Bug>& lab_bugs(Ui& ui) {
+    LabLook& lab = ui.lab;
+    if (!lab.is_read) {
+        lab.is_read = true;
+        try {
+            lab.bugs = read_bugs();
+        } catch (const Error& fault) {
+            lab.fault = fault.what();
+        }
+        if (!lab.bugs.empty()) lab.chosen = lab.bugs.front().id;
+    }
+    return lab.bugs;
+}
+
+void turn_on(Ui& ui, const Bug& bug, bool on_its_scene) {
+    if (refuses_settings(ui.session)) return;
+    try {
+        if (on_its_scene) {
+            open_bug(bug, ui.session);
+        } else {
+            apply_bug(bug, ui.session);
+        }
+        ui.session.notice.clear();
+        ui.lab.chosen = bug.id;
+    } catch (const Error& fault) {
+        ui.session.notice = fault.what();
+    }
+}
+
+void begin_quiz(Ui& ui) {
+    LabLook& lab = ui.lab;
+    // Any number will do: it only must not be the same each time.
+    if (lab.seed == 0) lab.seed = 1000 + ImGui::GetFrameCount() * 37 % 9000;
+    const auto seed = static_cast<std::uint32_t>(lab.seed);
+    if (!start_quiz(ui.session, lab_bugs(ui), seed, lab.wants_two ? 2 : 1)) {
+        ui.session.notice = "None of the mistakes shows in this scene: open the room.";
+        return;
+    }
+    ui.session.notice.clear();
+    lab.chosen.clear();
+}
+
+void finish_quiz(Ui& ui) {
+    if (!ui.session.quiz) return;
+    if (is_over(*ui.session.quiz)) {
+        ui.options.score.rounds = std::min(ui.options.score.rounds + 1, largest_score);
+        ui.options.score.points =
+            std::min(ui.options.score.points + score(*ui.session.quiz), largest_score);
+    }
+    end_quiz(ui.session);
+    ui.lab.seed = 0;
+}
+
+void diagnose_file(Ui& ui, const std::string& path) {
+    LabLook& lab = ui.lab;
+    lab.mode = LabMode::result;
+    open_tab(ui, "lab");
+    lab.result_path = path;
+    lab.diagnosis = std::nullopt;
+    lab.result_fault.clear();
+    // The frame before says that it may take a while.
+    lab.frames_to_result = 2;
+}
+
+void carry_on_diagnosis(Ui& ui) {
+    LabLook& lab = ui.lab;
+    if (lab.frames_to_result == 0 || --lab.frames_to_result > 0) return;
+    const Session& session = ui.session;
+    const std::string path = lab.result_path;
+    try {
+        if (is_image_file(path)) {
+            const Image picture = read_image(path);
+            if (picture.width > largest_result || picture.height > largest_result) {
+                throw InputError(path +
+                                 ": the picture is too large to be diagnosed here; 'rasterwalk "
+                                 "diagnose' takes larger ones.");
+            }
+            const Settings reference =
+                fitted_to(with_handout_rules(session.settings), picture, session.scene->space);
+            lab.diagnosis = diagnose_picture(picture, *session.scene, reference, lab_bugs(ui));
+            lab.held_against = "the picture of " + session.scene->name;
+        } else {
+            const std::vector<PrintedRow> rows = parse_printed_rows(read_file(path), path);
+            std::string about;
+            lab.diagnosis =
+                diagnose_rows(rows, {}, *session.scene, with_handout_rules(session.settings),
+                              lab_bugs(ui), about);
+            lab.held_against = "the row table of " + about;
+        }
+    } catch (const Error& fault) {
+        lab.result_fault = fault.what();
+    }
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,131 @@
+#include "ui/actions/lesson_links.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "lessons/lesson_link.h"
+#include "ui/actions/lesson_state.h"
+#include "ui/actions/open_tab.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// A widget that has not been drawn for so many frames is not on the screen.
+constexpr int frames_to_appear = 3;
+
+/// The tab of the inspector in which a widget stands; empty if it stands elsewhere.
+std::string tab_of(std::string_view widget) {
+    struct Place {
+        std::string_view start, tab;
+    };
+    static constexpr Place places[] = {{"rows.", "rows"},
+                                       {"bench.", "rows"},
+                                       {"triangle.", "rows"},
+                                       {"vertices.", "vertices"},
+                                       {"fragment.", "fragment"},
+                                       {"microscope.", "microscope"},
+                                       {"history.", "history"},
+                                       {"graph.", "graph"},
+                                       {"setting.", "settings"},
+                                       {"reset.", "settings"},
+                                       {"settings.", "settings"},
+                                       {"compare.tab.", "compare"},
+                                       {"compare.first", "compare"},
+                                       {"compare.count.", "compare"},
+                                       {"lab.", "lab"},
+                                       {"quiz.", "lab"}};
+    for (const Place& place : places) {
+        if (widget.starts_with(place.start)) return std::string(place.tab);
+    }
+    return {};
+}
+
+/// What a quiz hides must not be set from outside.
+bool changes_settings(LessonLink::Kind kind) {
+    using Kind = LessonLink::Kind;
+    return kind == Kind::set || kind == Kind::preset || kind == Kind::bug || kind == Kind::compare;
+}
+
+} // namespace
+
+void point_at_widget(Ui& ui, const std::string& widget, bool is_held) {
+    LessonView& lesson = ui.lesson;
+    const std::string tab = tab_of(widget);
+    const bool is_closed = !tab.empty() && ui.session.tab != tab;
+    const std::string target = is_closed ? "tab." + tab : widget;
+    if (lesson.pointed_at != target || is_held) lesson.frames_unseen = 0;
+    lesson.pointed_at = target;
+    lesson.is_held = lesson.is_held || is_held;
+}
+
+void follow_link(Ui& ui, const std::string& target) {
+    constexpr std::string_view tab_widget = "tab.";
+    try {
+        const LessonLink link = parse_lesson_link(target);
+        ui.session.notice.clear();
+        if (changes_settings(link.kind) && refuses_settings(ui.session)) return;
+        follow_lesson_link(ui.session, ui.results.frame, link);
+        switch (link.kind) {
+        case LessonLink::Kind::show: {
+            const bool is_tab = link.argument.starts_with(tab_widget);
+            const std::string tab =
+                is_tab ? link.argument.substr(tab_widget.size()) : tab_of(link.argument);
+            if (!tab.empty()) open_tab(ui, tab);
+            point_at_widget(ui, link.argument, true);
+            break;
+        }
+        case LessonLink::Kind::bug:
+            ui.lab.chosen = ui.session.taken->bug;
+            break;
+        case LessonLink::Kind::tab:
+            open_tab(ui, link.argument);
+            break;
+        case LessonLink::Kind::term:
+            ui.shows_glossary = true;
+            ui.glossary_search = link.argument;
+            break;
+        case LessonLink::Kind::lesson:
+            open_lesson(ui, link.argument, 0);
+            break;
+        default:
+            break;
+        }
+    } catch (const Error& fault) {
+        ui.session.notice = fault.what();
+    }
+}
+
+void answer_links(Ui& ui, const MarkdownDocument& document, const MarkdownEvents& events) {
+    if (events.hovered >= 0) {
+        constexpr std::string_view show = "show:";
+        const std::string& target = document.links[static_cast<std::size_t>(events.hovered)];
+        if (target.starts_with(show)) {
+            point_at_widget(ui, target.substr(show.size()), false);
+            ui.lesson.is_hovered = true;
+        }
+    }
+    // The copy outlives the page, which a link to another lesson replaces.
+    if (events.followed >= 0) {
+        const std::string target = document.links[static_cast<std::size_t>(events.followed)];
+        follow_link(ui, target);
+    }
+}
+
+void release_pointed(Ui& ui) {
+    LessonView& lesson = ui.lesson;
+    const bool is_hovered = lesson.is_hovered;
+    lesson.is_hovered = false;
+    if (lesson.pointed_at.empty()) return;
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool is_key =
+        std::any_of(std::begin(io.KeysDown), std::end(io.KeysDown), [](bool down) { return down; });
+    if (lesson.is_held && (ImGui::IsMouseClicked(0) || is_key)) lesson.is_held = false;
+    if (++lesson.frames_unseen > frames_to_appear && lesson.is_held) {
+        ui.session.notice = "'" + lesson.pointed_at.substr(0, 60) + "' is not on the screen now.";
+        lesson.is_held = false;
+    }
+    if (!lesson.is_held && !is_hovered) lesson.pointed_at.clear();
+}
+
+} // namespace rasterwalk

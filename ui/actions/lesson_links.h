@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "ui/page/markdown.h"
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+/// Does what a link of a lesson says. A fault goes to session.notice.
+void follow_link(Ui& ui, const std::string& target);
+
+/// Follows the link of a page that was pressed, and outlines what the one points at on which the
+/// pointer rests.
+void answer_links(Ui& ui, const MarkdownDocument& document, const MarkdownEvents& events);
+
+/// Outlines a widget; where its tab is closed, the tab.
+/// @param is_held it stays outlined until the next click or key
+void point_at_widget(Ui& ui, const std::string& widget, bool is_held);
+
+/// To be called once a frame, after all pages were drawn: ends the pointing, where a link only was
+/// hovered at once, else with the next click or key.
+void release_pointed(Ui& ui);
+
+} // namespace rasterwalk

@@ -1,0 +1,167 @@
+#include "ui/actions/lesson_state.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "session/content.h"
+#include "ui/actions/lesson_links.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// Forgets what belongs to the step that was on show.
+void forget_step(LessonView& view) {
+    view.pages.clear();
+    view.open_hints.clear();
+    view.pointed_at.clear();
+    view.is_held = false;
+}
+
+/// The same, because another comes.
+void leave_step(LessonView& view) {
+    forget_step(view);
+    view.shows_list = view.shows_stage = false;
+    view.covers_inspector = true;
+}
+
+/// What belongs to the step that is on show now.
+void enter_step(Ui& ui, const Lesson& lesson) {
+    ui.lesson.progress.note_step(lesson.id, ui.session.step);
+    const std::string& widget =
+        lesson.steps[static_cast<std::size_t>(ui.session.step)].situation.point_at;
+    if (!widget.empty()) point_at_widget(ui, widget, true);
+}
+
+} // namespace
+
+void take_up_lesson(Ui& ui) {
+    Session& session = ui.session;
+    LessonView& view = ui.lesson;
+    view.predictions.clear();
+    if (session.lesson.empty()) {
+        forget_step(view);
+        return;
+    }
+    const std::string& folder = session.lesson_folder;
+    if (!folder.empty()) {
+        if (view.lessons.folder() != folder) view.lessons.read_folder(folder);
+    } else if (const std::string own = lessons_folder(); view.lessons.folder() != own) {
+        view.lessons.read_folder(own);
+    }
+    const Lesson* const lesson = view.lessons.find(session.lesson);
+    if (lesson == nullptr) {
+        session.notice = "There is no lesson '" + session.lesson.substr(0, 60) + "'.";
+        session.lesson.clear();
+        session.step = 0;
+        return;
+    }
+    session.step = std::clamp(session.step, 0, static_cast<int>(lesson->steps.size()) - 1);
+    leave_step(view);
+    enter_step(ui, *lesson);
+}
+
+void open_lesson(Ui& ui, std::string_view id, int step) {
+    LessonView& view = ui.lesson;
+    const Lesson* const lesson = view.lessons.find(id);
+    if (lesson == nullptr) {
+        ui.session.notice = "There is no lesson '" + std::string(id.substr(0, 60)) + "'.";
+        return;
+    }
+    if (!is_readable(*lesson)) {
+        ui.session.notice = fault_text(*lesson, lesson->faults.front());
+        return;
+    }
+    if (ui.session.lesson != lesson->id) view.predictions.clear();
+    leave_step(view);
+    const std::vector<Fault> faults = rasterwalk::open_step(ui.session, *lesson, step);
+    ui.session.notice = faults.empty() ? "" : fault_text(*lesson, faults.front());
+    enter_step(ui, *lesson);
+}
+
+void open_lesson_to_go_on(Ui& ui) {
+    const std::string id = lesson_to_open(ui.lesson.progress, ui.lesson.lessons.all());
+    if (!id.empty()) open_lesson(ui, id, ui.lesson.progress.of(id).last_step);
+}
+
+void open_neighbour_step(Ui& ui, int distance) {
+    const Lesson* const lesson = open_lesson_of(ui);
+    if (lesson == nullptr) {
+        ui.session.notice = "No lesson is open: the key L lists them.";
+        return;
+    }
+    const int step = ui.session.step + distance;
+    if (step < 0 || step >= static_cast<int>(lesson->steps.size())) return;
+    open_lesson(ui, std::string(lesson->id), step);
+}
+
+bool lesson_was_edited(const Ui& ui) {
+    return !ui.session.lesson.empty() && ui.lesson.lessons.is_edited(ui.session.lesson);
+}
+
+const Lesson* open_lesson_of(Ui& ui) {
+    return ui.session.lesson.empty() ? nullptr : ui.lesson.lessons.find(ui.session.lesson);
+}
+
+void tick_off_tasks(Ui& ui, const Lesson& lesson) {
+    for (const LessonTask& task : lesson.tasks) {
+        if (task.step != ui.session.step || ui.lesson.progress.is_task_done(lesson.id, task.id)) {
+            continue;
+        }
+        if (is_done(task, Facts(ui.session, ui.results, &ui.lesson.facts))) {
+            ui.lesson.progress.note_task(lesson.id, task.id);
+        }
+    }
+}
+
+void answer_prediction(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction,
+                       const GivenAnswer& answer, std::string said) {
+    PredictionView& view = ui.lesson.predictions[prediction.id];
+    view.judged = judge(lesson, prediction, answer, ui.session);
+    view.because = nullptr;
+    ui.lesson.progress.note_answer(lesson.id, prediction.id, {said, view.judged->is_right});
+    view.said = std::move(said);
+    if (!prediction.then) return;
+    const std::vector<Fault> faults = apply_situation(ui.session, *prediction.then, lesson.folder);
+    if (!faults.empty()) ui.session.notice = fault_text(lesson, faults.front());
+}
+
+std::string lesson_after(Ui& ui, std::string_view id) {
+    const std::vector<Lesson>& lessons = ui.lesson.lessons.all();
+    for (std::size_t i = 0; i + 1 < lessons.size(); ++i) {
+        if (lessons[i].id == id) return lessons[i + 1].id;
+    }
+    return {};
+}
+
+void reset_progress(Ui& ui) {
+    ui.lesson.progress = {};
+    ui.lesson.predictions.clear();
+}
+
+void keep_progress(Ui& ui, const std::string& path) {
+    LessonView& view = ui.lesson;
+    view.progress_path = path;
+    try {
+        if (path.empty()) throw AccessError("there is no home folder.");
+        view.progress = read_progress(path);
+        view.kept_progress = view.progress;
+    } catch (const Error& fault) {
+        view.progress_path.clear();
+        ui.session.notice = std::string("Progress will not be kept: ").append(fault.what());
+    }
+}
+
+void save_progress(Ui& ui) {
+    LessonView& view = ui.lesson;
+    if (view.progress_path.empty() || view.progress == view.kept_progress) return;
+    try {
+        write_progress(view.progress, view.progress_path);
+        view.kept_progress = view.progress;
+    } catch (const Error& fault) {
+        view.progress_path.clear();
+        ui.session.notice = std::string("Progress will not be kept: ").append(fault.what());
+    }
+}
+
+} // namespace rasterwalk

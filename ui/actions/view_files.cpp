@@ -1,0 +1,247 @@
+#include "ui/actions/view_files.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "base/error.h"
+#include "base/image.h"
+#include "lessons/lesson_list.h"
+#include "opening/command_line_text.h"
+#include "opening/opened_view.h"
+#include "opening/state_file.h"
+#include "session/content.h"
+#include "session/scene_file.h"
+#include "ui/actions/lab.h"
+#include "ui/actions/lesson_state.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view view_ending = ".walk.toml";
+
+bool has_result_ending(const std::string& path) {
+    constexpr std::string_view endings[] = {".txt", ".TXT", ".png", ".PNG", ".bmp", ".BMP"};
+    return std::any_of(std::begin(endings), std::end(endings),
+                       [&](std::string_view ending) { return path.ends_with(ending); });
+}
+
+/// A picture, whatever its name, or a text.
+bool is_result(const std::string& path) {
+    return is_image_file(path) || has_result_ending(path);
+}
+
+/// What the sheet lists; everything can be opened by its name.
+bool is_listed(FileSheet::Kind kind, const std::string& name) {
+    if (kind == FileSheet::Kind::save) return is_view_file(name);
+    constexpr std::string_view other_data[] = {"presets.toml", "bugs.toml", "glossary.toml"};
+    if (std::find(std::begin(other_data), std::end(other_data), name) != std::end(other_data)) {
+        return false;
+    }
+    return name.ends_with(".toml") || is_lesson_file(name) || has_result_ending(name);
+}
+
+bool comes_before(const FileEntry& a, const FileEntry& b) {
+    if (a.is_folder != b.is_folder) return a.is_folder;
+    const auto lower = [](std::string text) {
+        std::transform(text.begin(), text.end(), text.begin(),
+                       [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+        return text;
+    };
+    const std::string left = lower(a.name), right = lower(b.name);
+    return left != right ? left < right : a.name < b.name;
+}
+
+std::string current_folder() {
+    std::error_code fault;
+    const fs::path folder = fs::current_path(fault);
+    return fault ? "/" : folder.string();
+}
+
+bool is_own(const std::string& path) {
+    std::error_code fault;
+    const fs::path name = fs::weakly_canonical(path, fault)
+                              .lexically_relative(fs::weakly_canonical(lessons_folder(), fault));
+    return !fault && !name.empty() && *name.begin() != "..";
+}
+
+/// Where a view of this session can be saved: beside its scene, if that is not the program's own.
+std::string folder_for(const Session& session) {
+    std::error_code fault;
+    if (!session.lesson_folder.empty()) return fs::absolute(session.lesson_folder, fault).string();
+    const fs::path scene = fs::absolute(session.scene->path, fault);
+    return fault || is_own(scene.string()) ? current_folder() : scene.parent_path().string();
+}
+
+std::string name_for(const Session& session) {
+    if (!session.lesson.empty()) {
+        return session.lesson + "-step-" + std::to_string(session.step) + std::string(view_ending);
+    }
+    const std::string stem = fs::path(session.scene->path).stem().string();
+    return (stem.empty() ? "view" : stem) + std::string(view_ending);
+}
+
+void begin_sheet(Ui& ui, FileSheet::Kind kind) {
+    FileSheet& sheet = ui.files;
+    std::string folder = std::move(sheet.folder);
+    sheet = {};
+    sheet.kind = kind;
+    sheet.wants_focus = true;
+    enter_folder(sheet, folder.empty() ? current_folder() : folder);
+}
+
+void save_to(Ui& ui, const std::string& path) {
+    FileSheet& sheet = ui.files;
+    std::error_code ignored;
+    if (fs::exists(path, ignored) && sheet.asked != path) {
+        sheet.asked = path;
+        sheet.fault.clear();
+        return;
+    }
+    write_view(ui.session, path);
+    ui.session.notice = "Saved as " + path + ".";
+    sheet.kind = FileSheet::Kind::closed;
+}
+
+} // namespace
+
+void show_view(Ui& ui, Session&& opened) {
+    Session& session = ui.session;
+    end_quiz(session);
+    opened.undo = std::move(session.undo);
+    opened.places = std::move(session.places);
+    opened.jumps = session.jumps + 1;
+    opened.play.granularity = session.play.granularity;
+    opened.play.speed = session.play.speed;
+    session = std::move(opened);
+    ui.scroll_to_row = true;
+    take_up_lesson(ui);
+}
+
+void open_file(Ui& ui, const std::string& path) {
+    if (is_result(path)) {
+        diagnose_file(ui, path);
+    } else if (is_view_file(path) || path.ends_with(".md")) {
+        ViewOptions options;
+        options.file = path;
+        show_view(ui, open_view(options));
+    } else {
+        set_scene(ui.session, read_scene_file(path));
+        ui.session.notice.clear();
+    }
+}
+
+void open_dropped(Ui& ui, const std::string& path) {
+    try {
+        open_file(ui, path);
+        ui.files.kind = FileSheet::Kind::closed;
+    } catch (const Error& fault) {
+        begin_sheet(ui, FileSheet::Kind::open);
+        const std::string folder = fs::path(path).parent_path().string();
+        if (!folder.empty()) enter_folder(ui.files, folder);
+        ui.files.path = path;
+        ui.files.fault = fault.what();
+    }
+}
+
+void copy_command_line(Ui& ui) {
+    try {
+        const std::string line = command_line_text(ui.session);
+        ImGui::SetClipboardText(line.c_str());
+        ui.session.notice = std::string("Copied: ").append(line);
+    } catch (const Error& fault) {
+        ui.session.notice = fault.what();
+    }
+}
+
+void begin_opening(Ui& ui) {
+    begin_sheet(ui, FileSheet::Kind::open);
+}
+
+void begin_saving(Ui& ui) {
+    if (hides_settings(ui.session)) {
+        ui.session.notice = "The view can be saved when the quiz is over.";
+        return;
+    }
+    if (ui.files.folder.empty() || !is_own(ui.session.scene->path)) {
+        ui.files.folder = folder_for(ui.session);
+    }
+    begin_sheet(ui, FileSheet::Kind::save);
+    ui.files.path = name_for(ui.session);
+}
+
+void enter_folder(FileSheet& sheet, const std::string& folder) {
+    std::error_code fault;
+    const fs::path place = fs::weakly_canonical(folder, fault);
+    fs::directory_iterator entry(place, fs::directory_options::skip_permission_denied, fault);
+    if (fault) {
+        sheet.fault = "The folder " + folder + " cannot be read: " + fault.message() + ".";
+        return;
+    }
+    sheet.folder = place.string();
+    sheet.entries.clear();
+    sheet.left_out = 0;
+    sheet.fault.clear();
+    sheet.asked.clear();
+    for (const fs::directory_iterator end; !fault && entry != end; entry.increment(fault)) {
+        FileEntry found{entry->path().filename().string(), false};
+        std::error_code ignored;
+        found.is_folder = entry->is_directory(ignored);
+        if (found.name.starts_with('.')) continue;
+        if (found.is_folder || is_listed(sheet.kind, found.name)) sheet.entries.push_back(found);
+    }
+    std::sort(sheet.entries.begin(), sheet.entries.end(), comes_before);
+    if (sheet.entries.size() > most_listed_files) {
+        sheet.left_out = sheet.entries.size() - most_listed_files;
+        sheet.entries.resize(most_listed_files);
+    }
+}
+
+std::string meant_path(const FileSheet& sheet) {
+    std::string typed = sheet.path;
+    if (const char* home = std::getenv("HOME"); home != nullptr && typed.starts_with("~/")) {
+        typed = home + typed.substr(1);
+    }
+    const fs::path path = (fs::path(sheet.folder) / typed).lexically_normal();
+    std::error_code ignored;
+    std::string text = path.string();
+    if (sheet.kind != FileSheet::Kind::save || is_view_file(text) ||
+        fs::is_directory(path, ignored)) {
+        return text;
+    }
+    if (text.ends_with(".toml")) text.resize(text.size() - 5);
+    return text + std::string(view_ending);
+}
+
+void finish_sheet(Ui& ui) {
+    FileSheet& sheet = ui.files;
+    if (sheet.path.empty()) return;
+    const std::string path = meant_path(sheet);
+    std::error_code ignored;
+    if (fs::is_directory(path, ignored)) {
+        enter_folder(sheet, path);
+        sheet.path.clear();
+        sheet.wants_focus = true;
+        return;
+    }
+    try {
+        if (sheet.kind == FileSheet::Kind::save) {
+            save_to(ui, path);
+        } else {
+            open_file(ui, path);
+            sheet.kind = FileSheet::Kind::closed;
+        }
+    } catch (const Error& fault) {
+        sheet.fault = fault.what();
+        sheet.asked.clear();
+    }
+}
+
+} // namespace rasterwalk

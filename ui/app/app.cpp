@@ -1,0 +1,219 @@
+#include "ui/app/app.h"
+
+#include <algorithm>
+
+#include "picture/view_image.h"
+#include "session/walk.h"
+#include "ui/actions/actions.h"
+#include "ui/actions/compare.h"
+#include "ui/actions/held_keys.h"
+#include "ui/actions/keys.h"
+#include "ui/actions/lab.h"
+#include "ui/actions/lesson_links.h"
+#include "ui/actions/lesson_state.h"
+#include "ui/app/kept_options.h"
+#include "ui/bars/bars.h"
+#include "ui/canvas/canvas.h"
+#include "ui/inspector/panels.h"
+#include "ui/lesson/lesson_column.h"
+#include "ui/sheets/sheets.h"
+#include "ui/widgets/layout.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// ImGui divides by the time between two frames.
+constexpr float shortest_frame = 1e-5f;
+
+void map_keys() {
+    ImGuiIO& io = ImGui::GetIO();
+    const std::pair<int, int> keys[] = {{ImGuiKey_Tab, key::tab},
+                                        {ImGuiKey_LeftArrow, key::left},
+                                        {ImGuiKey_RightArrow, key::right},
+                                        {ImGuiKey_UpArrow, key::up},
+                                        {ImGuiKey_DownArrow, key::down},
+                                        {ImGuiKey_PageUp, key::page_up},
+                                        {ImGuiKey_PageDown, key::page_down},
+                                        {ImGuiKey_Home, key::home},
+                                        {ImGuiKey_End, key::end},
+                                        {ImGuiKey_Insert, key::insert},
+                                        {ImGuiKey_Delete, key::del},
+                                        {ImGuiKey_Backspace, key::backspace},
+                                        {ImGuiKey_Space, key::space},
+                                        {ImGuiKey_Enter, key::enter},
+                                        {ImGuiKey_Escape, key::escape},
+                                        {ImGuiKey_KeyPadEnter, key::keypad_enter},
+                                        {ImGuiKey_A, 'A'},
+                                        {ImGuiKey_C, 'C'},
+                                        {ImGuiKey_V, 'V'},
+                                        {ImGuiKey_X, 'X'},
+                                        {ImGuiKey_Y, 'Y'},
+                                        {ImGuiKey_Z, 'Z'}};
+    for (const auto& [index, code] : keys)
+        io.KeyMap[index] = code;
+}
+
+void renew_style(Ui& ui) {
+    const float scale =
+        fitting_text_scale(ImGui::GetIO().DisplaySize, ui.options.wished_text_scale);
+    if (scale != ui.options.text_scale) {
+        ui.options.text_scale = scale;
+        ui.style_is_stale = true;
+    }
+    if (!ui.style_is_stale) return;
+    apply_style(ui.options);
+    ui.fonts = load_fonts(ui.options.text_scale);
+    ui.fonts_changed = true;
+    ui.style_is_stale = false;
+}
+
+void draw_column_border(const Ui& ui, float x, float top, float bottom) {
+    ImGui::GetWindowDrawList()->AddLine({x, top}, {x, bottom},
+                                        packed(palette(ui.options.theme).line));
+}
+
+/// A strip along a border that is dragged to make a column wider.
+void draw_splitter(Ui& ui, const char* name, float x, const Area& middle, float& share,
+                   bool grows_to_the_left) {
+    const float width = 8.0f * ui.options.text_scale;
+    ImGui::SetNextWindowPos({x - 0.5f * width, middle.position.y});
+    ImGui::SetNextWindowSize({width, middle.size.y});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+    ImGui::Begin(name, nullptr,
+                 (panel_flags & ~ImGuiWindowFlags_NoBringToFrontOnFocus) |
+                     ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoFocusOnAppearing);
+    ImGui::InvisibleButton(name, {width, middle.size.y});
+    const float window = ImGui::GetIO().DisplaySize.x;
+    if (ImGui::IsItemActive()) {
+        const float mouse = ImGui::GetIO().MousePos.x;
+        share = std::clamp((grows_to_the_left ? window - mouse : mouse) / window, 0.05f, 0.9f);
+    }
+    if (ImGui::IsItemActive() || ImGui::IsItemHovered()) {
+        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    }
+    name_widget(ui, name);
+    draw_column_border(ui, x, middle.position.y, middle.position.y + middle.size.y);
+    ImGui::End();
+    ImGui::PopStyleVar();
+}
+
+void draw_everything(Ui& ui) {
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    const Layout layout = compute_layout(window, ui.options, stage_strip_lines(ui, window.x),
+                                         transport_lines(ui, window.x));
+    draw_menu_bar(ui, layout.menu);
+    draw_stage_strip(ui, layout.strip);
+    if (!layout.lesson_is_tab) draw_lesson_column(ui, layout.lesson);
+    draw_canvas(ui, layout.canvas);
+    draw_inspector(ui, layout);
+    draw_transport(ui, layout.transport);
+    draw_status_line(ui, layout.status);
+    if (!layout.lesson_is_tab) {
+        draw_splitter(ui, "splitter.lesson", layout.canvas.position.x, layout.canvas,
+                      ui.options.lesson_width, false);
+    }
+    draw_splitter(ui, "splitter.inspector", layout.inspector.position.x, layout.canvas,
+                  ui.options.inspector_width, true);
+    draw_key_sheet(ui, window);
+    draw_glossary_sheet(ui, window);
+    draw_file_sheet(ui, window);
+    release_pointed(ui);
+}
+
+/// What of the session the next frame depends on.
+struct Asked {
+    std::shared_ptr<const Scene> scene;
+    Settings settings;
+    Cursor cursor;
+    Selection selection;
+    View view;
+    OverlaySet overlays;
+    std::optional<DepthRange> depth_range;
+    std::optional<Settings> other;
+
+    friend bool operator==(const Asked&, const Asked&) = default;
+};
+
+Asked asked_for(const Session& session) {
+    return {session.scene, session.settings, session.cursor,      session.selection,
+            session.view,  session.overlays, session.depth_range, session.other};
+}
+
+/// True while nothing is held, so that a drag counts as one change.
+bool is_at_rest() {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool button_is_down = std::any_of(std::begin(io.MouseDown), std::end(io.MouseDown),
+                                            [](bool down) { return down; });
+    return !button_is_down && !ImGui::IsAnyItemActive();
+}
+
+/// One pass: from the input to what is to be drawn. Returns true if a widget changed what is asked
+/// for, so that what was drawn is already old.
+bool build_pass(Ui& ui, float seconds) {
+    ImGui::NewFrame();
+    handle_keys(ui); // asks where widgets were in the frame that the student sees
+    ui.widgets.clear();
+    advance_play(ui.session, Timeline(ui.results.frame), seconds);
+    follow_first_run(ui.session);
+    if (is_blinking(ui)) ui.compare.blink_seconds += seconds;
+    const Cursor before = ui.results.cursor;
+    update(ui.session, ui.results);
+    ui.follow_cursor = ui.results.cursor != before;
+    const Asked asked = asked_for(ui.session);
+    draw_everything(ui);
+    if (is_at_rest() && !is_moving_by_key()) {
+        note_choices(ui.session);
+        note_place(ui.session);
+        save_progress(ui);
+        save_options(ui);
+    }
+    ImGui::Render();
+    return !(asked == asked_for(ui.session));
+}
+
+} // namespace
+
+void open_ui(Ui& ui, TextureHost& textures) {
+    ImGui::CreateContext();
+    ImGui::GetIO().IniFilename = nullptr;
+    map_keys();
+    ui.textures = &textures;
+    take_up_lesson(ui);
+    update(ui.session, ui.results);
+    ui.options.text_scale = ui.options.wished_text_scale;
+    ImGui::GetIO().DisplaySize = {1600.0f, 1000.0f}; // until the host says better
+    renew_style(ui);
+    ui.fonts_changed = false;
+}
+
+void close_ui(Ui& ui) {
+    ImGui::DestroyContext();
+    ui.textures = nullptr;
+}
+
+void build_ui(Ui& ui) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize.x = std::max(io.DisplaySize.x, 1.0f);
+    io.DisplaySize.y = std::max(io.DisplaySize.y, 1.0f);
+    io.DeltaTime = std::max(io.DeltaTime, shortest_frame);
+    renew_style(ui);
+    carry_on_diagnosis(ui);
+    if (!build_pass(ui, io.DeltaTime)) return;
+    // The same moment once more, with what is asked for now; no input is used twice.
+    const float seconds = io.DeltaTime;
+    io.DeltaTime = shortest_frame;
+    io.MouseWheel = io.MouseWheelH = 0.0f;
+    io.ClearInputCharacters();
+    build_pass(ui, 0.0f);
+    io.DeltaTime = seconds;
+}
+
+bool is_animating(const Ui& ui) {
+    return ui.session.play.running || is_moving_by_key() || is_blinking(ui) ||
+           ui.lab.frames_to_result > 0;
+}
+
+} // namespace rasterwalk

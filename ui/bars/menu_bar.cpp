@@ -1,0 +1,171 @@
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "session/content.h"
+#include "settings/preset.h"
+#include "ui/actions/actions.h"
+#include "ui/actions/lesson_state.h"
+#include "ui/bars/bars.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+void draw_action_item(Ui& ui, const Action& action) {
+    const bool on = action.is_on != nullptr && action.is_on(ui);
+    if (ImGui::MenuItem(action.title, chord_text(action.chord).c_str(), on)) action.run(ui);
+    name_widget(ui, std::string("menu.") + action.name, action.help);
+}
+
+namespace fs = std::filesystem;
+
+/// The scenes that come with the program; the folder may be gone while it runs.
+void read_scene_list(Ui& ui) {
+    ui.scene_files.clear();
+    try {
+        std::error_code fault;
+        const fs::path folder = fs::path(lessons_folder()) / "scenes";
+        for (fs::directory_iterator entry(folder, fault), end; !fault && entry != end;
+             entry.increment(fault)) {
+            if (entry->path().extension() == ".toml") ui.scene_files.push_back(entry->path());
+        }
+    } catch (const Error& fault) {
+        ui.session.notice = fault.what();
+    }
+    std::sort(ui.scene_files.begin(), ui.scene_files.end());
+}
+
+void draw_scene_menu(Ui& ui) {
+    if (ImGui::IsWindowAppearing()) read_scene_list(ui);
+    for (const fs::path& file : ui.scene_files) {
+        const bool open = file == fs::path(ui.session.scene->path);
+        if (ImGui::MenuItem(file.stem().c_str(), nullptr, open)) open_scene(ui, file.string());
+        name_widget(ui, "scene." + file.stem().string(),
+                    "Opens this scene: " + file.filename().string());
+    }
+    ImGui::Separator();
+    for (const Preset& preset : ui.session.presets) {
+        if (ImGui::MenuItem(("Preset: " + preset.name).c_str()) && !refuses_settings(ui.session)) {
+            apply_preset(preset, ui.session.settings);
+        }
+        name_widget(ui, "preset." + preset.name, preset.about);
+    }
+}
+
+void draw_lesson_menu(Ui& ui) {
+    // The copy outlives the list, which opening a lesson may read anew.
+    std::string wanted;
+    for (const Lesson& lesson : ui.lesson.lessons.all()) {
+        const bool is_done = score_of(ui.lesson.progress, lesson).is_done;
+        std::string title = std::to_string(lesson_number(lesson.id));
+        title.append("  ").append(lesson.title);
+        if (ImGui::MenuItem(title.c_str(), is_done ? "✓ done" : nullptr,
+                            lesson.id == ui.session.lesson)) {
+            wanted = lesson.id;
+        }
+        name_widget(ui, "menu.lesson." + lesson.id, lesson.about);
+    }
+    ImGui::Separator();
+    if (!wanted.empty()) open_lesson(ui, wanted, ui.lesson.progress.of(wanted).last_step);
+}
+
+struct MenuTitle {
+    const char* title;
+    const char* help;
+};
+
+const MenuTitle menus[] = {{"File", "Views to open and save, pictures, and the way out."},
+                           {"Edit", "Undo, redo, and the places visited."},
+                           {"View", "What the canvas shows, text size and theme."},
+                           {"Scene", "The scenes that come with the program, and presets."},
+                           {"Lesson", "The lessons, and what is done of them."},
+                           {"Stage", "The stages of the pipeline and the two switches."},
+                           {"Compare", "Two runs of the scene, and where they differ."},
+                           {"Walk", "Through time: steps, play, beginning and end."},
+                           {"Help", "All keys, and what the words mean."}};
+
+void draw_menu(Ui& ui, const MenuTitle& menu) {
+    const char* const title = menu.title;
+    const bool open = ImGui::BeginMenu(title);
+    // An open menu speaks for itself.
+    name_widget(ui, std::string("menu.") + title, open ? "" : menu.help);
+    if (!open) return;
+    if (std::string_view(title) == "Scene") draw_scene_menu(ui);
+    if (std::string_view(title) == "Lesson") draw_lesson_menu(ui);
+    for (const Action& action : action_table()) {
+        if (std::string_view(action.menu) == title) draw_action_item(ui, action);
+    }
+    ImGui::EndMenu();
+}
+
+/// What stands at the right end of the menu, as far as there is room.
+void draw_corner_buttons(Ui& ui) {
+    struct Corner {
+        const char* name;
+        const char* label;
+        const char* action;
+        bool enabled;
+    };
+    const Session& s = ui.session;
+    const Corner corners[] = {
+        {"corner.back", "‹ back", "go.back", !s.places.past.empty()},
+        {"corner.forward", "forward ›", "go.forward", !s.places.future.empty()},
+        {"corner.undo", "undo", "edit.undo", !s.undo.past.empty()},
+        {"corner.redo", "redo", "edit.redo", !s.undo.future.empty()},
+        {"text.smaller", "A−", "view.smaller_text", true},
+        {"text.larger", "A+", "view.larger_text", true}};
+    float width = 0.0f;
+    const Corner* first = std::end(corners);
+    while (first != std::begin(corners)) {
+        const float more = button_width((first - 1)->label) + ImGui::GetStyle().ItemSpacing.x;
+        if (width + more > ImGui::GetContentRegionAvail().x) break;
+        width += more;
+        --first;
+    }
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - width);
+    for (; first != std::end(corners); ++first) {
+        ImGui::BeginDisabled(!first->enabled);
+        if (button(ui, first->name, first->label, Look::quiet, tooltip_of(first->action))) {
+            find_action(first->action).run(ui);
+        }
+        ImGui::EndDisabled();
+    }
+}
+
+} // namespace
+
+void draw_menu_bar(Ui& ui, const Area& area) {
+    const float u = ui.options.text_scale;
+    ImGui::SetNextWindowPos(area.position);
+    ImGui::SetNextWindowSize(area.size);
+    const Palette& p = palette(ui.options.theme);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, p.bar);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                        ImVec2(9.0f * u, 0.5f * (area.size.y - ImGui::GetFontSize())));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(10.0f * u, 8.0f * u));
+    ImGui::Begin("menu", nullptr, panel_flags | ImGuiWindowFlags_MenuBar);
+    if (ImGui::BeginMenuBar()) {
+        ImGui::PushFont(ui.fonts.bold);
+        ImGui::TextUnformatted("Rasterwalk");
+        ImGui::PopFont();
+        ImGui::PopStyleVar(2);
+        ImGui::Dummy({4.0f * u, 0});
+        for (const MenuTitle& menu : menus)
+            draw_menu(ui, menu);
+        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                            ImVec2(9.0f * u, 0.5f * (area.size.y - ImGui::GetFontSize())));
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(10.0f * u, 8.0f * u));
+        draw_corner_buttons(ui);
+        ImGui::EndMenuBar();
+    }
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+    ImGui::PopStyleColor();
+}
+
+} // namespace rasterwalk

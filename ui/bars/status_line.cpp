@@ -1,0 +1,107 @@
+#include <cstdio>
+#include <string>
+
+#include "ui/bars/bars.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// The pixel's colours in both runs, and how much they differ.
+std::string colours_of_both(const Ui& ui, std::size_t at) {
+    const Compared& b = *ui.results.compared;
+    const auto colour = [&](const char* run, const Framebuffer& picture) {
+        const glm::vec3& c = picture.colour[at];
+        char text[96];
+        std::snprintf(text, sizeof text, "   %s %.3f %.3f %.3f", run, static_cast<double>(c.r),
+                      static_cast<double>(c.g), static_cast<double>(c.b));
+        return std::string(text);
+    };
+    const float difference = b.difference_values[at];
+    std::string words = colour("A", *ui.results.framebuffer) + colour("B", *b.framebuffer);
+    words += "   B − A ";
+    words += (difference > 0.0f ? "+" : "") + fixed(static_cast<double>(difference), 4);
+    return words;
+}
+
+/// All that is known of the pixel under the pointer, or else of the one picked.
+std::string describe_pixel(const Ui& ui) {
+    const auto pixel = ui.hovered_pixel ? ui.hovered_pixel : ui.session.selection.pixel;
+    const Framebuffer& framebuffer = *ui.results.framebuffer;
+    if (!pixel || !framebuffer.contains(pixel->x, pixel->y)) return "point at a pixel";
+    const std::size_t at = framebuffer.at(pixel->x, pixel->y);
+    char text[160];
+    std::snprintf(text, sizeof text, "pixel (%d, %d)", pixel->x, pixel->y);
+    std::string words = text;
+    if (ui.results.compared) return words + colours_of_both(ui, at);
+    const int owner = framebuffer.owner[at];
+    if (owner < 0) return words + "   not drawn";
+    const glm::vec3& c = framebuffer.colour[at];
+    std::snprintf(text, sizeof text, "   colour %.3f %.3f %.3f", static_cast<double>(c.r),
+                  static_cast<double>(c.g), static_cast<double>(c.b));
+    words += text;
+    const float depth = stored_depth(framebuffer, pixel->x, pixel->y);
+    if (depth > 0.0f) {
+        std::snprintf(text, sizeof text, "   1/z %.4f   z %.4f", static_cast<double>(depth),
+                      1.0 / static_cast<double>(depth));
+        words += text;
+    }
+    std::snprintf(text, sizeof text, "   triangle %d, ", owner + 1);
+    words += text + part_name(*ui.results.scene, owner);
+    const unsigned drawn = framebuffer.overdraw[at];
+    std::snprintf(text, sizeof text, "   drawn %ux", drawn);
+    return words + text;
+}
+
+std::string trouble_text(const Ui& ui) {
+    if (!ui.session.notice.empty()) return ui.session.notice;
+    if (!ui.fonts.notice.empty()) return ui.fonts.notice;
+    // What a message says may be the answer.
+    if (hides_settings(ui.session)) return {};
+    std::string all;
+    for (const std::string& message : ui.results.messages) {
+        all += (all.empty() ? "" : "; ") + message;
+    }
+    return all;
+}
+
+} // namespace
+
+void draw_status_line(Ui& ui, const Area& area) {
+    const float u = ui.options.text_scale;
+    const Palette& p = palette(ui.options.theme);
+    ImGui::SetNextWindowPos(area.position);
+    ImGui::SetNextWindowSize(area.size);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, p.ground);
+    ImGui::PushFont(ui.fonts.small);
+    ImGui::Begin("status", nullptr, panel_flags);
+    ImGui::SetCursorScreenPos({area.position.x + 14.0f * u,
+                               area.position.y + 0.5f * (area.size.y - ImGui::GetFontSize())});
+    text_in(p.dim, describe_pixel(ui));
+    name_widget(ui, "status.pixel", "The pixel under the pointer, or the one that is picked.");
+    const std::string trouble = trouble_text(ui);
+    if (!trouble.empty()) {
+        const float width = ImGui::CalcTextSize(trouble.c_str()).x;
+        const float left = ImGui::GetItemRectMax().x + 24.0f * u;
+        const float right = area.position.x + area.size.x - 14.0f * u;
+        const float start = right - width > left ? right - width : left;
+        ImGui::SetCursorScreenPos({start, ImGui::GetItemRectMin().y});
+        ImGui::PushClipRect({left, area.position.y}, {right, area.position.y + area.size.y}, true);
+        // What was caught is no fault of the student's: only what could not be done stands out.
+        const bool is_fault = !ui.session.notice.empty() || !ui.fonts.notice.empty();
+        text_in(is_fault ? colour_of(Meaning::fail, ui.options.theme) : p.dim,
+                shortened(trouble, right - left));
+        name_widget(ui, "status.trouble",
+                    is_fault ? trouble
+                             : trouble + "\nThe program guards against this and goes on; lesson 12 "
+                                         "tells why it happens.");
+        ImGui::PopClipRect();
+    }
+    ImGui::End();
+    ImGui::PopFont();
+    ImGui::PopStyleColor();
+}
+
+} // namespace rasterwalk

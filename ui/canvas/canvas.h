@@ -1,0 +1,14 @@
+#pragma once
+
+#include "ui/ui.h"
+#include "ui/widgets/layout.h"
+
+namespace rasterwalk {
+
+/// The picture with zoom, pan, grid, picking and what is drawn over it.
+void draw_canvas(Ui& ui, const Area& area);
+
+/// From this zoom on single pixels are worth a grid and marks of their own.
+inline constexpr float grid_zoom = 8.0f;
+
+} // namespace rasterwalk

@@ -1,0 +1,365 @@
+#include "ui/canvas/canvas_marks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "session/bench.h"
+#include "ui/canvas/canvas.h"
+#include "ui/widgets/style.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// More points than this at once are not ringed: they would be a carpet.
+constexpr std::size_t most_rings = 500;
+
+/// ImGui's draw lists count their corners in 16 bits: from here on nothing more is marked.
+constexpr int most_corners = 50'000;
+
+/// What the marks are drawn with.
+struct Marks {
+    const Ui& ui;
+    const ShownRun& run;
+    ImDrawList* list;
+    ImVec2 low, high;
+    float u; ///< design pixel
+    float scale;
+
+    /// The middle of a pixel, or of a real place that counts from pixels' middles.
+    ImVec2 at(float x, float y) const {
+        const PicturePlace& place = run.place;
+        return {place.origin.x + scale * (x + 0.5f), place.origin.y + scale * (y + 0.5f)};
+    }
+    ImVec2 at(const Fragment& f) const {
+        return at(static_cast<float>(f.column), static_cast<float>(f.row));
+    }
+    bool is_visible(ImVec2 p) const {
+        return p.x > low.x - scale && p.x < high.x + scale && p.y > low.y - scale &&
+               p.y < high.y + scale;
+    }
+    ImU32 colour(Meaning meaning, float opacity = 1.0f) const {
+        return packed(colour_of(meaning, Theme::dark), opacity);
+    }
+    bool is_large() const { return scale >= grid_zoom; }
+    bool has_room() const { return list->VtxBuffer.Size < most_corners; }
+};
+
+/// The columns or rows that are in view.
+struct VisibleRange {
+    int first, last;
+};
+VisibleRange visible(float origin, float scale, float low, float high, int count) {
+    return {std::max(0, static_cast<int>(std::floor((low - origin) / scale))),
+            std::min(count, static_cast<int>(std::ceil((high - origin) / scale)))};
+}
+
+void draw_grid(const Marks& m) {
+    const Viewport size = m.run.frame.settings.viewport;
+    const PicturePlace& place = m.run.place;
+    const VisibleRange columns = visible(place.origin.x, m.scale, m.low.x, m.high.x, size.width);
+    const VisibleRange rows = visible(place.origin.y, m.scale, m.low.y, m.high.y, size.height);
+    const ImU32 line = IM_COL32(128, 136, 150, 60);
+    const float top = place.origin.y + m.scale * static_cast<float>(rows.first);
+    const float bottom = place.origin.y + m.scale * static_cast<float>(rows.last);
+    const float left = place.origin.x + m.scale * static_cast<float>(columns.first);
+    const float right = place.origin.x + m.scale * static_cast<float>(columns.last);
+    if (m.ui.session.canvas.grid) {
+        for (int c = columns.first; c <= columns.last; ++c) {
+            const float x = place.origin.x + m.scale * static_cast<float>(c);
+            m.list->AddLine({x, top}, {x, bottom}, line);
+        }
+        for (int r = rows.first; r <= rows.last; ++r) {
+            const float y = place.origin.y + m.scale * static_cast<float>(r);
+            m.list->AddLine({left, y}, {right, y}, line);
+        }
+    }
+    // Numbers stand along the picture, or along the canvas where the picture is larger.
+    ImFont* const font = m.ui.fonts.small;
+    const float font_size = font->FontSize;
+    const ImU32 text = packed(palette(m.ui.options.theme).dim);
+    const float widest = font->CalcTextSizeA(font_size, FLT_MAX, 0.0f, "0000").x;
+    const int step = m.scale >= widest ? 1 : m.scale * 5.0f >= widest ? 5 : 10;
+    const float number_y = std::max(top - font_size - 4.0f * m.u, m.low.y + 4.0f * m.u);
+    for (int c = columns.first; c < columns.last; ++c) {
+        if (c % step != 0) continue;
+        const std::string number = std::to_string(c);
+        const float width = font->CalcTextSizeA(font_size, FLT_MAX, 0.0f, number.c_str()).x;
+        const float x = m.at(static_cast<float>(c), 0.0f).x - 0.5f * width;
+        if (x < m.low.x || x + width > m.high.x) continue;
+        m.list->AddText(font, font_size, {x, number_y}, text, number.c_str());
+    }
+    for (int r = rows.first; r < rows.last; ++r) {
+        if (r % step != 0) continue;
+        const std::string number = std::to_string(r);
+        const float width = font->CalcTextSizeA(font_size, FLT_MAX, 0.0f, number.c_str()).x;
+        const float x = std::max(left - width - 6.0f * m.u, m.low.x + 4.0f * m.u);
+        const float y = m.at(0.0f, static_cast<float>(r)).y - 0.5f * font_size;
+        if (y < m.low.y || y + font_size > m.high.y) continue;
+        m.list->AddText(font, font_size, {x, y}, text, number.c_str());
+    }
+}
+
+void fill_pixel(const Marks& m, int column, int row, ImU32 colour) {
+    const ImVec2 c = m.at(static_cast<float>(column), static_cast<float>(row));
+    if (!m.is_visible(c)) return;
+    const float h = 0.5f * m.scale;
+    m.list->AddRectFilled({c.x - h, c.y - h}, {c.x + h, c.y + h}, colour);
+}
+
+void frame_pixel(const Marks& m, int column, int row, ImU32 colour, float thickness) {
+    const ImVec2 c = m.at(static_cast<float>(column), static_cast<float>(row));
+    const float h = std::max(0.5f * m.scale, 3.0f * m.u);
+    m.list->AddRect({c.x - h, c.y - h}, {c.x + h, c.y + h}, colour, 0.0f, 0, thickness);
+}
+
+/// The pixels of the vertices drawn so far that can be seen, each once; none if there are too many.
+std::vector<std::pair<int, int>> visible_points(const Marks& m) {
+    const Frame& frame = m.run.frame;
+    std::vector<std::pair<int, int>> points;
+    for (int t = 0; t < frame.triangle_count(); ++t) {
+        for (int v = 0; v < 3 && frame.is_drawn(t); ++v) {
+            if (Cursor{t, Phase::vertices, v, 0} >= m.run.cursor) break;
+            const Fragment& vertex = frame.triangle_vertices(t)[v];
+            if (m.is_visible(m.at(vertex))) points.emplace_back(vertex.row, vertex.column);
+        }
+        // Neighbours share their corners, but no more than this.
+        if (points.size() > 16 * most_rings) return {};
+    }
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    if (points.size() > most_rings) points.clear();
+    return points;
+}
+
+/// Points are single pixels, hard to see: each gets a ring.
+void draw_point_rings(const Marks& m) {
+    if (m.run.frame.settings.stage != Stage::points) return;
+    const float radius = std::max(4.0f * m.u, 0.75f * m.scale);
+    for (const auto& [row, column] : visible_points(m)) {
+        if (!m.has_room()) return;
+        m.list->AddCircle(m.at(static_cast<float>(column), static_cast<float>(row)), radius,
+                          m.colour(Meaning::pass, 0.8f), 0, 1.3f * m.u);
+    }
+}
+
+/// The true edges: straight lines between the vertices, those still to come dashed.
+void draw_true_edges(const Marks& m, std::span<const Fragment> vertices) {
+    const RowHistory& history = m.run.rows;
+    for (int e = 0; e < 3; ++e) {
+        const ImVec2 a = m.at(vertices[e]), b = m.at(vertices[(e + 1) % 3]);
+        const bool begun = history.last && history.last->edge >= e;
+        const ImU32 colour = m.colour(edge_meaning(e), begun ? 0.95f : 0.55f);
+        if (begun || !m.is_large()) {
+            m.list->AddLine(a, b, colour, 1.6f * m.u);
+            continue;
+        }
+        const float length = std::hypot(b.x - a.x, b.y - a.y);
+        const float dash = std::max(8.0f * m.u, length / 400.0f);
+        for (float d = 0.0f; d < length; d += 2.0f * dash) {
+            const float s = d / length, t = std::min((d + dash) / length, 1.0f);
+            m.list->AddLine({a.x + s * (b.x - a.x), a.y + s * (b.y - a.y)},
+                            {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}, colour, 1.6f * m.u);
+        }
+    }
+}
+
+/// The table on the picture: the pixels that are ends, in the colour of the edge that wrote them,
+/// with a bar at the left of left ends and at the right of right ends.
+void draw_row_ends(const Marks& m) {
+    const RowHistory& history = m.run.rows;
+    // Stage `rows` has painted the ends already: the tint is to lie on a dark ground there too.
+    const bool is_painted = m.run.frame.settings.stage == Stage::rows;
+    const float h = 0.5f * m.scale;
+    const float bar = std::max(0.09f * m.scale, 2.0f * m.u);
+    for (int i = 0; i < history.rows.size(); ++i) {
+        const Fragment& left = history.rows.left[i];
+        const Fragment& right = history.rows.right[i];
+        const ImVec2 row_at = m.at(0.0f, static_cast<float>(history.rows.first_row + i));
+        if (!history.left_by[i].is_set() || row_at.y < m.low.y - m.scale ||
+            row_at.y > m.high.y + m.scale || !m.has_room()) {
+            continue;
+        }
+        if (is_painted) {
+            fill_pixel(m, left.column, left.row, IM_COL32(12, 13, 16, 255));
+            fill_pixel(m, right.column, right.row, IM_COL32(12, 13, 16, 255));
+        }
+        fill_pixel(m, left.column, left.row,
+                   m.colour(edge_meaning(history.left_by[i].edge), 0.45f));
+        if (right.column != left.column) {
+            fill_pixel(m, right.column, right.row,
+                       m.colour(edge_meaning(history.right_by[i].edge), 0.45f));
+        }
+        const ImVec2 l = m.at(left), r = m.at(right);
+        m.list->AddRectFilled({l.x - h, l.y - h}, {l.x - h + bar, l.y + h},
+                              m.colour(Meaning::left_end));
+        m.list->AddRectFilled({r.x + h - bar, r.y - h}, {r.x + h, r.y + h},
+                              m.colour(Meaning::right_end));
+    }
+}
+
+/// Every sample up to the cursor: a dot at its real place, before rounding.
+void draw_samples(const Marks& m, std::span<const Fragment> vertices) {
+    const EdgeRules rules = edge_rules(m.run.frame.settings);
+    const RowHistory& history = m.run.rows;
+    const float radius = std::clamp(0.09f * m.scale, 1.6f * m.u, 4.5f * m.u);
+    int left = history.samples;
+    for (int e = 0; e < 3; ++e) {
+        LineWalker edge = walk_edge(vertices[e], vertices[(e + 1) % 3], rules);
+        for (; !edge.done() && left > 0; edge.advance(), --left) {
+            const ImVec2 p = m.at(edge.x(), edge.y());
+            if (!m.is_visible(p) || !m.has_room()) continue;
+            m.list->AddCircleFilled(p, radius, m.colour(edge_meaning(e)));
+        }
+    }
+}
+
+/// Where each vertex fell before it was rounded, joined to the pixel it became.
+void draw_vertices(const Marks& m, int triangle, std::span<const Fragment> vertices) {
+    const Frame& frame = m.run.frame;
+    const glm::mat3 rotation = camera_rotation(frame.settings.camera);
+    const VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
+    const Viewport size = frame.settings.viewport;
+    for (int v = 0; v < 3; ++v) {
+        const ImVec2 pixel = m.at(vertices[v]);
+        if (frame.scene->space == SceneSpace::world) {
+            const ShadedVertex shaded = frame.stages->vertex_shader(
+                frame.scene->triangles[triangle].vertices[v], rotation, rules);
+            const int middle_column = size.width / 2, middle_row = size.height / 2;
+            // int() and floor() give the pixel i all that lies from i to i + 1; a pixel that is
+            // rounded to has its number in its middle.
+            const float shift = frame.settings.rounding == Rounding::round ? 0.0f : -0.5f;
+            const ImVec2 real = m.at(shaded.projected_x + static_cast<float>(middle_column) + shift,
+                                     shaded.projected_y + static_cast<float>(middle_row) + shift);
+            m.list->AddLine(real, pixel, m.colour(Meaning::current, 0.7f), 1.2f * m.u);
+            m.list->AddCircle(real, 4.0f * m.u, m.colour(Meaning::current), 0, 1.5f * m.u);
+        }
+        m.list->AddCircleFilled(pixel, 5.5f * m.u, m.colour(Meaning::current));
+        const std::string name = std::to_string(v + 1);
+        const ImVec2 at{pixel.x + 9.0f * m.u, pixel.y - 1.35f * m.ui.fonts.bold->FontSize};
+        m.list->AddText(m.ui.fonts.bold, m.ui.fonts.bold->FontSize, {at.x + 1.0f, at.y + 1.0f},
+                        IM_COL32(0, 0, 0, 200), name.c_str());
+        m.list->AddText(m.ui.fonts.bold, m.ui.fonts.bold->FontSize, at, m.colour(Meaning::current),
+                        name.c_str());
+    }
+}
+
+/// The piece of work that was just done.
+void draw_current(const Marks& m) {
+    if (!m.run.done || m.run.cursor == cursor_end) return;
+    const Frame& frame = m.run.frame;
+    const Cursor done = *m.run.done;
+    const Timeline timeline(frame);
+    const std::span<const Fragment> vertices = frame.triangle_vertices(done.triangle);
+    const ImU32 white = m.colour(Meaning::current);
+    switch (done.phase) {
+    case Phase::vertices:
+        frame_pixel(m, vertices[done.index].column, vertices[done.index].row, white, 2.5f * m.u);
+        break;
+    case Phase::edges: {
+        LineWalker edge = walk_edge(vertices[done.index], vertices[(done.index + 1) % 3],
+                                    edge_rules(frame.settings));
+        edge.advance_to(done.step);
+        const Fragment sample = edge.sample();
+        frame_pixel(m, sample.column, sample.row, white, 2.5f * m.u);
+        break;
+    }
+    case Phase::rows: {
+        const PolygonRows& rows = timeline.moments(done.triangle).rows;
+        const Fragment& left = rows.left[done.index];
+        frame_pixel(m, left.column + done.step, left.row, white, 2.5f * m.u);
+        if (!has_fragments(frame.settings.stage)) {
+            frame_pixel(m, rows.right[done.index].column, left.row, white, 2.5f * m.u);
+        }
+        break;
+    }
+    }
+}
+
+void draw_lit_row(const Marks& m, int row, float opacity) {
+    const Viewport size = m.run.frame.settings.viewport;
+    const ImVec2 left = m.at(-0.5f, static_cast<float>(row));
+    const ImVec2 right = m.at(static_cast<float>(size.width) - 0.5f, static_cast<float>(row));
+    const float h = std::max(0.5f * m.scale, 1.0f);
+    m.list->AddRectFilled({left.x, left.y - h}, {right.x, right.y + h},
+                          m.colour(Meaning::pass, opacity));
+}
+
+} // namespace
+
+ShownRun run_a(const Ui& ui) {
+    const Results& a = ui.results;
+    return {a.frame, a.rows, a.cursor, a.done, ui.picture_place};
+}
+
+ShownRun run_b(const Ui& ui, const PicturePlace& place) {
+    const Compared& b = *ui.results.compared;
+    return {b.frame, b.rows, b.cursor, b.done, place};
+}
+
+void draw_canvas_marks(const Ui& ui, const ShownRun& run, ImDrawList* list, ImVec2 low,
+                       ImVec2 high) {
+    const Marks m{ui, run, list, low, high, ui.options.text_scale, run.place.scale};
+    const Frame& frame = run.frame;
+    if (m.is_large()) draw_grid(m);
+    draw_point_rings(m);
+    const bool has_triangle = ui.results.triangle && frame.is_drawn(*ui.results.triangle);
+    const bool is_picked = ui.session.selection.triangle.has_value();
+    const bool is_walking = run.cursor != cursor_end;
+    if (has_triangle && (m.is_large() || is_picked || is_walking)) {
+        const std::span<const Fragment> vertices = frame.triangle_vertices(*ui.results.triangle);
+        if (m.is_large() && frame.settings.stage >= Stage::edges) draw_row_ends(m);
+        draw_true_edges(m, vertices);
+        if (m.is_large()) {
+            if (frame.settings.stage >= Stage::edges) draw_samples(m, vertices);
+            draw_vertices(m, *ui.results.triangle, vertices);
+        }
+    }
+    if (ui.hovered_row) draw_lit_row(m, *ui.hovered_row, 0.25f);
+    draw_current(m);
+    // Beside each other, what is pointed at in one picture is marked in both.
+    if (ui.compare.place_of_b && ui.hovered_pixel) {
+        frame_pixel(m, ui.hovered_pixel->x, ui.hovered_pixel->y, IM_COL32(0, 0, 0, 160),
+                    2.5f * m.u);
+        frame_pixel(m, ui.hovered_pixel->x, ui.hovered_pixel->y, m.colour(Meaning::current),
+                    1.2f * m.u);
+    }
+    if (ui.session.selection.pixel) {
+        const glm::ivec2 pixel = *ui.session.selection.pixel;
+        frame_pixel(m, pixel.x, pixel.y, IM_COL32(0, 0, 0, 220), 4.0f * m.u);
+        frame_pixel(m, pixel.x, pixel.y, m.colour(Meaning::pass), 2.0f * m.u);
+    }
+}
+
+bool drag_bench_vertex(Ui& ui) {
+    if (!is_bench(*ui.session.scene) || ui.session.scene->triangles.empty()) return false;
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const PicturePlace& place = ui.picture_place;
+    if (ImGui::IsMouseClicked(0)) {
+        ui.dragged_vertex = -1;
+        const float reach = std::max(10.0f * ui.options.text_scale, 0.6f * place.scale);
+        for (int v = 0; v < 3; ++v) {
+            const glm::vec3 p = ui.session.scene->triangles[0].vertices[v].position;
+            const ImVec2 at{place.origin.x + place.scale * (p.x + 0.5f),
+                            place.origin.y + place.scale * (p.y + 0.5f)};
+            if (std::hypot(at.x - mouse.x, at.y - mouse.y) < reach) ui.dragged_vertex = v;
+        }
+    }
+    if (ui.dragged_vertex < 0) return false;
+    if (!ImGui::IsMouseDown(0)) {
+        ui.dragged_vertex = -1;
+        return false;
+    }
+    const glm::ivec2 pixel(std::floor((mouse.x - place.origin.x) / place.scale),
+                           std::floor((mouse.y - place.origin.y) / place.scale));
+    const glm::vec3 now = ui.session.scene->triangles[0].vertices[ui.dragged_vertex].position;
+    if (glm::ivec2(now.x, now.y) != pixel) {
+        move_bench_vertex(ui.session, 0, ui.dragged_vertex, pixel);
+    }
+    return true;
+}
+
+} // namespace rasterwalk

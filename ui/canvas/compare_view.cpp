@@ -1,0 +1,289 @@
+#include "ui/canvas/compare_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "ui/actions/actions.h"
+#include "ui/actions/compare.h"
+#include "ui/canvas/canvas_marks.h"
+#include "ui/canvas/overlays.h"
+#include "ui/widgets/picture_texture.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// Height of the titles above the pictures, design pixels.
+constexpr float title_height = 30.0f;
+
+/// Width of what can be taken hold of at the divider, design pixels.
+constexpr float handle_width = 18.0f;
+
+bool is_side_by_side(const Ui& ui) {
+    return is_comparing(ui) && ui.session.compare_view == CompareView::side_by_side;
+}
+
+/// The left and right end of the part of the picture that can be seen.
+struct Span {
+    float low, high;
+};
+Span visible_span(const Ui& ui, const Pane& canvas) {
+    const PicturePlace& place = ui.picture_place;
+    const float width = place.scale * static_cast<float>(ui.results.frame.settings.viewport.width);
+    const float low = std::max(place.origin.x, canvas.low.x);
+    return {low, std::max(std::min(place.origin.x + width, canvas.high.x), low + 1.0f)};
+}
+
+float divider_x(const Ui& ui, const Pane& canvas) {
+    const Span span = visible_span(ui, canvas);
+    return std::round(span.low + std::clamp(ui.session.wipe, 0.0f, 1.0f) * (span.high - span.low));
+}
+
+/// The letter of a run on a square, then its settings that the other has not.
+/// @param right the title ends there; or else it begins at `left`
+void draw_title(Ui& ui, ImDrawList* list, bool of_b, float left, float right, float top,
+                bool is_at_right) {
+    const Palette& p = palette(ui.options.theme);
+    const float u = ui.options.text_scale;
+    ImFont* const font = ui.fonts.small;
+    const float side = std::round(20.0f * u);
+    ImGui::PushFont(font);
+    const float room = right - left - side - 22.0f * u;
+    const std::string words = shortened(run_words(ui.session, of_b, true), std::max(room, 0.0f));
+    const float width = side + ImGui::CalcTextSize(words.c_str()).x + 16.0f * u;
+    ImGui::PopFont();
+    const float x = is_at_right ? right - width : left;
+    const ImVec2 low{std::round(x), std::round(top + 0.5f * (title_height * u - side))};
+    ImVec4 ground = p.card;
+    ground.w = 0.92f;
+    list->AddRectFilled(low, {low.x + width, low.y + side}, packed(ground), 4.0f * u);
+    list->AddRectFilled(low, {low.x + side, low.y + side}, packed(p.accent), 4.0f * u);
+    const char* const letter = of_b ? "B" : "A";
+    ImFont* const bold = ui.fonts.bold;
+    const float letter_size = font->FontSize;
+    const float letter_width = bold->CalcTextSizeA(letter_size, FLT_MAX, 0.0f, letter).x;
+    const float text_y = low.y + 0.5f * (side - letter_size);
+    list->AddText(bold, letter_size, {low.x + 0.5f * (side - letter_width), text_y},
+                  packed(p.accent_text), letter);
+    list->AddText(font, font->FontSize, {low.x + side + 8.0f * u, text_y}, packed(p.text),
+                  words.c_str());
+    ImGui::SetCursorScreenPos(low);
+    ImGui::Dummy({width, side});
+    name_widget(ui, of_b ? "compare.title_b" : "compare.title_a",
+                (of_b ? "Run B: what it has otherwise than A.\n"
+                      : "Run A: what it has otherwise than B. The switches and the Settings tab "
+                        "set this run.\n") +
+                    run_words(ui.session, of_b, false));
+    note_text(ui, of_b ? "compare.title_b" : "compare.title_a", words);
+}
+
+void draw_run(Ui& ui, ImDrawList* list, bool of_b, const PicturePlace& place, ImVec2 low,
+              ImVec2 high) {
+    if (high.x <= low.x) return;
+    list->PushClipRect(low, high, true);
+    draw_texture(list, of_b ? ui.compare.picture : ui.picture, place);
+    if (of_b) {
+        draw_canvas_marks(ui, run_b(ui, place), list, low, high);
+    } else {
+        draw_overlays(ui, list, low, high);
+        draw_canvas_marks(ui, run_a(ui), list, low, high);
+    }
+    list->PopClipRect();
+}
+
+void draw_divider(const Ui& ui, ImDrawList* list, const Pane& canvas) {
+    const float u = ui.options.text_scale;
+    const float x = divider_x(ui, canvas);
+    const ImU32 white = IM_COL32(255, 255, 255, 255), black = IM_COL32(0, 0, 0, 150);
+    list->AddLine({x, canvas.low.y}, {x, canvas.high.y}, black, 4.0f * u);
+    list->AddLine({x, canvas.low.y}, {x, canvas.high.y}, white, 2.0f * u);
+    const ImVec2 middle{x, std::round(0.5f * (canvas.low.y + canvas.high.y))};
+    list->AddCircleFilled(middle, 12.0f * u, black);
+    list->AddCircleFilled(middle, 11.0f * u, white);
+    for (const float side : {-1.0f, 1.0f}) {
+        list->AddTriangleFilled({middle.x + side * 7.0f * u, middle.y},
+                                {middle.x + side * 2.5f * u, middle.y - 4.0f * u},
+                                {middle.x + side * 2.5f * u, middle.y + 4.0f * u},
+                                IM_COL32(30, 34, 40, 255));
+    }
+}
+
+void draw_side_by_side(Ui& ui, ImDrawList* list, const Pane& canvas) {
+    const Panes panes = panes_of(ui, canvas);
+    const float u = ui.options.text_scale;
+    draw_run(ui, list, false, ui.picture_place, panes.a.low, panes.a.high);
+    draw_run(ui, list, true, *ui.compare.place_of_b, panes.b.low, panes.b.high);
+    const float middle = std::round(panes.b.low.x) - 0.5f;
+    list->AddLine({middle, canvas.low.y}, {middle, canvas.high.y},
+                  packed(palette(ui.options.theme).line), u);
+    const float inset = 8.0f * u;
+    draw_title(ui, list, false, panes.a.low.x + inset, panes.a.high.x - inset, canvas.low.y, false);
+    draw_title(ui, list, true, panes.b.low.x + inset, panes.b.high.x - inset, canvas.low.y, false);
+}
+
+void draw_wipe(Ui& ui, ImDrawList* list, const Pane& canvas) {
+    const float x = divider_x(ui, canvas);
+    draw_run(ui, list, false, ui.picture_place, canvas.low, {x, canvas.high.y});
+    draw_run(ui, list, true, ui.picture_place, {x, canvas.low.y}, canvas.high);
+    draw_divider(ui, list, canvas);
+    const float inset = 8.0f * ui.options.text_scale;
+    const float middle = 0.5f * (canvas.low.x + canvas.high.x);
+    draw_title(ui, list, false, canvas.low.x + inset, middle - inset, canvas.low.y, false);
+    draw_title(ui, list, true, middle + inset, canvas.high.x - inset, canvas.low.y, true);
+}
+
+void draw_blink(Ui& ui, ImDrawList* list, const Pane& canvas) {
+    const bool of_b = blink_shows_b(ui);
+    draw_run(ui, list, of_b, ui.picture_place, canvas.low, canvas.high);
+    const float inset = 8.0f * ui.options.text_scale;
+    draw_title(ui, list, of_b, canvas.low.x + inset, canvas.high.x - inset, canvas.low.y, of_b);
+}
+
+void draw_difference(Ui& ui, ImDrawList* list, const Pane& canvas) {
+    draw_texture(list, ui.compare.difference, ui.picture_place);
+    draw_canvas_marks(ui, run_a(ui), list, canvas.low, canvas.high);
+    const float inset = 8.0f * ui.options.text_scale;
+    const float middle = 0.5f * (canvas.low.x + canvas.high.x);
+    draw_title(ui, list, false, canvas.low.x + inset, middle - inset, canvas.low.y, false);
+    draw_title(ui, list, true, middle + inset, canvas.high.x - inset, canvas.low.y, true);
+}
+
+void show_textures(Ui& ui) {
+    const Compared& b = *ui.results.compared;
+    const float scale = ui.picture_place.scale;
+    if (ui.session.compare_view == CompareView::difference) {
+        show_texture(ui, ui.compare.difference, b.difference, b.difference_number, scale);
+        return;
+    }
+    show_texture(ui, ui.picture, ui.results.picture, ui.results.picture_number, scale);
+    show_texture(ui, ui.compare.picture, b.picture, b.picture_number, scale);
+}
+
+void draw_views(Ui& ui, bool as_list) {
+    const CompareView chosen = ui.session.compare_view;
+    if (as_list) {
+        const CompareViewInfo& now = compare_view_list()[static_cast<std::size_t>(chosen)];
+        ImGui::SetNextItemWidth(button_width("Side by side ") + ImGui::GetFrameHeight());
+        const bool open = ImGui::BeginCombo("##compare view", now.title.data());
+        name_widget(ui, "compare.view", "In which way the two pictures are shown.");
+        if (!open) return;
+        for (const CompareViewInfo& info : compare_view_list()) {
+            if (ImGui::Selectable(info.title.data(), info.view == chosen))
+                ui.session.compare_view = info.view;
+            name_widget(ui, std::string("compare.").append(info.name), info.help);
+        }
+        ImGui::EndCombo();
+        return;
+    }
+    for (const CompareViewInfo& info : compare_view_list()) {
+        if (info.view != CompareView::side_by_side) ImGui::SameLine(0.0f, 0.0f);
+        if (button(ui, std::string("compare.").append(info.name), info.title,
+                   info.view == chosen ? Look::chosen : Look::plain, info.help)) {
+            ui.session.compare_view = info.view;
+        }
+    }
+}
+
+/// What the views need as buttons side by side.
+float views_width() {
+    float width = 0.0f;
+    for (const CompareViewInfo& info : compare_view_list())
+        width += button_width(info.title);
+    return width;
+}
+
+} // namespace
+
+void draw_compare_bar(Ui& ui) {
+    if (!ui.session.other) return;
+    const Palette& p = palette(ui.options.theme);
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+    ImGui::PushFont(ui.fonts.small);
+    const float ends = button_width("swap") + button_width("×") + gap;
+    const float counts = ImGui::CalcTextSize("000 000 pixels differ").x;
+    const bool as_list =
+        views_width() + counts + ends + 2.0f * gap > ImGui::GetContentRegionAvail().x;
+    if (is_comparing(ui)) {
+        draw_views(ui, as_list);
+        ImGui::SameLine();
+    }
+    const float left = ImGui::GetCursorScreenPos().x;
+    const float room = right - ends - gap - left;
+    ImGui::AlignTextToFramePadding();
+    if (!is_comparing(ui)) {
+        text_in(colour_of(Meaning::fail, ui.options.theme),
+                shortened(ui.results.no_comparison, room));
+        name_widget(ui, "compare.fault", ui.results.no_comparison);
+    } else {
+        const std::string words = difference_words(ui.results.compared->pixels);
+        const std::string shown = shortened(words, room - gap);
+        const float width = ImGui::CalcTextSize(shown.c_str()).x;
+        ImGui::SetCursorScreenPos(
+            {std::max(right - ends - gap - width, left), ImGui::GetCursorScreenPos().y});
+        text_in(p.dim, shown);
+        name_widget(ui, "compare.counts",
+                    words + "\nAt the cursor; in linear colour, of the channel that differs most. "
+                            "The Compare tab has more.");
+        note_text(ui, "compare.counts", words);
+    }
+    ImGui::SameLine();
+    ImGui::SetCursorScreenPos({right - ends, ImGui::GetCursorScreenPos().y});
+    if (button(ui, "compare.swap", "swap", Look::quiet, tooltip_of("compare.swap"))) {
+        find_action("compare.swap").run(ui);
+    }
+    ImGui::SameLine();
+    if (button(ui, "compare.end", "×", Look::quiet, "Ends the comparison.\nKey: C"))
+        end_comparison(ui.session);
+    ImGui::PopFont();
+}
+
+Panes panes_of(const Ui& ui, const Pane& canvas) {
+    if (!is_comparing(ui)) return {canvas, canvas};
+    const float u = ui.options.text_scale;
+    Pane below = canvas;
+    if (canvas.room().y >= low_canvas * u) below.low.y += std::round(title_height * u);
+    if (!is_side_by_side(ui)) return {below, below};
+    const float middle = std::round(0.5f * (canvas.low.x + canvas.high.x));
+    Panes panes{below, below};
+    panes.a.high.x = middle;
+    panes.b.low.x = middle;
+    return panes;
+}
+
+void draw_wipe_handle(Ui& ui, const Pane& canvas) {
+    if (!is_comparing(ui) || ui.session.compare_view != CompareView::wipe) return;
+    const float width = handle_width * ui.options.text_scale;
+    ImGui::SetCursorScreenPos({divider_x(ui, canvas) - 0.5f * width, canvas.low.y});
+    ImGui::InvisibleButton("compare.wipe_handle", {width, canvas.high.y - canvas.low.y});
+    const bool is_held = ImGui::IsItemActive();
+    if (is_held || ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    name_widget(ui, "compare.divider", "A at the left, B at the right. Drag it.");
+    if (!is_held) return;
+    const Span span = visible_span(ui, canvas);
+    const float at = (ImGui::GetIO().MousePos.x - span.low) / (span.high - span.low);
+    ui.session.wipe = std::clamp(at, 0.0f, 1.0f);
+}
+
+void draw_compared(Ui& ui, ImDrawList* list, const Pane& canvas) {
+    show_textures(ui);
+    switch (ui.session.compare_view) {
+    case CompareView::side_by_side:
+        draw_side_by_side(ui, list, canvas);
+        break;
+    case CompareView::wipe:
+        draw_wipe(ui, list, canvas);
+        break;
+    case CompareView::blink:
+        draw_blink(ui, list, canvas);
+        break;
+    case CompareView::difference:
+        draw_difference(ui, list, canvas);
+        break;
+    }
+}
+
+} // namespace rasterwalk

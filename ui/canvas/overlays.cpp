@@ -1,0 +1,370 @@
+#include "ui/canvas/overlays.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "picture/colour_map.h"
+#include "picture/overlay.h"
+#include "ui/actions/keys.h"
+#include "ui/widgets/picture_texture.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// A sign for overlays where there is no room for the word: a hatched square.
+constexpr const char* overlay_sign = "▨";
+
+/// Cells of a swatch: picture pixels as they look a little enlarged.
+constexpr int swatch_columns = 12;
+constexpr int swatch_rows = 6;
+constexpr float swatch_cell = 2.0f; ///< design pixels
+
+/// A grey between the darkest and the brightest pictures, on which all tints can be seen.
+constexpr ImU32 swatch_ground = IM_COL32(78, 80, 84, 255);
+
+ImVec2 swatch_size(const Ui& ui) {
+    const float cell = swatch_cell * ui.options.text_scale;
+    return {std::round(swatch_columns * cell), std::round(swatch_rows * cell)};
+}
+
+ImU32 packed(const Tint& tint) {
+    return IM_COL32(tint.colour.r, tint.colour.g, tint.colour.b,
+                    static_cast<int>(std::lround(255.0f * tint.opacity)));
+}
+
+/// How much of the overlay a place in its swatch shows, from 0 at the left to 1 at the right.
+float swatch_amount(Overlay overlay, float share) {
+    if (overlay == Overlay::depth) return share < 0.5f ? 1.0f : 0.0f;
+    const bool is_scale = overlay == Overlay::overdraw || overlay == Overlay::affine_error;
+    return is_scale ? share : 1.0f;
+}
+
+/// What the overlay looks like: by the same function that tints the picture. A part of a swatch is
+/// drawn if `from` and `to`, shares of its width, say so.
+void draw_swatch(const Ui& ui, ImDrawList* list, ImVec2 at, Overlay overlay, float from = 0.0f,
+                 float to = 1.0f) {
+    const ImVec2 size = swatch_size(ui);
+    const float cell = size.x / swatch_columns;
+    list->AddRectFilled(at, {at.x + size.x, at.y + size.y}, swatch_ground);
+    if (overlay == Overlay::wireframe) {
+        const ImU32 white = IM_COL32(255, 255, 255, 235);
+        const float m = 0.15f * size.y;
+        list->AddTriangle({at.x + m, at.y + size.y - m}, {at.x + 0.55f * size.x, at.y + m},
+                          {at.x + size.x - m, at.y + size.y - m}, white,
+                          std::max(1.0f, ui.options.text_scale));
+        return;
+    }
+    for (int row = 0; row < swatch_rows; ++row) {
+        for (int column = 0; column < swatch_columns; ++column) {
+            const float share =
+                from + (to - from) * static_cast<float>(column) / (swatch_columns - 1);
+            const Tint tint =
+                overlay_tint(overlay, swatch_amount(overlay, share), {column, row}, column / 4);
+            const ImVec2 corner{at.x + cell * static_cast<float>(column),
+                                at.y + cell * static_cast<float>(row)};
+            list->AddRectFilled(corner, {corner.x + cell, corner.y + cell}, packed(tint));
+        }
+    }
+}
+
+/// The pixel that the legends speak of: the one pointed at, or else the one picked.
+std::optional<glm::ivec2> pixel_asked(const Ui& ui) {
+    const auto pixel = ui.hovered_pixel ? ui.hovered_pixel : ui.session.selection.pixel;
+    const Framebuffer& framebuffer = *ui.results.framebuffer;
+    const bool is_inside = pixel && framebuffer.contains(pixel->x, pixel->y);
+    return is_inside ? pixel : std::nullopt;
+}
+
+std::string value_at(const Ui& ui, Overlay overlay, glm::ivec2 pixel) {
+    // As near as the eye can tell, however much the picture is enlarged.
+    const float reach = std::max(5.0f * ui.options.text_scale / ui.picture_place.scale, 0.75f);
+    return overlay_value(overlay, ui.results.frame, *ui.results.framebuffer, ui.results.overlay,
+                         pixel, reach);
+}
+
+void text_right(const std::string& text, const ImVec4& colour, ImVec2 line, float right,
+                float left) {
+    const std::string shown = shortened(text, right - left);
+    ImGui::SetCursorScreenPos({right - ImGui::CalcTextSize(shown.c_str()).x, line.y});
+    text_in(colour, shown);
+}
+
+/// What the card of legends is drawn with.
+struct Legend {
+    Ui& ui;
+    float u; ///< design pixel
+    float left, right;
+    float line;   ///< height of a line of text
+    bool compact; ///< one line an overlay: in small windows
+
+    float gap() const { return std::round(5.0f * u); }
+    bool has_key(Overlay overlay) const {
+        return !compact && (overlay == Overlay::overdraw || overlay == Overlay::affine_error ||
+                            (overlay == Overlay::depth && !ui.results.overlay.facts.depth.empty()));
+    }
+    float height(Overlay overlay) const {
+        const int lines = compact ? 1 : has_key(overlay) ? 3 : 2;
+        return static_cast<float>(lines) * line + gap();
+    }
+};
+
+void draw_scale(const Legend& l, Overlay overlay, ImVec2 at) {
+    const Palette& p = palette(l.ui.options.theme);
+    const std::array<std::string, 2> ends = overlay_scale(overlay, l.ui.results.overlay);
+    ImGui::SetCursorScreenPos(at);
+    text_in(p.dim, ends[0]);
+    const float last = ImGui::CalcTextSize(ends[1].c_str()).x;
+    ImGui::SetCursorScreenPos({l.right - last, at.y});
+    text_in(p.dim, ends[1]);
+    const float from = at.x + ImGui::CalcTextSize(ends[0].c_str()).x + 6.0f * l.u;
+    const float to = l.right - last - 6.0f * l.u;
+    const float top = at.y + 0.25f * l.line, bottom = at.y + 0.8f * l.line;
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    list->AddRectFilled({from, top}, {to, bottom}, swatch_ground);
+    constexpr int steps = 48;
+    for (int i = 0; i < steps; ++i) {
+        const Tint tint = overlay_tint(overlay, static_cast<float>(i) / (steps - 1), {0, 0});
+        const float step = (to - from) / steps;
+        const float x = from + step * static_cast<float>(i);
+        list->AddRectFilled({x, top}, {x + step, bottom}, packed(tint));
+    }
+}
+
+void draw_verdict_key(const Legend& l, ImVec2 at) {
+    const Theme theme = l.ui.options.theme;
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    const ImVec2 swatch = swatch_size(l.ui);
+    const float y = std::round(at.y + 0.5f * (ImGui::GetFontSize() - swatch.y) + l.u);
+    draw_swatch(l.ui, list, {at.x, y}, Overlay::depth, 0.0f, 0.49f);
+    ImGui::SetCursorScreenPos({at.x + swatch.x + 6.0f * l.u, at.y});
+    text_in(colour_of(Meaning::fail, theme), "some failed");
+    const float next = ImGui::GetItemRectMax().x + 16.0f * l.u;
+    draw_swatch(l.ui, list, {next, y}, Overlay::depth, 0.51f, 1.0f);
+    ImGui::SetCursorScreenPos({next + swatch.x + 6.0f * l.u, at.y});
+    text_in(colour_of(Meaning::pass, theme), "all passed");
+}
+
+/// One overlay's legend. The whole of it has the tooltip.
+void draw_entry(const Legend& l, const OverlayInfo& info, ImVec2 at, float right) {
+    const Palette& p = palette(l.ui.options.theme);
+    const OverlayPicture& picture = l.ui.results.overlay;
+    const ImVec2 swatch = swatch_size(l.ui);
+    const std::string name = std::string("legend.").append(info.name);
+    ImGui::SetCursorScreenPos(at);
+    ImGui::Dummy({l.right - at.x, l.height(info.overlay) - l.gap()});
+    name_widget(l.ui, name, info.help);
+
+    draw_swatch(l.ui, ImGui::GetWindowDrawList(),
+                {at.x, std::round(at.y + 0.5f * (ImGui::GetFontSize() - swatch.y) + l.u)},
+                info.overlay);
+    const float text_left = at.x + swatch.x + 8.0f * l.u;
+    ImGui::SetCursorScreenPos({text_left, at.y});
+    text_in(p.text, info.title);
+    const float title_end = ImGui::GetItemRectMax().x + 10.0f * l.u;
+    const std::optional<glm::ivec2> pixel = pixel_asked(l.ui);
+    const std::string total = overlay_total(info.overlay, l.ui.results.frame, picture);
+    const std::string value = pixel ? value_at(l.ui, info.overlay, *pixel) : std::string();
+    if (l.compact) {
+        text_right(pixel ? value : total, pixel ? p.text : p.dim, at, right, title_end);
+        return;
+    }
+    text_right(value, p.text, at, right, title_end);
+    ImGui::SetCursorScreenPos({text_left, at.y + l.line});
+    text_in(p.dim, shortened(total, l.right - text_left));
+    if (!l.has_key(info.overlay)) return;
+    const ImVec2 key{text_left, at.y + 2.0f * l.line};
+    if (info.overlay == Overlay::depth) {
+        draw_verdict_key(l, key);
+    } else {
+        draw_scale(l, info.overlay, key);
+    }
+}
+
+/// Shows or hides all but the swatches.
+void draw_fold_button(Ui& ui, ImVec2 corner, float side) {
+    ImGui::SetCursorScreenPos(corner);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
+    if (button(ui, "legend.fold", ui.shows_legend ? "−" : "+", Look::quiet,
+               ui.shows_legend ? "Folds the legend up, to see what lies under it."
+                               : "Unfolds the legend.",
+               {side, side})) {
+        ui.shows_legend = !ui.shows_legend;
+    }
+    ImGui::PopStyleVar();
+}
+
+bool begin_legend_card(Ui& ui, ImVec2 at, ImVec2 size) {
+    const float u = ui.options.text_scale;
+    const Palette& p = palette(ui.options.theme);
+    ImVec4 ground = p.card;
+    ground.w = 0.92f;
+    ImGui::SetCursorScreenPos(at);
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, ground);
+    ImGui::PushStyleVar(ImGuiStyleVar_ChildRounding, 6.0f * u);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+    return ImGui::BeginChild("legend", size, false, ImGuiWindowFlags_NoNav);
+}
+
+void end_legend_card() {
+    ImGui::EndChild();
+    ImGui::PopStyleVar(2);
+    ImGui::PopStyleColor();
+}
+
+void draw_folded_legend(Ui& ui, ImVec2 at, float padding, float side) {
+    const float u = ui.options.text_scale;
+    const ImVec2 swatch = swatch_size(ui);
+    const auto count = static_cast<float>(ui.results.overlay.shown.count());
+    const float width = 2.0f * padding + count * (swatch.x + 6.0f * u) + side;
+    begin_legend_card(ui, at, {width, side + padding});
+    float x = at.x + padding;
+    for (const OverlayInfo& info : overlay_list()) {
+        if (!ui.results.overlay.shown.has(info.overlay)) continue;
+        ImGui::SetCursorScreenPos({x, at.y + 0.5f * (side + padding - swatch.y)});
+        ImGui::Dummy(swatch);
+        name_widget(ui, std::string("legend.").append(info.name), info.help);
+        draw_swatch(ui, ImGui::GetWindowDrawList(), ImGui::GetItemRectMin(), info.overlay);
+        x += swatch.x + 6.0f * u;
+    }
+    draw_fold_button(ui, {x, at.y + 0.5f * padding}, side);
+    end_legend_card();
+}
+
+/// Lines that may be seen between `low` and `high`.
+bool may_cross(ImVec2 a, ImVec2 b, ImVec2 low, ImVec2 high) {
+    return std::max(a.x, b.x) >= low.x && std::min(a.x, b.x) <= high.x &&
+           std::max(a.y, b.y) >= low.y && std::min(a.y, b.y) <= high.y;
+}
+
+void draw_wires(const Ui& ui, ImDrawList* list, ImVec2 low, ImVec2 high) {
+    const PicturePlace& place = ui.picture_place;
+    const float u = ui.options.text_scale;
+    const auto middle = [&](glm::ivec2 pixel) {
+        return ImVec2(place.origin.x + place.scale * (static_cast<float>(pixel.x) + 0.5f),
+                      place.origin.y + place.scale * (static_cast<float>(pixel.y) + 0.5f));
+    };
+    // A dark line under the bright one keeps it visible on every ground; a carpet has no ground.
+    const bool is_carpet = ui.results.overlay.wires.size() > most_wires / 4;
+    for (const bool is_shadow : {true, false}) {
+        if (is_shadow && is_carpet) continue;
+        const ImU32 colour = is_shadow ? IM_COL32(0, 0, 0, 120) : IM_COL32(255, 255, 255, 225);
+        for (const WireEdge& wire : ui.results.overlay.wires) {
+            const ImVec2 a = middle(wire.from), b = middle(wire.to);
+            if (may_cross(a, b, low, high))
+                list->AddLine(a, b, colour, (is_shadow ? 3.0f : 1.0f) * u);
+        }
+    }
+}
+
+void draw_overlay_list(Ui& ui) {
+    const float u = ui.options.text_scale;
+    float widest = 0.0f;
+    for (const OverlayInfo& info : overlay_list())
+        widest = std::max(widest, ImGui::CalcTextSize(info.title.data()).x);
+    const ImVec2 swatch = swatch_size(ui);
+    for (const OverlayInfo& info : overlay_list()) {
+        bool on = ui.session.overlays.has(info.overlay);
+        const ImVec2 start = ImGui::GetCursorScreenPos();
+        const std::string label = std::string(info.title).append("###overlay.").append(info.name);
+        if (ImGui::Checkbox(label.c_str(), &on)) ui.session.overlays.set(info.overlay, on);
+        name_widget(ui, std::string("overlay.").append(info.name), info.help);
+        const float height = ImGui::GetFrameHeight();
+        ImGui::SameLine();
+        ImGui::SetCursorScreenPos({start.x + height + widest + 26.0f * u, start.y});
+        ImGui::Dummy({swatch.x, height});
+        draw_swatch(ui, ImGui::GetWindowDrawList(),
+                    {ImGui::GetItemRectMin().x, std::round(start.y + 0.5f * (height - swatch.y))},
+                    info.overlay);
+    }
+    ImGui::Separator();
+    if (button(ui, "overlay.none", "all off", Look::quiet, "Switches every overlay off.")) {
+        ui.session.overlays = {};
+    }
+}
+
+std::string button_label(const Ui& ui, bool narrow) {
+    const int count = ui.session.overlays.count();
+    const std::string name = narrow ? overlay_sign : "overlays";
+    return count == 0 ? name : name + " " + std::to_string(count);
+}
+
+} // namespace
+
+float overlay_button_width(const Ui&, bool narrow) {
+    // With a number, whether there is one or not: what stands beside it must not jump.
+    return button_width(std::string(narrow ? overlay_sign : "overlays") + " 0");
+}
+
+void draw_overlay_button(Ui& ui, bool narrow) {
+    const bool any = !ui.session.overlays.empty();
+    if (button(ui, "canvas.overlays", button_label(ui, narrow), any ? Look::plain : Look::quiet,
+               "What is laid over the picture: wireframe, owners, errors ...",
+               {overlay_button_width(ui, narrow), 0.0f})) {
+        ImGui::OpenPopup("overlay list");
+    }
+    const float gap = 4.0f * ui.options.text_scale;
+    ImGui::SetNextWindowPos({ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + gap});
+    if (ImGui::BeginPopup("overlay list")) {
+        draw_overlay_list(ui);
+        if (ImGui::IsKeyPressed(key::escape, false)) ImGui::CloseCurrentPopup();
+        ImGui::EndPopup();
+    }
+}
+
+void draw_overlays(Ui& ui, ImDrawList* list, ImVec2 low, ImVec2 high) {
+    const OverlayPicture& picture = ui.results.overlay;
+    if (!picture.image.rgba.empty()) {
+        show_texture(ui, ui.overlay, picture.image, ui.results.overlay_number,
+                     ui.picture_place.scale);
+        draw_texture(list, ui.overlay, ui.picture_place);
+    }
+    draw_wires(ui, list, low, high);
+}
+
+void draw_overlay_legend(Ui& ui, ImVec2 low, ImVec2 high) {
+    const OverlaySet shown = ui.results.overlay.shown;
+    if (shown.empty()) return;
+    const float u = ui.options.text_scale;
+    const float margin = std::round(8.0f * u), padding = std::round(9.0f * u);
+    const ImVec2 room{high.x - low.x - 2.0f * margin, high.y - low.y - 2.0f * margin};
+    const ImVec2 at{low.x + margin, low.y + margin};
+    ImGui::PushFont(ui.fonts.small);
+    const float line = std::round(1.3f * ImGui::GetFontSize());
+    if (!ui.shows_legend) {
+        draw_folded_legend(ui, at, padding, line);
+        ImGui::PopFont();
+        return;
+    }
+    float width = std::min(300.0f * u, room.x);
+    Legend legend{ui, u, at.x + padding, at.x + width - padding, line, false};
+    const auto total_height = [&] {
+        float height = 2.0f * padding - legend.gap();
+        for (const OverlayInfo& info : overlay_list())
+            height += shown.has(info.overlay) ? legend.height(info.overlay) : 0.0f;
+        return height;
+    };
+    legend.compact = total_height() > 0.4f * room.y;
+    if (legend.compact) width = std::min(340.0f * u, room.x);
+    legend.right = at.x + width - padding;
+    begin_legend_card(ui, at, {width, std::min(total_height(), room.y)});
+    // The card scrolls where all overlays together are too much for it.
+    ImVec2 next{legend.left, ImGui::GetCursorScreenPos().y + padding};
+    float right = legend.right - line;
+    for (const OverlayInfo& info : overlay_list()) {
+        if (!shown.has(info.overlay)) continue;
+        draw_entry(legend, info, next, right);
+        next.y += legend.height(info.overlay);
+        right = legend.right;
+    }
+    ImGui::SetCursorScreenPos({legend.left, next.y - legend.gap()});
+    ImGui::Dummy({0, padding});
+    draw_fold_button(ui, {legend.right - line + 0.5f * padding, at.y + 0.5f * padding}, line);
+    end_legend_card();
+    ImGui::PopFont();
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,347 @@
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "session/moment_text.h"
+#include "settings/setting_table.h"
+#include "ui/actions/actions.h"
+#include "ui/actions/compare.h"
+#include "ui/actions/open_tab.h"
+#include "ui/inspector/panels.h"
+#include "ui/widgets/flow.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// A button for each pair of runs that are often compared, in as many lines as they need.
+void draw_pairs(Ui& ui) {
+    const ComparePair* const on_show = pair_on_show(ui.session);
+    ImGui::PushFont(ui.fonts.small);
+    std::vector<std::string> labels;
+    std::vector<float> widths;
+    for (const ComparePair& pair : compare_pairs()) {
+        labels.push_back(std::string(pair.left).append(" | ").append(pair.right));
+        widths.push_back(button_width(labels.back()));
+    }
+    const float gap = 4.0f * ui.options.text_scale;
+    const std::vector<FlowPlace> places = flow(widths, gap, ImGui::GetContentRegionAvail().x);
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    const float line = ImGui::GetFrameHeight() + gap;
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        const ComparePair& pair = compare_pairs()[i];
+        ImGui::SetCursorScreenPos(
+            {start.x + places[i].x, start.y + static_cast<float>(places[i].line) * line});
+        if (button(ui, std::string("compare.tab.").append(pair.name), labels[i],
+                   &pair == on_show ? Look::chosen : Look::plain, pair.help)) {
+            start_pair(ui.session, pair);
+        }
+    }
+    ImGui::PopFont();
+}
+
+/// The word after the present one: another value of a setting of few words.
+void set_next_word(Settings& settings, const ChoiceSetting& choice) {
+    const int next = choice.read(settings) + 1;
+    choice.write(settings, next < static_cast<int>(choice.words.size()) ? next : 0);
+}
+
+/// A list of settings: the one that is chosen is set otherwise in run B.
+void draw_choice_of_difference(Ui& ui, const char* title) {
+    ImGui::SetNextItemWidth(-1.0f);
+    const bool open = ImGui::BeginCombo("##another", title, ImGuiComboFlags_HeightLarge);
+    name_widget(ui, "compare.another", "Sets a setting otherwise in run B.");
+    if (!open) return;
+    for (const Setting& setting : setting_table()) {
+        const auto* const choice = std::get_if<ChoiceSetting>(&setting.kind);
+        if (choice == nullptr) continue;
+        const std::string name(setting.name);
+        if (ImGui::Selectable(name.c_str())) {
+            Settings other = ui.session.other.value_or(ui.session.settings);
+            set_next_word(other, *choice);
+            compare_with(ui.session, other);
+        }
+        name_widget(ui, "compare.another." + name, setting.help);
+    }
+    ImGui::EndCombo();
+}
+
+void draw_nothing(Ui& ui) {
+    const Palette& p = palette(ui.options.theme);
+    wrapped_text("Two runs of the same scene, side by side: where do they part, and why?");
+    ImGui::Spacing();
+    draw_pairs(ui);
+    ImGui::Spacing();
+    ImGui::PushStyleColor(ImGuiCol_Text, p.dim);
+    wrapped_text("Run A is what the switches and settings say. Run B begins as a copy in which one "
+                 "thing is otherwise; what you change from now on changes both.");
+    ImGui::PopStyleColor();
+    ImGui::Spacing();
+    draw_choice_of_difference(ui, "or compare by a setting …");
+}
+
+void header_cell(Ui& ui, const char* title, const char* name, const char* help, bool is_left) {
+    ImGui::TableNextColumn();
+    ImGui::PushFont(ui.fonts.small);
+    if (is_left) {
+        text_in(palette(ui.options.theme).dim, title);
+    } else {
+        right_aligned(title, palette(ui.options.theme).dim);
+    }
+    ImGui::PopFont();
+    name_widget(ui, name, help);
+}
+
+/// What is set otherwise in B; a name leads to the setting.
+void draw_settings(Ui& ui) {
+    const Palette& p = palette(ui.options.theme);
+    const std::vector<RunDifference> differences = run_differences(ui.session);
+    if (differences.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, p.dim);
+        wrapped_text("Both runs have the same settings. Change one: it changes run A.");
+        ImGui::PopStyleColor();
+        return;
+    }
+    if (!ImGui::BeginTable("compare.settings", 3, ImGuiTableFlags_SizingStretchProp)) return;
+    ImGui::TableSetupColumn("", 0, 1.3f);
+    ImGui::TableSetupColumn("", 0, 1.0f);
+    ImGui::TableSetupColumn("", 0, 1.0f);
+    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+    header_cell(ui, "setting", "compare.header.setting", "What is set otherwise in run B.", true);
+    header_cell(ui, "A", "compare.header.a", "Run A, which the switches and settings set.", true);
+    header_cell(ui, "B", "compare.header.b", "Run B, which is compared with it.", true);
+    for (const RunDifference& difference : differences) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        const std::string name(difference.setting);
+        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
+        if (button(ui, "compare.setting." + name, name, Look::link,
+                   std::string(find_setting(name)->help) + "\nClick: shows it in the settings.")) {
+            ui.setting_search = name;
+            open_tab(ui, "settings");
+        }
+        ImGui::PopStyleVar();
+        const Setting& setting = *find_setting(name);
+        ImGui::PushID(name.c_str());
+        const auto edit = [&](Settings& settings, const char* run) {
+            ImGui::TableNextColumn();
+            ImGui::PushID(run);
+            ImGui::SetNextItemWidth(-1.0f);
+            edit_setting(ui, settings, setting, std::string("compare.") + run + "." + name);
+            ImGui::PopID();
+        };
+        edit(ui.session.settings, "a");
+        edit(*ui.session.other, "b");
+        ImGui::PopID();
+    }
+    ImGui::EndTable();
+}
+
+/// The numbers of one kind, at the cursor and of the whole frame.
+void count_line(Ui& ui, const char* title, const char* name, const std::string& here,
+                const std::string& whole, const char* help) {
+    const Palette& p = palette(ui.options.theme);
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(title);
+    name_widget(ui, name, help);
+    ImGui::PushFont(ui.fonts.mono);
+    ImGui::TableNextColumn();
+    right_aligned(here, p.dim);
+    ImGui::TableNextColumn();
+    right_aligned(whole, p.text);
+    note_text(ui, name, whole);
+    ImGui::PopFont();
+}
+
+void draw_counts(Ui& ui) {
+    const Compared& b = *ui.results.compared;
+    const PixelDifference& here = b.pixels;
+    const PixelDifference& whole = b.whole.pixels;
+    if (!ImGui::BeginTable("compare.counts", 3, ImGuiTableFlags_SizingStretchProp)) return;
+    ImGui::TableSetupColumn("", 0, 1.3f);
+    ImGui::TableSetupColumn("", 0, 1.0f);
+    ImGui::TableSetupColumn("", 0, 1.0f);
+    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+    header_cell(ui, "what differs", "compare.header.what", "How far the two runs lie apart.", true);
+    header_cell(ui, "at the cursor", "compare.header.here", "In what is drawn so far.", false);
+    header_cell(ui, "whole frame", "compare.header.whole", "When everything is drawn.", false);
+    const auto number = [](double value, int digits) { return fixed(value, digits); };
+    count_line(ui, "pixels", "compare.count.pixels", grouped(here.different),
+               grouped(whole.different), "Pixels whose colour is not the same to the last bit.");
+    count_line(ui, "… to be seen", "compare.count.shown", grouped(here.shown), grouped(whole.shown),
+               "Of them those that differ on the screen too, in 8 bits a channel.");
+    count_line(ui, "largest", "compare.count.largest", number(static_cast<double>(here.largest), 4),
+               number(static_cast<double>(whole.largest), 4),
+               "The largest difference of any channel of any pixel, in linear colour.");
+    count_line(ui, "mean", "compare.count.mean", number(here.mean, 5), number(whole.mean, 5),
+               "The mean over all pixels of the channel that differs most.");
+    count_line(ui, "rows", "compare.count.rows", "", grouped(b.whole.different_rows),
+               "Rows of row tables whose left or right end differs.");
+    count_line(ui, "moments", "compare.count.moments", "", grouped(b.whole.divergences.count),
+               "Moments at which the runs do something different.");
+    ImGui::EndTable();
+}
+
+/// A moment at which the runs part, with its cause; its name leads there.
+void draw_divergence(Ui& ui, const char* title, const std::string& name,
+                     const Divergence& divergence) {
+    const Palette& p = palette(ui.options.theme);
+    ImGui::PushFont(ui.fonts.small);
+    text_in(p.dim, title);
+    ImGui::PopFont();
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
+    if (button(ui, name, to_text(divergence.cursor), Look::link,
+               describe_moment(ui.results.frame, divergence.cursor) +
+                   "\nClick: stands there in both runs.")) {
+        stand_at(ui, divergence.cursor);
+    }
+    ImGui::PopStyleVar();
+    ImGui::SameLine();
+    text_in(p.dim, shortened(kind_text(divergence.kind) +
+                                 (divergence.only_rounding ? ", by rounding alone" : ""),
+                             ImGui::CalcItemWidth() - ImGui::GetItemRectSize().x));
+    wrapped_text(divergence.text);
+}
+
+void draw_first(Ui& ui) {
+    const Compared& b = *ui.results.compared;
+    const DivergenceList& list = b.whole.divergences;
+    begin_card(ui);
+    if (!list.first) {
+        text_in(palette(ui.options.theme).dim, "The two runs do the very same.");
+        end_card(ui);
+        return;
+    }
+    draw_divergence(ui, "first divergence", "compare.first", *list.first);
+    const bool has_more =
+        list.first_beyond_rounding && list.first_beyond_rounding->cursor != list.first->cursor;
+    if (has_more) {
+        ImGui::Spacing();
+        draw_divergence(ui, "first that is more than rounding", "compare.first_beyond_rounding",
+                        *list.first_beyond_rounding);
+    }
+    if (b.here && b.here->cursor != list.first->cursor &&
+        !(has_more && b.here->cursor == list.first_beyond_rounding->cursor)) {
+        ImGui::Spacing();
+        draw_divergence(ui, "at the cursor", "compare.here", *b.here);
+    }
+    end_card(ui);
+    if (button(ui, "compare.previous", "‹ previous", Look::plain, tooltip_of("compare.previous"))) {
+        go_to_previous_divergence(ui);
+    }
+    ImGui::SameLine();
+    if (button(ui, "compare.next", "next difference ›", Look::plain, tooltip_of("compare.next"))) {
+        go_to_next_divergence(ui);
+    }
+}
+
+const char* phase_word(Phase phase) {
+    switch (phase) {
+    case Phase::vertices:
+        return "vertices";
+    case Phase::edges:
+        return "edges";
+    case Phase::rows:
+        return "rows";
+    }
+    return "";
+}
+
+void draw_group(Ui& ui, const DivergenceGroup& group, int index) {
+    const Palette& p = palette(ui.options.theme);
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::PushID(index);
+    const bool is_here = ui.results.triangle == group.triangle &&
+                         ui.session.cursor >= group.first && ui.session.cursor <= group.last;
+    if (ImGui::Selectable("##group", is_here,
+                          ImGuiSelectableFlags_SpanAllColumns |
+                              ImGuiSelectableFlags_AllowItemOverlap)) {
+        stand_at(ui, group.first);
+    }
+    ImGui::PopID();
+    const std::string part = part_name(*ui.results.scene, group.triangle);
+    name_widget(ui, "compare.group." + std::to_string(index),
+                "Triangle " + std::to_string(group.triangle + 1) + ", " + part + ": from " +
+                    to_text(group.first) + " to " + to_text(group.last) +
+                    ".\nClick: stands at the first of them.");
+    ImGui::SameLine(0.0f, 0.0f);
+    ImGui::TextUnformatted(
+        shortened(std::to_string(group.triangle + 1) + " " + part, ImGui::GetContentRegionAvail().x)
+            .c_str());
+    ImGui::TableNextColumn();
+    text_in(p.dim, phase_word(group.phase));
+    ImGui::TableNextColumn();
+    text_in(p.text, shortened(kind_text(group.kind), ImGui::GetContentRegionAvail().x));
+    ImGui::TableNextColumn();
+    ImGui::PushFont(ui.fonts.mono);
+    right_aligned(grouped(group.count), p.text);
+    ImGui::PopFont();
+}
+
+void draw_groups(Ui& ui) {
+    const std::vector<DivergenceGroup>& groups = ui.results.compared->whole.divergences.groups;
+    if (groups.empty()) return;
+    const float line = ImGui::GetTextLineHeight() + 2.0f * ImGui::GetStyle().CellPadding.y;
+    const float needed = line * static_cast<float>(groups.size() + 1) + 4.0f;
+    const float height =
+        std::max(std::min(needed, ImGui::GetContentRegionAvail().y), std::min(needed, 6.0f * line));
+    if (!ImGui::BeginTable("compare.groups", 4,
+                           ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH |
+                               ImGuiTableFlags_SizingStretchProp,
+                           {0, height})) {
+        return;
+    }
+    ImGui::TableSetupScrollFreeze(0, 1);
+    for (const float width : {1.4f, 0.8f, 1.2f, 0.8f})
+        ImGui::TableSetupColumn("", 0, width);
+    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+    header_cell(ui, "triangle", "compare.header.triangle", "The triangle being drawn.", true);
+    header_cell(ui, "phase", "compare.header.phase", "Vertices, edges or rows.", true);
+    header_cell(ui, "how", "compare.header.kind",
+                "Missing in B: only A does something there. Extra in B: only B does.", true);
+    header_cell(ui, "moments", "compare.header.moments", "How many pieces of work differ.", false);
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(groups.size()));
+    while (clipper.Step()) {
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+            draw_group(ui, groups[static_cast<std::size_t>(i)], i);
+    }
+    ImGui::EndTable();
+}
+
+} // namespace
+
+void draw_compare_panel(Ui& ui) {
+    if (!ui.session.other && hides_settings(ui.session)) {
+        wrapped_text("While a quiz goes on, the laboratory compares with the correct run.");
+        return;
+    }
+    if (!ui.session.other) {
+        draw_nothing(ui);
+        return;
+    }
+    if (!hides_settings(ui.session)) {
+        draw_pairs(ui);
+        ImGui::Spacing();
+        ImGui::PushFont(ui.fonts.small);
+        draw_settings(ui);
+        draw_choice_of_difference(ui, "another difference …");
+        ImGui::PopFont();
+    }
+    if (!is_comparing(ui)) {
+        wrapped_text(ui.results.no_comparison);
+        return;
+    }
+    ImGui::Spacing();
+    draw_counts(ui);
+    ImGui::Spacing();
+    draw_first(ui);
+    ImGui::Spacing();
+    draw_groups(ui);
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,129 @@
+#include <string>
+
+#include "explain/light_formulas.h"
+#include "picture/view_image.h"
+#include "ui/inspector/fragment_parts.h"
+#include "ui/widgets/formula_view.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+bool is_grey(const glm::vec3& colour) {
+    return colour.r == colour.g && colour.g == colour.b;
+}
+
+/// Cut to what the screen can show: only where that changes something.
+void draw_clamped(Ui& ui, const glm::vec3& colour) {
+    const Palette& p = palette(ui.options.theme);
+    FormulaLine line(ui, 0.0f);
+    const ColourOverOne rule = ui.results.frame.settings.colour_over_one;
+    const glm::vec3 cut = shown_colour(colour, rule);
+    if (shown_colour(colour, ColourOverOne::clamp) == colour) return;
+    line.text(rule == ColourOverOne::clamp ? "clamped " : "wrapped ", p.dim);
+    for (int i = 0; i < 3; ++i)
+        line.text(shown({cut[i]}) + (i < 2 ? "  " : ""), p.text);
+}
+
+void draw_pixel_light(Ui& ui) {
+    const FragmentReport& report = report_of(ui);
+    const std::string prefix = "pixel_light.";
+    draw_fragment_line(ui, prefix + "r2");
+    draw_fragment_line(ui, prefix + "cosine");
+    draw_fragment_line(ui, prefix + "area");
+    if (is_grey(report.light.direct)) {
+        draw_fragment_line(ui, prefix + "D.red", "D");
+    } else {
+        for (const char* channel : channel_names)
+            draw_fragment_line(ui, prefix + "D." + channel);
+    }
+    for (int i = 0; i < 3; ++i) {
+        draw_fragment_line(ui, prefix + "R." + channel_names[static_cast<std::size_t>(i)], {},
+                           report.light.reflected[i] > 1.0f);
+    }
+    draw_clamped(ui, report.light.reflected);
+}
+
+void draw_vertex_light(Ui& ui) {
+    const FragmentReport& report = report_of(ui);
+    const Palette& p = palette(ui.options.theme);
+    for (int v = 0; v < 3; ++v) {
+        FormulaLine line(ui, 0.0f);
+        const glm::vec3& light = report.at_vertex[static_cast<std::size_t>(v)].reflected;
+        line.text("R at vertex " + std::to_string(v + 1) + "  ", p.dim);
+        for (int i = 0; i < 3; ++i) {
+            const std::string channel = channel_names[static_cast<std::size_t>(i)];
+            const ImVec4 colour =
+                light[i] > 1.0f ? colour_of(Meaning::fail, ui.options.theme) : p.text;
+            const std::string name = "fragment.vertex_light.v" + std::to_string(v) + "." + channel;
+            if (line.link(shown({light[i]}), name,
+                          channel + " of the light that the vertex gives back.\nClick: shows it "
+                                    "there, term by term.",
+                          colour)) {
+                go_to_source(ui, from_vertex(report.cursor.triangle, v, "light.R." + channel));
+            }
+            line.text(i < 2 ? "  " : "", p.text);
+        }
+    }
+    for (const Quantity quantity : {Quantity::red, Quantity::green, Quantity::blue}) {
+        const std::string id = formula_id(quantity, report.interpolation);
+        const int channel = static_cast<int>(quantity) - static_cast<int>(Quantity::red);
+        draw_fragment_line(ui, id,
+                           "R " + std::string(channel_names[static_cast<std::size_t>(channel)]),
+                           report.light_per_vertex[channel] > 1.0f);
+    }
+    draw_clamped(ui, report.light_per_vertex);
+}
+
+} // namespace
+
+bool shows_vertex_light(const Ui& ui) {
+    const Lighting lighting = report_of(ui).lighting;
+    if (lighting == Lighting::none) return false;
+    return (lighting == Lighting::per_vertex) != ui.inspect.shows_other_light;
+}
+
+void draw_fragment_light(Ui& ui) {
+    const FragmentReport& report = report_of(ui);
+    const Palette& p = palette(ui.options.theme);
+    if (report.lighting == Lighting::none) return;
+    const bool in_force_is_vertex = report.lighting == Lighting::per_vertex;
+    const bool shows_vertex = shows_vertex_light(ui);
+    begin_card(ui);
+    ImGui::PushFont(ui.fonts.small);
+    ImGui::AlignTextToFramePadding();
+    text_in(p.dim, "light");
+    name_widget(ui, "fragment.light", "R = ρ (D + N), term by term; see the tooltips.");
+    const struct {
+        const char* name;
+        const char* title;
+        const char* help;
+        bool is_vertex;
+    } choices[] = {{"fragment.light.per_vertex", "per vertex",
+                    "The light of the three vertices, interpolated.", true},
+                   {"fragment.light.per_pixel", "per pixel",
+                    "The light worked out at the fragment's own place.", false}};
+    for (const auto& choice : choices) {
+        ImGui::SameLine();
+        const bool in_force = choice.is_vertex == in_force_is_vertex;
+        const std::string title = std::string(in_force ? "● " : "") + choice.title;
+        const std::string help =
+            std::string(choice.help) + (in_force ? "\nThis is the lighting in force."
+                                                 : "\nWhat the other lighting would give.");
+        if (button(ui, choice.name, title,
+                   choice.is_vertex == shows_vertex ? Look::plain : Look::quiet, help)) {
+            ui.inspect.shows_other_light = !in_force;
+        }
+    }
+    ImGui::PopFont();
+    if (shows_vertex) {
+        draw_vertex_light(ui);
+    } else {
+        draw_pixel_light(ui);
+    }
+    end_card(ui);
+}
+
+} // namespace rasterwalk

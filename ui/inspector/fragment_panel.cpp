@@ -1,0 +1,331 @@
+#include <algorithm>
+#include <string>
+
+#include "explain/light_formulas.h"
+#include "picture/view_image.h"
+#include "session/walk.h"
+#include "ui/inspector/fragment_parts.h"
+#include "ui/inspector/panels.h"
+#include "ui/widgets/formula_view.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+ImU32 screen_colour(const Ui& ui, const glm::vec3& colour) {
+    const glm::vec3 cut = shown_colour(colour, ui.results.frame.settings.colour_over_one);
+    return packed({cut.r, cut.g, cut.b, 1.0f});
+}
+
+/// A square of a colour, with a border so that black and white can be seen on any ground.
+void draw_swatch(const Ui& ui, const glm::vec3& colour, float width = 0.0f) {
+    const float size = ImGui::GetTextLineHeight();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const ImVec2 end{at.x + (width > 0.0f ? width : size), at.y + size};
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    list->AddRectFilled(at, end, screen_colour(ui, colour), 2.0f * ui.options.text_scale);
+    list->AddRect(at, end, packed(palette(ui.options.theme).dim), 2.0f * ui.options.text_scale);
+    ImGui::Dummy({end.x - at.x, size});
+}
+
+/// A link at the right edge of the line, or on the next one where there is no room for it.
+bool link_at_right(Ui& ui, const char* name, const char* label, const char* help) {
+    const float width = ImGui::CalcTextSize(label).x + 4.0f * ui.options.text_scale;
+    ImGui::SameLine();
+    const float room = ImGui::GetContentRegionAvail().x;
+    if (room < width) {
+        ImGui::NewLine();
+    } else {
+        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room - width);
+    }
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0.0f, 0.0f));
+    const bool clicked = button(ui, name, label, Look::link, help);
+    ImGui::PopStyleVar();
+    return clicked;
+}
+
+void draw_title(Ui& ui) {
+    const FragmentReport& report = report_of(ui);
+    const Palette& p = palette(ui.options.theme);
+    const Scene& scene = *ui.results.scene;
+    const auto triangle = static_cast<std::size_t>(report.cursor.triangle);
+    ImGui::PushFont(ui.fonts.bold);
+    ImGui::Text("Pixel %d, %d", report.pixel.x, report.pixel.y);
+    ImGui::PopFont();
+    name_widget(ui, "fragment.pixel", "Column and row of the picture on which the fragment fell.");
+    ImGui::SameLine();
+    draw_swatch(ui, scene.triangles[triangle].vertices[0].reflectance);
+    ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
+    text_in(p.dim, part_name(scene, report.cursor.triangle));
+    name_widget(ui, "fragment.part", "The part of the scene that the triangle belongs to.");
+    const bool is_done = ui.results.done == report.cursor;
+    const bool can_follow = ui.session.selection.pixel && !is_done && ui.results.done &&
+                            ui.results.done->phase == Phase::rows;
+    if (can_follow &&
+        link_at_right(ui, "fragment.follow", "follow the cursor",
+                      "Lets the picked pixel go and shows the fragment that was drawn last.")) {
+        ui.session.selection.pixel = std::nullopt;
+    }
+    std::string place = "triangle " + std::to_string(triangle + 1) + " · row " +
+                        std::to_string(report.row.index + 1) + " of " +
+                        std::to_string(report.row.row_count) + " · fragment " +
+                        std::to_string(report.step + 1) + " of " + std::to_string(report.row.count);
+    if (ui.page_is_narrow) {
+        place = "t" + std::to_string(triangle + 1) + " · row " +
+                std::to_string(report.row.index + 1) + "/" + std::to_string(report.row.row_count) +
+                " · fragment " + std::to_string(report.step + 1) + "/" +
+                std::to_string(report.row.count);
+    }
+    text_in(p.dim, shortened(place, ImGui::GetContentRegionAvail().x));
+    name_widget(ui, "fragment.place",
+                "Whose fragment it is: its triangle, the row of the triangle's table, and how far "
+                "along that row.");
+    if (!is_done && link_at_right(ui, "fragment.go", "go to it",
+                                  "Moves the cursor to just after this fragment is drawn.")) {
+        go_to_source(ui, from_moment(report.cursor));
+    }
+}
+
+/// One number of the table: click, and the formula stands below.
+void draw_number(Ui& ui, const std::string& id, const std::string& cell, int digits,
+                 const ImVec4& colour) {
+    const Formula* const formula = find_formula(report_of(ui).formulas, id);
+    if (formula == nullptr) return;
+    const std::string name = "fragment." + cell;
+    if (number_cell(ui, name, fixed(static_cast<double>(formula->result.value), digits), colour,
+                    ui.inspect.fragment_number == id,
+                    formula->help + "\nClick: how it came to be.")) {
+        ui.inspect.fragment_number = id;
+    }
+}
+
+/// An error beyond this, in world units or parts of full light, is one that can be seen.
+constexpr float visible_error = 0.1f;
+
+void draw_error(Ui& ui, const QuantityInfo& info) {
+    const Palette& p = palette(ui.options.theme);
+    if (info.quantity == Quantity::zinv) {
+        right_aligned("0", p.dim);
+        name_widget(ui, "fragment.zinv.off", "1/z is interpolated the same way under both.");
+        return;
+    }
+    const std::string id = std::string(info.id) + ".off";
+    const Formula* const formula = find_formula(report_of(ui).formulas, id);
+    const float error = formula->result.value;
+    const ImVec4 colour = error >= visible_error ? colour_of(Meaning::fail, ui.options.theme)
+                          : error >= 0.00005f    ? p.text
+                                                 : p.dim;
+    draw_number(ui, id, id, 4, colour);
+}
+
+void draw_headers(Ui& ui) {
+    const Palette& p = palette(ui.options.theme);
+    const Interpolation way = report_of(ui).interpolation;
+    const bool affine = way != Interpolation::perspective;
+    const bool twice = way == Interpolation::zinv_twice;
+    struct Header {
+        const char* title;
+        const char* name;
+        const char* help;
+        bool in_force;
+    };
+    const Header headers[] = {
+        {"value", "value", "What is interpolated along the row.", false},
+        {twice ? "1/z twice" : "affine", "affine",
+         twice ? "Carried as q/z², by mistake, and divided by 1/z only once at the pixel."
+               : "Interpolated as it is, in equal steps across the picture.",
+         affine},
+        {"perspective", "perspective", "Carried as q/z and divided by 1/z at the pixel.", !affine},
+        {"off by", "off",
+         twice ? "How far the value divided by z twice is from the right one."
+               : "How far the affine value is from the right one.",
+         false}};
+    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+    ImGui::PushFont(ui.fonts.small);
+    for (const Header& header : headers) {
+        ImGui::TableNextColumn();
+        const std::string help =
+            std::string(header.help) + (header.in_force ? "\nThis is the way in force." : "");
+        std::string title = std::string(header.in_force ? "● " : "") + header.title;
+        if (ui.page_is_narrow) title = shortened(title, ImGui::GetContentRegionAvail().x);
+        if (&header == headers) {
+            text_in(p.dim, title);
+        } else {
+            right_aligned(title, header.in_force ? p.link : p.dim);
+        }
+        name_widget(ui, std::string("fragment.header.") + header.name, help);
+    }
+    ImGui::PopFont();
+}
+
+void draw_values(Ui& ui) {
+    const Palette& p = palette(ui.options.theme);
+    const FragmentReport& report = report_of(ui);
+    const bool affine = report.interpolation != Interpolation::perspective;
+    const Interpolation wrong_way = affine ? report.interpolation : Interpolation::affine;
+    if (!ImGui::BeginTable("values", 4,
+                           ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_BordersInnerH)) {
+        return;
+    }
+    for (const float width : {0.9f, 1.0f, 1.25f, 0.9f})
+        ImGui::TableSetupColumn("", 0, width);
+    draw_headers(ui);
+    ImGui::PushFont(ui.fonts.mono);
+    for (const QuantityInfo& info : quantity_list()) {
+        const bool is_light = info.quantity >= Quantity::red;
+        if (is_light && !shows_vertex_light(ui)) continue;
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(std::string(info.name).c_str());
+        ImGui::PushFont(ui.fonts.text);
+        name_widget(ui, std::string("fragment.") + std::string(info.id), info.help);
+        ImGui::PopFont();
+        const std::string cell(info.id);
+        ImGui::TableNextColumn();
+        draw_number(ui, formula_id(info.quantity, wrong_way), cell + ".affine", 4,
+                    affine ? p.text : p.dim);
+        ImGui::TableNextColumn();
+        draw_number(ui, formula_id(info.quantity, Interpolation::perspective),
+                    cell + ".perspective", 4, affine ? p.dim : p.text);
+        ImGui::TableNextColumn();
+        draw_error(ui, info);
+    }
+    ImGui::PopFont();
+    ImGui::EndTable();
+}
+
+std::string verdict(const FragmentReport& report) {
+    if (report.depth_test == DepthTest::off) return "no depth test: the last one drawn stays";
+    if (report.depth_test == DepthTest::reversed) {
+        return report.fate == Fate::written ? "✓ passed: it is farther than what was there"
+                                            : "✗ failed: it is not farther than what was there";
+    }
+    return report.fate == Fate::written ? "✓ passed: nothing nearer was there"
+                                        : "✗ failed: something nearer was there";
+}
+
+void draw_colours(Ui& ui) {
+    const FragmentReport& report = report_of(ui);
+    const Palette& p = palette(ui.options.theme);
+    const auto numbers = [](const glm::vec3& colour) {
+        return fixed(static_cast<double>(colour.r), 3) + " " +
+               fixed(static_cast<double>(colour.g), 3) + " " +
+               fixed(static_cast<double>(colour.b), 3);
+    };
+    const auto draw = [&](const char* word, const char* name, const glm::vec3& colour,
+                          const char* help) {
+        const float start = ImGui::GetCursorPosX();
+        ImGui::BeginGroup();
+        text_in(p.dim, word);
+        ImGui::SameLine(start + ImGui::CalcTextSize("would be ").x);
+        draw_swatch(ui, colour, 2.0f * ImGui::GetTextLineHeight());
+        ImGui::SameLine();
+        ImGui::PushFont(ui.fonts.mono);
+        ImGui::TextUnformatted(numbers(colour).c_str());
+        ImGui::PopFont();
+        ImGui::EndGroup();
+        name_widget(ui, name, help);
+    };
+    draw("before", "fragment.before", report.before, "The pixel's colour before: red green blue.");
+    draw("after", "fragment.after", report.after, "The pixel's colour after: red green blue.");
+    if (report.fate != Fate::written) {
+        draw("would be", "fragment.would_be", report.colour,
+             "The colour that the fragment would have had.");
+    }
+}
+
+void draw_depth(Ui& ui) {
+    const FragmentReport& report = report_of(ui);
+    const Palette& p = palette(ui.options.theme);
+    begin_card(ui);
+    ImGui::PushFont(ui.fonts.small);
+    text_in(p.dim, "depth and colour");
+    ImGui::PopFont();
+    const bool tested = report.depth_test != DepthTest::off;
+    if (tested) draw_fragment_line(ui, "margin", "margin: new − stored");
+    const ImVec4 colour =
+        !tested ? p.text
+                : colour_of(report.fate == Fate::written ? Meaning::pass : Meaning::fail,
+                            ui.options.theme);
+    ImGui::PushStyleColor(ImGuiCol_Text, colour);
+    wrapped_text(verdict(report));
+    ImGui::PopStyleColor();
+    name_widget(ui, "fragment.fate", "The fragment is drawn if its value is larger: margin > 0.");
+    draw_colours(ui);
+    end_card(ui);
+}
+
+void draw_formula_card(Ui& ui) {
+    const FragmentReport& report = report_of(ui);
+    const Formula* formula = find_formula(report.formulas, ui.inspect.fragment_number);
+    if (formula == nullptr) formula = find_formula(report.formulas, "zinv");
+    begin_card(ui);
+    // Where lines are few the name of the number says it by its tooltip.
+    ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
+    if (!ui.page_is_low) wrapped_text(formula->help);
+    ImGui::PopStyleColor();
+    const std::optional<Source> clicked = draw_formula(ui, *formula, "fragment.formula");
+    end_card(ui);
+    follow_source(ui, clicked);
+}
+
+void draw_nothing(Ui& ui) {
+    const Frame& frame = ui.results.frame;
+    std::string words;
+    if (!has_fragments(frame.settings.stage)) {
+        words = "This stage has no fragments: they come with the filling of triangles.";
+    } else if (ui.session.selection.pixel) {
+        words = "No fragment ever falls on this pixel. The History tab says why.";
+    } else {
+        words = "Click a pixel of the picture, or step to a fragment.";
+    }
+    ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
+    wrapped_text(words);
+    ImGui::PopStyleColor();
+    name_widget(ui, "fragment.none");
+    if (!has_fragments(frame.settings.stage) &&
+        button(ui, "fragment.fill", "to stage Fill", Look::plain,
+               "Draws the picture as far as filled triangles.")) {
+        ui.session.settings.stage = Stage::fill;
+    }
+}
+
+} // namespace
+
+const FragmentReport& report_of(const Ui& ui) {
+    return *ui.results.inspected.fragment;
+}
+
+void follow_source(Ui& ui, const std::optional<Source>& source) {
+    if (!source) return;
+    if (source->kind == SourceKind::formula) ui.inspect.fragment_number = source->name;
+    go_to_source(ui, *source);
+}
+
+void draw_fragment_line(Ui& ui, const std::string& id, std::string_view label, bool warns) {
+    const Formula* const formula = find_formula(report_of(ui).formulas, id);
+    if (formula != nullptr) {
+        follow_source(ui, draw_formula_line(ui, *formula, "fragment." + id, label, warns));
+    }
+}
+
+void draw_fragment_panel(Ui& ui) {
+    if (!ui.results.inspected.fragment) {
+        draw_nothing(ui);
+        return;
+    }
+    draw_with_card(
+        "fragment",
+        [&] {
+            draw_title(ui);
+            draw_values(ui);
+            ImGui::Spacing();
+            draw_fragment_light(ui);
+            draw_depth(ui);
+        },
+        [&] { draw_formula_card(ui); });
+}
+
+} // namespace rasterwalk

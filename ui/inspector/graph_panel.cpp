@@ -1,0 +1,265 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "ui/inspector/panels.h"
+#include "ui/widgets/flow.h"
+#include "ui/widgets/formula_view.h"
+#include "ui/widgets/plot.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+const RowGraph& graph_of(const Ui& ui) {
+    return *ui.results.inspected.graph;
+}
+
+Quantity chosen_quantity(const Ui& ui) {
+    return find_quantity(ui.inspect.graph_quantity).value_or(Quantity::z);
+}
+
+const QuantityInfo& info_of(Quantity quantity) {
+    return quantity_list()[static_cast<std::size_t>(quantity)];
+}
+
+/// The index in the row of the fragment that is current, or picked; -1: it lies elsewhere.
+int marked_index(const Ui& ui) {
+    const RowGraph& graph = graph_of(ui);
+    const auto in_row = [&](const Cursor& cursor) {
+        return cursor.phase == Phase::rows && cursor.triangle == graph.row.triangle &&
+               cursor.index == graph.row.index;
+    };
+    const std::optional<FragmentReport>& fragment = ui.results.inspected.fragment;
+    if (fragment && in_row(fragment->cursor)) return fragment->step;
+    const bool done_here = ui.results.done && in_row(*ui.results.done);
+    return done_here && has_fragments(ui.results.frame.settings.stage) ? ui.results.done->step : -1;
+}
+
+/// "row 21, column 398 at the fragment", and buttons to the rows above and below.
+/// @param where which column the numbers in the legends are of
+void draw_row_choice(Ui& ui, int index, const char* where) {
+    const RowGraph& graph = graph_of(ui);
+    const Palette& p = palette(ui.options.theme);
+    ImGui::AlignTextToFramePadding();
+    text_in(p.text, "row " + std::to_string(graph.row.row));
+    name_widget(ui, "graph.row", "Row of the picture; choose another here or in the Rows tab.");
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    const ImVec2 size{ImGui::GetFrameHeight(), 0};
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float width = 2.0f * size.x + gap;
+    text_in(p.dim, shortened("column " + std::to_string(graph.first_column + index) + where,
+                             std::max(ImGui::GetContentRegionAvail().x - width - gap, 0.0f)));
+    name_widget(ui, "graph.where",
+                "The column whose numbers stand beside the curves' names: under the pointer, or "
+                "else of the current fragment, or else where the error is largest.");
+    ImGui::SameLine();
+    const float room = ImGui::GetContentRegionAvail().x;
+    if (room > width) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room - width);
+    const int top = graph.row.row - graph.row.index;
+    const auto choose = [&](int row) {
+        ui.session.selection.triangle = graph.row.triangle;
+        ui.session.selection.row = std::clamp(row, top, top + graph.row.row_count - 1);
+    };
+    if (button(ui, "graph.row.previous", "↑", Look::plain, "The row above.", size)) {
+        choose(graph.row.row - 1);
+    }
+    ImGui::SameLine();
+    if (button(ui, "graph.row.next", "↓", Look::plain, "The row below.", size)) {
+        choose(graph.row.row + 1);
+    }
+}
+
+void draw_quantities(Ui& ui) {
+    const Quantity chosen = chosen_quantity(ui);
+    ImGui::PushFont(ui.fonts.small);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                        ImVec2(8.0f * ui.options.text_scale, 4.0f * ui.options.text_scale));
+    std::vector<float> widths;
+    for (const QuantityInfo& info : quantity_list())
+        widths.push_back(button_width(info.name));
+    const float gap = 4.0f * ui.options.text_scale;
+    const std::vector<FlowPlace> places = flow(widths, gap, ImGui::GetContentRegionAvail().x);
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    const float line = ImGui::GetFrameHeight() + gap;
+    for (const QuantityInfo& info : quantity_list()) {
+        const FlowPlace& place = places[static_cast<std::size_t>(info.quantity)];
+        ImGui::SetCursorScreenPos(
+            {start.x + place.x, start.y + static_cast<float>(place.line) * line});
+        if (button(ui, "graph." + std::string(info.id), info.name,
+                   info.quantity == chosen ? Look::chosen : Look::plain, info.help)) {
+            ui.inspect.graph_quantity = info.id;
+        }
+    }
+    ImGui::PopStyleVar();
+    ImGui::PopFont();
+}
+
+Plot base_plot(const Ui& ui) {
+    const RowGraph& graph = graph_of(ui);
+    Plot plot;
+    plot.first_x = graph.first_column;
+    plot.count = graph.count();
+    plot.marked = marked_index(ui);
+    plot.valid_to = ui.results.frame.settings.viewport.width;
+    return plot;
+}
+
+/// The quantity itself: the truth, the affine chord, and the error between.
+Plot truth_plot(const Ui& ui, Quantity quantity) {
+    const RowGraph& graph = graph_of(ui);
+    const std::string name(info_of(quantity).name);
+    Plot plot = base_plot(ui);
+    plot.curves.push_back(
+        {name, colour_of(Meaning::pass, ui.options.theme), false,
+         [&graph, quantity](int i) -> double { return true_value(graph, quantity, i); }});
+    plot.curves.push_back(
+        {quantity == Quantity::zinv ? "1 / affine z" : "affine",
+         colour_of(Meaning::fail, ui.options.theme), true,
+         [&graph, quantity](int i) -> double { return affine_value(graph, quantity, i); }});
+    plot.band_from = 0;
+    plot.band_to = 1;
+    return plot;
+}
+
+/// What perspective-correct rows carry instead: straight lines.
+Plot carried_plot(const Ui& ui, Quantity quantity) {
+    const RowGraph& graph = graph_of(ui);
+    const Palette& p = palette(ui.options.theme);
+    Plot plot = base_plot(ui);
+    plot.x_name = "column";
+    if (is_varying(quantity)) {
+        plot.curves.push_back(
+            {std::string(info_of(quantity).carried_name), p.text, false,
+             [&graph, quantity](int i) -> double { return carried_value(graph, quantity, i); }});
+    }
+    plot.curves.push_back({"1/z", p.dim, is_varying(quantity), [&graph](int i) -> double {
+                               return true_value(graph, Quantity::zinv, i);
+                           }});
+    return plot;
+}
+
+/// How the curves of a quantity come about.
+std::string truth_tooltip(Quantity quantity) {
+    const std::string name(info_of(quantity).name);
+    std::string text(info_of(quantity).help);
+    if (quantity == Quantity::zinv) {
+        return text + "\nSolid: 1/z. Dashed: one over the z that is interpolated as it is.";
+    }
+    text +=
+        "\nSolid: the truth, " + name + " = " +
+        (quantity == Quantity::z ? std::string("1 / (1/z)")
+                                 : "(" + std::string(info_of(quantity).carried_name) + ") / (1/z)");
+    return text + ". Dashed: interpolated as it is, along the edges and along the row.";
+}
+
+/// Into the fragment's moment, if it is one and lies in the picture.
+void go_to_column(Ui& ui, int index) {
+    const RowGraph& graph = graph_of(ui);
+    const Cursor cursor{graph.row.triangle, Phase::rows, graph.row.index, index};
+    if (!Timeline(ui.results.frame).exists(cursor)) return;
+    if (!has_fragments(ui.results.frame.settings.stage)) return;
+    ui.session.selection.triangle = graph.row.triangle;
+    ui.session.selection.row = graph.row.row;
+    ui.session.selection.pixel = std::nullopt;
+    go_to_source(ui, from_moment(cursor));
+}
+
+/// Both plots with their legends.
+/// @param index   the column whose numbers the legends show
+/// @param pointed the column at which the crosshair stands; -1: none
+/// @return the column under the pointer, or -1
+int draw_plots(Ui& ui, int index, int pointed) {
+    const Quantity quantity = chosen_quantity(ui);
+    const bool has_carried = quantity != Quantity::zinv;
+    Plot truth = truth_plot(ui, quantity);
+    draw_legend(ui, "graph.legend", truth, index, truth_tooltip(quantity));
+    const float line = ImGui::GetTextLineHeightWithSpacing();
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float left = ImGui::GetContentRegionAvail().y - (has_carried ? 1.5f * line : 0.0f);
+    const float room = std::clamp(left, 7.5f * line, std::max(1.7f * width, 7.5f * line));
+    const float high = has_carried ? 0.6f * room : room;
+    const Plot carried = carried_plot(ui, quantity);
+    if (!has_carried) truth.x_name = "column";
+    const float axis = std::max({axis_width(ui, truth, high), axis_width(ui, carried, room - high),
+                                 ImGui::CalcTextSize("0.00").x});
+    const int in_truth = draw_plot(ui, "graph.plot", truth, {width, high}, axis, pointed);
+    bool clicked = ImGui::IsItemClicked();
+    int in_carried = -1;
+    if (has_carried) {
+        draw_legend(ui, "graph.carried.legend", carried, index,
+                    "What a perspective-correct row carries: straight lines both. The pixel "
+                    "divides one by the other, and the quotient is the curve above.");
+        in_carried = draw_plot(ui, "graph.carried", carried, {width, room - high}, axis,
+                               in_truth >= 0 ? in_truth : pointed);
+        clicked = clicked || ImGui::IsItemClicked();
+    }
+    const int hovered = std::max(in_truth, in_carried);
+    if (clicked && hovered >= 0) go_to_column(ui, hovered);
+    return hovered;
+}
+
+void draw_graph(Ui& ui) {
+    const RowGraph& graph = graph_of(ui);
+    // The numbers stand above the plots and follow the pointer: they hear of it a frame later.
+    ImGuiStorage* const memory = ImGui::GetStateStorage();
+    const ImGuiID id = ImGui::GetID("graph.hovered");
+    const int hovered = std::min(memory->GetInt(id, -1), graph.count() - 1);
+    const int marked = marked_index(ui);
+    const int worst = worst_index(graph, chosen_quantity(ui));
+    if (hovered >= 0) {
+        draw_row_choice(ui, hovered, ", under the pointer");
+    } else if (marked >= 0) {
+        draw_row_choice(ui, marked, ", at the fragment");
+    } else {
+        const Quantity quantity = chosen_quantity(ui);
+        const bool is_off =
+            affine_value(graph, quantity, worst) != true_value(graph, quantity, worst);
+        draw_row_choice(ui, worst, is_off ? ", where it is farthest off" : ", nothing is off");
+    }
+    draw_quantities(ui);
+    const int index = hovered >= 0 ? hovered : marked >= 0 ? marked : worst;
+    const bool is_marked = hovered < 0 && marked >= 0;
+    memory->SetInt(id, draw_plots(ui, index, is_marked ? -1 : index));
+}
+
+void draw_nothing(Ui& ui) {
+    const Frame& frame = ui.results.frame;
+    std::string words = "No row of this triangle lies in the picture.";
+    if (frame.settings.stage < Stage::rows) {
+        words = "This stage has no rows yet: they come with filled triangles.";
+    } else if (!frame.is_drawn(*ui.results.triangle)) {
+        words = "This triangle is left out, so it has no rows. The Vertices tab says why.";
+    } else if (ui.session.selection.row) {
+        words = "No edge sample reaches this row.";
+    }
+    ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
+    wrapped_text(words);
+    ImGui::PopStyleColor();
+    name_widget(ui, "graph.none");
+    if (frame.settings.stage < Stage::rows &&
+        button(ui, "graph.rows", "to stage Rows", Look::plain,
+               "Draws the picture as far as the rows of filled triangles.")) {
+        ui.session.settings.stage = Stage::rows;
+    }
+}
+
+} // namespace
+
+void draw_graph_panel(Ui& ui) {
+    if (!ui.results.triangle) {
+        text_in(palette(ui.options.theme).dim, "The scene has no triangles.");
+        return;
+    }
+    draw_triangle_title(ui);
+    if (!ui.results.inspected.graph) {
+        draw_nothing(ui);
+        return;
+    }
+    draw_graph(ui);
+}
+
+} // namespace rasterwalk

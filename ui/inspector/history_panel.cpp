@@ -1,0 +1,169 @@
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "settings/setting_table.h"
+#include "ui/inspector/history_parts.h"
+#include "ui/inspector/panels.h"
+#include "ui/widgets/number_text.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+std::string capitalized(std::string text) {
+    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') {
+        text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    }
+    return text;
+}
+
+std::string triangle_words(const Ui& ui, int triangle) {
+    return "triangle " + std::to_string(triangle + 1) + " (" +
+           part_name(*ui.results.scene, triangle) + ")";
+}
+
+/// 1 where the larger value in the depth buffer wins, -1 where the smaller one does.
+float winning_sign(const Ui& ui) {
+    return depth_rule(ui.results.frame.settings) == DepthTest::reversed ? -1.0f : 1.0f;
+}
+
+/// The next in the depth test's order among those that do not stay; there must be one.
+const PixelEntry& runner_up(const PixelHistory& history, float sign) {
+    const PixelEntry* best = nullptr;
+    for (std::size_t i = 0; i < history.entries.size(); ++i) {
+        const PixelEntry& entry = history.entries[i];
+        if (stays(history, static_cast<int>(i))) continue;
+        if (best == nullptr || sign * entry.depth > sign * best->depth) best = &entry;
+    }
+    return *best;
+}
+
+/// Why the colour that stays does, in two lines.
+std::array<std::string, 2> verdict(const Ui& ui, const PixelHistory& history) {
+    const float sign = winning_sign(ui);
+    const std::string value(depth_value_words(ui));
+    const char* const most = sign > 0.0f ? "largest" : "smallest";
+    if (history.winner < 0) {
+        return {"No " + value + " here is " + (sign > 0.0f ? "larger" : "smaller") +
+                    " than that of the empty depth buffer, so the pixel stays black.",
+                ""};
+    }
+    const PixelEntry& winner = history.entries[history.winner];
+    std::string text = capitalized(triangle_words(ui, winner.cursor.triangle)) + " stays";
+    if (history.entries.size() == 1) return {text + ": it is alone.", ""};
+    if (!history.depth_tested)
+        return {text + ": there is no depth test, so the last one wins.", ""};
+    const PixelEntry& next = runner_up(history, sign);
+    const std::string other = triangle_words(ui, next.cursor.triangle);
+    const float ahead = -sign * next.margin_to_winner;
+    if (!(ahead > 0.0f)) {
+        return {text + ": it came before " + other + ", which is just as near.", ""};
+    }
+    return {text + ": its " + value + " is the " + most + ",",
+            printed("%.3g", static_cast<double>(ahead)) + " ahead of " + other + "."};
+}
+
+void draw_title(Ui& ui, const PixelHistory& history) {
+    const Palette& p = palette(ui.options.theme);
+    const std::size_t at = ui.results.framebuffer->at(history.pixel.x, history.pixel.y);
+    const float size = ImGui::GetTextLineHeight();
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    draw_history_swatch(ui, {start.x, start.y + ImGui::GetStyle().FramePadding.y}, size,
+                        ui.results.framebuffer->colour[at], 1.0f);
+    ImGui::SetCursorScreenPos({start.x + size + ImGui::GetStyle().ItemSpacing.x, start.y});
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushFont(ui.fonts.bold);
+    ImGui::Text("Pixel (%d, %d)", history.pixel.x, history.pixel.y);
+    ImGui::PopFont();
+    name_widget(ui, "history.pixel", "The picked pixel, column and row, and its colour now.");
+    const int owner = ui.results.framebuffer->owner[at];
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    const std::string shows = owner < 0
+                                  ? "not drawn" + std::string(history.entries.empty() ? "" : " yet")
+                                  : "now triangle " + std::to_string(owner + 1) + ", " +
+                                        part_name(*ui.results.scene, owner);
+    text_in(p.dim, shortened(shows, ImGui::GetContentRegionAvail().x));
+}
+
+/// A triangle that passes by: its name leads to it, the sentence says by how much it does.
+void draw_near(Ui& ui, const NearTriangle& near, int index, const glm::ivec2& pixel) {
+    if (button(ui, "history.near." + std::to_string(index),
+               capitalized(triangle_words(ui, near.triangle)), Look::link,
+               "Selects this triangle.")) {
+        ui.session.selection.triangle = near.triangle;
+    }
+    ImGui::TextUnformatted((capitalized(miss_text(near)) + ".").c_str());
+    const std::string rules = rules_text(near, pixel);
+    if (rules.empty()) return;
+    text_in(colour_of(Meaning::pass, ui.options.theme), capitalized(rules) + ".");
+}
+
+void draw_uncovered(Ui& ui, const PixelHistory& history) {
+    const float u = ui.options.text_scale;
+    wrapped_text(uncovered_text(ui.results.frame, history.pixel));
+    if (history.nearest.empty()) return;
+    ImGui::Dummy({0, 4.0f * u});
+    text_in(palette(ui.options.theme).dim,
+            history.nearest.size() == 1 ? "What comes nearest" : "What comes near");
+    std::vector<std::string_view> rules;
+    for (std::size_t i = 0; i < history.nearest.size(); ++i) {
+        const NearTriangle& near = history.nearest[i];
+        begin_card(ui);
+        draw_near(ui, near, static_cast<int>(i), history.pixel);
+        end_card(ui);
+        for (const OtherRule& rule : near.rules) {
+            if (std::find(rules.begin(), rules.end(), rule.rule) == rules.end())
+                rules.push_back(rule.rule);
+        }
+    }
+    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+    for (std::size_t i = 0; i < rules.size(); ++i) {
+        const std::string label = "try " + std::string(rules[i]);
+        if (i > 0) {
+            ImGui::SameLine();
+            if (ImGui::GetCursorScreenPos().x + button_width(label) > right) ImGui::NewLine();
+        }
+        if (button(ui, "history.try." + std::string(rules[i]), label, Look::plain,
+                   "Sets this rule for the whole picture. Undo takes it back.")) {
+            set_from_text(ui.session.settings, std::string(rules[i]));
+        }
+    }
+}
+
+} // namespace
+
+void draw_history_panel(Ui& ui) {
+    if (!ui.results.history) {
+        text_in(palette(ui.options.theme).dim, "Click a pixel in the picture.");
+        name_widget(ui, "history.empty", "Everything that falls on the pixel is then listed here.");
+        return;
+    }
+    const PixelHistory& history = *ui.results.history;
+    draw_title(ui, history);
+    if (history.entries.empty()) {
+        draw_uncovered(ui, history);
+        return;
+    }
+    const std::array<std::string, 2> sentences = verdict(ui, history);
+    const float u = ui.options.text_scale;
+    float below = 2.0f * ImGui::GetStyle().ItemSpacing.y + 22.0f * u;
+    for (const std::string& sentence : sentences) {
+        const float width = ImGui::GetContentRegionAvail().x - 26.0f * u;
+        if (sentence.empty()) continue;
+        below += ImGui::CalcTextSize(sentence.c_str(), nullptr, false, width).y +
+                 ImGui::GetStyle().ItemSpacing.y;
+    }
+    const float least = 5.0f * ImGui::GetTextLineHeightWithSpacing();
+    draw_history_table(ui, history, std::max(ImGui::GetContentRegionAvail().y - below, least));
+    begin_card(ui);
+    for (const std::string& sentence : sentences) {
+        wrapped_text(sentence);
+    }
+    end_card(ui);
+}
+
+} // namespace rasterwalk

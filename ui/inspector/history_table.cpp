@@ -1,0 +1,320 @@
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <string>
+
+#include "picture/view_image.h"
+#include "session/moment_text.h"
+#include "session/walk.h"
+#include "ui/inspector/history_parts.h"
+#include "ui/widgets/number_text.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// Colour as it reaches the screen.
+ImU32 screen_colour(const Ui& ui, const glm::vec3& colour, float opacity) {
+    const glm::vec3 cut = shown_colour(colour, ui.results.frame.settings.colour_over_one);
+    return packed({cut.r, cut.g, cut.b, 1.0f}, opacity);
+}
+
+enum Column {
+    number_column,
+    name_column,
+    place_column,
+    zinv_column,
+    margin_column,
+    fate_column,
+    swatch_column,
+    column_count
+};
+
+/// The columns of the table; a narrow panel leaves some out.
+struct Columns {
+    std::array<float, column_count> widths{}; ///< of their content; 0: not there
+    float padding = 0.0f;                     ///< on either side of each
+
+    bool has(Column column) const { return widths[column] > 0.0f; }
+    int count() const {
+        return static_cast<int>(
+            std::count_if(widths.begin(), widths.end(), [](float w) { return w > 0.0f; }));
+    }
+};
+
+float text_width(ImFont* font, const char* text) {
+    return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, text).x;
+}
+
+Columns measure_columns(const Ui& ui, const PixelHistory& history, float room) {
+    ImFont* const mono = ui.fonts.mono;
+    struct Form {
+        bool has_place, has_number;
+        float padding; ///< design pixels
+        const char* least_name;
+    };
+    // From roomy to narrow; the last one is taken if none fits.
+    const Form forms[] = {{true, true, 7.0f, "00 tall block"},
+                          {true, true, 4.0f, "00 tall block"},
+                          {false, true, 5.0f, "00 tall block"},
+                          {false, true, 4.0f, "00 tall bl"},
+                          {false, false, 4.0f, "000"}};
+    Columns columns;
+    for (const Form& form : forms) {
+        columns.padding = form.padding * ui.options.text_scale;
+        columns.widths = {form.has_number ? text_width(mono, "00") : 0.0f,
+                          text_width(ui.fonts.bold, form.least_name),
+                          form.has_place ? text_width(mono, "000, 000") : 0.0f,
+                          text_width(mono, "0.0000"),
+                          history.depth_tested ? text_width(mono, "+0.0000") : 0.0f,
+                          text_width(ui.fonts.small, "✓ written"),
+                          mono->FontSize};
+        float left = room;
+        for (const float width : columns.widths)
+            left -= width > 0.0f ? width + 2.0f * columns.padding : 0.0f;
+        columns.widths[name_column] += std::max(left, 0.0f);
+        if (left >= 0.0f) break;
+    }
+    return columns;
+}
+
+/// A margin with four digits; one that would read 0 then, by its power of ten.
+std::string margin_text(float value) {
+    const bool is_tiny = value != 0.0f && std::abs(value) < 0.00005f;
+    if (is_tiny) return printed("%+.0e", static_cast<double>(value));
+    return (value > 0.0f ? "+" : "") + fixed(static_cast<double>(value), 4);
+}
+
+bool is_linear_z(const Ui& ui) {
+    return depth_rule(ui.results.frame.settings) == DepthTest::linear_z;
+}
+
+/// Where the fragment lies in its triangle, counted from 1 as everywhere in the interface: row and
+/// column in the row's span, edge and sample, or vertex.
+std::string place_text(const PixelEntry& entry) {
+    const Cursor& cursor = entry.cursor;
+    if (cursor.phase == Phase::vertices) return std::to_string(cursor.index + 1);
+    const int second = cursor.phase == Phase::edges ? cursor.step : entry.column;
+    // A sample as everywhere else, "2.14"; a row and a column must not read like a decimal.
+    const char* const between = cursor.phase == Phase::edges ? "." : ", ";
+    return std::to_string(cursor.index + 1) + between + std::to_string(second + 1);
+}
+
+const char* place_header(Stage stage) {
+    if (stage == Stage::points) return "vertex";
+    return stage == Stage::edges ? "sample" : "row, col";
+}
+
+std::string tooltip(const Ui& ui, const PixelHistory& history, int index) {
+    const PixelEntry& entry = history.entries[index];
+    const auto nine = [](float value) {
+        char text[32];
+        std::snprintf(text, sizeof text, "%.9g", static_cast<double>(value));
+        return std::string(text);
+    };
+    std::string text = describe_moment(ui.results.frame, entry.cursor);
+    if (history.depth_tested) {
+        text.append("\n").append(depth_value_words(ui)).append(" ");
+        text += nine(entry.depth) + ", stored before " + nine(entry.stored) + ", margin " +
+                nine(entry.margin);
+    } else if (has_fragments(ui.results.frame.settings.stage)) {
+        text += "\n1/z " + nine(entry.zinv) + "; no depth test asks for it";
+    }
+    if (entry.fate == Fate::depth_failed) {
+        const bool is_reversed = depth_rule(ui.results.frame.settings) == DepthTest::reversed;
+        text += std::string("\nHidden: it is not ") + (is_reversed ? "smaller" : "larger") +
+                " than what is stored.";
+    } else if (stays(history, index)) {
+        text += "\nWritten, and nothing written after it: its colour stays.";
+    } else {
+        text += "\nWritten, and written over later.";
+    }
+    text += "\ncolour " + nine(entry.colour_before.r) + " " + nine(entry.colour_before.g) + " " +
+            nine(entry.colour_before.b) + " → " + nine(entry.colour_after.r) + " " +
+            nine(entry.colour_after.g) + " " + nine(entry.colour_after.b);
+    return text + "\nClick: to the moment just after it.";
+}
+
+void draw_fate(const Ui& ui, const PixelHistory& history, int index, float opacity) {
+    const PixelEntry& entry = history.entries[index];
+    const bool written = entry.fate == Fate::written;
+    ImVec4 colour = colour_of(written ? Meaning::pass : Meaning::fail, ui.options.theme);
+    colour.w = opacity;
+    const float lower = 0.5f * (ImGui::GetFontSize() - ui.fonts.small->FontSize);
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + lower);
+    ImGui::PushFont(ui.fonts.small);
+    text_in(colour, !written ? "✗ hidden" : stays(history, index) ? "✓ stays" : "✓ written");
+    ImGui::PopFont();
+}
+
+/// A line between what is drawn at the cursor and what is still to come.
+void draw_cursor_line(const Ui& ui, float y) {
+    const float u = ui.options.text_scale;
+    const ImVec2 low = ImGui::GetWindowPos();
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        {low.x, y - 1.0f * u}, {low.x + ImGui::GetWindowWidth(), y + 1.0f * u},
+        packed(colour_of(Meaning::current, ui.options.theme)));
+}
+
+void draw_entry(Ui& ui, const PixelHistory& history, int index, const Columns& columns) {
+    const Palette& p = palette(ui.options.theme);
+    const float u = ui.options.text_scale;
+    const PixelEntry& entry = history.entries[index];
+    const bool is_drawn = entry.cursor < ui.results.cursor;
+    const bool is_now = ui.results.done == entry.cursor;
+    // Grey is what is still to come.
+    const ImVec4 colour = is_drawn ? p.text : p.dim;
+    const float opacity = is_drawn ? 1.0f : 0.6f;
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::PushID(index);
+    const float top = ImGui::GetCursorScreenPos().y - ImGui::GetStyle().CellPadding.y;
+    const float left = ImGui::GetWindowPos().x;
+    const bool pressed = ImGui::Selectable("##entry", is_now,
+                                           ImGuiSelectableFlags_SpanAllColumns |
+                                               ImGuiSelectableFlags_AllowItemOverlap);
+    const float bottom = ImGui::GetItemRectMax().y;
+    name_widget(ui, "history." + std::to_string(index), tooltip(ui, history, index));
+    ImGui::PopID();
+    if (ui.follow_cursor && is_now && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
+    ImGui::SameLine(0.0f, 0.0f);
+    if (columns.has(number_column)) {
+        right_aligned(std::to_string(index + 1), colour);
+        ImGui::TableNextColumn();
+    }
+    const std::string number = std::to_string(entry.cursor.triangle + 1);
+    ImGui::PushFont(stays(history, index) ? ui.fonts.bold : ui.fonts.text);
+    text_in(colour, shortened(number + " " + part_name(*ui.results.scene, entry.cursor.triangle),
+                              columns.widths[name_column]));
+    ImGui::PopFont();
+    if (columns.has(place_column)) {
+        ImGui::TableNextColumn();
+        right_aligned(place_text(entry), colour);
+    }
+    ImGui::TableNextColumn();
+    right_aligned(fixed(static_cast<double>(is_linear_z(ui) ? entry.depth : entry.zinv), 4),
+                  colour);
+    if (columns.has(margin_column)) {
+        ImGui::TableNextColumn();
+        right_aligned(margin_text(entry.margin), colour);
+    }
+    ImGui::TableNextColumn();
+    draw_fate(ui, history, index, opacity);
+    ImGui::TableNextColumn();
+    draw_history_swatch(ui, ImGui::GetCursorScreenPos(), ImGui::GetTextLineHeight(),
+                        entry.colour_after, opacity);
+
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    if (stays(history, index)) {
+        list->AddRectFilled({left, top}, {left + 3.0f * u, bottom},
+                            packed(colour_of(Meaning::pass, ui.options.theme), opacity));
+    }
+    const bool is_first_to_come =
+        !is_drawn && (index == 0 || history.entries[index - 1].cursor < ui.results.cursor);
+    if (is_first_to_come) draw_cursor_line(ui, top);
+    if (pressed) go_to_entry(ui.session, Timeline(ui.results.frame), entry);
+}
+
+void draw_headers(Ui& ui, const Columns& columns) {
+    struct Header {
+        const char* name;
+        const char* title;
+        const char* help;
+    };
+    const Header headers[] = {
+        {"number", "#", "Number of the fragment, in the order of drawing."},
+        {"triangle", "triangle", "The triangle that it belongs to, and the part of the scene."},
+        {"place", place_header(ui.results.frame.settings.stage),
+         "Where in its triangle it lies: row of the row table and column from the row's left end, "
+         "or edge and sample, or vertex; counted from 1."},
+        {"zinv", is_linear_z(ui) ? "1/lin z" : "1/z",
+         is_linear_z(ui) ? "One over the z that is interpolated in equal steps: what this depth "
+                           "test compares, and wrong between the ends."
+                         : "Its interpolated 1/z: larger is nearer."},
+        {"margin", "margin",
+         "Its 1/z less the depth buffer's value before: above 0 it is nearer and is written."},
+        {"fate", "fate",
+         "✓ written: it became the pixel's colour. ✓ stays: and it was the last to do so. "
+         "✗ hidden: something nearer was there."},
+        {"colour", "", "The pixel's colour after it."},
+    };
+    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+    int column = 0;
+    for (int i = 0; i < column_count; ++i) {
+        if (!columns.has(static_cast<Column>(i))) continue;
+        ImGui::TableSetColumnIndex(column++);
+        ImGui::PushFont(ui.fonts.small);
+        const ImVec4& colour = palette(ui.options.theme).dim;
+        const bool is_left = i == name_column || i == fate_column;
+        if (is_left) {
+            text_in(colour, headers[i].title);
+        } else {
+            right_aligned(headers[i].title, colour);
+        }
+        ImGui::PopFont();
+        name_widget(ui, std::string("history.header.") + headers[i].name, headers[i].help);
+    }
+}
+
+} // namespace
+
+std::string_view depth_value_words(const Ui& ui) {
+    return is_linear_z(ui) ? "1/z from linear z" : "1/z";
+}
+
+bool stays(const PixelHistory& history, int index) {
+    return history.winner == index;
+}
+
+void draw_history_swatch(const Ui& ui, ImVec2 at, float size, const glm::vec3& colour,
+                         float opacity) {
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    const ImVec2 high{at.x + size, at.y + size};
+    list->AddRectFilled(at, high, screen_colour(ui, colour, opacity), 2.0f * ui.options.text_scale);
+    list->AddRect(at, high, packed(palette(ui.options.theme).dim, 0.7f * opacity),
+                  2.0f * ui.options.text_scale);
+}
+
+void draw_history_table(Ui& ui, const PixelHistory& history, float height) {
+    const float u = ui.options.text_scale;
+    const float line = ui.fonts.text->FontSize + 8.0f * u;
+    const int count = static_cast<int>(history.entries.size());
+    const float needed = line * static_cast<float>(count + 1) + 4.0f * u;
+    const bool scrolls = needed > height;
+    const Columns columns = measure_columns(ui, history,
+                                            ImGui::GetContentRegionAvail().x -
+                                                (scrolls ? ImGui::GetStyle().ScrollbarSize : 0.0f));
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(columns.padding, 4.0f * u));
+    const bool open =
+        ImGui::BeginTable("history", columns.count(),
+                          ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH |
+                              ImGuiTableFlags_PadOuterX | ImGuiTableFlags_SizingFixedFit,
+                          {0, std::min(needed, height)});
+    if (open) {
+        ImGui::TableSetupScrollFreeze(0, 1);
+        for (const float width : columns.widths) {
+            if (width > 0.0f) ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, width);
+        }
+        draw_headers(ui, columns);
+        ImGui::PushFont(ui.fonts.mono);
+        ImGuiListClipper clipper;
+        clipper.Begin(count);
+        for (int i = 0; i < count && ui.follow_cursor; ++i) {
+            if (ui.results.done == history.entries[i].cursor) {
+                clipper.ForceDisplayRangeByIndices(i, i + 1);
+                break;
+            }
+        }
+        while (clipper.Step()) {
+            for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+                draw_entry(ui, history, i, columns);
+        }
+        ImGui::PopFont();
+        ImGui::EndTable();
+    }
+    ImGui::PopStyleVar();
+}
+
+} // namespace rasterwalk

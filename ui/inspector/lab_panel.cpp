@@ -1,0 +1,170 @@
+#include <algorithm>
+#include <string>
+
+#include "ui/actions/lab.h"
+#include "ui/actions/lesson_links.h"
+#include "ui/inspector/lab_parts.h"
+#include "ui/inspector/panels.h"
+#include "ui/page/markdown.h"
+#include "ui/widgets/formula_view.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// All that there is to say of a mistake.
+std::string page_of(const Bug& bug) {
+    std::string text = plain_markdown(bug.sentence);
+    text.append("\n\n**Symptom.** ").append(plain_markdown(bug.symptom));
+    text.append("\n\n**Where to look.** ").append(bug.look);
+    if (!bug.code.empty()) text.append("\n\n```cpp\n").append(bug.code).append("\n```");
+    return text.append("\n\n**Cure.** ").append(plain_markdown(bug.cure)).append("\n");
+}
+
+/// The line chosen last stays in sight when its card takes away room.
+void keep_in_sight(Ui& ui, const Bug& bug) {
+    LabLook& lab = ui.lab;
+    if (lab.chosen != bug.id) return;
+    const float bottom = ImGui::GetWindowPos().y + ImGui::GetWindowHeight();
+    const bool is_new = lab.in_sight != bug.id || lab.bottom != bottom;
+    if (is_new && ImGui::GetItemRectMax().y > bottom) ImGui::SetScrollHereY(0.8f);
+    lab.in_sight = bug.id;
+    lab.bottom = bottom;
+}
+
+void draw_line(Ui& ui, const Bug& bug) {
+    const Palette& p = palette(ui.options.theme);
+    const bool on = is_on(ui.session, bug.id);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const std::string name = "lab." + bug.id;
+    if (ImGui::Selectable(("##" + name).c_str(), ui.lab.chosen == bug.id)) ui.lab.chosen = bug.id;
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) turn_on(ui, bug, false);
+    keep_in_sight(ui, bug);
+    name_widget(ui, name, bug.sentence + "\nClick: describes it. Double click: turns it on.");
+    const float u = ui.options.text_scale;
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    const ImVec4& ink = on ? colour_of(Meaning::fail, ui.options.theme) : p.dim;
+    list->AddText(ui.fonts.mono, ui.fonts.mono->FontSize, at, packed(ink), bug.id.c_str());
+    const float left = at.x + 52.0f * u;
+    const float room = at.x + ImGui::GetContentRegionAvail().x - left - 30.0f * u;
+    list->AddText({left, at.y}, packed(p.text), shortened(bug.name, room).c_str());
+    if (!on) return;
+    const float width = ImGui::CalcTextSize("on").x;
+    list->AddText({at.x + ImGui::GetContentRegionAvail().x - width - 4.0f * u, at.y}, packed(ink),
+                  "on");
+}
+
+/// The mistakes by the lab's sections.
+void draw_list(Ui& ui) {
+    std::string section;
+    for (const Bug& bug : lab_bugs(ui)) {
+        if (bug.section != section) {
+            if (!section.empty()) ImGui::Spacing();
+            section = bug.section;
+            ImGui::PushFont(ui.fonts.small);
+            text_in(palette(ui.options.theme).dim, section);
+            ImGui::PopFont();
+        }
+        draw_line(ui, bug);
+    }
+}
+
+/// In a low page the buttons come first: they are what must be in sight.
+void draw_buttons(Ui& ui, const Bug& bug) {
+    if (is_on(ui.session, bug.id)) {
+        if (button(ui, "lab.off", "turn off", Look::chosen,
+                   "Back to one run and to what was set before.")) {
+            end_comparison(ui.session);
+        }
+    } else if (button(ui, "lab.on", "turn on", Look::plain,
+                      "Makes the mistake in run A, and compares it with the correct run B.")) {
+        turn_on(ui, bug, false);
+    }
+    ImGui::SameLine();
+    if (button(ui, "lab.scene", ui.page_is_narrow ? "its scene" : "on its own scene", Look::plain,
+               "Opens the scene that shows it best, and turns it on there: " + bug.scene)) {
+        turn_on(ui, bug, true);
+    }
+}
+
+void draw_card(Ui& ui, const Bug& bug) {
+    begin_card(ui);
+    ImGui::PushFont(ui.fonts.bold);
+    ImGui::TextUnformatted((bug.id + "  " + bug.name).c_str());
+    ImGui::PopFont();
+    draw_buttons(ui, bug);
+    const float width = ImGui::CalcItemWidth();
+    const MarkdownEvents events = draw_markdown(ui, ui.lab.page, page_of(bug), width, "lab.link.");
+    answer_links(ui, document_of(*ui.lab.page), events);
+    end_card(ui);
+}
+
+void draw_bugs(Ui& ui) {
+    const std::vector<Bug>& bugs = lab_bugs(ui);
+    const auto found = std::find_if(bugs.begin(), bugs.end(),
+                                    [&](const Bug& bug) { return bug.id == ui.lab.chosen; });
+    const Bug& chosen = found == bugs.end() ? bugs.front() : *found;
+    draw_with_card(
+        "lab", [&] { draw_list(ui); }, [&] { draw_card(ui, chosen); });
+}
+
+void draw_modes(Ui& ui) {
+    const struct {
+        LabMode mode;
+        const char* name;
+        const char* title;
+        const char* help;
+    } modes[] = {
+        {LabMode::bugs, "lab.mode.bugs", "Mistakes",
+         "The mistakes that rasterizers make, each to be turned on."},
+        {LabMode::quiz, "lab.mode.quiz", "Which is it?",
+         "The program makes a mistake and hides the settings: you find out which."},
+        {LabMode::result, "lab.mode.result", "Your result",
+         "A picture or a printed row table of your own program, and what may be wrong with it."}};
+    ImGui::PushFont(ui.fonts.small);
+    for (const auto& mode : modes) {
+        if (mode.mode != LabMode::bugs) ImGui::SameLine(0.0f, 0.0f);
+        if (button(ui, mode.name, mode.title, ui.lab.mode == mode.mode ? Look::chosen : Look::plain,
+                   mode.help)) {
+            ui.lab.mode = mode.mode;
+        }
+    }
+    ImGui::PopFont();
+}
+
+} // namespace
+
+std::string plain_markdown(const std::string& text) {
+    std::string result;
+    for (const char c : text) {
+        if (c == '*' || c == '_' || c == '<' || c == '`' || c == '$') result += '\\';
+        result += c;
+    }
+    return result;
+}
+
+void draw_lab_panel(Ui& ui) {
+    if (lab_bugs(ui).empty()) {
+        wrapped_text(ui.lab.fault.empty() ? "There are no mistakes to be shown." : ui.lab.fault);
+        return;
+    }
+    // A quiz that goes on must not be spoilt by the list.
+    if (ui.session.quiz && ui.lab.mode == LabMode::bugs) ui.lab.mode = LabMode::quiz;
+    draw_modes(ui);
+    ImGui::Spacing();
+    switch (ui.lab.mode) {
+    case LabMode::bugs:
+        draw_bugs(ui);
+        break;
+    case LabMode::quiz:
+        draw_lab_quiz(ui);
+        break;
+    case LabMode::result:
+        draw_lab_result(ui);
+        break;
+    }
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,218 @@
+#include <algorithm>
+#include <string>
+
+#include "laboratory/quiz.h"
+#include "session/second_run.h"
+#include "ui/actions/lab.h"
+#include "ui/actions/lesson_links.h"
+#include "ui/inspector/lab_parts.h"
+#include "ui/page/markdown.h"
+#include "ui/widgets/formula_view.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+const Bug* bug_of(Ui& ui, const std::string& id) {
+    const std::vector<Bug>& bugs = lab_bugs(ui);
+    const auto found =
+        std::find_if(bugs.begin(), bugs.end(), [&](const Bug& bug) { return bug.id == id; });
+    return found == bugs.end() ? nullptr : &*found;
+}
+
+std::string titled(Ui& ui, const std::string& id) {
+    const Bug* const bug = bug_of(ui, id);
+    return bug == nullptr ? id : id + " " + bug->name;
+}
+
+void draw_score(Ui& ui) {
+    const QuizScore& score = ui.options.score;
+    if (score.rounds == 0) return;
+    text_in(palette(ui.options.theme).dim, std::to_string(score.points) + " points in " +
+                                               std::to_string(score.rounds) +
+                                               (score.rounds == 1 ? " round" : " rounds"));
+    name_widget(ui, "lab.points",
+                score.is_kept ? "In all rounds since you began to keep the score."
+                              : "Since the program was opened.");
+}
+
+/// Kept only if the student wants it.
+void draw_keeping(Ui& ui) {
+    QuizScore& score = ui.options.score;
+    ImGui::Checkbox("keep my score", &score.is_kept);
+    name_widget(ui, "lab.keep_score",
+                "The next time the program is opened the points are still there.");
+    if (score.rounds == 0) return;
+    ImGui::SameLine();
+    if (button(ui, "lab.reset_score", "forget it", Look::quiet, "Sets points and rounds to 0.")) {
+        score.points = score.rounds = 0;
+    }
+}
+
+void draw_beginning(Ui& ui) {
+    wrapped_text("The program makes a mistake in the scene that is open, and hides the settings. "
+                 "You find out which it is: with the tabs, the overlays, the time, and a look at "
+                 "the correct run.");
+    ImGui::Spacing();
+    ImGui::Checkbox("two mistakes at once", &ui.lab.wants_two);
+    name_widget(ui, "lab.two", "Harder: two mistakes that show side by side.");
+    ImGui::SetNextItemWidth(120.0f * ui.options.text_scale);
+    ImGui::InputInt("seed", &ui.lab.seed, 0);
+    ui.lab.seed = std::clamp(ui.lab.seed, 0, 999'999);
+    name_widget(ui, "lab.seed",
+                "The same number makes the same quiz, for everyone. 0: the program takes one.");
+    ImGui::Spacing();
+    if (button(ui, "lab.quiz.start", "begin", Look::chosen,
+               "Makes a mistake. What is set now comes back when the quiz is ended.")) {
+        begin_quiz(ui);
+    }
+    ImGui::Spacing();
+    draw_score(ui);
+    draw_keeping(ui);
+}
+
+void draw_correct_run_switch(Ui& ui) {
+    const bool comparing = ui.session.other.has_value();
+    if (button(ui, "lab.quiz.compare",
+               comparing ? "without the correct run" : "beside the correct run",
+               comparing ? Look::chosen : Look::plain,
+               "Shows where the picture is not as it ought to be; the question is why.")) {
+        if (comparing) {
+            stop_comparing(ui.session);
+        } else {
+            compare_with(ui.session, quiz_reference(ui.session));
+        }
+    }
+}
+
+void draw_hints(Ui& ui) {
+    const std::vector<std::string> hints = hints_given(*ui.session.quiz, lab_bugs(ui));
+    if (hints.empty()) return;
+    std::string text = "**Hints**\n\n";
+    for (const std::string& hint : hints)
+        text.append("- ")
+            .append(hint.find("](") == hint.npos ? plain_markdown(hint) : hint)
+            .append("\n");
+    const MarkdownEvents events =
+        draw_markdown(ui, ui.lab.page, text, ImGui::CalcItemWidth(), "lab.hint.");
+    answer_links(ui, document_of(*ui.lab.page), events);
+}
+
+void draw_guesses(Ui& ui) {
+    for (const QuizGuess& guess : ui.session.quiz->guesses) {
+        const Meaning meaning = guess.is_right ? Meaning::pass : Meaning::fail;
+        text_in(colour_of(meaning, ui.options.theme),
+                shortened((guess.is_right ? "✓ " : "✗ ") + titled(ui, guess.bug),
+                          ImGui::CalcItemWidth()));
+    }
+}
+
+/// What may be guessed: every mistake, each a line; the one chosen is described by its tooltip.
+void draw_choices(Ui& ui) {
+    for (const Bug& bug : lab_bugs(ui)) {
+        const std::string name = "lab.choice." + bug.id;
+        if (ImGui::Selectable((bug.id + "  " + bug.name + "###" + name).c_str(),
+                              ui.lab.chosen == bug.id)) {
+            ui.lab.chosen = bug.id;
+        }
+        name_widget(ui, name, bug.sentence);
+    }
+}
+
+void draw_question_card(Ui& ui) {
+    Quiz& quiz = *ui.session.quiz;
+    begin_card(ui);
+    draw_guesses(ui);
+    const bool has_choice = bug_of(ui, ui.lab.chosen) != nullptr;
+    ImGui::BeginDisabled(!has_choice);
+    const std::string label = has_choice          ? "it is " + ui.lab.chosen
+                              : ui.page_is_narrow ? "choose"
+                                                  : "choose one above";
+    if (button(ui, "lab.guess", label, Look::chosen,
+               "Takes the guess. A wrong one costs " + std::to_string(cost_of_wrong_guess) +
+                   " points.")) {
+        guess(quiz, ui.lab.chosen);
+    }
+    ImGui::EndDisabled();
+    ImGui::SameLine();
+    if (button(ui, "lab.hint", "hint", Look::plain,
+               "Says a little more. Costs " + std::to_string(cost_of_hint) + " points.")) {
+        if (!give_hint(quiz, lab_bugs(ui))) ui.session.notice = "There is no further hint.";
+    }
+    ImGui::SameLine();
+    if (button(ui, "lab.give_up", "give up", Look::quiet, "Says which it is.")) {
+        quiz.given_up = true;
+    }
+    draw_hints(ui);
+    end_card(ui);
+}
+
+void draw_answer(Ui& ui) {
+    const Quiz& quiz = *ui.session.quiz;
+    const bool won = is_solved(quiz);
+    begin_card(ui);
+    ImGui::PushFont(ui.fonts.bold);
+    text_in(colour_of(won ? Meaning::pass : Meaning::fail, ui.options.theme),
+            won ? "✓ Found: " + std::to_string(score(quiz)) + " points" : "Not found");
+    ImGui::PopFont();
+    name_widget(ui, "lab.verdict",
+                "A hundred points for each mistake, less hints and wrong guesses.");
+    for (const QuizQuestion& question : quiz.questions) {
+        std::string names;
+        for (const std::string& id : question.bugs)
+            names += (names.empty() ? "" : ", or ") + titled(ui, id);
+        wrapped_text("It was " + names + ".");
+        const Bug* const bug = bug_of(ui, question.bugs.front());
+        if (bug == nullptr) continue;
+        ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
+        wrapped_text(bug->sentence);
+        wrapped_text("Cure: " + bug->cure);
+        ImGui::PopStyleColor();
+    }
+    if (button(ui, "lab.quiz.again", "another one", Look::chosen,
+               "Ends this one and begins anew.")) {
+        finish_quiz(ui);
+        begin_quiz(ui);
+    }
+    ImGui::SameLine();
+    if (button(ui, "lab.quiz.end", "end", Look::plain,
+               "Brings back what was set before the quiz.")) {
+        finish_quiz(ui);
+    }
+    end_card(ui);
+}
+
+} // namespace
+
+void draw_lab_quiz(Ui& ui) {
+    if (!ui.session.quiz) {
+        draw_beginning(ui);
+        return;
+    }
+    const Quiz& quiz = *ui.session.quiz;
+    ImGui::PushFont(ui.fonts.bold);
+    ImGui::TextUnformatted(quiz.questions.size() == 1 ? "Which mistake is it?"
+                                                      : "Which two mistakes are they?");
+    ImGui::PopFont();
+    ImGui::SameLine();
+    text_in(palette(ui.options.theme).dim, "seed " + std::to_string(quiz.seed));
+    name_widget(ui, "lab.quiz.seed", "The same seed makes the same quiz.");
+    draw_correct_run_switch(ui);
+    if (is_over(quiz)) {
+        draw_answer(ui);
+        if (ui.session.quiz) draw_score(ui);
+        return;
+    }
+    ImGui::SameLine();
+    if (button(ui, "lab.quiz.stop", "end", Look::quiet,
+               "Ends the quiz and brings back what was set before.")) {
+        finish_quiz(ui);
+        return;
+    }
+    draw_with_card(
+        "quiz", [&] { draw_choices(ui); }, [&] { draw_question_card(ui); });
+}
+
+} // namespace rasterwalk

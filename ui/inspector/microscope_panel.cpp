@@ -1,0 +1,235 @@
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "session/walk.h"
+#include "ui/inspector/microscope_parts.h"
+#include "ui/inspector/panels.h"
+#include "ui/widgets/number_text.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+std::string place_text(int column, int row) {
+    return "(" + whole_text(column) + "," + whole_text(row) + ")";
+}
+
+std::string counted(std::size_t count, int of) {
+    return std::to_string(count) + " of " + std::to_string(of) + (of == 1 ? " sample" : " samples");
+}
+
+/// The edge that was picked, until the cursor comes to another.
+void look_at_edge(Ui& ui) {
+    MicroscopeView& view = ui.microscope;
+    const std::optional<Cursor>& done = ui.results.done;
+    if (view.picked_at != ui.results.cursor && done && done->phase == Phase::edges &&
+        done->triangle == *ui.results.triangle) {
+        view.edge = done->index;
+    }
+    const Frame& frame = ui.results.frame;
+    const std::span<const Fragment> v = frame.triangle_vertices(*ui.results.triangle);
+    const Fragment& a = v[static_cast<std::size_t>(view.edge)];
+    const Fragment& b = v[static_cast<std::size_t>((view.edge + 1) % 3)];
+    const EdgeRules rules = edge_rules(frame.settings);
+    if (!view.shown.shows(a, b, rules)) view.shown = microscope(a, b, rules);
+    const std::pair<int, int> edge{*ui.results.triangle, view.edge};
+    if (view.axis_chosen_for == edge) return;
+    // One of the two steps by whole pixels and never drifts: the other one is worth looking at.
+    const MicroscopeSummary& summary = view.shown.summary;
+    view.shows_x = summary.largest_drift_y == 0.0 && summary.largest_drift_x != 0.0;
+    view.axis_chosen_for = edge;
+}
+
+/// Continues the line if a button with this label has room on it.
+void same_line_if_room(const std::string& label, float gap) {
+    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    if (ImGui::GetItemRectMax().x + gap + button_width(label) <= right) ImGui::SameLine(0, gap);
+}
+
+void draw_buttons(Ui& ui) {
+    MicroscopeView& view = ui.microscope;
+    const float u = ui.options.text_scale;
+    // In a narrow column the tooltips have to say what the signs mean.
+    const bool is_narrow = ImGui::GetContentRegionAvail().x < 340.0f * u;
+    const float gap = is_narrow ? 8.0f * u : 18.0f * u;
+    for (int e = 0; e < 3; ++e) {
+        const std::string label = (is_narrow ? "" : "edge ") + std::to_string(e + 1);
+        if (e > 0) same_line_if_room(label, 6.0f * u);
+        if (button(ui, "microscope.edge." + std::to_string(e), label,
+                   e == view.edge ? Look::chosen : Look::plain,
+                   "Puts edge " + std::to_string(e + 1) +
+                       " of the triangle under the microscope.")) {
+            view.edge = e;
+            view.picked_at = ui.results.cursor;
+        }
+    }
+    same_line_if_room("x", gap);
+    if (button(ui, "microscope.x", "x", view.shows_x ? Look::chosen : Look::plain,
+               "Shows x, which decides the column of a sample.")) {
+        view.shows_x = true;
+    }
+    same_line_if_room("y", 6.0f * u);
+    if (button(ui, "microscope.y", "y", view.shows_x ? Look::plain : Look::chosen,
+               "Shows y, which decides the row of a sample.")) {
+        view.shows_x = false;
+    }
+    if (view.shown.differing.empty()) return;
+    const char* const next_label = is_narrow ? "≠" : "next ≠";
+    same_line_if_room(next_label, gap);
+    if (button(ui, "microscope.next", next_label, Look::plain,
+               "Goes to the next sample that falls on another pixel than its exact place.")) {
+        const int current = current_sample(ui);
+        const int next = view.shown.next_difference(current + 1);
+        const MicroscopeSample sample = view.shown.at(next);
+        view.shows_x = !sample.y.differs_from_exact();
+        go_to_sample(ui, next);
+    }
+}
+
+/// A line of the card: what is in order is quiet, what is not is marked.
+void draw_statement(const Ui& ui, bool in_order, const std::string& text) {
+    const Palette& p = palette(ui.options.theme);
+    text_in(in_order ? p.dim : colour_of(Meaning::fail, ui.options.theme),
+            (in_order ? "=  " : "≠  ") + text);
+}
+
+void draw_step(const Ui& ui, const char* axis, const Fraction& step, float float_step,
+               double drift) {
+    const bool is_exact = static_cast<double>(float_step) * static_cast<double>(step.denominator) ==
+                          static_cast<double>(step.numerator);
+    std::string text = std::string(axis) + ": step " + fraction_text(step);
+    text += is_exact ? ", exact in float" : ", in float " + nine_digits(float_step);
+    const ImVec4& ink = palette(ui.options.theme).text;
+    if (drift == 0.0) {
+        text_in(ink, text);
+        return;
+    }
+    // The line breaks between the two parts, never within a number.
+    const std::string end = "drifts to " + drift_text(drift);
+    const float width = ImGui::CalcTextSize((text + "; " + end).c_str()).x;
+    if (width <= ImGui::CalcItemWidth()) {
+        text_in(ink, text + "; " + end);
+    } else {
+        text_in(ink, text);
+        text_in(ink, "    " + end);
+    }
+}
+
+/// How many samples the floats have put on a wrong pixel.
+void draw_verdict(const Ui& ui) {
+    const EdgeMicroscope& edge = ui.microscope.shown;
+    const std::size_t differing = edge.differing.size();
+    draw_statement(ui, differing == 0,
+                   differing == 0
+                       ? "every sample is on its exact pixel"
+                       : counted(differing, edge.count) + " on another pixel than exact");
+}
+
+const char* walk_text(LineWalk walk) {
+    switch (walk) {
+    case LineWalk::accumulate:
+        return "each sample adds the step to the one before, in float";
+    case LineWalk::multiply:
+        return "sample i is the start plus i times the step, in float";
+    case LineWalk::integer_step:
+        return "each sample adds the step to the one before; the step is divided as int by int";
+    case LineWalk::exact:
+        return "pixels come from whole fractions; the floats are only shown";
+    }
+    return "";
+}
+
+/// What is to be seen on this edge, in words.
+void draw_summary(Ui& ui) {
+    const EdgeMicroscope& edge = ui.microscope.shown;
+    const MicroscopeSummary& summary = edge.summary;
+    const Palette& p = palette(ui.options.theme);
+    begin_card(ui);
+    text_in(colour_of(edge_meaning(ui.microscope.edge), ui.options.theme),
+            "edge " + std::to_string(ui.microscope.edge + 1));
+    ImGui::SameLine(0.0f, 0.0f);
+    ImGui::TextUnformatted((" from " + place_text(edge.a.column, edge.a.row) + " to " +
+                            place_text(edge.b.column, edge.b.row))
+                               .c_str());
+    text_in(p.dim, walk_text(edge.rules.line.walk));
+    draw_step(ui, "x", edge.step_x, edge.float_step_x, summary.largest_drift_x);
+    draw_step(ui, "y", edge.step_y, edge.float_step_y, summary.largest_drift_y);
+    draw_verdict(ui);
+    if (summary.misses_end) {
+        const EdgeMicroscope::Place& last = edge.forward.back();
+        draw_statement(ui, false,
+                       "the last is on " + place_text(last.column, last.row) +
+                           " and misses the end point");
+    }
+    const int reverse = summary.differ_from_reverse;
+    draw_statement(ui, reverse == 0,
+                   reverse == 0 ? "walked backwards it has the same pixels"
+                                : "walked backwards: " +
+                                      counted(static_cast<std::size_t>(reverse), edge.count) +
+                                      " on another pixel");
+    end_card(ui);
+}
+
+} // namespace
+
+int current_sample(const Ui& ui) {
+    const std::optional<Cursor>& done = ui.results.done;
+    const bool is_here = done && done->triangle == *ui.results.triangle &&
+                         done->phase == Phase::edges && done->index == ui.microscope.edge;
+    return is_here ? done->step : -1;
+}
+
+void go_to_sample(Ui& ui, int sample) {
+    const Timeline timeline(ui.results.frame);
+    const Cursor cursor{*ui.results.triangle, Phase::edges, ui.microscope.edge, sample};
+    if (timeline.exists(cursor)) go_to(ui.session, timeline.next(cursor, Granularity::moment));
+}
+
+const MicroscopeCoordinate& shown_coordinate(const Ui& ui, const MicroscopeSample& sample) {
+    return ui.microscope.shows_x ? sample.x : sample.y;
+}
+
+void draw_microscope_panel(Ui& ui) {
+    ui.hovered_row = std::nullopt;
+    const Palette& p = palette(ui.options.theme);
+    if (!ui.results.triangle) {
+        text_in(p.dim, "The scene has no triangles.");
+        return;
+    }
+    draw_triangle_title(ui);
+    if (!ui.results.frame.is_drawn(*ui.results.triangle)) {
+        wrapped_text("This triangle is left out, so it has no edges. The Vertices tab says why.");
+        return;
+    }
+    const bool appears = ImGui::IsWindowAppearing();
+    look_at_edge(ui);
+    draw_buttons(ui);
+    const float line = ui.fonts.mono->FontSize + 2.0f * ImGui::GetStyle().CellPadding.y;
+    const float needed = static_cast<float>(ui.microscope.shown.count + 2) * line;
+    const float u = ui.options.text_scale;
+    const float room = ImGui::GetContentRegionAvail().y;
+    const auto table_height = [&](int fewest_lines) {
+        const float fewest = static_cast<float>(fewest_lines) * line;
+        return std::max(std::min(needed, ImGui::GetContentRegionAvail().y), fewest);
+    };
+    if (room >= 400.0f * u) {
+        draw_summary(ui);
+        draw_drift_curve(ui);
+        draw_sample_table(ui, table_height(7), appears);
+        return;
+    }
+    // Where there is little room the numbers come first, and the words below them.
+    if (room >= 220.0f * u) {
+        ImGui::PushTextWrapPos(0.0f);
+        draw_verdict(ui);
+        ImGui::PopTextWrapPos();
+    }
+    draw_sample_table(ui, table_height(4), appears);
+    draw_drift_curve(ui);
+    draw_summary(ui);
+}
+
+} // namespace rasterwalk

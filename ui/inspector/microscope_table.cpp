@@ -1,0 +1,181 @@
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <string>
+
+#include "ui/inspector/microscope_parts.h"
+#include "ui/widgets/number_text.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// How many samples of the shown edge come before the cursor.
+int samples_walked(const Ui& ui) {
+    const Cursor begin{*ui.results.triangle, Phase::edges, ui.microscope.edge, 0};
+    if (ui.results.cursor <= begin) return 0;
+    const int current = current_sample(ui);
+    return current >= 0 ? current + 1 : ui.microscope.shown.count;
+}
+
+std::string coordinate_words(const char* axis, const char* pixel, const MicroscopeCoordinate& c) {
+    std::string text =
+        std::string(axis) + " = " + nine_digits(c.walked) + ", exactly " + fraction_text(c.exact);
+    if (c.exact.denominator != 1) text += " = " + printed("%.12g", c.exact.value());
+    text += "\n     " + std::string(pixel) + " " + whole_text(c.pixel);
+    if (c.differs_from_exact()) text += ", where exact would be " + whole_text(c.exact_pixel);
+    if (c.differs_from_reverse()) text += "; the other way: " + whole_text(c.reverse_pixel);
+    return text;
+}
+
+/// A whole pixel; one that is not what it is compared with is marked.
+void draw_pixel_cell(const Ui& ui, int pixel, bool differs, const ImVec4& quiet) {
+    if (differs) {
+        right_aligned("≠ " + whole_text(pixel), colour_of(Meaning::fail, ui.options.theme));
+    } else {
+        right_aligned(whole_text(pixel), quiet);
+    }
+}
+
+void draw_sample(Ui& ui, int index, int current, int walked) {
+    const Palette& p = palette(ui.options.theme);
+    const MicroscopeSample sample = ui.microscope.shown.at(index);
+    const MicroscopeCoordinate& c = shown_coordinate(ui, sample);
+    const ImVec4& ink = index < walked ? p.text : p.dim;
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::PushID(index);
+    if (ImGui::Selectable("##sample", index == current,
+                          ImGuiSelectableFlags_SpanAllColumns |
+                              ImGuiSelectableFlags_AllowItemOverlap)) {
+        go_to_sample(ui, index);
+    }
+    const bool hovered = ImGui::IsItemHovered();
+    if (hovered) ui.hovered_row = sample.y.pixel;
+    const std::string tooltip = hovered ? "Sample " + std::to_string(index + 1) + "\n" +
+                                              coordinate_words("x", "column", sample.x) + "\n" +
+                                              coordinate_words("y", "row", sample.y) +
+                                              "\nClick: to the moment in which it was entered."
+                                        : std::string();
+    name_widget(ui, "microscope.sample." + std::to_string(index), tooltip);
+    ImGui::SameLine(0.0f, 0.0f);
+    right_aligned(std::to_string(index + 1), ink);
+    ImGui::PopID();
+    ImGui::TableNextColumn();
+    right_aligned(float_text(c.walked), ink);
+    ImGui::TableNextColumn();
+    right_aligned(mixed_text(c.exact), ink);
+    ImGui::TableNextColumn();
+    right_aligned(drift_text(c.drift), c.drift == 0.0 ? p.dim : ink);
+    ImGui::TableNextColumn();
+    draw_pixel_cell(ui, c.pixel, c.differs_from_exact(), ink);
+    ImGui::TableNextColumn();
+    draw_pixel_cell(ui, c.reverse_pixel, c.differs_from_reverse(), p.dim);
+}
+
+struct Column {
+    const char* title;
+    const char* help;
+    int letters; ///< of its widest number
+};
+
+int digits(std::int64_t value) {
+    return static_cast<int>(whole_text(std::abs(value)).size());
+}
+
+/// The columns for x or y of this edge, each as wide as its numbers may get.
+std::array<Column, 6> columns_of(const Ui& ui) {
+    const EdgeMicroscope& edge = ui.microscope.shown;
+    const bool x = ui.microscope.shows_x;
+    const int a = x ? edge.a.column : edge.a.row, b = x ? edge.b.column : edge.b.row;
+    const std::int64_t denominator = (x ? edge.step_x : edge.step_y).denominator;
+    const double drift = x ? edge.summary.largest_drift_x : edge.summary.largest_drift_y;
+    const int sign = std::min(a, b) < 0 ? 1 : 0;
+    const int whole = sign + digits(std::max(std::abs(a), std::abs(b)));
+    const int fraction = denominator == 1 ? 0 : 2 + 2 * digits(denominator);
+    const int exact = std::max(5, whole + fraction);
+    return {{{"#", "Number of the sample along the edge, counted from 1.",
+              std::max(2, digits(edge.count))},
+             {x ? "x float" : "y float",
+              "The value that the walk carries, in nine digits: enough to tell every float from "
+              "its neighbours.",
+              denominator == 1 ? std::max(whole, 7) : 11 + sign},
+             {x ? "x exact" : "y exact",
+              "Where the sample would be without any error: start + i (end - start) / steps, as a "
+              "fraction in lowest terms.",
+              exact},
+             {"drift", "Float minus exact: what the additions have lost on the way here.",
+              drift == 0.0 ? 4 : 9},
+             {x ? "column" : "row",
+              "The pixel that the float becomes. ≠: the exact place is on another pixel.",
+              std::max(5, whole + 2)},
+             {"reverse",
+              "The pixel of this place when the edge is walked from its end to its start. ≠: "
+              "another one than walking forwards.",
+              std::max(5, whole + 2)}}};
+}
+
+void draw_headers(Ui& ui, const std::array<Column, 6>& columns) {
+    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        ImGui::TableSetColumnIndex(static_cast<int>(i));
+        ImGui::PushFont(ui.fonts.small);
+        right_aligned(columns[i].title, palette(ui.options.theme).dim);
+        ImGui::PopFont();
+        name_widget(ui, "microscope.header." + std::to_string(i), columns[i].help);
+    }
+}
+
+} // namespace
+
+void draw_sample_table(Ui& ui, float height, bool appears) {
+    const EdgeMicroscope& edge = ui.microscope.shown;
+    const float u = ui.options.text_scale;
+    const std::array<Column, 6> columns = columns_of(ui);
+    ImGui::PushFont(ui.fonts.mono);
+    const float letter = ImGui::CalcTextSize("0").x;
+    ImGui::PopFont();
+    const ImVec2 padding{4.0f * u, ImGui::GetStyle().CellPadding.y};
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, padding);
+    float needed = ImGui::GetStyle().ScrollbarSize;
+    for (const Column& column : columns)
+        needed += letter * static_cast<float>(column.letters) + 2.0f * padding.x;
+    const bool fits = needed <= ImGui::GetContentRegionAvail().x;
+    const ImGuiTableFlags flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH |
+                                  ImGuiTableFlags_PadOuterX |
+                                  (fits ? ImGuiTableFlags_SizingStretchProp
+                                        : ImGuiTableFlags_ScrollX | ImGuiTableFlags_SizingFixedFit);
+    // Two tables, because ImGui remembers the widths of each.
+    const char* const id = fits ? "samples" : "samples that scroll";
+    if (!ImGui::BeginTable(id, static_cast<int>(columns.size()), flags, {0, height})) {
+        ImGui::PopStyleVar();
+        return;
+    }
+    ImGui::TableSetupScrollFreeze(1, 1);
+    for (const Column& column : columns) {
+        const float width = letter * static_cast<float>(column.letters);
+        ImGui::TableSetupColumn(
+            "", fits ? ImGuiTableColumnFlags_WidthStretch : ImGuiTableColumnFlags_WidthFixed,
+            width);
+    }
+    draw_headers(ui, columns);
+    ImGui::PushFont(ui.fonts.mono);
+    const int current = current_sample(ui), walked = samples_walked(ui);
+    ImGuiListClipper clipper;
+    clipper.Begin(edge.count);
+    const bool follows = (ui.follow_cursor || appears) && current >= 0 && current < edge.count;
+    if (follows) clipper.ForceDisplayRangeByIndices(current, current + 1);
+    while (clipper.Step()) {
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            draw_sample(ui, i, current, walked);
+            if (follows && i == current && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
+        }
+    }
+    ImGui::PopFont();
+    ImGui::EndTable();
+    ImGui::PopStyleVar();
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string_view>
+
+#include "settings/setting_table.h"
+#include "ui/ui.h"
+#include "ui/widgets/layout.h"
+
+namespace rasterwalk {
+
+// The inspector and its panels: one file, one free function each.
+
+/// The tabs on the right, and what is in them.
+void draw_inspector(Ui& ui, const Layout& layout);
+/// Which triangle the inspector shows, with buttons to its neighbours. There must be one.
+void draw_triangle_title(Ui& ui);
+void draw_vertices_panel(Ui& ui);
+void draw_rows_panel(Ui& ui);
+void draw_fragment_panel(Ui& ui);
+void draw_graph_panel(Ui& ui);
+void draw_microscope_panel(Ui& ui);
+void draw_history_panel(Ui& ui);
+void draw_compare_panel(Ui& ui);
+void draw_lab_panel(Ui& ui);
+/// In a bench scene: its examples, and its vertices to be typed. Otherwise nothing.
+void draw_bench_examples(Ui& ui);
+void draw_settings_panel(Ui& ui);
+/// The field in which a setting of one of the runs is changed, under a name for tests.
+void edit_setting(Ui& ui, Settings& settings, const Setting& setting, const std::string& name);
+
+} // namespace rasterwalk

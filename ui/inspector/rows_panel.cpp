@@ -1,0 +1,400 @@
+#include <algorithm>
+#include <climits>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "session/walk.h"
+#include "ui/inspector/panels.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// "2.4": edge 2, sample 4, both counted from 1.
+std::string writer_text(const EndWriter& writer) {
+    std::string text = std::to_string(writer.edge + 1) + "." + std::to_string(writer.sample + 1);
+    if (writer.replaced > 0) text += " ↻" + std::to_string(writer.replaced);
+    return text;
+}
+
+std::string writer_tooltip(const EndWriter& writer) {
+    std::string text = "Edge " + std::to_string(writer.edge + 1) + ", sample " +
+                       std::to_string(writer.sample + 1) + ".";
+    if (writer.replaced > 0) {
+        text += " It replaced what stood here; that has happened " +
+                std::to_string(writer.replaced) + (writer.replaced == 1 ? " time." : " times.");
+    }
+    return text + "\nClick: to the moment in which it was written.";
+}
+
+/// To the moment just after a sample was entered, so that its cell is the one that lights up.
+void go_to_sample(Ui& ui, int edge, int sample) {
+    const Timeline timeline(ui.results.frame);
+    const Cursor cursor{*ui.results.triangle, Phase::edges, edge, sample};
+    if (timeline.exists(cursor)) go_to(ui.session, timeline.next(cursor, Granularity::moment));
+}
+
+/// One end of a row: its column, lit if it was written just now, in the colour of who wrote it.
+void draw_end_cell(Ui& ui, const std::string& name, const Fragment& end, const EndWriter& writer,
+                   bool is_left, bool just_written) {
+    const Palette& p = palette(ui.options.theme);
+    if (just_written) {
+        ImGui::TableSetBgColor(ImGuiTableBgTarget_CellBg,
+                               packed(colour_of(Meaning::current, ui.options.theme), 0.25f));
+    }
+    if (!writer.is_set()) {
+        const bool is_extreme = end.column == empty_left || end.column == empty_right;
+        right_aligned(!is_extreme ? std::to_string(end.column)
+                      : is_left   ? "+INT_MAX"
+                                  : "−INT_MAX",
+                      p.dim);
+        name_widget(ui, name,
+                    is_extreme ? "No sample has reached this row yet: any column is an improvement."
+                               : "Where this end starts: no sample has improved on it.");
+        return;
+    }
+    const ImVec4 colour = colour_of(edge_meaning(writer.edge), ui.options.theme);
+    right_aligned(std::to_string(end.column), colour);
+    name_widget(ui, name, writer_tooltip(writer));
+    if (ImGui::IsItemClicked()) go_to_sample(ui, writer.edge, writer.sample);
+}
+
+void draw_writer_cell(Ui& ui, const std::string& name, const EndWriter& writer) {
+    const Palette& p = palette(ui.options.theme);
+    if (!writer.is_set()) {
+        right_aligned("—", p.dim);
+        return;
+    }
+    right_aligned(writer_text(writer), colour_of(edge_meaning(writer.edge), ui.options.theme));
+    name_widget(ui, name, writer_tooltip(writer));
+    if (ImGui::IsItemClicked()) go_to_sample(ui, writer.edge, writer.sample);
+}
+
+/// Varyings as the stage uses them: the light of the vertex, or the place in the room.
+glm::vec3 shown_varying(const Frame& frame, const Fragment& end) {
+    const Lighting lighting = lighting_of(frame.settings.stage);
+    return lighting == Lighting::per_vertex ? end.varyings.illumination
+                                            : end.varyings.position_world;
+}
+
+void draw_values(Ui& ui, const Fragment& end, bool is_set) {
+    const Palette& p = palette(ui.options.theme);
+    const glm::vec3 varying = shown_varying(ui.results.frame, end);
+    const float numbers[] = {end.zinv, varying.x, varying.y, varying.z};
+    for (const float number : numbers) {
+        ImGui::TableNextColumn();
+        right_aligned(is_set ? fixed(static_cast<double>(number), 4) : "—",
+                      is_set ? p.text : p.dim);
+    }
+}
+
+/// The row of the picture at which the work in this table stands: that of the last fragments, or of
+/// the last sample; none before the first.
+std::optional<int> row_at_work(const Ui& ui) {
+    const RowHistory& history = ui.results.rows;
+    const std::optional<Cursor>& done = ui.results.done;
+    if (done && done->triangle == ui.results.triangle && done->phase == Phase::rows) {
+        return history.rows.first_row + done->index;
+    }
+    if (history.last && history.last->write.inside) return history.last->fragment.row;
+    return std::nullopt;
+}
+
+void draw_row(Ui& ui, int index) {
+    const Palette& p = palette(ui.options.theme);
+    const RowHistory& history = ui.results.rows;
+    const int row = history.rows.first_row + index;
+    const std::string name = "rows." + std::to_string(row);
+    const EndWriter& left = history.left_by[index];
+    const EndWriter& right = history.right_by[index];
+    const bool is_last =
+        history.last && history.last->write.inside && history.last->fragment.row == row;
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::PushID(row);
+    const bool lit = row_at_work(ui) == row || ui.session.selection.row == row ||
+                     (ui.hovered_pixel && ui.hovered_pixel->y == row);
+    if (ImGui::Selectable("##row", lit,
+                          ImGuiSelectableFlags_SpanAllColumns |
+                              ImGuiSelectableFlags_AllowItemOverlap)) {
+        ui.session.selection.row = row;
+    }
+    if (ImGui::IsItemHovered()) ui.hovered_row = row;
+    name_widget(ui, name);
+    ImGui::SameLine(0.0f, 0.0f);
+    right_aligned(std::to_string(row), p.text);
+    ImGui::PopID();
+    const RowWrite write = is_last ? history.last->write : RowWrite{};
+    ImGui::TableNextColumn();
+    draw_end_cell(ui, name + ".left", history.rows.left[index], left, true, write.left);
+    if (ui.shows_end_values) draw_values(ui, history.rows.left[index], left.is_set());
+    ImGui::TableNextColumn();
+    draw_end_cell(ui, name + ".right", history.rows.right[index], right, false, write.right);
+    if (ui.shows_end_values) {
+        draw_values(ui, history.rows.right[index], right.is_set());
+        return;
+    }
+    ImGui::TableNextColumn();
+    const int count = history.rows.pixel_count(index);
+    right_aligned(count > 0 ? std::to_string(count) : "—", count > 0 ? p.text : p.dim);
+    ImGui::TableNextColumn();
+    draw_writer_cell(ui, name + ".left_by", left);
+    ImGui::TableNextColumn();
+    draw_writer_cell(ui, name + ".right_by", right);
+}
+
+/// A sample that fell outside the table: a red line, with the float value that is to blame.
+void draw_outside(Ui& ui, const OutsideSample& sample, int number) {
+    const ImVec4 red = colour_of(Meaning::fail, ui.options.theme);
+    ImGui::TableNextRow();
+    ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, packed(red, 0.18f));
+    ImGui::TableNextColumn();
+    ImGui::PushID(-1 - number);
+    const bool pressed = ImGui::Selectable("##outside", false,
+                                           ImGuiSelectableFlags_SpanAllColumns |
+                                               ImGuiSelectableFlags_AllowItemOverlap);
+    char value[64];
+    std::snprintf(value, sizeof value, "%.9g", static_cast<double>(sample.y));
+    const std::string tooltip = "Edge " + std::to_string(sample.edge + 1) + ", sample " +
+                                std::to_string(sample.sample + 1) + ": y = " + value +
+                                " becomes row " + std::to_string(sample.row) +
+                                ", which the table does not have. A program without a guard writes "
+                                "outside its array here.";
+    name_widget(ui, "rows.outside." + std::to_string(number), tooltip);
+    ImGui::PopID();
+    ImGui::SameLine(0.0f, 0.0f);
+    right_aligned(fixed(sample.row, 0), red);
+    ImGui::TableNextColumn();
+    right_aligned("outside", red);
+    ImGui::TableNextColumn();
+    // The value is longer than a column, and the next ones are empty on this line.
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const ImVec2 low = ImGui::GetWindowPos();
+    ImGui::PushClipRect(low, {low.x + ImGui::GetWindowWidth(), low.y + ImGui::GetWindowHeight()},
+                        false);
+    ImGui::GetWindowDrawList()->AddText(at, packed(red), (std::string("y = ") + value).c_str());
+    ImGui::PopClipRect();
+    if (!ui.shows_end_values) {
+        ImGui::TableSetColumnIndex(5);
+        right_aligned(std::to_string(sample.edge + 1) + "." + std::to_string(sample.sample + 1),
+                      red);
+    }
+    if (pressed) go_to_sample(ui, sample.edge, sample.sample);
+}
+
+void draw_headers(Ui& ui) {
+    struct Header {
+        const char* name;
+        const char* help;
+    };
+    static constexpr Header who[] = {
+        {"row", "Row of the picture."},
+        {"left", "Column of the row's left end: leftPixels[i].x"},
+        {"right", "Column of the row's right end: rightPixels[i].x"},
+        {"count", "Pixels from the left to the right end, both included."},
+        {"left by", "Who wrote the left end: edge.sample, and how often it was replaced (↻)."},
+        {"right by", "Who wrote the right end: edge.sample, and how often it was replaced (↻)."},
+    };
+    static constexpr Header values[] = {
+        {"row", "Row of the picture."},
+        {"left", "Column of the row's left end: leftPixels[i].x"},
+        {"1/z", "1/z of the left end."},
+        {"x", "Varying of the left end; q/z with perspective correction."},
+        {"y", "Varying of the left end; q/z with perspective correction."},
+        {"z", "Varying of the left end; q/z with perspective correction."},
+        {"right", "Column of the row's right end: rightPixels[i].x"},
+        {"1/z", "1/z of the right end."},
+        {"x", "Varying of the right end; q/z with perspective correction."},
+        {"y", "Varying of the right end; q/z with perspective correction."},
+        {"z", "Varying of the right end; q/z with perspective correction."},
+    };
+    const std::span<const Header> headers =
+        ui.shows_end_values ? std::span<const Header>(values) : std::span<const Header>(who);
+    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+    for (int i = 0; i < ImGui::TableGetColumnCount(); ++i) {
+        ImGui::TableSetColumnIndex(i);
+        ImGui::PushFont(ui.fonts.small);
+        const bool is_count = std::string_view(headers[i].name) == "count";
+        right_aligned(is_count && ui.page_is_narrow ? "n" : headers[i].name,
+                      palette(ui.options.theme).dim);
+        ImGui::PopFont();
+        // The values of both ends have the same titles.
+        const bool is_value = ui.shows_end_values && i >= 2 && i != 6;
+        const std::string end = !is_value ? "" : i < 6 ? "left." : "right.";
+        name_widget(ui, "rows.header." + end + headers[i].name, headers[i].help);
+    }
+}
+
+/// Scrolls to the row just drawn. A table that has only just come knows its height a frame later:
+/// what is wanted stays wanted until it is seen.
+void bring_into_view(Ui& ui) {
+    const float top = ImGui::GetWindowPos().y + ImGui::GetTextLineHeightWithSpacing();
+    const float bottom = ImGui::GetWindowPos().y + ImGui::GetWindowHeight();
+    if (ImGui::GetItemRectMin().y > top && ImGui::GetItemRectMax().y < bottom) {
+        ui.scroll_to_row = false;
+    } else {
+        ImGui::SetScrollHereY();
+    }
+}
+
+/// The row to bring into view, as an index into the table, -1: none. A table that comes to be shown
+/// shows its selected row, or else the row at work.
+int wanted_row(Ui& ui) {
+    const RowHistory& history = ui.results.rows;
+    const RowsPlace place{*ui.results.triangle, ui.session.selection.row, ui.session.jumps};
+    if (!(place == ui.rows_place)) {
+        ui.rows_place = place;
+        ui.scroll_to_row = true;
+    }
+    if (!ui.scroll_to_row) return -1;
+    const auto in_table = [&](std::optional<int> row) {
+        const int index = row.value_or(-1) - history.rows.first_row;
+        return row && index >= 0 && index < history.rows.size() ? index : -1;
+    };
+    const int selected = in_table(ui.session.selection.row);
+    return selected >= 0 ? selected : in_table(row_at_work(ui));
+}
+
+void draw_table(Ui& ui, float height) {
+    const RowHistory& history = ui.results.rows;
+    const float u = ui.options.text_scale;
+    const int columns = ui.shows_end_values ? 11 : 6;
+    const ImGuiTableFlags flags =
+        ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH |
+        (ui.shows_end_values ? ImGuiTableFlags_ScrollX | ImGuiTableFlags_SizingFixedFit
+                             : ImGuiTableFlags_SizingStretchProp);
+    const ImVec2 padding = ImGui::GetStyle().CellPadding;
+    const bool is_narrow = ui.page_is_narrow;
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {is_narrow ? 2.0f * u : padding.x, padding.y});
+    const bool open = ImGui::BeginTable("rows", columns, flags, {0, height});
+    ImGui::PopStyleVar();
+    if (!open) return;
+    ImGui::TableSetupScrollFreeze(1, 1);
+    static constexpr float roomy[] = {46, 84, 84, 48, 92, 92}, narrow[] = {34, 46, 46, 34, 78, 78};
+    const float* const widths = is_narrow ? narrow : roomy;
+    for (int i = 0; i < columns; ++i) {
+        // Of the ends' values those of the left end are in sight at once.
+        const float value_width = i == 0 ? 40.0f : i == 1 || i == 6 ? 46.0f : 70.0f;
+        ImGui::TableSetupColumn("", 0, ui.shows_end_values ? value_width * u : widths[i]);
+    }
+    draw_headers(ui);
+    ImGui::PushFont(ui.fonts.mono);
+    const auto is_above = [&](const OutsideSample& s) { return s.row < history.rows.first_row; };
+    for (std::size_t i = 0; i < history.outside.size(); ++i) {
+        if (is_above(history.outside[i])) draw_outside(ui, history.outside[i], static_cast<int>(i));
+    }
+    ImGuiListClipper clipper;
+    clipper.Begin(history.rows.size());
+    const std::optional<int> at_work = row_at_work(ui);
+    if (ui.follow_cursor && at_work && history.rows.size() > 0) {
+        const int index = std::clamp(*at_work - history.rows.first_row, 0, history.rows.size() - 1);
+        clipper.ForceDisplayRangeByIndices(index, index + 1);
+    }
+    const int wanted = wanted_row(ui);
+    if (wanted < 0 || wanted >= history.rows.size()) {
+        ui.scroll_to_row = false;
+    } else {
+        clipper.ForceDisplayRangeByIndices(wanted, wanted + 1);
+    }
+    while (clipper.Step()) {
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            draw_row(ui, i);
+            const bool is_at_work = at_work == history.rows.first_row + i;
+            if (ui.follow_cursor && is_at_work && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
+            if (i == wanted) bring_into_view(ui);
+        }
+    }
+    for (std::size_t i = 0; i < history.outside.size(); ++i) {
+        if (!is_above(history.outside[i])) {
+            draw_outside(ui, history.outside[i], static_cast<int>(i));
+        }
+    }
+    ImGui::PopFont();
+    ImGui::EndTable();
+}
+
+/// What the sample that was entered last did, in words and numbers.
+void draw_last_sample(Ui& ui) {
+    const RowHistory& history = ui.results.rows;
+    const Palette& p = palette(ui.options.theme);
+    begin_card(ui);
+    if (!history.last) {
+        text_in(p.dim, "No sample has been entered yet: every row is empty.");
+        end_card(ui);
+        return;
+    }
+    const SampleStep& last = *history.last;
+    text_in(p.dim, "last sample: edge ");
+    ImGui::SameLine(0.0f, 0.0f);
+    text_in(colour_of(edge_meaning(last.edge), ui.options.theme), std::to_string(last.edge + 1));
+    ImGui::SameLine(0.0f, 0.0f);
+    text_in(p.dim, ", sample " + std::to_string(last.sample + 1));
+    ImGui::PushFont(ui.fonts.mono);
+    char text[96];
+    std::snprintf(text, sizeof text, "x = %.9g → %d", static_cast<double>(last.x),
+                  last.fragment.column);
+    ImGui::TextUnformatted(text);
+    std::snprintf(text, sizeof text, "y = %.9g → %d", static_cast<double>(last.y),
+                  last.fragment.row);
+    ImGui::TextUnformatted(text);
+    ImGui::PopFont();
+    std::string words = "row " + std::to_string(last.fragment.row) + ": ";
+    if (!last.write.inside) {
+        words += "outside the table, not written";
+        text_in(colour_of(Meaning::fail, ui.options.theme), words);
+    } else {
+        const std::string column = std::to_string(last.fragment.column);
+        words += last.write.left && last.write.right ? "both ends become " + column
+                 : last.write.left                   ? "left end becomes " + column
+                 : last.write.right                  ? "right end becomes " + column
+                                                     : "lies between its ends, nothing changes";
+        ImGui::TextUnformatted(words.c_str());
+    }
+    end_card(ui);
+}
+
+} // namespace
+
+void draw_rows_panel(Ui& ui) {
+    ui.hovered_row = std::nullopt;
+    const Palette& p = palette(ui.options.theme);
+    if (!ui.results.triangle) {
+        text_in(p.dim, "The scene has no triangles.");
+        return;
+    }
+    draw_triangle_title(ui);
+    if (!ui.results.frame.is_drawn(*ui.results.triangle)) {
+        wrapped_text("This triangle is left out, so it has no rows. The Vertices tab says why.");
+        return;
+    }
+    draw_bench_examples(ui);
+    const RowHistory& history = ui.results.rows;
+    const float line = ImGui::GetTextLineHeightWithSpacing();
+    const float below = 6.2f * line + ImGui::GetFrameHeightWithSpacing();
+    const float slack = 10.0f * ui.options.text_scale; // the lines between the rows
+    const float needed =
+        slack + static_cast<float>(history.rows.size() + history.outside.size() + 1) *
+                    (ui.fonts.mono->FontSize + 2.0f * ImGui::GetStyle().CellPadding.y);
+    const float room = ImGui::GetContentRegionAvail().y - below;
+    draw_table(ui, std::max(std::min(needed, room), 6.0f * line));
+    draw_last_sample(ui);
+    if (button(ui, "rows.copy", "copy as text", Look::plain,
+               "Copies the table in the form that the lab prints.")) {
+        ImGui::SetClipboardText(rows_text(history.rows).c_str());
+        ui.session.notice = "The row table is in the clipboard.";
+    }
+    ImGui::SameLine();
+    if (button(ui, "rows.values", "ends' values", ui.shows_end_values ? Look::chosen : Look::plain,
+               "Shows 1/z and the varyings of both ends in further columns.")) {
+        ui.shows_end_values = !ui.shows_end_values;
+    }
+    ImGui::SameLine();
+    const std::size_t outside = history.outside.size();
+    text_in(outside > 0 ? colour_of(Meaning::fail, ui.options.theme) : p.dim,
+            std::to_string(outside) + (outside == 1 ? " sample outside" : " samples outside"));
+}
+
+} // namespace rasterwalk

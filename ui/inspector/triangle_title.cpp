@@ -1,0 +1,62 @@
+#include <algorithm>
+#include <string>
+
+#include "ui/actions/actions.h"
+#include "ui/inspector/panels.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+void draw_triangle_title(Ui& ui) {
+    const int triangle = *ui.results.triangle;
+    const int count = ui.results.frame.triangle_count();
+    const Palette& p = palette(ui.options.theme);
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushFont(ui.fonts.bold);
+    ImGui::Text("Triangle %d", triangle + 1);
+    ImGui::PopFont();
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const bool follows = !ui.session.selection.triangle;
+    const bool can_follow = !follows && ui.results.done && ui.results.done->triangle != triangle;
+    const std::string follow_label =
+        ui.page_is_low ? "follow"
+                       : "follow the cursor: triangle " +
+                             std::to_string(can_follow ? ui.results.done->triangle + 1 : 0);
+    const auto follow = [&] {
+        if (button(ui, "triangle.follow", follow_label, Look::link,
+                   "Shows the triangle that is being drawn instead of the picked one.")) {
+            ui.session.selection.triangle = std::nullopt;
+        }
+    };
+    // The buttons come first; of the name there is as much as fits before them.
+    float width = count > 1 ? 2.0f * ImGui::GetFrameHeight() + gap : 0.0f;
+    if (can_follow && ui.page_is_low) width += button_width(follow_label);
+    const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
+    text_in(p.dim, shortened("of " + std::to_string(count) + " · " +
+                                 part_name(*ui.results.scene, triangle),
+                             std::max(ImGui::GetContentRegionAvail().x - width - gap, 0.0f)));
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(std::max(right - width, ImGui::GetCursorPosX()));
+    if (can_follow && ui.page_is_low) {
+        follow();
+        ImGui::SameLine();
+    }
+    if (count > 1) {
+        const ImVec2 size{ImGui::GetFrameHeight(), 0};
+        if (button(ui, "triangle.previous", "‹", Look::plain, "Shows the triangle before.", size)) {
+            ui.session.selection.triangle = (triangle + count - 1) % count;
+        }
+        ImGui::SameLine();
+        if (button(ui, "triangle.next", "›", Look::plain, "Shows the triangle after.", size)) {
+            ui.session.selection.triangle = (triangle + 1) % count;
+        }
+    } else {
+        ImGui::NewLine();
+    }
+    if (can_follow && !ui.page_is_low) follow();
+}
+
+} // namespace rasterwalk

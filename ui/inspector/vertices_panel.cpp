@@ -1,0 +1,273 @@
+#include <algorithm>
+#include <cfloat>
+#include <string>
+
+#include "ui/inspector/panels.h"
+#include "ui/widgets/formula_view.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+const char* fault_text(VertexFault fault) {
+    switch (fault) {
+    case VertexFault::none:
+        return "";
+    case VertexFault::not_finite:
+        return "a coordinate that is no finite number";
+    case VertexFault::behind_camera:
+        return "a vertex on or behind the camera plane (z ≤ 0)";
+    case VertexFault::too_far_out:
+        return "a vertex so close to the camera plane that its edges would be absurdly long";
+    case VertexFault::taken_for_behind:
+        return "a vertex in column −1, which is taken for the mark of one behind the camera";
+    }
+    return "";
+}
+
+/// One line of the table: one number of the three vertices.
+struct Line {
+    const char* space; ///< only on the first line of a space
+    const char* coordinate;
+    const char* id; ///< of the formula in the vertex report
+    int digits;
+    const char* help;
+    bool is_light = false; ///< only in the stages that compute light
+};
+
+const Line lines[] = {
+    {"world", "x", "world.x", 3, "The vertex where the scene has it. x points right."},
+    {"", "y", "world.y", 3, "y points down."},
+    {"", "z", "world.z", 3, "z points into the picture."},
+    {"− camera", "x", "minus_camera.x", 3,
+     "The world moved so that the camera stands at the origin: P − C."},
+    {"", "y", "minus_camera.y", 3, "P − C."},
+    {"", "z", "minus_camera.z", 3, "P − C."},
+    {"rotated", "x", "rotated.x", 3, "Turned so that the camera looks along +z: (P − C) R."},
+    {"", "y", "rotated.y", 3, "(P − C) R."},
+    {"", "z", "rotated.z", 3, "How far in front of the camera."},
+    {"projected", "x", "projected.x", 3,
+     "f x / z: pixels from the middle of the picture, before rounding."},
+    {"", "y", "projected.y", 3, "f y / z: pixels from the middle of the picture, before rounding."},
+    {"pixel", "column", "pixel.column", 0,
+     "Rounded to a whole number and moved to the middle of the picture."},
+    {"", "row", "pixel.row", 0,
+     "Rounded to a whole number and moved to the middle of the picture."},
+    {"", "1/z", "zinv", 5, "What the depth buffer will hold: larger is nearer."},
+    {"normal", "x", "normal.x", 3, "Across the surface, of unit length.", true},
+    {"", "y", "normal.y", 3, "Across the surface, of unit length.", true},
+    {"", "z", "normal.z", 3, "Across the surface, of unit length.", true},
+    {"light", "red", "light.R.red", 3, "The light that this vertex gives back: R = ρ (D + N).",
+     true},
+    {"", "green", "light.R.green", 3, "The light that this vertex gives back: R = ρ (D + N).",
+     true},
+    {"", "blue", "light.R.blue", 3, "The light that this vertex gives back: R = ρ (D + N).", true},
+};
+
+/// A narrow column has fewer digits; the formula below has them all.
+int digits_of(const Ui& ui, const Line& line) {
+    if (!ui.page_is_narrow || line.digits == 0) return line.digits;
+    return std::string_view(line.space) == "projected" || line.id == std::string_view("projected.y")
+               ? 1
+               : line.digits - 1;
+}
+
+/// How many columns of words stand before the numbers.
+int label_columns(const Ui& ui) {
+    return ui.page_is_narrow ? 1 : 2;
+}
+
+void draw_header(Ui& ui, int chosen) {
+    ImGui::TableNextRow();
+    for (int v = 0; v < 3; ++v) {
+        ImGui::TableSetColumnIndex(label_columns(ui) + v);
+        const std::string label = (ui.page_is_narrow ? "v" : "vertex ") + std::to_string(v + 1);
+        const std::string name = "vertices.v" + std::to_string(v);
+        if (number_cell(ui, name, label, palette(ui.options.theme).dim, v == chosen,
+                        "Shows this vertex's formula below.")) {
+            ui.session.selection.vertex = v;
+        }
+    }
+}
+
+/// The words before the numbers of a line; in a narrow page all in one column.
+void draw_labels(Ui& ui, const Line& line) {
+    const Palette& p = palette(ui.options.theme);
+    const std::string name = std::string("vertices.").append(line.id);
+    ImGui::TableNextColumn();
+    if (*line.space != '\0') {
+        const float y = ImGui::GetCursorScreenPos().y - ImGui::GetStyle().CellPadding.y;
+        const float x = ImGui::GetWindowPos().x;
+        ImGui::GetWindowDrawList()->AddLine({x, y}, {x + ImGui::GetWindowWidth(), y},
+                                            packed(p.line));
+    }
+    if (ui.page_is_narrow) {
+        const bool is_pixel = std::string_view(line.space) == "pixel";
+        const std::string space = is_pixel || *line.space == '\0' ? "" : line.space;
+        ImGui::PushFont(ui.fonts.small);
+        right_aligned(space.empty() ? line.coordinate : space + " " + line.coordinate, p.dim);
+        ImGui::PopFont();
+        name_widget(ui, name, line.help);
+        return;
+    }
+    if (*line.space != '\0') {
+        ImGui::TextUnformatted(line.space);
+        name_widget(ui, name + ".space", line.help);
+    }
+    ImGui::TableNextColumn();
+    text_in(p.dim, line.coordinate);
+    name_widget(ui, name, line.help);
+}
+
+void draw_cell(Ui& ui, const Line& line, int v, int chosen) {
+    const Palette& p = palette(ui.options.theme);
+    const Formula* const formula =
+        find_formula(ui.results.inspected.vertices[static_cast<std::size_t>(v)].formulas, line.id);
+    const bool is_chosen = v == chosen && ui.inspect.vertex_number == line.id;
+    const std::string name =
+        std::string("vertices.").append(line.id).append(".v").append(std::to_string(v));
+    if (formula == nullptr) {
+        right_aligned("—", p.dim);
+        name_widget(ui, name, "This vertex has no pixel.");
+        return;
+    }
+    const std::string text = fixed(static_cast<double>(formula->result.value), digits_of(ui, line));
+    if (number_cell(ui, name, text, v == chosen ? p.text : p.dim, is_chosen,
+                    line.help + std::string("\nClick: how it came to be."))) {
+        ui.session.selection.vertex = v;
+        ui.inspect.vertex_number = line.id;
+    }
+}
+
+void draw_table(Ui& ui, int chosen) {
+    const bool lights = lighting_of(ui.results.frame.settings.stage) != Lighting::none;
+    const float padding = (ui.page_is_narrow ? 2.0f : 6.0f) * ui.options.text_scale;
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {padding, ImGui::GetStyle().CellPadding.y});
+    if (!ImGui::BeginTable("vertices", label_columns(ui) + 3, ImGuiTableFlags_SizingFixedFit)) {
+        ImGui::PopStyleVar();
+        return;
+    }
+    // The numbers share what the words leave.
+    float room = ImGui::GetContentRegionAvail().x;
+    const auto add_words = [&](ImFont* font, const char* widest) {
+        const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, widest).x;
+        ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, width);
+        room -= width;
+    };
+    if (ui.page_is_narrow) {
+        add_words(ui.fonts.small, "− camera x ");
+    } else {
+        add_words(ui.fonts.text, "− camera ");
+        add_words(ui.fonts.text, "column ");
+    }
+    for (int v = 0; v < 3; ++v) {
+        ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed,
+                                std::max((room - 9.0f * padding) / 3.0f, 1.0f));
+    }
+    draw_header(ui, chosen);
+    for (const Line& line : lines) {
+        if (line.is_light && !lights) continue;
+        ImGui::TableNextRow();
+        draw_labels(ui, line);
+        ImGui::PushFont(ui.fonts.mono);
+        for (int v = 0; v < 3; ++v) {
+            ImGui::TableSetColumnIndex(label_columns(ui) + v);
+            draw_cell(ui, line, v, chosen);
+        }
+        ImGui::PopFont();
+    }
+    ImGui::EndTable();
+    ImGui::PopStyleVar();
+}
+
+/// "floor would give 0, round would give 0"
+std::string other_roundings(const VertexReport& vertex, std::string_view id, Rounding in_force) {
+    std::string text;
+    for (const Rounding other : {Rounding::truncate, Rounding::floor, Rounding::round}) {
+        if (other == in_force) continue;
+        const ShadedVertex& shaded = vertex.by_rounding[static_cast<std::size_t>(other)];
+        text.append(text.empty() ? "" : ", ").append(rounding_function(other));
+        text.append(" would give ").append(shown(vertex_number(shaded, id)));
+    }
+    return text;
+}
+
+/// What R v in place of v R would make of it, or the other way round.
+std::string other_convention(const VertexReport& vertex, const Formula& formula,
+                             Rotation rotation) {
+    const std::string words =
+        rotation == Rotation::row_vector ? "R v instead of v R" : "v R, which is right,";
+    const bool is_of_pixel = !formula.id.starts_with("rotated.");
+    if (is_of_pixel && vertex.transposed.fault != VertexFault::none) {
+        return words + " would leave the triangle out: " + fault_text(vertex.transposed.fault);
+    }
+    const Number other = vertex_number(vertex.transposed, formula.id);
+    if (other.value == formula.result.value) return words + " would give the same";
+    return words + " would give " + shown(other);
+}
+
+void draw_what_else(Ui& ui, const VertexReport& vertex, const Formula& formula) {
+    const Palette& p = palette(ui.options.theme);
+    const Settings& settings = ui.results.frame.settings;
+    ImGui::PushStyleColor(ImGuiCol_Text, p.dim);
+    if (formula.id.starts_with("pixel.")) {
+        wrapped_text(other_roundings(vertex, formula.id, settings.rounding));
+        name_widget(ui, "vertices.other_roundings",
+                    "The same number made whole in the other ways. int() cuts toward zero, so it "
+                    "moves negative numbers the other way than positive ones.");
+    }
+    const bool has_camera = ui.results.scene->space == SceneSpace::world;
+    if (has_camera && depends_on_rotation(formula.id)) {
+        wrapped_text(other_convention(vertex, formula, settings.rotation));
+        name_widget(ui, "vertices.other_convention",
+                    "A vector before the matrix or behind it: one is the transpose of the other, "
+                    "and turns the camera the other way. Without a turn they are the same.");
+    }
+    ImGui::PopStyleColor();
+}
+
+void draw_formula_card(Ui& ui, const VertexReport& vertex) {
+    begin_card(ui);
+    if (vertex.shaded.fault != VertexFault::none) {
+        wrapped_text(std::string("The triangle is left out: ") + fault_text(vertex.shaded.fault) +
+                     ".");
+    }
+    const Formula* formula = find_formula(vertex.formulas, ui.inspect.vertex_number);
+    if (formula == nullptr) formula = find_formula(vertex.formulas, "rotated.z");
+    // Where lines are few the formula itself says whose it is.
+    const std::string number = std::to_string(vertex.vertex + 1);
+    Formula said = *formula;
+    if (ui.page_is_low) {
+        said.name = "v" + number + " " + said.name;
+    } else {
+        text_in(palette(ui.options.theme).dim, "vertex " + number + ": " + formula->help);
+        name_widget(ui, "vertices.formula", formula->help);
+    }
+    ImGui::PushFont(ui.page_is_low ? ui.fonts.small : ui.fonts.text);
+    const std::optional<Source> clicked = draw_formula(ui, said, "vertices.formula");
+    draw_what_else(ui, vertex, *formula);
+    ImGui::PopFont();
+    end_card(ui);
+    if (!clicked) return;
+    if (clicked->kind == SourceKind::formula) ui.inspect.vertex_number = clicked->name;
+    go_to_source(ui, *clicked);
+}
+
+} // namespace
+
+void draw_vertices_panel(Ui& ui) {
+    const std::vector<VertexReport>& vertices = ui.results.inspected.vertices;
+    if (!ui.results.triangle || vertices.empty()) {
+        text_in(palette(ui.options.theme).dim, "The scene has no triangles.");
+        return;
+    }
+    const int chosen = std::clamp(ui.session.selection.vertex.value_or(0), 0, 2);
+    draw_triangle_title(ui);
+    draw_with_card(
+        "vertices", [&] { draw_table(ui, chosen); },
+        [&] { draw_formula_card(ui, vertices[static_cast<std::size_t>(chosen)]); });
+}
+
+} // namespace rasterwalk

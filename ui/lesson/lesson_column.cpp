@@ -1,0 +1,142 @@
+#include <algorithm>
+
+#include "ui/actions/lesson_state.h"
+#include "ui/lesson/lesson_column.h"
+#include "ui/lesson/lesson_list.h"
+#include "ui/lesson/lesson_page.h"
+#include "ui/lesson/page_footer.h"
+#include "ui/lesson/stage_page.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// What the column shows.
+enum class Page : std::uint8_t { lesson, stage, list };
+
+Page page_on_show(const Ui& ui, const Lesson* lesson) {
+    if (ui.lesson.shows_list) return Page::list;
+    return lesson == nullptr || ui.lesson.shows_stage ? Page::stage : Page::lesson;
+}
+
+/// Text that goes on below the edge fades out there.
+void draw_fade(const Ui& ui, float width) {
+    if (ImGui::GetScrollY() >= ImGui::GetScrollMaxY()) return;
+    const ImVec4& ground = palette(ui.options.theme).ground;
+    const ImVec2 low = ImGui::GetWindowPos();
+    const float bottom = low.y + ImGui::GetWindowHeight();
+    const float top = bottom - 30.0f * ui.options.text_scale;
+    const ImU32 clear = packed(ground, 0.0f), full = packed(ground);
+    ImGui::GetWindowDrawList()->AddRectFilledMultiColor({low.x, top}, {low.x + width, bottom},
+                                                        clear, clear, full, full);
+}
+
+/// The three pages side by side: small words, the one on show underlined.
+void draw_switch(Ui& ui, const Lesson* lesson, float width) {
+    struct Choice {
+        const char* widget;
+        const char* title;
+        const char* help;
+        Page page;
+    };
+    static constexpr Choice choices[] = {
+        {"lesson.open", "Lesson", "The lesson that is open.", Page::lesson},
+        {"lesson.stage", "This stage", "A page about the stage that the picture shows.",
+         Page::stage},
+        {"lesson.list", "All lessons", "The lessons, what is done of them, and a search.",
+         Page::list}};
+    const Palette& p = palette(ui.options.theme);
+    const float u = ui.options.text_scale;
+    const Page shown = page_on_show(ui, lesson);
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    ImGui::PushFont(ui.fonts.small);
+    const float height = ImGui::GetFontSize() + 10.0f * u;
+    float x = start.x;
+    for (const Choice& choice : choices) {
+        if (choice.page == Page::lesson && lesson == nullptr) continue;
+        const float text = ImGui::CalcTextSize(choice.title).x;
+        ImGui::SetCursorScreenPos({x, start.y});
+        if (ImGui::InvisibleButton(choice.widget, {text, height})) {
+            ui.lesson.shows_list = choice.page == Page::list;
+            ui.lesson.shows_stage = choice.page == Page::stage;
+        }
+        const bool hovered = ImGui::IsItemHovered();
+        name_widget(ui, choice.widget, choice.help);
+        const bool is_shown = shown == choice.page;
+        ImDrawList* const list = ImGui::GetWindowDrawList();
+        list->AddText({x, start.y + 3.0f * u}, packed(is_shown || hovered ? p.text : p.dim),
+                      choice.title);
+        if (is_shown) {
+            list->AddRectFilled({x, start.y + height - 2.0f * u}, {x + text, start.y + height},
+                                packed(p.link));
+        }
+        x += text + 16.0f * u;
+    }
+    ImGui::PopFont();
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        {start.x, start.y + height}, {start.x + width, start.y + height + 1.0f}, packed(p.line));
+    ImGui::SetCursorScreenPos({start.x, start.y + height + 9.0f * u});
+}
+
+std::string name_of_page(Ui& ui, const Lesson* lesson, Page page) {
+    if (page == Page::list) return "list";
+    if (page == Page::stage) return stage_page_name(ui);
+    return lesson->id + "/" + std::to_string(ui.session.step);
+}
+
+void draw_text(Ui& ui, const Lesson* lesson, Page page, float width) {
+    if (page == Page::lesson) draw_step_text(ui, *lesson, width);
+    if (page == Page::stage) draw_stage_text(ui, width);
+    if (page == Page::list) draw_lesson_list(ui, width);
+}
+
+void draw_footer(Ui& ui, const Lesson* lesson, Page page, float width) {
+    if (page == Page::lesson) draw_step_footer(ui, *lesson, width);
+    if (page == Page::stage) draw_stage_footer(ui, width);
+}
+
+/// @param gutter space for the scroll bar at the right of the text
+void draw_page(Ui& ui, float gutter) {
+    const Lesson* const lesson = open_lesson_of(ui);
+    const Page page = page_on_show(ui, lesson);
+    const float width = std::max(ImGui::GetContentRegionAvail().x - gutter, 1.0f);
+    draw_switch(ui, lesson, width);
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const bool has_footer = page != Page::list;
+    // In a low window the footer scrolls with the text.
+    const bool is_low = has_footer && room.y < 4.5f * page_footer_height(ui);
+    const float footer = has_footer && !is_low ? page_footer_height(ui) : 0.0f;
+    ImGui::BeginChild("lesson.text", {room.x, std::max(room.y - footer, 1.0f)}, false,
+                      ImGuiWindowFlags_NoNav);
+    const std::string name = name_of_page(ui, lesson, page);
+    if (ui.lesson.shown != name) {
+        ImGui::SetScrollY(0.0f);
+        ui.lesson.shown = name;
+    }
+    draw_text(ui, lesson, page, width);
+    if (is_low) draw_footer(ui, lesson, page, width);
+    draw_fade(ui, width);
+    ImGui::EndChild();
+    if (has_footer && !is_low) draw_footer(ui, lesson, page, width);
+}
+
+} // namespace
+
+void draw_lesson_column(Ui& ui, const Area& area) {
+    ImGui::SetNextWindowPos(area.position);
+    ImGui::SetNextWindowSize(area.size);
+    const float padding = ImGui::GetStyle().WindowPadding.x;
+    // The scroll bar stands in the column's right margin.
+    ImGui::SetNextWindowContentSize({area.size.x - padding, 0.0f});
+    ImGui::Begin("lesson", nullptr, panel_flags | ImGuiWindowFlags_NoScrollWithMouse);
+    draw_page(ui, padding);
+    ImGui::End();
+}
+
+void draw_lesson_tab(Ui& ui) {
+    draw_page(ui, ImGui::GetStyle().ScrollbarSize + 2.0f * ui.options.text_scale);
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "ui/ui.h"
+#include "ui/widgets/layout.h"
+
+namespace rasterwalk {
+
+/// The lesson that is open, the page about the stage on show, or the list of lessons; as a column
+/// or as a tab of the inspector.
+void draw_lesson_column(Ui& ui, const Area& area);
+void draw_lesson_tab(Ui& ui);
+
+} // namespace rasterwalk

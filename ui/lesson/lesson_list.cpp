@@ -1,0 +1,145 @@
+#include "ui/lesson/lesson_list.h"
+
+#include <string>
+
+#include <imgui_stdlib.h>
+
+#include "lessons/lesson_search.h"
+#include "ui/actions/lesson_state.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// A line of the list that can be pressed: a title, and small text below it.
+bool draw_entry(Ui& ui, const std::string& name, const std::string& mark, const ImVec4& mark_colour,
+                const std::string& title, const std::string& below, const std::string& right,
+                float width, const char* help) {
+    const Palette& p = palette(ui.options.theme);
+    const float u = ui.options.text_scale;
+    const float margin = 8.0f * u, indent = 30.0f * u;
+    const float wrap = width - indent - margin;
+    const ImFont* const font = ui.fonts.text;
+    const ImFont* const small = ui.fonts.small;
+    const float right_width = small->CalcTextSizeA(small->FontSize, FLT_MAX, 0.0f, right.c_str()).x;
+    const ImVec2 title_size =
+        font->CalcTextSizeA(font->FontSize, FLT_MAX, wrap - right_width - margin, title.c_str());
+    const ImVec2 below_size = small->CalcTextSizeA(small->FontSize, FLT_MAX, wrap, below.c_str());
+    const float height =
+        title_size.y + (below.empty() ? 0.0f : below_size.y + 3.0f * u) + 14.0f * u;
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const bool pressed = ImGui::InvisibleButton(name.c_str(), {width, height});
+    const bool hovered = ImGui::IsItemHovered();
+    name_widget(ui, name, help);
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    if (hovered) {
+        list->AddRectFilled(low, {low.x + width, low.y + height}, packed(p.row_lit), 4.0f * u);
+    }
+    const float y = low.y + 6.0f * u;
+    list->AddText(ui.fonts.text, font->FontSize, {low.x + margin, y}, packed(mark_colour),
+                  mark.c_str());
+    list->AddText(ui.fonts.text, font->FontSize, {low.x + indent, y}, packed(p.text), title.c_str(),
+                  nullptr, wrap - right_width - margin);
+    list->AddText(ui.fonts.small, small->FontSize,
+                  {low.x + width - margin - right_width, y + 2.0f * u}, packed(p.dim),
+                  right.c_str());
+    if (!below.empty()) {
+        list->AddText(ui.fonts.small, small->FontSize,
+                      {low.x + indent, y + title_size.y + 3.0f * u}, packed(p.dim), below.c_str(),
+                      nullptr, wrap);
+    }
+    return pressed;
+}
+
+void draw_lessons(Ui& ui, float width) {
+    const Palette& p = palette(ui.options.theme);
+    int number = 0;
+    for (const Lesson& lesson : ui.lesson.lessons.all()) {
+        ++number;
+        const LessonScore score = score_of(ui.lesson.progress, lesson);
+        const bool is_open = lesson.id == ui.session.lesson;
+        const ImVec4 colour = score.is_done ? colour_of(Meaning::pass, ui.options.theme)
+                              : is_open     ? p.link
+                                            : p.dim;
+        std::string right;
+        if (score.done > 0 && !score.is_done) {
+            right.append(std::to_string(score.done)).append("/");
+            right.append(std::to_string(score.all));
+        } else {
+            right.append(std::to_string(lesson.minutes)).append(" min");
+        }
+        if (draw_entry(ui, "lesson.item." + lesson.id, score.is_done ? "✓" : std::to_string(number),
+                       colour, lesson.title, lesson.about, right, width, "Opens this lesson.")) {
+            const int step = score.is_done ? 0 : score.last_step;
+            open_lesson(ui, std::string(lesson.id), step);
+            return;
+        }
+    }
+    ImGui::Dummy({0.0f, 6.0f * ui.options.text_scale});
+    if (button(ui, "lesson.reset", "forget all progress", Look::link,
+               "Every tick and answer is taken back; asks first.")) {
+        ImGui::OpenPopup("lesson.reset.sure");
+    }
+    if (ImGui::BeginPopup("lesson.reset.sure")) {
+        ImGui::TextUnformatted("Forget what you have done in all lessons?");
+        if (button(ui, "lesson.reset.yes", "forget", Look::chosen, "This cannot be undone.")) {
+            reset_progress(ui);
+            ImGui::CloseCurrentPopup();
+        }
+        ImGui::SameLine();
+        if (button(ui, "lesson.reset.no", "keep", Look::plain, "Nothing is changed.")) {
+            ImGui::CloseCurrentPopup();
+        }
+        ImGui::EndPopup();
+    }
+}
+
+void draw_hits(Ui& ui, float width) {
+    const Palette& p = palette(ui.options.theme);
+    LessonSearch& found = ui.lesson.found;
+    const std::vector<Lesson>& lessons = ui.lesson.lessons.all();
+    if (found.query != ui.lesson.search || found.number != ui.lesson.lessons.number()) {
+        found = {ui.lesson.search, ui.lesson.lessons.number(),
+                 search_lessons(lessons, ui.session.glossary, ui.lesson.search)};
+    }
+    // The copy outlives a lesson's opening, which may search anew.
+    const std::vector<SearchHit> hits = found.hits;
+    if (hits.empty()) {
+        text_in(p.dim, "Nothing says that.");
+        return;
+    }
+    int number = 0;
+    for (const SearchHit& hit : hits) {
+        const std::string name = "lesson.hit." + std::to_string(number++);
+        const bool is_term = hit.lesson.empty();
+        if (!draw_entry(ui, name, is_term ? "§" : "›", p.link, hit.title, hit.excerpt,
+                        is_term ? "glossary" : "", width,
+                        is_term ? "Opens the glossary." : "Opens the lesson at this step.")) {
+            continue;
+        }
+        if (is_term) {
+            ui.shows_glossary = true;
+            ui.glossary_search = hit.title;
+        } else {
+            open_lesson(ui, hit.lesson, hit.step);
+        }
+    }
+}
+
+} // namespace
+
+void draw_lesson_list(Ui& ui, float width) {
+    ImGui::SetNextItemWidth(width);
+    ImGui::InputTextWithHint("##search", "search lessons and glossary", &ui.lesson.search);
+    name_widget(ui, "lesson.search", "Finds words in all lessons and in the glossary.");
+    ImGui::Dummy({0.0f, 2.0f * ui.options.text_scale});
+    if (ui.lesson.search.empty()) {
+        draw_lessons(ui, width);
+    } else {
+        draw_hits(ui, width);
+    }
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,121 @@
+#include "ui/lesson/lesson_page.h"
+
+#include <algorithm>
+#include <string>
+
+#include "ui/actions/lesson_links.h"
+#include "ui/actions/lesson_state.h"
+#include "ui/lesson/lesson_questions.h"
+#include "ui/lesson/page_footer.h"
+#include "ui/page/markdown.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+const LessonStep& step_on_show(const Ui& ui, const Lesson& lesson) {
+    const int last = static_cast<int>(lesson.steps.size()) - 1;
+    return lesson.steps[static_cast<std::size_t>(std::clamp(ui.session.step, 0, last))];
+}
+
+/// "Lesson 4 · 15 minutes · lab: Interpolation" over the opening, "Lesson 4 · step 2 of 8" later.
+void draw_heading(Ui& ui, const Lesson& lesson) {
+    const int last = static_cast<int>(lesson.steps.size()) - 1;
+    std::string text = "Lesson ";
+    text += std::to_string(lesson_number(lesson.id));
+    if (ui.session.step == 0) {
+        text.append(" · ").append(std::to_string(lesson.minutes)).append(" minutes");
+        text.append(" · lab: ").append(lesson.section);
+    } else {
+        text.append(" · step ").append(std::to_string(ui.session.step));
+        text.append(" of ").append(std::to_string(last));
+    }
+    ImGui::PushFont(ui.fonts.small);
+    ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
+    wrapped_text(text);
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+    ImGui::Dummy({0.0f, 2.0f * ui.options.text_scale});
+}
+
+/// The footnotes that the text refers to, in the form in which it can be read together with them.
+std::string with_footnotes(const Lesson& lesson, const std::string& text) {
+    std::string result = text;
+    for (const LessonFootnote& note : lesson.footnotes) {
+        const std::string reference = "[^" + note.label + "]";
+        if (text.find(reference) == text.npos) continue;
+        result.append("\n\n").append(reference).append(": ").append(note.text);
+    }
+    return result;
+}
+
+void draw_faults(Ui& ui, const Lesson& lesson) {
+    if (lesson.faults.empty()) return;
+    const Fault& first = lesson.faults.front();
+    std::string text = fault_text(lesson, first);
+    if (lesson.faults.size() > 1) {
+        text.append(" And ").append(std::to_string(lesson.faults.size() - 1)).append(" more.");
+    }
+    ImGui::PushStyleColor(ImGuiCol_Text, colour_of(Meaning::fail, ui.options.theme));
+    wrapped_text(text);
+    name_widget(ui, "lesson.faults", "rasterwalk check tells all of them.");
+    ImGui::PopStyleColor();
+    ImGui::Spacing();
+}
+
+} // namespace
+
+void draw_step_text(Ui& ui, const Lesson& lesson, float width) {
+    tick_off_tasks(ui, lesson);
+    const LessonStep& step = step_on_show(ui, lesson);
+    draw_heading(ui, lesson);
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
+    draw_faults(ui, lesson);
+    ImGui::PopTextWrapPos();
+    const float gap = 0.6f * ui.fonts.text->FontSize;
+    std::shared_ptr<MarkdownPage>& heading = ui.lesson.pages["heading"];
+    draw_markdown(ui, heading, "# " + step.heading, width, "lesson.heading.link.");
+    for (std::size_t i = 0; i < step.parts.size(); ++i) {
+        const LessonPart& part = step.parts[i];
+        ImGui::Dummy({0.0f, i == 0 ? 0.4f * gap : gap});
+        switch (part.kind) {
+        case LessonPart::Kind::text: {
+            const std::string name = "lesson.part" + std::to_string(i);
+            std::shared_ptr<MarkdownPage>& page = ui.lesson.pages[name];
+            const MarkdownEvents events =
+                draw_markdown(ui, page, with_footnotes(lesson, part.text), width, name + ".link.");
+            answer_links(ui, document_of(*page), events);
+            break;
+        }
+        case LessonPart::Kind::task:
+            draw_task(ui, lesson, lesson.tasks[static_cast<std::size_t>(part.index)], width);
+            break;
+        case LessonPart::Kind::prediction:
+            draw_prediction(ui, lesson, lesson.predictions[static_cast<std::size_t>(part.index)],
+                            width);
+            break;
+        }
+    }
+    ImGui::Dummy({0.0f, 10.0f * ui.options.text_scale});
+}
+
+void draw_step_footer(Ui& ui, const Lesson& lesson, float width) {
+    PageFooter footer;
+    footer.current = ui.session.step;
+    for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+        footer.pages.push_back({"lesson.step." + std::to_string(i), lesson.steps[i].heading,
+                                ui.lesson.progress.is_step_seen(lesson.id, static_cast<int>(i))});
+    }
+    const std::string next = lesson_after(ui, lesson.id);
+    const int wanted = draw_page_footer(ui, footer, width, next.empty() ? "" : "next lesson");
+    if (wanted < 0) return;
+    if (wanted < static_cast<int>(lesson.steps.size())) {
+        open_lesson(ui, lesson.id, wanted);
+    } else {
+        open_lesson(ui, next, 0);
+    }
+}
+
+} // namespace rasterwalk

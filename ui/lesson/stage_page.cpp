@@ -1,0 +1,78 @@
+#include "ui/lesson/stage_page.h"
+
+#include <algorithm>
+#include <string>
+
+#include "ui/actions/actions.h"
+#include "ui/actions/lesson_links.h"
+#include "ui/lesson/page_footer.h"
+#include "ui/page/markdown.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+void go_to_stage(Ui& ui, int stage) {
+    find_action("stage." + std::string(stage_list()[static_cast<std::size_t>(stage)].name)).run(ui);
+}
+
+void draw_heading(Ui& ui, const StageInfo& info) {
+    ImGui::PushFont(ui.fonts.small);
+    text_in(palette(ui.options.theme).dim,
+            "Stage " + std::to_string(static_cast<int>(info.stage) + 1) + " of " +
+                std::to_string(stage_count) + " · lab: " + std::string(info.section));
+    ImGui::PopFont();
+    ImGui::Dummy({0.0f, 2.0f * ui.options.text_scale});
+}
+
+/// The stage's own title and summary, where its note cannot be read.
+void draw_missing(Ui& ui, const StageInfo& info, const StageNote& note) {
+    ImGui::PushFont(ui.fonts.title);
+    wrapped_text(info.title);
+    ImGui::PopFont();
+    ImGui::Spacing();
+    wrapped_text(info.summary);
+    ImGui::Spacing();
+    ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
+    wrapped_text("The page about it is missing: " + note.fault);
+    ImGui::PopStyleColor();
+}
+
+void draw_text(Ui& ui, const StageInfo& info, float width) {
+    LessonView& lesson = ui.lesson;
+    const StageNote& note = lesson.notes.find(note_name(ui.session));
+    draw_heading(ui, info);
+    if (!note.fault.empty()) {
+        draw_missing(ui, info, note);
+    } else {
+        std::shared_ptr<MarkdownPage>& page = lesson.pages["stage"];
+        const MarkdownEvents events = draw_markdown(ui, page, note.text, width, "lesson.link.");
+        answer_links(ui, document_of(*page), events);
+    }
+    ImGui::Dummy({0.0f, 10.0f * ui.options.text_scale});
+}
+
+} // namespace
+
+std::string stage_page_name(Ui& ui) {
+    return ui.lesson.notes.find(note_name(ui.session)).path;
+}
+
+void draw_stage_text(Ui& ui, float width) {
+    draw_text(ui, stage_list()[static_cast<std::size_t>(ui.session.settings.stage)], width);
+}
+
+void draw_stage_footer(Ui& ui, float width) {
+    PageFooter footer;
+    footer.current = static_cast<int>(ui.session.settings.stage);
+    for (const StageInfo& info : stage_list()) {
+        footer.pages.push_back({"lesson.bar." + std::string(info.name), std::string(info.title),
+                                info.stage <= ui.session.settings.stage});
+    }
+    const int wanted = draw_page_footer(ui, footer, width);
+    if (wanted >= 0) go_to_stage(ui, wanted);
+}
+
+} // namespace rasterwalk

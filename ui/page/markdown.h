@@ -1,0 +1,29 @@
+#pragma once
+
+#include <memory>
+#include <string_view>
+
+#include "text/markdown.h"
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+/// A page that is on the screen: parsed when its text changes, laid out when text or width do.
+struct MarkdownPage;
+
+/// What the student does with the links of a page in this frame; indices in the document's links.
+struct MarkdownEvents {
+    int hovered = -1;
+    int followed = -1;
+};
+
+/// Draws Markdown at ImGui's cursor, wrapped at `width` screen pixels, and moves the cursor below
+/// it. Each link is entered in Ui::widgets as `prefix` and its number.
+/// @param page keeps what was worked out from one frame to the next; null at first
+MarkdownEvents draw_markdown(Ui& ui, std::shared_ptr<MarkdownPage>& page, std::string_view text,
+                             float width, std::string_view prefix);
+
+/// The document of a page that was drawn.
+const MarkdownDocument& document_of(const MarkdownPage& page);
+
+} // namespace rasterwalk

@@ -1,0 +1,250 @@
+#include <algorithm>
+#include <filesystem>
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include "session/content.h"
+#include "ui/actions/keys.h"
+#include "ui/actions/view_files.h"
+#include "ui/sheets/sheets.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+constexpr const char* popup = "###file sheet";
+
+bool is_saving(const FileSheet& sheet) {
+    return sheet.kind == FileSheet::Kind::save;
+}
+
+/// The end of a path, as much as fits, with an ellipsis in front.
+std::string shortened_front(const std::string& path, float width) {
+    const auto fits = [&](const std::string& text) {
+        return ImGui::CalcTextSize(text.c_str()).x <= width;
+    };
+    if (fits(path)) return path;
+    for (std::size_t cut = path.find('/', 1); cut != path.npos; cut = path.find('/', cut + 1)) {
+        const std::string rest = "…" + path.substr(cut);
+        if (fits(rest)) return rest;
+    }
+    return shortened("…/" + std::filesystem::path(path).filename().string(), width);
+}
+
+void draw_head(Ui& ui) {
+    const bool saving = is_saving(ui.files);
+    ImGui::PushFont(ui.fonts.title);
+    ImGui::TextUnformatted(saving ? "Save the view" : "Open");
+    ImGui::PopFont();
+    ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
+    wrapped_text(saving ? "Everything that is on show, as a text that can be opened again or given "
+                          "to someone else."
+                        : "A saved view (.walk.toml), a scene (.toml) or a lesson (.md). Your own "
+                          "picture or printed rows are diagnosed.");
+    ImGui::PopStyleColor();
+    ImGui::Spacing();
+}
+
+/// Returns true if Enter was pressed in it.
+bool draw_path(Ui& ui) {
+    FileSheet& sheet = ui.files;
+    if (sheet.wants_focus) {
+        ImGui::SetKeyboardFocusHere();
+        sheet.wants_focus = false;
+    }
+    ImGui::SetNextItemWidth(-1.0f);
+    const std::string before = sheet.path;
+    const bool entered = ImGui::InputTextWithHint("##path", "name, or a whole path", &sheet.path,
+                                                  ImGuiInputTextFlags_EnterReturnsTrue);
+    if (sheet.path != before) {
+        sheet.fault.clear();
+        sheet.asked.clear();
+    }
+    name_widget(ui, "files.path",
+                "The file: its name in the folder below, or a whole path; ~/ is the home folder.");
+    return entered;
+}
+
+void draw_places(Ui& ui) {
+    FileSheet& sheet = ui.files;
+    const float u = ui.options.text_scale;
+    const auto go = [&](const std::string& folder) { enter_folder(sheet, folder); };
+    const float gap = 6.0f * u;
+    const bool has_own = !is_saving(sheet);
+    const char* const labels[] = {"folder above", "start folder", "program's own"};
+    float width = 0.0f;
+    for (int i = 0; i < (has_own ? 3 : 2); ++i)
+        width += button_width(labels[i]) + gap;
+    // Where there is no room beside them, the folder stands in a line of its own.
+    const float room = ImGui::GetContentRegionAvail().x;
+    const bool is_narrow = room - width < 180.0f * u;
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushFont(ui.fonts.small);
+    text_in(palette(ui.options.theme).dim,
+            shortened_front(sheet.folder, is_narrow ? room : room - width - gap));
+    ImGui::PopFont();
+    name_widget(ui, "files.folder", sheet.folder);
+    if (!is_narrow) {
+        ImGui::SameLine();
+        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - width +
+                             gap);
+    }
+    if (button(ui, "files.up", labels[0], Look::plain,
+               "Shows the folder in which this one lies.")) {
+        go(std::filesystem::path(sheet.folder).parent_path().string());
+    }
+    ImGui::SameLine(0.0f, gap);
+    if (button(ui, "files.here", labels[1], Look::plain,
+               "Shows the folder in which the program was started.")) {
+        go(".");
+    }
+    if (!has_own) return;
+    ImGui::SameLine(0.0f, gap);
+    if (button(ui, "files.own", labels[2], Look::plain,
+               "Shows the lessons that come with the program; its scenes lie in scenes/.")) {
+        go(lessons_folder());
+    }
+}
+
+void draw_list(Ui& ui, float height) {
+    FileSheet& sheet = ui.files;
+    const Palette& p = palette(ui.options.theme);
+    const float u = ui.options.text_scale;
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, p.ground);
+    ImGui::PushStyleVar(ImGuiStyleVar_ChildRounding, 4.0f * u);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(8.0f * u, 6.0f * u));
+    ImGui::BeginChild("files", {0.0f, height}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+    // Going to another folder replaces the list: what is clicked is noted, and done after it.
+    const FileEntry* clicked = nullptr;
+    bool is_double = false;
+    for (const FileEntry& entry : sheet.entries) {
+        ImGui::PushStyleColor(ImGuiCol_Text, entry.is_folder ? p.link : p.text);
+        const std::string label = entry.name + (entry.is_folder ? "/" : "");
+        if (ImGui::Selectable(label.c_str(), sheet.path == entry.name,
+                              ImGuiSelectableFlags_AllowDoubleClick |
+                                  ImGuiSelectableFlags_DontClosePopups)) {
+            clicked = &entry;
+            is_double = ImGui::IsMouseDoubleClicked(0);
+        }
+        ImGui::PopStyleColor();
+        name_widget(ui, "files.entry." + entry.name,
+                    entry.is_folder    ? "Shows this folder."
+                    : is_saving(sheet) ? "Saves under this name, in place of what stands there."
+                                       : "Chooses this file; a double click opens it.");
+    }
+    if (sheet.entries.empty()) {
+        text_in(p.dim, is_saving(sheet) ? "No views are saved here."
+                                        : "No views, scenes or lessons here.");
+    }
+    if (sheet.left_out > 0) {
+        text_in(p.dim, "and " + std::to_string(sheet.left_out) + " more: type the name");
+    }
+    if (clicked != nullptr && clicked->is_folder) {
+        const std::string folder = sheet.folder + "/" + clicked->name;
+        enter_folder(sheet, folder);
+        if (!is_saving(sheet)) sheet.path.clear();
+        ImGui::SetScrollY(0.0f);
+    } else if (clicked != nullptr) {
+        sheet.path = clicked->name;
+        sheet.fault.clear();
+        sheet.asked.clear();
+        if (is_double && !is_saving(sheet)) finish_sheet(ui);
+    }
+    ImGui::EndChild();
+    ImGui::PopStyleVar(2);
+    ImGui::PopStyleColor();
+}
+
+std::string message_of(const FileSheet& sheet) {
+    if (!sheet.fault.empty()) return sheet.fault;
+    if (sheet.asked.empty()) return {};
+    return std::filesystem::path(sheet.asked).filename().string() +
+           " is there already. Replace it?";
+}
+
+float message_height(const std::string& message) {
+    if (message.empty()) return 0.0f;
+    const float width = ImGui::GetContentRegionAvail().x;
+    return ImGui::CalcTextSize(message.c_str(), nullptr, false, width).y +
+           ImGui::GetStyle().ItemSpacing.y;
+}
+
+/// Returns true if what the sheet is for is to be done.
+bool draw_buttons(Ui& ui) {
+    FileSheet& sheet = ui.files;
+    const bool replaces = !sheet.asked.empty();
+    const char* const deed = replaces ? "Replace" : is_saving(sheet) ? "Save" : "Open";
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float width = button_width("Cancel") + button_width(deed) + gap;
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() +
+                         std::max(ImGui::GetContentRegionAvail().x - width, 0.0f));
+    if (button(ui, "files.cancel", "Cancel", Look::plain,
+               "Closes this sheet; nothing changes. Key: Escape")) {
+        sheet.kind = FileSheet::Kind::closed;
+    }
+    ImGui::SameLine();
+    ImGui::BeginDisabled(sheet.path.empty());
+    const bool pressed = button(ui, "files.do", deed, Look::chosen,
+                                replaces           ? "Overwrites the file. Key: Enter"
+                                : is_saving(sheet) ? "Writes the file. Key: Enter"
+                                                   : "Opens the file. Key: Enter");
+    ImGui::EndDisabled();
+    return pressed;
+}
+
+void draw_inside(Ui& ui) {
+    FileSheet& sheet = ui.files;
+    draw_head(ui);
+    bool is_to_be_done = draw_path(ui);
+    ImGui::Spacing();
+    draw_places(ui);
+    const std::string message = message_of(sheet);
+    const float spacing = ImGui::GetStyle().ItemSpacing.y;
+    const float below = message_height(message) + ImGui::GetFrameHeight() + 2.0f * spacing;
+    draw_list(ui, std::max(ImGui::GetContentRegionAvail().y - below, 60.0f));
+    if (!message.empty()) {
+        const Palette& p = palette(ui.options.theme);
+        const ImVec4 red = colour_of(Meaning::fail, ui.options.theme);
+        ImGui::PushStyleColor(ImGuiCol_Text, sheet.fault.empty() ? p.text : red);
+        wrapped_text(message);
+        ImGui::PopStyleColor();
+        name_widget(ui, "files.message", message);
+    }
+    ImGui::Spacing();
+    is_to_be_done = draw_buttons(ui) || is_to_be_done;
+    if (ImGui::IsKeyPressed(key::escape, false)) sheet.kind = FileSheet::Kind::closed;
+    if (is_to_be_done && sheet.kind != FileSheet::Kind::closed) {
+        finish_sheet(ui);
+        if (!sheet.asked.empty() || !sheet.fault.empty()) sheet.wants_focus = true;
+    }
+}
+
+} // namespace
+
+void draw_file_sheet(Ui& ui, ImVec2 window) {
+    FileSheet& sheet = ui.files;
+    if (sheet.kind == FileSheet::Kind::closed) return;
+    const float u = ui.options.text_scale;
+    if (!ImGui::IsPopupOpen(popup)) ImGui::OpenPopup(popup);
+    ImGui::SetNextWindowPos({0.5f * window.x, 0.5f * window.y}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSize(
+        {std::min(680.0f * u, window.x - 20.0f), std::min(560.0f * u, window.y - 20.0f)});
+    ImGui::PushStyleColor(ImGuiCol_PopupBg, palette(ui.options.theme).card);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6.0f * u);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(18.0f * u, 14.0f * u));
+    if (ImGui::BeginPopupModal(popup, nullptr,
+                               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoSavedSettings |
+                                   ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize)) {
+        draw_inside(ui);
+        if (sheet.kind == FileSheet::Kind::closed) ImGui::CloseCurrentPopup();
+        ImGui::EndPopup();
+    }
+    ImGui::PopStyleVar(3);
+    ImGui::PopStyleColor();
+}
+
+} // namespace rasterwalk

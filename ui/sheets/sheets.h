@@ -1,0 +1,19 @@
+#pragma once
+
+#include "ui/ui.h"
+
+// What is laid over the whole window.
+
+namespace rasterwalk {
+
+/// The sheet of keys (F1).
+void draw_key_sheet(Ui& ui, ImVec2 window);
+
+/// The sheet on which a file is opened or the view is saved, if it is up. Nothing else can be
+/// clicked meanwhile.
+void draw_file_sheet(Ui& ui, ImVec2 window);
+
+/// The words of the lab (F2).
+void draw_glossary_sheet(Ui& ui, ImVec2 window);
+
+} // namespace rasterwalk

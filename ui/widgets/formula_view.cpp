@@ -1,0 +1,261 @@
+#include "ui/widgets/formula_view.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "session/walk.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+std::string exact_text(const Number& number) {
+    char text[48];
+    std::snprintf(text, sizeof text, number.is_whole ? "%.0f" : "%.9g",
+                  static_cast<double>(number.value));
+    return text;
+}
+
+std::string input_tooltip(const FormulaInput& input) {
+    std::string text = input.symbol + " = " + exact_text(input.number) + "\n";
+    std::string place = source_text(input.source);
+    if (input.source.kind == SourceKind::formula)
+        place = "Click: how it came to be.";
+    else if (input.source.kind != SourceKind::given)
+        place += "\nClick: shows it there.";
+    return text + place;
+}
+
+/// The numbers of a formula, one after the other, with the signs between them.
+std::optional<Source> draw_numbers(FormulaLine& line, const Palette& p, const Formula& formula,
+                                   const std::string& name) {
+    std::optional<Source> clicked;
+    int number = 0;
+    for (const FormulaPiece& piece : pieces_with_numbers(formula)) {
+        if (piece.input < 0) {
+            line.text(piece.text, p.text);
+            continue;
+        }
+        const FormulaInput& input = formula.inputs[static_cast<std::size_t>(piece.input)];
+        // The same input may stand in a formula twice.
+        const std::string id = name + "." + input.symbol;
+        const std::string unique = number++ == 0 ? id : id + "##" + std::to_string(number);
+        if (line.link(piece.text, unique, input_tooltip(input), p.text)) clicked = input.source;
+    }
+    return clicked;
+}
+
+/// A tooltip is text even over a number.
+void name_number(Ui& ui, std::string_view name, std::string_view tooltip) {
+    ImGui::PushFont(ui.fonts.text);
+    name_widget(ui, name, tooltip);
+    ImGui::PopFont();
+}
+
+} // namespace
+
+FormulaLine::FormulaLine(Ui& in, float indented)
+    : ui_(in), begin_(ImGui::GetCursorPosX()), indent_(indented),
+      right_(begin_ + ImGui::CalcItemWidth()) {
+    ImGui::PushFont(ui_.fonts.mono);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0f, 2.0f * ui_.options.text_scale));
+}
+
+FormulaLine::~FormulaLine() {
+    ImGui::PopStyleVar();
+    ImGui::PopFont();
+}
+
+void FormulaLine::make_room(float width) {
+    if (is_first_) {
+        is_first_ = false;
+        return;
+    }
+    ImGui::SameLine(0.0f, 0.0f);
+    if (width == 0.0f || ImGui::GetCursorPosX() + width <= right_ ||
+        ImGui::GetCursorPosX() <= begin_ + indent_)
+        return;
+    ImGui::NewLine();
+    ImGui::SetCursorPosX(begin_ + indent_);
+}
+
+void FormulaLine::text(std::string_view words, const ImVec4& colour) {
+    while (!words.empty()) {
+        // A word takes the blank behind it along.
+        const std::size_t blank = words.find(' ');
+        const std::size_t length = blank == std::string_view::npos ? words.size() : blank + 1;
+        const std::string_view word = words.substr(0, length);
+        const std::string_view visible = word.substr(0, word.find(' '));
+        // What closes a number stays beside it: the card's border has room for it.
+        const bool closes = visible.starts_with(')') || visible.starts_with(',');
+        make_room(closes || visible.empty()
+                      ? 0.0f
+                      : ImGui::CalcTextSize(visible.data(), visible.data() + visible.size()).x);
+        text_in(colour, word);
+        words.remove_prefix(length);
+    }
+}
+
+bool FormulaLine::link(std::string_view label, const std::string& name, const std::string& tooltip,
+                       const ImVec4& colour) {
+    const Palette& p = palette(ui_.options.theme);
+    const ImVec2 size = ImGui::CalcTextSize(label.data(), label.data() + label.size());
+    make_room(size.x);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const bool clicked = ImGui::InvisibleButton(name.c_str(), {std::max(size.x, 1.0f), size.y});
+    const bool hovered = ImGui::IsItemHovered();
+    name_number(ui_, name.substr(0, name.find("##")), tooltip);
+    note_text(ui_, name.substr(0, name.find("##")), label);
+    if (hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    list->AddText(at, packed(hovered ? p.link : colour), label.data(), label.data() + label.size());
+    const float below = at.y + size.y - 0.5f;
+    list->AddLine({at.x, below}, {at.x + size.x, below},
+                  packed(hovered ? p.link : p.dim, hovered ? 1.0f : 0.45f));
+    return clicked;
+}
+
+std::optional<Source> draw_formula(Ui& ui, const Formula& formula, const std::string& name) {
+    const Palette& p = palette(ui.options.theme);
+    ImGui::PushFont(ui.fonts.mono);
+    const float indent = ImGui::CalcTextSize("= ").x;
+    ImGui::PopFont();
+    const float begin = ImGui::GetCursorPosX();
+    {
+        FormulaLine line(ui, indent);
+        line.text(formula.name + " ", p.text);
+        line.text("= " + formula.expression, p.dim);
+    }
+    std::optional<Source> clicked;
+    {
+        FormulaLine line(ui, indent);
+        line.text("= ", p.dim);
+        clicked = draw_numbers(line, p, formula, name);
+    }
+    const std::string result = shown(formula.result);
+    const std::string terms = with_terms(formula);
+    const auto draw_result = [&](FormulaLine& line) {
+        line.text("= ", p.dim);
+        line.text(result, p.link);
+        name_number(ui, name + ".result", "In full: " + exact_text(formula.result));
+        note_text(ui, name + ".result", result);
+    };
+    const bool has_result = with_numbers(formula) != result;
+    bool is_done = false;
+    if (!terms.empty() && terms != result) {
+        FormulaLine line(ui, indent);
+        line.text("= ", p.dim);
+        line.text(terms, p.text);
+        // Where lines are few the result stands on the last one.
+        if (has_result && ui.page_is_low) {
+            line.text(" ", p.dim);
+            draw_result(line);
+            is_done = true;
+        }
+    }
+    ImGui::SetCursorPosX(begin);
+    if (has_result && !is_done) {
+        FormulaLine line(ui, indent);
+        draw_result(line);
+    }
+    return clicked;
+}
+
+std::optional<Source> draw_formula_line(Ui& ui, const Formula& formula, const std::string& name,
+                                        std::string_view label, bool warns) {
+    const Palette& p = palette(ui.options.theme);
+    ImGui::PushFont(ui.fonts.mono);
+    const float indent = ImGui::CalcTextSize("   ").x;
+    ImGui::PopFont();
+    FormulaLine line(ui, indent);
+    line.text(std::string(label.empty() ? formula.name : label) + " ", p.dim);
+    line.text("= ", p.dim);
+    std::optional<Source> clicked = draw_numbers(line, p, formula, name);
+    const std::string result = shown(formula.result);
+    if (with_numbers(formula) == result) return clicked;
+    line.text(" = ", p.dim);
+    const ImVec4 colour = warns ? colour_of(Meaning::fail, ui.options.theme) : p.text;
+    if (line.link(result, name,
+                  formula.help + "\n" + formula.name + " = " + formula.expression + " = " +
+                      exact_text(formula.result),
+                  colour)) {
+        clicked = from_formula(formula.id);
+    }
+    return clicked;
+}
+
+void go_to_source(Ui& ui, const Source& source) {
+    Selection& selection = ui.session.selection;
+    switch (source.kind) {
+    case SourceKind::given:
+    case SourceKind::formula:
+        return;
+    case SourceKind::setting:
+        ui.setting_search = source.name;
+        ui.session.tab = "settings";
+        return;
+    case SourceKind::vertex:
+        selection.triangle = source.triangle;
+        selection.vertex = source.vertex;
+        ui.inspect.vertex_number = source.name;
+        ui.session.tab = "vertices";
+        return;
+    case SourceKind::row_end:
+        selection.triangle = source.triangle;
+        selection.row = source.row;
+        ui.shows_end_values = true;
+        ui.scroll_to_row = true;
+        ui.session.tab = "rows";
+        return;
+    case SourceKind::moment:
+        selection.triangle = source.moment.triangle;
+        go_to(ui.session, Timeline(ui.results.frame).next(source.moment, Granularity::moment));
+        return;
+    }
+}
+
+void draw_with_card(const char* name, const std::function<void()>& page,
+                    const std::function<void()>& card) {
+    ImGuiStorage* const sizes = ImGui::GetStateStorage();
+    const ImGuiID page_id = ImGui::GetID((std::string(name) + ".page").c_str());
+    const ImGuiID card_id = ImGui::GetID((std::string(name) + ".card").c_str());
+    const float room = ImGui::GetContentRegionAvail().y;
+    const float spacing = ImGui::GetStyle().ItemSpacing.y;
+    const float card_height = sizes->GetFloat(card_id, 8.0f * ImGui::GetTextLineHeight());
+    const float left = std::max(room - card_height - spacing, 0.42f * room);
+    ImGui::BeginChild(page_id, {0, std::min(sizes->GetFloat(page_id, room), left)}, false,
+                      ImGuiWindowFlags_NoNav);
+    page();
+    const float page_height = ImGui::GetCursorPosY();
+    ImGui::EndChild();
+    // A card for which there is no room scrolls by itself: neither of the two is ever out of sight.
+    // Its height is that of the frame before: what does not fit yet must not make the panel scroll.
+    const float card_room = std::max(room - left - spacing, 1.0f);
+    const bool scrolls = card_height > card_room + 1.0f && card_room > ImGui::GetTextLineHeight();
+    ImGui::BeginChild(card_id, {0, std::max(scrolls ? card_room : card_height, 1.0f)}, false,
+                      scrolls ? ImGuiWindowFlags_NoNav
+                              : ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoScrollbar);
+    card();
+    const float card_height_now = ImGui::GetCursorPosY();
+    ImGui::EndChild();
+    sizes->SetFloat(page_id, page_height);
+    sizes->SetFloat(card_id, card_height_now);
+}
+
+bool number_cell(Ui& ui, const std::string& name, std::string_view text, const ImVec4& colour,
+                 bool is_chosen, std::string_view tooltip) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float room = ImGui::GetContentRegionAvail().x;
+    const bool clicked =
+        ImGui::Selectable(("##" + name).c_str(), is_chosen, 0, {room, ImGui::GetTextLineHeight()});
+    name_number(ui, name, tooltip);
+    note_text(ui, name, text);
+    const float width = ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
+    ImGui::GetWindowDrawList()->AddText({at.x + std::max(room - width, 0.0f), at.y}, packed(colour),
+                                        text.data(), text.data() + text.size());
+    return clicked;
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "explain/formula.h"
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+/// A line of a formula that breaks between its pieces and goes on further to the right. In the
+/// font for numbers.
+class FormulaLine {
+  public:
+    /// @param indent where it goes on after a break, screen pixels from where it begins
+    FormulaLine(Ui& in, float indent);
+    ~FormulaLine();
+    FormulaLine(const FormulaLine&) = delete;
+    FormulaLine& operator=(const FormulaLine&) = delete;
+
+    void text(std::string_view words, const ImVec4& colour);
+    /// A number that leads to where it comes from. Returns true if it is clicked.
+    bool link(std::string_view label, const std::string& name, const std::string& tooltip,
+              const ImVec4& colour);
+
+  private:
+    void make_room(float width);
+
+    Ui& ui_;
+    float begin_, indent_, right_;
+    bool is_first_ = true;
+};
+
+/// A formula in full: with symbols, with numbers, with its terms worked out, its result; each
+/// number a link. Returns the source that was clicked.
+std::optional<Source> draw_formula(Ui& ui, const Formula& formula, const std::string& name);
+
+/// A formula on one line: its name, the numbers, the result; each number a link. The result leads
+/// to the formula itself.
+/// @param label instead of the formula's own name, unless it is empty
+/// @param warns the result is marked as one that cannot be shown
+std::optional<Source> draw_formula_line(Ui& ui, const Formula& formula, const std::string& name,
+                                        std::string_view label = {}, bool warns = false);
+
+/// Shows the place that a number comes from: selects it and opens its tab. A formula or a given
+/// number has none.
+void go_to_source(Ui& ui, const Source& source);
+
+/// A page that scrolls, and below it what must stay in view: the formula of what was clicked there.
+/// @param name by which both keep their sizes from one frame to the next
+void draw_with_card(const char* name, const std::function<void()>& page,
+                    const std::function<void()>& card);
+
+/// A number in a cell of a table, at its right edge, that can be clicked.
+bool number_cell(Ui& ui, const std::string& name, std::string_view text, const ImVec4& colour,
+                 bool is_chosen, std::string_view tooltip);
+
+} // namespace rasterwalk

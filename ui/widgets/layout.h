@@ -1,0 +1,48 @@
+#pragma once
+
+#include <imgui.h>
+
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+/// What all parts of the window have in common: they stay where they are put.
+inline constexpr ImGuiWindowFlags panel_flags =
+    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav;
+
+/// A part of the window, screen pixels.
+struct Area {
+    ImVec2 position;
+    ImVec2 size;
+};
+
+/// Where everything is. A pure function of the window's size and the text size.
+struct Layout {
+    Area menu;      ///< top line
+    Area strip;     ///< the stages and the switches
+    Area lesson;    ///< left column; without width if the lesson is a tab of the inspector
+    Area canvas;    ///< middle
+    Area inspector; ///< right column
+    Area transport; ///< time
+    Area status;    ///< last line
+    bool lesson_is_tab = false;
+    float unit = 1.0f; ///< screen pixels per design pixel: the text scale
+};
+
+/// The rulers around the canvas: their width, design pixels.
+inline constexpr float canvas_ruler = 26.0f;
+
+/// True for a window so small, measured in text, that the bars must make do with less: stages by
+/// number, the size of a step as a list.
+bool is_compact(ImVec2 window, const UiOptions& options);
+
+/// The largest text scale up to the wished one at which the window still holds everything.
+float fitting_text_scale(ImVec2 window, float wished);
+
+/// @param strip_lines how many lines the stage strip needs at this width (1 or more)
+/// @param transport_lines the same for the transport
+Layout compute_layout(ImVec2 window, const UiOptions& options, int strip_lines,
+                      int transport_lines);
+
+} // namespace rasterwalk

@@ -1,0 +1,88 @@
+#include "ui/widgets/pictures.h"
+
+#include <algorithm>
+#include <cstdint>
+
+#include "base/error.h"
+#include "lessons/lesson_picture.h"
+#include "session/content.h"
+
+namespace rasterwalk {
+
+namespace {
+
+ShownPicture read_picture(const std::string& target) {
+    ShownPicture picture;
+    try {
+        picture.image = read_lesson_picture(lessons_folder(), target);
+        picture.size = {static_cast<float>(picture.image.width),
+                        static_cast<float>(picture.image.height)};
+    } catch (const Error&) {
+        // The words that stand for the picture are shown.
+    }
+    return picture;
+}
+
+ShownPicture& find_picture(PictureShelf& shelf, const std::string& target) {
+    const auto found = shelf.pictures.find(target);
+    if (found != shelf.pictures.end()) return found->second;
+    if (shelf.pictures.size() >= most_pictures) {
+        static ShownPicture none;
+        return none;
+    }
+    return shelf.pictures[target] = read_picture(target);
+}
+
+} // namespace
+
+Image shrink(const Image& image, int width) {
+    if (width >= image.width || width < 1) return image;
+    Image small;
+    small.width = width;
+    small.height =
+        std::max(1, static_cast<int>(static_cast<long>(image.height) * width / image.width));
+    small.rgba.resize(4 * static_cast<std::size_t>(small.width) *
+                      static_cast<std::size_t>(small.height));
+    std::uint8_t* out = small.rgba.data();
+    for (int y = 0; y < small.height; ++y) {
+        const int top = static_cast<int>(static_cast<long>(y) * image.height / small.height);
+        const int bottom = std::max(
+            top + 1, static_cast<int>(static_cast<long>(y + 1) * image.height / small.height));
+        for (int x = 0; x < small.width; ++x) {
+            const int left = static_cast<int>(static_cast<long>(x) * image.width / small.width);
+            const int right = std::max(
+                left + 1, static_cast<int>(static_cast<long>(x + 1) * image.width / small.width));
+            std::int64_t sums[4] = {};
+            for (int v = top; v < bottom; ++v) {
+                const std::uint8_t* in =
+                    image.rgba.data() +
+                    4 * (static_cast<std::size_t>(v) * static_cast<std::size_t>(image.width) +
+                         static_cast<std::size_t>(left));
+                for (int u = left; u < right; ++u) {
+                    for (std::int64_t& sum : sums)
+                        sum += *in++;
+                }
+            }
+            const std::int64_t count = std::int64_t{bottom - top} * (right - left);
+            for (const std::int64_t sum : sums)
+                *out++ = static_cast<std::uint8_t>((sum + count / 2) / count);
+        }
+    }
+    return small;
+}
+
+ImVec2 picture_size(PictureShelf& shelf, const std::string& target) {
+    return find_picture(shelf, target).size;
+}
+
+ImTextureID picture_texture(Ui& ui, const std::string& target, int width) {
+    ShownPicture& picture = find_picture(*ui.pictures, target);
+    if (picture.size.x < 1.0f || ui.textures == nullptr) return nullptr;
+    if (picture.texture_width != width) {
+        picture.texture = ui.textures->upload(picture.texture, shrink(picture.image, width));
+        picture.texture_width = width;
+    }
+    return picture.texture;
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+
+#include "base/image.h"
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+/// A picture of a lesson that is on the screen.
+struct ShownPicture {
+    ImVec2 size{0, 0};             ///< its own, pixels; 0: it could not be read
+    ImTextureID texture = nullptr; ///< of the width that was asked for last
+    int texture_width = 0;
+    Image image;
+};
+
+/// The pictures that lessons show, by their path as written in a lesson. Read once.
+struct PictureShelf {
+    std::map<std::string, ShownPicture, std::less<>> pictures;
+};
+
+/// Size of a picture, pixels; 0 if it cannot be read, is too large, or lies outside the project.
+ImVec2 picture_size(PictureShelf& shelf, const std::string& target);
+
+/// The texture of a picture, made smaller to `width` screen pixels. Null if there is none.
+ImTextureID picture_texture(Ui& ui, const std::string& target, int width);
+
+/// The same picture, smaller, each pixel the average of those that it stands for.
+/// @param width 1 .. image.width
+Image shrink(const Image& image, int width);
+
+/// How many pictures are kept.
+inline constexpr std::size_t most_pictures = 64;
+
+} // namespace rasterwalk

@@ -1,0 +1,189 @@
+#include "ui/widgets/style.h"
+
+#include <array>
+#include <filesystem>
+
+#include <imgui_freetype.h>
+
+namespace rasterwalk {
+
+namespace {
+
+ImVec4 hex(unsigned rgb) {
+    return {static_cast<float>((rgb >> 16) & 0xFF) / 255.0f,
+            static_cast<float>((rgb >> 8) & 0xFF) / 255.0f, static_cast<float>(rgb & 0xFF) / 255.0f,
+            1.0f};
+}
+
+const Palette dark_palette{.ground = hex(0x14161A),
+                           .bar = hex(0x1A1D23),
+                           .card = hex(0x1C2027),
+                           .canvas = hex(0x0B0C0F),
+                           .line = hex(0x2C3038),
+                           .button = hex(0x262B34),
+                           .button_hovered = hex(0x333A46),
+                           .accent = hex(0x2A6C9E),
+                           .accent_text = hex(0xFFFFFF),
+                           .text = hex(0xE4E6EA),
+                           .dim = hex(0x969CA8),
+                           .link = hex(0x6FBFF0),
+                           .row_lit = hex(0x20303D),
+                           .changed = hex(0xE69F00)};
+
+const Palette light_palette{.ground = hex(0xFAFAF8),
+                            .bar = hex(0xEFEFEC),
+                            .card = hex(0xF0F2F4),
+                            .canvas = hex(0xD9DBDE),
+                            .line = hex(0xCDD0D5),
+                            .button = hex(0xE2E5E9),
+                            .button_hovered = hex(0xD3D8DE),
+                            .accent = hex(0x1F659A),
+                            .accent_text = hex(0xFFFFFF),
+                            .text = hex(0x1B1E23),
+                            .dim = hex(0x5A616B),
+                            .link = hex(0x0A5C94),
+                            .row_lit = hex(0xD9E9F5),
+                            .changed = hex(0x8A5600)};
+
+const char* const font_folders[] = {"/usr/share/fonts/truetype/dejavu/", "/usr/share/fonts/TTF/",
+                                    "/usr/share/fonts/dejavu/",
+                                    "/usr/share/fonts/dejavu-sans-fonts/"};
+
+bool is_font_file(const std::string& path) {
+    std::error_code fault;
+    const auto size = std::filesystem::file_size(path, fault);
+    return !fault && size > 10'000;
+}
+
+/// The first folder that holds all the fonts; ImGui aborts on a file that is missing or no font.
+std::string find_font_folder() {
+    for (const char* folder : font_folders) {
+        bool complete = true;
+        for (const char* name : {"DejaVuSans.ttf", "DejaVuSans-Bold.ttf", "DejaVuSansMono.ttf"})
+            complete = complete && is_font_file(std::string(folder) + name);
+        if (complete) return folder;
+    }
+    return {};
+}
+
+} // namespace
+
+const Palette& palette(Theme theme) {
+    return theme == Theme::dark ? dark_palette : light_palette;
+}
+
+ImVec4 colour_of(Meaning meaning, Theme theme) {
+    static const std::array<ImVec4, 8> dark{hex(0xE69F00), hex(0x00B583), hex(0xD98BB5),
+                                            hex(0xF0E442), hex(0x4C9CD9), hex(0xFFFFFF),
+                                            hex(0x56B4E9), hex(0xF0722B)};
+    static const std::array<ImVec4, 8> light{hex(0x8A5C00), hex(0x00704F), hex(0x9A4A76),
+                                             hex(0x706800), hex(0x005A8F), hex(0x000000),
+                                             hex(0x0A6AA8), hex(0xA84200)};
+    return (theme == Theme::dark ? dark : light)[static_cast<std::size_t>(meaning)];
+}
+
+Meaning edge_meaning(int edge) {
+    return edge == 0 ? Meaning::edge_1 : edge == 1 ? Meaning::edge_2 : Meaning::edge_3;
+}
+
+ImU32 packed(const ImVec4& colour, float opacity) {
+    return ImGui::ColorConvertFloat4ToU32({colour.x, colour.y, colour.z, colour.w * opacity});
+}
+
+void apply_style(const UiOptions& options) {
+    const Palette& p = palette(options.theme);
+    ImGuiStyle style;
+    if (options.theme == Theme::dark) {
+        ImGui::StyleColorsDark(&style);
+    } else {
+        ImGui::StyleColorsLight(&style);
+    }
+    style.WindowPadding = {14.0f, 12.0f};
+    style.WindowBorderSize = 0.0f;
+    style.WindowRounding = 0.0f;
+    style.ChildBorderSize = 0.0f;
+    style.PopupRounding = 6.0f;
+    style.FrameRounding = 4.0f;
+    style.FramePadding = {10.0f, 5.0f};
+    style.ItemSpacing = {8.0f, 6.0f};
+    style.ItemInnerSpacing = {6.0f, 4.0f};
+    style.CellPadding = {6.0f, 2.5f};
+    style.ScrollbarSize = 12.0f;
+    style.ScrollbarRounding = 6.0f;
+    style.GrabMinSize = 12.0f;
+    style.GrabRounding = 4.0f;
+    style.TabRounding = 4.0f;
+    style.ScaleAllSizes(options.text_scale);
+    style.WindowMinSize = {1.0f, 1.0f};
+
+    const auto set = [&](ImGuiCol index, const ImVec4& colour) { style.Colors[index] = colour; };
+    set(ImGuiCol_Text, p.text);
+    set(ImGuiCol_TextDisabled, p.dim);
+    set(ImGuiCol_WindowBg, p.ground);
+    set(ImGuiCol_PopupBg, p.card);
+    set(ImGuiCol_MenuBarBg, p.bar);
+    set(ImGuiCol_Border, p.line);
+    set(ImGuiCol_Separator, p.line);
+    set(ImGuiCol_Button, p.button);
+    set(ImGuiCol_ButtonHovered, p.button_hovered);
+    set(ImGuiCol_ButtonActive, p.accent);
+    set(ImGuiCol_FrameBg, p.button);
+    set(ImGuiCol_FrameBgHovered, p.button_hovered);
+    set(ImGuiCol_FrameBgActive, p.button_hovered);
+    set(ImGuiCol_Header, p.row_lit);
+    set(ImGuiCol_HeaderHovered, p.button_hovered);
+    set(ImGuiCol_HeaderActive, p.accent);
+    set(ImGuiCol_CheckMark, p.link);
+    set(ImGuiCol_SliderGrab, p.accent);
+    set(ImGuiCol_SliderGrabActive, p.link);
+    set(ImGuiCol_ScrollbarBg, ImVec4(0, 0, 0, 0));
+    set(ImGuiCol_ScrollbarGrab, p.button);
+    set(ImGuiCol_ScrollbarGrabHovered, p.button_hovered);
+    set(ImGuiCol_TableHeaderBg, p.ground);
+    set(ImGuiCol_TableBorderStrong, p.line);
+    set(ImGuiCol_TableBorderLight, p.line);
+    ImVec4 selected = p.link;
+    selected.w = 0.35f;
+    set(ImGuiCol_TextSelectedBg, selected);
+    set(ImGuiCol_ModalWindowDimBg, ImVec4(0.0f, 0.0f, 0.0f, 0.45f));
+    set(ImGuiCol_NavHighlight, p.link);
+    ImGui::GetStyle() = style;
+}
+
+Fonts load_fonts(float text_scale) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.Fonts->Clear();
+    io.Fonts->FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
+    Fonts fonts;
+    const std::string folder = find_font_folder();
+    if (folder.empty()) {
+        fonts.text = fonts.mono = fonts.bold = fonts.italic = fonts.title = fonts.small =
+            io.Fonts->AddFontDefault();
+        fonts.notice = "The DejaVu fonts are not installed: text is shown in the built-in font, "
+                       "without mathematical signs.";
+        io.Fonts->Build();
+        return fonts;
+    }
+    // Latin, Greek, punctuation, super- and subscripts, arrows, mathematics, shapes, tick and
+    // cross.
+    static constexpr ImWchar ranges[] = {0x0020, 0x017F, 0x0302, 0x0302, 0x0391, 0x03C9, 0x2010,
+                                         0x2044, 0x2070, 0x209C, 0x2190, 0x21FF, 0x2200, 0x22FF,
+                                         0x25A0, 0x25FF, 0x2713, 0x2718, 0x27E8, 0x27E9, 0};
+    const auto load = [&](const char* name, float size) {
+        ImFontConfig config;
+        config.OversampleH = config.OversampleV = 1;
+        const float pixels = static_cast<float>(static_cast<int>(size * text_scale + 0.5f));
+        return io.Fonts->AddFontFromFileTTF((folder + name).c_str(), pixels, &config, ranges);
+    };
+    fonts.text = load("DejaVuSans.ttf", 16.0f);
+    fonts.mono = load("DejaVuSansMono.ttf", 15.0f);
+    fonts.bold = load("DejaVuSans-Bold.ttf", 16.0f);
+    const char* const slanted = "DejaVuSans-Oblique.ttf";
+    fonts.italic = is_font_file(folder + slanted) ? load(slanted, 16.0f) : fonts.text;
+    fonts.title = load("DejaVuSans-Bold.ttf", 21.0f);
+    fonts.small = load("DejaVuSans.ttf", 13.5f);
+    io.Fonts->Build();
+    return fonts;
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,210 @@
+#include "ui/widgets/widgets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include <imgui_internal.h>
+
+namespace rasterwalk {
+
+namespace {
+
+const char* begin(std::string_view text) {
+    return text.data();
+}
+const char* end(std::string_view text) {
+    return text.data() + text.size();
+}
+
+struct Card {
+    ImVec2 start;
+    float width;
+};
+// Cards do not nest.
+Card open_card;
+
+/// Outlines the widget at which a lesson points, and scrolls to it if need be.
+void outline_if_pointed_at(Ui& ui, std::string_view name, const ImRect& shown, bool visible) {
+    LessonView& lesson = ui.lesson;
+    if (lesson.pointed_at.empty() || lesson.pointed_at != name) return;
+    lesson.frames_unseen = 0;
+    if (!visible) {
+        if (lesson.is_held) ImGui::SetScrollHereY(0.5f);
+        return;
+    }
+    const float u = ui.options.text_scale;
+    const ImVec4& colour = palette(ui.options.theme).changed;
+    ImDrawList* const list = ImGui::GetForegroundDrawList();
+    const float near = 3.0f * u, far = 6.0f * u;
+    list->AddRect({shown.Min.x - far, shown.Min.y - far}, {shown.Max.x + far, shown.Max.y + far},
+                  packed(colour, 0.35f), 8.0f * u, 0, 3.0f * u);
+    list->AddRect({shown.Min.x - near, shown.Min.y - near},
+                  {shown.Max.x + near, shown.Max.y + near}, packed(colour), 6.0f * u, 0, 2.0f * u);
+}
+
+} // namespace
+
+void name_widget(Ui& ui, std::string_view name, std::string_view tooltip) {
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    ImRect shown(low, high);
+    shown.ClipWith(ImGui::GetCurrentWindow()->ClipRect);
+    const bool visible = shown.GetWidth() >= 1.0f && shown.GetHeight() >= 1.0f;
+    // Half of the space around items belongs to those that can be selected: it may be cut off.
+    const ImVec2 spacing = ImGui::GetStyle().ItemSpacing;
+    const bool is_whole =
+        shown.Min.x <= low.x + 0.5f * spacing.x && shown.Min.y <= low.y + 0.5f * spacing.y &&
+        shown.Max.x >= high.x - 0.5f * spacing.x && shown.Max.y >= high.y - 0.5f * spacing.y;
+    ui.widgets[std::string(name)] = {shown.Min, shown.Max, visible, is_whole, !tooltip.empty(), {}};
+    outline_if_pointed_at(ui, name, shown, visible);
+    // Not over a button that is held: the tooltip would lie over what the drag changes.
+    if (!tooltip.empty() && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) &&
+        !ImGui::IsMouseDown(0)) {
+        ImGui::BeginTooltip();
+        ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24.0f);
+        wrapped_text(tooltip);
+        ImGui::PopTextWrapPos();
+        ImGui::EndTooltip();
+    }
+}
+
+void note_text(Ui& ui, std::string_view name, std::string_view text) {
+    ui.widgets.at(std::string(name)).text = text;
+}
+
+bool button(Ui& ui, std::string_view name, std::string_view label, Look look,
+            std::string_view tooltip, ImVec2 size) {
+    const Palette& p = palette(ui.options.theme);
+    const ImVec4 none(0, 0, 0, 0);
+    const bool bare = look == Look::outline || look == Look::quiet || look == Look::link;
+    ImGui::PushStyleColor(ImGuiCol_Button, look == Look::chosen ? p.accent
+                                           : bare               ? none
+                                                                : p.button);
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered,
+                          look == Look::chosen ? p.accent : p.button_hovered);
+    ImGui::PushStyleColor(ImGuiCol_Text, look == Look::chosen ? p.accent_text
+                                         : look == Look::link ? p.link
+                                                              : p.text);
+    const ImVec2 padding = ImGui::GetStyle().FramePadding;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                        look == Look::link ? ImVec2(2.0f, padding.y) : padding);
+    ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, look == Look::outline ? 1.0f : 0.0f);
+    const std::string id = std::string(label) + "###" + std::string(name);
+    const bool pressed = ImGui::Button(id.c_str(), size);
+    ImGui::PopStyleVar(2);
+    ImGui::PopStyleColor(3);
+    name_widget(ui, name, tooltip);
+    return pressed;
+}
+
+void text_in(const ImVec4& colour, std::string_view text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, colour);
+    ImGui::TextUnformatted(begin(text), end(text));
+    ImGui::PopStyleColor();
+}
+
+std::string broken_into_lines(std::string_view text, float width) {
+    std::string lines;
+    std::size_t line_start = 0; // in lines
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t word = std::min(text.find_first_of(" \n", at), text.size());
+        const std::string_view next = text.substr(at, word - at);
+        const std::size_t line_end = lines.size();
+        if (line_end > line_start) lines += ' ';
+        lines.append(next);
+        const bool is_too_long =
+            ImGui::CalcTextSize(lines.data() + line_start, lines.data() + lines.size()).x > width;
+        if (line_end > line_start && is_too_long) {
+            lines[line_end] = '\n';
+            line_start = line_end + 1;
+        }
+        if (word < text.size() && text[word] == '\n') {
+            lines += '\n';
+            line_start = lines.size();
+        }
+        at = word + 1;
+    }
+    return lines;
+}
+
+void wrapped_text(std::string_view text) {
+    if (text.empty()) return;
+    const float wrap_at = ImGui::GetCurrentWindow()->DC.TextWrapPos;
+    const float width =
+        wrap_at > 0.0f ? wrap_at - ImGui::GetCursorPosX() : ImGui::GetContentRegionAvail().x;
+    // A single word that is too long is still broken by ImGui.
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
+    ImGui::TextUnformatted(broken_into_lines(text, width).c_str());
+    ImGui::PopTextWrapPos();
+}
+
+void right_aligned(std::string_view text, const ImVec4& colour) {
+    const float width = ImGui::CalcTextSize(begin(text), end(text)).x;
+    const float room = ImGui::GetContentRegionAvail().x;
+    if (room > width) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room - width);
+    text_in(colour, text);
+}
+
+void begin_card(Ui& ui, float width) {
+    const ImVec2 padding{12.0f * ui.options.text_scale, 10.0f * ui.options.text_scale};
+    open_card.start = ImGui::GetCursorScreenPos();
+    open_card.width = width > 0.0f ? width : ImGui::GetContentRegionAvail().x;
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    list->ChannelsSplit(2);
+    list->ChannelsSetCurrent(1);
+    ImGui::SetCursorScreenPos({open_card.start.x + padding.x, open_card.start.y + padding.y});
+    ImGui::BeginGroup();
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + open_card.width - 2.0f * padding.x);
+    ImGui::PushItemWidth(open_card.width - 2.0f * padding.x);
+}
+
+void end_card(Ui& ui) {
+    const ImVec2 padding{12.0f * ui.options.text_scale, 10.0f * ui.options.text_scale};
+    ImGui::PopItemWidth();
+    ImGui::PopTextWrapPos();
+    ImGui::EndGroup();
+    const float bottom = ImGui::GetItemRectMax().y + padding.y;
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    list->ChannelsSetCurrent(0);
+    list->AddRectFilled(open_card.start, {open_card.start.x + open_card.width, bottom},
+                        packed(palette(ui.options.theme).card), 5.0f * ui.options.text_scale);
+    list->ChannelsMerge();
+    ImGui::SetCursorScreenPos({open_card.start.x, bottom + ImGui::GetStyle().ItemSpacing.y});
+    ImGui::Dummy({0, 0});
+}
+
+std::string fixed(double value, int digits) {
+    char text[64];
+    if (!std::isfinite(value)) {
+        return std::isnan(value) ? "not a number" : value > 0 ? "+∞" : "−∞";
+    }
+    if (std::abs(value) >= 1e6) {
+        std::snprintf(text, sizeof text, "%.2e", std::abs(value));
+    } else {
+        std::snprintf(text, sizeof text, "%.*f", digits, std::abs(value));
+    }
+    // A negative number that rounds to zero is shown without its sign.
+    const bool is_zero = std::string_view(text).find_first_not_of("0.") == std::string_view::npos;
+    return (value < 0 && !is_zero ? "−" : "") + std::string(text);
+}
+
+std::string shortened(const std::string& text, float width) {
+    if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+    std::size_t length = text.size();
+    while (length > 0) {
+        --length;
+        // Not within a character of several bytes.
+        if ((static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U) continue;
+        const std::string cut = text.substr(0, length) + "…";
+        if (ImGui::CalcTextSize(cut.c_str()).x <= width) return cut;
+    }
+    return "…";
+}
+
+float button_width(std::string_view label) {
+    return ImGui::CalcTextSize(begin(label), end(label)).x +
+           2.0f * ImGui::GetStyle().FramePadding.x;
+}
+
+} // namespace rasterwalk

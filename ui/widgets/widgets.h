@@ -1,0 +1,61 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "ui/ui.h"
+#include "ui/widgets/style.h"
+
+namespace rasterwalk {
+
+/// Enters the last ImGui item in Ui::widgets under this name, and shows `tooltip` while the pointer
+/// rests on it (empty: none).
+void name_widget(Ui& ui, std::string_view name, std::string_view tooltip = {});
+
+/// Notes the number that the widget of this name shows, for whoever asks for it by name. The widget
+/// must have been named in this frame.
+void note_text(Ui& ui, std::string_view name, std::string_view text);
+
+/// How a button looks.
+enum class Look : std::uint8_t {
+    plain,   ///< filled
+    chosen,  ///< filled with the accent
+    outline, ///< a border only
+    quiet,   ///< text only
+    link,    ///< text in the colour of links, without space around it
+};
+
+/// A button under a name. Returns true when it is pressed.
+/// @param size 0 in a direction: as large as the label needs
+bool button(Ui& ui, std::string_view name, std::string_view label, Look look,
+            std::string_view tooltip, ImVec2 size = {0, 0});
+
+/// Text in a colour.
+void text_in(const ImVec4& colour, std::string_view text);
+
+/// The text with line breaks between words where it would be wider than this, screen pixels. ImGui
+/// by itself also breaks numbers at their point.
+std::string broken_into_lines(std::string_view text, float width);
+
+/// Text that wraps between words, at the end of the column or of the card.
+void wrapped_text(std::string_view text);
+
+/// Text at the right edge of the current table cell or of the width given.
+void right_aligned(std::string_view text, const ImVec4& colour);
+
+/// A box on the ground that grows with its content: between begin_card and end_card.
+void begin_card(Ui& ui, float width = 0.0f);
+void end_card(Ui& ui);
+
+/// A number with a fixed count of digits after the point, with a true minus sign, so that columns
+/// do not jump: "-0.821", " 1.000". Numbers too large for it come out as 1.2e+06.
+std::string fixed(double value, int digits);
+
+/// As much of the text as fits into the width in the present font, with an ellipsis if that is not
+/// all.
+std::string shortened(const std::string& text, float width);
+
+/// The width that a label takes as a button.
+float button_width(std::string_view label);
+
+} // namespace rasterwalk
