@@ -37,11 +37,25 @@ Apart colours_apart(const glm::vec3& a, const glm::vec3& b) {
     return most;
 }
 
+/// Of the varyings that both runs carry.
+Apart varyings_apart(const VertexDeed& a, const VertexDeed& b) {
+    Apart most = Apart::not_at_all;
+    const VaryingSet compared = a.compared & b.compared;
+    for (int v = 0; v < varying_count; ++v) {
+        if (!compared.has(v)) continue;
+        const VaryingInfo& varying = varying_list[static_cast<std::size_t>(v)];
+        for (int i = 0; i < varying.count; ++i) {
+            const float p = varying.component(a.varyings, i), q = varying.component(b.varyings, i);
+            most = std::max(most, varying.is_light ? numbers_apart(p, q, rounding_of_colour)
+                                                   : lengths_apart(p, q));
+        }
+    }
+    return most;
+}
+
 Apart vertices_apart(const VertexDeed& a, const VertexDeed& b) {
     if (a.pixel.column != b.pixel.column || a.pixel.row != b.pixel.row) return Apart::clearly;
-    Apart most = lengths_apart(a.pixel.zinv, b.pixel.zinv);
-    if (a.light && b.light) most = std::max(most, colours_apart(*a.light, *b.light));
-    return most;
+    return std::max(lengths_apart(a.pixel.zinv, b.pixel.zinv), varyings_apart(a, b));
 }
 
 Apart samples_apart(const SampleEvent& a, const SampleEvent& b) {

@@ -141,6 +141,36 @@ std::string projection(const Frame& frame, const ShadedVertex& shaded, const Fra
         .append(pixel_text(pixel.column, pixel.row));
 }
 
+/// The first varying carried by both runs that differs: "its light is (1, 1, 1) in A, ...".
+std::string varying_text(const VertexDeed& a, const VertexDeed& b) {
+    const VaryingSet compared = a.compared & b.compared;
+    for (int v = 0; v < varying_count; ++v) {
+        const VaryingInfo& varying = varying_list[static_cast<std::size_t>(v)];
+        int digits = 0;
+        bool differs = false;
+        for (int i = 0; compared.has(v) && i < varying.count; ++i) {
+            const float p = varying.component(a.varyings, i), q = varying.component(b.varyings, i);
+            digits = std::max(digits, digits_for(p, q));
+            differs = differs || p != q;
+        }
+        if (!differs) continue;
+        const auto values = [&](const Varyings& of) {
+            std::string text = "(";
+            for (int i = 0; i < varying.count; ++i)
+                text.append(i > 0 ? ", " : "").append(number(varying.component(of, i), digits));
+            return text.append(")");
+        };
+        return std::string("its ")
+            .append(varying.word)
+            .append(" is ")
+            .append(values(a.varyings))
+            .append(" in A, ")
+            .append(values(b.varyings))
+            .append(" in B.");
+    }
+    return "the runs differ.";
+}
+
 std::string vertex_text(const Frame& a, const Frame& b, const PairMoment& moment) {
     std::string text = numbered("vertex", moment.cursor.index, 3).append(": ");
     const VertexDeed &in_a = *moment.a.vertex, &in_b = *moment.b.vertex;
@@ -162,13 +192,7 @@ std::string vertex_text(const Frame& a, const Frame& b, const PairMoment& moment
             .append(number(in_b.pixel.zinv, digits))
             .append(" in B.");
     }
-    if (!in_a.light || !in_b.light) return text + "the runs differ.";
-    const int digits = digits_for(*in_a.light, *in_b.light);
-    return text.append("its light is ")
-        .append(triple(*in_a.light, digits))
-        .append(" in A, ")
-        .append(triple(*in_b.light, digits))
-        .append(" in B.");
+    return text.append(varying_text(in_a, in_b));
 }
 
 /// First and last row of a triangle's table.

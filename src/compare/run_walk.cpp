@@ -12,13 +12,13 @@ namespace {
 /// So many fragments of a run may be kept at once.
 constexpr int most_kept = 1 << 16;
 
-/// The light at a vertex as q, however the run carries it on.
-glm::vec3 light_at(const Frame& frame, const Cursor& cursor) {
+/// The varyings at a vertex as q, however the run carries them on.
+Varyings varyings_at(const Frame& frame, const Cursor& cursor) {
     const Vertex& vertex = frame.scene->triangles[cursor.triangle].vertices[cursor.index];
     VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
     rules.interpolation = Interpolation::affine;
     const glm::mat3 rotation = camera_rotation(rules.camera);
-    return frame.stages->vertex_shader(vertex, rotation, rules).pixel.varyings.illumination;
+    return frame.stages->vertex_shader(vertex, rotation, rules).pixel.varyings;
 }
 
 /// The rows [first, last) of a triangle's row table that lie in the picture.
@@ -78,10 +78,9 @@ void Deeds::clear() {
 }
 
 void Deeds::vertex(const Cursor& cursor, const Fragment& pixel) {
-    VertexDeed deed{cursor, pixel, {}};
-    if (lighting_of(frame_.settings.stage) == Lighting::per_vertex) {
-        deed.light = light_at(frame_, cursor);
-    }
+    VertexDeed deed{cursor, pixel, {}, {}};
+    deed.compared = carried_varyings(*frame_.stages, lighting_of(frame_.settings.stage));
+    if (!(deed.compared == VaryingSet{})) deed.varyings = varyings_at(frame_, cursor);
     vertices_.push_back(deed);
 }
 

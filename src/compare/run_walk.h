@@ -4,7 +4,6 @@
 // work of a few rows, never that of a frame.
 
 #include <functional>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,7 +17,8 @@ namespace rasterwalk {
 struct VertexDeed {
     Cursor cursor;
     Fragment pixel;
-    std::optional<glm::vec3> light; ///< reflected there, if light is worked out at the vertices
+    Varyings varyings;   ///< as q, however the run carries them on
+    VaryingSet compared; ///< those that the run carries
 };
 
 /// What one run does at one moment; what it does not do is null or empty.

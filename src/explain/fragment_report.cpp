@@ -102,7 +102,7 @@ void add_depths(FragmentReport& report, const Carried& carried) {
            from_row_end(report.row.triangle, report.row.row, false)},
           {"i", {static_cast<float>(report.step), true}, from_words("column in the row")}},
          {static_cast<float>(report.pixel.x), true}});
-    report.formulas.push_back(along_row(report, "zinv", "1/z", std::string(quantity_list()[0].help),
+    report.formulas.push_back(along_row(report, "zinv", "1/z", std::string(quantity_info(Quantity::zinv).words.help),
                                         ends.left.zinv, ends.right.zinv, fragment.zinv));
     report.formulas.push_back(along_row(report, "z.affine", "z",
                                         "z interpolated as if it changed in equal steps: wrong "
@@ -118,9 +118,9 @@ void add_depths(FragmentReport& report, const Carried& carried) {
 }
 
 Formula difference(const QuantityInfo& info, Interpolation way, float wrong, float perspective) {
-    const std::string id(info.id);
+    const std::string id(info.words.id);
     Formula formula{id + ".off",
-                    std::string(info.name) + " off by",
+                    std::string(info.words.name) + " off by",
                     "How far the affine value is from the perspective-correct one.",
                     "abs(affine − perspective)",
                     {{"affine", {wrong}, from_formula(formula_id(info.quantity, way))},
@@ -136,7 +136,7 @@ Formula difference(const QuantityInfo& info, Interpolation way, float wrong, flo
 
 /// How a value that is divided by z twice gets along the row, and what is recovered of it.
 void add_twice(FragmentReport& report, const QuantityInfo& info, const Carried& carried) {
-    const std::string id(info.id), name(info.name), carried_name = std::string(info.carried_name);
+    const std::string id(info.words.id), name(info.words.name), carried_name = std::string(info.words.carried_name);
     const Quantity quantity = info.quantity;
     const RowEnds& ends = report.row.under(Interpolation::zinv_twice);
     const auto way = static_cast<std::size_t>(Interpolation::zinv_twice);
@@ -152,7 +152,7 @@ void add_twice(FragmentReport& report, const QuantityInfo& info, const Carried& 
     report.formulas.push_back(
         {id + ".zinv_twice",
          name,
-         std::string(info.help) + " Divided by z twice, and multiplied by it only once here.",
+         std::string(info.words.help) + " Divided by z twice, and multiplied by it only once here.",
          "carried / (1/z)",
          {{"carried", {value}, from_formula(id + ".carried_twice")},
           {"(1/z)", {carried[way].zinv}, from_formula("zinv")}},
@@ -160,7 +160,7 @@ void add_twice(FragmentReport& report, const QuantityInfo& info, const Carried& 
 }
 
 void add_varying(FragmentReport& report, const QuantityInfo& info, const Carried& carried) {
-    const std::string id(info.id), name(info.name), carried_name(info.carried_name);
+    const std::string id(info.words.id), name(info.words.name), carried_name(info.words.carried_name);
     const Quantity quantity = info.quantity;
     const auto add_walk = [&](Interpolation way, const std::string& formula_of,
                               const std::string& shown_name, const std::string& help) {
@@ -171,14 +171,14 @@ void add_varying(FragmentReport& report, const QuantityInfo& info, const Carried
                       part_of(carried[static_cast<std::size_t>(way)].varyings, quantity)));
     };
     add_walk(Interpolation::affine, id + ".affine", name,
-             std::string(info.help) + " Interpolated as it is: wrong between the vertices.");
+             std::string(info.words.help) + " Interpolated as it is: wrong between the vertices.");
     add_walk(Interpolation::perspective, id + ".carried", carried_name,
              "What a perspective-correct row carries: the value divided by z.");
     const std::string symbol = "(" + carried_name + ")";
     report.formulas.push_back(
         {id + ".perspective",
          name,
-         std::string(info.help) + " Carried divided by z, and multiplied by it again here.",
+         std::string(info.words.help) + " Carried divided by z, and multiplied by it again here.",
          symbol + " / (1/z)",
          {{symbol, {part_of(carried[0].varyings, quantity)}, from_formula(id + ".carried")},
           {"(1/z)", {carried[0].zinv}, from_formula("zinv")}},
@@ -201,8 +201,8 @@ void add_light(const Frame& frame, FragmentReport& report) {
     point.position.value = report.under(report.interpolation).position_world;
     point.normal.value = corners.vertices[0].normal;
     point.reflectance.value = corners.vertices[0].reflectance;
-    constexpr std::array<Quantity, 3> place{Quantity::x, Quantity::y, Quantity::z_world};
-    constexpr std::array<Quantity, 3> colour{Quantity::red, Quantity::green, Quantity::blue};
+    constexpr std::array<Quantity, 3> place{quantity_of(&Varyings::position_world, 0), quantity_of(&Varyings::position_world, 1), quantity_of(&Varyings::position_world, 2)};
+    constexpr std::array<Quantity, 3> colour{quantity_of(&Varyings::illumination, 0), quantity_of(&Varyings::illumination, 1), quantity_of(&Varyings::illumination, 2)};
     for (std::size_t i = 0; i < 3; ++i) {
         point.position.sources[i] = from_formula(formula_id(place[i], report.interpolation));
         point.normal.sources[i] = from_vertex(triangle, 0, std::string("normal.") + axis_names[i]);
@@ -277,7 +277,7 @@ void add_depth_test(FragmentReport& report) {
 
 std::string formula_id(Quantity quantity, Interpolation way) {
     if (quantity == Quantity::zinv) return "zinv";
-    const std::string id(quantity_list()[static_cast<std::size_t>(quantity)].id);
+    const std::string id(quantity_info(quantity).words.id);
     if (way == Interpolation::perspective) return id + ".perspective";
     const bool is_twice = way == Interpolation::zinv_twice && is_varying(quantity);
     return id + (is_twice ? ".zinv_twice" : ".affine");
@@ -334,9 +334,9 @@ std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& 
         report.varyings[i] = recover_varyings(carried[i], way);
     }
     add_depths(report, carried);
-    report.formulas.push_back(difference(quantity_list()[1], Interpolation::affine, carried[0].z,
+    report.formulas.push_back(difference(quantity_info(Quantity::z), Interpolation::affine, carried[0].z,
                                          1.0f / carried[0].zinv));
-    for (const QuantityInfo& info : quantity_list()) {
+    for (const QuantityInfo& info : shown_quantities(frame)) {
         if (is_varying(info.quantity)) add_varying(report, info, carried);
     }
     add_light(frame, report);

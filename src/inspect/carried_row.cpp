@@ -2,50 +2,41 @@
 
 namespace rasterwalk {
 
-const std::array<QuantityInfo, quantity_count>& quantity_list() {
-    static constexpr std::array<QuantityInfo, quantity_count> list{{
-        {Quantity::zinv, "zinv", "1/z", "1/z",
-         "1/z in camera space: changes in equal steps along a row, and is right everywhere."},
-        {Quantity::z, "z", "z", "1/z",
-         "Depth in camera space: interpolated as it is, or as 1 / (1/z)."},
-        {Quantity::x, "x", "x", "x/z", "x of the place in the world."},
-        {Quantity::y, "y", "y", "y/z", "y of the place in the world; points down."},
-        {Quantity::z_world, "z_world", "z world", "zw/z",
-         "z of the place in the world; not the depth, which counts from the camera."},
-        {Quantity::red, "red", "red", "red/z", "Red of the light per vertex, interpolated."},
-        {Quantity::green, "green", "green", "green/z",
-         "Green of the light per vertex, interpolated."},
-        {Quantity::blue, "blue", "blue", "blue/z", "Blue of the light per vertex, interpolated."},
-    }};
+std::span<const QuantityInfo> quantity_list() {
+    static const std::vector<QuantityInfo> list = [] {
+        std::vector<QuantityInfo> made{
+            {Quantity::zinv,
+             {"zinv", "1/z", "1/z",
+              "1/z in camera space: changes in equal steps along a row, and is right everywhere."}},
+            {Quantity::z,
+             {"z", "z", "1/z", "Depth in camera space: interpolated as it is, or as 1 / (1/z)."}}};
+        for (int v = 0; v < varying_count; ++v) {
+            const VaryingInfo& varying = varying_list[static_cast<std::size_t>(v)];
+            for (int c = 0; c < varying.count; ++c) {
+                made.push_back({quantity_of(v, c), varying.components[static_cast<std::size_t>(c)],
+                                v, c});
+            }
+        }
+        return made;
+    }();
     return list;
 }
 
-std::optional<Quantity> find_quantity(std::string_view id) {
+std::vector<QuantityInfo> shown_quantities(const Frame& frame) {
+    const VaryingSet shown =
+        carried_varyings(*frame.stages, lighting_of(frame.settings.stage)) |
+        varyings_with(VaryingUse::listed);
+    std::vector<QuantityInfo> list;
     for (const QuantityInfo& info : quantity_list()) {
-        if (info.id == id) return info.quantity;
+        if (!is_varying(info.quantity) || shown.has(info.varying)) list.push_back(info);
     }
-    return std::nullopt;
+    return list;
 }
 
 float part_of(const Varyings& varyings, Quantity quantity) {
-    switch (quantity) {
-    case Quantity::x:
-        return varyings.position_world.x;
-    case Quantity::y:
-        return varyings.position_world.y;
-    case Quantity::z_world:
-        return varyings.position_world.z;
-    case Quantity::red:
-        return varyings.illumination.r;
-    case Quantity::green:
-        return varyings.illumination.g;
-    case Quantity::blue:
-        return varyings.illumination.b;
-    case Quantity::zinv:
-    case Quantity::z:
-        break;
-    }
-    return 0.0f;
+    const QuantityInfo& info = quantity_info(quantity);
+    return varying_list[static_cast<std::size_t>(info.varying)].component(varyings,
+                                                                          info.component);
 }
 
 std::array<ShadedVertex, 3> shade_triangle(const Frame& frame, int triangle,

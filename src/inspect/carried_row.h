@@ -6,7 +6,8 @@
 
 #include <array>
 #include <optional>
-#include <string_view>
+#include <span>
+#include <vector>
 
 #include "inspect/row_history.h"
 #include "pipeline/frame.h"
@@ -14,27 +15,42 @@
 
 namespace rasterwalk {
 
-/// A value that changes along a row.
-enum class Quantity : std::uint8_t { zinv, z, x, y, z_world, red, green, blue };
+/// A value that changes along a row: 1/z, z, and from first_varying on the components of the
+/// varyings, in the order of varying_list.
+enum class Quantity : std::uint8_t { zinv, z, first_varying };
 
-inline constexpr int quantity_count = 8;
+/// Component `component` of a varying, which is given by its index in varying_list.
+constexpr Quantity quantity_of(int varying, int component) {
+    int place = static_cast<int>(Quantity::first_varying) + component;
+    for (int i = 0; i < varying; ++i)
+        place += varying_list[static_cast<std::size_t>(i)].count;
+    return static_cast<Quantity>(place);
+}
+template <class Value>
+constexpr Quantity quantity_of(Value Varyings::*member, int component) {
+    return quantity_of(varying_index(member), component);
+}
 
 /// What is said of a quantity.
 struct QuantityInfo {
     Quantity quantity;
-    std::string_view id;           ///< "z_world"
-    std::string_view name;         ///< "z world"
-    std::string_view carried_name; ///< divided by z, as perspective-correct rows carry it: "z/z"
-    std::string_view help;         ///< one sentence
+    VaryingComponent words;
+    int varying = -1;  ///< index in varying_list; -1: 1/z and z are no varyings
+    int component = 0; ///< of the varying
 };
 
 /// All quantities; indexed by Quantity.
-const std::array<QuantityInfo, quantity_count>& quantity_list();
-std::optional<Quantity> find_quantity(std::string_view id);
+std::span<const QuantityInfo> quantity_list();
+inline const QuantityInfo& quantity_info(Quantity quantity) {
+    return quantity_list()[static_cast<std::size_t>(quantity)];
+}
+
+/// The quantities to show of a frame: without the varyings that only other stages use.
+std::vector<QuantityInfo> shown_quantities(const Frame& frame);
 
 /// Is it one of the varyings? 1/z and z are not.
 constexpr bool is_varying(Quantity quantity) {
-    return quantity >= Quantity::x;
+    return quantity >= Quantity::first_varying;
 }
 
 /// The part of the varyings that a quantity means; it must be a varying.

@@ -25,7 +25,7 @@ std::optional<RowGraph> row_graph(const Frame& frame, int triangle, int index) {
 std::optional<int> widest_row(const Frame& frame, int triangle) {
     PolygonRows rows;
     frame.stages->compute_polygon_rows(frame.triangle_vertices(triangle),
-                                       edge_rules(frame.settings), rows);
+                                       edge_rules(frame.settings, {}), rows);
     const Rectangle area = drawn_area(frame.settings);
     std::optional<int> widest;
     int most = 0;

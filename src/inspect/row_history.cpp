@@ -11,8 +11,8 @@ void replace(EndWriter& end, int edge, int sample) {
 }
 
 /// Enters the sample on which the walker stands.
-void enter(const LineWalker& walker, int edge, RowHistory& history) {
-    const Fragment sample = walker.sample();
+void enter(LineWalker& walker, int edge, RowHistory& history) {
+    const Fragment& sample = walker.sample();
     const RowWrite write = add_edge_sample(sample, history.rows);
     const int index = sample.row - history.rows.first_row;
     if (write.left) {

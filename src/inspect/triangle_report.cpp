@@ -17,7 +17,7 @@ EdgeReport edge_report(const Fragment& from, const Fragment& to, const EdgeRules
     EdgeReport report{from, to, edge_sample_count(from, to, rules.samples), {}};
     for (LineWalker walker = walk_edge(from, to, rules); !walker.done() && walker.index() < samples;
          walker.advance()) {
-        const Fragment sample = walker.sample();
+        const Fragment& sample = walker.sample();
         report.samples.push_back(
             {edge, walker.index(), walker.x(), walker.y(), sample, add_edge_sample(sample, rows)});
     }

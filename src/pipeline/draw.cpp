@@ -147,7 +147,7 @@ void draw_edges(Drawing& d, int triangle) {
             const bool in_range = edge.index() >= range.first;
             if (!in_range && !watched) continue;
             const Cursor cursor{triangle, Phase::edges, e, edge.index()};
-            const Fragment sample = edge.sample();
+            const Fragment& sample = edge.sample();
             if (watched) {
                 const RowWrite write = add_edge_sample(sample, rows);
                 if (in_range) d.observer->edge_sample({cursor, sample, edge.x(), edge.y(), write});
@@ -196,7 +196,7 @@ void draw_polygon_rows(Drawing& d, int triangle, const PolygonRows& rows) {
         LineWalker row(span_end(left, d.pixels.interpolation),
                        span_end(rows.right[r], d.pixels.interpolation), count, d.edges.line);
         for (row.advance_to(first); row.index() < last; row.advance()) {
-            const Fragment fragment = row.sample_at(left.column + row.index(), left.row);
+            const Fragment& fragment = row.sample_at(left.column + row.index(), left.row);
             put_fragment<is_usual>(d, {triangle, Phase::rows, r, row.index()}, fragment,
                                    depth_value(fragment, d.depth), d.depth, [&] {
                                        ++d.tally.shaded;
@@ -264,6 +264,10 @@ DrawTally draw(const Frame& frame, const DrawWindow& window, Framebuffer& frameb
               .target = framebuffer,
               .observer = observer,
               .tally = {}};
+    // Whoever watches sees every varying; otherwise only those are walked that the shader reads.
+    if (observer == nullptr) {
+        d.edges.line.carried = carried_varyings(*frame.stages, d.pixels.lighting);
+    }
     const Viewport picture = frame.settings.viewport;
     const bool draws_part = !(d.clip == Rectangle{0, 0, picture.width, picture.height});
     d.clip = intersection(d.clip, drawn_area(frame.settings));

@@ -169,7 +169,7 @@ Rectangle Replay::changed_between(const Cursor& from, const Cursor& to) const {
         const Cursor rows_begin{t, Phase::rows, 0, 0};
         if (!frame_->is_drawn(t) || to <= rows_begin) continue;
         frame_->stages->compute_polygon_rows(frame_->triangle_vertices(t),
-                                             edge_rules(frame_->settings), rows);
+                                             edge_rules(frame_->settings, {}), rows);
         const Cursor begin = std::max(from, rows_begin);
         const int first = std::max(begin.index, -rows.first_row);
         const int last_shown = std::min(rows.size(), whole.bottom - rows.first_row) - 1;

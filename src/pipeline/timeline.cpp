@@ -129,7 +129,7 @@ const TriangleMoments& Timeline::moments(int triangle) const {
     if (cache_.triangle == triangle) return cache_;
     const Stage stage = frame_->settings.stage;
     const std::span<const Fragment> vertices = frame_->triangle_vertices(triangle);
-    const EdgeRules rules = edge_rules(frame_->settings);
+    const EdgeRules rules = edge_rules(frame_->settings, {});
     cache_.triangle = triangle;
     cache_.samples = {};
     cache_.count = vertex_moments;

@@ -32,8 +32,10 @@ LineRules line_rules(const Settings& settings) {
     return {.walk = settings.line_walk, .rounding = settings.rounding};
 }
 
-EdgeRules edge_rules(const Settings& settings) {
-    return {.line = line_rules(settings),
+EdgeRules edge_rules(const Settings& settings, VaryingSet carried) {
+    LineRules line = line_rules(settings);
+    line.carried = carried;
+    return {.line = line,
             .samples = settings.edge_samples,
             .row_start = settings.row_start,
             .window_width = settings.viewport.width};

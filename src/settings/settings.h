@@ -43,7 +43,8 @@ Settings default_settings(const Scene& scene);
 /// The part of the settings that each stage of the pipeline is told.
 VertexRules vertex_rules(const Settings& settings, SceneSpace space);
 LineRules line_rules(const Settings& settings);
-EdgeRules edge_rules(const Settings& settings);
+/// @param carried the varyings that are wanted; where only places count, none
+EdgeRules edge_rules(const Settings& settings, VaryingSet carried = VaryingSet::all());
 PixelRules pixel_rules(const Settings& settings);
 PictureRules picture_rules(const Settings& settings);
 

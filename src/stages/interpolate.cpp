@@ -48,8 +48,8 @@ int to_pixel(float value, Rounding rounding) {
 }
 
 LineWalker::LineWalker(const Fragment& a, const Fragment& b, int count, const LineRules& rules)
-    : a_(a), b_(b), rules_(rules), count_(std::max(count, 1)), x_(static_cast<float>(a.column)),
-      y_(static_cast<float>(a.row)), zinv_(a.zinv), z_(a.z), varyings_(a.varyings) {
+    : a_(a), b_(b), at_(a), rules_(rules), count_(std::max(count, 1)),
+      x_(static_cast<float>(a.column)), y_(static_cast<float>(a.row)) {
     const float divisor = static_cast<float>(std::max(count_ - 1, 1));
     step_x_ = static_cast<float>(b.column - a.column) / divisor;
     step_y_ = static_cast<float>(b.row - a.row) / divisor;
@@ -62,20 +62,19 @@ LineWalker::LineWalker(const Fragment& a, const Fragment& b, int count, const Li
     }
     step_zinv_ = (b.zinv - a.zinv) / divisor;
     step_z_ = (b.z - a.z) / divisor;
-    step_varyings_ = {(b.varyings.position_world - a.varyings.position_world) / divisor,
-                      (b.varyings.illumination - a.varyings.illumination) / divisor};
+    each_in(rules.carried, step_varyings_, a.varyings, b.varyings,
+            [divisor](auto& step, const auto& from, const auto& to) {
+                step = (to - from) / divisor;
+            });
 }
 
-Fragment LineWalker::sample() const {
-    Fragment result{0, 0, zinv_, z_, varyings_};
+const Fragment& LineWalker::sample() {
     if (rules_.walk == LineWalk::exact) {
-        result.column = exact_pixel(a_.column, b_.column, index_, count_ - 1, rules_.rounding);
-        result.row = exact_pixel(a_.row, b_.row, index_, count_ - 1, rules_.rounding);
-    } else {
-        result.column = to_pixel(x_, rules_.rounding);
-        result.row = to_pixel(y_, rules_.rounding);
+        return sample_at(
+            exact_pixel(a_.column, b_.column, index_, count_ - 1, rules_.rounding),
+            exact_pixel(a_.row, b_.row, index_, count_ - 1, rules_.rounding));
     }
-    return result;
+    return sample_at(to_pixel(x_, rules_.rounding), to_pixel(y_, rules_.rounding));
 }
 
 void LineWalker::advance() {
@@ -86,9 +85,10 @@ void LineWalker::advance() {
     }
     x_ += step_x_;
     y_ += step_y_;
-    zinv_ += step_zinv_;
-    z_ += step_z_;
-    varyings_ = varyings_ + step_varyings_;
+    at_.zinv += step_zinv_;
+    at_.z += step_z_;
+    each_in(rules_.carried, at_.varyings, at_.varyings, step_varyings_,
+            [](auto& sum, const auto& value, const auto& step) { sum = value + step; });
 }
 
 void LineWalker::advance_to(int index) {
@@ -106,18 +106,20 @@ void LineWalker::set_by_index() {
     if (rules_.walk == LineWalk::multiply) {
         x_ = static_cast<float>(a_.column) + i * step_x_;
         y_ = static_cast<float>(a_.row) + i * step_y_;
-        zinv_ = a_.zinv + i * step_zinv_;
-        z_ = a_.z + i * step_z_;
-        varyings_ = a_.varyings + step_varyings_ * i;
+        at_.zinv = a_.zinv + i * step_zinv_;
+        at_.z = a_.z + i * step_z_;
+        each_in(rules_.carried, at_.varyings, a_.varyings, step_varyings_,
+                [i](auto& value, const auto& from, const auto& step) { value = from + step * i; });
         return;
     }
     const float t = i / static_cast<float>(std::max(count_ - 1, 1));
     const float s = 1.0f - t;
     x_ = static_cast<float>(a_.column) * s + static_cast<float>(b_.column) * t;
     y_ = static_cast<float>(a_.row) * s + static_cast<float>(b_.row) * t;
-    zinv_ = a_.zinv * s + b_.zinv * t;
-    z_ = a_.z * s + b_.z * t;
-    varyings_ = a_.varyings * s + b_.varyings * t;
+    at_.zinv = a_.zinv * s + b_.zinv * t;
+    at_.z = a_.z * s + b_.z * t;
+    each_in(rules_.carried, at_.varyings, a_.varyings, b_.varyings,
+            [s, t](auto& value, const auto& from, const auto& to) { value = from * s + to * t; });
 }
 
 void interpolate(const Fragment& a, const Fragment& b, const LineRules& rules,

@@ -36,6 +36,7 @@ enum class LineWalk : std::uint8_t {
 struct LineRules {
     LineWalk walk = LineWalk::accumulate;
     Rounding rounding = Rounding::truncate;
+    VaryingSet carried = VaryingSet::all(); ///< the other varyings stay as they are at the start
 };
 
 /// A whole pixel from a real coordinate; |value| must be below 2^31.
@@ -47,11 +48,15 @@ class LineWalker {
     /// @param count number of samples, ends included; below 1 counts as 1
     LineWalker(const Fragment& a, const Fragment& b, int count, const LineRules& rules);
 
-    /// The sample stood on, its place rounded to a pixel.
-    Fragment sample() const;
+    /// The sample stood on, its place rounded to a pixel. Valid until the next step.
+    const Fragment& sample();
 
     /// The sample's numbers at a place that is known already, as it is along a row.
-    Fragment sample_at(int column, int row) const { return {column, row, zinv_, z_, varyings_}; }
+    const Fragment& sample_at(int column, int row) {
+        at_.column = column;
+        at_.row = row;
+        return at_;
+    }
 
     /// The real place of the sample before rounding, in pixels.
     float x() const { return x_; }
@@ -73,12 +78,11 @@ class LineWalker {
   private:
     void set_by_index();
 
-    Fragment a_, b_;
+    Fragment a_, b_, at_;
     LineRules rules_;
     int count_;
     int index_ = 0;
-    float x_, y_, zinv_, z_;
-    Varyings varyings_;
+    float x_, y_;
     float step_x_, step_y_, step_zinv_, step_z_;
     Varyings step_varyings_;
 };

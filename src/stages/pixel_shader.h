@@ -42,6 +42,19 @@ struct PixelRules {
     Lighting lighting = Lighting::none;
 };
 
+/// The varyings that the pixel shader reads.
+constexpr VaryingSet varyings_read(Lighting lighting) {
+    switch (lighting) {
+    case Lighting::none:
+        break;
+    case Lighting::per_vertex:
+        return VaryingSet::of(&Varyings::illumination);
+    case Lighting::per_pixel:
+        return VaryingSet::of(&Varyings::position_world);
+    }
+    return {};
+}
+
 /// The varyings of a fragment as q, whichever way they were carried.
 Varyings recover_varyings(const Fragment& fragment, Interpolation interpolation);
 

@@ -14,6 +14,8 @@ bool is_finite(const glm::vec3& v) {
 Varyings start_varyings(const Vertex& vertex, float zinv, const VertexRules& rules) {
     Varyings varyings;
     varyings.position_world = vertex.position;
+    varyings.normal = vertex.normal;
+    varyings.colour = vertex.reflectance;
     if (rules.lighting == Lighting::per_vertex) {
         varyings.illumination = reflected_light(vertex.position, vertex.normal, vertex.reflectance,
                                                 rules.light, rules.light_rules)

@@ -20,8 +20,8 @@ using rasterwalk::test::same_bits;
 
 namespace {
 
-constexpr Quantity places[] = {Quantity::x, Quantity::y, Quantity::z_world};
-constexpr Quantity colours[] = {Quantity::red, Quantity::green, Quantity::blue};
+constexpr Quantity places[] = {quantity_of(&Varyings::position_world, 0), quantity_of(&Varyings::position_world, 1), quantity_of(&Varyings::position_world, 2)};
+constexpr Quantity colours[] = {quantity_of(&Varyings::illumination, 0), quantity_of(&Varyings::illumination, 1), quantity_of(&Varyings::illumination, 2)};
 
 /// Keeps a random part of the fragments that are drawn.
 class Sampler : public Observer {
@@ -81,7 +81,7 @@ void check_row_end(const FragmentReport& report, const PolygonRows& rows, const 
     if (id == "zinv") expected = end.zinv;
     if (id == "z.affine") expected = end.z;
     for (const Quantity q : places) {
-        if (id == std::string(quantity_list()[static_cast<std::size_t>(q)].id) + suffix) {
+        if (id == std::string(quantity_info(q).words.id) + suffix) {
             expected = part_of(end.varyings, q);
         }
     }
@@ -159,7 +159,7 @@ void check_against_event(const FragmentReport& report, const FragmentEvent& even
         expect("before", report.before[c], event.before[c]);
         expect("after", report.after[c], event.after[c]);
         const std::string name =
-            std::string(quantity_list()[static_cast<std::size_t>(colours[c])].id);
+            std::string(quantity_info(colours[c]).words.id);
         std::string id = "pixel_light.R." + name;
         if (report.lighting == Lighting::per_vertex) {
             id = formula_id(colours[c], report.interpolation);

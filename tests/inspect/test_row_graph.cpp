@@ -54,7 +54,7 @@ TEST_CASE("What a row carries are straight lines, and the truth is their quotien
         const Quantity q = info.quantity;
         const float a = carried_value(*graph, q, 0), b = carried_value(*graph, q, last);
         for (int i = 0; i <= last; ++i) {
-            INFO(info.name << " at index " << i);
+            INFO(info.words.name << " at index " << i);
             const float line = a + (b - a) * static_cast<float>(i) / static_cast<float>(last);
             CHECK(carried_value(*graph, q, i) == Approx(line).margin(2e-5));
             const float zinv = true_value(*graph, Quantity::zinv, i);
@@ -70,11 +70,11 @@ TEST_CASE("What a row carries are straight lines, and the truth is their quotien
     // into the depth.
     const std::optional<RowGraph> wall = row_graph(frame, 2, *widest_row(frame, 2));
     REQUIRE(wall);
-    const int worst = worst_index(*wall, Quantity::z_world);
+    const int worst = worst_index(*wall, quantity_of(&Varyings::position_world, 2));
     CHECK(worst > 0);
     CHECK(worst < wall->count() - 1);
-    CHECK(std::abs(affine_value(*wall, Quantity::z_world, worst) -
-                   true_value(*wall, Quantity::z_world, worst)) > 0.1f);
+    CHECK(std::abs(affine_value(*wall, quantity_of(&Varyings::position_world, 2), worst) -
+                   true_value(*wall, quantity_of(&Varyings::position_world, 2), worst)) > 0.1f);
 }
 
 TEST_CASE("The widest row is the one with the most pixels in the picture") {
@@ -112,7 +112,7 @@ TEST_CASE("A row that is empty or not there has no graph") {
     const std::optional<RowGraph> point = row_graph(frame, 4, 0);
     REQUIRE(point);
     CHECK(point->count() == 1);
-    CHECK(worst_index(*point, Quantity::x) == 0);
+    CHECK(worst_index(*point, quantity_of(&Varyings::position_world, 0)) == 0);
 }
 
 TEST_CASE("Ticks are round, evenly spaced, in the range, and no more than asked for") {

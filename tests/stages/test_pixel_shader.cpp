@@ -16,12 +16,19 @@ Surface red_wall() {
     return {{0.0f, 0.0f, -1.0f}, {0.75f, 0.15f, 0.15f}};
 }
 
+Varyings varyings_of(const glm::vec3& position, const glm::vec3& illumination) {
+    Varyings varyings;
+    varyings.position_world = position;
+    varyings.illumination = illumination;
+    return varyings;
+}
+
 Fragment carried(const glm::vec3& position, const glm::vec3& illumination, float z,
                  Interpolation interpolation) {
     Fragment fragment;
     fragment.z = z;
     fragment.zinv = 1.0f / z;
-    fragment.varyings = {position, illumination};
+    fragment.varyings = varyings_of(position, illumination);
     if (interpolation == Interpolation::perspective) {
         fragment.varyings = fragment.varyings * fragment.zinv;
     }
@@ -44,7 +51,8 @@ TEST_CASE("Varyings are recovered by 1/z if they were carried as q/z, and kept i
         const glm::vec3 illumination{random.number(0, 1), random.number(0, 1), random.number(0, 1)};
         const float z = random.number(0.2, 8.0);
         const Fragment affine = carried(position, illumination, z, Interpolation::affine);
-        CHECK(recover_varyings(affine, Interpolation::affine) == Varyings{position, illumination});
+        CHECK(recover_varyings(affine, Interpolation::affine) ==
+              varyings_of(position, illumination));
         const Varyings right =
             recover_varyings(carried(position, illumination, z, Interpolation::perspective),
                              Interpolation::perspective);

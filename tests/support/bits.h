@@ -17,10 +17,18 @@ inline bool same_bits(float a, float b) {
 inline bool same_bits(const glm::vec3& a, const glm::vec3& b) {
     return same_bits(a.x, b.x) && same_bits(a.y, b.y) && same_bits(a.z, b.z);
 }
+inline bool same_bits(const glm::vec2& a, const glm::vec2& b) {
+    return same_bits(a.x, b.x) && same_bits(a.y, b.y);
+}
+inline bool same_bits(const Varyings& a, const Varyings& b) {
+    bool same = true;
+    for_each_varying(
+        [&](auto member) { same = same && same_bits(a.*member, b.*member); });
+    return same;
+}
 inline bool same_bits(const Fragment& a, const Fragment& b) {
     return a.column == b.column && a.row == b.row && same_bits(a.zinv, b.zinv) &&
-           same_bits(a.z, b.z) && same_bits(a.varyings.position_world, b.varyings.position_world) &&
-           same_bits(a.varyings.illumination, b.varyings.illumination);
+           same_bits(a.z, b.z) && same_bits(a.varyings, b.varyings);
 }
 
 /// The first pixel and plane in which two framebuffers differ, with both values; empty if they are

@@ -67,9 +67,9 @@ void draw_vertex_light(Ui& ui) {
             line.text(i < 2 ? "  " : "", p.text);
         }
     }
-    for (const Quantity quantity : {Quantity::red, Quantity::green, Quantity::blue}) {
+    for (int channel = 0; channel < 3; ++channel) {
+        const Quantity quantity = quantity_of(&Varyings::illumination, channel);
         const std::string id = formula_id(quantity, report.interpolation);
-        const int channel = static_cast<int>(quantity) - static_cast<int>(Quantity::red);
         draw_fragment_line(ui, id,
                            "R " + std::string(channel_names[static_cast<std::size_t>(channel)]),
                            report.light_per_vertex[channel] > 1.0f);

@@ -111,7 +111,7 @@ void draw_error(Ui& ui, const QuantityInfo& info) {
         name_widget(ui, "fragment.zinv.off", "1/z is interpolated the same way under both.");
         return;
     }
-    const std::string id = std::string(info.id) + ".off";
+    const std::string id = std::string(info.words.id) + ".off";
     const Formula* const formula = find_formula(report_of(ui).formulas, id);
     const float error = formula->result.value;
     const ImVec4 colour = error >= visible_error ? colour_of(Meaning::fail, ui.options.theme)
@@ -173,16 +173,16 @@ void draw_values(Ui& ui) {
         ImGui::TableSetupColumn("", 0, width);
     draw_headers(ui);
     ImGui::PushFont(ui.fonts.mono);
-    for (const QuantityInfo& info : quantity_list()) {
-        const bool is_light = info.quantity >= Quantity::red;
+    for (const QuantityInfo& info : shown_quantities(ui.results.frame)) {
+        const bool is_light = info.varying == varying_index(&Varyings::illumination);
         if (is_light && !shows_vertex_light(ui)) continue;
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
-        ImGui::TextUnformatted(std::string(info.name).c_str());
+        ImGui::TextUnformatted(std::string(info.words.name).c_str());
         ImGui::PushFont(ui.fonts.text);
-        name_widget(ui, std::string("fragment.") + std::string(info.id), info.help);
+        name_widget(ui, std::string("fragment.") + std::string(info.words.id), info.words.help);
         ImGui::PopFont();
-        const std::string cell(info.id);
+        const std::string cell(info.words.id);
         ImGui::TableNextColumn();
         draw_number(ui, formula_id(info.quantity, wrong_way), cell + ".affine", 4,
                     affine ? p.text : p.dim);

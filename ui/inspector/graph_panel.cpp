@@ -18,11 +18,10 @@ const RowGraph& graph_of(const Ui& ui) {
 }
 
 Quantity chosen_quantity(const Ui& ui) {
-    return find_quantity(ui.inspect.graph_quantity).value_or(Quantity::z);
-}
-
-const QuantityInfo& info_of(Quantity quantity) {
-    return quantity_list()[static_cast<std::size_t>(quantity)];
+    for (const QuantityInfo& info : shown_quantities(ui.results.frame)) {
+        if (info.words.id == ui.inspect.graph_quantity) return info.quantity;
+    }
+    return Quantity::z;
 }
 
 /// The index in the row of the fragment that is current, or picked; -1: it lies elsewhere.
@@ -78,20 +77,22 @@ void draw_quantities(Ui& ui) {
     ImGui::PushFont(ui.fonts.small);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
                         ImVec2(8.0f * ui.options.text_scale, 4.0f * ui.options.text_scale));
+    const std::vector<QuantityInfo> shown = shown_quantities(ui.results.frame);
     std::vector<float> widths;
-    for (const QuantityInfo& info : quantity_list())
-        widths.push_back(button_width(info.name));
+    for (const QuantityInfo& info : shown)
+        widths.push_back(button_width(info.words.name));
     const float gap = 4.0f * ui.options.text_scale;
     const std::vector<FlowPlace> places = flow(widths, gap, ImGui::GetContentRegionAvail().x);
     const ImVec2 start = ImGui::GetCursorScreenPos();
     const float line = ImGui::GetFrameHeight() + gap;
-    for (const QuantityInfo& info : quantity_list()) {
-        const FlowPlace& place = places[static_cast<std::size_t>(info.quantity)];
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        const QuantityInfo& info = shown[i];
+        const FlowPlace& place = places[i];
         ImGui::SetCursorScreenPos(
             {start.x + place.x, start.y + static_cast<float>(place.line) * line});
-        if (button(ui, "graph." + std::string(info.id), info.name,
-                   info.quantity == chosen ? Look::chosen : Look::plain, info.help)) {
-            ui.inspect.graph_quantity = info.id;
+        if (button(ui, "graph." + std::string(info.words.id), info.words.name,
+                   info.quantity == chosen ? Look::chosen : Look::plain, info.words.help)) {
+            ui.inspect.graph_quantity = info.words.id;
         }
     }
     ImGui::PopStyleVar();
@@ -111,7 +112,7 @@ Plot base_plot(const Ui& ui) {
 /// The quantity itself: the truth, the affine chord, and the error between.
 Plot truth_plot(const Ui& ui, Quantity quantity) {
     const RowGraph& graph = graph_of(ui);
-    const std::string name(info_of(quantity).name);
+    const std::string name(quantity_info(quantity).words.name);
     Plot plot = base_plot(ui);
     plot.curves.push_back(
         {name, colour_of(Meaning::pass, ui.options.theme), false,
@@ -133,7 +134,7 @@ Plot carried_plot(const Ui& ui, Quantity quantity) {
     plot.x_name = "column";
     if (is_varying(quantity)) {
         plot.curves.push_back(
-            {std::string(info_of(quantity).carried_name), p.text, false,
+            {std::string(quantity_info(quantity).words.carried_name), p.text, false,
              [&graph, quantity](int i) -> double { return carried_value(graph, quantity, i); }});
     }
     plot.curves.push_back({"1/z", p.dim, is_varying(quantity), [&graph](int i) -> double {
@@ -144,15 +145,15 @@ Plot carried_plot(const Ui& ui, Quantity quantity) {
 
 /// How the curves of a quantity come about.
 std::string truth_tooltip(Quantity quantity) {
-    const std::string name(info_of(quantity).name);
-    std::string text(info_of(quantity).help);
+    const std::string name(quantity_info(quantity).words.name);
+    std::string text(quantity_info(quantity).words.help);
     if (quantity == Quantity::zinv) {
         return text + "\nSolid: 1/z. Dashed: one over the z that is interpolated as it is.";
     }
     text +=
         "\nSolid: the truth, " + name + " = " +
         (quantity == Quantity::z ? std::string("1 / (1/z)")
-                                 : "(" + std::string(info_of(quantity).carried_name) + ") / (1/z)");
+                                 : "(" + std::string(quantity_info(quantity).words.carried_name) + ") / (1/z)");
     return text + ". Dashed: interpolated as it is, along the edges and along the row.";
 }
 

@@ -73,21 +73,27 @@ void draw_writer_cell(Ui& ui, const std::string& name, const EndWriter& writer) 
     if (ImGui::IsItemClicked()) go_to_sample(ui, writer.edge, writer.sample);
 }
 
-/// Varyings as the stage uses them: the light of the vertex, or the place in the room.
-glm::vec3 shown_varying(const Frame& frame, const Fragment& end) {
-    const Lighting lighting = lighting_of(frame.settings.stage);
-    return lighting == Lighting::per_vertex ? end.varyings.illumination
-                                            : end.varyings.position_world;
+/// The varying that the stage uses; where it uses none, the first: the place in the room.
+const VaryingInfo& shown_varying(const Frame& frame) {
+    const VaryingSet read = frame.stages->varyings_read(lighting_of(frame.settings.stage));
+    for (int i = 0; i < varying_count; ++i) {
+        if (read.has(i)) return varying_list[static_cast<std::size_t>(i)];
+    }
+    return varying_list.front();
 }
 
 void draw_values(Ui& ui, const Fragment& end, bool is_set) {
     const Palette& p = palette(ui.options.theme);
-    const glm::vec3 varying = shown_varying(ui.results.frame, end);
-    const float numbers[] = {end.zinv, varying.x, varying.y, varying.z};
-    for (const float number : numbers) {
+    const VaryingInfo& varying = shown_varying(ui.results.frame);
+    const auto draw = [&](bool has_number, float number) {
         ImGui::TableNextColumn();
-        right_aligned(is_set ? fixed(static_cast<double>(number), 4) : "—",
-                      is_set ? p.text : p.dim);
+        right_aligned(has_number ? fixed(static_cast<double>(number), 4) : "—",
+                      has_number ? p.text : p.dim);
+    };
+    draw(is_set, end.zinv);
+    for (int i = 0; i < 3; ++i) {
+        const bool has_number = is_set && i < varying.count;
+        draw(has_number, has_number ? varying.component(end.varyings, i) : 0.0f);
     }
 }
 

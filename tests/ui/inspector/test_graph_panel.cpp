@@ -30,9 +30,9 @@ TEST_CASE("The curves have the values of the fragments along the row") {
         const auto report =
             fragment_report(frame, {graph.row.triangle, Phase::rows, graph.row.index, i});
         REQUIRE(report);
-        CHECK(true_value(graph, Quantity::z_world, i) ==
+        CHECK(true_value(graph, quantity_of(&Varyings::position_world, 2), i) ==
               report->under(Interpolation::perspective).position_world.z);
-        CHECK(affine_value(graph, Quantity::z_world, i) ==
+        CHECK(affine_value(graph, quantity_of(&Varyings::position_world, 2), i) ==
               report->under(Interpolation::affine).position_world.z);
     }
 }
@@ -41,11 +41,11 @@ TEST_CASE("A quantity is chosen by its button; a varying has the lines it is car
     Driver driver;
     driver.hand.click("tab.graph");
     driver.hand.click_picture(398, 121);
-    for (const QuantityInfo& info : quantity_list()) {
-        const std::string name = "graph." + std::string(info.id);
+    for (const QuantityInfo& info : shown_quantities(driver.ui.results.frame)) {
+        const std::string name = "graph." + std::string(info.words.id);
         INFO(name);
         driver.hand.click(name);
-        CHECK(driver.ui.inspect.graph_quantity == info.id);
+        CHECK(driver.ui.inspect.graph_quantity == info.words.id);
         CHECK(driver.hand.is_visible("graph.plot"));
         CHECK(driver.hand.is_visible("graph.carried") == (info.quantity != Quantity::zinv));
     }
