@@ -102,7 +102,8 @@ void add_depths(FragmentReport& report, const Carried& carried) {
            from_row_end(report.row.triangle, report.row.row, false)},
           {"i", {static_cast<float>(report.step), true}, from_words("column in the row")}},
          {static_cast<float>(report.pixel.x), true}});
-    report.formulas.push_back(along_row(report, "zinv", "1/z", std::string(quantity_info(Quantity::zinv).words.help),
+    report.formulas.push_back(along_row(report, "zinv", "1/z",
+                                        std::string(quantity_info(Quantity::zinv).words.help),
                                         ends.left.zinv, ends.right.zinv, fragment.zinv));
     report.formulas.push_back(along_row(report, "z.affine", "z",
                                         "z interpolated as if it changed in equal steps: wrong "
@@ -136,7 +137,8 @@ Formula difference(const QuantityInfo& info, Interpolation way, float wrong, flo
 
 /// How a value that is divided by z twice gets along the row, and what is recovered of it.
 void add_twice(FragmentReport& report, const QuantityInfo& info, const Carried& carried) {
-    const std::string id(info.words.id), name(info.words.name), carried_name = std::string(info.words.carried_name);
+    const std::string id(info.words.id), name(info.words.name),
+        carried_name = std::string(info.words.carried_name);
     const Quantity quantity = info.quantity;
     const RowEnds& ends = report.row.under(Interpolation::zinv_twice);
     const auto way = static_cast<std::size_t>(Interpolation::zinv_twice);
@@ -160,7 +162,8 @@ void add_twice(FragmentReport& report, const QuantityInfo& info, const Carried& 
 }
 
 void add_varying(FragmentReport& report, const QuantityInfo& info, const Carried& carried) {
-    const std::string id(info.words.id), name(info.words.name), carried_name(info.words.carried_name);
+    const std::string id(info.words.id), name(info.words.name),
+        carried_name(info.words.carried_name);
     const Quantity quantity = info.quantity;
     const auto add_walk = [&](Interpolation way, const std::string& formula_of,
                               const std::string& shown_name, const std::string& help) {
@@ -201,8 +204,12 @@ void add_light(const Frame& frame, FragmentReport& report) {
     point.position.value = report.under(report.interpolation).position_world;
     point.normal.value = corners.vertices[0].normal;
     point.reflectance.value = corners.vertices[0].reflectance;
-    constexpr std::array<Quantity, 3> place{quantity_of(&Varyings::position_world, 0), quantity_of(&Varyings::position_world, 1), quantity_of(&Varyings::position_world, 2)};
-    constexpr std::array<Quantity, 3> colour{quantity_of(&Varyings::illumination, 0), quantity_of(&Varyings::illumination, 1), quantity_of(&Varyings::illumination, 2)};
+    constexpr std::array<Quantity, 3> place{quantity_of(&Varyings::position_world, 0),
+                                            quantity_of(&Varyings::position_world, 1),
+                                            quantity_of(&Varyings::position_world, 2)};
+    constexpr std::array<Quantity, 3> colour{quantity_of(&Varyings::illumination, 0),
+                                             quantity_of(&Varyings::illumination, 1),
+                                             quantity_of(&Varyings::illumination, 2)};
     for (std::size_t i = 0; i < 3; ++i) {
         point.position.sources[i] = from_formula(formula_id(place[i], report.interpolation));
         point.normal.sources[i] = from_vertex(triangle, 0, std::string("normal.") + axis_names[i]);
@@ -334,8 +341,8 @@ std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& 
         report.varyings[i] = recover_varyings(carried[i], way);
     }
     add_depths(report, carried);
-    report.formulas.push_back(difference(quantity_info(Quantity::z), Interpolation::affine, carried[0].z,
-                                         1.0f / carried[0].zinv));
+    report.formulas.push_back(difference(quantity_info(Quantity::z), Interpolation::affine,
+                                         carried[0].z, 1.0f / carried[0].zinv));
     for (const QuantityInfo& info : shown_quantities(frame)) {
         if (is_varying(info.quantity)) add_varying(report, info, carried);
     }

@@ -13,8 +13,8 @@ std::span<const QuantityInfo> quantity_list() {
         for (int v = 0; v < varying_count; ++v) {
             const VaryingInfo& varying = varying_list[static_cast<std::size_t>(v)];
             for (int c = 0; c < varying.count; ++c) {
-                made.push_back({quantity_of(v, c), varying.components[static_cast<std::size_t>(c)],
-                                v, c});
+                made.push_back(
+                    {quantity_of(v, c), varying.components[static_cast<std::size_t>(c)], v, c});
             }
         }
         return made;
@@ -23,9 +23,8 @@ std::span<const QuantityInfo> quantity_list() {
 }
 
 std::vector<QuantityInfo> shown_quantities(const Frame& frame) {
-    const VaryingSet shown =
-        carried_varyings(*frame.stages, lighting_of(frame.settings.stage)) |
-        varyings_with(VaryingUse::listed);
+    const VaryingSet shown = carried_varyings(*frame.stages, lighting_of(frame.settings.stage)) |
+                             varyings_with(VaryingUse::listed);
     std::vector<QuantityInfo> list;
     for (const QuantityInfo& info : quantity_list()) {
         if (!is_varying(info.quantity) || shown.has(info.varying)) list.push_back(info);
@@ -35,8 +34,7 @@ std::vector<QuantityInfo> shown_quantities(const Frame& frame) {
 
 float part_of(const Varyings& varyings, Quantity quantity) {
     const QuantityInfo& info = quantity_info(quantity);
-    return varying_list[static_cast<std::size_t>(info.varying)].component(varyings,
-                                                                          info.component);
+    return varying_list[static_cast<std::size_t>(info.varying)].component(varyings, info.component);
 }
 
 std::array<ShadedVertex, 3> shade_triangle(const Frame& frame, int triangle,

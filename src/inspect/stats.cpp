@@ -50,7 +50,8 @@ std::int64_t count_unset_rows(const Frame& frame) {
     PolygonRows rows;
     for (int t = 0; t < frame.triangle_count(); ++t) {
         if (!frame.is_drawn(t)) continue;
-        frame.stages->compute_polygon_rows(frame.triangle_vertices(t), edge_rules(settings, {}), rows);
+        frame.stages->compute_polygon_rows(frame.triangle_vertices(t), edge_rules(settings, {}),
+                                           rows);
         for (int r = 0; r < rows.size(); ++r)
             count += rows.is_empty_row(r) ? 1 : 0;
     }

@@ -62,17 +62,15 @@ LineWalker::LineWalker(const Fragment& a, const Fragment& b, int count, const Li
     }
     step_zinv_ = (b.zinv - a.zinv) / divisor;
     step_z_ = (b.z - a.z) / divisor;
-    each_in(rules.carried, step_varyings_, a.varyings, b.varyings,
-            [divisor](auto& step, const auto& from, const auto& to) {
-                step = (to - from) / divisor;
-            });
+    each_in(
+        rules.carried, step_varyings_, a.varyings, b.varyings,
+        [divisor](auto& step, const auto& from, const auto& to) { step = (to - from) / divisor; });
 }
 
 const Fragment& LineWalker::sample() {
     if (rules_.walk == LineWalk::exact) {
-        return sample_at(
-            exact_pixel(a_.column, b_.column, index_, count_ - 1, rules_.rounding),
-            exact_pixel(a_.row, b_.row, index_, count_ - 1, rules_.rounding));
+        return sample_at(exact_pixel(a_.column, b_.column, index_, count_ - 1, rules_.rounding),
+                         exact_pixel(a_.row, b_.row, index_, count_ - 1, rules_.rounding));
     }
     return sample_at(to_pixel(x_, rules_.rounding), to_pixel(y_, rules_.rounding));
 }

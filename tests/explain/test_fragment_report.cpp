@@ -20,8 +20,12 @@ using rasterwalk::test::same_bits;
 
 namespace {
 
-constexpr Quantity places[] = {quantity_of(&Varyings::position_world, 0), quantity_of(&Varyings::position_world, 1), quantity_of(&Varyings::position_world, 2)};
-constexpr Quantity colours[] = {quantity_of(&Varyings::illumination, 0), quantity_of(&Varyings::illumination, 1), quantity_of(&Varyings::illumination, 2)};
+constexpr Quantity places[] = {quantity_of(&Varyings::position_world, 0),
+                               quantity_of(&Varyings::position_world, 1),
+                               quantity_of(&Varyings::position_world, 2)};
+constexpr Quantity colours[] = {quantity_of(&Varyings::illumination, 0),
+                                quantity_of(&Varyings::illumination, 1),
+                                quantity_of(&Varyings::illumination, 2)};
 
 /// Keeps a random part of the fragments that are drawn.
 class Sampler : public Observer {
@@ -158,8 +162,7 @@ void check_against_event(const FragmentReport& report, const FragmentEvent& even
     for (int c = 0; c < 3; ++c) {
         expect("before", report.before[c], event.before[c]);
         expect("after", report.after[c], event.after[c]);
-        const std::string name =
-            std::string(quantity_info(colours[c]).words.id);
+        const std::string name = std::string(quantity_info(colours[c]).words.id);
         std::string id = "pixel_light.R." + name;
         if (report.lighting == Lighting::per_vertex) {
             id = formula_id(colours[c], report.interpolation);

@@ -22,8 +22,7 @@ inline bool same_bits(const glm::vec2& a, const glm::vec2& b) {
 }
 inline bool same_bits(const Varyings& a, const Varyings& b) {
     bool same = true;
-    for_each_varying(
-        [&](auto member) { same = same && same_bits(a.*member, b.*member); });
+    for_each_varying([&](auto member) { same = same && same_bits(a.*member, b.*member); });
     return same;
 }
 inline bool same_bits(const Fragment& a, const Fragment& b) {

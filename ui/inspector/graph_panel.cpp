@@ -150,10 +150,10 @@ std::string truth_tooltip(Quantity quantity) {
     if (quantity == Quantity::zinv) {
         return text + "\nSolid: 1/z. Dashed: one over the z that is interpolated as it is.";
     }
-    text +=
-        "\nSolid: the truth, " + name + " = " +
-        (quantity == Quantity::z ? std::string("1 / (1/z)")
-                                 : "(" + std::string(quantity_info(quantity).words.carried_name) + ") / (1/z)");
+    text += "\nSolid: the truth, " + name + " = " +
+            (quantity == Quantity::z
+                 ? std::string("1 / (1/z)")
+                 : "(" + std::string(quantity_info(quantity).words.carried_name) + ") / (1/z)");
     return text + ". Dashed: interpolated as it is, along the edges and along the row.";
 }
 
