@@ -105,4 +105,9 @@ void write_file(const std::string& path, std::string_view bytes) {
     }
 }
 
+bool is_same_file(const std::string& a, const std::string& b) {
+    std::error_code fault;
+    return a == b || (std::filesystem::equivalent(a, b, fault) && !fault);
+}
+
 } // namespace rasterwalk

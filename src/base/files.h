@@ -17,4 +17,7 @@ std::string read_file(const std::string& path, std::size_t limit = largest_text_
 /// Throws AccessError.
 void write_file(const std::string& path, std::string_view bytes);
 
+/// Do two paths lead to the same file? Two paths of the same letters do, even if nothing is there.
+bool is_same_file(const std::string& a, const std::string& b);
+
 } // namespace rasterwalk

@@ -49,13 +49,6 @@ RunTexts run_texts(const Settings& a, const Settings& b) {
     return texts;
 }
 
-toml::array to_json(const std::vector<std::string>& texts) {
-    toml::array list;
-    for (const std::string& text : texts)
-        list.push_back(text);
-    return list;
-}
-
 toml::table to_json(const Scene& scene, const DivergenceGroup& group) {
     return toml::table{{"triangle", group.triangle},
                        {"name", part_name(scene, group.triangle)},
@@ -72,8 +65,8 @@ void print_comparison(const Scene& scene, const RunTexts& runs, const Comparison
     toml::array groups;
     for (const DivergenceGroup& group : list.groups)
         groups.push_back(to_json(scene, group));
-    toml::table table{{"a", to_json(runs.a)},
-                      {"b", to_json(runs.b)},
+    toml::table table{{"a", texts_to_json(runs.a)},
+                      {"b", texts_to_json(runs.b)},
                       {"pixels", comparison.pixels.pixels},
                       {"different_pixels", comparison.pixels.different},
                       {"shown_pixels", comparison.pixels.shown},

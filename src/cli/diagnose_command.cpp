@@ -60,19 +60,12 @@ Finding diagnose_rows_file(const DiagnoseOptions& options, const Session& sessio
     return finding;
 }
 
-toml::array to_json(const std::vector<std::string>& texts) {
-    toml::array list;
-    for (const std::string& text : texts)
-        list.push_back(text);
-    return list;
-}
-
 toml::table to_json(const Finding& finding) {
     const Diagnosis& diagnosis = finding.diagnosis;
     toml::array candidates;
     for (const Suspect& suspect : diagnosis.candidates) {
-        candidates.push_back(toml::table{{"ids", to_json(suspect.ids)},
-                                         {"names", to_json(suspect.names)},
+        candidates.push_back(toml::table{{"ids", texts_to_json(suspect.ids)},
+                                         {"names", texts_to_json(suspect.names)},
                                          {"remark", suspect.remark},
                                          {"distance", suspect.distance},
                                          {"different", suspect.different},

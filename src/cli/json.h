@@ -5,10 +5,24 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include <glm/vec3.hpp>
 #include <toml++/toml.h>
 
 namespace rasterwalk {
+
+inline toml::array texts_to_json(const std::vector<std::string>& texts) {
+    toml::array array;
+    for (const std::string& text : texts)
+        array.push_back(text);
+    return array;
+}
+
+inline toml::array vector_to_json(const glm::vec3& v) {
+    return toml::array{static_cast<double>(v.x), static_cast<double>(v.y),
+                       static_cast<double>(v.z)};
+}
 
 /// Prints a table as JSON and ends the line.
 inline void print_json(const toml::table& table, std::ostream& out) {

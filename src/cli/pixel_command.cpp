@@ -43,11 +43,6 @@ glm::ivec2 parse_pixel(const std::string& text, Viewport size) {
     return {*column, *row};
 }
 
-toml::array to_json(const glm::vec3& colour) {
-    return toml::array{static_cast<double>(colour.r), static_cast<double>(colour.g),
-                       static_cast<double>(colour.b)};
-}
-
 toml::table to_json(const Scene& scene, const PixelEntry& entry, bool stays, const Cursor& to) {
     toml::table table{{"triangle", entry.cursor.triangle},
                       {"name", part_name(scene, entry.cursor.triangle)},
@@ -60,8 +55,8 @@ toml::table to_json(const Scene& scene, const PixelEntry& entry, bool stays, con
                       {"fate", entry.fate == Fate::written ? "written" : "depth_failed"},
                       {"stays", stays},
                       {"drawn", entry.cursor < to},
-                      {"colour_before", to_json(entry.colour_before)},
-                      {"colour_after", to_json(entry.colour_after)}};
+                      {"colour_before", vector_to_json(entry.colour_before)},
+                      {"colour_after", vector_to_json(entry.colour_after)}};
     if (entry.row >= 0) {
         table.insert("row", entry.row);
         table.insert("column", entry.column);
@@ -112,7 +107,7 @@ toml::table to_json(const Scene& scene, const PixelHistory& history, const Curso
         nearest.push_back(to_json(scene, near, history.pixel));
     return toml::table{{"column", history.pixel.x},
                        {"row", history.pixel.y},
-                       {"colour", to_json(colour_at(history, to))},
+                       {"colour", vector_to_json(colour_at(history, to))},
                        {"covered", !history.entries.empty()},
                        {"depth_tested", history.depth_tested},
                        {"history", std::move(entries)},

@@ -47,19 +47,14 @@ std::string printed(const char* format, Values... values) {
 
 // JSON
 
-toml::array to_json(const glm::vec3& v) {
-    return toml::array{static_cast<double>(v.x), static_cast<double>(v.y),
-                       static_cast<double>(v.z)};
-}
-
 bool is_projected(const ShadedVertex& vertex) {
     return vertex.fault == VertexFault::none || vertex.fault == VertexFault::too_far_out;
 }
 
 toml::table to_json(const ShadedVertex& vertex) {
-    toml::table table{{"world", to_json(vertex.position_world)},
-                      {"minus_camera", to_json(vertex.minus_camera)},
-                      {"rotated", to_json(vertex.position_camera)},
+    toml::table table{{"world", vector_to_json(vertex.position_world)},
+                      {"minus_camera", vector_to_json(vertex.minus_camera)},
+                      {"rotated", vector_to_json(vertex.position_camera)},
                       {"fault", fault_name(vertex.fault)}};
     if (is_projected(vertex)) {
         table.insert("projected", toml::array{static_cast<double>(vertex.projected_x),

@@ -255,20 +255,20 @@ std::string id(const Block& block, const toml::node& node) {
     return text;
 }
 
-using Kind = LessonPrediction::Kind;
+using PredictionKind = LessonPrediction::Kind;
 
 /// Which keys each kind needs, and which belong to another kind.
-void check_kind(Block& block, Kind kind) {
+void check_kind(Block& block, PredictionKind kind) {
     struct Rule {
         std::string_view key;
-        Kind kind;
+        PredictionKind kind;
         bool is_needed;
     };
     constexpr Rule rules[] = {
-        {"answer", Kind::number, true}, {"tolerance", Kind::number, false},
-        {"unit", Kind::number, false},  {"choices", Kind::choice, true},
-        {"right", Kind::choice, true},  {"where", Kind::pixel, true},
-        {"recipe", Kind::pixel, true},  {"wrong", Kind::pixel, true},
+        {"answer", PredictionKind::number, true}, {"tolerance", PredictionKind::number, false},
+        {"unit", PredictionKind::number, false},  {"choices", PredictionKind::choice, true},
+        {"right", PredictionKind::choice, true},  {"where", PredictionKind::pixel, true},
+        {"recipe", PredictionKind::pixel, true},  {"wrong", PredictionKind::pixel, true},
     };
     constexpr std::string_view names[] = {"number", "pixel", "choice"};
     for (const Rule& rule : rules) {
@@ -355,7 +355,9 @@ LessonPrediction read_prediction(const toml::table& table, int line, const Situa
     keys["kind"] = [&](const toml::node& n) {
         constexpr std::string_view names[] = {"number", "pixel", "choice"};
         const std::string name = word(block, n, "kind of prediction", names);
-        p.kind = name == "number" ? Kind::number : name == "pixel" ? Kind::pixel : Kind::choice;
+        p.kind = name == "number"  ? PredictionKind::number
+                 : name == "pixel" ? PredictionKind::pixel
+                                   : PredictionKind::choice;
     };
     keys["answer"] = [&](const toml::node& n) {
         p.answer_line = line_of(n);
@@ -399,7 +401,7 @@ LessonPrediction read_prediction(const toml::table& table, int line, const Situa
         const toml::array* const list = node != nullptr ? node->as_array() : nullptr;
         return list != nullptr ? list->size() : 0;
     };
-    if (p.kind == Kind::choice && size_of("choices") != size_of("right")) {
+    if (p.kind == PredictionKind::choice && size_of("choices") != size_of("right")) {
         faults.add(p.answer_line, "'right' needs one condition for each of the choices.");
     }
     return p;

@@ -26,23 +26,23 @@ namespace rasterwalk {
 
 namespace {
 
-using Kind = LessonLink::Kind;
+using LinkKind = LessonLink::Kind;
 
-constexpr std::array<std::pair<std::string_view, Kind>, 14> kinds{{
-    {"set", Kind::set},
-    {"cursor", Kind::cursor},
-    {"show", Kind::show},
-    {"compare", Kind::compare},
-    {"pixel", Kind::pixel},
-    {"triangle", Kind::triangle},
-    {"row", Kind::row},
-    {"vertex", Kind::vertex},
-    {"tab", Kind::tab},
-    {"view", Kind::view},
-    {"overlay", Kind::overlay},
-    {"preset", Kind::preset},
-    {"bug", Kind::bug},
-    {"term", Kind::term},
+constexpr std::array<std::pair<std::string_view, LinkKind>, 14> kinds{{
+    {"set", LinkKind::set},
+    {"cursor", LinkKind::cursor},
+    {"show", LinkKind::show},
+    {"compare", LinkKind::compare},
+    {"pixel", LinkKind::pixel},
+    {"triangle", LinkKind::triangle},
+    {"row", LinkKind::row},
+    {"vertex", LinkKind::vertex},
+    {"tab", LinkKind::tab},
+    {"view", LinkKind::view},
+    {"overlay", LinkKind::overlay},
+    {"preset", LinkKind::preset},
+    {"bug", LinkKind::bug},
+    {"term", LinkKind::term},
 }};
 
 [[noreturn]] void refuse_target(std::string_view target) {
@@ -54,7 +54,7 @@ constexpr std::array<std::pair<std::string_view, Kind>, 14> kinds{{
 }
 
 /// `10-per-pixel.md`: two digits, a name, no folder.
-bool is_lesson_file(std::string_view target) {
+bool names_lesson(std::string_view target) {
     constexpr std::string_view ending = ".md";
     return target.size() > ending.size() + 3 && target.ends_with(ending) && target[2] == '-' &&
            target.find_first_not_of("0123456789") == 2 &&
@@ -105,46 +105,46 @@ std::vector<std::string_view> overlay_words() {
 void check_argument(const LessonLink& link) {
     const bool is_none = link.argument == "none";
     switch (link.kind) {
-    case Kind::set:
-    case Kind::compare:
-        if (link.kind == Kind::compare && link.argument == "off") break;
+    case LinkKind::set:
+    case LinkKind::compare:
+        if (link.kind == LinkKind::compare && link.argument == "off") break;
         for (const std::string& assignment : assignments_of(link.argument)) {
             Settings tried;
             set_from_text(tried, assignment);
         }
         break;
-    case Kind::cursor:
+    case LinkKind::cursor:
         if (!parse_cursor(link.argument)) {
             throw UsageError("the link names no moment: " + in_quotes(link.argument) +
                              " is not of the form t12/e2/s14.");
         }
         break;
-    case Kind::pixel:
+    case LinkKind::pixel:
         require(is_none || parse_pixel(link.argument), link, "a column and a row: 250,131");
         break;
-    case Kind::triangle:
-    case Kind::row:
-    case Kind::vertex:
+    case LinkKind::triangle:
+    case LinkKind::row:
+    case LinkKind::vertex:
         require(is_none || parse_int(link.argument), link, "a whole number or none");
         break;
-    case Kind::tab:
+    case LinkKind::tab:
         require_word(link, "tab", tab_names());
         break;
-    case Kind::view:
+    case LinkKind::view:
         require_word(link, "view", view_names());
         break;
-    case Kind::overlay:
+    case LinkKind::overlay:
         require_word(link, "overlay", overlay_words());
         break;
-    case Kind::bug:
+    case LinkKind::bug:
         find_bug(read_bugs(), link.argument);
         break;
-    case Kind::show:
+    case LinkKind::show:
         check_widget_name(link.argument);
         break;
-    case Kind::preset:
-    case Kind::term:
-    case Kind::lesson:
+    case LinkKind::preset:
+    case LinkKind::term:
+    case LinkKind::lesson:
         break;
     }
 }
@@ -199,8 +199,8 @@ void toggle_overlay(Session& session, const LessonLink& link) {
 
 LessonLink parse_lesson_link(std::string_view target) {
     LessonLink link;
-    if (is_lesson_file(target)) {
-        link.kind = Kind::lesson;
+    if (names_lesson(target)) {
+        link.kind = LinkKind::lesson;
         link.argument = std::string(target.substr(0, target.size() - 3));
         return link;
     }
@@ -221,48 +221,48 @@ LessonLink parse_lesson_link(std::string_view target) {
 
 void follow_lesson_link(Session& session, const Frame& frame, const LessonLink& link) {
     switch (link.kind) {
-    case Kind::set:
+    case LinkKind::set:
         session.settings = settings_with(session.settings, assignments_of(link.argument));
         break;
-    case Kind::cursor: {
+    case LinkKind::cursor: {
         const Cursor cursor = moment_of(frame, link.argument);
         session.selection.triangle = std::nullopt;
         go_to(session, cursor);
         break;
     }
-    case Kind::compare:
+    case LinkKind::compare:
         follow_compare(session, link);
         break;
-    case Kind::pixel:
+    case LinkKind::pixel:
         pick_pixel(session, link);
         break;
-    case Kind::triangle:
+    case LinkKind::triangle:
         session.selection.triangle = chosen(link, "triangle", frame.triangle_count());
         break;
-    case Kind::row:
+    case LinkKind::row:
         session.selection.row = chosen(link, "row", session.settings.viewport.height);
         break;
-    case Kind::vertex:
+    case LinkKind::vertex:
         session.selection.vertex = chosen(link, "vertex", 3);
         break;
-    case Kind::tab:
+    case LinkKind::tab:
         session.tab = link.argument;
         break;
-    case Kind::view:
+    case LinkKind::view:
         session.view = *find_view(link.argument);
         break;
-    case Kind::overlay:
+    case LinkKind::overlay:
         toggle_overlay(session, link);
         break;
-    case Kind::preset:
+    case LinkKind::preset:
         apply_preset(find_preset(session.presets, link.argument), session.settings);
         break;
-    case Kind::bug:
+    case LinkKind::bug:
         open_bug(find_bug(read_bugs(), link.argument), session);
         break;
-    case Kind::show:
-    case Kind::term:
-    case Kind::lesson:
+    case LinkKind::show:
+    case LinkKind::term:
+    case LinkKind::lesson:
         break;
     }
 }

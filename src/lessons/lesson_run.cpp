@@ -14,7 +14,7 @@ namespace rasterwalk {
 
 namespace {
 
-using Kind = LessonPrediction::Kind;
+using PredictionKind = LessonPrediction::Kind;
 
 /// A session of its own in the situation in which the answer is found.
 struct Trial {
@@ -116,19 +116,19 @@ Judgement judge(const Lesson& lesson, const LessonPrediction& prediction, const 
     const double* const number = std::get_if<double>(&answer.value);
     const int* const choice = std::get_if<int>(&answer.value);
     switch (prediction.kind) {
-    case Kind::number:
+    case PredictionKind::number:
         judge_number(prediction, facts, number != nullptr ? *number : std::nan(""), result);
         break;
-    case Kind::choice:
+    case PredictionKind::choice:
         judge_choice(prediction, facts, choice != nullptr ? *choice : -1, result);
         break;
-    case Kind::pixel:
+    case PredictionKind::pixel:
         result.is_right = prediction.where && holds(*prediction.where, reader);
         if (prediction.right_pixel) result.answer = pixel_text(*prediction.right_pixel);
         break;
     }
     try {
-        const bool is_number = prediction.kind == Kind::number && result.fault.empty();
+        const bool is_number = prediction.kind == PredictionKind::number && result.fault.empty();
         result.because = fill_in(prediction.because, result.answer,
                                  is_number ? std::optional(result.number) : std::nullopt, reader);
     } catch (const Error& fault) {

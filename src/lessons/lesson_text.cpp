@@ -173,16 +173,17 @@ class Scanner {
 
     void take_formula() {
         const std::string_view near = nearby();
-        const std::size_t signs = near.starts_with("$$") ? 2 : 1;
-        const std::string_view mark = near.substr(0, signs);
-        const std::size_t end = near.find(mark, signs);
-        const bool is_formula = end != near.npos && end > signs && (signs == 2 || near[1] != ' ');
+        const std::size_t dollars = near.starts_with("$$") ? 2 : 1;
+        const std::string_view mark = near.substr(0, dollars);
+        const std::size_t end = near.find(mark, dollars);
+        const bool is_formula =
+            end != near.npos && end > dollars && (dollars == 2 || near[1] != ' ');
         if (!is_formula) {
-            skip(signs);
+            skip(dollars);
             return;
         }
-        parts_.formulas.push_back({std::string(near.substr(signs, end - signs)), line_});
-        skip(end + signs);
+        parts_.formulas.push_back({std::string(near.substr(dollars, end - dollars)), line_});
+        skip(end + dollars);
     }
 
     void check_angle() {

@@ -5,8 +5,10 @@
 #include <optional>
 
 #include "base/error.h"
+#include "base/files.h"
 #include "facts/facts.h"
 #include "opening/opened_view.h"
+#include "session/canvas_view.h"
 #include "session/content.h"
 #include "session/depth_view.h"
 #include "session/second_run.h"
@@ -18,11 +20,6 @@ namespace rasterwalk {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool is_same_file(const std::string& a, const std::string& b) {
-    std::error_code fault;
-    return a == b || (fs::equivalent(a, b, fault) && !fault);
-}
 
 std::string absolute_path(const std::string& path) {
     std::error_code fault;
@@ -67,10 +64,6 @@ ViewOptions start_of(const Session& session) {
         options.scene = name_of_scene(session.scene->path);
     }
     return options;
-}
-
-std::string place_text(const glm::vec2& place) {
-    return number_text(place.x).append(",").append(number_text(place.y));
 }
 
 std::string text_of(const std::optional<int>& number) {
@@ -158,7 +151,7 @@ class Line {
         if (is_same) return;
         if (to_.zoom) {
             say("--zoom", number_text(*to_.zoom));
-            say("--centre", place_text(*to_.centre));
+            say("--centre", to_text(*to_.centre));
         } else if (from_.zoom) {
             say("--zoom", "fit");
         }

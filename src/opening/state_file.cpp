@@ -15,6 +15,7 @@
 #include "facts/facts.h"
 #include "lessons/lesson_blocks.h"
 #include "session/bench.h"
+#include "session/canvas_view.h"
 #include "session/content.h"
 #include "session/depth_view.h"
 #include "session/second_run.h"
@@ -42,11 +43,6 @@ std::string name_within(const std::string& folder, const std::string& file) {
     const fs::path relative = place.lexically_relative(root);
     const bool is_below = !relative.empty() && *relative.begin() != "..";
     return is_below ? relative.generic_string() : std::string();
-}
-
-bool is_same_file(const std::string& a, const std::string& b) {
-    std::error_code fault;
-    return fs::equivalent(a, b, fault) && !fault;
 }
 
 /// How the file of a view names another file: such that find_lesson_file() finds it again.
@@ -102,10 +98,6 @@ class Lines {
     std::ostringstream out_;
 };
 
-std::string place_text(const glm::vec2& place) {
-    return number_text(place.x).append(",").append(number_text(place.y));
-}
-
 void add_situation(const Situation& s, Lines& lines) {
     if (!s.set.empty()) lines.texts("set", s.set);
     if (s.cursor) lines.text("cursor", to_text(*s.cursor));
@@ -126,7 +118,7 @@ void add_situation(const Situation& s, Lines& lines) {
         lines.texts("overlays", names);
     }
     if (s.zoom) lines.plain("zoom", number_text(*s.zoom));
-    if (s.centre) lines.text("centre", place_text(*s.centre));
+    if (s.centre) lines.text("centre", to_text(*s.centre));
     if (s.grid) lines.plain("grid", *s.grid ? "true" : "false");
     if (s.compare) lines.texts("compare", *s.compare);
     if (s.compare_view) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include <glm/vec2.hpp>
 
 namespace rasterwalk {
@@ -12,5 +14,8 @@ struct CanvasView {
 
     friend bool operator==(const CanvasView&, const CanvasView&) = default;
 };
+
+/// A place in the picture, picture pixels: "250.5,131", such that parse_place() reads it back.
+std::string to_text(const glm::vec2& place);
 
 } // namespace rasterwalk

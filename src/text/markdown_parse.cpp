@@ -13,7 +13,7 @@ namespace rasterwalk {
 
 namespace {
 
-using Kind = MarkdownBlock::Kind;
+using BlockKind = MarkdownBlock::Kind;
 
 /// Link targets of a page, all together, bytes: reference links repeat theirs at every use.
 constexpr std::size_t largest_targets = std::size_t{1} << 20;
@@ -80,7 +80,7 @@ class Builder {
         bool has_loose_text; ///< its last child is a paragraph for text that stands in it directly
     };
 
-    MarkdownBlock& push(Kind kind);
+    MarkdownBlock& push(BlockKind kind);
     MarkdownBlock& text_block();
     MarkdownRun& run();
 
@@ -94,13 +94,13 @@ class Builder {
     std::string formula_; ///< TeX of the formula that is being read
     /// The picture or formula with which the paragraph begins; it alone makes a block of its own.
     struct Lead {
-        Kind kind = Kind::paragraph;
+        BlockKind kind = BlockKind::paragraph;
         std::string source;
         std::size_t runs = 0; ///< of the paragraph, when it ended
     } lead_;
 };
 
-MarkdownBlock& Builder::push(Kind kind) {
+MarkdownBlock& Builder::push(BlockKind kind) {
     Open& parent = open_.back();
     parent.has_loose_text = false;
     MarkdownBlock& block = parent.block->children.emplace_back();
@@ -113,11 +113,11 @@ MarkdownBlock& Builder::push(Kind kind) {
 MarkdownBlock& Builder::text_block() {
     Open& open = open_.back();
     switch (open.block->kind) {
-    case Kind::list:
-    case Kind::item:
-    case Kind::quote:
-    case Kind::table:
-    case Kind::row:
+    case BlockKind::list:
+    case BlockKind::item:
+    case BlockKind::quote:
+    case BlockKind::table:
+    case BlockKind::row:
         if (!open.has_loose_text) {
             open.block->children.emplace_back();
             open.has_loose_text = true;
@@ -150,47 +150,47 @@ bool Builder::enter(MD_BLOCKTYPE type, const void* detail) {
     }
     switch (type) {
     case MD_BLOCK_QUOTE:
-        push(Kind::quote);
+        push(BlockKind::quote);
         break;
     case MD_BLOCK_UL: {
-        MarkdownBlock& list = push(Kind::list);
+        MarkdownBlock& list = push(BlockKind::list);
         list.is_tight = static_cast<const MD_BLOCK_UL_DETAIL*>(detail)->is_tight != 0;
         break;
     }
     case MD_BLOCK_OL: {
         const auto& ordered = *static_cast<const MD_BLOCK_OL_DETAIL*>(detail);
-        MarkdownBlock& list = push(Kind::list);
+        MarkdownBlock& list = push(BlockKind::list);
         list.is_numbered = true;
         list.is_tight = ordered.is_tight != 0;
         list.start = static_cast<int>(std::min(ordered.start, 999'999'999u));
         break;
     }
     case MD_BLOCK_LI:
-        push(Kind::item);
+        push(BlockKind::item);
         break;
     case MD_BLOCK_HR:
-        push(Kind::rule);
+        push(BlockKind::rule);
         break;
     case MD_BLOCK_H:
-        push(Kind::heading).level =
+        push(BlockKind::heading).level =
             static_cast<int>(static_cast<const MD_BLOCK_H_DETAIL*>(detail)->level);
         break;
     case MD_BLOCK_CODE:
-        push(Kind::code);
+        push(BlockKind::code);
         break;
     case MD_BLOCK_P:
     case MD_BLOCK_HTML:
-        push(Kind::paragraph);
+        push(BlockKind::paragraph);
         break;
     case MD_BLOCK_TABLE:
-        push(Kind::table);
+        push(BlockKind::table);
         break;
     case MD_BLOCK_TR:
-        push(Kind::row);
+        push(BlockKind::row);
         break;
     case MD_BLOCK_TH:
     case MD_BLOCK_TD: {
-        MarkdownBlock& cell = push(Kind::cell);
+        MarkdownBlock& cell = push(BlockKind::cell);
         const MD_ALIGN align = static_cast<const MD_BLOCK_TD_DETAIL*>(detail)->align;
         cell.is_header = type == MD_BLOCK_TH;
         cell.align = align == MD_ALIGN_CENTER  ? MarkdownBlock::Align::centre
@@ -210,14 +210,14 @@ bool Builder::leave(MD_BLOCKTYPE type) {
     if (type == MD_BLOCK_DOC || type == MD_BLOCK_THEAD || type == MD_BLOCK_TBODY) return true;
     MarkdownBlock& block = *open_.back().block;
     open_.pop_back();
-    if (block.kind == Kind::code && !block.runs.empty()) {
+    if (block.kind == BlockKind::code && !block.runs.empty()) {
         std::string& text = block.runs.back().text;
         if (text.ends_with('\n')) text.pop_back();
     }
     if (type == MD_BLOCK_P) leave_paragraph(block);
-    if (block.kind != Kind::quote || block.children.size() < 2) return true;
+    if (block.kind != BlockKind::quote || block.children.size() < 2) return true;
     const MarkdownBlock& first = block.children.front();
-    if (first.kind == Kind::paragraph && first.runs.size() == 1 && first.runs[0].strong) {
+    if (first.kind == BlockKind::paragraph && first.runs.size() == 1 && first.runs[0].strong) {
         block.label = first.runs[0].text;
         block.children.erase(block.children.begin());
     }
@@ -249,7 +249,7 @@ bool Builder::enter_span(MD_SPANTYPE type, const void* detail) {
         break;
     case MD_SPAN_IMG:
         if (text_block().runs.empty()) {
-            lead_ = {Kind::picture,
+            lead_ = {BlockKind::picture,
                      attribute_text(static_cast<const MD_SPAN_IMG_DETAIL*>(detail)->src), 0};
         }
         ++emphasis_; // within a text, the words that stand for a picture
@@ -263,12 +263,12 @@ bool Builder::enter_span(MD_SPANTYPE type, const void* detail) {
 
 /// A picture or a formula that is all of its paragraph becomes a block of its own.
 void Builder::leave_paragraph(MarkdownBlock& block) {
-    const bool is_alone = lead_.kind != Kind::paragraph && block.runs.size() == lead_.runs;
-    if (is_alone && lead_.kind == Kind::picture) {
-        block.kind = Kind::picture;
+    const bool is_alone = lead_.kind != BlockKind::paragraph && block.runs.size() == lead_.runs;
+    if (is_alone && lead_.kind == BlockKind::picture) {
+        block.kind = BlockKind::picture;
         block.target = lead_.source;
     } else if (is_alone) {
-        block.kind = Kind::math;
+        block.kind = BlockKind::math;
         block.runs = {MarkdownRun{lead_.source}};
     }
     lead_ = {};
@@ -293,12 +293,13 @@ void Builder::leave_span(MD_SPANTYPE type) {
             part.link = link_;
             runs.push_back(std::move(part));
         }
-        if (is_lead) lead_ = {Kind::math, formula_, runs.size()};
+        if (is_lead) lead_ = {BlockKind::math, formula_, runs.size()};
         break;
     }
     case MD_SPAN_IMG:
         --emphasis_;
-        if (lead_.kind == Kind::picture && lead_.runs == 0) lead_.runs = text_block().runs.size();
+        if (lead_.kind == BlockKind::picture && lead_.runs == 0)
+            lead_.runs = text_block().runs.size();
         break;
     default:
         --emphasis_;
@@ -312,7 +313,7 @@ void Builder::text(MD_TEXTTYPE type, std::string_view text) {
         return;
     }
     std::string& out = run().text;
-    const bool in_code_block = text_block().kind == Kind::code;
+    const bool in_code_block = text_block().kind == BlockKind::code;
     switch (type) {
     case MD_TEXT_NULLCHAR:
         out += replacement_character;

@@ -8,7 +8,7 @@ namespace rasterwalk {
 
 namespace {
 
-using Kind = MathNode::Kind;
+using NodeKind = MathNode::Kind;
 using Style = MathNode::Style;
 
 struct Command {
@@ -42,7 +42,7 @@ constexpr std::array commands{
 };
 
 MathNode symbol(std::string_view text, Style style = Style::upright) {
-    return {Kind::symbol, std::string(text), style, {}};
+    return {NodeKind::symbol, std::string(text), style, {}};
 }
 
 class Reader {
@@ -83,7 +83,7 @@ MathNode Reader::row(int depth) {
 }
 
 MathNode Reader::scripts(MathNode base, int depth) {
-    MathNode script{Kind::script, {}, Style::upright, {std::move(base), {}, {}}};
+    MathNode script{NodeKind::script, {}, Style::upright, {std::move(base), {}, {}}};
     bool is_script = false;
     for (skip_blanks(); !rest_.empty(); skip_blanks()) {
         const char c = rest_[0];
@@ -154,12 +154,12 @@ MathNode Reader::command(int depth) {
     if (name == "frac") {
         MathNode top = argument(depth);
         MathNode bottom = argument(depth);
-        return {Kind::fraction, {}, Style::upright, {std::move(top), std::move(bottom)}};
+        return {NodeKind::fraction, {}, Style::upright, {std::move(top), std::move(bottom)}};
     }
-    if (name == "sqrt") return {Kind::root, {}, Style::upright, {argument(depth)}};
+    if (name == "sqrt") return {NodeKind::root, {}, Style::upright, {argument(depth)}};
     if (name == "hat" || name == "vec" || name == "bar") {
         const char* const mark = name == "hat" ? "ˆ" : name == "vec" ? "→" : "¯";
-        return {Kind::accent, mark, Style::upright, {argument(depth)}};
+        return {NodeKind::accent, mark, Style::upright, {argument(depth)}};
     }
     if (name == "text" || name == "mathrm" || name == "texttt") return symbol(raw_argument());
     if (name == "left" || name == "right") {
@@ -179,12 +179,12 @@ MathNode Reader::command(int depth) {
 void settle_signs(MathNode& node) {
     bool at_start = true;
     for (MathNode& child : node.children) {
-        const bool is_relation = child.kind == Kind::symbol && child.style == Style::relation;
+        const bool is_relation = child.kind == NodeKind::symbol && child.style == Style::relation;
         if (is_relation && at_start) child.style = Style::upright;
-        at_start = node.kind == Kind::row && child.kind == Kind::symbol &&
+        at_start = node.kind == NodeKind::row && child.kind == NodeKind::symbol &&
                    (is_relation || child.text == "(" || child.text == "[" || child.text == ", ");
         settle_signs(child);
-        if (node.kind != Kind::row) at_start = true;
+        if (node.kind != NodeKind::row) at_start = true;
     }
 }
 

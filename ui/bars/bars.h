@@ -21,4 +21,9 @@ int transport_lines(const Ui& ui, float width);
 /// What is under the pointer, what is out of order, which rules and which file.
 void draw_status_line(Ui& ui, const Area& area);
 
+/// Room at both ends of a bar, screen pixels.
+inline float bar_margin(const Ui& ui) {
+    return 14.0f * ui.options.text_scale;
+}
+
 } // namespace rasterwalk

@@ -147,13 +147,10 @@ std::vector<float> item_widths(const Ui& ui, const std::vector<StripItem>& items
 float gap(const Ui& ui) {
     return 8.0f * ui.options.text_scale;
 }
-float margin(const Ui& ui) {
-    return 14.0f * ui.options.text_scale;
-}
 
 int lines_of(const Ui& ui, Form form, float width) {
     const std::vector<float> widths = item_widths(ui, strip_items(ui, form));
-    return line_count(flow(widths, gap(ui), width - 2.0f * margin(ui)));
+    return line_count(flow(widths, gap(ui), width - 2.0f * bar_margin(ui)));
 }
 
 /// Between two stages that are joined by an arrow, beside the gap; design pixels.
@@ -170,7 +167,7 @@ float wide_width(const Ui& ui, const std::vector<StripItem>& items) {
 
 /// The first form that fits on one line; only small windows have no height to spare for a second.
 Form strip_form(const Ui& ui, float width) {
-    const float room = width - 2.0f * margin(ui);
+    const float room = width - 2.0f * bar_margin(ui);
     if (wide_width(ui, strip_items(ui, Form::with_pairs)) < room) return Form::with_pairs;
     for (const Form form : {Form::full, Form::short_switches}) {
         if (lines_of(ui, form, width) == 1) return form;
@@ -273,7 +270,7 @@ void draw_stage_strip(Ui& ui, const Area& area) {
     ImGui::Begin("strip", nullptr, panel_flags);
     const std::vector<StripItem> items = strip_items(ui, strip_form(ui, area.size.x));
     const std::vector<float> widths = item_widths(ui, items);
-    const float room = area.size.x - 2.0f * margin(ui);
+    const float room = area.size.x - 2.0f * bar_margin(ui);
     // Where there is room the stages are joined by arrows and the switches stand at the right.
     const float arrow = arrow_width * u;
     const bool wide = wide_width(ui, items) < room;
@@ -288,7 +285,7 @@ void draw_stage_strip(Ui& ui, const Area& area) {
             x = switch_x + gap_before(items[i], gap(ui));
             switch_x = x + widths[i];
         }
-        const ImVec2 at{area.position.x + margin(ui) + x,
+        const ImVec2 at{area.position.x + bar_margin(ui) + x,
                         area.position.y + 9.0f * u +
                             static_cast<float>(places[i].line) * 42.0f * u};
         draw_item(ui, items[i], at, {widths[i], height});

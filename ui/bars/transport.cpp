@@ -125,10 +125,6 @@ Groups measure(const Ui& ui, float width) {
     return g;
 }
 
-float margin(const Ui& ui) {
-    return 14.0f * ui.options.text_scale;
-}
-
 std::string step_name(const StepChoice& choice) {
     switch (choice.granularity) {
     case Granularity::moment:
@@ -293,8 +289,8 @@ void draw_words(Ui& ui, ImVec2 at, float room) {
 
 int transport_lines(const Ui& ui, float width) {
     const float u = ui.options.text_scale;
-    const Groups g = measure(ui, width - 2.0f * margin(ui));
-    return line_count(flow(g.widths, 14.0f * u, width - 2.0f * margin(ui) + 1.0f));
+    const Groups g = measure(ui, width - 2.0f * bar_margin(ui));
+    return line_count(flow(g.widths, 14.0f * u, width - 2.0f * bar_margin(ui) + 1.0f));
 }
 
 void draw_transport(Ui& ui, const Area& area) {
@@ -304,12 +300,12 @@ void draw_transport(Ui& ui, const Area& area) {
     ImGui::SetNextWindowSize(area.size);
     ImGui::PushStyleColor(ImGuiCol_WindowBg, p.bar);
     ImGui::Begin("transport", nullptr, panel_flags);
-    const float room = area.size.x - 2.0f * margin(ui);
+    const float room = area.size.x - 2.0f * bar_margin(ui);
     const Groups g = measure(ui, room);
     const std::vector<FlowPlace> places = flow(g.widths, 14.0f * u, room + 1.0f);
     const float height = 34.0f * u;
     const auto place = [&](int group) {
-        return ImVec2{area.position.x + margin(ui) + places[group].x,
+        return ImVec2{area.position.x + bar_margin(ui) + places[group].x,
                       area.position.y + 10.0f * u +
                           42.0f * u * static_cast<float>(places[group].line)};
     };
@@ -340,7 +336,7 @@ void draw_transport(Ui& ui, const Area& area) {
     draw_scrub_bar(ui, place(last), {g.widths[last], height});
 
     const float y = place(last).y + height + 6.0f * u;
-    draw_words(ui, {area.position.x + margin(ui), y}, room);
+    draw_words(ui, {area.position.x + bar_margin(ui), y}, room);
     ImGui::End();
     ImGui::PopStyleColor();
 }

@@ -68,7 +68,7 @@ void draw_choice_of_difference(Ui& ui, const char* title) {
     ImGui::EndCombo();
 }
 
-void draw_nothing(Ui& ui) {
+void draw_no_comparison(Ui& ui) {
     const Palette& p = palette(ui.options.theme);
     wrapped_text("Two runs of the same scene, side by side: where do they part, and why?");
     ImGui::Spacing();
@@ -321,7 +321,7 @@ void draw_compare_panel(Ui& ui) {
         return;
     }
     if (!ui.session.other) {
-        draw_nothing(ui);
+        draw_no_comparison(ui);
         return;
     }
     if (!hides_settings(ui.session)) {

@@ -120,7 +120,7 @@ void draw_error(Ui& ui, const QuantityInfo& info) {
     draw_number(ui, id, id, 4, colour);
 }
 
-void draw_headers(Ui& ui) {
+void draw_column_headers(Ui& ui) {
     const Palette& p = palette(ui.options.theme);
     const Interpolation way = report_of(ui).interpolation;
     const bool affine = way != Interpolation::perspective;
@@ -171,7 +171,7 @@ void draw_values(Ui& ui) {
     }
     for (const float width : {0.9f, 1.0f, 1.25f, 0.9f})
         ImGui::TableSetupColumn("", 0, width);
-    draw_headers(ui);
+    draw_column_headers(ui);
     ImGui::PushFont(ui.fonts.mono);
     for (const QuantityInfo& info : shown_quantities(ui.results.frame)) {
         const bool is_light = info.varying == varying_index(&Varyings::illumination);
@@ -271,7 +271,7 @@ void draw_formula_card(Ui& ui) {
     follow_source(ui, clicked);
 }
 
-void draw_nothing(Ui& ui) {
+void draw_no_fragment(Ui& ui) {
     const Frame& frame = ui.results.frame;
     std::string words;
     if (!has_fragments(frame.settings.stage)) {
@@ -313,7 +313,7 @@ void draw_fragment_line(Ui& ui, const std::string& id, std::string_view label, b
 
 void draw_fragment_panel(Ui& ui) {
     if (!ui.results.inspected.fragment) {
-        draw_nothing(ui);
+        draw_no_fragment(ui);
         return;
     }
     draw_with_card(

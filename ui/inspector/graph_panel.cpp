@@ -227,7 +227,7 @@ void draw_graph(Ui& ui) {
     memory->SetInt(id, draw_plots(ui, index, is_marked ? -1 : index));
 }
 
-void draw_nothing(Ui& ui) {
+void draw_no_row(Ui& ui) {
     const Frame& frame = ui.results.frame;
     std::string words = "No row of this triangle lies in the picture.";
     if (frame.settings.stage < Stage::rows) {
@@ -257,7 +257,7 @@ void draw_graph_panel(Ui& ui) {
     }
     draw_triangle_title(ui);
     if (!ui.results.inspected.graph) {
-        draw_nothing(ui);
+        draw_no_row(ui);
         return;
     }
     draw_graph(ui);

@@ -21,7 +21,7 @@ ImU32 screen_colour(const Ui& ui, const glm::vec3& colour, float opacity) {
     return packed({cut.r, cut.g, cut.b, 1.0f}, opacity);
 }
 
-enum Column {
+enum HistoryColumn {
     number_column,
     name_column,
     place_column,
@@ -37,7 +37,7 @@ struct Columns {
     std::array<float, column_count> widths{}; ///< of their content; 0: not there
     float padding = 0.0f;                     ///< on either side of each
 
-    bool has(Column column) const { return widths[column] > 0.0f; }
+    bool has(HistoryColumn column) const { return widths[column] > 0.0f; }
     int count() const {
         return static_cast<int>(
             std::count_if(widths.begin(), widths.end(), [](float w) { return w > 0.0f; }));
@@ -217,7 +217,7 @@ void draw_entry(Ui& ui, const PixelHistory& history, int index, const Columns& c
     if (pressed) go_to_entry(ui.session, Timeline(ui.results.frame), entry);
 }
 
-void draw_headers(Ui& ui, const Columns& columns) {
+void draw_history_headers(Ui& ui, const Columns& columns) {
     struct Header {
         const char* name;
         const char* title;
@@ -243,7 +243,7 @@ void draw_headers(Ui& ui, const Columns& columns) {
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     int column = 0;
     for (int i = 0; i < column_count; ++i) {
-        if (!columns.has(static_cast<Column>(i))) continue;
+        if (!columns.has(static_cast<HistoryColumn>(i))) continue;
         ImGui::TableSetColumnIndex(column++);
         ImGui::PushFont(ui.fonts.small);
         const ImVec4& colour = palette(ui.options.theme).dim;
@@ -297,7 +297,7 @@ void draw_history_table(Ui& ui, const PixelHistory& history, float height) {
         for (const float width : columns.widths) {
             if (width > 0.0f) ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, width);
         }
-        draw_headers(ui, columns);
+        draw_history_headers(ui, columns);
         ImGui::PushFont(ui.fonts.mono);
         ImGuiListClipper clipper;
         clipper.Begin(count);

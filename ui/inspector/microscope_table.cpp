@@ -75,7 +75,7 @@ void draw_sample(Ui& ui, int index, int current, int walked) {
     draw_pixel_cell(ui, c.reverse_pixel, c.differs_from_reverse(), p.dim);
 }
 
-struct Column {
+struct SampleColumn {
     const char* title;
     const char* help;
     int letters; ///< of its widest number
@@ -86,7 +86,7 @@ int digits(std::int64_t value) {
 }
 
 /// The columns for x or y of this edge, each as wide as its numbers may get.
-std::array<Column, 6> columns_of(const Ui& ui) {
+std::array<SampleColumn, 6> columns_of(const Ui& ui) {
     const EdgeMicroscope& edge = ui.microscope.shown;
     const bool x = ui.microscope.shows_x;
     const int a = x ? edge.a.column : edge.a.row, b = x ? edge.b.column : edge.b.row;
@@ -117,7 +117,7 @@ std::array<Column, 6> columns_of(const Ui& ui) {
               std::max(5, whole + 2)}}};
 }
 
-void draw_headers(Ui& ui, const std::array<Column, 6>& columns) {
+void draw_sample_headers(Ui& ui, const std::array<SampleColumn, 6>& columns) {
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     for (std::size_t i = 0; i < columns.size(); ++i) {
         ImGui::TableSetColumnIndex(static_cast<int>(i));
@@ -133,14 +133,14 @@ void draw_headers(Ui& ui, const std::array<Column, 6>& columns) {
 void draw_sample_table(Ui& ui, float height, bool appears) {
     const EdgeMicroscope& edge = ui.microscope.shown;
     const float u = ui.options.text_scale;
-    const std::array<Column, 6> columns = columns_of(ui);
+    const std::array<SampleColumn, 6> columns = columns_of(ui);
     ImGui::PushFont(ui.fonts.mono);
     const float letter = ImGui::CalcTextSize("0").x;
     ImGui::PopFont();
     const ImVec2 padding{4.0f * u, ImGui::GetStyle().CellPadding.y};
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, padding);
     float needed = ImGui::GetStyle().ScrollbarSize;
-    for (const Column& column : columns)
+    for (const SampleColumn& column : columns)
         needed += letter * static_cast<float>(column.letters) + 2.0f * padding.x;
     const bool fits = needed <= ImGui::GetContentRegionAvail().x;
     const ImGuiTableFlags flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH |
@@ -154,13 +154,13 @@ void draw_sample_table(Ui& ui, float height, bool appears) {
         return;
     }
     ImGui::TableSetupScrollFreeze(1, 1);
-    for (const Column& column : columns) {
+    for (const SampleColumn& column : columns) {
         const float width = letter * static_cast<float>(column.letters);
         ImGui::TableSetupColumn(
             "", fits ? ImGuiTableColumnFlags_WidthStretch : ImGuiTableColumnFlags_WidthFixed,
             width);
     }
-    draw_headers(ui, columns);
+    draw_sample_headers(ui, columns);
     ImGui::PushFont(ui.fonts.mono);
     const int current = current_sample(ui), walked = samples_walked(ui);
     ImGuiListClipper clipper;

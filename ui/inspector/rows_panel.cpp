@@ -191,7 +191,7 @@ void draw_outside(Ui& ui, const OutsideSample& sample, int number) {
     if (pressed) go_to_sample(ui, sample.edge, sample.sample);
 }
 
-void draw_headers(Ui& ui) {
+void draw_row_headers(Ui& ui) {
     struct Header {
         const char* name;
         const char* help;
@@ -286,7 +286,7 @@ void draw_table(Ui& ui, float height) {
         const float value_width = i == 0 ? 40.0f : i == 1 || i == 6 ? 46.0f : 70.0f;
         ImGui::TableSetupColumn("", 0, ui.shows_end_values ? value_width * u : widths[i]);
     }
-    draw_headers(ui);
+    draw_row_headers(ui);
     ImGui::PushFont(ui.fonts.mono);
     const auto is_above = [&](const OutsideSample& s) { return s.row < history.rows.first_row; };
     for (std::size_t i = 0; i < history.outside.size(); ++i) {
