@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -28,6 +29,14 @@ inline CliRun run(const std::vector<std::string>& arguments) {
     result.out = out.str();
     result.err = err.str();
     return result;
+}
+
+/// JSON without blanks and line ends.
+inline std::string without_blanks(std::string text) {
+    text.erase(
+        std::remove_if(text.begin(), text.end(), [](char c) { return c == ' ' || c == '\n'; }),
+        text.end());
+    return text;
 }
 
 } // namespace rasterwalk::test

@@ -17,7 +17,7 @@ using test::run;
 
 namespace {
 
-const std::string room = lessons_folder() + "/scenes/lab-room.toml";
+const std::string room_file = lessons_folder() + "/scenes/lab-room.toml";
 
 /// Runs, and expects this exit code and this message.
 void expect(const std::vector<std::string>& arguments, int exit_code, const std::string& sentence) {
@@ -32,17 +32,17 @@ void expect(const std::vector<std::string>& arguments, int exit_code, const std:
     CHECK_FALSE(result.request.open_window);
 }
 
-/// The room's file with one piece of text replaced.
+/// The room_file's file with one piece of text replaced.
 std::string room_with(const test::TemporaryFolder& folder, const std::string& old,
                       const std::string& replacement) {
-    std::string text = test::bytes_of(room);
+    std::string text = test::bytes_of(room_file);
     REQUIRE(text.find(old) != std::string::npos);
     text.replace(text.find(old), old.size(), replacement);
     return folder.write("room.toml", text);
 }
 
 int line_of(const std::string& text) {
-    const std::string whole = test::bytes_of(room);
+    const std::string whole = test::bytes_of(room_file);
     const auto place = static_cast<std::ptrdiff_t>(whole.find(text));
     return 1 + static_cast<int>(std::count(whole.begin(), whole.begin() + place, '\n'));
 }
@@ -190,7 +190,8 @@ TEST_CASE("Words that the command line does not know end with exit code 2") {
     expect({"stats", "--bogus"}, 2,
            "The following argument was not expected: --bogus. See rasterwalk --help.");
     expect({"--stage", "fill", "stats"}, 2, "the options of a command stand behind its name.");
-    expect({room, "--scene", room}, 2, "the scene is named twice: as FILE and by --scene.");
+    expect({room_file, "--scene", room_file}, 2,
+           "the scene is named twice: as FILE and by --scene.");
     CHECK(run({"rows"}).exit_code == 2);
     CHECK(run({"stats", "render"}).exit_code == 2);
     CHECK(run({"stats", "--set"}).exit_code == 2);

@@ -14,19 +14,12 @@ using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 using test::CliRun;
 using test::run;
+using test::without_blanks;
 
 namespace {
 
 const std::string room = lessons_folder() + "/scenes/lab-room.toml";
 const std::string bench = lessons_folder() + "/scenes/one-triangle.toml";
-
-/// Without the blanks and line ends in which JSON may be laid out.
-std::string without_blanks(std::string text) {
-    text.erase(
-        std::remove_if(text.begin(), text.end(), [](char c) { return c == ' ' || c == '\n'; }),
-        text.end());
-    return text;
-}
 
 } // namespace
 

@@ -11,16 +11,9 @@ using namespace rasterwalk;
 using Catch::Matchers::Contains;
 using test::CliRun;
 using test::run;
+using test::without_blanks;
 
 namespace {
-
-/// Without the blanks and line ends in which JSON may be laid out.
-std::string without_blanks(std::string text) {
-    text.erase(
-        std::remove_if(text.begin(), text.end(), [](char c) { return c == ' ' || c == '\n'; }),
-        text.end());
-    return text;
-}
 
 std::size_t count_of(const std::string& part, const std::string& text) {
     std::size_t count = 0;

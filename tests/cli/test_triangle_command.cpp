@@ -16,14 +16,7 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-const std::string bench = lessons_folder() + "/scenes/one-triangle.toml";
-
-/// Without the blanks and line ends in which JSON may be laid out.
-std::string without_blanks(std::string text) {
-    const auto is_blank = [](char c) { return c == ' ' || c == '\n'; };
-    text.erase(std::remove_if(text.begin(), text.end(), is_blank), text.end());
-    return text;
-}
+const std::string bench_file = lessons_folder() + "/scenes/one-triangle.toml";
 
 std::string json_of(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), {"triangle", "--json"});
@@ -49,7 +42,7 @@ std::string list_of(const std::string& json, const std::string& key) {
 } // namespace
 
 TEST_CASE("triangle tells the bench triangle's vertices, edges and rows in words") {
-    const CliRun result = run({"triangle", "0", "--scene", bench});
+    const CliRun result = run({"triangle", "0", "--scene", bench_file});
     CHECK(result.exit_code == 0);
     CHECK(result.err.empty());
     CHECK_THAT(result.out, Contains("Triangle 0 (triangle), counted from 0, one of 1\n"));
@@ -61,20 +54,20 @@ TEST_CASE("triangle tells the bench triangle's vertices, edges and rows in words
     CHECK_THAT(result.out, Contains("Samples outside the row table: 0\n"));
     CHECK_THAT(result.out,
                Contains("     5         10         10       1   e0/s0                  e0/s0\n"));
-    // The bench has no camera.
+    // The bench_file has no camera.
     CHECK_THAT(result.out, !Contains("minus camera"));
 }
 
 TEST_CASE("triangle --json has the rows of rows --json") {
     const std::string rows = without_blanks(run({"rows", "--json", "10,5", "5,10", "15,15"}).out);
-    const std::string triangle = json_of({"0", "--scene", bench});
+    const std::string triangle = json_of({"0", "--scene", bench_file});
     CHECK(list_of(triangle, "rows") == list_of(rows, "rows"));
     CHECK_THAT(list_of(rows, "rows"), Contains("\"row\":15"));
     CHECK(list_of(triangle, "outside") == "\"outside\":[]");
 }
 
 TEST_CASE("triangle --json lists every sample with what it wrote") {
-    const std::string json = json_of({"0", "--scene", bench});
+    const std::string json = json_of({"0", "--scene", bench_file});
     CHECK_THAT(json, Contains("{\"count\":6,\"edge\":0,\"from\":[10,5],\"samples\":["
                               "{\"column\":10,\"row\":5,\"sample\":0,\"wrote\":\"both\","
                               "\"x\":10.0,\"y\":5.0},"));
@@ -108,10 +101,10 @@ TEST_CASE("A triangle with samples outside names them") {
 }
 
 TEST_CASE("triangle --to stops in the middle of the row table") {
-    const CliRun text = run({"triangle", "0", "--scene", bench, "--to", "t0/e1/s2"});
+    const CliRun text = run({"triangle", "0", "--scene", bench_file, "--to", "t0/e1/s2"});
     CHECK_THAT(text.out, Contains("e1 from (5,10) to (15,15): 11 samples, 2 of them so far\n"));
     CHECK_THAT(text.out, Contains("    15   +INT_MAX   -INT_MAX       0   -"));
-    const std::string json = json_of({"0", "--scene", bench, "--to", "t0/e1/s2"});
+    const std::string json = json_of({"0", "--scene", bench_file, "--to", "t0/e1/s2"});
     CHECK_THAT(json, Contains("\"edge\":2,\"from\":[15,15],\"samples\":[],"));
     const std::string nothing = json_of({"3", "--to", "t2/e1/s2"});
     CHECK_THAT(nothing, Contains("\"samples\":[],"));
@@ -145,7 +138,7 @@ TEST_CASE("A triangle that does not exist is wrong usage, told with those that d
     CHECK(complaint({"99999999999999999999"}) ==
           "rasterwalk: there is no triangle 99999999999999999999: the scene has the triangles 0 "
           "to 29.\n");
-    CHECK(complaint({"1", "--scene", bench}) ==
+    CHECK(complaint({"1", "--scene", bench_file}) ==
           "rasterwalk: there is no triangle 1: the scene has only the triangle 0.\n");
     for (const char* word : {"t0", "1.5", "", "0x1", "1 2"}) {
         CAPTURE(word);

@@ -19,21 +19,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Session opened(const std::string& path) {
+Session opened_file(const std::string& path) {
     ViewOptions options;
     options.file = path;
     return open_view(options);
 }
 
-std::string own_scene(const char* name) {
+std::string scene_of_program(const char* name) {
     return lessons_folder() + "/scenes/" + name;
 }
 
-/// What is said when this text is opened as a view; "" if it can be.
+/// What is said when this text is opened_file as a view; "" if it can be.
 std::string complaint(const TemporaryFolder& folder, const std::string& text) {
     const std::string path = folder.write("v.walk.toml", text);
     try {
-        opened(path);
+        opened_file(path);
         return "";
     } catch (const InputError& fault) {
         const std::string sentence = fault.what();
@@ -56,7 +56,7 @@ TEST_CASE("A view that is saved and opened again is the same, for many sessions"
         const std::string path = folder.file("view.walk.toml");
         write_view(session, path);
         INFO("session " << i << "\n" << bytes_of(path));
-        const Session again = opened(path);
+        const Session again = opened_file(path);
         check_same_view(again, session);
         CHECK(again.notice.empty());
         CHECK(view_text(again, path) == bytes_of(path));
@@ -64,7 +64,7 @@ TEST_CASE("A view that is saved and opened again is the same, for many sessions"
 }
 
 TEST_CASE("A saved view reads well") {
-    Session session = open_session(own_scene("one-triangle.toml"));
+    Session session = open_session(scene_of_program("one-triangle.toml"));
     session.cursor = Cursor{0, Phase::edges, 1, 5};
     session.settings.rounding = Rounding::floor;
     session.selection.row = 9;
@@ -96,7 +96,7 @@ TEST_CASE("A saved view reads well") {
 }
 
 TEST_CASE("The program's own scenes are named alike wherever the view is saved") {
-    const Session session = open_session(own_scene("fence.toml"));
+    const Session session = open_session(scene_of_program("fence.toml"));
     for (const char* place : {"/../v.walk.toml", "/v.walk.toml", "/scenes/v.walk.toml"}) {
         INFO(place);
         CHECK(view_text(session, lessons_folder() + place).find("scene = 'scenes/fence.toml'\n") !=
@@ -107,7 +107,8 @@ TEST_CASE("The program's own scenes are named alike wherever the view is saved")
 TEST_CASE("Scene and lesson of a view are found beside it") {
     const TemporaryFolder folder;
     fs::create_directory(folder.file("below"));
-    const std::string scene = folder.write("below/mine.toml", bytes_of(own_scene("fence.toml")));
+    const std::string scene =
+        folder.write("below/mine.toml", bytes_of(scene_of_program("fence.toml")));
     folder.write("07-mine.md", bytes_of(lessons_folder() + "/03-points.md"));
     Session session = open_session(scene);
     session.lesson = "07-mine";
@@ -117,7 +118,7 @@ TEST_CASE("Scene and lesson of a view are found beside it") {
     write_view(session, path);
     CHECK(bytes_of(path).find("scene = 'below/mine.toml'\nlesson = '07-mine.md'") !=
           std::string::npos);
-    check_same_view(opened(path), session);
+    check_same_view(opened_file(path), session);
 
     SECTION("elsewhere it cannot be saved") {
         CHECK_THROWS_WITH(view_text(session, folder.file("below/v.walk.toml")),
@@ -128,14 +129,14 @@ TEST_CASE("Scene and lesson of a view are found beside it") {
     }
     SECTION("without its lesson it opens all the same, and says so") {
         fs::remove(folder.file("07-mine.md"));
-        const Session again = opened(path);
+        const Session again = opened_file(path);
         CHECK(again.lesson.empty());
         CHECK(again.notice.find("The lesson of this view is not here") == 0);
     }
 }
 
 TEST_CASE("A view is not saved in a quiz, nor without a scene file") {
-    Session session = open_session(own_scene("lab-room.toml"));
+    Session session = open_session(scene_of_program("lab-room.toml"));
     Session made = session;
     REQUIRE(start_quiz(session, read_bugs(), 1));
     CHECK_THROWS_AS(view_text(session, "/tmp/x.walk.toml"), UsageError);
@@ -196,7 +197,7 @@ TEST_CASE("What is wrong in a saved view is told with its line") {
 TEST_CASE("A view never reads a file outside its folder") {
     const TemporaryFolder folder;
     const TemporaryFolder other;
-    const std::string outside = other.write("s.toml", bytes_of(own_scene("fence.toml")));
+    const std::string outside = other.write("s.toml", bytes_of(scene_of_program("fence.toml")));
     for (const std::string& scene : {std::string("/etc/passwd"), std::string("../s.toml"), outside,
                                      std::string("scenes/../../s.toml"), std::string("/dev/zero"),
                                      std::string("."), std::string("scenes")}) {
@@ -209,7 +210,7 @@ TEST_CASE("A view never reads a file outside its folder") {
     // The lesson is left out, and the view opens.
     for (const char* lesson : {"../03-x.md", "/etc/03-x.md", "../../etc/passwd", "x"}) {
         folder.write("v.walk.toml", head + "lesson = \"" + lesson + "\"\n");
-        CHECK(opened(folder.file("v.walk.toml")).lesson.empty());
+        CHECK(opened_file(folder.file("v.walk.toml")).lesson.empty());
     }
 }
 

@@ -13,7 +13,7 @@ using namespace rasterwalk;
 
 namespace {
 
-Session room() {
+Session room_session() {
     Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
     set_from_text(session.settings, "viewport.size=120x100");
     set_from_text(session.settings, "camera.focal_length=110");
@@ -29,7 +29,7 @@ Settings with(Settings settings, std::string_view assignment) {
 } // namespace
 
 TEST_CASE("Without a second run there is nothing to compare") {
-    Session session = room();
+    Session session = room_session();
     Results results;
     update(session, results);
     CHECK_FALSE(results.compared);
@@ -44,7 +44,7 @@ TEST_CASE("Without a second run there is nothing to compare") {
 }
 
 TEST_CASE("Run B is drawn up to the same cursor as run A") {
-    Session session = room();
+    Session session = room_session();
     compare_with(session, with(session.settings, "interpolation=affine"));
     Results results;
     for (const Cursor& cursor : {cursor_end, Cursor{12, Phase::edges, 1, 4},
@@ -69,7 +69,7 @@ TEST_CASE("Run B is drawn up to the same cursor as run A") {
 }
 
 TEST_CASE("B is worked out again only if something changed") {
-    Session session = room();
+    Session session = room_session();
     compare_with(session, with(session.settings, "rounding=floor"));
     Results results;
     update(session, results);
@@ -88,7 +88,7 @@ TEST_CASE("B is worked out again only if something changed") {
 }
 
 TEST_CASE("It is told whether the runs differ in what comes next") {
-    Session session = room();
+    Session session = room_session();
     compare_with(session, with(session.settings, "rounding=floor"));
     Results results;
     update(session, results);
@@ -105,7 +105,7 @@ TEST_CASE("It is told whether the runs differ in what comes next") {
 }
 
 TEST_CASE("The difference follows the plane that is shown") {
-    Session session = room();
+    Session session = room_session();
     compare_with(session, with(session.settings, "depth_test=off"));
     Results results;
     for (const View view : {View::depth, View::triangle, View::overdraw, View::colour}) {
@@ -121,7 +121,7 @@ TEST_CASE("The difference follows the plane that is shown") {
 }
 
 TEST_CASE("A depth buffer addressed by [x][y] differs as it is shown") {
-    Session session = room();
+    Session session = room_session();
     session.view = View::depth;
     session.settings.stage = Stage::depth;
     compare_with(session, session.settings);
@@ -141,7 +141,7 @@ TEST_CASE("A depth buffer addressed by [x][y] differs as it is shown") {
 }
 
 TEST_CASE("Pictures of different sizes are not compared") {
-    Session session = room();
+    Session session = room_session();
     compare_with(session, with(session.settings, "viewport.size=60x50"));
     Results results;
     update(session, results);

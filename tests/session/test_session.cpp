@@ -13,7 +13,7 @@ using namespace rasterwalk;
 
 namespace {
 
-const std::string room = lessons_folder() + "/scenes/lab-room.toml";
+const std::string room_file = lessons_folder() + "/scenes/lab-room.toml";
 const std::string bench = lessons_folder() + "/scenes/one-triangle.toml";
 
 /// Sets an environment variable for as long as it lives.
@@ -41,7 +41,7 @@ class Environment {
 } // namespace
 
 TEST_CASE("A session opens at the end of the scene, with the scene's view and the presets") {
-    const Session session = open_session(room);
+    const Session session = open_session(room_file);
     REQUIRE(session.scene);
     CHECK(session.scene->triangles.size() == 30);
     CHECK(session.presets.size() == 3);
@@ -51,7 +51,7 @@ TEST_CASE("A session opens at the end of the scene, with the scene's view and th
 }
 
 TEST_CASE("Another scene brings its camera, light, viewport and stage; the rules stay") {
-    Session session = open_session(room);
+    Session session = open_session(room_file);
     session.settings.rounding = Rounding::floor;
     session.settings.camera.yaw = 1.0f;
     session.selection.triangle = 29;
@@ -69,7 +69,7 @@ TEST_CASE("Another scene brings its camera, light, viewport and stage; the rules
 }
 
 TEST_CASE("A scene without a wish for a stage leaves the stage as it is") {
-    Session session = open_session(room);
+    Session session = open_session(room_file);
     session.settings.stage = Stage::edges;
     Scene scene = *session.scene;
     scene.stage.clear();
@@ -79,7 +79,7 @@ TEST_CASE("A scene without a wish for a stage leaves the stage as it is") {
 
 TEST_CASE("A scene that asks for an unknown stage does not open") {
     const test::TemporaryFolder folder;
-    std::string text = test::bytes_of(room);
+    std::string text = test::bytes_of(room_file);
     const std::string wish = "stage = \"pixel_light\"";
     text.replace(text.find(wish), wish.size(), "stage = \"pixle_light\"");
     const std::string path = folder.write("s.toml", text);

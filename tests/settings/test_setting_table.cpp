@@ -21,7 +21,7 @@ std::string value_of(const Settings& settings, std::string_view name) {
 }
 
 /// The sentence with which an assignment is refused.
-std::string refusal(const std::string& assignment) {
+std::string assignment_refusal(const std::string& assignment) {
     Settings settings;
     try {
         set_from_text(settings, assignment);
@@ -184,23 +184,27 @@ TEST_CASE("Numbers are written as people write them") {
 }
 
 TEST_CASE("An unknown setting is refused with the nearest name there is") {
-    CHECK(refusal("roundign=floor") == "there is no setting 'roundign'. Did you mean 'rounding'?");
-    CHECK(refusal("power=3") == "there is no setting 'power'. Did you mean 'light.power'?");
-    CHECK(refusal("light.powr=3") == "there is no setting 'light.powr'. Did you mean "
-                                     "'light.power'?");
-    CHECK(refusal("qqqqqqqqqqqqqq=3") == "there is no setting 'qqqqqqqqqqqqqq'.");
-    CHECK(refusal("=3") == "there is no setting ''.");
-    CHECK(refusal("rounding") == "'rounding' is not of the form name=value.");
-    CHECK(refusal("") == "'' is not of the form name=value.");
+    CHECK(assignment_refusal("roundign=floor") ==
+          "there is no setting 'roundign'. Did you mean 'rounding'?");
+    CHECK(assignment_refusal("power=3") ==
+          "there is no setting 'power'. Did you mean 'light.power'?");
+    CHECK(assignment_refusal("light.powr=3") == "there is no setting 'light.powr'. Did you mean "
+                                                "'light.power'?");
+    CHECK(assignment_refusal("qqqqqqqqqqqqqq=3") == "there is no setting 'qqqqqqqqqqqqqq'.");
+    CHECK(assignment_refusal("=3") == "there is no setting ''.");
+    CHECK(assignment_refusal("rounding") == "'rounding' is not of the form name=value.");
+    CHECK(assignment_refusal("") == "'' is not of the form name=value.");
 }
 
 TEST_CASE("A value that a setting does not take is refused with what it does take") {
-    CHECK(refusal("rounding=up") == "rounding cannot be 'up': it takes truncate, floor or round.");
-    CHECK(refusal("stage=Depth") == "stage cannot be 'Depth': it takes points, edges, rows, fill, "
-                                    "depth, vertex_light or pixel_light.");
-    CHECK(refusal("camera.focal_length=0") ==
+    CHECK(assignment_refusal("rounding=up") ==
+          "rounding cannot be 'up': it takes truncate, floor or round.");
+    CHECK(assignment_refusal("stage=Depth") ==
+          "stage cannot be 'Depth': it takes points, edges, rows, fill, "
+          "depth, vertex_light or pixel_light.");
+    CHECK(assignment_refusal("camera.focal_length=0") ==
           "camera.focal_length cannot be '0': it takes a number from 1 to 100000.");
-    CHECK(refusal("viewport.size=0x0") ==
+    CHECK(assignment_refusal("viewport.size=0x0") ==
           "viewport.size cannot be '0x0': it takes WIDTHxHEIGHT, each from 1 to 4096.");
     for (const char* assignment : {"rounding=",
                                    "camera.yaw=",
@@ -227,7 +231,7 @@ TEST_CASE("A value that a setting does not take is refused with what it does tak
                                    "viewport.size=99999999999x1",
                                    "viewport.size=5.5x5"}) {
         INFO(assignment);
-        CHECK_THAT(refusal(assignment), Contains(" cannot be "));
+        CHECK_THAT(assignment_refusal(assignment), Contains(" cannot be "));
     }
 }
 
@@ -244,7 +248,7 @@ TEST_CASE("A refused value leaves all settings as they were") {
 }
 
 TEST_CASE("A message about a monstrous value is itself short and on one line") {
-    const std::string sentence = refusal("camera.yaw=" + std::string(100000, '\n'));
+    const std::string sentence = assignment_refusal("camera.yaw=" + std::string(100000, '\n'));
     CHECK(sentence.size() < 200);
     CHECK(sentence.find('\n') == std::string::npos);
 }

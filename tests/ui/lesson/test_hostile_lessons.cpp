@@ -18,12 +18,12 @@ namespace {
 const std::string good_text = test::lesson_head() + "It is good.\n\n## A step\n\nAnd goes on.\n";
 
 /// The interface with a good lesson, which is open, and others.
-struct Classroom {
+struct HostileClassroom {
     test::TemporaryFolder folder;
     Driver driver;
     Ui& ui = driver.ui;
 
-    Classroom() { folder.write("01-good.md", good_text); }
+    HostileClassroom() { folder.write("01-good.md", good_text); }
 
     void open_good() {
         ui.lesson.lessons.read_folder(folder.file(""));
@@ -50,7 +50,7 @@ std::string file_name(std::size_t number) {
 } // namespace
 
 TEST_CASE("Of every hostile lesson the column tells the fault, and the open lesson stays") {
-    Classroom room;
+    HostileClassroom room;
     const std::vector<test::HostileLesson> all = test::hostile_lessons();
     REQUIRE(all.size() < 90);
     for (std::size_t i = 0; i < all.size(); ++i)
@@ -86,7 +86,7 @@ TEST_CASE("A good lesson that is made hostile while it is open stays, with the f
     for (const test::HostileLesson& hostile : test::hostile_lessons()) {
         if (hostile.is_readable) continue;
         INFO(hostile.about);
-        Classroom room;
+        HostileClassroom room;
         room.open_good();
         room.folder.write("01-good.md", hostile.text);
         room.driver.hand.frames(frames_to_rest);
@@ -105,7 +105,7 @@ TEST_CASE("A good lesson that is made hostile while it is open stays, with the f
 TEST_CASE("Tiring texts are drawn without delay, or refused") {
     for (const test::HostileLesson& tiring : test::tiring_lessons()) {
         INFO("'" << tiring.about << "'");
-        Classroom room;
+        HostileClassroom room;
         room.folder.write("02-tiring.md", tiring.text);
         room.open_good();
         const auto draw = [&] {
@@ -117,7 +117,7 @@ TEST_CASE("Tiring texts are drawn without delay, or refused") {
 }
 
 TEST_CASE("A folder in the place of a lesson is told in the status line") {
-    Classroom room;
+    HostileClassroom room;
     std::filesystem::create_directory(room.folder.file("02-folder.md"));
     room.open_good();
     open_lesson(room.ui, "02-folder", 0);
@@ -128,7 +128,7 @@ TEST_CASE("A folder in the place of a lesson is told in the status line") {
 }
 
 TEST_CASE("Links of a hostile lesson do nothing but say so") {
-    Classroom room;
+    HostileClassroom room;
     room.folder.write("02-links.md", test::lesson_head() +
                                          "[a](../../../../etc/passwd) [b](/etc/passwd) "
                                          "[c](file:///etc/passwd) [d](http://example.org/) "

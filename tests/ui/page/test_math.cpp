@@ -14,23 +14,23 @@ namespace rasterwalk {
 
 namespace {
 
-using Kind = MathNode::Kind;
+using NodeKind = MathNode::Kind;
 
 /// As a person would write it without TeX: "frac(a, b)", "a^{2}_{i}".
 std::string written(const MathNode& node) {
     const auto child = [&](std::size_t i) { return written(node.children[i]); };
     switch (node.kind) {
-    case Kind::symbol:
+    case NodeKind::symbol:
         return node.text;
-    case Kind::fraction:
+    case NodeKind::fraction:
         return "frac(" + child(0) + "|" + child(1) + ")";
-    case Kind::script:
+    case NodeKind::script:
         return child(0) + "^{" + child(1) + "}_{" + child(2) + "}";
-    case Kind::root:
+    case NodeKind::root:
         return "root(" + child(0) + ")";
-    case Kind::accent:
+    case NodeKind::accent:
         return "accent(" + child(0) + ")";
-    case Kind::row:
+    case NodeKind::row:
         break;
     }
     std::string text;
