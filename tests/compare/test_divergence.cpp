@@ -10,6 +10,7 @@
 #include "picture/view_image.h"
 #include "settings/setting_table.h"
 #include "stages/light.h"
+#include "support/effort.h"
 #include "support/frames.h"
 #include "support/recorder.h"
 
@@ -203,7 +204,7 @@ TEST_CASE("Wild cameras, lamps and lenses are compared without harm") {
     Scene scene = lab_room();
     scene.viewport = {70, 50};
     Random random(11);
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < rounds(60, 6); ++i) {
         const auto wild = [&] {
             Settings settings = default_settings(scene);
             settings.stage = static_cast<Stage>(random.integer(0, stage_count - 1));

@@ -21,12 +21,18 @@ for compiler in "${compilers[@]}"; do
     command -v "$compiler" >/dev/null || { echo "$compiler is not installed."; exit 2; }
 done
 
+# The sources of a folder as one: their headers are read once.
+rm -f "$folder"/*.cpp
+for source in "${sources[@]}"; do
+    echo "#include \"$PWD/$source\"" >>"$folder/$(dirname "$source" | tr / -).cpp"
+done
+
 # All objects of all variants at once, two at a time.
 for compiler in "${compilers[@]}"; do
     for level in "${levels[@]}"; do
         variant=$folder/$compiler${level// /}
         mkdir -p "$variant" && rm -f "$variant"/*.o
-        for source in "${sources[@]}"; do
+        for source in "$folder"/*.cpp; do
             echo "$launcher $compiler $common $level -c $source -o $variant/$(basename "$source").o"
         done
     done

@@ -25,11 +25,4 @@ std::vector<HostileLesson> tiring_lessons();
 /// The beginning of a PNG that says it has 100000 x 100000 pixels, and none of them.
 std::string endless_picture();
 
-/// Reading a lesson may take this long, seconds; longer where every access is watched.
-#if defined(__SANITIZE_ADDRESS__) || !defined(NDEBUG)
-inline constexpr double patience = 15.0;
-#else
-inline constexpr double patience = 1.0;
-#endif
-
 } // namespace rasterwalk::test

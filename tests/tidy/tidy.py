@@ -1,0 +1,206 @@
+#!/usr/bin/env python3
+"""What clang-tidy finds in src/ and ui/.
+
+    tidy.py checks   COMPILE_COMMANDS FOLDER      everything but the analyzer, a folder of sources at a time
+    tidy.py analyzer COMPILE_COMMANDS [SECONDS]   the path-sensitive analyzer, file by file
+
+COMPILE_COMMANDS is a compile_commands.json with an entry for each source; .clang-tidy stands in the
+current folder. FOLDER takes the files that include all sources of a folder: headers are then read once.
+
+The analyzer remembers in $XDG_CACHE_HOME/rasterwalk-tidy what it found in order, by a hash of all that
+its answer depends on. With SECONDS it begins no further file after that time, and says how many are
+left; the files that were changed last come first.
+
+Exit codes: 0 in order, 1 something was found, 2 wrong usage, 77 this version of clang-tidy is not asked.
+"""
+
+import concurrent.futures
+import hashlib
+import json
+import os
+import pathlib
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+import time
+
+VERSION = "14"  # another one finds other things, and some of them are not there
+NOT_ASKED = 77
+INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*"([^"]+)"', re.MULTILINE)
+
+
+def find_tool():
+    """The path of clang-tidy, and its version in full; nothing if it is another version."""
+    for name in (f"clang-tidy-{VERSION}", "clang-tidy"):
+        path = shutil.which(name)
+        if path:
+            said = subprocess.run([path, "--version"], capture_output=True, text=True).stdout
+            if re.search(rf"version {VERSION}\.", said):
+                return path, said
+    return None
+
+
+def read_commands(path):
+    """The compiler's arguments for each source of src/ and ui/, without what is read and written."""
+    commands = {}
+    for entry in json.loads(pathlib.Path(path).read_text()):
+        source = pathlib.Path(os.path.relpath(entry["file"]))
+        if source.parts[0] not in ("src", "ui"):
+            continue
+        words = shlex.split(entry["command"])
+        compiler = next(i for i, word in enumerate(words) if re.search(r"(\+\+|cc|clang)(-\d+)?$", word))
+        words = words[compiler:]
+        output = words.index("-o")
+        del words[output:output + 2]
+        del words[words.index("-c"):]
+        commands[source] = words
+    return commands
+
+
+def ask(tool, checks, source, command):
+    """What clang-tidy says of a source, and whether that is nothing."""
+    run = subprocess.run([tool, "--quiet", f"--config-file={pathlib.Path('.clang-tidy').resolve()}",
+                          f"--checks={checks}", str(source), "--"] + command[1:], capture_output=True, text=True)
+    return (run.stdout if run.returncode == 0 else run.stdout + run.stderr).strip(), run.returncode == 0
+
+
+def report(answers):
+    """Prints each finding once: a header is read by many. Returns the exit code."""
+    told = set()
+    for said, is_good in answers:
+        for finding in re.split(r"\n(?=\S+:\d+:\d+: (?:error|warning))", said):
+            if not is_good and finding and finding not in told:
+                told.add(finding)
+                print(finding)
+    return 1 if any(not is_good for _, is_good in answers) else 0
+
+
+def jobs():
+    return concurrent.futures.ThreadPoolExecutor(os.cpu_count())
+
+
+def check_folders(tool, commands, folder):
+    """All checks that look at the text of one file, on all files of a folder at once."""
+    os.makedirs(folder, exist_ok=True)
+    groups = {}
+    for source in sorted(commands):
+        # Of two programs each has a main.
+        alone = re.search(r"^int main\(", source.read_text(errors="replace"), re.MULTILINE)
+        groups.setdefault((source if alone else source.parent, tuple(commands[source])), []).append(source)
+    unities = []
+    for number, ((parent, command), sources) in enumerate(groups.items()):
+        unity = pathlib.Path(folder) / f"{'-'.join(parent.parts)}-{number}.cpp"
+        unity.write_text("".join(f'#include "{source.resolve()}"\n' for source in sources))
+        unities.append((sum(source.stat().st_size for source in sources), unity, list(command), sources))
+    unities.sort(key=lambda item: item[0], reverse=True)  # the longest first
+    checks = "-clang-analyzer-*,-bugprone-suspicious-include"
+
+    def check(unity, command, sources):
+        said, is_good = ask(tool, checks, unity, command)
+        if is_good or "[clang-diagnostic-error]" not in said:
+            return [(said, is_good)]
+        # Two files of the folder cannot stand in one, which is no fault of theirs.
+        return [ask(tool, checks, source, command) for source in sources]
+
+    with jobs() as pool:
+        answers = list(pool.map(lambda item: check(*item[1:]), unities))
+    code = report([answer for several in answers for answer in several])
+    line = f"{len(commands)} files in {len({source.parent for source in commands})} folders"
+    by_file = sum(len(several) > 1 for several in answers)
+    if by_file:
+        line += f", {by_file} folder{'s' if by_file > 1 else ''} file by file: names meet"
+    print(line)
+    return code
+
+
+class Headers:
+    """Which files of this project a source reads, itself included."""
+
+    def __init__(self):
+        self.read = {}
+
+    def closure(self, source):
+        found, open_files = set(), [source]
+        while open_files:
+            path = open_files.pop()
+            if path not in found:
+                found.add(path)
+                open_files.extend(self.included(path))
+        return sorted(found)
+
+    def included(self, path):
+        if path not in self.read:
+            self.read[path] = []
+            for name in INCLUDE.findall(path.read_text(errors="replace")):
+                for place in (path.parent / name, pathlib.Path("src") / name, pathlib.Path(name)):
+                    if place.is_file():
+                        self.read[path].append(pathlib.Path(os.path.normpath(place)))
+                        break
+        return self.read[path]
+
+
+def key_of(source, files, command, version):
+    """A hash of all that the analyzer's answer depends on."""
+    key = hashlib.sha256(repr((str(source), command, version)).encode())
+    for path in [pathlib.Path(".clang-tidy")] + files:
+        key.update(hashlib.sha256(path.read_bytes()).digest())
+    return key.hexdigest()
+
+
+def analyze_files(tool, version, commands, seconds):
+    """The analyzer follows the paths through each function; of an included source it would not."""
+    checks = ",".join(["-*"] + re.findall(r"^\s*(clang-analyzer-[\w.]+)", pathlib.Path(".clang-tidy").read_text(),
+                                          re.MULTILINE))
+    cache = pathlib.Path(os.environ.get("XDG_CACHE_HOME") or pathlib.Path.home() / ".cache") / "rasterwalk-tidy"
+    cache.mkdir(parents=True, exist_ok=True)
+    headers = Headers()
+    to_do = []
+    for source, command in commands.items():
+        files = headers.closure(source)
+        key = key_of(source, files, command, version)
+        if not (cache / key).exists():
+            changed = max(path.stat().st_mtime for path in files)
+            to_do.append((-changed, source, command, key))
+    to_do.sort(key=lambda item: item[:2])  # what was changed last, first
+    end = time.monotonic() + seconds
+
+    def analyze(source, command, key):
+        if time.monotonic() > end:
+            return None
+        said, is_good = ask(tool, checks, source, command)
+        if is_good:
+            (cache / key).touch()
+        return said, is_good
+
+    with jobs() as pool:
+        answers = list(pool.map(lambda item: analyze(*item[1:]), to_do))
+    done = [answer for answer in answers if answer]
+    code = report(done)
+    line = f"{len(commands) - len(to_do)} files remembered, {len(done)} analyzed"
+    if len(done) < len(to_do):
+        line += f", {len(to_do) - len(done)} left for another time"
+    print(line)
+    return code
+
+
+def main(arguments):
+    if len(arguments) not in (2, 3) or arguments[0] not in ("checks", "analyzer") or \
+            (arguments[0] == "checks" and len(arguments) != 3):
+        print(__doc__, file=sys.stderr)
+        return 2
+    found = find_tool()
+    if not found:
+        print(f"clang-tidy {VERSION} is not installed; another version is not asked.")
+        return NOT_ASKED
+    commands = read_commands(arguments[1])
+    if not commands:
+        print(f"{arguments[1]} names no file of src/ or ui/.", file=sys.stderr)
+        return 2
+    if arguments[0] == "checks":
+        return check_folders(found[0], commands, arguments[2])
+    return analyze_files(*found, commands, float(arguments[2]) if len(arguments) == 3 else float("inf"))
+
+
+sys.exit(main(sys.argv[1:]))
