@@ -18,7 +18,7 @@ Varyings varyings_at(const Frame& frame, const Cursor& cursor) {
     VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
     rules.interpolation = Interpolation::affine;
     const glm::mat3 rotation = camera_rotation(rules.camera);
-    return frame.stages->vertex_shader(vertex, rotation, rules).pixel.varyings;
+    return frame.stages.vertex_shader(vertex, rotation, rules).pixel.varyings;
 }
 
 /// The rows [first, last) of a triangle's row table that lie in the picture.
@@ -79,7 +79,7 @@ void Deeds::clear() {
 
 void Deeds::vertex(const Cursor& cursor, const Fragment& pixel) {
     VertexDeed deed{cursor, pixel, {}, {}};
-    deed.compared = carried_varyings(*frame_.stages, lighting_of(frame_.settings.stage));
+    deed.compared = carried_varyings(frame_.stages, lighting_of(frame_.settings.stage));
     if (!(deed.compared == VaryingSet{})) deed.varyings = varyings_at(frame_, cursor);
     vertices_.push_back(deed);
 }

@@ -68,7 +68,7 @@ const RowHistory* Facts::table() const {
     if (!triangle || !frame.is_drawn(*triangle)) return nullptr;
     FactCache& known = cache();
     if (known.table_triangle != triangle) {
-        known.table = row_history(frame.triangle_vertices(*triangle), edge_rules(frame.settings));
+        known.table = row_history(frame, *triangle);
         known.table_triangle = triangle;
     }
     return &known.table;

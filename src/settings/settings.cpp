@@ -28,17 +28,10 @@ VertexRules vertex_rules(const Settings& settings, SceneSpace space) {
             .image_axes = settings.image_axes};
 }
 
-LineRules line_rules(const Settings& settings) {
-    return {.walk = settings.line_walk, .rounding = settings.rounding};
-}
-
 EdgeRules edge_rules(const Settings& settings, VaryingSet carried) {
-    LineRules line = line_rules(settings);
-    line.carried = carried;
-    return {.line = line,
-            .samples = settings.edge_samples,
-            .row_start = settings.row_start,
-            .window_width = settings.viewport.width};
+    return {.rounding = settings.rounding,
+            .picture_width = settings.viewport.width,
+            .carried = carried};
 }
 
 PixelRules pixel_rules(const Settings& settings) {
@@ -46,17 +39,6 @@ PixelRules pixel_rules(const Settings& settings) {
             .light_rules = settings.light_rules,
             .interpolation = settings.interpolation,
             .lighting = lighting_of(settings.stage)};
-}
-
-PictureRules picture_rules(const Settings& settings) {
-    return {.depth_clear = settings.depth_clear,
-            .depth_index = settings.depth_index,
-            .over_one = settings.colour_over_one};
-}
-
-Rectangle drawn_area(const Settings& settings) {
-    const int first = settings.bounds == Bounds::excludes_zero ? 1 : 0;
-    return {first, first, settings.viewport.width, settings.viewport.height};
 }
 
 DepthTest depth_rule(const Settings& settings) {

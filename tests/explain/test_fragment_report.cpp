@@ -14,6 +14,7 @@
 #include "support/made_scene.h"
 #include "support/random.h"
 #include "support/samples.h"
+#include "support/walks.h"
 
 using namespace rasterwalk;
 using rasterwalk::test::same_bits;
@@ -99,8 +100,8 @@ void check_row_end(const FragmentReport& report, const PolygonRows& rows, const 
 
 void check_sources(const Frame& frame, const FragmentReport& report, const std::string& where) {
     PolygonRows rows;
-    compute_polygon_rows(frame.triangle_vertices(report.cursor.triangle),
-                         edge_rules(frame.settings), rows);
+    test::compute_polygon_rows(frame.triangle_vertices(report.cursor.triangle), frame.settings,
+                               rows);
     const VertexReport vertex = vertex_report(frame, report.cursor.triangle, 0);
     for (const Formula& formula : report.formulas) {
         for (const FormulaInput& input : formula.inputs) {

@@ -102,8 +102,7 @@ TEST_CASE("A single stage can be replaced, and the others stay as they are") {
     const Scene scene = small_scene();
     Settings settings = default_settings(scene);
     settings.stage = Stage::depth;
-    Stages stages = standard_stages();
-    stages.pixel_shader = blue_pixel_shader;
+    const ReplaceStages stages = [](Stages& s) { s.pixel_shader = blue_pixel_shader; };
     const Framebuffer usual = draw_frame(prepare_frame(scene, settings));
     const Framebuffer blue = draw_frame(prepare_frame(scene, settings, stages));
     CHECK(usual.depth == blue.depth);

@@ -34,7 +34,9 @@ void look_at_edge(Ui& ui) {
     const Fragment& a = v[static_cast<std::size_t>(view.edge)];
     const Fragment& b = v[static_cast<std::size_t>((view.edge + 1) % 3)];
     const EdgeRules rules = edge_rules(frame.settings);
-    if (!view.shown.shows(a, b, rules)) view.shown = microscope(a, b, rules);
+    if (!view.shown.shows(a, b, rules, frame.stages)) {
+        view.shown = microscope(a, b, rules, frame.stages);
+    }
     const std::pair<int, int> edge{*ui.results.triangle, view.edge};
     if (view.axis_chosen_for == edge) return;
     // One of the two steps by whole pixels and never drifts: the other one is worth looking at.
