@@ -125,7 +125,7 @@ std::string outside_sentence(DivergenceKind kind, const Fragment& in_a, const Fr
 ShadedVertex shade(const Frame& frame, const Cursor& cursor) {
     const Vertex& vertex = frame.scene->triangles[cursor.triangle].vertices[cursor.index];
     const VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
-    return frame.stages.vertex_shader(vertex, camera_rotation(rules.camera), rules);
+    return frame.stages.vertex_shader(vertex, camera_rotation(rules.camera), rules, frame.stages);
 }
 
 /// How a run comes from the projected place to the pixel.
@@ -317,8 +317,8 @@ std::string shown_text(const Frame& a, const Frame& b, const glm::vec3& colour) 
 std::string place_text(const Frame& a, const Frame& b, const FragmentEvent& p,
                        const FragmentEvent& q) {
     if (a.settings.stage != Stage::pixel_light || b.settings.stage != Stage::pixel_light) return "";
-    const glm::vec3 in_a = recover_varyings(p.fragment, a.settings.interpolation).position_world;
-    const glm::vec3 in_b = recover_varyings(q.fragment, b.settings.interpolation).position_world;
+    const glm::vec3 in_a = recover_varyings(p.fragment, a.stages).position_world;
+    const glm::vec3 in_b = recover_varyings(q.fragment, b.stages).position_world;
     const float apart = glm::distance(in_a, in_b);
     if (!(apart > 0.0f)) return "";
     const int digits = digits_for(in_a, in_b);

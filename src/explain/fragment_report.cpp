@@ -216,15 +216,14 @@ void add_light(const Frame& frame, FragmentReport& report) {
         point.reflectance.sources[i] =
             from_vertex(triangle, 0, std::string("reflectance.") + channel_names[i]);
     }
-    const LightRules& rules = frame.settings.light_rules;
-    report.light = point.terms = reflected_light(point.position.value, point.normal.value,
-                                                 point.reflectance.value, light, rules);
+    report.light = point.terms = frame.stages.reflected_light(
+        point.position.value, point.normal.value, point.reflectance.value, light);
     append_light_formulas(point, frame, report.formulas);
 
     for (std::size_t v = 0; v < 3; ++v) {
         const Vertex& vertex = corners.vertices[v];
         report.at_vertex[v] =
-            reflected_light(vertex.position, vertex.normal, vertex.reflectance, light, rules);
+            frame.stages.reflected_light(vertex.position, vertex.normal, vertex.reflectance, light);
     }
     report.light_per_vertex = report.under(report.interpolation).illumination;
     for (int i = 0; i < 3; ++i) {
@@ -324,19 +323,19 @@ std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& 
     report.after = event.after;
 
     const PixelRules rules = pixel_rules(frame.settings);
-    report.interpolation = rules.interpolation;
+    report.interpolation = frame.settings.interpolation;
     report.lighting = rules.lighting;
     report.depth_test = depth_rule(frame.settings);
     const Vertex& corner =
         frame.scene->triangles[static_cast<std::size_t>(cursor.triangle)].vertices[0];
-    report.colour =
-        frame.stages.pixel_shader(report.fragment, {corner.normal, corner.reflectance}, rules);
+    report.colour = frame.stages.pixel_shader(report.fragment, {corner.normal, corner.reflectance},
+                                              rules, frame.stages);
 
     Carried carried;
     for (const Interpolation way : ways) {
         const auto i = static_cast<std::size_t>(way);
         carried[i] = report.row.at(way, report.step);
-        report.varyings[i] = recover_varyings(carried[i], way);
+        report.varyings[i] = recover_varyings(carried[i], report.row.stages[i]);
     }
     add_depths(report, carried);
     report.formulas.push_back(difference(quantity_info(Quantity::z), Interpolation::affine,

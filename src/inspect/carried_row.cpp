@@ -45,7 +45,7 @@ std::array<ShadedVertex, 3> shade_triangle(const Frame& frame, int triangle,
     const Stages stages = stages_for(settings, frame.replace);
     std::array<ShadedVertex, 3> shaded;
     for (std::size_t v = 0; v < shaded.size(); ++v)
-        shaded[v] = stages.vertex_shader(corners.vertices[v], rotation, rules);
+        shaded[v] = stages.vertex_shader(corners.vertices[v], rotation, rules, stages);
     return shaded;
 }
 

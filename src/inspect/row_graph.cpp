@@ -43,7 +43,10 @@ float true_value(const RowGraph& graph, Quantity quantity, int index) {
     const Fragment& fragment = graph.at(Interpolation::perspective, index);
     if (quantity == Quantity::zinv) return fragment.zinv;
     if (quantity == Quantity::z) return 1.0f / fragment.zinv;
-    return part_of(recover_varyings(fragment, Interpolation::perspective), quantity);
+    return part_of(
+        recover_varyings(fragment,
+                         graph.row.stages[static_cast<std::size_t>(Interpolation::perspective)]),
+        quantity);
 }
 
 float affine_value(const RowGraph& graph, Quantity quantity, int index) {

@@ -10,7 +10,8 @@ TriangleReport triangle_report(const Frame& frame, int triangle, const Cursor& t
     const VertexRules vertex = vertex_rules(frame.settings, frame.scene->space);
     const Triangle& given = frame.scene->triangles[static_cast<std::size_t>(triangle)];
     for (std::size_t v = 0; v < 3; ++v) {
-        report.vertices[v] = frame.stages.vertex_shader(given.vertices[v], rotation, vertex);
+        report.vertices[v] =
+            frame.stages.vertex_shader(given.vertices[v], rotation, vertex, frame.stages);
     }
     if (!frame.is_drawn(triangle)) return report;
     report.rows = row_history(frame, triangle, to);

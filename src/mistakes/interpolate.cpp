@@ -13,6 +13,10 @@ LineStep line_step_of_integers(const Fragment& a, const Fragment& b, const LineP
     return step;
 }
 
+float varying_weight_one(float) {
+    return 1.0f;
+}
+
 Fragment span_end_times_zinv(const Fragment& end) {
     Fragment again = end;
     again.varyings = end.varyings * end.zinv;

@@ -116,7 +116,7 @@ class FactsObserver : public Observer {
             ++(event.fate == Fate::written ? verdicts.passed : verdicts.failed);
         }
         if (!positions.empty() && event.fate == Fate::written) {
-            positions[pixel] = recover_varyings(f, frame_.settings.interpolation).position_world;
+            positions[pixel] = recover_varyings(f, frame_.stages).position_world;
         }
     }
 

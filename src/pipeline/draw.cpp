@@ -96,7 +96,7 @@ void put_mark(Drawing& d, const Cursor& cursor, const Fragment& fragment, const 
 
 glm::vec3 shade(Drawing& d, const Fragment& fragment, const Surface& surface) {
     ++d.tally.shaded;
-    return d.stages.pixel_shader(fragment, surface, d.pixels);
+    return d.stages.pixel_shader(fragment, surface, d.pixels, d.stages);
 }
 
 /// Depth test, pixel shader, put pixel. The fragment must lie in the scissor.

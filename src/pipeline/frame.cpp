@@ -21,7 +21,8 @@ Frame prepare_frame(const Scene& scene, const Settings& settings, const ReplaceS
     for (const Triangle& triangle : scene.triangles) {
         VertexFault fault = VertexFault::none;
         for (const Vertex& vertex : triangle.vertices) {
-            const ShadedVertex shaded = frame.stages.vertex_shader(vertex, rotation, rules);
+            const ShadedVertex shaded =
+                frame.stages.vertex_shader(vertex, rotation, rules, frame.stages);
             if (fault == VertexFault::none) fault = shaded.fault;
             frame.vertices.push_back(shaded.pixel);
         }

@@ -47,6 +47,50 @@ enum class Spans : std::uint8_t {
     last_dropped,   ///< all but the last: mistake B9
 };
 
+/// How varyings are carried between vertices.
+enum class Interpolation : std::uint8_t {
+    perspective, ///< q/z is interpolated and divided by 1/z at the pixel: right
+    affine,      ///< q is interpolated as it is: wrong except at the vertices; mistake B3
+    zinv_twice,  ///< q/z is multiplied by 1/z again at the ends of a row, divided once: mistake B4
+};
+
+inline constexpr int interpolation_count = 3;
+
+/// When the colour of a fragment is worked out. The picture is the same, the work is not.
+enum class Shading : std::uint8_t {
+    after_depth_test,  ///< only for fragments that are drawn
+    before_depth_test, ///< for every fragment: mistake B18
+};
+
+/// The vector of whose slant the cosine is taken.
+enum class LightDirection : std::uint8_t {
+    to_light,       ///< from the point to the lamp, at unit length
+    from_light,     ///< from the lamp to the point: mistake B20
+    not_normalized, ///< to the lamp, but as long as the way there: mistake B20
+};
+
+/// Over what the lamp's power is spread.
+enum class LightFalloff : std::uint8_t {
+    sphere, ///< 4 pi r^2
+    no_4pi, ///< r^2: mistake B20
+    cubed,  ///< 4 pi r^3: mistake B20
+};
+
+/// How direct light, indirect light and reflectance are put together.
+enum class LightSum : std::uint8_t {
+    reflectance_times, ///< reflectance * (D + N)
+    reflectance_plus,  ///< D + reflectance: mistake B21
+};
+
+/// The rules by which light is computed; as they stand, the lab's.
+struct LightRules {
+    LightDirection direction = LightDirection::to_light;
+    LightFalloff falloff = LightFalloff::sphere;
+    LightSum sum = LightSum::reflectance_times;
+
+    friend bool operator==(const LightRules&, const LightRules&) = default;
+};
+
 /// What decides which fragment is nearer.
 enum class DepthTest : std::uint8_t {
     inverse_z, ///< compares the interpolated 1/z: the lab

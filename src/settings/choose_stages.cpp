@@ -3,6 +3,7 @@
 #include "mistakes/coverage.h"
 #include "mistakes/depth_test.h"
 #include "mistakes/interpolate.h"
+#include "mistakes/light.h"
 #include "mistakes/put_pixel.h"
 
 namespace rasterwalk {
@@ -66,7 +67,52 @@ void choose(Spans spans, Stages& stages) {
 }
 
 void choose(Interpolation interpolation, Stages& stages) {
-    if (interpolation == Interpolation::zinv_twice) stages.span_end = span_end_times_zinv;
+    switch (interpolation) {
+    case Interpolation::perspective:
+        break;
+    case Interpolation::affine:
+        stages.varying_weight = varying_weight_one;
+        break;
+    case Interpolation::zinv_twice:
+        stages.span_end = span_end_times_zinv;
+        break;
+    }
+}
+
+using LightFunction = decltype(Stages::reflected_light);
+
+template <auto way, auto length, auto area>
+LightFunction light_with(LightSum sum) {
+    return sum == LightSum::reflectance_times ? mistaken_light<way, length, area, reflectance_times>
+                                              : mistaken_light<way, length, area, reflectance_plus>;
+}
+
+template <auto way, auto length>
+LightFunction light_with(LightFalloff falloff, LightSum sum) {
+    switch (falloff) {
+    case LightFalloff::sphere:
+        break;
+    case LightFalloff::no_4pi:
+        return light_with<way, length, area_without_4pi>(sum);
+    case LightFalloff::cubed:
+        return light_with<way, length, cubed_area>(sum);
+    }
+    return light_with<way, length, sphere_area>(sum);
+}
+
+void choose(const LightRules& rules, Stages& stages) {
+    if (rules == LightRules{}) return;
+    switch (rules.direction) {
+    case LightDirection::to_light:
+        stages.reflected_light = light_with<way_to_lamp, own_length>(rules.falloff, rules.sum);
+        break;
+    case LightDirection::from_light:
+        stages.reflected_light = light_with<way_from_lamp, own_length>(rules.falloff, rules.sum);
+        break;
+    case LightDirection::not_normalized:
+        stages.reflected_light = light_with<way_to_lamp, not_normalized>(rules.falloff, rules.sum);
+        break;
+    }
 }
 
 void choose(DepthTest test, Stages& stages) {
@@ -110,6 +156,7 @@ Stages choose_stages(const Settings& settings) {
     choose(settings.empty_rows, stages);
     choose(settings.spans, stages);
     choose(settings.interpolation, stages);
+    choose(settings.light_rules, stages);
     choose(depth_rule(settings), stages);
     choose(settings.depth_index, stages);
     choose(settings.bounds, stages);

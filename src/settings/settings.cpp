@@ -19,9 +19,7 @@ VertexRules vertex_rules(const Settings& settings, SceneSpace space) {
             .viewport = settings.viewport,
             .space = space,
             .rounding = settings.rounding,
-            .interpolation = settings.interpolation,
             .lighting = lighting_of(settings.stage),
-            .light_rules = settings.light_rules,
             .behind_camera = settings.behind_camera,
             .outside_picture = settings.outside_picture,
             .rotation = settings.rotation,
@@ -35,10 +33,7 @@ EdgeRules edge_rules(const Settings& settings, VaryingSet carried) {
 }
 
 PixelRules pixel_rules(const Settings& settings) {
-    return {.light = settings.light,
-            .light_rules = settings.light_rules,
-            .interpolation = settings.interpolation,
-            .lighting = lighting_of(settings.stage)};
+    return {.light = settings.light, .lighting = lighting_of(settings.stage)};
 }
 
 DepthTest depth_rule(const Settings& settings) {

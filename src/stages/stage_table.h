@@ -8,6 +8,7 @@
 #include "stages/depth_test.h"
 #include "stages/edges.h"
 #include "stages/interpolate.h"
+#include "stages/light.h"
 #include "stages/pixel_shader.h"
 #include "stages/polygon_rows.h"
 #include "stages/put_pixel.h"
@@ -19,6 +20,9 @@ namespace rasterwalk {
 /// The slots, in the order of the pipeline.
 struct Stages {
     decltype(&rasterwalk::vertex_shader) vertex_shader = rasterwalk::vertex_shader;
+
+    // Light, at vertices or at pixels.
+    decltype(&rasterwalk::reflected_light) reflected_light = rasterwalk::reflected_light;
 
     // Coverage: from vertices to rows, and from a row to its fragments. Whoever puts functions here
     // whose rows leave the box of the vertices puts another box here as well.
@@ -35,6 +39,7 @@ struct Stages {
     decltype(&rasterwalk::line_step) line_step = rasterwalk::line_step;
     decltype(&rasterwalk::interpolate) interpolate = rasterwalk::interpolate;
     Fragment (*span_end)(const Fragment& end) = rasterwalk::span_end;
+    float (*varying_weight)(float zinv) = rasterwalk::varying_weight;
 
     decltype(&rasterwalk::depth_test) depth_test = rasterwalk::depth_test;
     decltype(&rasterwalk::depth_cell) depth_cell = rasterwalk::depth_cell;

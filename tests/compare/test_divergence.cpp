@@ -12,6 +12,7 @@
 #include "stages/light.h"
 #include "support/frames.h"
 #include "support/recorder.h"
+#include "support/walks.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

@@ -156,7 +156,7 @@ void check_against_event(const FragmentReport& report, const FragmentEvent& even
     expect("depth", result(report, "depth"), event.depth);
     expect("margin", result(report, "margin"), event.depth - event.stored);
     if (report.fate != event.fate) FAIL(where << "has another fate");
-    const Varyings used = recover_varyings(event.fragment, report.interpolation);
+    const Varyings used = test::recover_varyings(event.fragment, report.interpolation);
     for (const Quantity q : places) {
         expect("place", result(report, formula_id(q, report.interpolation)), part_of(used, q));
     }

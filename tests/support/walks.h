@@ -113,4 +113,24 @@ inline bool shows(const EdgeMicroscope& edge, const Fragment& a, const Fragment&
     return edge.shows(a, b, edge_rules(settings), choose_stages(settings));
 }
 
+/// The table of stages under this interpolation.
+inline Stages stages_under(Interpolation interpolation) {
+    Settings settings;
+    settings.interpolation = interpolation;
+    return choose_stages(settings);
+}
+
+inline Varyings recover_varyings(const Fragment& fragment, Interpolation interpolation) {
+    return rasterwalk::recover_varyings(fragment, stages_under(interpolation));
+}
+
+/// The light under these rules.
+inline LightTerms reflected_light(const glm::vec3& place, const glm::vec3& normal,
+                                  const glm::vec3& reflectance, const Light& light,
+                                  const LightRules& rules) {
+    Settings settings;
+    settings.light_rules = rules;
+    return choose_stages(settings).reflected_light(place, normal, reflectance, light);
+}
+
 } // namespace rasterwalk::test

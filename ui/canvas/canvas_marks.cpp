@@ -221,7 +221,7 @@ void draw_vertices(const Marks& m, int triangle, std::span<const Fragment> verti
         const ImVec2 pixel = m.at(vertices[v]);
         if (frame.scene->space == SceneSpace::world) {
             const ShadedVertex shaded = frame.stages.vertex_shader(
-                frame.scene->triangles[triangle].vertices[v], rotation, rules);
+                frame.scene->triangles[triangle].vertices[v], rotation, rules, frame.stages);
             const int middle_column = size.width / 2, middle_row = size.height / 2;
             // int() and floor() give the pixel i all that lies from i to i + 1; a pixel that is
             // rounded to has its number in its middle.
