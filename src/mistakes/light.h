@@ -33,6 +33,7 @@ inline float not_normalized(float) {
 
 /// As it should be: 4 pi r^2.
 inline float sphere_area(float distance2, float) {
+    constexpr float pi = 3.14159265f;
     return 4.0f * pi * distance2;
 }
 /// B20c: r^2.
@@ -41,7 +42,7 @@ inline float area_without_4pi(float distance2, float) {
 }
 /// B20d: 4 pi r^3.
 inline float cubed_area(float distance2, float distance) {
-    return 4.0f * pi * distance2 * distance;
+    return sphere_area(distance2, distance) * distance;
 }
 
 // How the light is put together.

@@ -4,6 +4,7 @@ namespace rasterwalk {
 
 LightTerms reflected_light(const glm::vec3& position_world, const glm::vec3& normal,
                            const glm::vec3& reflectance, const Light& light) {
+    constexpr float pi = 3.14159265f;
     LightTerms terms;
     terms.to_light = light.position - position_world;
     terms.distance2 = glm::dot(terms.to_light, terms.to_light);

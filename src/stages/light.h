@@ -38,8 +38,6 @@ struct LightTerms {
     glm::vec3 reflected{0.0f}; ///< R = reflectance * (D + indirect)
 };
 
-inline constexpr float pi = 3.14159265f;
-
 /// R = reflectance * (D + N) with D = P max(r^ . n^, 0) / (4 pi r^2); at the lamp itself D is 0.
 LightTerms reflected_light(const glm::vec3& position_world, const glm::vec3& normal,
                            const glm::vec3& reflectance, const Light& light);

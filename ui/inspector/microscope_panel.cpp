@@ -156,7 +156,7 @@ void draw_summary(Ui& ui) {
     ImGui::TextUnformatted((" from " + place_text(edge.a.column, edge.a.row) + " to " +
                             place_text(edge.b.column, edge.b.row))
                                .c_str());
-    text_in(p.dim, walk_text(edge.rules.line.walk));
+    text_in(p.dim, walk_text(ui.results.frame.settings.line_walk));
     draw_step(ui, "x", edge.step_x, edge.float_step_x, summary.largest_drift_x);
     draw_step(ui, "y", edge.step_y, edge.float_step_y, summary.largest_drift_y);
     draw_verdict(ui);
