@@ -92,7 +92,8 @@ void rows_command(const RowsOptions& options, std::ostream& out, std::ostream& e
     std::vector<Fragment> vertices;
     for (const std::string& point : options.points)
         vertices.push_back(parse_point(point));
-    const RowHistory history = row_history(vertices, edge_rules(read_rules(options)));
+    const Settings settings = read_rules(options);
+    const RowHistory history = row_history(vertices, edge_rules(settings), choose_stages(settings));
     if (options.json) {
         print_json(toml::table{{"rows", rows_json(history)}, {"outside", outside_json(history)}},
                    out);

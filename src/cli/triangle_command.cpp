@@ -67,7 +67,7 @@ toml::table to_json(const ShadedVertex& vertex) {
     return table;
 }
 
-toml::table to_json(const SampleStep& step) {
+toml::table to_json(const EdgeSample& step) {
     return toml::table{{"sample", step.sample},
                        {"x", static_cast<double>(step.x)},
                        {"y", static_cast<double>(step.y)},
@@ -78,7 +78,7 @@ toml::table to_json(const SampleStep& step) {
 
 toml::table to_json(const EdgeReport& edge, int number) {
     toml::array samples;
-    for (const SampleStep& step : edge.samples)
+    for (const EdgeSample& step : edge.samples)
         samples.push_back(to_json(step));
     return toml::table{{"edge", number},
                        {"from", toml::array{edge.from.column, edge.from.row}},

@@ -33,14 +33,13 @@ float colour_difference(const glm::vec3& a, const glm::vec3& b) {
 struct Colours {
     const Framebuffer& a;
     const Framebuffer& b;
-    bool shown_otherwise = a.rules.over_one != b.rules.over_one;
+    bool shown_otherwise = a.rules.to_byte != b.rules.to_byte;
 
     glm::vec3 of_a(std::size_t pixel) const { return of(a, pixel); }
     glm::vec3 of_b(std::size_t pixel) const { return of(b, pixel); }
     bool are_shown_alike(std::size_t pixel) const {
         for (int i = 0; i < 3; ++i) {
-            if (to_byte(a.colour[pixel][i], a.rules.over_one) !=
-                to_byte(b.colour[pixel][i], b.rules.over_one))
+            if (a.rules.to_byte(a.colour[pixel][i]) != b.rules.to_byte(b.colour[pixel][i]))
                 return false;
         }
         return true;
@@ -50,7 +49,7 @@ struct Colours {
     glm::vec3 of(const Framebuffer& framebuffer, std::size_t pixel) const {
         const glm::vec3& colour = framebuffer.colour[pixel];
         if (!shown_otherwise) return colour;
-        glm::vec3 seen = shown_colour(colour, framebuffer.rules.over_one);
+        glm::vec3 seen = shown_colour(colour, framebuffer.rules.visible_channel);
         for (int i = 0; i < 3; ++i) {
             if (colour[i] >= 0.0f && colour[i] <= 1.0f) seen[i] = colour[i];
         }
@@ -63,8 +62,7 @@ void make_rows(const Frame& frame, int triangle, PolygonRows& rows) {
     rows.left.clear();
     rows.right.clear();
     if (!frame.is_drawn(triangle) || frame.settings.stage < Stage::edges) return;
-    frame.stages->compute_polygon_rows(frame.triangle_vertices(triangle),
-                                       edge_rules(frame.settings), rows);
+    compute_rows(frame, triangle, rows);
 }
 
 /// Rows of the picture in which the two tables differ.

@@ -59,14 +59,16 @@ Apart vertices_apart(const VertexDeed& a, const VertexDeed& b) {
 }
 
 Apart samples_apart(const SampleEvent& a, const SampleEvent& b) {
-    const bool same = a.sample.column == b.sample.column && a.sample.row == b.sample.row &&
-                      a.write.inside == b.write.inside;
+    const EdgeSample &p = a.sample, &q = b.sample;
+    const bool same = p.fragment.column == q.fragment.column && p.fragment.row == q.fragment.row &&
+                      p.write.inside == q.write.inside;
     return same ? Apart::not_at_all : Apart::clearly;
 }
 
 /// By what both runs' pixels are told apart.
 struct SightRules {
-    ColourOverOne over_one_a, over_one_b;
+    float (*visible_a)(float); ///< what is seen of a channel
+    float (*visible_b)(float);
     bool has_depth_a, has_depth_b; ///< marks have none: what stands in its place says nothing
 };
 
@@ -77,10 +79,10 @@ Apart fragments_apart(const FragmentEvent& a, const FragmentEvent& b, const Sigh
         lengths_apart(rules.has_depth_a ? a.depth : 0.0f, rules.has_depth_b ? b.depth : 0.0f);
     // What fails leaves the pixel as it is: there is no colour of its own to compare.
     if (a.fate != Fate::written) return depth;
-    const bool shown_alike = rules.over_one_a == rules.over_one_b;
+    const bool shown_alike = rules.visible_a == rules.visible_b;
     return std::max(depth, shown_alike ? colours_apart(a.after, b.after)
-                                       : colours_apart(shown_colour(a.after, rules.over_one_a),
-                                                       shown_colour(b.after, rules.over_one_b)));
+                                       : colours_apart(shown_colour(a.after, rules.visible_a),
+                                                       shown_colour(b.after, rules.visible_b)));
 }
 
 struct Difference {
@@ -107,7 +109,7 @@ std::optional<Difference> difference_at(const Deed& a, const Deed& b, const Sigh
 }
 
 SightRules sight_rules(const Frame& a, const Frame& b) {
-    return {a.settings.colour_over_one, b.settings.colour_over_one, has_fragments(a.settings.stage),
+    return {a.stages.visible_channel, b.stages.visible_channel, has_fragments(a.settings.stage),
             has_fragments(b.settings.stage)};
 }
 

@@ -1,4 +1,5 @@
 #include "compare/divergence_text.h"
+#include "inspect/row_history.h"
 #include "picture/view_image.h"
 
 #include <algorithm>
@@ -124,7 +125,7 @@ std::string outside_sentence(DivergenceKind kind, const Fragment& in_a, const Fr
 ShadedVertex shade(const Frame& frame, const Cursor& cursor) {
     const Vertex& vertex = frame.scene->triangles[cursor.triangle].vertices[cursor.index];
     const VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
-    return frame.stages->vertex_shader(vertex, camera_rotation(rules.camera), rules);
+    return frame.stages.vertex_shader(vertex, camera_rotation(rules.camera), rules, frame.stages);
 }
 
 /// How a run comes from the projected place to the pixel.
@@ -219,25 +220,24 @@ std::string coordinate_text(const Frame& frame, char axis, float place, int pixe
         .append(std::to_string(pixel));
 }
 
-std::string sample_side(const Frame& frame, const SampleEvent& sample, bool with_x, bool with_y,
+std::string sample_side(const Frame& frame, const SampleEvent& event, bool with_x, bool with_y,
                         int digits) {
+    const EdgeSample& sample = event.sample;
     std::string text;
-    if (with_x) text = coordinate_text(frame, 'x', sample.x, sample.sample.column, digits);
+    if (with_x) text = coordinate_text(frame, 'x', sample.x, sample.fragment.column, digits);
     if (with_y) {
         text.append(with_x ? ", " : "")
-            .append(coordinate_text(frame, 'y', sample.y, sample.sample.row, digits));
+            .append(coordinate_text(frame, 'y', sample.y, sample.fragment.row, digits));
     }
     if (sample.write.inside) return text;
-    const TableRows rows = table_rows(frame, sample.cursor.triangle);
-    const bool above = sample.sample.row < rows.first;
+    const TableRows rows = table_rows(frame, event.cursor.triangle);
+    const bool above = sample.fragment.row < rows.first;
     return text.append(above ? ", above the first row " : ", below the last row ")
         .append(std::to_string(above ? rows.first : rows.last));
 }
 
 int sample_count(const Frame& frame, const Cursor& cursor) {
-    const std::span<const Fragment> v = frame.triangle_vertices(cursor.triangle);
-    return edge_sample_count(v[cursor.index], v[(cursor.index + 1) % 3],
-                             edge_rules(frame.settings).samples);
+    return row_history(frame, cursor.triangle).edge_samples[static_cast<std::size_t>(cursor.index)];
 }
 
 std::string sample_text(const Frame& a, const Frame& b, const PairMoment& moment) {
@@ -248,22 +248,21 @@ std::string sample_text(const Frame& a, const Frame& b, const PairMoment& moment
         return edge + " has " + std::to_string(count_a) + " samples in A and " +
                std::to_string(count_b) + " in B.";
     }
-    const SampleEvent &p = *moment.a.sample, &q = *moment.b.sample;
-    const bool with_y = p.sample.row != q.sample.row || p.write.inside != q.write.inside;
-    const bool with_x = p.sample.column != q.sample.column || !with_y;
+    const EdgeSample &p = moment.a.sample->sample, &q = moment.b.sample->sample;
+    const bool with_y = p.fragment.row != q.fragment.row || p.write.inside != q.write.inside;
+    const bool with_x = p.fragment.column != q.fragment.column || !with_y;
     const int digits = std::max(digits_for(p.x, q.x), digits_for(p.y, q.y));
     std::string text = edge + ", " + numbered("sample", cursor.step, count_a).append(". A: ");
-    return text.append(sample_side(a, p, with_x, with_y, digits))
+    return text.append(sample_side(a, *moment.a.sample, with_x, with_y, digits))
         .append(". B: ")
-        .append(sample_side(b, q, with_x, with_y, digits))
+        .append(sample_side(b, *moment.b.sample, with_x, with_y, digits))
         .append(".");
 }
 
 /// What a run's row table has in the row of a moment: "the columns 12 to 40".
 std::string row_ends(const Frame& frame, const Cursor& cursor) {
     PolygonRows rows;
-    frame.stages->compute_polygon_rows(frame.triangle_vertices(cursor.triangle),
-                                       edge_rules(frame.settings), rows);
+    compute_rows(frame, cursor.triangle, rows);
     if (cursor.index >= rows.size()) {
         return std::string("has only ").append(std::to_string(rows.size())).append(" rows");
     }
@@ -303,8 +302,8 @@ std::string colour_text(const FragmentEvent& p, const FragmentEvent& q) {
 
 /// The same colour, but what is brighter than 1 is shown in another way.
 std::string shown_text(const Frame& a, const Frame& b, const glm::vec3& colour) {
-    const glm::vec3 in_a = shown_colour(colour, a.settings.colour_over_one);
-    const glm::vec3 in_b = shown_colour(colour, b.settings.colour_over_one);
+    const glm::vec3 in_a = shown_colour(colour, a.stages.visible_channel);
+    const glm::vec3 in_b = shown_colour(colour, b.stages.visible_channel);
     return std::string("the colour ")
         .append(triple(colour, 6))
         .append(" is shown as ")
@@ -318,8 +317,8 @@ std::string shown_text(const Frame& a, const Frame& b, const glm::vec3& colour) 
 std::string place_text(const Frame& a, const Frame& b, const FragmentEvent& p,
                        const FragmentEvent& q) {
     if (a.settings.stage != Stage::pixel_light || b.settings.stage != Stage::pixel_light) return "";
-    const glm::vec3 in_a = recover_varyings(p.fragment, a.settings.interpolation).position_world;
-    const glm::vec3 in_b = recover_varyings(q.fragment, b.settings.interpolation).position_world;
+    const glm::vec3 in_a = recover_varyings(p.fragment, a.stages).position_world;
+    const glm::vec3 in_b = recover_varyings(q.fragment, b.stages).position_world;
     const float apart = glm::distance(in_a, in_b);
     if (!(apart > 0.0f)) return "";
     const int digits = digits_for(in_a, in_b);
@@ -354,7 +353,7 @@ std::string fragment_text(const Frame& a, const Frame& b, const FragmentEvent& p
             .append(number(q.depth, digits))
             .append(colours_differ ? " in B; " : " in B.");
     }
-    const bool shown_otherwise = a.settings.colour_over_one != b.settings.colour_over_one;
+    const bool shown_otherwise = a.stages.visible_channel != b.stages.visible_channel;
     if (!colours_differ && p.depth == q.depth && shown_otherwise) {
         return text.append(shown_text(a, b, p.after));
     }
@@ -416,11 +415,12 @@ std::string divergence_text(const Frame& a, const Frame& b, const PairMoment& mo
     case Phase::edges:
         if (one_is_idle && first < Stage::edges) return stage_sentence(a, b, "edges");
         if (!one_is_idle && moment.a.fragments.size() != moment.b.fragments.size() &&
-            moment.a.sample->sample.column == moment.b.sample->sample.column &&
-            moment.a.sample->sample.row == moment.b.sample->sample.row) {
+            moment.a.sample->sample.fragment.column == moment.b.sample->sample.fragment.column &&
+            moment.a.sample->sample.fragment.row == moment.b.sample->sample.fragment.row) {
             return a.settings.stage != b.settings.stage
                        ? mark_sentence(a, b, kind)
-                       : outside_sentence(kind, moment.a.sample->sample, moment.b.sample->sample);
+                       : outside_sentence(kind, moment.a.sample->sample.fragment,
+                                          moment.b.sample->sample.fragment);
         }
         return sample_text(a, b, moment);
     case Phase::rows:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "mistakes/interpolate.h"
 #include "pipeline/draw.h"
 
 namespace rasterwalk {
@@ -15,10 +16,11 @@ constexpr int most_kept = 1 << 16;
 /// The varyings at a vertex as q, however the run carries them on.
 Varyings varyings_at(const Frame& frame, const Cursor& cursor) {
     const Vertex& vertex = frame.scene->triangles[cursor.triangle].vertices[cursor.index];
-    VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
-    rules.interpolation = Interpolation::affine;
+    const VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
     const glm::mat3 rotation = camera_rotation(rules.camera);
-    return frame.stages->vertex_shader(vertex, rotation, rules).pixel.varyings;
+    Stages unweighted = frame.stages;
+    unweighted.varying_weight = varying_weight_one;
+    return unweighted.vertex_shader(vertex, rotation, rules, unweighted).pixel.varyings;
 }
 
 /// The rows [first, last) of a triangle's row table that lie in the picture.
@@ -79,7 +81,7 @@ void Deeds::clear() {
 
 void Deeds::vertex(const Cursor& cursor, const Fragment& pixel) {
     VertexDeed deed{cursor, pixel, {}, {}};
-    deed.compared = carried_varyings(*frame_.stages, lighting_of(frame_.settings.stage));
+    deed.compared = carried_varyings(frame_.stages, lighting_of(frame_.settings.stage));
     if (!(deed.compared == VaryingSet{})) deed.varyings = varyings_at(frame_, cursor);
     vertices_.push_back(deed);
 }

@@ -51,7 +51,7 @@ Formula along_row(const FragmentReport& report, std::string id, std::string name
                       {static_cast<float>(report.step), true},
                       from_words("column in the row, counted from 0")}},
                     {result}};
-    switch (row.line.walk) {
+    switch (row.walk) {
     case LineWalk::accumulate:
     case LineWalk::integer_step: // only the place's step is cut, and along a row it is 1
         formula.expression = "accumulate(left, (right − left) / (n − 1), i)";
@@ -216,33 +216,31 @@ void add_light(const Frame& frame, FragmentReport& report) {
         point.reflectance.sources[i] =
             from_vertex(triangle, 0, std::string("reflectance.") + channel_names[i]);
     }
-    const LightRules& rules = frame.settings.light_rules;
-    report.light = point.terms = reflected_light(point.position.value, point.normal.value,
-                                                 point.reflectance.value, light, rules);
-    append_light_formulas(point, frame.settings, report.formulas);
+    report.light = point.terms = frame.stages.reflected_light(
+        point.position.value, point.normal.value, point.reflectance.value, light);
+    append_light_formulas(point, frame, report.formulas);
 
     for (std::size_t v = 0; v < 3; ++v) {
         const Vertex& vertex = corners.vertices[v];
         report.at_vertex[v] =
-            reflected_light(vertex.position, vertex.normal, vertex.reflectance, light, rules);
+            frame.stages.reflected_light(vertex.position, vertex.normal, vertex.reflectance, light);
     }
     report.light_per_vertex = report.under(report.interpolation).illumination;
     for (int i = 0; i < 3; ++i) {
         const auto part = static_cast<std::size_t>(i);
         const std::string name = channel_names[part];
-        const ColourOverOne rule = frame.settings.colour_over_one;
         Formula by_vertex =
             shown_channel("vertex_light.colour." + name, name,
                           {"R",
                            {report.light_per_vertex[i]},
                            from_formula(formula_id(colour[part], report.interpolation))},
-                          rule);
+                          frame);
         by_vertex.help = "The light of the vertices, interpolated. " + by_vertex.help;
         report.formulas.push_back(by_vertex);
         Formula flat = shown_channel(
             "flat.colour." + name, name,
             {"ρ", {point.reflectance.value[i]}, from_vertex(triangle, 0, "reflectance." + name)},
-            rule);
+            frame);
         flat.help = "The surface's own colour: this stage computes no light. " + flat.help;
         report.formulas.push_back(flat);
     }
@@ -318,27 +316,26 @@ std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& 
     report.fragment = event.fragment;
     report.depth = event.depth;
     report.stored = event.stored;
-    report.has_cell =
-        has_depth_cell(report.pixel.x, report.pixel.y, size, frame.settings.depth_index);
+    report.has_cell = has_depth_cell(frame.stages, report.pixel.x, report.pixel.y, size);
     if (report.has_cell) report.stored_by = watcher.written_by;
     report.fate = event.fate;
     report.before = event.before;
     report.after = event.after;
 
     const PixelRules rules = pixel_rules(frame.settings);
-    report.interpolation = rules.interpolation;
+    report.interpolation = frame.settings.interpolation;
     report.lighting = rules.lighting;
     report.depth_test = depth_rule(frame.settings);
     const Vertex& corner =
         frame.scene->triangles[static_cast<std::size_t>(cursor.triangle)].vertices[0];
-    report.colour =
-        frame.stages->pixel_shader(report.fragment, {corner.normal, corner.reflectance}, rules);
+    report.colour = frame.stages.pixel_shader(report.fragment, {corner.normal, corner.reflectance},
+                                              rules, frame.stages);
 
     Carried carried;
     for (const Interpolation way : ways) {
         const auto i = static_cast<std::size_t>(way);
         carried[i] = report.row.at(way, report.step);
-        report.varyings[i] = recover_varyings(carried[i], way);
+        report.varyings[i] = recover_varyings(carried[i], report.row.stages[i]);
     }
     add_depths(report, carried);
     report.formulas.push_back(difference(quantity_info(Quantity::z), Interpolation::affine,

@@ -1,5 +1,4 @@
 #include "explain/light_formulas.h"
-#include "picture/view_image.h"
 
 namespace rasterwalk {
 
@@ -100,23 +99,24 @@ void append_channel(const LitPoint& point, const Light& light, int channel,
 } // namespace
 
 Formula shown_channel(std::string id, std::string name, const FormulaInput& channel,
-                      ColourOverOne rule) {
-    const float shown = shown_colour(glm::vec3(channel.number.value), rule).r;
+                      const Frame& frame) {
+    const float shown = frame.stages.visible_channel(channel.number.value);
     Formula formula{std::move(id),
                     std::move(name),
                     "As the screen can show it: cut to 0..1.",
                     "clamp(" + channel.symbol + ", 0, 1)",
                     {channel},
                     {shown}};
-    if (rule == ColourOverOne::wrap) {
+    if (frame.settings.colour_over_one == ColourOverOne::wrap) {
         formula.help = "As the screen shows it: what is left of 255 times the channel in 8 bits.";
         formula.expression = "wrap(int(255 · " + channel.symbol + "), 256) / 255";
     }
     return formula;
 }
 
-void append_light_formulas(const LitPoint& point, const Settings& settings,
+void append_light_formulas(const LitPoint& point, const Frame& frame,
                            std::vector<Formula>& formulas) {
+    const Settings& settings = frame.settings;
     const LightTerms& terms = point.terms;
     const LightRules& rules = settings.light_rules;
     const Light& light = settings.light;
@@ -167,10 +167,9 @@ void append_light_formulas(const LitPoint& point, const Settings& settings,
     }
     for (int i = 0; i < 3; ++i) {
         const std::string name = channel_names[i];
-        formulas.push_back(
-            shown_channel(point.prefix + "colour." + name, name,
-                          {"R", {terms.reflected[i]}, from_formula(point.prefix + "R." + name)},
-                          settings.colour_over_one));
+        formulas.push_back(shown_channel(
+            point.prefix + "colour." + name, name,
+            {"R", {terms.reflected[i]}, from_formula(point.prefix + "R." + name)}, frame));
     }
 }
 

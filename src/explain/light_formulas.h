@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "explain/formula.h"
-#include "settings/settings.h"
+#include "pipeline/frame.h"
 #include "stages/light.h"
 
 namespace rasterwalk {
@@ -33,12 +33,12 @@ inline constexpr std::array<const char*, 3> channel_names{"red", "green", "blue"
 
 /// Appends, in this order and with these ids after the prefix: r.x r.y r.z, r2, cosine, area,
 /// D.red D.green D.blue, R.red ..., colour.red ... (as the screen shows it).
-void append_light_formulas(const LitPoint& point, const Settings& settings,
+void append_light_formulas(const LitPoint& point, const Frame& frame,
                            std::vector<Formula>& formulas);
 
 /// A channel as the screen shows it: cut to 0..1, or wrapped. The formula's one input, and its
 /// symbol in the expression, is the channel as it was worked out.
 Formula shown_channel(std::string id, std::string name, const FormulaInput& channel,
-                      ColourOverOne rule);
+                      const Frame& frame);
 
 } // namespace rasterwalk

@@ -190,7 +190,7 @@ void add_light(Made& made) {
         point.normal.sources[i] = from_formula(std::string("normal.") + axis_names[i]);
         point.reflectance.sources[i] = from_formula(std::string("reflectance.") + channel_names[i]);
     }
-    append_light_formulas(point, made.frame.settings, report.formulas);
+    append_light_formulas(point, made.frame, report.formulas);
 }
 
 } // namespace
@@ -203,15 +203,16 @@ VertexReport vertex_report(const Frame& frame, int triangle, int vertex) {
     VertexReport report;
     report.triangle = triangle;
     report.vertex = vertex;
-    report.shaded = frame.stages->vertex_shader(given, rotation, rules);
-    report.transposed = frame.stages->vertex_shader(given, glm::transpose(rotation), rules);
+    report.shaded = frame.stages.vertex_shader(given, rotation, rules, frame.stages);
+    report.transposed =
+        frame.stages.vertex_shader(given, glm::transpose(rotation), rules, frame.stages);
     for (std::size_t i = 0; i < report.by_rounding.size(); ++i) {
         VertexRules other = rules;
         other.rounding = static_cast<Rounding>(i);
-        report.by_rounding[i] = frame.stages->vertex_shader(given, rotation, other);
+        report.by_rounding[i] = frame.stages.vertex_shader(given, rotation, other, frame.stages);
     }
-    report.light = reflected_light(given.position, given.normal, given.reflectance, rules.light,
-                                   rules.light_rules);
+    report.light =
+        frame.stages.reflected_light(given.position, given.normal, given.reflectance, rules.light);
 
     Made made{frame, given, rotation, report};
     add_given(made, "world", axis_names, report.shaded.position_world,

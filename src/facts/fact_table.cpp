@@ -215,11 +215,7 @@ void add_pixel_facts(std::vector<Fact>& table) {
 Value edge_samples(const Facts& facts, int edge) {
     const RowHistory* const table = facts.table();
     if (table == nullptr) return {};
-    const Frame& frame = facts.results().frame;
-    const std::span<const Fragment> vertices = frame.triangle_vertices(*facts.results().triangle);
-    const EdgeRules rules = edge_rules(frame.settings);
-    return number(samples_before(vertices, rules, edge + 1, 0) -
-                  samples_before(vertices, rules, edge, 0));
+    return number(table->edge_samples[static_cast<std::size_t>(edge)]);
 }
 
 /// An end of the selected row; none where no sample reached it.

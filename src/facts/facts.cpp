@@ -31,7 +31,7 @@ std::optional<InterpolationError> error_of(const Frame& frame, const Cursor& at)
     const std::optional<CarriedRow> row = carried_row(frame, at.triangle, at.index);
     if (!row || at.step >= row->count) return std::nullopt;
     const auto recovered = [&](Interpolation way) {
-        return recover_varyings(row->at(way, at.step), way);
+        return recover_varyings(row->at(way, at.step), row->stages[static_cast<std::size_t>(way)]);
     };
     const Varyings right = recovered(Interpolation::perspective);
     const Varyings wrong = recovered(Interpolation::affine);
@@ -68,7 +68,7 @@ const RowHistory* Facts::table() const {
     if (!triangle || !frame.is_drawn(*triangle)) return nullptr;
     FactCache& known = cache();
     if (known.table_triangle != triangle) {
-        known.table = row_history(frame.triangle_vertices(*triangle), edge_rules(frame.settings));
+        known.table = row_history(frame, *triangle);
         known.table_triangle = triangle;
     }
     return &known.table;

@@ -23,7 +23,7 @@ std::span<const QuantityInfo> quantity_list() {
 }
 
 std::vector<QuantityInfo> shown_quantities(const Frame& frame) {
-    const VaryingSet shown = carried_varyings(*frame.stages, lighting_of(frame.settings.stage)) |
+    const VaryingSet shown = carried_varyings(frame.stages, lighting_of(frame.settings.stage)) |
                              varyings_with(VaryingUse::listed);
     std::vector<QuantityInfo> list;
     for (const QuantityInfo& info : quantity_list()) {
@@ -42,23 +42,36 @@ std::array<ShadedVertex, 3> shade_triangle(const Frame& frame, int triangle,
     const glm::mat3 rotation = camera_rotation(settings.camera);
     const VertexRules rules = vertex_rules(settings, frame.scene->space);
     const Triangle& corners = frame.scene->triangles[static_cast<std::size_t>(triangle)];
+    const Stages stages = stages_for(settings, frame.replace);
     std::array<ShadedVertex, 3> shaded;
     for (std::size_t v = 0; v < shaded.size(); ++v)
-        shaded[v] = frame.stages->vertex_shader(corners.vertices[v], rotation, rules);
+        shaded[v] = stages.vertex_shader(corners.vertices[v], rotation, rules, stages);
     return shaded;
 }
 
+std::vector<Fragment> CarriedRow::fragments(Interpolation way) const {
+    std::vector<LineSample> samples(static_cast<std::size_t>(count));
+    row_fragments(stages[static_cast<std::size_t>(way)], under(way).left, under(way).right, count,
+                  0, VaryingSet::all(), samples);
+    std::vector<Fragment> fragments;
+    fragments.reserve(samples.size());
+    for (const LineSample& sample : samples)
+        fragments.push_back(sample.fragment);
+    return fragments;
+}
+
 Fragment CarriedRow::at(Interpolation way, int step) const {
-    LineWalker walker = walk(way);
-    walker.advance_to(step);
-    return walker.sample_at(under(way).left.column + step, row);
+    LineSample sample;
+    row_fragments(stages[static_cast<std::size_t>(way)], under(way).left, under(way).right, count,
+                  step, VaryingSet::all(), {&sample, 1});
+    return sample.fragment;
 }
 
 std::optional<CarriedRow> carried_row(const Frame& frame, int triangle, int index) {
     CarriedRow row;
     row.triangle = triangle;
     row.index = index;
-    row.line = line_rules(frame.settings);
+    row.walk = frame.settings.line_walk;
     const EdgeRules edges = edge_rules(frame.settings);
     for (const Interpolation way :
          {Interpolation::perspective, Interpolation::affine, Interpolation::zinv_twice}) {
@@ -68,15 +81,17 @@ std::optional<CarriedRow> carried_row(const Frame& frame, int triangle, int inde
         const std::array<ShadedVertex, 3> shaded = shade_triangle(frame, triangle, settings);
         const std::array<Fragment, 3> corners{shaded[0].pixel, shaded[1].pixel, shaded[2].pixel};
         PolygonRows rows;
-        frame.stages->compute_polygon_rows(corners, edges, rows);
+        const Stages stages = stages_for(settings, frame.replace);
+        stages.compute_polygon_rows(corners, edges, stages, rows, nullptr);
         if (index < 0 || index >= rows.size() || rows.is_empty_row(index)) return std::nullopt;
         const auto i = static_cast<std::size_t>(index);
+        row.stages[static_cast<std::size_t>(way)] = stages;
         row.ends[static_cast<std::size_t>(way)] = {rows.left[i], rows.right[i]};
         row.row = rows.left[i].row;
         row.row_count = rows.size();
         row.count = rows.pixel_count(index);
     }
-    const RowHistory history = row_history(frame.triangle_vertices(triangle), edges);
+    const RowHistory history = row_history(frame, triangle);
     if (index < history.rows.size()) {
         row.left_by = history.left_by[static_cast<std::size_t>(index)];
         row.right_by = history.right_by[static_cast<std::size_t>(index)];

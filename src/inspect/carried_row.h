@@ -11,7 +11,7 @@
 
 #include "inspect/row_history.h"
 #include "pipeline/frame.h"
-#include "stages/spans.h"
+#include "stages/stage_table.h"
 
 namespace rasterwalk {
 
@@ -74,13 +74,12 @@ struct CarriedRow {
     int count = 0;                                 ///< pixels from end to end; at least 1
     std::array<RowEnds, interpolation_count> ends; ///< as in the table; indexed by Interpolation
     EndWriter left_by, right_by;
-    LineRules line;
+    LineWalk walk = LineWalk::accumulate;           ///< how the row is walked, for its formulas
+    std::array<Stages, interpolation_count> stages; ///< likewise
 
     const RowEnds& under(Interpolation way) const { return ends[static_cast<std::size_t>(way)]; }
-    /// The walk from the left to the right end, as draw() walks it.
-    LineWalker walk(Interpolation way) const {
-        return {span_end(under(way).left, way), span_end(under(way).right, way), count, line};
-    }
+    /// All fragments from the left to the right end, as draw() makes them.
+    std::vector<Fragment> fragments(Interpolation way) const;
     /// The fragment in this column of the row, counted from its left end.
     Fragment at(Interpolation way, int step) const;
 };

@@ -1,6 +1,7 @@
 #include "inspect/microscope.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -8,15 +9,18 @@ namespace rasterwalk {
 
 namespace {
 
-std::vector<EdgeMicroscope::Place> walk(const Fragment& a, const Fragment& b,
-                                        const EdgeRules& rules) {
-    std::vector<EdgeMicroscope::Place> places;
-    for (LineWalker walker = walk_edge(a, b, rules); !walker.done(); walker.advance()) {
-        const Fragment sample = walker.sample();
-        places.push_back({walker.x(), walker.y(), sample.column, sample.row});
+/// Notes the places of both edges of a polygon of two vertices.
+class BothWays : public SampleSink {
+  public:
+    explicit BothWays(EdgeMicroscope& into) : edge_(into) {}
+    void edge_sample(const EdgeSample& sample) override {
+        (sample.edge == 0 ? edge_.forward : edge_.reverse)
+            .push_back({sample.x, sample.y, sample.fragment.column, sample.fragment.row});
     }
-    return places;
-}
+
+  private:
+    EdgeMicroscope& edge_;
+};
 
 /// (a (n - i) + b i) / n; for an edge of one sample, a.
 Fraction exact_place(int a, int b, int i, int n) {
@@ -63,13 +67,12 @@ Fraction reduced(std::int64_t numerator, std::int64_t denominator) {
     return {numerator / divisor, denominator / divisor};
 }
 
-bool EdgeMicroscope::shows(const Fragment& from, const Fragment& to, const EdgeRules& by) const {
+bool EdgeMicroscope::shows(const Fragment& from, const Fragment& to, const EdgeRules& by,
+                           const Stages& with) const {
     const auto same_place = [](const Fragment& p, const Fragment& q) {
         return p.column == q.column && p.row == q.row;
     };
-    return count > 0 && same_place(a, from) && same_place(b, to) &&
-           rules.line.walk == by.line.walk && rules.line.rounding == by.line.rounding &&
-           rules.samples == by.samples;
+    return count > 0 && same_place(a, from) && same_place(b, to) && rules == by && stages == with;
 }
 
 int EdgeMicroscope::opposite(int sample) const {
@@ -82,11 +85,9 @@ MicroscopeSample EdgeMicroscope::at(int sample) const {
     const int n = count - 1;
     const Place& walked = forward[static_cast<std::size_t>(sample)];
     const Place& other_way = reverse[static_cast<std::size_t>(opposite(sample))];
-    LineRules without_error = rules.line;
-    without_error.walk = LineWalk::exact;
-    LineWalker exact_walk(a, b, count, without_error);
-    exact_walk.advance_to(sample);
-    const Fragment exact = exact_walk.sample();
+    LineSample without_error;
+    interpolate_exactly(a, b, {}, {count, sample, rules.rounding, {}}, {&without_error, 1});
+    const Fragment& exact = without_error.fragment;
     return {sample,
             coordinate(walked.x, exact_place(a.column, b.column, sample, n), walked.column,
                        exact.column, other_way.column),
@@ -100,20 +101,23 @@ int EdgeMicroscope::next_difference(int sample) const {
     return next != differing.end() ? *next : differing.front();
 }
 
-EdgeMicroscope microscope(const Fragment& a, const Fragment& b, const EdgeRules& rules) {
+EdgeMicroscope microscope(const Fragment& a, const Fragment& b, const EdgeRules& rules,
+                          const Stages& stages) {
     EdgeMicroscope edge;
     edge.a = a;
     edge.b = b;
     edge.rules = rules;
-    edge.forward = walk(a, b, rules);
-    edge.reverse = walk(b, a, rules);
+    edge.stages = stages;
+    BothWays ways(edge);
+    PolygonRows rows;
+    stages.compute_polygon_rows(std::array{a, b}, rules, stages, rows, &ways);
     edge.count = static_cast<int>(edge.forward.size());
     const int steps = std::max(edge.count - 1, 1);
-    const LineWalker walker = walk_edge(a, b, rules);
+    const LineStep step = stages.line_step(a, b, {edge.count, 0, rules.rounding, rules.carried});
     edge.step_x = reduced(b.column - a.column, steps);
     edge.step_y = reduced(b.row - a.row, steps);
-    edge.float_step_x = walker.step_x();
-    edge.float_step_y = walker.step_y();
+    edge.float_step_x = step.x;
+    edge.float_step_y = step.y;
     summarize(edge);
     return edge;
 }

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "stages/edges.h"
+#include "stages/stage_table.h"
 
 namespace rasterwalk {
 
@@ -64,6 +64,7 @@ struct MicroscopeSummary {
 struct EdgeMicroscope {
     Fragment a, b; ///< the two ends
     EdgeRules rules;
+    Stages stages;           ///< whose walk it is
     int count = 0;           ///< samples, both ends included
     Fraction step_x, step_y; ///< from one sample to the next, without any error
     float float_step_x = 0.0f, float_step_y = 0.0f; ///< the same in float, as the walk has it
@@ -78,10 +79,11 @@ struct EdgeMicroscope {
     std::vector<int> differing; ///< samples that fall on another pixel than their exact place
 
     /// Is this the edge that was put under the microscope?
-    bool shows(const Fragment& from, const Fragment& to, const EdgeRules& by) const;
+    bool shows(const Fragment& from, const Fragment& to, const EdgeRules& by,
+               const Stages& with) const;
 
-    /// The sample of the other way that should be in the place of this one. Under EdgeSamples::
-    /// shifted the two ways have different numbers of samples: then the one that comes nearest.
+    /// The sample of the other way that should be in the place of this one. Where the two ways have
+    /// different numbers of samples, the one that comes nearest.
     int opposite(int sample) const;
 
     /// One sample, 0 <= sample < count.
@@ -91,8 +93,10 @@ struct EdgeMicroscope {
     int next_difference(int sample) const;
 };
 
-/// Puts the edge from a to b under the microscope. Costs two walks along the edge.
-EdgeMicroscope microscope(const Fragment& a, const Fragment& b, const EdgeRules& rules);
+/// Puts the edge from a to b under the microscope: listens to the coverage stage, which is given
+/// the polygon of these two vertices, and walks there and back.
+EdgeMicroscope microscope(const Fragment& a, const Fragment& b, const EdgeRules& rules,
+                          const Stages& stages);
 
 /// "5189/104"; a whole number without its denominator. With an ASCII minus.
 std::string to_text(const Fraction& fraction);

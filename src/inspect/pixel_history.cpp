@@ -37,8 +37,7 @@ class Collector : public Observer {
 void find_columns_of_row_ends(const Frame& frame, PixelHistory& history) {
     PolygonRows rows;
     for (PixelEntry& entry : history.entries) {
-        frame.stages->compute_polygon_rows(frame.triangle_vertices(entry.cursor.triangle),
-                                           edge_rules(frame.settings), rows);
+        compute_rows(frame, entry.cursor.triangle, rows);
         entry.column = history.pixel.x - rows.left[entry.row].column;
     }
 }

@@ -13,29 +13,24 @@ std::optional<RowGraph> row_graph(const Frame& frame, int triangle, int index) {
     graph.first_column = row->under(Interpolation::perspective).left.column;
     for (const Interpolation way :
          {Interpolation::perspective, Interpolation::affine, Interpolation::zinv_twice}) {
-        std::vector<Fragment>& fragments = graph.fragments[static_cast<std::size_t>(way)];
-        fragments.reserve(static_cast<std::size_t>(row->count));
-        for (LineWalker walker = row->walk(way); !walker.done(); walker.advance()) {
-            fragments.push_back(walker.sample_at(graph.first_column + walker.index(), row->row));
-        }
+        graph.fragments[static_cast<std::size_t>(way)] = row->fragments(way);
     }
     return graph;
 }
 
 std::optional<int> widest_row(const Frame& frame, int triangle) {
     PolygonRows rows;
-    frame.stages->compute_polygon_rows(frame.triangle_vertices(triangle),
-                                       edge_rules(frame.settings, {}), rows);
-    const Rectangle area = drawn_area(frame.settings);
+    compute_rows(frame, triangle, rows, nullptr, {});
+    const Rectangle area = drawn_area(frame);
     std::optional<int> widest;
     int most = 0;
     for (int r = 0; r < rows.size(); ++r) {
         const auto i = static_cast<std::size_t>(r);
         const int row = rows.left[i].row;
         if (row < area.top || row >= area.bottom || rows.is_empty_row(r)) continue;
-        const int left = rows.left[i].column;
-        const int drawn = drawn_pixels(rows.pixel_count(r), frame.settings.spans);
-        const int count = std::min(left + drawn, area.right) - std::max(left, area.left);
+        const RowSpan span = row_span(frame.stages, rows, r);
+        const int count =
+            std::min(span.left + span.drawn, area.right) - std::max(span.left, area.left);
         if (count > most) {
             most = count;
             widest = r;
@@ -48,7 +43,10 @@ float true_value(const RowGraph& graph, Quantity quantity, int index) {
     const Fragment& fragment = graph.at(Interpolation::perspective, index);
     if (quantity == Quantity::zinv) return fragment.zinv;
     if (quantity == Quantity::z) return 1.0f / fragment.zinv;
-    return part_of(recover_varyings(fragment, Interpolation::perspective), quantity);
+    return part_of(
+        recover_varyings(fragment,
+                         graph.row.stages[static_cast<std::size_t>(Interpolation::perspective)]),
+        quantity);
 }
 
 float affine_value(const RowGraph& graph, Quantity quantity, int index) {

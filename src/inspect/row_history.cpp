@@ -1,62 +1,108 @@
 #include "inspect/row_history.h"
 
+#include <functional>
+
 namespace rasterwalk {
 
 namespace {
 
-void replace(EndWriter& end, int edge, int sample) {
+void replace(EndWriter& end, const EdgeSample& sample) {
     if (end.is_set()) ++end.replaced;
-    end.edge = edge;
-    end.sample = sample;
+    end.edge = sample.edge;
+    end.sample = sample.sample;
 }
 
-/// Enters the sample on which the walker stands.
-void enter(LineWalker& walker, int edge, RowHistory& history) {
-    const Fragment& sample = walker.sample();
-    const RowWrite write = add_edge_sample(sample, history.rows);
-    const int index = sample.row - history.rows.first_row;
-    if (write.left) {
-        replace(history.left_by[static_cast<std::size_t>(index)], edge, walker.index());
-    }
-    if (write.right) {
-        replace(history.right_by[static_cast<std::size_t>(index)], edge, walker.index());
-    }
-    if (!write.inside) {
-        history.outside.push_back(
-            {edge, walker.index(), walker.x(), walker.y(), sample.column, sample.row});
-    }
-    history.last = SampleStep{edge, walker.index(), walker.x(), walker.y(), sample, write};
-    ++history.samples;
-}
+/// Repeats in a table of its own what the coverage stage does, as long as it is asked to.
+class HistoryMaker : public SampleSink {
+  public:
+    using Wanted = std::function<bool(const EdgeSample&)>;
 
-const Fragment& next_vertex(std::span<const Fragment> vertices, std::size_t vertex) {
-    return vertices[(vertex + 1) % vertices.size()];
+    HistoryMaker(RowHistory& into, Wanted is_wanted)
+        : history_(into), is_wanted_(std::move(is_wanted)) {}
+
+    void begin_rows(const PolygonRows& rows) override {
+        history_.rows.first_row = rows.first_row;
+        history_.rows.left = rows.left;
+        history_.rows.right = rows.right;
+        history_.left_by.resize(rows.left.size());
+        history_.right_by.resize(rows.left.size());
+    }
+
+    void edge_sample(const EdgeSample& sample) override {
+        ++history_.sample_count;
+        history_.edge_samples.resize(static_cast<std::size_t>(sample.edge) + 1);
+        ++history_.edge_samples.back();
+        if (!is_wanted_(sample)) return;
+        enter(sample);
+        ++history_.samples;
+        history_.last = sample;
+    }
+
+  private:
+    void enter(const EdgeSample& sample) {
+        if (!sample.write.inside) {
+            ++history_.rows.outside;
+            history_.outside.push_back({sample.edge, sample.sample, sample.x, sample.y,
+                                        sample.fragment.column, sample.fragment.row});
+            return;
+        }
+        const auto row = static_cast<std::size_t>(sample.fragment.row - history_.rows.first_row);
+        if (sample.write.left) {
+            history_.rows.left[row] = sample.fragment;
+            replace(history_.left_by[row], sample);
+        }
+        if (sample.write.right) {
+            history_.rows.right[row] = sample.fragment;
+            replace(history_.right_by[row], sample);
+        }
+    }
+
+    RowHistory& history_;
+    Wanted is_wanted_;
+};
+
+class SampleList : public SampleSink {
+  public:
+    explicit SampleList(HistoryMaker::Wanted is_wanted) : is_wanted_(std::move(is_wanted)) {}
+    void edge_sample(const EdgeSample& sample) override {
+        if (is_wanted_(sample)) samples.push_back(sample);
+    }
+    std::vector<EdgeSample> samples;
+
+  private:
+    HistoryMaker::Wanted is_wanted_;
+};
+
+HistoryMaker::Wanted comes_before(int triangle, const Cursor& to) {
+    return [triangle, to](const EdgeSample& sample) {
+        return Cursor{triangle, Phase::edges, sample.edge, sample.sample} < to;
+    };
 }
 
 } // namespace
 
-RowHistory row_history(std::span<const Fragment> vertices, const EdgeRules& rules, int samples) {
+RowHistory row_history(const Frame& frame, int triangle, const Cursor& to) {
     RowHistory history;
-    begin_polygon_rows(vertices, rules, history.rows);
-    history.left_by.resize(history.rows.left.size());
-    history.right_by.resize(history.rows.left.size());
-    history.sample_count = samples_before(vertices, rules, static_cast<int>(vertices.size()), 0);
-    for (std::size_t edge = 0; edge < vertices.size(); ++edge) {
-        LineWalker walker = walk_edge(vertices[edge], next_vertex(vertices, edge), rules);
-        for (; !walker.done() && history.samples < samples; walker.advance()) {
-            enter(walker, static_cast<int>(edge), history);
-        }
-    }
+    HistoryMaker maker(history, comes_before(triangle, to));
+    PolygonRows rows;
+    compute_rows(frame, triangle, rows, &maker);
     return history;
 }
 
-int samples_before(std::span<const Fragment> vertices, const EdgeRules& rules, int edge,
-                   int sample) {
-    int count = sample;
-    for (std::size_t i = 0; i < vertices.size() && static_cast<int>(i) < edge; ++i) {
-        count += edge_sample_count(vertices[i], next_vertex(vertices, i), rules.samples);
-    }
-    return count;
+RowHistory row_history(std::span<const Fragment> vertices, const EdgeRules& rules,
+                       const Stages& stages, int samples) {
+    RowHistory history;
+    HistoryMaker maker(history, [&](const EdgeSample&) { return history.samples < samples; });
+    PolygonRows table;
+    stages.compute_polygon_rows(vertices, rules, stages, table, &maker);
+    return history;
+}
+
+std::vector<EdgeSample> edge_samples(const Frame& frame, int triangle, const Cursor& to) {
+    SampleList list(comes_before(triangle, to));
+    PolygonRows rows;
+    compute_rows(frame, triangle, rows, &list);
+    return std::move(list.samples);
 }
 
 std::string rows_text(const PolygonRows& rows) {

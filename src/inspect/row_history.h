@@ -1,6 +1,7 @@
 #pragma once
 
-// Who wrote it: how the two ends of every row of a polygon came to be.
+// Who wrote it: how the two ends of every row of a polygon came to be. Listens to the coverage
+// stage, whatever function stands there.
 
 #include <climits>
 #include <optional>
@@ -8,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/cursor.h"
+#include "pipeline/frame.h"
 #include "stages/polygon_rows.h"
 
 namespace rasterwalk {
@@ -32,34 +35,29 @@ struct OutsideSample {
     friend bool operator==(const OutsideSample&, const OutsideSample&) = default;
 };
 
-/// One edge sample and what it did.
-struct SampleStep {
-    int edge = 0;
-    int sample = 0;
-    float x = 0.0f, y = 0.0f; ///< before rounding, pixels
-    Fragment fragment;
-    RowWrite write;
-};
-
 /// The row table of a polygon with its history.
 struct RowHistory {
     PolygonRows rows;
     std::vector<EndWriter> left_by;  ///< for each row of the table
     std::vector<EndWriter> right_by; ///< for each row of the table
     std::vector<OutsideSample> outside;
+    std::vector<int> edge_samples;  ///< for each edge, how many samples it has
     int samples = 0;                ///< entered so far
     int sample_count = 0;           ///< of all edges
-    std::optional<SampleStep> last; ///< the sample entered last
+    std::optional<EdgeSample> last; ///< the sample entered last
 };
 
-/// Walks the edges of a polygon of at least one vertex and enters the first `samples` of their
-/// samples, of all edges in order.
-RowHistory row_history(std::span<const Fragment> vertices, const EdgeRules& rules,
-                       int samples = INT_MAX);
+/// The table of a drawn triangle, as far as it is made at `to`.
+RowHistory row_history(const Frame& frame, int triangle, const Cursor& to = cursor_end);
 
-/// How many samples come before sample `sample` of edge `edge`; that edge may be one past the last.
-int samples_before(std::span<const Fragment> vertices, const EdgeRules& rules, int edge,
-                   int sample);
+/// The table of a polygon of at least one vertex, after the first `samples` of the samples of its
+/// edges, of all edges in order.
+RowHistory row_history(std::span<const Fragment> vertices, const EdgeRules& rules,
+                       const Stages& stages, int samples = INT_MAX);
+
+/// The samples of a drawn triangle's edges that come before `to`, in order, and what each did.
+std::vector<EdgeSample> edge_samples(const Frame& frame, int triangle,
+                                     const Cursor& to = cursor_end);
 
 /// The table in the lab's form, a line a row: `Start: (10,5). End: (10,5).`
 std::string rows_text(const PolygonRows& rows);

@@ -32,11 +32,10 @@ LeftOut count_left_out(const Frame& frame) {
 SamplesOutside count_samples_outside(const Frame& frame) {
     SamplesOutside count;
     if (frame.settings.stage == Stage::points) return count;
-    const EdgeRules rules = edge_rules(frame.settings, {});
     PolygonRows rows;
     for (int t = 0; t < frame.triangle_count(); ++t) {
         if (!frame.is_drawn(t)) continue;
-        frame.stages->compute_polygon_rows(frame.triangle_vertices(t), rules, rows);
+        compute_rows(frame, t, rows, nullptr, {});
         count.samples += rows.outside;
         count.triangles += rows.outside > 0 ? 1 : 0;
     }
@@ -45,13 +44,12 @@ SamplesOutside count_samples_outside(const Frame& frame) {
 
 std::int64_t count_unset_rows(const Frame& frame) {
     std::int64_t count = 0;
-    const Settings& settings = frame.settings;
-    if (settings.empty_rows == EmptyRows::skipped || !has_fragments(settings.stage)) return count;
+    const bool are_drawn = frame.stages.row_pixel_count(empty_left, empty_right) != 0;
+    if (!are_drawn || !has_fragments(frame.settings.stage)) return count;
     PolygonRows rows;
     for (int t = 0; t < frame.triangle_count(); ++t) {
         if (!frame.is_drawn(t)) continue;
-        frame.stages->compute_polygon_rows(frame.triangle_vertices(t), edge_rules(settings, {}),
-                                           rows);
+        compute_rows(frame, t, rows, nullptr, {});
         for (int r = 0; r < rows.size(); ++r)
             count += rows.is_empty_row(r) ? 1 : 0;
     }

@@ -51,8 +51,8 @@ struct SamplesOutside {
 /// none.
 SamplesOutside count_samples_outside(const Frame& frame);
 
-/// Rows of all tables that no sample reaches and that EmptyRows::overflow draws all the same: under
-/// guard, nothing of them is in the picture. 0 under any other rule, and before stage `fill`.
+/// Rows of all tables that no sample reaches and that are drawn all the same: under guard, nothing
+/// of them is in the picture. 0 where the stages leave them out, and before stage `fill`.
 std::int64_t count_unset_rows(const Frame& frame);
 
 /// Draws everything before `to` and counts; `framebuffer` receives the picture.

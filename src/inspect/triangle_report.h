@@ -14,7 +14,7 @@ namespace rasterwalk {
 struct EdgeReport {
     Fragment from, to;               ///< the two vertices as pixels
     int count = 0;                   ///< samples of the whole edge
-    std::vector<SampleStep> samples; ///< those that come before the moment that was asked for
+    std::vector<EdgeSample> samples; ///< those that come before the moment that was asked for
 };
 
 /// Everything that is to be known of a triangle, whatever the stage draws of it.

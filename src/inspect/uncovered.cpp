@@ -47,20 +47,14 @@ std::int64_t squared_distance(const NearTriangle& near) {
 
 /// From the pixel to the box of the triangle's vertices, which no row of it leaves: to the right
 /// and downward are positive.
-glm::ivec2 way_to_box(std::span<const Fragment> vertices, const Settings& settings,
-                      const glm::ivec2& pixel) {
-    auto [left, right] = std::minmax({vertices[0].column, vertices[1].column, vertices[2].column});
-    if (settings.row_start == RowStart::window) {
-        left = std::min(left, settings.viewport.width);
-        right = std::max(right, 0);
-    }
-    const auto [top, bottom] = std::minmax({vertices[0].row, vertices[1].row, vertices[2].row});
-    return {-beyond(pixel.x, left, right), -beyond(pixel.y, top, bottom)};
+glm::ivec2 way_to_box(const Frame& frame, int triangle, const glm::ivec2& pixel) {
+    const Rectangle box =
+        frame.stages.polygon_box(frame.triangle_vertices(triangle), edge_rules(frame.settings));
+    return {-beyond(pixel.x, box.left, box.right - 1), -beyond(pixel.y, box.top, box.bottom - 1)};
 }
 
 NearTriangle look_at(const Frame& frame, int triangle, const glm::ivec2& pixel, PolygonRows& rows) {
-    frame.stages->compute_polygon_rows(frame.triangle_vertices(triangle),
-                                       edge_rules(frame.settings), rows);
+    compute_rows(frame, triangle, rows, nullptr, {});
     NearTriangle near;
     near.triangle = triangle;
     near.first_row = rows.first_row;
@@ -68,11 +62,13 @@ NearTriangle look_at(const Frame& frame, int triangle, const glm::ivec2& pixel, 
     near.row = std::clamp(pixel.y, near.first_row, near.last_row);
     near.rows_away = near.row - pixel.y;
     const int index = near.row - rows.first_row;
-    const int drawn = drawn_pixels(rows.pixel_count(index), frame.settings.spans);
+    // Of a row that no sample has reached nothing is in the picture, drawn or not.
+    const bool is_unset = rows.is_empty_row(index);
+    const int drawn = is_unset ? 0 : row_span(frame.stages, rows, index).drawn;
     near.is_empty = drawn == 0;
-    near.is_passed_over = drawn == 0 && !rows.is_empty_row(index);
+    near.is_passed_over = drawn == 0 && !is_unset;
     if (near.is_empty) {
-        near.columns_away = way_to_box(frame.triangle_vertices(triangle), frame.settings, pixel).x;
+        near.columns_away = way_to_box(frame, triangle, pixel).x;
         return near;
     }
     near.left = rows.left[index].column;
@@ -97,7 +93,7 @@ void try_other_rules(const Frame& frame, const glm::ivec2& pixel,
         Settings settings = frame.settings;
         rule.apply(settings);
         if (settings == frame.settings) continue;
-        const Frame other = prepare_frame(scene, settings, *frame.stages);
+        const Frame other = prepare_frame(scene, settings, frame.replace);
         for (int i = 0; i < other.triangle_count(); ++i) {
             if (!other.is_drawn(i)) continue;
             const NearTriangle now = look_at(other, i, pixel, rows);
@@ -108,7 +104,7 @@ void try_other_rules(const Frame& frame, const glm::ivec2& pixel,
 
 /// Is it a pixel of the picture on which the bounds test lets nothing fall?
 bool is_out_of_bounds(const Frame& frame, const glm::ivec2& pixel) {
-    const Rectangle area = drawn_area(frame.settings);
+    const Rectangle area = drawn_area(frame);
     return pixel.x < area.left || pixel.y < area.top;
 }
 
@@ -138,7 +134,7 @@ std::vector<NearTriangle> nearest_triangles(const Frame& frame, const glm::ivec2
     std::vector<Candidate> heap;
     for (int t = 0; t < frame.triangle_count(); ++t) {
         if (!frame.is_drawn(t)) continue;
-        const glm::ivec2 way = way_to_box(frame.triangle_vertices(t), frame.settings, pixel);
+        const glm::ivec2 way = way_to_box(frame, t, pixel);
         heap.emplace_back(squared_distance(way.x, way.y), t);
     }
     std::make_heap(heap.begin(), heap.end(), std::greater<>());

@@ -56,7 +56,8 @@ Polygon polygon_of(const std::vector<glm::ivec2>& points) {
 Rows table_of(const Polygon& polygon, const Scene& scene, const Settings& settings) {
     PolygonRows table;
     if (polygon.triangle < 0) {
-        compute_polygon_rows(polygon.vertices, edge_rules(settings), table);
+        const Stages stages = choose_stages(settings);
+        stages.compute_polygon_rows(polygon.vertices, edge_rules(settings), stages, table, nullptr);
         return printed(table);
     }
     Scene one = {};
@@ -64,7 +65,7 @@ Rows table_of(const Polygon& polygon, const Scene& scene, const Settings& settin
     one.triangles.push_back(scene.triangles[static_cast<std::size_t>(polygon.triangle)]);
     const Frame frame = prepare_frame(one, settings);
     if (!frame.is_drawn(0)) return {};
-    compute_polygon_rows(frame.triangle_vertices(0), edge_rules(settings), table);
+    compute_rows(frame, 0, table);
     return printed(table);
 }
 
@@ -84,7 +85,7 @@ Polygon nearest_polygon(const Rows& rows, const Scene& scene, const Settings& re
                                   .append(part_name(scene, t))
                                   .append(")")};
         PolygonRows table;
-        compute_polygon_rows(frame.triangle_vertices(t), edge_rules(reference), table);
+        compute_rows(frame, t, table);
         const double distance = rows_distance(printed(table), rows).mean;
         if (distance >= smallest) continue;
         smallest = distance;

@@ -20,7 +20,7 @@ Frame unlit_frame(const Frame& frame, Interpolation interpolation) {
     Settings settings = frame.settings;
     settings.interpolation = interpolation;
     settings.stage = std::min(settings.stage, Stage::depth);
-    return prepare_frame(*frame.scene, settings, *frame.stages);
+    return prepare_frame(*frame.scene, settings, frame.replace);
 }
 
 /// A side of a triangle: the two points that it joins, the smaller one first.
@@ -116,7 +116,7 @@ class FactsObserver : public Observer {
             ++(event.fate == Fate::written ? verdicts.passed : verdicts.failed);
         }
         if (!positions.empty() && event.fate == Fate::written) {
-            positions[pixel] = recover_varyings(f, frame_.settings.interpolation).position_world;
+            positions[pixel] = recover_varyings(f, frame_.stages).position_world;
         }
     }
 
@@ -129,9 +129,10 @@ class FactsObserver : public Observer {
             const PolygonRows& rows = rows_[n];
             const int row = fragment.row - rows.first_row;
             if (row < 0 || row >= rows.size()) continue;
-            const int step = fragment.column - rows.left[row].column;
-            if (step < 0 || step >= drawn_pixels(rows.pixel_count(row), frame_.settings.spans))
-                continue;
+            if (rows.is_empty_row(row)) continue;
+            const RowSpan span = row_span(frame_.stages, rows, row);
+            const int step = fragment.column - span.left;
+            if (step < 0 || step >= span.drawn) continue;
             facts_.drawn_twice[pixel] = {neighbours_.of(triangle)[n], triangle};
         }
     }
@@ -143,8 +144,7 @@ class FactsObserver : public Observer {
         count_ = earlier.size();
         if (rows_.size() < count_) rows_.resize(count_);
         for (std::size_t n = 0; n < count_; ++n) {
-            frame_.stages->compute_polygon_rows(frame_.triangle_vertices(earlier[n]),
-                                                edge_rules(frame_.settings), rows_[n]);
+            compute_rows(frame_, earlier[n], rows_[n]);
         }
     }
 

@@ -34,13 +34,8 @@ std::optional<View> find_view(std::string_view name) {
     return static_cast<View>(found - names.begin());
 }
 
-glm::vec3 shown_colour(const glm::vec3& colour, ColourOverOne rule) {
-    if (rule == ColourOverOne::clamp) {
-        const auto cut = [](float c) { return std::min(std::max(c, 0.0f), 1.0f); };
-        return {cut(colour.r), cut(colour.g), cut(colour.b)};
-    }
-    const auto part = [rule](float c) { return static_cast<float>(to_byte(c, rule)) / 255.0f; };
-    return {part(colour.r), part(colour.g), part(colour.b)};
+glm::vec3 shown_colour(const glm::vec3& colour, float (*visible_channel)(float)) {
+    return {visible_channel(colour.r), visible_channel(colour.g), visible_channel(colour.b)};
 }
 
 std::optional<DepthRange> present_depths(const Framebuffer& framebuffer) {
@@ -65,7 +60,6 @@ Image view_image(const Framebuffer& framebuffer, View view,
     for (const std::uint32_t overdraw : framebuffer.overdraw)
         most = std::max(most, overdraw);
     const auto depth_of = [&](std::size_t i) {
-        if (framebuffer.rules.depth_index == DepthIndex::row_major) return framebuffer.depth[i];
         const auto width = static_cast<std::size_t>(framebuffer.size.width);
         return stored_depth(framebuffer, framebuffer.origin.x + static_cast<int>(i % width),
                             framebuffer.origin.y + static_cast<int>(i / width));
@@ -75,8 +69,8 @@ Image view_image(const Framebuffer& framebuffer, View view,
         switch (view) {
         case View::colour: {
             const glm::vec3& c = framebuffer.colour[i];
-            const ColourOverOne rule = framebuffer.rules.over_one;
-            rgb = {to_byte(c.r, rule), to_byte(c.g, rule), to_byte(c.b, rule)};
+            const auto to_byte = framebuffer.rules.to_byte;
+            rgb = {to_byte(c.r), to_byte(c.g), to_byte(c.b)};
             break;
         }
         case View::depth:

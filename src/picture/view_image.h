@@ -39,7 +39,7 @@ std::optional<DepthRange> present_depths(const Framebuffer& framebuffer);
 
 /// A colour as the screen shows it, 0..1: cut at 0 and 1, or, where it wraps, what is left of it in
 /// 8 bits.
-glm::vec3 shown_colour(const glm::vec3& colour, ColourOverOne rule);
+glm::vec3 shown_colour(const glm::vec3& colour, float (*visible_channel)(float));
 
 /// The planes as pictures of 8 bits a channel. Colour is cut as the lab's PutPixelSDL does:
 /// clamp(255 c, 0, 255), fraction dropped; or wraps, if that is the rule. Depth is coloured from

@@ -25,7 +25,7 @@ struct DrawTally {
     int triangles_outside = 0;        ///< triangles with such samples
     std::int64_t shaded = 0;          ///< fragments whose colour was worked out, drawn or not
     std::int64_t rows_looked_at = 0;  ///< rows asked by the edge samples of whole triangles
-    std::int64_t unset_rows = 0;      ///< rows without a sample that EmptyRows::overflow would draw
+    std::int64_t unset_rows = 0;      ///< rows without a sample that are drawn all the same
     std::int64_t depth_outside = 0;   ///< tested fragments whose pixel has no depth cell
 };
 

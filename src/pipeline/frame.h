@@ -1,19 +1,24 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "scene/scene.h"
+#include "settings/choose_stages.h"
 #include "settings/settings.h"
-#include "stages/stages.h"
 
 namespace rasterwalk {
+
+/// Puts other functions in slots of the table that the settings have chosen.
+using ReplaceStages = std::function<void(Stages&)>;
 
 /// A frame ready to be drawn: what is O(vertices) is worked out and kept; what is O(pixels) is left
 /// to draw(). Refers to its scene, which must live as long.
 struct Frame {
     const Scene* scene = nullptr;
-    const Stages* stages = &standard_stages();
     Settings settings;
+    ReplaceStages replace;          ///< functions beside those of the settings, or null
+    Stages stages;                  ///< the table by which it is drawn and inspected
     std::vector<Fragment> vertices; ///< projected; three for each triangle, in order
     std::vector<VertexFault>
         left_out; ///< for each triangle the reason why it is not drawn, or none
@@ -25,8 +30,20 @@ struct Frame {
     }
 };
 
+/// The table for a frame: what the settings choose, and what is put in its place.
+Stages stages_for(const Settings& settings, const ReplaceStages& replace);
+
 /// Runs the vertex shader over the scene. A triangle with one faulty vertex is left out whole.
 Frame prepare_frame(const Scene& scene, const Settings& settings,
-                    const Stages& stages = standard_stages());
+                    const ReplaceStages& replace = nullptr);
+
+/// The row table of a drawn triangle.
+/// @param sink    is told of each edge sample, or null
+/// @param carried the varyings that are wanted; where only places count, none
+void compute_rows(const Frame& frame, int triangle, PolygonRows& rows, SampleSink* sink = nullptr,
+                  VaryingSet carried = VaryingSet::all());
+
+/// The pixels that the bounds test lets through: the picture, or a little less.
+Rectangle drawn_area(const Frame& frame);
 
 } // namespace rasterwalk

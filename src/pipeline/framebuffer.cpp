@@ -1,7 +1,5 @@
 #include "pipeline/framebuffer.h"
 
-#include <utility>
-
 namespace rasterwalk {
 
 std::size_t Framebuffer::bytes() const {
@@ -22,9 +20,9 @@ void clear(Framebuffer& framebuffer, Viewport size, glm::ivec2 origin, const Pic
 }
 
 float stored_depth(const Framebuffer& framebuffer, int column, int row) {
-    if (framebuffer.rules.depth_index == DepthIndex::transposed) std::swap(column, row);
-    return framebuffer.contains(column, row) ? framebuffer.depth[framebuffer.at(column, row)]
-                                             : framebuffer.rules.depth_clear;
+    const glm::ivec2 cell = framebuffer.rules.depth_cell(column, row);
+    return framebuffer.contains(cell.x, cell.y) ? framebuffer.depth[framebuffer.at(cell.x, cell.y)]
+                                                : framebuffer.rules.depth_clear;
 }
 
 } // namespace rasterwalk

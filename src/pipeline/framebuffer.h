@@ -8,10 +8,19 @@
 #include <glm/vec3.hpp>
 
 #include "scene/scene.h"
-#include "stages/depth_test.h"
-#include "stages/put_pixel.h"
+#include "stages/stage_table.h"
 
 namespace rasterwalk {
+
+/// By which rules the planes are begun and shown; the functions are those of the table of stages.
+struct PictureRules {
+    float depth_clear = 0.0f; ///< of the depth buffer where nothing was drawn
+    decltype(Stages::depth_cell) depth_cell = rasterwalk::depth_cell;
+    decltype(Stages::to_byte) to_byte = rasterwalk::to_byte;
+    decltype(Stages::visible_channel) visible_channel = rasterwalk::visible_channel;
+
+    friend bool operator==(const PictureRules&, const PictureRules&) = default;
+};
 
 /// What has been drawn so far: four planes of width x height pixels, row by row from the top. They
 /// hold the whole picture, or a window of it.

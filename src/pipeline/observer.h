@@ -31,9 +31,7 @@ struct FragmentEvent {
 /// One sample of an edge, in the moment in which it is entered in the row table.
 struct SampleEvent {
     Cursor cursor;
-    Fragment sample;
-    float x = 0.0f, y = 0.0f; ///< its place before rounding, pixels
-    RowWrite write;
+    EdgeSample sample;
 };
 
 /// Is told what draw() does. Watching never changes what is drawn.
@@ -43,7 +41,7 @@ class Observer {
     virtual void vertex(const Cursor&, const Fragment&) {}
     virtual void edge_sample(const SampleEvent&) {}
     virtual void fragment(const FragmentEvent&) {}
-    /// False spares draw() the walk along the edges of a triangle a second time.
+    /// False spares draw() the telling of edge samples.
     virtual bool wants_edge_samples() const { return false; }
 };
 

@@ -168,8 +168,7 @@ Rectangle Replay::changed_between(const Cursor& from, const Cursor& to) const {
         // Neither vertices nor edge samples are drawn in these stages.
         const Cursor rows_begin{t, Phase::rows, 0, 0};
         if (!frame_->is_drawn(t) || to <= rows_begin) continue;
-        frame_->stages->compute_polygon_rows(frame_->triangle_vertices(t),
-                                             edge_rules(frame_->settings, {}), rows);
+        compute_rows(*frame_, t, rows, nullptr, {});
         const Cursor begin = std::max(from, rows_begin);
         const int first = std::max(begin.index, -rows.first_row);
         const int last_shown = std::min(rows.size(), whole.bottom - rows.first_row) - 1;
@@ -177,9 +176,8 @@ Rectangle Replay::changed_between(const Cursor& from, const Cursor& to) const {
         const bool is_one_row =
             has_fragments(frame_->settings.stage) && to.triangle == t && to.index == begin.index;
         for (int r = first; r <= last; ++r) {
-            const int count = rows.pixel_count(r);
-            if (count == 0) continue;
-            const int left = rows.left[r].column;
+            if (rows.is_empty_row(r)) continue;
+            const int count = rows.pixel_count(r), left = rows.left[r].column;
             const int begun = is_one_row ? std::clamp(begin.step, 0, count) : 0;
             const int ended = is_one_row ? std::clamp(to.step, 0, count) : count;
             box.left = std::min(box.left, left + begun);

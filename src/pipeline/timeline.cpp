@@ -14,8 +14,17 @@ int sample_total(const TriangleMoments& m) {
     return m.samples[0] + m.samples[1] + m.samples[2];
 }
 
+/// Counts the samples of each edge.
+class SampleCounts : public SampleSink {
+  public:
+    void edge_sample(const EdgeSample& sample) override {
+        ++samples[static_cast<std::size_t>(sample.edge)];
+    }
+    std::array<int, 3> samples{};
+};
+
 void find_spans(const Frame& frame, TriangleMoments& m) {
-    const Rectangle area = drawn_area(frame.settings);
+    const Rectangle area = drawn_area(frame);
     const bool fragments = has_fragments(frame.settings.stage);
     int total = 0;
     m.spans.clear();
@@ -25,10 +34,10 @@ void find_spans(const Frame& frame, TriangleMoments& m) {
         TriangleMoments::Span span;
         const int row = m.rows.first_row + r;
         if (row >= area.top && row < area.bottom && !m.rows.is_empty_row(r)) {
-            const int left = m.rows.left[r].column;
-            const int drawn = drawn_pixels(m.rows.pixel_count(r), frame.settings.spans);
+            const RowSpan drawn = row_span(frame.stages, m.rows, r);
+            const int left = drawn.left;
             const int first = std::max(left, area.left);
-            const int behind = std::min(left + drawn, area.right);
+            const int behind = std::min(left + drawn.drawn, area.right);
             span = fragments ? TriangleMoments::Span{first - left, std::max(behind - first, 0)}
                              : TriangleMoments::Span{0, 1};
         }
@@ -128,17 +137,13 @@ Cursor cursor_at(int ordinal, const TriangleMoments& m) {
 const TriangleMoments& Timeline::moments(int triangle) const {
     if (cache_.triangle == triangle) return cache_;
     const Stage stage = frame_->settings.stage;
-    const std::span<const Fragment> vertices = frame_->triangle_vertices(triangle);
-    const EdgeRules rules = edge_rules(frame_->settings, {});
+    SampleCounts counts;
     cache_.triangle = triangle;
     cache_.samples = {};
     cache_.count = vertex_moments;
-    frame_->stages->compute_polygon_rows(vertices, rules, cache_.rows);
+    compute_rows(*frame_, triangle, cache_.rows, &counts, {});
     if (stage >= Stage::edges) {
-        for (int e = 0; e < 3; ++e) {
-            cache_.samples[e] =
-                edge_sample_count(vertices[e], vertices[(e + 1) % 3], rules.samples);
-        }
+        cache_.samples = counts.samples;
         cache_.count += sample_total(cache_);
     }
     cache_.spans.clear();

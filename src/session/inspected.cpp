@@ -25,10 +25,10 @@ std::optional<int> wanted_row(const Session& session, const InspectedMoment& mom
                               const Inspected& inspected) {
     const int triangle = *moment.triangle;
     if (session.selection.row) {
-        const std::span<const Fragment> vertices = moment.frame.triangle_vertices(triangle);
-        const RowHistory history = row_history(vertices, edge_rules(moment.frame.settings), 0);
-        const int index = *session.selection.row - history.rows.first_row;
-        if (index >= 0 && index < history.rows.size()) return index;
+        PolygonRows rows;
+        compute_rows(moment.frame, triangle, rows);
+        const int index = *session.selection.row - rows.first_row;
+        if (index >= 0 && index < rows.size()) return index;
     }
     const std::optional<FragmentReport>& fragment = inspected.fragment;
     if (fragment && fragment->cursor.triangle == triangle) return fragment->cursor.index;

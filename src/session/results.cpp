@@ -49,6 +49,17 @@ void update_history(const Session& session, Results& results, bool new_frame) {
 
 } // namespace
 
+namespace {
+
+/// How many pixels the stages give to a row that no edge sample has reached.
+int unset_row_pixels(const Frame& frame) {
+    PolygonRows rows;
+    frame.stages.begin_polygon_rows(std::array<Fragment, 1>{}, edge_rules(frame.settings), rows);
+    return row_span(frame.stages, rows, 0).count;
+}
+
+} // namespace
+
 std::vector<std::string> describe_troubles(const Frame& frame) {
     std::vector<std::string> messages;
     std::array<int, vertex_fault_count> left_out{};
@@ -69,10 +80,7 @@ std::vector<std::string> describe_troubles(const Frame& frame) {
            "a vertex in column −1, which is taken for the mark of one behind the camera");
     const std::int64_t unset = count_unset_rows(frame);
     if (unset > 0) {
-        const EdgeRules rules = edge_rules(frame.settings);
-        const bool is_extreme = rules.row_start == RowStart::extreme;
-        const int pixels = is_extreme ? wrapped_pixel_count(empty_left, empty_right)
-                                      : wrapped_pixel_count(rules.window_width, 0);
+        const int pixels = unset_row_pixels(frame);
         messages.push_back(counted(static_cast<int>(unset), "row", "rows")
                                .append(" that no edge sample reached: right − left + 1 is ")
                                .append(std::to_string(pixels))
@@ -97,15 +105,7 @@ std::vector<std::string> describe_troubles(const Frame& frame) {
 
 RowHistory rows_at_cursor(const Frame& frame, int triangle, const Cursor& cursor) {
     if (!frame.is_drawn(triangle)) return {};
-    const std::span<const Fragment> vertices = frame.triangle_vertices(triangle);
-    const EdgeRules rules = edge_rules(frame.settings);
-    int samples = INT_MAX;
-    if (cursor.triangle < triangle) samples = 0;
-    if (cursor.triangle == triangle && cursor.phase == Phase::vertices) samples = 0;
-    if (cursor.triangle == triangle && cursor.phase == Phase::edges) {
-        samples = samples_before(vertices, rules, cursor.index, cursor.step);
-    }
-    return row_history(vertices, rules, samples);
+    return row_history(frame, triangle, cursor);
 }
 
 bool update(const Session& session, Results& results) {

@@ -1,8 +1,9 @@
 #pragma once
 
 #include "scene/scene.h"
-#include "stages/put_pixel.h"
-#include "stages/spans.h"
+#include "settings/choices.h"
+#include "stages/pixel_shader.h"
+#include "stages/polygon_rows.h"
 #include "stages/stages.h"
 
 namespace rasterwalk {
@@ -42,14 +43,9 @@ Settings default_settings(const Scene& scene);
 
 /// The part of the settings that each stage of the pipeline is told.
 VertexRules vertex_rules(const Settings& settings, SceneSpace space);
-LineRules line_rules(const Settings& settings);
 /// @param carried the varyings that are wanted; where only places count, none
 EdgeRules edge_rules(const Settings& settings, VaryingSet carried = VaryingSet::all());
 PixelRules pixel_rules(const Settings& settings);
-PictureRules picture_rules(const Settings& settings);
-
-/// The pixels that the bounds test lets through: the picture, or a little less.
-Rectangle drawn_area(const Settings& settings);
 
 /// The depth test in force: none before stage `depth`, whatever the setting says.
 DepthTest depth_rule(const Settings& settings);

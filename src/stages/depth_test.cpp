@@ -2,13 +2,16 @@
 
 namespace rasterwalk {
 
-float depth_value(const Fragment& fragment, DepthTest rule) {
-    return rule == DepthTest::linear_z ? 1.0f / fragment.z : fragment.zinv;
+DepthResult depth_test(const Fragment& fragment, float stored) {
+    return {fragment.zinv, fragment.zinv > stored};
 }
 
-bool depth_test(float value, float stored, DepthTest rule) {
-    if (rule == DepthTest::reversed) return value < stored;
-    return rule == DepthTest::off || value > stored;
+DepthResult no_depth_test(const Fragment& fragment, float) {
+    return {fragment.zinv, true};
+}
+
+glm::ivec2 depth_cell(int column, int row) {
+    return {column, row};
 }
 
 } // namespace rasterwalk

@@ -1,6 +1,7 @@
 #pragma once
 
-// The depth test: is this fragment nearer than what the pixel already shows?
+// The depth test: is this fragment nearer than what the pixel already shows? The field calls the
+// depth buffer a z-buffer.
 //
 // In:  a fragment and the value stored in the depth buffer.
 // Out: yes or no, and the value that is stored if yes.
@@ -11,37 +12,30 @@
 // mistake is to interpolate z itself; the room hides it, and slanted surfaces that cross show it.
 // Others are a test the wrong way round, a buffer that does not start at "infinitely far", and the
 // two indices in the wrong order.
+//
+// Source: the z-buffer is from Catmull, A Subdivision Algorithm for Computer Display of Curved
+// Surfaces, dissertation, University of Utah, 1974. That 1/z is linear on the screen: Blinn,
+// "Hyperbolic Interpolation", IEEE Computer Graphics and Applications 12(4), 1992.
 
-#include <cstdint>
+#include <glm/vec2.hpp>
 
-#include "scene/scene.h"
 #include "stages/fragment.h"
 
 namespace rasterwalk {
 
-enum class DepthTest : std::uint8_t {
-    inverse_z, ///< compares the interpolated 1/z: the lab
-    linear_z,  ///< compares z interpolated as if it were linear: wrong
-    off,       ///< the last one drawn wins
-    reversed,  ///< smaller 1/z wins: mistake B17
+/// What the depth test says of a fragment.
+struct DepthResult {
+    float depth = 0.0f;  ///< the fragment's value for the depth buffer: 1/z, larger is nearer
+    bool passed = false; ///< the fragment is to be drawn over what is stored
 };
 
-/// Which cell of the depth buffer belongs to the pixel (x, y).
-enum class DepthIndex : std::uint8_t {
-    row_major,  ///< [y][x]: row y, column x
-    transposed, ///< [x][y]: mistake B17; where the picture is not square some pixels have no cell
-};
+/// The nearer one is drawn: passes if the interpolated 1/z is larger than what is stored.
+DepthResult depth_test(const Fragment& fragment, float stored);
 
-/// Has the pixel a cell in a depth buffer of the picture's size? What would be read and written
-/// outside of it is under guard: nothing is stored there, and everything is nearer.
-constexpr bool has_depth_cell(int column, int row, Viewport picture, DepthIndex index) {
-    return index == DepthIndex::row_major || (column < picture.height && row < picture.width);
-}
+/// No test: the last one drawn wins.
+DepthResult no_depth_test(const Fragment& fragment, float stored);
 
-/// The value that the depth buffer would hold for a fragment: 1/z, larger is nearer.
-float depth_value(const Fragment& fragment, DepthTest rule);
-
-/// True if a fragment with this depth value is to be drawn over what is stored.
-bool depth_test(float value, float stored, DepthTest rule);
+/// The cell (x, y) of the depth buffer that belongs to the pixel (column, row).
+glm::ivec2 depth_cell(int column, int row);
 
 } // namespace rasterwalk

@@ -28,8 +28,26 @@ int exact_pixel(int a, int b, int i, int n, Rounding rounding) {
     return a;
 }
 
-bool adds_up(LineWalk walk) {
-    return walk == LineWalk::accumulate || walk == LineWalk::integer_step;
+LineSample sample_at(const LineStep& at, Rounding rounding) {
+    return {{to_pixel(at.x, rounding), to_pixel(at.y, rounding), at.zinv, at.z, at.varyings},
+            at.x,
+            at.y};
+}
+
+/// The values with which a walk begins, at their real place.
+LineStep values_at(const Fragment& end) {
+    return {static_cast<float>(end.column), static_cast<float>(end.row), end.zinv, end.z,
+            end.varyings};
+}
+
+/// op(into, a, b) for the place and for every value that is carried.
+template <class Op>
+void each_value(VaryingSet carried, LineStep& into, const LineStep& a, const LineStep& b, Op op) {
+    op(into.x, a.x, b.x);
+    op(into.y, a.y, b.y);
+    op(into.zinv, a.zinv, b.zinv);
+    op(into.z, a.z, b.z);
+    each_in(carried, into.varyings, a.varyings, b.varyings, op);
 }
 
 } // namespace
@@ -47,85 +65,71 @@ int to_pixel(float value, Rounding rounding) {
     return 0;
 }
 
-LineWalker::LineWalker(const Fragment& a, const Fragment& b, int count, const LineRules& rules)
-    : a_(a), b_(b), at_(a), rules_(rules), count_(std::max(count, 1)),
-      x_(static_cast<float>(a.column)), y_(static_cast<float>(a.row)) {
-    const float divisor = static_cast<float>(std::max(count_ - 1, 1));
-    step_x_ = static_cast<float>(b.column - a.column) / divisor;
-    step_y_ = static_cast<float>(b.row - a.row) / divisor;
-    if (rules.walk == LineWalk::integer_step) {
-        // The mistake: the division of whole numbers drops the fraction of the step.
-        const int steps = std::max(count_ - 1, 1);
-        const int step_x = (b.column - a.column) / steps, step_y = (b.row - a.row) / steps;
-        step_x_ = static_cast<float>(step_x);
-        step_y_ = static_cast<float>(step_y);
-    }
-    step_zinv_ = (b.zinv - a.zinv) / divisor;
-    step_z_ = (b.z - a.z) / divisor;
+LineStep line_step(const Fragment& a, const Fragment& b, const LinePart& part) {
+    const float steps = static_cast<float>(std::max(part.count - 1, 1));
+    LineStep step{static_cast<float>(b.column - a.column) / steps,
+                  static_cast<float>(b.row - a.row) / steps,
+                  (b.zinv - a.zinv) / steps,
+                  (b.z - a.z) / steps,
+                  {}};
     each_in(
-        rules.carried, step_varyings_, a.varyings, b.varyings,
-        [divisor](auto& step, const auto& from, const auto& to) { step = (to - from) / divisor; });
+        part.carried, step.varyings, a.varyings, b.varyings,
+        [steps](auto& value, const auto& from, const auto& to) { value = (to - from) / steps; });
+    return step;
 }
 
-const Fragment& LineWalker::sample() {
-    if (rules_.walk == LineWalk::exact) {
-        return sample_at(exact_pixel(a_.column, b_.column, index_, count_ - 1, rules_.rounding),
-                         exact_pixel(a_.row, b_.row, index_, count_ - 1, rules_.rounding));
-    }
-    return sample_at(to_pixel(x_, rules_.rounding), to_pixel(y_, rules_.rounding));
-}
-
-void LineWalker::advance() {
-    ++index_;
-    if (!adds_up(rules_.walk)) {
-        set_by_index();
-        return;
-    }
-    x_ += step_x_;
-    y_ += step_y_;
-    at_.zinv += step_zinv_;
-    at_.z += step_z_;
-    each_in(rules_.carried, at_.varyings, at_.varyings, step_varyings_,
-            [](auto& sum, const auto& value, const auto& step) { sum = value + step; });
-}
-
-void LineWalker::advance_to(int index) {
-    if (adds_up(rules_.walk)) {
-        while (index_ < index)
-            advance();
-    } else if (index_ < index) {
-        index_ = index;
-        set_by_index();
+void interpolate(const Fragment& a, const Fragment&, const LineStep& step, const LinePart& part,
+                 std::span<LineSample> result) {
+    LineStep current = values_at(a);
+    const auto advance = [&] {
+        each_value(part.carried, current, current, step,
+                   [](auto& sum, const auto& value, const auto& more) { sum = value + more; });
+    };
+    for (int i = 0; i < part.first; ++i)
+        advance();
+    for (LineSample& sample : result) {
+        sample = sample_at(current, part.rounding);
+        advance();
     }
 }
 
-void LineWalker::set_by_index() {
-    const float i = static_cast<float>(index_);
-    if (rules_.walk == LineWalk::multiply) {
-        x_ = static_cast<float>(a_.column) + i * step_x_;
-        y_ = static_cast<float>(a_.row) + i * step_y_;
-        at_.zinv = a_.zinv + i * step_zinv_;
-        at_.z = a_.z + i * step_z_;
-        each_in(rules_.carried, at_.varyings, a_.varyings, step_varyings_,
-                [i](auto& value, const auto& from, const auto& step) { value = from + step * i; });
-        return;
+void interpolate_by_multiplying(const Fragment& a, const Fragment&, const LineStep& step,
+                                const LinePart& part, std::span<LineSample> result) {
+    const LineStep start = values_at(a);
+    LineStep current = start;
+    int index = part.first;
+    for (LineSample& sample : result) {
+        const float i = static_cast<float>(index);
+        // The first sample is the end itself, even where 0 times the step is not 0.
+        if (index > 0) {
+            each_value(
+                part.carried, current, start, step,
+                [i](auto& value, const auto& from, const auto& more) { value = from + more * i; });
+        }
+        sample = sample_at(current, part.rounding);
+        ++index;
     }
-    const float t = i / static_cast<float>(std::max(count_ - 1, 1));
-    const float s = 1.0f - t;
-    x_ = static_cast<float>(a_.column) * s + static_cast<float>(b_.column) * t;
-    y_ = static_cast<float>(a_.row) * s + static_cast<float>(b_.row) * t;
-    at_.zinv = a_.zinv * s + b_.zinv * t;
-    at_.z = a_.z * s + b_.z * t;
-    each_in(rules_.carried, at_.varyings, a_.varyings, b_.varyings,
-            [s, t](auto& value, const auto& from, const auto& to) { value = from * s + to * t; });
 }
 
-void interpolate(const Fragment& a, const Fragment& b, const LineRules& rules,
-                 std::span<Fragment> result) {
-    LineWalker walker(a, b, static_cast<int>(result.size()), rules);
-    for (Fragment& sample : result) {
-        sample = walker.sample();
-        walker.advance();
+void interpolate_exactly(const Fragment& a, const Fragment& b, const LineStep&,
+                         const LinePart& part, std::span<LineSample> result) {
+    const int steps = part.count - 1;
+    const LineStep start = values_at(a), end = values_at(b);
+    LineStep current = start;
+    int index = part.first;
+    for (LineSample& sample : result) {
+        const float t = static_cast<float>(index) / static_cast<float>(std::max(steps, 1));
+        const float s = 1.0f - t;
+        if (index > 0) {
+            each_value(part.carried, current, start, end,
+                       [s, t](auto& value, const auto& from, const auto& to) {
+                           value = from * s + to * t;
+                       });
+        }
+        sample = sample_at(current, part.rounding);
+        sample.fragment.column = exact_pixel(a.column, b.column, index, steps, part.rounding);
+        sample.fragment.row = exact_pixel(a.row, b.row, index, steps, part.rounding);
+        ++index;
     }
 }
 

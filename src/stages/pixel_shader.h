@@ -10,8 +10,10 @@
 // With perspective-correct interpolation the varyings arrive as q/z, and q = (q/z) / (1/z) undoes
 // it here. The classic mistake is to interpolate q itself: then every wall has a kink along its
 // diagonal, because its two triangles bend the light differently.
-
-#include <cstdint>
+//
+// Source: P. S. Heckbert, H. P. Moreton, "Interpolation for Polygon Texture Mapping and Shading",
+// State of the Art in Computer Graphics, 1991; J. F. Blinn, "Hyperbolic Interpolation", IEEE
+// Computer Graphics and Applications 12(4), 1992. Gouraud and Phong shading: see light.h.
 
 #include <glm/vec3.hpp>
 
@@ -22,11 +24,7 @@
 
 namespace rasterwalk {
 
-/// When the colour of a fragment is worked out. The picture is the same, the work is not.
-enum class Shading : std::uint8_t {
-    after_depth_test,  ///< only for fragments that are drawn
-    before_depth_test, ///< for every fragment: mistake B18
-};
+struct Stages;
 
 /// What is the same for all fragments of a triangle.
 struct Surface {
@@ -37,8 +35,6 @@ struct Surface {
 /// The rules by which a fragment is coloured.
 struct PixelRules {
     Light light;
-    LightRules light_rules;
-    Interpolation interpolation = Interpolation::perspective;
     Lighting lighting = Lighting::none;
 };
 
@@ -55,10 +51,18 @@ constexpr VaryingSet varyings_read(Lighting lighting) {
     return {};
 }
 
-/// The varyings of a fragment as q, whichever way they were carried.
-Varyings recover_varyings(const Fragment& fragment, Interpolation interpolation);
+/// What the varyings of a fragment are multiplied by while they are interpolated: 1/z, so that they
+/// change in equal steps along a row.
+constexpr float varying_weight(float zinv) {
+    return zinv;
+}
+
+/// The varyings of a fragment as q: divided by their weight.
+Varyings recover_varyings(const Fragment& fragment, const Stages& stages);
 
 /// The lab's PixelShader, without the depth test.
-glm::vec3 pixel_shader(const Fragment& fragment, const Surface& surface, const PixelRules& rules);
+/// @param stages the table whose functions light the fragment and weigh its varyings
+glm::vec3 pixel_shader(const Fragment& fragment, const Surface& surface, const PixelRules& rules,
+                       const Stages& stages);
 
 } // namespace rasterwalk

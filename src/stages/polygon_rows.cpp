@@ -2,34 +2,53 @@
 
 #include <algorithm>
 
+#include "stages/stage_table.h"
+
 namespace rasterwalk {
 
-void begin_polygon_rows(std::span<const Fragment> vertices, const EdgeRules& rules,
-                        PolygonRows& rows) {
+Rectangle polygon_box(std::span<const Fragment> vertices, const EdgeRules&) {
+    Rectangle box{vertices[0].column, vertices[0].row, vertices[0].column + 1, vertices[0].row + 1};
+    for (const Fragment& vertex : vertices.subspan(1)) {
+        box.left = std::min(box.left, vertex.column);
+        box.right = std::max(box.right, vertex.column + 1);
+        box.top = std::min(box.top, vertex.row);
+        box.bottom = std::max(box.bottom, vertex.row + 1);
+    }
+    return box;
+}
+
+void begin_polygon_rows(std::span<const Fragment> vertices, const EdgeRules&, PolygonRows& rows) {
     const auto [top, bottom] =
         std::minmax_element(vertices.begin(), vertices.end(),
                             [](const Fragment& a, const Fragment& b) { return a.row < b.row; });
     rows.first_row = top->row;
     rows.outside = 0;
+    rows.looked_at = 0;
     const auto count = static_cast<std::size_t>(bottom->row - top->row + 1);
     Fragment empty;
-    const bool is_extreme = rules.row_start == RowStart::extreme;
-    empty.column = is_extreme ? empty_left : rules.window_width;
+    empty.column = empty_left;
     rows.left.assign(count, empty);
-    empty.column = is_extreme ? empty_right : 0;
+    empty.column = empty_right;
     rows.right.assign(count, empty);
     for (std::size_t i = 0; i < count; ++i) {
         rows.left[i].row = rows.right[i].row = rows.first_row + static_cast<int>(i);
     }
 }
 
-RowWrite add_edge_sample(const Fragment& sample, PolygonRows& rows) {
-    const int index = sample.row - rows.first_row;
-    if (index < 0 || index >= rows.size()) {
+FoundRow find_row(int row, const PolygonRows& rows) {
+    const int index = row - rows.first_row;
+    return {index >= 0 && index < rows.size() ? index : -1, 1};
+}
+
+RowWrite add_edge_sample(const Fragment& sample, const Stages& stages, PolygonRows& rows) {
+    const FoundRow row = stages.find_row(sample.row, rows);
+    rows.looked_at += row.looked_at;
+    if (row.index < 0) {
         ++rows.outside;
         return {};
     }
     RowWrite write{true, false, false};
+    const auto index = static_cast<std::size_t>(row.index);
     if (sample.column < rows.left[index].column) {
         rows.left[index] = sample;
         write.left = true;
@@ -42,12 +61,21 @@ RowWrite add_edge_sample(const Fragment& sample, PolygonRows& rows) {
 }
 
 void compute_polygon_rows(std::span<const Fragment> vertices, const EdgeRules& rules,
-                          PolygonRows& rows) {
-    begin_polygon_rows(vertices, rules, rows);
+                          const Stages& stages, PolygonRows& rows, SampleSink* sink) {
+    stages.begin_polygon_rows(vertices, rules, rows);
+    if (sink != nullptr) sink->begin_rows(rows);
     for (std::size_t i = 0; i < vertices.size(); ++i) {
-        const Fragment& next = vertices[(i + 1) % vertices.size()];
-        for (LineWalker edge = walk_edge(vertices[i], next, rules); !edge.done(); edge.advance()) {
-            add_edge_sample(edge.sample(), rows);
+        const Fragment& a = vertices[i];
+        const Fragment& b = vertices[(i + 1) % vertices.size()];
+        const int count = stages.edge_sample_count(a, b);
+        rows.line.resize(static_cast<std::size_t>(count));
+        const LinePart part{count, 0, rules.rounding, rules.carried};
+        stages.interpolate(a, b, stages.line_step(a, b, part), part, rows.line);
+        for (int s = 0; s < count; ++s) {
+            const LineSample& sample = rows.line[static_cast<std::size_t>(s)];
+            const RowWrite write = add_edge_sample(sample.fragment, stages, rows);
+            if (sink == nullptr) continue;
+            sink->edge_sample({static_cast<int>(i), s, sample.x, sample.y, sample.fragment, write});
         }
     }
 }

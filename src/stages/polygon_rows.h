@@ -1,6 +1,7 @@
 #pragma once
 
-// The row table: where every row of a polygon begins and ends.
+// The row table: where every row of a polygon begins and ends. The field calls this scan
+// conversion, a row of it a span and the whole a span or edge table.
 //
 // In:  the projected vertices of a polygon.
 // Out: two arrays with one entry a row: leftPixels and rightPixels of the lab.
@@ -12,21 +13,21 @@
 // values that are not extreme, and to trust that each sample falls in one of the table's rows: with
 // accumulated floats a few per cent of edges leave it, and a program without a guard writes to row
 // -1.
+//
+// Source: Foley, van Dam, Feiner, Hughes, Computer Graphics: Principles and Practice, 2nd edition,
+// section 3.6, filling polygons span by span.
 
 #include <climits>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "stages/edges.h"
+#include "stages/interpolate.h"
+#include "stages/rectangle.h"
 
 namespace rasterwalk {
 
-/// How an edge sample finds its row in the table. The picture is the same, the work is not.
-enum class RowSearch : std::uint8_t {
-    indexed,  ///< by its own number: row - first_row
-    all_rows, ///< by asking every row of the table: mistake B27
-};
+struct Stages;
 
 /// The left end of a row that no sample has reached yet; the right end then stands at -empty_left.
 inline constexpr int empty_left = INT_MAX;
@@ -34,10 +35,12 @@ inline constexpr int empty_right = -INT_MAX;
 
 /// One row of pixels for every row that the polygon's vertices span.
 struct PolygonRows {
-    int first_row = 0;           ///< row of the picture that left[0] and right[0] belong to
-    std::vector<Fragment> left;  ///< the lab's leftPixels
-    std::vector<Fragment> right; ///< the lab's rightPixels
-    int outside = 0;             ///< samples that fell above or below the table; never written
+    int first_row = 0;            ///< row of the picture that left[0] and right[0] belong to
+    std::vector<Fragment> left;   ///< the lab's leftPixels
+    std::vector<Fragment> right;  ///< the lab's rightPixels
+    int outside = 0;              ///< samples that fell above or below the table; never written
+    std::int64_t looked_at = 0;   ///< rows that were asked on the samples' way to their own
+    std::vector<LineSample> line; ///< the edge walked last; kept to save allocations
 
     int size() const { return static_cast<int>(left.size()); }
     bool is_empty_row(int index) const { return left[index].column > right[index].column; }
@@ -56,16 +59,58 @@ struct RowWrite {
     friend bool operator==(const RowWrite&, const RowWrite&) = default;
 };
 
+/// One sample of an edge, as it is entered in the table. Counts from 0.
+struct EdgeSample {
+    int edge = 0;             ///< of the polygon
+    int sample = 0;           ///< of the edge
+    float x = 0.0f, y = 0.0f; ///< its real place before rounding, pixels
+    Fragment fragment;        ///< its pixel, 1/z and varyings
+    RowWrite write;           ///< what it did
+};
+
+/// Is told what compute_polygon_rows does, while it does it.
+class SampleSink {
+  public:
+    virtual ~SampleSink() = default;
+    /// The empty table, before the first sample.
+    virtual void begin_rows(const PolygonRows&) {}
+    virtual void edge_sample(const EdgeSample&) = 0;
+};
+
+/// The rules by which edges become rows.
+struct EdgeRules {
+    Rounding rounding = Rounding::truncate;
+    int picture_width = 0;                  ///< pixels
+    VaryingSet carried = VaryingSet::all(); ///< the varyings that are wanted
+
+    friend bool operator==(const EdgeRules&, const EdgeRules&) = default;
+};
+
+/// Where a row of the picture stands in the table.
+struct FoundRow {
+    int index = -1;    ///< in the table; -1: the table has no such row
+    int looked_at = 1; ///< rows that were asked
+};
+
+/// All pixels that the rows of a polygon can reach, but for the rounding errors of the walk.
+Rectangle polygon_box(std::span<const Fragment> vertices, const EdgeRules& rules);
+
 /// Empties the table and gives it one row for every row between the highest and the lowest vertex.
 void begin_polygon_rows(std::span<const Fragment> vertices, const EdgeRules& rules,
                         PolygonRows& rows);
 
+/// Finds a row of the picture in the table: by its own number, row - first_row.
+FoundRow find_row(int row, const PolygonRows& rows);
+
 /// Enters one edge sample: lowers the left end of its row, or raises the right end, or both.
-RowWrite add_edge_sample(const Fragment& sample, PolygonRows& rows);
+RowWrite add_edge_sample(const Fragment& sample, const Stages& stages, PolygonRows& rows);
 
 /// The lab's ComputePolygonRows: all samples of all edges, in order; edge i goes from vertex i to
 /// vertex i + 1, the last back to the first. `rows` is reused to save allocations.
+/// @param vertices at least one
+/// @param stages   the table whose functions walk the edges and find the rows
+/// @param sink     is told of every sample, or null
 void compute_polygon_rows(std::span<const Fragment> vertices, const EdgeRules& rules,
-                          PolygonRows& rows);
+                          const Stages& stages, PolygonRows& rows, SampleSink* sink);
 
 } // namespace rasterwalk

@@ -23,14 +23,4 @@ const std::array<StageInfo, stage_count>& stage_list() {
     return list;
 }
 
-const Stages& standard_stages() {
-    static constexpr Stages stages{vertex_shader, compute_polygon_rows, depth_test, pixel_shader,
-                                   varyings_read};
-    return stages;
-}
-
-VaryingSet carried_varyings(const Stages& stages, Lighting lighting) {
-    return stages.varyings_read(lighting) | varyings_with(VaryingUse::always);
-}
-
 } // namespace rasterwalk

@@ -1,14 +1,11 @@
 #pragma once
 
-// The stages of the lab, in order, and the one table of the functions that carry them out.
+// The stages of the lab, in order.
 
 #include <array>
 #include <cstdint>
 #include <string_view>
 
-#include "stages/depth_test.h"
-#include "stages/pixel_shader.h"
-#include "stages/polygon_rows.h"
 #include "stages/vertex_shader.h"
 
 namespace rasterwalk {
@@ -40,22 +37,5 @@ constexpr Lighting lighting_of(Stage stage) {
     if (stage == Stage::vertex_light) return Lighting::per_vertex;
     return stage == Stage::pixel_light ? Lighting::per_pixel : Lighting::none;
 }
-
-/// The functions that carry out the pipeline; each can be replaced by a variant. Who replaces the
-/// pixel shader by one that reads other varyings replaces varyings_read too.
-struct Stages {
-    ShadedVertex (*vertex_shader)(const Vertex&, const glm::mat3& rotation, const VertexRules&);
-    void (*compute_polygon_rows)(std::span<const Fragment>, const EdgeRules&, PolygonRows&);
-    bool (*depth_test)(float value, float stored, DepthTest);
-    glm::vec3 (*pixel_shader)(const Fragment&, const Surface&, const PixelRules&);
-    VaryingSet (*varyings_read)(Lighting);
-};
-
-/// The varyings that edges and rows carry in a frame: what the pixel shader reads, and those that
-/// are always carried.
-VaryingSet carried_varyings(const Stages& stages, Lighting lighting);
-
-/// The stages as this project carries them out.
-const Stages& standard_stages();
 
 } // namespace rasterwalk

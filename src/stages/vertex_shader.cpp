@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stages/stage_table.h"
+
 namespace rasterwalk {
 
 namespace {
@@ -11,17 +13,18 @@ bool is_finite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-Varyings start_varyings(const Vertex& vertex, float zinv, const VertexRules& rules) {
+Varyings start_varyings(const Vertex& vertex, float zinv, const VertexRules& rules,
+                        const Stages& stages) {
     Varyings varyings;
     varyings.position_world = vertex.position;
     varyings.normal = vertex.normal;
     varyings.colour = vertex.reflectance;
     if (rules.lighting == Lighting::per_vertex) {
-        varyings.illumination = reflected_light(vertex.position, vertex.normal, vertex.reflectance,
-                                                rules.light, rules.light_rules)
-                                    .reflected;
+        varyings.illumination =
+            stages.reflected_light(vertex.position, vertex.normal, vertex.reflectance, rules.light)
+                .reflected;
     }
-    return rules.interpolation == Interpolation::affine ? varyings : varyings * zinv;
+    return varyings * stages.varying_weight(zinv);
 }
 
 } // namespace
@@ -37,7 +40,7 @@ glm::mat3 camera_rotation(const Camera& camera) {
 }
 
 ShadedVertex vertex_shader(const Vertex& vertex, const glm::mat3& rotation,
-                           const VertexRules& rules) {
+                           const VertexRules& rules, const Stages& stages) {
     ShadedVertex shaded;
     shaded.position_world = vertex.position;
     int middle_column = 0, middle_row = 0;
@@ -86,7 +89,7 @@ ShadedVertex vertex_shader(const Vertex& vertex, const glm::mat3& rotation,
     }
     shaded.pixel.zinv = zinv;
     shaded.pixel.z = z;
-    shaded.pixel.varyings = start_varyings(vertex, zinv, rules);
+    shaded.pixel.varyings = start_varyings(vertex, zinv, rules, stages);
     return shaded;
 }
 

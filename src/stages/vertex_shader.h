@@ -24,14 +24,7 @@
 
 namespace rasterwalk {
 
-/// How varyings are carried between vertices.
-enum class Interpolation : std::uint8_t {
-    perspective, ///< q/z is interpolated and divided by 1/z at the pixel: right
-    affine,      ///< q is interpolated as it is: wrong except at the vertices; mistake B3
-    zinv_twice,  ///< q/z is multiplied by 1/z again at the ends of a row, divided once: mistake B4
-};
-
-inline constexpr int interpolation_count = 3;
+struct Stages;
 
 /// Where light is computed.
 enum class Lighting : std::uint8_t { none, per_vertex, per_pixel };
@@ -83,9 +76,7 @@ struct VertexRules {
     Viewport viewport;
     SceneSpace space = SceneSpace::world;
     Rounding rounding = Rounding::truncate;
-    Interpolation interpolation = Interpolation::perspective;
     Lighting lighting = Lighting::none;
-    LightRules light_rules;
     BehindCamera behind_camera = BehindCamera::left_out;
     OutsidePicture outside_picture = OutsidePicture::kept;
     Rotation rotation = Rotation::row_vector;
@@ -107,7 +98,8 @@ struct ShadedVertex {
 glm::mat3 camera_rotation(const Camera& camera);
 
 /// The lab's VertexShader. `rotation` is camera_rotation(rules.camera), computed once a frame.
+/// `stages` is the table whose functions light the vertex and weigh its varyings.
 ShadedVertex vertex_shader(const Vertex& vertex, const glm::mat3& rotation,
-                           const VertexRules& rules);
+                           const VertexRules& rules, const Stages& stages);
 
 } // namespace rasterwalk

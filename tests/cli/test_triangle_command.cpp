@@ -8,6 +8,7 @@
 #include "inspect/triangle_report.h"
 #include "session/content.h"
 #include "support/samples.h"
+#include "support/walks.h"
 #include "tests/cli/run.h"
 
 using namespace rasterwalk;
@@ -163,17 +164,17 @@ TEST_CASE("A triangle's report is the row table in one go, sample by sample") {
                 CHECK(report.rows.rows.size() == 0);
                 continue;
             }
-            compute_polygon_rows(frame.triangle_vertices(t), edge_rules(settings), direct);
+            compute_polygon_rows(frame.triangle_vertices(t), settings, direct);
             CHECK(report.rows.rows.left == direct.left);
             CHECK(report.rows.rows.right == direct.right);
             int samples = 0;
             std::size_t outside = 0;
             for (const EdgeReport& edge : report.edges) {
                 CHECK(static_cast<int>(edge.samples.size()) == edge.count);
-                for (const SampleStep& step : edge.samples) {
+                for (const EdgeSample& step : edge.samples) {
                     // The table that is made up to this sample has it as its last.
-                    const RowHistory until =
-                        row_history(frame.triangle_vertices(t), edge_rules(settings), ++samples);
+                    const RowHistory until = row_history(
+                        frame.triangle_vertices(t), edge_rules(settings), frame.stages, ++samples);
                     REQUIRE(until.last);
                     if (!(until.last->write == step.write) || until.last->x != step.x ||
                         until.last->y != step.y || !(until.last->fragment == step.fragment)) {

@@ -13,6 +13,7 @@
 #include "support/effort.h"
 #include "support/frames.h"
 #include "support/recorder.h"
+#include "support/walks.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;
@@ -58,15 +59,16 @@ std::map<Cursor, Seen> everything(const Frame& frame, bool with_light, bool as_s
         }
     }
     for (const SampleEvent& event : recorder.samples) {
-        all[event.cursor].work = {bits(event.sample.column), bits(event.sample.row),
-                                  event.write.inside ? 1U : 0U};
+        all[event.cursor].work = {bits(event.sample.fragment.column),
+                                  bits(event.sample.fragment.row),
+                                  event.sample.write.inside ? 1U : 0U};
     }
     for (const FragmentEvent& event : recorder.fragments) {
         std::vector<std::uint32_t> seen{bits(event.fragment.column), bits(event.fragment.row),
                                         static_cast<std::uint32_t>(event.fate)};
         // A mark has no depth.
         if (has_fragments(frame.settings.stage)) seen.push_back(bits(event.depth));
-        const glm::vec3 shown = shown_colour(event.after, frame.settings.colour_over_one);
+        const glm::vec3 shown = shown_colour(event.after, frame.stages.visible_channel);
         if (event.fate == Fate::written) add(seen, as_shown ? shown : event.after);
         all[event.cursor].fragments.push_back(seen);
     }

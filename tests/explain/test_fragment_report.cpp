@@ -15,6 +15,7 @@
 #include "support/made_scene.h"
 #include "support/random.h"
 #include "support/samples.h"
+#include "support/walks.h"
 
 using namespace rasterwalk;
 using rasterwalk::test::same_bits;
@@ -100,8 +101,8 @@ void check_row_end(const FragmentReport& report, const PolygonRows& rows, const 
 
 void check_sources(const Frame& frame, const FragmentReport& report, const std::string& where) {
     PolygonRows rows;
-    compute_polygon_rows(frame.triangle_vertices(report.cursor.triangle),
-                         edge_rules(frame.settings), rows);
+    test::compute_polygon_rows(frame.triangle_vertices(report.cursor.triangle), frame.settings,
+                               rows);
     const VertexReport vertex = vertex_report(frame, report.cursor.triangle, 0);
     for (const Formula& formula : report.formulas) {
         for (const FormulaInput& input : formula.inputs) {
@@ -156,7 +157,7 @@ void check_against_event(const FragmentReport& report, const FragmentEvent& even
     expect("depth", result(report, "depth"), event.depth);
     expect("margin", result(report, "margin"), event.depth - event.stored);
     if (report.fate != event.fate) FAIL(where << "has another fate");
-    const Varyings used = recover_varyings(event.fragment, report.interpolation);
+    const Varyings used = test::recover_varyings(event.fragment, report.interpolation);
     for (const Quantity q : places) {
         expect("place", result(report, formula_id(q, report.interpolation)), part_of(used, q));
     }

@@ -168,8 +168,7 @@ TEST_CASE("The table's facts are of the finished table of the triangle on show")
     bench.session = open_session(lessons_folder() + "/scenes/one-triangle.toml");
     bench.session.cursor = cursor_begin;
     update(bench.session, bench.results);
-    const RowHistory rows =
-        row_history(bench.results.frame.triangle_vertices(0), edge_rules(bench.session.settings));
+    const RowHistory rows = row_history(bench.results.frame, 0);
     CHECK(bench.number("table.rows") == rows.rows.size());
     CHECK(bench.number("table.first_row") == rows.rows.first_row);
     CHECK(bench.number("table.edge1.samples") + bench.number("table.edge2.samples") +

@@ -9,6 +9,7 @@
 
 #include "support/oracle.h"
 #include "support/random.h"
+#include "support/walks.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;
@@ -22,8 +23,8 @@ Fragment at(int column, int row) {
     return fragment;
 }
 
-std::vector<EdgeRules> all_rules() {
-    std::vector<EdgeRules> list;
+std::vector<WalkRules> all_rules() {
+    std::vector<WalkRules> list;
     for (const LineWalk walk : {LineWalk::accumulate, LineWalk::multiply, LineWalk::exact}) {
         for (const Rounding rounding : {Rounding::truncate, Rounding::floor, Rounding::round}) {
             for (const EdgeSamples samples : {EdgeSamples::longest_axis, EdgeSamples::rows})
@@ -84,7 +85,7 @@ TEST_CASE("The smallest edge that leaves its rows shows where its last row was l
 
 TEST_CASE("Every number under the microscope is the one found another way") {
     Random random(50);
-    for (const EdgeRules& rules : all_rules()) {
+    for (const WalkRules& rules : all_rules()) {
         for (int round = 0; round < 120; ++round) {
             const Fragment a = at(random.integer(-60, 500), random.integer(-60, 500));
             const Fragment b = at(random.integer(-60, 500), random.integer(-60, 500));
@@ -128,7 +129,7 @@ TEST_CASE("Every number under the microscope is the one found another way") {
 
 TEST_CASE("An edge walked by fractions is the same there and back, and meets its end") {
     Random random(51);
-    EdgeRules rules;
+    WalkRules rules;
     rules.line.walk = LineWalk::exact;
     for (int round = 0; round < 300; ++round) {
         const Fragment a = at(random.integer(-60, 500), random.integer(-60, 500));
@@ -163,7 +164,7 @@ TEST_CASE("An edge of one sample is its start, and a level edge sampled by rows 
     CHECK(point.at(0).x.exact == Fraction{-4, 1});
     CHECK(point.at(0).y.drift == 0.0);
     CHECK_FALSE(point.summary.misses_end);
-    EdgeRules by_rows;
+    WalkRules by_rows;
     by_rows.samples = EdgeSamples::rows;
     const EdgeMicroscope level = microscope(at(2, 5), at(9, 5), by_rows);
     REQUIRE(level.count == 1);
@@ -185,16 +186,16 @@ TEST_CASE("The longest edge there can be is put under the microscope whole") {
 TEST_CASE("A microscope knows the edge it shows by its ends and rules") {
     const Fragment a = at(1, 2), b = at(8, 5);
     const EdgeMicroscope edge = microscope(a, b, {});
-    CHECK(edge.shows(a, b, {}));
-    CHECK_FALSE(edge.shows(b, a, {}));
-    CHECK_FALSE(edge.shows(a, at(8, 6), {}));
-    EdgeRules other;
+    CHECK(shows(edge, a, b, {}));
+    CHECK_FALSE(shows(edge, b, a, {}));
+    CHECK_FALSE(shows(edge, a, at(8, 6), {}));
+    WalkRules other;
     other.line.rounding = Rounding::floor;
-    CHECK_FALSE(edge.shows(a, b, other));
+    CHECK_FALSE(shows(edge, a, b, other));
     other = {};
     other.samples = EdgeSamples::rows;
-    CHECK_FALSE(edge.shows(a, b, other));
-    CHECK_FALSE(EdgeMicroscope{}.shows(a, b, {}));
+    CHECK_FALSE(shows(edge, a, b, other));
+    CHECK_FALSE(shows(EdgeMicroscope{}, a, b, {}));
 }
 
 TEST_CASE("A fraction is written in lowest terms, a whole number without a denominator") {

@@ -31,9 +31,8 @@ std::string first_fault(const Frame& frame, const Framebuffer& picture, const gl
     }
     const Settings& settings = frame.settings;
     const bool reversed = depth_rule(settings) == DepthTest::reversed;
-    const bool has_cell =
-        has_depth_cell(pixel.x, pixel.y, settings.viewport, settings.depth_index) ||
-        !has_fragments(settings.stage);
+    const bool has_cell = has_depth_cell(frame.stages, pixel.x, pixel.y, settings.viewport) ||
+                          !has_fragments(settings.stage);
     float depth = settings.depth_clear, winner_depth = depth;
     glm::vec3 colour(0.0f);
     int owner = -1, last_written = -1;

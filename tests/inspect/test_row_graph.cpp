@@ -9,6 +9,7 @@
 #include "support/random.h"
 #include "support/recorder.h"
 #include "support/samples.h"
+#include "support/walks.h"
 
 using namespace rasterwalk;
 using rasterwalk::test::same_bits;
@@ -32,7 +33,7 @@ TEST_CASE("Along a row the graph has the numbers that are drawn, under either in
         draw(frame, {{t, Phase::rows, *index, 0}, {t, Phase::rows, *index + 1, 0}, {}}, framebuffer,
              &recorder);
         REQUIRE(static_cast<int>(recorder.fragments.size()) ==
-                drawn_pixels(graph->count(), settings.spans));
+                frame.stages.drawn_pixels(graph->count()));
         for (const FragmentEvent& event : recorder.fragments) {
             const Fragment& shown = graph->at(settings.interpolation, event.cursor.step);
             if (!same_bits(shown, event.fragment)) {
@@ -86,7 +87,7 @@ TEST_CASE("The widest row is the one with the most pixels in the picture") {
     for (int t = 0; t < frame.triangle_count(); ++t) {
         if (!frame.is_drawn(t)) continue;
         PolygonRows rows;
-        compute_polygon_rows(frame.triangle_vertices(t), edge_rules(settings), rows);
+        test::compute_polygon_rows(frame.triangle_vertices(t), settings, rows);
         std::vector<int> seen(rows.left.size(), 0);
         int most = 0;
         for (std::size_t r = 0; r < seen.size(); ++r) {

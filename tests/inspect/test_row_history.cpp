@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <random>
 #include <sstream>
 #include <string>
@@ -9,7 +10,10 @@
 
 #include <catch2/catch.hpp>
 
+#include "support/walks.h"
+
 using namespace rasterwalk;
+using namespace rasterwalk::test;
 
 namespace {
 
@@ -30,8 +34,8 @@ Triangle3 random_triangle(std::mt19937& random) {
     return {at(c[0], c[1]), at(c[2], c[3]), at(c[4], c[5])};
 }
 
-std::vector<EdgeRules> all_rules() {
-    std::vector<EdgeRules> list;
+std::vector<WalkRules> all_rules() {
+    std::vector<WalkRules> list;
     for (const LineWalk walk : {LineWalk::accumulate, LineWalk::multiply, LineWalk::exact}) {
         for (const Rounding rounding : {Rounding::truncate, Rounding::floor, Rounding::round}) {
             for (const EdgeSamples samples : {EdgeSamples::longest_axis, EdgeSamples::rows}) {
@@ -42,7 +46,7 @@ std::vector<EdgeRules> all_rules() {
     return list;
 }
 
-std::string describe(const Triangle3& t, const EdgeRules& rules) {
+std::string describe(const Triangle3& t, const WalkRules& rules) {
     std::ostringstream text;
     for (const Fragment& v : t)
         text << '(' << v.column << ',' << v.row << ") ";
@@ -52,7 +56,7 @@ std::string describe(const Triangle3& t, const EdgeRules& rules) {
 }
 
 /// The sample that a writer names, walked to anew.
-Fragment sample_of(const Triangle3& t, const EdgeRules& rules, const EndWriter& by) {
+Fragment sample_of(const Triangle3& t, const WalkRules& rules, const EndWriter& by) {
     const auto edge = static_cast<std::size_t>(by.edge);
     LineWalker walker = walk_edge(t[edge], t[(edge + 1) % t.size()], rules);
     walker.advance_to(by.sample);
@@ -82,11 +86,11 @@ TEST_CASE("The row table of (10,20) (30,10) (20,40) that is built with its histo
 
 TEST_CASE("The table that is built with its history equals the one built in one go") {
     std::mt19937 random(1);
-    const std::vector<EdgeRules> rules = all_rules();
+    const std::vector<WalkRules> rules = all_rules();
     PolygonRows direct;
     for (int i = 0; i < 10000; ++i) {
         const Triangle3 triangle = random_triangle(random);
-        const EdgeRules& rule = rules[static_cast<std::size_t>(i) % rules.size()];
+        const WalkRules& rule = rules[static_cast<std::size_t>(i) % rules.size()];
         const RowHistory history = row_history(triangle, rule);
         compute_polygon_rows(triangle, rule, direct);
         const bool same = history.rows.first_row == direct.first_row &&
@@ -102,10 +106,10 @@ TEST_CASE("The table that is built with its history equals the one built in one 
 
 TEST_CASE("Whoever is said to have written an end is the sample that stands there") {
     std::mt19937 random(2);
-    const std::vector<EdgeRules> rules = all_rules();
+    const std::vector<WalkRules> rules = all_rules();
     for (int i = 0; i < 2000; ++i) {
         const Triangle3 triangle = random_triangle(random);
-        const EdgeRules& rule = rules[static_cast<std::size_t>(i) % rules.size()];
+        const WalkRules& rule = rules[static_cast<std::size_t>(i) % rules.size()];
         const RowHistory history = row_history(triangle, rule);
         for (std::size_t r = 0; r < history.left_by.size(); ++r) {
             if (history.left_by[r].is_set() &&
@@ -141,7 +145,9 @@ TEST_CASE("The first samples of a table, one more at a time, lead to the whole t
         INFO("after sample " << n);
         const RowHistory now = row_history(triangle, {}, n);
         REQUIRE(now.last);
-        CHECK(samples_before(triangle, {}, now.last->edge, now.last->sample) == n - 1);
+        CHECK(std::accumulate(whole.edge_samples.begin(),
+                              whole.edge_samples.begin() + now.last->edge,
+                              now.last->sample) == n - 1);
         CHECK(now.samples == n);
         int changed = 0;
         for (std::size_t r = 0; r < now.left_by.size(); ++r) {
@@ -178,7 +184,7 @@ TEST_CASE("The smallest edge that leaves its own rows is caught with the value t
     CHECK(sample.row == 0);
     CHECK(sample.y == 0.999999881f);
     CHECK(history.rows.first_row == 1);
-    EdgeRules exact;
+    WalkRules exact;
     exact.line.walk = LineWalk::exact;
     CHECK(row_history(Triangle3{at(0, 2), at(3, 1)}, exact).outside.empty());
 }

@@ -15,6 +15,7 @@
 #include "compare/compare.h"
 #include "inspect/stats.h"
 #include "lessons/lesson_link.h"
+#include "mistakes/coverage.h"
 #include "picture/pixel_facts.h"
 #include "picture/view_image.h"
 #include "pipeline/draw.h"
@@ -24,6 +25,7 @@
 #include "support/bits.h"
 #include "support/recorder.h"
 #include "support/samples.h"
+#include "support/walks.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;
@@ -91,8 +93,7 @@ std::vector<PolygonRows> tables_of(const Frame& frame) {
     std::vector<PolygonRows> tables;
     for (int t = 0; t < frame.triangle_count(); ++t) {
         if (!frame.is_drawn(t)) continue;
-        compute_polygon_rows(frame.triangle_vertices(t), edge_rules(frame.settings),
-                             tables.emplace_back());
+        compute_polygon_rows(frame.triangle_vertices(t), frame.settings, tables.emplace_back());
     }
     return tables;
 }
@@ -271,8 +272,8 @@ TEST_CASE("B5: edges by rows lose columns, and pass the lab's printed table") {
     const auto at = [](int column, int row) { return Fragment{column, row, 1.0f, 1.0f, {}}; };
     const std::vector<Fragment> printed{at(10, 5), at(5, 10), at(15, 15)};
     PolygonRows by_rows, by_axis;
-    compute_polygon_rows(printed, edge_rules(runs.wrong.settings), by_rows);
-    compute_polygon_rows(printed, edge_rules(runs.correct.settings), by_axis);
+    compute_polygon_rows(printed, runs.wrong.settings, by_rows);
+    compute_polygon_rows(printed, runs.correct.settings, by_axis);
     CHECK(by_rows.left == by_axis.left);
     CHECK(by_rows.right == by_axis.right);
 }
@@ -299,9 +300,9 @@ TEST_CASE("B7: rows that nobody has set are counted, and nothing of them is draw
     CHECK(runs.wrong_stats.unset_rows == 5);
     CHECK(runs.correct_stats.unset_rows == 0);
     CHECK(same_planes(runs.wrong_picture, runs.correct_picture));
-    CHECK(wrapped_pixel_count(empty_left, empty_right) == 3);
-    CHECK(wrapped_pixel_count(7, 9) == 3);
-    CHECK(wrapped_pixel_count(500, 0) == -499);
+    CHECK(row_pixel_count_wrapped(empty_left, empty_right) == 3);
+    CHECK(row_pixel_count_wrapped(7, 9) == 3);
+    CHECK(row_pixel_count_wrapped(500, 0) == -499);
     Results results;
     update(runs.session, results);
     REQUIRE(results.messages.size() == 1);
@@ -359,8 +360,10 @@ TEST_CASE("B11: an int step runs level, upright or at 45 degrees") {
     const Runs runs("B11");
     const std::span<const Fragment> v = runs.wrong.triangle_vertices(0);
     for (int e = 0; e < 3; ++e) {
-        const LineWalker edge = walk_edge(v[e], v[(e + 1) % 3], edge_rules(runs.wrong.settings));
-        for (const float step : {edge.step_x(), edge.step_y()})
+        const Fragment &a = v[e], &b = v[(e + 1) % 3];
+        const LineStep line =
+            runs.wrong.stages.line_step(a, b, {runs.wrong.stages.edge_sample_count(a, b)});
+        for (const float step : {line.x, line.y})
             CHECK((step == 0.0f || std::abs(step) == 1.0f));
     }
     CHECK(runs.wrong_stats.fragments == runs.correct_stats.fragments); // as many samples

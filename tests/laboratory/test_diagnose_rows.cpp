@@ -7,6 +7,7 @@
 #include "laboratory/diagnose.h"
 #include "pipeline/frame.h"
 #include "support/samples.h"
+#include "support/walks.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;
@@ -24,7 +25,7 @@ Fragment place(int column, int row) {
 
 std::string table_text(const std::vector<Fragment>& vertices, const Settings& settings) {
     PolygonRows rows;
-    compute_polygon_rows(vertices, edge_rules(settings), rows);
+    compute_polygon_rows(vertices, settings, rows);
     return rows_text(rows);
 }
 

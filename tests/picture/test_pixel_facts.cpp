@@ -16,6 +16,7 @@
 #include "support/frames.h"
 #include "support/recorder.h"
 #include "support/samples.h"
+#include "support/walks.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

@@ -22,7 +22,7 @@ TEST_CASE("A frame holds what the vertex shader says of each vertex, three for e
         for (std::size_t v = 0; v < 3; ++v) {
             const Vertex& vertex = room.triangles[static_cast<std::size_t>(t)].vertices[v];
             const ShadedVertex shaded =
-                vertex_shader(vertex, camera_rotation(settings.camera), rules);
+                vertex_shader(vertex, camera_rotation(settings.camera), rules, {});
             CAPTURE(t, v);
             CHECK(same_bits(frame.triangle_vertices(t)[v], shaded.pixel));
         }
@@ -92,7 +92,7 @@ TEST_CASE("Stages are listed in their own order, each with its name and words") 
 
 namespace {
 
-glm::vec3 blue_pixel_shader(const Fragment&, const Surface&, const PixelRules&) {
+glm::vec3 blue_pixel_shader(const Fragment&, const Surface&, const PixelRules&, const Stages&) {
     return {0.0f, 0.0f, 1.0f};
 }
 
@@ -102,8 +102,7 @@ TEST_CASE("A single stage can be replaced, and the others stay as they are") {
     const Scene scene = small_scene();
     Settings settings = default_settings(scene);
     settings.stage = Stage::depth;
-    Stages stages = standard_stages();
-    stages.pixel_shader = blue_pixel_shader;
+    const ReplaceStages stages = [](Stages& s) { s.pixel_shader = blue_pixel_shader; };
     const Framebuffer usual = draw_frame(prepare_frame(scene, settings));
     const Framebuffer blue = draw_frame(prepare_frame(scene, settings, stages));
     CHECK(usual.depth == blue.depth);

@@ -11,6 +11,7 @@
 #include "support/moments.h"
 #include "support/recorder.h"
 #include "support/samples.h"
+#include "support/walks.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;
@@ -70,8 +71,8 @@ TEST_CASE("The planes follow from the fragments that an observer is told") {
             }
             built.colour[pixel] = event.after;
             const bool has_cell =
-                has_depth_cell(event.fragment.column, event.fragment.row, frame.settings.viewport,
-                               frame.settings.depth_index) ||
+                has_depth_cell(frame.stages, event.fragment.column, event.fragment.row,
+                               frame.settings.viewport) ||
                 !has_fragments(frame.settings.stage); // marks change no depth
             if (has_cell) built.depth[pixel] = event.depth;
             built.owner[pixel] = event.cursor.triangle;
@@ -102,8 +103,10 @@ TEST_CASE("A window tells an observer of its own samples only, with what each do
             REQUIRE(part.samples.size() == expected.size());
             for (std::size_t i = 0; i < expected.size(); ++i) {
                 const SampleEvent &a = part.samples[i], &b = expected[i];
-                const bool same = a.cursor == b.cursor && same_bits(a.sample, b.sample) &&
-                                  same_bits(a.x, b.x) && same_bits(a.y, b.y) && a.write == b.write;
+                const bool same =
+                    a.cursor == b.cursor && same_bits(a.sample.fragment, b.sample.fragment) &&
+                    same_bits(a.sample.x, b.sample.x) && same_bits(a.sample.y, b.sample.y) &&
+                    a.sample.write == b.sample.write;
                 if (!same) FAIL("sample " + to_text(b.cursor) + " is told otherwise");
             }
         }
@@ -177,14 +180,14 @@ TEST_CASE("10,000 random row tables replayed sample by sample are the ones made 
         for (int t = 0; t < count; ++t) {
             if (!frame.is_drawn(t)) continue;
             PolygonRows rows;
-            compute_polygon_rows(frame.triangle_vertices(t), edge_rules(frame.settings), rows);
+            compute_polygon_rows(frame.triangle_vertices(t), frame.settings, rows);
             ReplayedRows replayed;
             if (frame.settings.row_start == RowStart::window) {
                 replayed.left_start = viewport.width;
                 replayed.right_start = 0;
             }
             for (; event != recorder.samples.end() && event->cursor.triangle == t; ++event) {
-                if (replayed.enter(event->sample, rows) == event->write) continue;
+                if (replayed.enter(event->sample.fragment, rows) == event->sample.write) continue;
                 FAIL("another end is written than is told at " + to_text(event->cursor));
             }
             const int row = replayed.first_difference(rows);

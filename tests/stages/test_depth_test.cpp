@@ -2,32 +2,55 @@
 
 #include <limits>
 
+#include "mistakes/depth_test.h"
 #include "stages/depth_test.h"
 
 using namespace rasterwalk;
 
-TEST_CASE("The depth value of a fragment is its 1/z, or 1 over its linear z") {
+namespace {
+
+Fragment near(float zinv, float z = 1.0f) {
     Fragment fragment;
-    fragment.zinv = 0.75f;
-    fragment.z = 2.0f;
-    CHECK(depth_value(fragment, DepthTest::inverse_z) == 0.75f);
-    CHECK(depth_value(fragment, DepthTest::off) == 0.75f);
-    CHECK(depth_value(fragment, DepthTest::linear_z) == 0.5f);
+    fragment.zinv = zinv;
+    fragment.z = z;
+    return fragment;
+}
+
+constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+
+} // namespace
+
+TEST_CASE("The depth value of a fragment is its 1/z, or 1 over its linear z") {
+    CHECK(depth_test(near(0.75f, 2.0f), 0.0f).depth == 0.75f);
+    CHECK(no_depth_test(near(0.75f, 2.0f), 0.0f).depth == 0.75f);
+    CHECK(depth_test_reversed(near(0.75f, 2.0f), 0.0f).depth == 0.75f);
+    CHECK(depth_test_linear_z(near(0.75f, 2.0f), 0.0f).depth == 0.5f);
 }
 
 TEST_CASE("A fragment is drawn only if its value is larger than what is stored") {
-    for (const DepthTest rule : {DepthTest::inverse_z, DepthTest::linear_z}) {
-        CHECK(depth_test(0.5f, 0.25f, rule));
-        CHECK(depth_test(1e-30f, 0.0f, rule));
-        CHECK_FALSE(depth_test(0.25f, 0.25f, rule));
-        CHECK_FALSE(depth_test(0.2f, 0.25f, rule));
-        CHECK_FALSE(depth_test(-1.0f, 0.0f, rule));
-        CHECK_FALSE(depth_test(std::numeric_limits<float>::quiet_NaN(), 0.0f, rule));
-    }
+    const auto passes = [](float value, float stored) {
+        const bool passed = depth_test(near(value), stored).passed;
+        CHECK(depth_test_linear_z(near(0.0f, 1.0f / value), stored).passed == passed);
+        return passed;
+    };
+    CHECK(passes(0.5f, 0.25f));
+    CHECK(passes(0x1p-99f, 0.0f));
+    CHECK_FALSE(passes(0.25f, 0.25f));
+    CHECK_FALSE(passes(0.125f, 0.25f));
+    CHECK_FALSE(passes(-1.0f, 0.0f));
+    CHECK_FALSE(passes(not_a_number, 0.0f));
 }
 
 TEST_CASE("Without a depth test the last fragment wins, whatever its value") {
-    CHECK(depth_test(0.1f, 0.9f, DepthTest::off));
-    CHECK(depth_test(-1.0f, 0.9f, DepthTest::off));
-    CHECK(depth_test(std::numeric_limits<float>::quiet_NaN(), 0.0f, DepthTest::off));
+    CHECK(no_depth_test(near(0.1f), 0.9f).passed);
+    CHECK(no_depth_test(near(-1.0f), 0.9f).passed);
+    CHECK(no_depth_test(near(not_a_number), 0.0f).passed);
+}
+
+TEST_CASE("Mistake B17a lets the smaller value win, and B17c swaps the indices") {
+    CHECK(depth_test_reversed(near(0.25f), 0.5f).passed);
+    CHECK_FALSE(depth_test_reversed(near(0.5f), 0.5f).passed);
+    CHECK_FALSE(depth_test_reversed(near(not_a_number), 0.5f).passed);
+    CHECK(depth_cell(3, 8) == glm::ivec2(3, 8));
+    CHECK(depth_cell_transposed(3, 8) == glm::ivec2(8, 3));
 }

@@ -2,10 +2,11 @@
 
 #include <cstdlib>
 
-#include "stages/edges.h"
 #include "support/random.h"
+#include "support/walks.h"
 
 using namespace rasterwalk;
+using namespace rasterwalk::test;
 
 namespace {
 

@@ -6,6 +6,7 @@
 #include "stages/pixel_shader.h"
 #include "support/bits.h"
 #include "support/random.h"
+#include "support/walks.h"
 
 using namespace rasterwalk;
 using test::same_bits;
@@ -41,7 +42,7 @@ TEST_CASE("Without light a fragment has the colour of its surface") {
     PixelRules rules;
     rules.lighting = Lighting::none;
     const Fragment fragment = carried({1, 2, 3}, {9, 9, 9}, 2.0f, Interpolation::perspective);
-    CHECK(pixel_shader(fragment, red_wall(), rules) == red_wall().reflectance);
+    CHECK(pixel_shader(fragment, red_wall(), rules, {}) == red_wall().reflectance);
 }
 
 TEST_CASE("Varyings are recovered by 1/z if they were carried as q/z, and kept if they were not") {
@@ -51,11 +52,11 @@ TEST_CASE("Varyings are recovered by 1/z if they were carried as q/z, and kept i
         const glm::vec3 illumination{random.number(0, 1), random.number(0, 1), random.number(0, 1)};
         const float z = random.number(0.2, 8.0);
         const Fragment affine = carried(position, illumination, z, Interpolation::affine);
-        CHECK(recover_varyings(affine, Interpolation::affine) ==
+        CHECK(test::recover_varyings(affine, Interpolation::affine) ==
               varyings_of(position, illumination));
         const Varyings right =
-            recover_varyings(carried(position, illumination, z, Interpolation::perspective),
-                             Interpolation::perspective);
+            test::recover_varyings(carried(position, illumination, z, Interpolation::perspective),
+                                   Interpolation::perspective);
         CHECK(glm::distance(right.position_world, position) < 5e-7f);
         CHECK(glm::distance(right.illumination, illumination) < 5e-7f);
     }
@@ -65,10 +66,10 @@ TEST_CASE("Light per vertex is what the vertices brought along, whatever the sur
     PixelRules rules;
     rules.lighting = Lighting::per_vertex;
     for (const Interpolation way : {Interpolation::perspective, Interpolation::affine}) {
-        rules.interpolation = way;
         // z = 4: dividing and multiplying by it loses nothing.
         const Fragment fragment = carried({1, 2, 3}, {0.25f, 0.5f, 2.0f}, 4.0f, way);
-        CHECK(pixel_shader(fragment, red_wall(), rules) == glm::vec3(0.25f, 0.5f, 2.0f));
+        CHECK(pixel_shader(fragment, red_wall(), rules, test::stages_under(way)) ==
+              glm::vec3(0.25f, 0.5f, 2.0f));
     }
 }
 
@@ -79,8 +80,8 @@ TEST_CASE("Light per pixel is worked out at the fragment's own place, and is not
     const glm::vec3 place{0.25f, -0.25f, 0.5f};
     const Surface wall = red_wall();
     for (const Interpolation way : {Interpolation::perspective, Interpolation::affine}) {
-        rules.interpolation = way;
-        const glm::vec3 colour = pixel_shader(carried(place, {}, 4.0f, way), wall, rules);
+        const glm::vec3 colour =
+            pixel_shader(carried(place, {}, 4.0f, way), wall, rules, test::stages_under(way));
         CHECK(same_bits(
             colour, reflected_light(place, wall.normal, wall.reflectance, rules.light).reflected));
         CHECK(colour.r > 1.0f);

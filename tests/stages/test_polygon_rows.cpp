@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "stages/polygon_rows.h"
 #include "support/bits.h"
 #include "support/oracle.h"
 #include "support/random.h"
+#include "support/walks.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;
@@ -20,14 +20,14 @@ Fragment at(int column, int row, float zinv = 0.0f) {
     return fragment;
 }
 
-PolygonRows rows_of(const std::vector<Fragment>& vertices, const EdgeRules& rules = {}) {
+PolygonRows rows_of(const std::vector<Fragment>& vertices, const WalkRules& rules = {}) {
     PolygonRows rows;
     compute_polygon_rows(vertices, rules, rows);
     return rows;
 }
 
-std::vector<EdgeRules> all_rules() {
-    std::vector<EdgeRules> rules;
+std::vector<WalkRules> all_rules() {
+    std::vector<WalkRules> rules;
     for (const LineWalk walk : {LineWalk::accumulate, LineWalk::multiply, LineWalk::exact}) {
         for (const Rounding rounding : {Rounding::truncate, Rounding::floor, Rounding::round}) {
             for (const EdgeSamples samples : {EdgeSamples::longest_axis, EdgeSamples::rows}) {
@@ -83,9 +83,9 @@ TEST_CASE("A row that no sample has reached holds the extreme starting values an
 
 TEST_CASE("A table is begun anew however it was used before") {
     PolygonRows rows;
-    compute_polygon_rows(std::vector{at(0, 2), at(3, 1), at(3, 1)}, {}, rows);
+    compute_polygon_rows(std::vector{at(0, 2), at(3, 1), at(3, 1)}, WalkRules{}, rows);
     CHECK(rows.outside == 1);
-    compute_polygon_rows(std::vector{at(4, 4), at(4, 4), at(4, 4)}, {}, rows);
+    compute_polygon_rows(std::vector{at(4, 4), at(4, 4), at(4, 4)}, WalkRules{}, rows);
     CHECK(rows.outside == 0);
     REQUIRE(rows.size() == 1);
     CHECK(rows.left[0].column == 4);
@@ -125,7 +125,7 @@ TEST_CASE("A sample becomes the left end, the right end, both or neither") {
 
 TEST_CASE("The rows of random polygons are those of the definition, under every rule") {
     Random random(8);
-    const std::vector<EdgeRules> rules = all_rules();
+    const std::vector<WalkRules> rules = all_rules();
     for (int i = 0; i < 3000; ++i) {
         std::vector<Fragment> vertices;
         const int corners = i % 3 == 0 ? random.integer(1, 7) : 3;
@@ -134,7 +134,7 @@ TEST_CASE("The rows of random polygons are those of the definition, under every 
             vertices.push_back(at(random.integer(-reach, reach), random.integer(-reach, reach),
                                   random.number(0.1, 3.0)));
         }
-        const EdgeRules& rule = rules[static_cast<std::size_t>(i) % rules.size()];
+        const WalkRules& rule = rules[static_cast<std::size_t>(i) % rules.size()];
         int outside = 0;
         const std::map<int, RowEnds> expected = row_table(vertices, rule, outside);
         const PolygonRows rows = rows_of(vertices, rule);
@@ -185,7 +185,7 @@ TEST_CASE("Exact walks leave no row empty, write nothing outside, and hold every
 }
 
 TEST_CASE("Mistake B5 passes the lab's printed test and thins out shallow edges") {
-    const EdgeRules mistake{{}, EdgeSamples::rows};
+    const WalkRules mistake{{}, EdgeSamples::rows};
     const PolygonRows lab = rows_of({at(10, 5), at(5, 10), at(15, 15)});
     const PolygonRows same = rows_of({at(10, 5), at(5, 10), at(15, 15)}, mistake);
     for (int r = 0; r < lab.size(); ++r) {

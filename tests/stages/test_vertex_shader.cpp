@@ -11,6 +11,7 @@
 #include "support/bits.h"
 #include "support/oracle.h"
 #include "support/random.h"
+#include "support/walks.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;
@@ -28,7 +29,7 @@ Vertex vertex_at(const glm::vec3& position) {
 }
 
 ShadedVertex shade(const glm::vec3& position, const VertexRules& rules = {}) {
-    return vertex_shader(vertex_at(position), camera_rotation(rules.camera), rules);
+    return vertex_shader(vertex_at(position), camera_rotation(rules.camera), rules, {});
 }
 
 /// A camera at the origin that looks along z.
@@ -264,13 +265,12 @@ TEST_CASE("A vertex sets out with its place and, for light per vertex, its light
         reflected_light(vertex.position, vertex.normal, vertex.reflectance, rules.light).reflected;
     REQUIRE(light.g > 0.4f);
 
-    rules.interpolation = Interpolation::affine;
+    const Stages right = test::stages_under(Interpolation::perspective);
+    const Stages wrong = test::stages_under(Interpolation::affine);
     for (const Lighting lighting : {Lighting::none, Lighting::per_vertex, Lighting::per_pixel}) {
         rules.lighting = lighting;
-        rules.interpolation = Interpolation::affine;
-        const Varyings affine = vertex_shader(vertex, rotation, rules).pixel.varyings;
-        rules.interpolation = Interpolation::perspective;
-        const Fragment pixel = vertex_shader(vertex, rotation, rules).pixel;
+        const Varyings affine = vertex_shader(vertex, rotation, rules, wrong).pixel.varyings;
+        const Fragment pixel = vertex_shader(vertex, rotation, rules, right).pixel;
         const bool lit = lighting == Lighting::per_vertex;
         CHECK(same_bits(affine.position_world, vertex.position));
         CHECK(same_bits(affine.illumination, lit ? light : glm::vec3(0.0f)));

@@ -6,6 +6,7 @@
 
 #include "pipeline/cursor.h"
 #include "pipeline/frame.h"
+#include "support/walks.h"
 
 namespace rasterwalk::test {
 
@@ -29,7 +30,7 @@ inline std::vector<Cursor> all_moments(const Frame& frame) {
         }
         if (settings.stage == Stage::edges) continue;
         PolygonRows rows;
-        compute_polygon_rows(vertices, edge_rules(settings), rows);
+        compute_polygon_rows(vertices, settings, rows);
         for (int r = 0; r < rows.size(); ++r) {
             const int row = rows.first_row + r;
             if (row < first || row >= size.height || rows.is_empty_row(r)) continue;

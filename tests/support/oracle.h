@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "stages/edges.h"
+#include "support/walks.h"
 
 namespace rasterwalk::test {
 
@@ -112,7 +112,7 @@ struct RowEnds {
 };
 
 /// The row table of a polygon by its definition; `outside` counts samples beyond its rows.
-inline std::map<int, RowEnds> row_table(std::span<const Fragment> vertices, const EdgeRules& rules,
+inline std::map<int, RowEnds> row_table(std::span<const Fragment> vertices, const WalkRules& rules,
                                         int& outside) {
     std::map<int, RowEnds> rows;
     int top = INT_MAX, bottom = INT_MIN;

@@ -44,18 +44,18 @@ glm::vec2 heat_at(const glm::vec3& place) {
 
 template <int warmer>
 ShadedVertex hot_vertex_shader(const Vertex& vertex, const glm::mat3& rotation,
-                               const VertexRules& rules) {
-    ShadedVertex shaded = vertex_shader(vertex, rotation, rules);
-    const bool divides = rules.interpolation != Interpolation::affine;
+                               const VertexRules& rules, const Stages& stages) {
+    ShadedVertex shaded = vertex_shader(vertex, rotation, rules, stages);
     shaded.pixel.varyings.heat =
         (heat_at(vertex.position) + glm::vec2(static_cast<float>(warmer))) *
-        (divides ? shaded.pixel.zinv : 1.0f);
+        stages.varying_weight(shaded.pixel.zinv);
     return shaded;
 }
 
 /// What was interpolated reaches the pixel shader, though nobody watches.
-glm::vec3 heat_shader(const Fragment& fragment, const Surface&, const PixelRules& rules) {
-    const glm::vec2 heat = recover_varyings(fragment, rules.interpolation).heat;
+glm::vec3 heat_shader(const Fragment& fragment, const Surface&, const PixelRules&,
+                      const Stages& stages) {
+    const glm::vec2 heat = recover_varyings(fragment, stages).heat;
     return {heat, 0.0f};
 }
 
@@ -70,8 +70,7 @@ void check_interpolated(const Frame& frame) {
     int compared = 0;
     for (int i = 0; i < graph.count(); ++i) {
         const Fragment& fragment = graph.at(Interpolation::perspective, i);
-        const glm::vec3 place =
-            recover_varyings(fragment, Interpolation::perspective).position_world;
+        const glm::vec3 place = recover_varyings(fragment, Stages{}).position_world;
         const glm::vec2 truth = heat_at(place);
         check(std::abs(true_value(graph, heat_in, i) - truth.x) < 1e-4f, "heat in is not there");
         check(std::abs(true_value(graph, heat_out, i) - truth.y) < 1e-4f, "heat out is not there");
@@ -112,15 +111,17 @@ int main() {
     const Scene scene = one_triangle();
     Settings settings = default_settings(scene);
     settings.stage = Stage::depth;
-    Stages stages = standard_stages();
-    stages.vertex_shader = hot_vertex_shader<0>;
-    stages.pixel_shader = heat_shader;
-    const Frame frame = prepare_frame(scene, settings, stages);
+    const Frame frame = prepare_frame(scene, settings, [](Stages& stages) {
+        stages.vertex_shader = hot_vertex_shader<0>;
+        stages.pixel_shader = heat_shader;
+    });
     check_interpolated(frame);
     check_shown(frame);
-    Stages warmer = stages;
-    warmer.vertex_shader = hot_vertex_shader<1>;
-    check_compared(frame, prepare_frame(scene, settings, warmer));
+    const Frame warmer = prepare_frame(scene, settings, [](Stages& stages) {
+        stages.vertex_shader = hot_vertex_shader<1>;
+        stages.pixel_shader = heat_shader;
+    });
+    check_compared(frame, warmer);
     if (faults > 0) std::printf("%d faults\n", faults);
     return faults > 0 ? 1 : 0;
 }

@@ -202,18 +202,12 @@ void draw_row_ends(const Marks& m) {
 }
 
 /// Every sample up to the cursor: a dot at its real place, before rounding.
-void draw_samples(const Marks& m, std::span<const Fragment> vertices) {
-    const EdgeRules rules = edge_rules(m.run.frame.settings);
-    const RowHistory& history = m.run.rows;
+void draw_samples(const Marks& m, int triangle) {
     const float radius = std::clamp(0.09f * m.scale, 1.6f * m.u, 4.5f * m.u);
-    int left = history.samples;
-    for (int e = 0; e < 3; ++e) {
-        LineWalker edge = walk_edge(vertices[e], vertices[(e + 1) % 3], rules);
-        for (; !edge.done() && left > 0; edge.advance(), --left) {
-            const ImVec2 p = m.at(edge.x(), edge.y());
-            if (!m.is_visible(p) || !m.has_room()) continue;
-            m.list->AddCircleFilled(p, radius, m.colour(edge_meaning(e)));
-        }
+    for (const EdgeSample& sample : edge_samples(m.run.frame, triangle, m.run.cursor)) {
+        const ImVec2 p = m.at(sample.x, sample.y);
+        if (!m.is_visible(p) || !m.has_room()) continue;
+        m.list->AddCircleFilled(p, radius, m.colour(edge_meaning(sample.edge)));
     }
 }
 
@@ -226,8 +220,8 @@ void draw_vertices(const Marks& m, int triangle, std::span<const Fragment> verti
     for (int v = 0; v < 3; ++v) {
         const ImVec2 pixel = m.at(vertices[v]);
         if (frame.scene->space == SceneSpace::world) {
-            const ShadedVertex shaded = frame.stages->vertex_shader(
-                frame.scene->triangles[triangle].vertices[v], rotation, rules);
+            const ShadedVertex shaded = frame.stages.vertex_shader(
+                frame.scene->triangles[triangle].vertices[v], rotation, rules, frame.stages);
             const int middle_column = size.width / 2, middle_row = size.height / 2;
             // int() and floor() give the pixel i all that lies from i to i + 1; a pixel that is
             // rounded to has its number in its middle.
@@ -260,10 +254,7 @@ void draw_current(const Marks& m) {
         frame_pixel(m, vertices[done.index].column, vertices[done.index].row, white, 2.5f * m.u);
         break;
     case Phase::edges: {
-        LineWalker edge = walk_edge(vertices[done.index], vertices[(done.index + 1) % 3],
-                                    edge_rules(frame.settings));
-        edge.advance_to(done.step);
-        const Fragment sample = edge.sample();
+        const Fragment sample = edge_samples(frame, done.triangle, m.run.cursor).back().fragment;
         frame_pixel(m, sample.column, sample.row, white, 2.5f * m.u);
         break;
     }
@@ -314,7 +305,7 @@ void draw_canvas_marks(const Ui& ui, const ShownRun& run, ImDrawList* list, ImVe
         if (m.is_large() && frame.settings.stage >= Stage::edges) draw_row_ends(m);
         draw_true_edges(m, vertices);
         if (m.is_large()) {
-            if (frame.settings.stage >= Stage::edges) draw_samples(m, vertices);
+            if (frame.settings.stage >= Stage::edges) draw_samples(m, *ui.results.triangle);
             draw_vertices(m, *ui.results.triangle, vertices);
         }
     }

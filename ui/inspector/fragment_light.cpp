@@ -19,9 +19,10 @@ bool is_grey(const glm::vec3& colour) {
 void draw_clamped(Ui& ui, const glm::vec3& colour) {
     const Palette& p = palette(ui.options.theme);
     FormulaLine line(ui, 0.0f);
-    const ColourOverOne rule = ui.results.frame.settings.colour_over_one;
-    const glm::vec3 cut = shown_colour(colour, rule);
-    if (shown_colour(colour, ColourOverOne::clamp) == colour) return;
+    const Frame& frame = ui.results.frame;
+    const ColourOverOne rule = frame.settings.colour_over_one;
+    const glm::vec3 cut = shown_colour(colour, frame.stages.visible_channel);
+    if (shown_colour(colour, visible_channel) == colour) return;
     line.text(rule == ColourOverOne::clamp ? "clamped " : "wrapped ", p.dim);
     for (int i = 0; i < 3; ++i)
         line.text(shown({cut[i]}) + (i < 2 ? "  " : ""), p.text);

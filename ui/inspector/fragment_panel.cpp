@@ -15,7 +15,7 @@ namespace rasterwalk {
 namespace {
 
 ImU32 screen_colour(const Ui& ui, const glm::vec3& colour) {
-    const glm::vec3 cut = shown_colour(colour, ui.results.frame.settings.colour_over_one);
+    const glm::vec3 cut = shown_colour(colour, ui.results.frame.stages.visible_channel);
     return packed({cut.r, cut.g, cut.b, 1.0f});
 }
 

@@ -34,7 +34,9 @@ void look_at_edge(Ui& ui) {
     const Fragment& a = v[static_cast<std::size_t>(view.edge)];
     const Fragment& b = v[static_cast<std::size_t>((view.edge + 1) % 3)];
     const EdgeRules rules = edge_rules(frame.settings);
-    if (!view.shown.shows(a, b, rules)) view.shown = microscope(a, b, rules);
+    if (!view.shown.shows(a, b, rules, frame.stages)) {
+        view.shown = microscope(a, b, rules, frame.stages);
+    }
     const std::pair<int, int> edge{*ui.results.triangle, view.edge};
     if (view.axis_chosen_for == edge) return;
     // One of the two steps by whole pixels and never drifts: the other one is worth looking at.
@@ -154,7 +156,7 @@ void draw_summary(Ui& ui) {
     ImGui::TextUnformatted((" from " + place_text(edge.a.column, edge.a.row) + " to " +
                             place_text(edge.b.column, edge.b.row))
                                .c_str());
-    text_in(p.dim, walk_text(edge.rules.line.walk));
+    text_in(p.dim, walk_text(ui.results.frame.settings.line_walk));
     draw_step(ui, "x", edge.step_x, edge.float_step_x, summary.largest_drift_x);
     draw_step(ui, "y", edge.step_y, edge.float_step_y, summary.largest_drift_y);
     draw_verdict(ui);

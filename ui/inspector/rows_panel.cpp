@@ -75,7 +75,7 @@ void draw_writer_cell(Ui& ui, const std::string& name, const EndWriter& writer) 
 
 /// The varying that the stage uses; where it uses none, the first: the place in the room.
 const VaryingInfo& shown_varying(const Frame& frame) {
-    const VaryingSet read = frame.stages->varyings_read(lighting_of(frame.settings.stage));
+    const VaryingSet read = frame.stages.varyings_read(lighting_of(frame.settings.stage));
     for (int i = 0; i < varying_count; ++i) {
         if (read.has(i)) return varying_list[static_cast<std::size_t>(i)];
     }
@@ -332,7 +332,7 @@ void draw_last_sample(Ui& ui) {
         end_card(ui);
         return;
     }
-    const SampleStep& last = *history.last;
+    const EdgeSample& last = *history.last;
     text_in(p.dim, "last sample: edge ");
     ImGui::SameLine(0.0f, 0.0f);
     text_in(colour_of(edge_meaning(last.edge), ui.options.theme), std::to_string(last.edge + 1));

@@ -1,0 +1,57 @@
+#include "mistakes/coverage.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace rasterwalk {
+
+int edge_sample_count_by_rows(const Fragment& a, const Fragment& b) {
+    return std::abs(a.row - b.row) + 1;
+}
+
+int edge_sample_count_shifted(const Fragment& a, const Fragment& b) {
+    return std::max({std::abs(a.column - b.column + 1), std::abs(a.row - b.row + 1), 1});
+}
+
+void begin_rows_at_picture(std::span<const Fragment> vertices, const EdgeRules& rules,
+                           PolygonRows& rows) {
+    begin_polygon_rows(vertices, rules, rows);
+    for (Fragment& end : rows.left)
+        end.column = rules.picture_width;
+    for (Fragment& end : rows.right)
+        end.column = 0;
+}
+
+Rectangle polygon_box_at_picture(std::span<const Fragment> vertices, const EdgeRules& rules) {
+    Rectangle box = polygon_box(vertices, rules);
+    box.left = std::min(box.left, rules.picture_width);
+    box.right = std::max(box.right, 1);
+    return box;
+}
+
+FoundRow find_row_among_all(int row, const PolygonRows& rows) {
+    FoundRow found{-1, rows.size()};
+    if (rows.looked_at >= most_rows_asked) {
+        found.index = find_row(row, rows).index;
+        return found;
+    }
+    for (int i = 0; i < rows.size(); ++i) {
+        if (rows.left[static_cast<std::size_t>(i)].row == row) found.index = i;
+    }
+    return found;
+}
+
+int row_pixel_count_wrapped(int left, int right) {
+    return static_cast<int>(static_cast<std::uint32_t>(right) - static_cast<std::uint32_t>(left) +
+                            1u);
+}
+
+int drawn_pixels_without_single(int pixel_count) {
+    return pixel_count == 1 ? 0 : pixel_count;
+}
+
+int drawn_pixels_without_last(int pixel_count) {
+    return pixel_count > 0 ? pixel_count - 1 : 0;
+}
+
+} // namespace rasterwalk

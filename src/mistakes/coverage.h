@@ -1,0 +1,42 @@
+#pragma once
+
+// Mistakes in the slots of stages/edges.h, stages/polygon_rows.h and stages/spans.h.
+
+#include "stages/polygon_rows.h"
+
+namespace rasterwalk {
+
+/// B5, in the slot edge_sample_count: |dy| + 1, one sample a row; shallow edges become dots.
+int edge_sample_count_by_rows(const Fragment& a, const Fragment& b);
+
+/// B12, in the slot edge_sample_count: the + 1 stands inside the bars, max(|ax - bx + 1|,
+/// |ay - by + 1|). An edge keeps its first sample even where the mistake would leave it none.
+int edge_sample_count_shifted(const Fragment& a, const Fragment& b);
+
+/// B6, in the slot begin_polygon_rows: the left ends start at the picture's width and the right
+/// ends at 0, which is not extreme enough: phantom pixels for polygons beside the picture.
+void begin_rows_at_picture(std::span<const Fragment> vertices, const EdgeRules& rules,
+                           PolygonRows& rows);
+
+/// The box that goes with begin_rows_at_picture: rows also reach to where their ends started.
+Rectangle polygon_box_at_picture(std::span<const Fragment> vertices, const EdgeRules& rules);
+
+/// B27, in the slot find_row: asks every row of the table whether it is the one. The answer is the
+/// same, the work is not. Under guard: a table is searched through until its samples have asked
+/// most_rows_asked rows; from there on the searches are only counted.
+FoundRow find_row_among_all(int row, const PolygonRows& rows);
+
+inline constexpr std::int64_t most_rows_asked = 2'000'000;
+
+/// B7, in the slot row_pixel_count: rows that no edge sample has reached are not left out, and
+/// right - left + 1 wraps round in 32 bits: from -INT_MAX and +INT_MAX it is 3. Under guard: their
+/// columns lie far outside every picture, so that put_pixel refuses all of them.
+int row_pixel_count_wrapped(int left, int right);
+
+/// B8, in the slot drawn_pixels: a row of a single pixel is left out.
+int drawn_pixels_without_single(int pixel_count);
+
+/// B9, in the slot drawn_pixels: `<` for `<=`, all pixels of the row but the last.
+int drawn_pixels_without_last(int pixel_count);
+
+} // namespace rasterwalk

@@ -1,0 +1,79 @@
+#pragma once
+
+// Mistakes in the slot of stages/light.h. Each is a part of the formula; mistaken_light puts parts
+// together, since several can be made at once.
+
+#include "stages/light.h"
+
+namespace rasterwalk {
+
+// The vector of whose slant the cosine is taken.
+
+/// As it should be: from the point to the lamp.
+inline glm::vec3 way_to_lamp(const glm::vec3& point, const glm::vec3& lamp) {
+    return lamp - point;
+}
+/// B20a: from the lamp to the point.
+inline glm::vec3 way_from_lamp(const glm::vec3& point, const glm::vec3& lamp) {
+    return point - lamp;
+}
+
+// By what that vector is divided.
+
+/// As it should be: by its length.
+inline float own_length(float distance) {
+    return distance;
+}
+/// B20b: by nothing; it is as long as the way to the lamp.
+inline float not_normalized(float) {
+    return 1.0f;
+}
+
+// Over what the lamp's power is spread.
+
+/// As it should be: 4 pi r^2.
+inline float sphere_area(float distance2, float) {
+    constexpr float pi = 3.14159265f;
+    return 4.0f * pi * distance2;
+}
+/// B20c: r^2.
+inline float area_without_4pi(float distance2, float) {
+    return distance2;
+}
+/// B20d: 4 pi r^3.
+inline float cubed_area(float distance2, float distance) {
+    return sphere_area(distance2, distance) * distance;
+}
+
+// How the light is put together.
+
+/// As it should be: reflectance * (D + N).
+inline glm::vec3 reflectance_times(const glm::vec3& reflectance, const glm::vec3& direct,
+                                   const glm::vec3& indirect) {
+    return reflectance * (direct + indirect);
+}
+/// B21: D + reflectance.
+inline glm::vec3 reflectance_plus(const glm::vec3& reflectance, const glm::vec3& direct,
+                                  const glm::vec3&) {
+    return direct + reflectance;
+}
+
+/// In the slot reflected_light: the same formula with these parts.
+template <auto way, auto length, auto area, auto sum>
+LightTerms mistaken_light(const glm::vec3& position_world, const glm::vec3& normal,
+                          const glm::vec3& reflectance, const Light& light) {
+    LightTerms terms;
+    terms.to_light = way(position_world, light.position);
+    terms.distance2 = glm::dot(terms.to_light, terms.to_light);
+    const float distance = std::sqrt(terms.distance2);
+    terms.sphere_area = area(terms.distance2, distance);
+    // A cube may be 0 where the square is not yet.
+    if (terms.distance2 > 0.0f && terms.sphere_area > 0.0f) {
+        terms.cosine = std::max(0.0f, glm::dot(terms.to_light, normal) / length(distance));
+        terms.direct = light.power * (terms.cosine / terms.sphere_area);
+    }
+    terms.reflected = sum(reflectance, terms.direct, light.indirect);
+    return terms;
+}
+
+} // namespace rasterwalk

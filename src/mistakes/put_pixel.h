@@ -1,0 +1,19 @@
+#pragma once
+
+// Mistakes in the slots of stages/put_pixel.h.
+
+#include "stages/put_pixel.h"
+
+namespace rasterwalk {
+
+/// B10, in the slot drawn_area: 0 < x < W and 0 < y < H leaves out the first column and row.
+Rectangle drawn_area_without_zero(Viewport picture);
+
+/// B22, in the slot to_byte: the lowest 8 bits of 255 c; 256 becomes 0 again. 0 for what no whole
+/// number of 32 bits can hold.
+std::uint8_t to_byte_wrapped(float channel);
+
+/// B22, in the slot visible_channel: what to_byte_wrapped leaves, from 0 to 1.
+float visible_channel_wrapped(float channel);
+
+} // namespace rasterwalk

@@ -1,0 +1,120 @@
+#pragma once
+
+// The words of those settings that choose a function for a slot of the table of stages, the right
+// one or a mistake. Which function a word means is in choose_stages.cpp.
+
+#include <cstdint>
+
+namespace rasterwalk {
+
+/// How the value of sample i of a line is obtained from the two ends.
+enum class LineWalk : std::uint8_t {
+    accumulate,   ///< current += step, in float: the lab
+    multiply,     ///< a + i * step: one rounding error instead of i of them
+    exact,        ///< place by integer fractions, without error; the others by a (1 - t) + b t
+    integer_step, ///< the place's step divided as int by int; the others accumulated: mistake B11
+};
+
+/// How many samples an edge has.
+enum class EdgeSamples : std::uint8_t {
+    longest_axis, ///< max(|dx|, |dy|) + 1: the lab
+    rows,         ///< |dy| + 1: mistake B5, shallow edges get one sample a row
+    shifted,      ///< max(|ax - bx + 1|, |ay - by + 1|): mistake B12
+};
+
+/// Where the two ends of a row stand in the table before its first sample.
+enum class RowStart : std::uint8_t {
+    extreme, ///< left at +INT_MAX, right at -INT_MAX: the lab
+    window,  ///< left at the picture's width, right at 0: mistake B6, phantom pixels beside it
+};
+
+/// How an edge sample finds its row in the table. The picture is the same, the work is not.
+enum class RowSearch : std::uint8_t {
+    indexed,  ///< by its own number: row - first_row
+    all_rows, ///< by asking every row of the table: mistake B27
+};
+
+/// What becomes of a row of the table that no edge sample has reached.
+enum class EmptyRows : std::uint8_t {
+    skipped,  ///< nothing
+    overflow, ///< it is drawn like any other: mistake B7
+};
+
+/// Which fragments of a row are drawn.
+enum class Spans : std::uint8_t {
+    inclusive,      ///< from the left to the right end, both included: the lab
+    single_skipped, ///< none where both ends are the same pixel: mistake B8
+    last_dropped,   ///< all but the last: mistake B9
+};
+
+/// How varyings are carried between vertices.
+enum class Interpolation : std::uint8_t {
+    perspective, ///< q/z is interpolated and divided by 1/z at the pixel: right
+    affine,      ///< q is interpolated as it is: wrong except at the vertices; mistake B3
+    zinv_twice,  ///< q/z is multiplied by 1/z again at the ends of a row, divided once: mistake B4
+};
+
+inline constexpr int interpolation_count = 3;
+
+/// When the colour of a fragment is worked out. The picture is the same, the work is not.
+enum class Shading : std::uint8_t {
+    after_depth_test,  ///< only for fragments that are drawn
+    before_depth_test, ///< for every fragment: mistake B18
+};
+
+/// The vector of whose slant the cosine is taken.
+enum class LightDirection : std::uint8_t {
+    to_light,       ///< from the point to the lamp, at unit length
+    from_light,     ///< from the lamp to the point: mistake B20
+    not_normalized, ///< to the lamp, but as long as the way there: mistake B20
+};
+
+/// Over what the lamp's power is spread.
+enum class LightFalloff : std::uint8_t {
+    sphere, ///< 4 pi r^2
+    no_4pi, ///< r^2: mistake B20
+    cubed,  ///< 4 pi r^3: mistake B20
+};
+
+/// How direct light, indirect light and reflectance are put together.
+enum class LightSum : std::uint8_t {
+    reflectance_times, ///< reflectance * (D + N)
+    reflectance_plus,  ///< D + reflectance: mistake B21
+};
+
+/// The rules by which light is computed; as they stand, the lab's.
+struct LightRules {
+    LightDirection direction = LightDirection::to_light;
+    LightFalloff falloff = LightFalloff::sphere;
+    LightSum sum = LightSum::reflectance_times;
+
+    friend bool operator==(const LightRules&, const LightRules&) = default;
+};
+
+/// What decides which fragment is nearer.
+enum class DepthTest : std::uint8_t {
+    inverse_z, ///< compares the interpolated 1/z: the lab
+    linear_z,  ///< compares z interpolated as if it were linear: wrong
+    off,       ///< the last one drawn wins
+    reversed,  ///< smaller 1/z wins: mistake B17a
+};
+
+/// Which cell of the depth buffer belongs to the pixel (x, y).
+enum class DepthIndex : std::uint8_t {
+    row_major,  ///< [y][x]: row y, column x
+    transposed, ///< [x][y]: mistake B17c; where the picture is not square some pixels have no cell
+};
+
+/// Which places lie in the picture.
+enum class Bounds : std::uint8_t {
+    inside,        ///< 0 <= x < W and 0 <= y < H
+    excludes_zero, ///< 0 < x < W and 0 < y < H: mistake B10
+};
+
+/// What a channel above 1 is shown as.
+enum class ColourOverOne : std::uint8_t {
+    clamp, ///< as 1
+    wrap,  ///< as the lowest 8 bits of 255 c: mistake B22
+};
+
+} // namespace rasterwalk

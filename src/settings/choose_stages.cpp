@@ -1,0 +1,167 @@
+#include "settings/choose_stages.h"
+
+#include "mistakes/coverage.h"
+#include "mistakes/depth_test.h"
+#include "mistakes/interpolate.h"
+#include "mistakes/light.h"
+#include "mistakes/put_pixel.h"
+
+namespace rasterwalk {
+
+namespace {
+
+void choose(LineWalk walk, Stages& stages) {
+    switch (walk) {
+    case LineWalk::accumulate:
+        break;
+    case LineWalk::multiply:
+        stages.interpolate = interpolate_by_multiplying;
+        break;
+    case LineWalk::exact:
+        stages.interpolate = interpolate_exactly;
+        break;
+    case LineWalk::integer_step:
+        stages.line_step = line_step_of_integers;
+        break;
+    }
+}
+
+void choose(EdgeSamples samples, Stages& stages) {
+    switch (samples) {
+    case EdgeSamples::longest_axis:
+        break;
+    case EdgeSamples::rows:
+        stages.edge_sample_count = edge_sample_count_by_rows;
+        break;
+    case EdgeSamples::shifted:
+        stages.edge_sample_count = edge_sample_count_shifted;
+        break;
+    }
+}
+
+void choose(RowStart start, Stages& stages) {
+    if (start == RowStart::extreme) return;
+    stages.begin_polygon_rows = begin_rows_at_picture;
+    stages.polygon_box = polygon_box_at_picture;
+}
+
+void choose(RowSearch search, Stages& stages) {
+    if (search == RowSearch::all_rows) stages.find_row = find_row_among_all;
+}
+
+void choose(EmptyRows rows, Stages& stages) {
+    if (rows == EmptyRows::overflow) stages.row_pixel_count = row_pixel_count_wrapped;
+}
+
+void choose(Spans spans, Stages& stages) {
+    switch (spans) {
+    case Spans::inclusive:
+        break;
+    case Spans::single_skipped:
+        stages.drawn_pixels = drawn_pixels_without_single;
+        break;
+    case Spans::last_dropped:
+        stages.drawn_pixels = drawn_pixels_without_last;
+        break;
+    }
+}
+
+void choose(Interpolation interpolation, Stages& stages) {
+    switch (interpolation) {
+    case Interpolation::perspective:
+        break;
+    case Interpolation::affine:
+        stages.varying_weight = varying_weight_one;
+        break;
+    case Interpolation::zinv_twice:
+        stages.span_end = span_end_times_zinv;
+        break;
+    }
+}
+
+using LightFunction = decltype(Stages::reflected_light);
+
+template <auto way, auto length, auto area>
+LightFunction light_with(LightSum sum) {
+    return sum == LightSum::reflectance_times ? mistaken_light<way, length, area, reflectance_times>
+                                              : mistaken_light<way, length, area, reflectance_plus>;
+}
+
+template <auto way, auto length>
+LightFunction light_with(LightFalloff falloff, LightSum sum) {
+    switch (falloff) {
+    case LightFalloff::sphere:
+        break;
+    case LightFalloff::no_4pi:
+        return light_with<way, length, area_without_4pi>(sum);
+    case LightFalloff::cubed:
+        return light_with<way, length, cubed_area>(sum);
+    }
+    return light_with<way, length, sphere_area>(sum);
+}
+
+void choose(const LightRules& rules, Stages& stages) {
+    if (rules == LightRules{}) return;
+    switch (rules.direction) {
+    case LightDirection::to_light:
+        stages.reflected_light = light_with<way_to_lamp, own_length>(rules.falloff, rules.sum);
+        break;
+    case LightDirection::from_light:
+        stages.reflected_light = light_with<way_from_lamp, own_length>(rules.falloff, rules.sum);
+        break;
+    case LightDirection::not_normalized:
+        stages.reflected_light = light_with<way_to_lamp, not_normalized>(rules.falloff, rules.sum);
+        break;
+    }
+}
+
+void choose(DepthTest test, Stages& stages) {
+    switch (test) {
+    case DepthTest::inverse_z:
+        break;
+    case DepthTest::linear_z:
+        stages.depth_test = depth_test_linear_z;
+        break;
+    case DepthTest::off:
+        stages.depth_test = no_depth_test;
+        break;
+    case DepthTest::reversed:
+        stages.depth_test = depth_test_reversed;
+        break;
+    }
+}
+
+void choose(DepthIndex index, Stages& stages) {
+    if (index == DepthIndex::transposed) stages.depth_cell = depth_cell_transposed;
+}
+
+void choose(Bounds bounds, Stages& stages) {
+    if (bounds == Bounds::excludes_zero) stages.drawn_area = drawn_area_without_zero;
+}
+
+void choose(ColourOverOne over_one, Stages& stages) {
+    if (over_one == ColourOverOne::clamp) return;
+    stages.to_byte = to_byte_wrapped;
+    stages.visible_channel = visible_channel_wrapped;
+}
+
+} // namespace
+
+Stages choose_stages(const Settings& settings) {
+    Stages stages;
+    choose(settings.line_walk, stages);
+    choose(settings.edge_samples, stages);
+    choose(settings.row_start, stages);
+    choose(settings.row_search, stages);
+    choose(settings.empty_rows, stages);
+    choose(settings.spans, stages);
+    choose(settings.interpolation, stages);
+    choose(settings.light_rules, stages);
+    choose(depth_rule(settings), stages);
+    choose(settings.depth_index, stages);
+    choose(settings.bounds, stages);
+    choose(settings.colour_over_one, stages);
+    return stages;
+}
+
+} // namespace rasterwalk

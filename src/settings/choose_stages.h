@@ -1,0 +1,12 @@
+#pragma once
+
+#include "settings/settings.h"
+#include "stages/stage_table.h"
+
+namespace rasterwalk {
+
+/// The table of stages that these settings choose. The only place in which a word of a setting
+/// becomes a function.
+Stages choose_stages(const Settings& settings);
+
+} // namespace rasterwalk

@@ -1,0 +1,12 @@
+#pragma once
+
+namespace rasterwalk {
+
+/// Pixels from (left, top) up to, not including, (right, bottom).
+struct Rectangle {
+    int left = 0, top = 0, right = 0, bottom = 0;
+
+    friend bool operator==(const Rectangle&, const Rectangle&) = default;
+};
+
+} // namespace rasterwalk

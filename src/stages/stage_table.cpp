@@ -1,0 +1,27 @@
+#include "stages/stage_table.h"
+
+namespace rasterwalk {
+
+VaryingSet carried_varyings(const Stages& stages, Lighting lighting) {
+    return stages.varyings_read(lighting) | varyings_with(VaryingUse::always);
+}
+
+RowSpan row_span(const Stages& stages, const PolygonRows& rows, int index) {
+    const auto i = static_cast<std::size_t>(index);
+    const int left = rows.left[i].column;
+    const int count = stages.row_pixel_count(left, rows.right[i].column);
+    return {left, count, stages.drawn_pixels(count)};
+}
+
+void row_fragments(const Stages& stages, const Fragment& left, const Fragment& right, int count,
+                   int first, VaryingSet carried, std::span<LineSample> result) {
+    const Fragment a = stages.span_end(left), b = stages.span_end(right);
+    const LinePart part{count, first, Rounding::truncate, carried};
+    stages.interpolate(a, b, stages.line_step(a, b, part), part, result);
+    for (LineSample& sample : result) {
+        sample.fragment.column = left.column + first++;
+        sample.fragment.row = left.row;
+    }
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,85 @@
+#pragma once
+
+// The one table of the functions that carry out the pipeline. Whoever draws, and whoever shows what
+// is drawn, asks this table; so another function in a slot changes all of it alike. The mistakes of
+// the laboratory are such functions, in src/mistakes; which of them stand in the table follows from
+// the settings, in settings/choose_stages.h.
+
+#include "stages/depth_test.h"
+#include "stages/edges.h"
+#include "stages/interpolate.h"
+#include "stages/light.h"
+#include "stages/pixel_shader.h"
+#include "stages/polygon_rows.h"
+#include "stages/put_pixel.h"
+#include "stages/spans.h"
+#include "stages/vertex_shader.h"
+
+namespace rasterwalk {
+
+/// The slots, in the order of the pipeline.
+struct Stages {
+    decltype(&rasterwalk::vertex_shader) vertex_shader = rasterwalk::vertex_shader;
+
+    // Light, at vertices or at pixels.
+    decltype(&rasterwalk::reflected_light) reflected_light = rasterwalk::reflected_light;
+
+    // Coverage: from vertices to rows, and from a row to its fragments. Whoever puts functions here
+    // whose rows leave the box of the vertices puts another box here as well.
+    decltype(&rasterwalk::polygon_box) polygon_box = rasterwalk::polygon_box;
+    decltype(&rasterwalk::begin_polygon_rows) begin_polygon_rows = rasterwalk::begin_polygon_rows;
+    decltype(&rasterwalk::edge_sample_count) edge_sample_count = rasterwalk::edge_sample_count;
+    decltype(&rasterwalk::find_row) find_row = rasterwalk::find_row;
+    decltype(&rasterwalk::compute_polygon_rows) compute_polygon_rows =
+        rasterwalk::compute_polygon_rows;
+    int (*row_pixel_count)(int left, int right) = rasterwalk::row_pixel_count;
+    int (*drawn_pixels)(int pixel_count) = rasterwalk::drawn_pixels;
+
+    // Interpolate: along edges and along rows.
+    decltype(&rasterwalk::line_step) line_step = rasterwalk::line_step;
+    decltype(&rasterwalk::interpolate) interpolate = rasterwalk::interpolate;
+    Fragment (*span_end)(const Fragment& end) = rasterwalk::span_end;
+    float (*varying_weight)(float zinv) = rasterwalk::varying_weight;
+
+    decltype(&rasterwalk::depth_test) depth_test = rasterwalk::depth_test;
+    decltype(&rasterwalk::depth_cell) depth_cell = rasterwalk::depth_cell;
+
+    // Who replaces the pixel shader by one that reads other varyings replaces varyings_read too.
+    decltype(&rasterwalk::pixel_shader) pixel_shader = rasterwalk::pixel_shader;
+    VaryingSet (*varyings_read)(Lighting lighting) = rasterwalk::varyings_read;
+
+    // Put pixel: which pixels there are, and what a channel becomes.
+    decltype(&rasterwalk::drawn_area) drawn_area = rasterwalk::drawn_area;
+    decltype(&rasterwalk::to_byte) to_byte = rasterwalk::to_byte;
+    decltype(&rasterwalk::visible_channel) visible_channel = rasterwalk::visible_channel;
+
+    friend bool operator==(const Stages&, const Stages&) = default;
+};
+
+/// The varyings that edges and rows carry in a frame: what the pixel shader reads, and those that
+/// are always carried.
+VaryingSet carried_varyings(const Stages& stages, Lighting lighting);
+
+/// Has the pixel a cell in a depth buffer of the picture's size? What would be read and written
+/// outside of it is under guard: nothing is stored there, and everything is nearer.
+inline bool has_depth_cell(const Stages& stages, int column, int row, Viewport picture) {
+    const glm::ivec2 cell = stages.depth_cell(column, row);
+    return cell.x >= 0 && cell.x < picture.width && cell.y >= 0 && cell.y < picture.height;
+}
+
+/// A row of the table as it is drawn.
+struct RowSpan {
+    int left = 0;  ///< column of its first pixel
+    int count = 0; ///< pixels from end to end; the walk along the row has as many samples
+    int drawn = 0; ///< of them, from the left
+};
+
+/// How the stages draw a row of a table, 0 <= index < rows.size().
+RowSpan row_span(const Stages& stages, const PolygonRows& rows, int index);
+
+/// The fragments `first`, `first` + 1, ... of a row of `count` pixels, counted from its left end:
+/// as many as `result` holds. They stand in the row's own columns.
+void row_fragments(const Stages& stages, const Fragment& left, const Fragment& right, int count,
+                   int first, VaryingSet carried, std::span<LineSample> result);
+
+} // namespace rasterwalk

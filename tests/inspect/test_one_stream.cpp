@@ -1,0 +1,326 @@
+// In each slot of the table another function, one after the other: the picture, the row tables, the
+// histories, the microscope, the statistics, the timeline and what an observer is told must tell
+// the same story, and another one than before.
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "explain/fragment_report.h"
+#include "inspect/microscope.h"
+#include "inspect/pixel_history.h"
+#include "inspect/row_graph.h"
+#include "inspect/stats.h"
+#include "inspect/triangle_report.h"
+#include "mistakes/coverage.h"
+#include "mistakes/depth_test.h"
+#include "mistakes/interpolate.h"
+#include "mistakes/put_pixel.h"
+#include "picture/view_image.h"
+#include "pipeline/draw.h"
+#include "pipeline/timeline.h"
+#include "support/bits.h"
+#include "support/recorder.h"
+#include "support/samples.h"
+
+using namespace rasterwalk;
+using namespace rasterwalk::test;
+
+namespace {
+
+// --- a function for each slot that does something else
+
+ShadedVertex shader_two_right(const Vertex& vertex, const glm::mat3& rotation,
+                              const VertexRules& rules, const Stages& stages) {
+    ShadedVertex shaded = vertex_shader(vertex, rotation, rules, stages);
+    shaded.pixel.column += 2;
+    return shaded;
+}
+LightTerms green_light(const glm::vec3& place, const glm::vec3& normal, const glm::vec3& colour,
+                       const Light& light) {
+    LightTerms terms = reflected_light(place, normal, colour, light);
+    terms.reflected = {0.0f, 0.5f, 0.0f};
+    return terms;
+}
+void rows_from_column_three(std::span<const Fragment> vertices, const EdgeRules& rules,
+                            PolygonRows& rows) {
+    begin_polygon_rows(vertices, rules, rows);
+    for (Fragment& end : rows.left)
+        end.column = 3;
+}
+Rectangle everywhere(std::span<const Fragment>, const EdgeRules&) {
+    return {-9999, -9999, 9999, 9999};
+}
+FoundRow all_but_the_first(int row, const PolygonRows& rows) {
+    const FoundRow found = find_row(row, rows);
+    return {found.index == 0 ? -1 : found.index, 2};
+}
+void rows_by_rows(std::span<const Fragment> vertices, const EdgeRules& rules, const Stages& stages,
+                  PolygonRows& rows, SampleSink* sink) {
+    Stages other = stages;
+    other.edge_sample_count = edge_sample_count_by_rows;
+    compute_polygon_rows(vertices, rules, other, rows, sink);
+}
+int at_most_four(int left, int right) {
+    return std::min(row_pixel_count(left, right), 4);
+}
+int no_more_than_three(int count) {
+    return std::min(count, 3);
+}
+void line_backwards(const Fragment& a, const Fragment& b, const LineStep&, const LinePart& part,
+                    std::span<LineSample> result) {
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        const int behind = part.count - 1 - part.first - static_cast<int>(i);
+        const LinePart one{part.count, behind, part.rounding, part.carried};
+        interpolate(b, a, line_step(b, a, part), one, {&result[i], 1});
+    }
+}
+Fragment nearer_end(const Fragment& end) {
+    Fragment near = end;
+    near.zinv = 2.0f * end.zinv;
+    return near;
+}
+float twice_the_weight(float zinv) {
+    return 2.0f * zinv;
+}
+glm::vec3 blue(const Fragment&, const Surface&, const PixelRules&, const Stages&) {
+    return {0.0f, 0.0f, 1.0f};
+}
+Rectangle without_border(Viewport picture) {
+    return {2, 2, picture.width - 2, picture.height - 2};
+}
+std::uint8_t negative(float channel) {
+    return static_cast<std::uint8_t>(255 - to_byte(channel));
+}
+float negative_channel(float channel) {
+    return 1.0f - visible_channel(channel);
+}
+
+struct Replacement {
+    const char* slot;
+    ReplaceStages replace;
+};
+
+const std::vector<Replacement>& replacements() {
+    static const std::vector<Replacement> list{
+        {"vertex_shader", [](Stages& s) { s.vertex_shader = shader_two_right; }},
+        {"reflected_light", [](Stages& s) { s.reflected_light = green_light; }},
+        {"begin_polygon_rows and polygon_box",
+         [](Stages& s) {
+             s.begin_polygon_rows = rows_from_column_three;
+             s.polygon_box = everywhere;
+         }},
+        {"edge_sample_count", [](Stages& s) { s.edge_sample_count = edge_sample_count_by_rows; }},
+        {"find_row", [](Stages& s) { s.find_row = all_but_the_first; }},
+        {"compute_polygon_rows", [](Stages& s) { s.compute_polygon_rows = rows_by_rows; }},
+        {"row_pixel_count", [](Stages& s) { s.row_pixel_count = at_most_four; }},
+        {"drawn_pixels", [](Stages& s) { s.drawn_pixels = no_more_than_three; }},
+        {"line_step", [](Stages& s) { s.line_step = line_step_of_integers; }},
+        {"interpolate", [](Stages& s) { s.interpolate = line_backwards; }},
+        {"span_end", [](Stages& s) { s.span_end = nearer_end; }},
+        {"varying_weight", [](Stages& s) { s.varying_weight = twice_the_weight; }},
+        {"depth_test", [](Stages& s) { s.depth_test = depth_test_reversed; }},
+        {"depth_cell", [](Stages& s) { s.depth_cell = depth_cell_transposed; }},
+        {"pixel_shader", [](Stages& s) { s.pixel_shader = blue; }},
+        {"drawn_area", [](Stages& s) { s.drawn_area = without_border; }},
+        {"to_byte and visible_channel",
+         [](Stages& s) {
+             s.to_byte = negative;
+             s.visible_channel = negative_channel;
+         }},
+    };
+    return list;
+}
+
+// --- one story
+
+struct Story {
+    Framebuffer picture;
+    Image image;
+    Image depth_image;
+    Recorder told{true};
+    DrawTally tally;
+};
+
+Story story_of(const Frame& frame) {
+    Story story;
+    clear(story.picture, frame);
+    story.tally = draw(frame, {}, story.picture, &story.told);
+    story.image = view_image(story.picture, View::colour, std::nullopt);
+    story.depth_image = view_image(story.picture, View::depth, std::nullopt);
+    return story;
+}
+
+bool same_place(const EdgeSample& a, const EdgeSample& b) {
+    return a.edge == b.edge && a.sample == b.sample && same_bits(a.x, b.x) && same_bits(a.y, b.y) &&
+           same_bits(a.fragment, b.fragment) && a.write == b.write;
+}
+
+std::vector<EdgeSample> told_samples(const Story& story, int triangle) {
+    std::vector<EdgeSample> samples;
+    for (const SampleEvent& event : story.told.samples) {
+        if (event.cursor.triangle == triangle) samples.push_back(event.sample);
+    }
+    return samples;
+}
+
+/// The columns of a triangle's fragments, row by row of its table.
+std::map<int, std::vector<int>> told_rows(const Story& story, int triangle) {
+    std::map<int, std::vector<int>> rows;
+    for (const FragmentEvent& event : story.told.fragments) {
+        if (event.cursor.triangle == triangle)
+            rows[event.cursor.index].push_back(event.fragment.column);
+    }
+    return rows;
+}
+
+void check_tables(const Frame& frame, const Story& story, int triangle) {
+    const std::vector<EdgeSample> told = told_samples(story, triangle);
+    const TriangleReport report = triangle_report(frame, triangle);
+    std::vector<EdgeSample> reported;
+    for (const EdgeReport& edge : report.edges)
+        reported.insert(reported.end(), edge.samples.begin(), edge.samples.end());
+    REQUIRE(reported.size() == told.size());
+    CHECK(std::equal(told.begin(), told.end(), reported.begin(), same_place));
+    CHECK(report.rows.sample_count == static_cast<int>(told.size()));
+    REQUIRE(report.rows.last);
+    CHECK(same_place(*report.rows.last, told.back()));
+    // What is drawn of each row of the table is what the observer was told.
+    const Rectangle area = drawn_area(frame);
+    const std::map<int, std::vector<int>> rows = told_rows(story, triangle);
+    const PolygonRows& table = report.rows.rows;
+    for (int r = 0; r < table.size(); ++r) {
+        std::vector<int> expected;
+        const int row = table.first_row + r;
+        const RowSpan span = row_span(frame.stages, table, r);
+        for (int i = 0; i < span.drawn; ++i) {
+            const int column = span.left + i;
+            if (row >= area.top && row < area.bottom && column >= area.left && column < area.right)
+                expected.push_back(column);
+        }
+        const auto found = rows.find(r);
+        CAPTURE(triangle, r);
+        CHECK((found == rows.end() ? std::vector<int>{} : found->second) == expected);
+    }
+}
+
+void check_microscope(const Frame& frame, const Story& story, int triangle) {
+    const std::span<const Fragment> v = frame.triangle_vertices(triangle);
+    const std::vector<EdgeSample> told = told_samples(story, triangle);
+    for (int e = 0; e < 3; ++e) {
+        const EdgeMicroscope edge =
+            microscope(v[static_cast<std::size_t>(e)], v[static_cast<std::size_t>((e + 1) % 3)],
+                       edge_rules(frame.settings), frame.stages);
+        std::size_t i = 0;
+        for (const EdgeSample& sample : told) {
+            if (sample.edge != e) continue;
+            REQUIRE(i < edge.forward.size());
+            CHECK(same_bits(edge.forward[i].x, sample.x));
+            CHECK(edge.forward[i].column == sample.fragment.column);
+            CHECK(edge.forward[i].row == sample.fragment.row);
+            ++i;
+        }
+        CHECK(i == edge.forward.size());
+    }
+}
+
+void check_moments(const Frame& frame, const Story& story) {
+    std::vector<Cursor> told;
+    for (const auto& vertex : story.told.vertices)
+        told.push_back(vertex.cursor);
+    for (const SampleEvent& event : story.told.samples)
+        told.push_back(event.cursor);
+    for (const FragmentEvent& event : story.told.fragments)
+        told.push_back(event.cursor);
+    std::sort(told.begin(), told.end());
+    const Timeline timeline(frame);
+    Cursor cursor = timeline.first();
+    for (const Cursor& expected : told) {
+        if (cursor != expected) FAIL(to_text(cursor) + " for " + to_text(expected));
+        cursor = timeline.next(cursor, Granularity::moment);
+    }
+    CHECK(cursor == cursor_end);
+}
+
+void check_pixels(const Frame& frame, const Story& story) {
+    const Viewport size = frame.settings.viewport;
+    for (int row = 0; row < size.height; row += 3) {
+        for (int column = 0; column < size.width; column += 2) {
+            const PixelHistory history = pixel_history(frame, {column, row});
+            const std::size_t pixel = story.picture.at(column, row);
+            CAPTURE(column, row);
+            REQUIRE(history.entries.size() == story.picture.overdraw[pixel]);
+            if (history.winner < 0) continue;
+            const PixelEntry& winner = history.entries[static_cast<std::size_t>(history.winner)];
+            CHECK(same_bits(winner.colour_after, story.picture.colour[pixel]));
+            CHECK(winner.cursor.triangle == story.picture.owner[pixel]);
+            const std::optional<FragmentReport> report = fragment_report(frame, winner.cursor);
+            REQUIRE(report);
+            CHECK(same_bits(report->after, winner.colour_after));
+            CHECK(same_bits(report->colour, winner.colour_after));
+            const std::optional<RowGraph> graph =
+                row_graph(frame, winner.cursor.triangle, winner.cursor.index);
+            REQUIRE(graph);
+            CHECK(same_bits(graph->at(frame.settings.interpolation, winner.cursor.step).zinv,
+                            winner.zinv));
+        }
+    }
+}
+
+void check_stats(const Frame& frame, const Story& story) {
+    const FrameStats stats = frame_stats(frame);
+    CHECK(stats.fragments == static_cast<std::int64_t>(story.told.fragments.size()));
+    CHECK(stats.uncovered ==
+          std::count(story.picture.overdraw.begin(), story.picture.overdraw.end(), 0U));
+    const auto outside =
+        std::count_if(story.told.samples.begin(), story.told.samples.end(),
+                      [](const SampleEvent& event) { return !event.sample.write.inside; });
+    CHECK(stats.rows_outside == outside);
+    CHECK(count_samples_outside(frame).samples == outside);
+    CHECK(stats.rows_looked_at == story.tally.rows_looked_at);
+}
+
+Settings settings_of_story(const Scene& scene) {
+    Settings settings = default_settings(scene);
+    settings.stage = Stage::pixel_light;
+    return settings;
+}
+
+} // namespace
+
+TEST_CASE("With another function in any slot all that is shown tells the same, new story") {
+    const Scene scene = small_scene();
+    const Settings settings = settings_of_story(scene);
+    const Story usual = story_of(prepare_frame(scene, settings));
+    for (const Replacement& replacement : replacements()) {
+        CAPTURE(replacement.slot);
+        const Frame frame = prepare_frame(scene, settings, replacement.replace);
+        const Story story = story_of(frame);
+        const bool tells_something_new = !(story.picture == usual.picture) ||
+                                         !(story.image.rgba == usual.image.rgba) ||
+                                         !(story.depth_image.rgba == usual.depth_image.rgba) ||
+                                         story.tally.samples_outside != usual.tally.samples_outside;
+        CHECK(tells_something_new);
+        for (int t = 0; t < frame.triangle_count(); ++t) {
+            if (!frame.is_drawn(t)) continue;
+            check_tables(frame, story, t);
+            check_microscope(frame, story, t);
+        }
+        check_moments(frame, story);
+        check_pixels(frame, story);
+        check_stats(frame, story);
+    }
+}
+
+TEST_CASE("What is said to be another setting's keeps the functions that were put in") {
+    const Scene scene = small_scene();
+    Settings settings = settings_of_story(scene);
+    const ReplaceStages replace = [](Stages& s) { s.drawn_pixels = no_more_than_three; };
+    const Frame frame = prepare_frame(scene, settings, replace);
+    settings.line_walk = LineWalk::exact;
+    const Stages other = stages_for(settings, frame.replace);
+    CHECK(other.drawn_pixels == no_more_than_three);
+    CHECK(other.interpolate == interpolate_exactly);
+}

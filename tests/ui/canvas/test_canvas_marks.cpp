@@ -1,0 +1,80 @@
+// The marks over the picture listen to the same stages as everything else.
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <vector>
+
+#include "inspect/row_history.h"
+#include "mistakes/interpolate.h"
+#include "tests/ui/driver.h"
+#include "ui/canvas/canvas_marks.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// The corners of everything that is marked on a picture of this frame.
+std::vector<ImVec2> corners_of_marks(Driver& driver, const Frame& frame, const Cursor& cursor,
+                                     const std::optional<Cursor>& done, PicturePlace place) {
+    const RowHistory rows = row_history(frame, 0, cursor);
+    ImDrawList list(ImGui::GetDrawListSharedData());
+    list._ResetForNewFrame();
+    list.PushTextureID(ImGui::GetIO().Fonts->TexID);
+    list.PushClipRectFullScreen();
+    draw_canvas_marks(driver.ui, {frame, rows, cursor, done, place}, &list, {-9999, -9999},
+                      {9999, 9999});
+    std::vector<ImVec2> corners;
+    for (const ImDrawVert& corner : list.VtxBuffer)
+        corners.push_back(corner.pos);
+    return corners;
+}
+
+/// How many corners lie about this far from the place of a pixel, in screen pixels.
+int corners_around(const std::vector<ImVec2>& corners, PicturePlace place, float x, float y,
+                   float radius) {
+    int count = 0;
+    for (const ImVec2& corner : corners) {
+        const float dx = corner.x - (place.origin.x + place.scale * (x + 0.5f));
+        const float dy = corner.y - (place.origin.y + place.scale * (y + 0.5f));
+        count += std::abs(std::hypot(dx, dy) - radius) < 1.0f ? 1 : 0;
+    }
+    return count;
+}
+
+} // namespace
+
+TEST_CASE("With another walk along the edges the marks are where its samples are") {
+    Driver driver("one-triangle.toml");
+    Settings settings = driver.ui.session.settings;
+    settings.stage = Stage::fill;
+    driver.ui.results.triangle = 0;
+    const Scene& scene = *driver.ui.session.scene;
+    const Frame usual = prepare_frame(scene, settings);
+    const Frame other =
+        prepare_frame(scene, settings, [](Stages& s) { s.line_step = line_step_of_integers; });
+    PicturePlace place = driver.ui.picture_place;
+    place.scale = 40.0f;
+    const std::vector<ImVec2> marks = corners_of_marks(driver, other, cursor_end, {}, place);
+    const float dot = 0.09f * place.scale;
+    int moved = 0;
+    const std::vector<EdgeSample> there = edge_samples(other, 0), before = edge_samples(usual, 0);
+    REQUIRE(there.size() == before.size());
+    for (std::size_t i = 0; i < there.size(); ++i) {
+        CAPTURE(there[i].edge, there[i].sample);
+        CHECK(corners_around(marks, place, there[i].x, there[i].y, dot) >= 6);
+        const bool is_moved = std::hypot(there[i].x - before[i].x, there[i].y - before[i].y) > 0.5f;
+        moved += is_moved ? 1 : 0;
+    }
+    CHECK(moved > 0);
+    // The sample that was entered last is framed.
+    const EdgeSample& last = there[there.size() / 2];
+    const Cursor done{0, Phase::edges, last.edge, last.sample};
+    const Cursor cursor{0, Phase::edges, last.edge, last.sample + 1};
+    const std::vector<ImVec2> framed = corners_of_marks(driver, other, cursor, done, place);
+    const float corner = std::hypot(0.5f * place.scale, 0.5f * place.scale);
+    CHECK(corners_around(framed, place, static_cast<float>(last.fragment.column),
+                         static_cast<float>(last.fragment.row), corner) >= 4);
+}
+
+} // namespace rasterwalk
