@@ -89,7 +89,7 @@ std::optional<CarriedRow> carried_row(const Frame& frame, int triangle, int inde
         row.ends[static_cast<std::size_t>(way)] = {rows.left[i], rows.right[i]};
         row.row = rows.left[i].row;
         row.row_count = rows.size();
-        row.count = rows.pixel_count(index);
+        row.count = row_span(stages, rows, index).count;
     }
     const RowHistory history = row_history(frame, triangle);
     if (index < history.rows.size()) {

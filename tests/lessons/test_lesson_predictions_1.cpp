@@ -142,7 +142,7 @@ Table table_of(const Pixels& triangle, EdgeSamples samples = EdgeSamples::longes
     const std::array<Fragment, 3> vertices{at(triangle[0][0], triangle[0][1]),
                                            at(triangle[1][0], triangle[1][1]),
                                            at(triangle[2][0], triangle[2][1])};
-    EdgeRules rules;
+    rasterwalk::test::WalkRules rules;
     rules.samples = samples;
     int outside = 0;
     return row_table(vertices, rules, outside);
