@@ -82,8 +82,8 @@ Fragment nearer_end(const Fragment& end) {
     near.zinv = 2.0f * end.zinv;
     return near;
 }
-float twice_the_weight(float zinv) {
-    return 2.0f * zinv;
+float squared_weight(float zinv) {
+    return zinv * zinv;
 }
 glm::vec3 blue(const Fragment&, const Surface&, const PixelRules&, const Stages&) {
     return {0.0f, 0.0f, 1.0f};
@@ -120,7 +120,7 @@ const std::vector<Replacement>& replacements() {
         {"line_step", [](Stages& s) { s.line_step = line_step_of_integers; }},
         {"interpolate", [](Stages& s) { s.interpolate = line_backwards; }},
         {"span_end", [](Stages& s) { s.span_end = nearer_end; }},
-        {"varying_weight", [](Stages& s) { s.varying_weight = twice_the_weight; }},
+        {"varying_weight", [](Stages& s) { s.varying_weight = squared_weight; }},
         {"depth_test", [](Stages& s) { s.depth_test = depth_test_reversed; }},
         {"depth_cell", [](Stages& s) { s.depth_cell = depth_cell_transposed; }},
         {"pixel_shader", [](Stages& s) { s.pixel_shader = blue; }},
