@@ -12,15 +12,21 @@ namespace rasterwalk {
 namespace {
 
 void report_left_out(const LeftOut& left_out, std::ostream& err) {
-    const auto report = [&](int count, const char* reason) {
-        if (count == 0) return;
+    for (const RejectionWords& reason : rejection_list) {
+        const int count = left_out.of(reason.rejection);
+        if (count == 0) continue;
         err << "rasterwalk: " << count << (count == 1 ? " triangle is" : " triangles are")
-            << " left out: " << reason << ".\n";
-    };
-    report(left_out.not_finite, "a coordinate is not a finite number");
-    report(left_out.behind_camera, "a vertex lies on or behind the camera plane");
-    report(left_out.too_far_out, "a vertex is projected too far out");
-    report(left_out.taken_for_behind, "a vertex in column -1 is taken for one behind the camera");
+            << " left out: " << reason.sentence << ".\n";
+    }
+}
+
+toml::table to_json(const LeftOut& left_out) {
+    toml::table table;
+    for (const RejectionWords& reason : rejection_list) {
+        const int count = left_out.of(reason.rejection);
+        if (count > 0 || reason.is_always_counted) table.insert(reason.name, count);
+    }
+    return table;
 }
 
 toml::table to_json(const FrameStats& stats) {
@@ -35,10 +41,7 @@ toml::table to_json(const FrameStats& stats) {
         {"rows_looked_at", stats.rows_looked_at},
         {"unset_rows", stats.unset_rows},
         {"depth_outside", stats.depth_outside},
-        {"left_out", toml::table{{"not_finite", stats.left_out.not_finite},
-                                 {"behind_camera", stats.left_out.behind_camera},
-                                 {"too_far_out", stats.left_out.too_far_out},
-                                 {"taken_for_behind", stats.left_out.taken_for_behind}}},
+        {"left_out", to_json(stats.left_out)},
     };
 }
 

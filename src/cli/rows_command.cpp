@@ -80,7 +80,7 @@ Fragment parse_point(const std::string& text) {
     Fragment point;
     point.column = parse_coordinate(rest.substr(0, comma), text);
     point.row = parse_coordinate(rest.substr(comma + 1), text);
-    point.zinv = point.z = 1.0f;
+    point.depth = point.inv_w = point.z = 1.0f;
     return point;
 }
 

@@ -48,21 +48,21 @@ std::string printed(const char* format, Values... values) {
 // JSON
 
 bool is_projected(const ShadedVertex& vertex) {
-    return vertex.fault == VertexFault::none || vertex.fault == VertexFault::too_far_out;
+    return vertex.rejection == Rejection::none || vertex.rejection == Rejection::too_far_out;
 }
 
 toml::table to_json(const ShadedVertex& vertex) {
-    toml::table table{{"world", vector_to_json(vertex.position_world)},
-                      {"minus_camera", vector_to_json(vertex.minus_camera)},
-                      {"rotated", vector_to_json(vertex.position_camera)},
-                      {"fault", fault_name(vertex.fault)}};
+    toml::table table{{"world", vector_to_json(vertex.in("world"))},
+                      {"minus_camera", vector_to_json(vertex.in("minus_camera"))},
+                      {"rotated", vector_to_json(vertex.in("rotated"))},
+                      {"fault", words(vertex.rejection).name}};
     if (is_projected(vertex)) {
-        table.insert("projected", toml::array{static_cast<double>(vertex.projected_x),
-                                              static_cast<double>(vertex.projected_y)});
+        table.insert("projected", toml::array{static_cast<double>(vertex.in("projected").x),
+                                              static_cast<double>(vertex.in("projected").y)});
     }
-    if (vertex.fault == VertexFault::none) {
+    if (vertex.rejection == Rejection::none) {
         table.insert("pixel", toml::array{vertex.pixel.column, vertex.pixel.row});
-        table.insert("zinv", static_cast<double>(vertex.pixel.zinv));
+        table.insert("zinv", static_cast<double>(vertex.pixel.inv_w));
     }
     return table;
 }
@@ -91,13 +91,13 @@ toml::table to_json(const TriangleReport& report, const Scene& scene) {
     toml::array vertices, edges;
     for (const ShadedVertex& vertex : report.vertices)
         vertices.push_back(to_json(vertex));
-    if (report.left_out == VertexFault::none) {
+    if (report.rejection == Rejection::none) {
         for (std::size_t e = 0; e < report.edges.size(); ++e)
             edges.push_back(to_json(report.edges[e], static_cast<int>(e)));
     }
     return toml::table{{"triangle", report.triangle},
                        {"name", part_name(scene, report.triangle)},
-                       {"left_out", fault_name(report.left_out)},
+                       {"left_out", words(report.rejection).name},
                        {"vertices", std::move(vertices)},
                        {"edges", std::move(edges)},
                        {"rows", rows_json(report.rows)},
@@ -119,32 +119,34 @@ void print_vertex_line(std::ostream& out, const char* space, const char* axis,
 
 void print_vertices(std::ostream& out, const TriangleReport& report, bool is_projected_scene) {
     const auto always = [](const ShadedVertex&) { return true; };
-    const auto has_pixel = [](const ShadedVertex& v) { return v.fault == VertexFault::none; };
+    const auto has_pixel = [](const ShadedVertex& v) { return v.rejection == Rejection::none; };
     const auto number = [](float value) { return printed(" %13.4f", static_cast<double>(value)); };
-    const auto print_vector = [&](const char* space, glm::vec3 ShadedVertex::*member) {
+    const auto print_vector = [&](const char* space, std::string_view of) {
         const std::array<const char*, 3> axes{"x", "y", "z"};
         for (int i = 0; i < 3; ++i) {
             print_vertex_line(out, i == 0 ? space : "", axes[static_cast<std::size_t>(i)], report,
-                              always,
-                              [&](const ShadedVertex& v) { return number((v.*member)[i]); });
+                              always, [&](const ShadedVertex& v) { return number(v.in(of)[i]); });
         }
     };
-    out << printed("%-23s %13s %13s %13s\n", "Vertices", "v0", "v1", "v2");
-    print_vector(is_projected_scene ? "world" : "given", &ShadedVertex::position_world);
+    out << printed("%-23s", "Vertices");
+    for (std::size_t v = 0; v < report.vertices.size(); ++v)
+        out << printed(" %13s", ("v" + std::to_string(v)).c_str());
+    out << '\n';
+    print_vector(is_projected_scene ? "world" : "given", "world");
     if (is_projected_scene) {
-        print_vector("minus camera", &ShadedVertex::minus_camera);
-        print_vector("rotated", &ShadedVertex::position_camera);
+        print_vector("minus camera", "minus_camera");
+        print_vector("rotated", "rotated");
         print_vertex_line(out, "projected", "x", report, is_projected,
-                          [&](const ShadedVertex& v) { return number(v.projected_x); });
+                          [&](const ShadedVertex& v) { return number(v.in("projected").x); });
         print_vertex_line(out, "", "y", report, is_projected,
-                          [&](const ShadedVertex& v) { return number(v.projected_y); });
+                          [&](const ShadedVertex& v) { return number(v.in("projected").y); });
     }
     print_vertex_line(out, "pixel", "column", report, has_pixel,
                       [](const ShadedVertex& v) { return printed(" %13d", v.pixel.column); });
     print_vertex_line(out, "", "row", report, has_pixel,
                       [](const ShadedVertex& v) { return printed(" %13d", v.pixel.row); });
     print_vertex_line(out, "", "1/z", report, has_pixel, [](const ShadedVertex& v) {
-        return printed(" %13.6f", static_cast<double>(v.pixel.zinv));
+        return printed(" %13.6f", static_cast<double>(v.pixel.inv_w));
     });
 }
 
@@ -197,8 +199,8 @@ void print_text(std::ostream& out, const TriangleReport& report, const Scene& sc
     out << "Triangle " << report.triangle << " (" << part_name(scene, report.triangle)
         << "), counted from 0, one of " << scene.triangles.size() << "\n\n";
     print_vertices(out, report, scene.space == SceneSpace::world);
-    if (report.left_out != VertexFault::none) {
-        out << "\nIt is left out: " << fault_text(report.left_out) << ".\n";
+    if (report.rejection != Rejection::none) {
+        out << "\nIt is left out: " << words(report.rejection).sentence << ".\n";
         return;
     }
     print_edges(out, report);

@@ -55,7 +55,7 @@ Apart varyings_apart(const VertexDeed& a, const VertexDeed& b) {
 
 Apart vertices_apart(const VertexDeed& a, const VertexDeed& b) {
     if (a.pixel.column != b.pixel.column || a.pixel.row != b.pixel.row) return Apart::clearly;
-    return std::max(lengths_apart(a.pixel.zinv, b.pixel.zinv), varyings_apart(a, b));
+    return std::max(lengths_apart(a.pixel.depth, b.pixel.depth), varyings_apart(a, b));
 }
 
 Apart samples_apart(const SampleEvent& a, const SampleEvent& b) {

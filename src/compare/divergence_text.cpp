@@ -69,20 +69,11 @@ std::string_view rounding_word(Rounding rounding) {
     return "rounded";
 }
 
-std::string_view fault_text(VertexFault fault) {
-    switch (fault) {
-    case VertexFault::not_finite:
-        return "a coordinate is not a finite number";
-    case VertexFault::behind_camera:
-        return "a vertex lies on or behind the camera plane";
-    case VertexFault::too_far_out:
-        return "a vertex is projected too far out";
-    case VertexFault::taken_for_behind:
-        return "a vertex in column −1 is taken for one behind the camera";
-    case VertexFault::none:
-        break;
-    }
-    return "it is not drawn";
+/// Why a triangle is not drawn, with the minus sign of a printed text.
+std::string rejection_text(Rejection rejection) {
+    std::string text(words(rejection).sentence);
+    if (const std::size_t at = text.find('-'); at != std::string::npos) text.replace(at, 1, "−");
+    return text;
 }
 
 /// The sentence for a moment that only one run has because the other stops before it.
@@ -125,7 +116,7 @@ std::string outside_sentence(DivergenceKind kind, const Fragment& in_a, const Fr
 ShadedVertex shade(const Frame& frame, const Cursor& cursor) {
     const Vertex& vertex = frame.scene->triangles[cursor.triangle].vertices[cursor.index];
     const VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
-    return frame.stages.vertex_shader(vertex, camera_rotation(rules.camera), rules, frame.stages);
+    return shade_vertex(vertex, camera_rotation(rules.camera), rules, frame.stages);
 }
 
 /// How a run comes from the projected place to the pixel.
@@ -133,9 +124,9 @@ std::string projection(const Frame& frame, const ShadedVertex& shaded, const Fra
                        int digits) {
     const bool from_middle = frame.scene->space == SceneSpace::world;
     return std::string("projected to (")
-        .append(number(shaded.projected_x, digits))
+        .append(number(shaded.in("projected").x, digits))
         .append(", ")
-        .append(number(shaded.projected_y, digits))
+        .append(number(shaded.in("projected").y, digits))
         .append(from_middle ? ") from the middle, " : "), ")
         .append(rounding_word(frame.settings.rounding))
         .append(" to ")
@@ -173,38 +164,36 @@ std::string varying_text(const VertexDeed& a, const VertexDeed& b) {
 }
 
 std::string vertex_text(const Frame& a, const Frame& b, const PairMoment& moment) {
-    std::string text = numbered("vertex", moment.cursor.index, 3).append(": ");
+    const auto corners = static_cast<int>(a.triangle_vertices(moment.cursor.triangle).size());
+    std::string text = numbered("vertex", moment.cursor.index, corners).append(": ");
     const VertexDeed &in_a = *moment.a.vertex, &in_b = *moment.b.vertex;
-    if (in_a.pixel.column != in_b.pixel.column || in_a.pixel.row != in_b.pixel.row) {
+    const bool differs = in_a.pixel.column != in_b.pixel.column || in_a.pixel.row != in_b.pixel.row;
+    if (differs && (a.is_cut(moment.cursor.triangle) || b.is_cut(moment.cursor.triangle))) {
+        return text.append("in A ")
+            .append(pixel_text(in_a.pixel.column, in_a.pixel.row))
+            .append("; in B ")
+            .append(pixel_text(in_b.pixel.column, in_b.pixel.row))
+            .append(".");
+    }
+    if (differs) {
         const ShadedVertex p = shade(a, moment.cursor), q = shade(b, moment.cursor);
-        const int digits = std::max(digits_for(p.projected_x, q.projected_x),
-                                    digits_for(p.projected_y, q.projected_y));
+        const int digits = std::max(digits_for(p.in("projected").x, q.in("projected").x),
+                                    digits_for(p.in("projected").y, q.in("projected").y));
         return text.append("in A ")
             .append(projection(a, p, in_a.pixel, digits))
             .append("; in B ")
             .append(projection(b, q, in_b.pixel, digits))
             .append(".");
     }
-    if (in_a.pixel.zinv != in_b.pixel.zinv) {
-        const int digits = digits_for(in_a.pixel.zinv, in_b.pixel.zinv);
+    if (in_a.pixel.depth != in_b.pixel.depth) {
+        const int digits = digits_for(in_a.pixel.depth, in_b.pixel.depth);
         return text.append("1/z is ")
-            .append(number(in_a.pixel.zinv, digits))
+            .append(number(in_a.pixel.depth, digits))
             .append(" in A, ")
-            .append(number(in_b.pixel.zinv, digits))
+            .append(number(in_b.pixel.depth, digits))
             .append(" in B.");
     }
     return text.append(varying_text(in_a, in_b));
-}
-
-/// First and last row of a triangle's table.
-struct TableRows {
-    int first = 0, last = 0;
-};
-
-TableRows table_rows(const Frame& frame, int triangle) {
-    const std::span<const Fragment> v = frame.triangle_vertices(triangle);
-    const auto [top, bottom] = std::minmax({v[0].row, v[1].row, v[2].row});
-    return {top, bottom};
 }
 
 /// One coordinate of a sample on its way to a pixel: "y = 0.999842 is cut to 0".
@@ -237,7 +226,9 @@ std::string sample_side(const Frame& frame, const SampleEvent& event, bool with_
 }
 
 int sample_count(const Frame& frame, const Cursor& cursor) {
-    return row_history(frame, cursor.triangle).edge_samples[static_cast<std::size_t>(cursor.index)];
+    const std::vector<int> samples = row_history(frame, cursor.triangle).edge_samples;
+    const auto edge = static_cast<std::size_t>(cursor.index);
+    return edge < samples.size() ? samples[edge] : 0;
 }
 
 std::string sample_text(const Frame& a, const Frame& b, const PairMoment& moment) {
@@ -395,10 +386,10 @@ std::string divergence_text(const Frame& a, const Frame& b, const PairMoment& mo
     const Cursor& cursor = moment.cursor;
     const bool drawn_in_a = a.is_drawn(cursor.triangle), drawn_in_b = b.is_drawn(cursor.triangle);
     if (drawn_in_a != drawn_in_b) {
-        const VertexFault fault = (drawn_in_a ? b : a).left_out[cursor.triangle];
+        const Rejection rejection = (drawn_in_a ? b : a).rejection(cursor.triangle);
         return std::string(drawn_in_a ? "B" : "A")
             .append(" leaves the triangle out: ")
-            .append(fault_text(fault))
+            .append(rejection_text(rejection))
             .append(".");
     }
     const bool one_is_idle = moment.a.is_nothing() || moment.b.is_nothing();

@@ -14,13 +14,14 @@ namespace {
 constexpr int most_kept = 1 << 16;
 
 /// The varyings at a vertex as q, however the run carries them on.
-Varyings varyings_at(const Frame& frame, const Cursor& cursor) {
+Varyings varyings_at(const Frame& frame, const Cursor& cursor, const Fragment& pixel) {
+    if (frame.is_cut(cursor.triangle)) {
+        return recover_varyings(pixel, frame.stages);
+    }
     const Vertex& vertex = frame.scene->triangles[cursor.triangle].vertices[cursor.index];
     const VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
     const glm::mat3 rotation = camera_rotation(rules.camera);
-    Stages unweighted = frame.stages;
-    unweighted.varying_weight = varying_weight_one;
-    return unweighted.vertex_shader(vertex, rotation, rules, unweighted).pixel.varyings;
+    return frame.stages.vertex_shader(vertex, rotation, rules, frame.stages, nullptr).varyings;
 }
 
 /// The rows [first, last) of a triangle's row table that lie in the picture.
@@ -30,8 +31,7 @@ struct RowRange {
 
 RowRange rows_in_picture(const Frame& frame, int triangle) {
     if (!frame.is_drawn(triangle) || frame.settings.stage < Stage::rows) return {};
-    const std::span<const Fragment> v = frame.triangle_vertices(triangle);
-    const auto [top, bottom] = std::minmax({v[0].row, v[1].row, v[2].row});
+    const auto [top, bottom] = table_rows(frame, triangle);
     const int size = bottom - top + 1;
     return {std::clamp(-top, 0, size), std::clamp(frame.settings.viewport.height - top, 0, size)};
 }
@@ -49,8 +49,7 @@ void copy_row(const Frame& frame, const Framebuffer& picture, const Cursor& curs
     copy.rules = picture.rules;
     // Vertices and edge samples leave only marks, which look at nothing.
     if (cursor.phase != Phase::rows) return;
-    const std::span<const Fragment> v = frame.triangle_vertices(cursor.triangle);
-    const int row = std::min({v[0].row, v[1].row, v[2].row}) + cursor.index;
+    const int row = table_rows(frame, cursor.triangle).first + cursor.index;
     if (row < 0 || row >= picture.size.height) return;
     const auto first = static_cast<std::ptrdiff_t>(picture.at(0, row));
     const auto copy_plane = [&](const auto& from, auto& into) {
@@ -72,6 +71,13 @@ void watch_moment(const Frame& frame, const Framebuffer& picture, const Cursor& 
 
 } // namespace
 
+TableRows table_rows(const Frame& frame, int triangle) {
+    const std::span<const Fragment> v = frame.triangle_vertices(triangle);
+    const auto [top, bottom] = std::minmax_element(
+        v.begin(), v.end(), [](const Fragment& a, const Fragment& b) { return a.row < b.row; });
+    return {top->row, bottom->row};
+}
+
 void Deeds::clear() {
     vertices_.clear();
     samples_.clear();
@@ -82,7 +88,7 @@ void Deeds::clear() {
 void Deeds::vertex(const Cursor& cursor, const Fragment& pixel) {
     VertexDeed deed{cursor, pixel, {}, {}};
     deed.compared = carried_varyings(frame_.stages, lighting_of(frame_.settings.stage));
-    if (!(deed.compared == VaryingSet{})) deed.varyings = varyings_at(frame_, cursor);
+    if (!(deed.compared == VaryingSet{})) deed.varyings = varyings_at(frame_, cursor, pixel);
     vertices_.push_back(deed);
 }
 

@@ -13,6 +13,12 @@
 
 namespace rasterwalk {
 
+/// First and last row of the row table of a triangle that is drawn, by its vertices.
+struct TableRows {
+    int first = 0, last = 0;
+};
+TableRows table_rows(const Frame& frame, int triangle);
+
 /// A vertex in the moment in which it is projected.
 struct VertexDeed {
     Cursor cursor;

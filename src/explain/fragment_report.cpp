@@ -104,17 +104,17 @@ void add_depths(FragmentReport& report, const Carried& carried) {
          {static_cast<float>(report.pixel.x), true}});
     report.formulas.push_back(along_row(report, "zinv", "1/z",
                                         std::string(quantity_info(Quantity::zinv).words.help),
-                                        ends.left.zinv, ends.right.zinv, fragment.zinv));
+                                        ends.left.inv_w, ends.right.inv_w, fragment.inv_w));
     report.formulas.push_back(along_row(report, "z.affine", "z",
                                         "z interpolated as if it changed in equal steps: wrong "
                                         "between the vertices.",
                                         ends.left.z, ends.right.z, fragment.z));
-    const float z = 1.0f / fragment.zinv;
+    const float z = 1.0f / fragment.inv_w;
     report.formulas.push_back({"z.perspective",
                                "z",
                                "z as it is: one over the interpolated 1/z.",
                                "1 / (1/z)",
-                               {{"(1/z)", {fragment.zinv}, from_formula("zinv")}},
+                               {{"(1/z)", {fragment.inv_w}, from_formula("zinv")}},
                                {z}});
 }
 
@@ -150,14 +150,14 @@ void add_twice(FragmentReport& report, const QuantityInfo& info, const Carried& 
                   "multiplied by their 1/z.",
                   part_of(ends.left.varyings, quantity), part_of(ends.right.varyings, quantity),
                   value),
-        ends.left.zinv, ends.right.zinv));
+        ends.left.inv_w, ends.right.inv_w));
     report.formulas.push_back(
         {id + ".zinv_twice",
          name,
          std::string(info.words.help) + " Divided by z twice, and multiplied by it only once here.",
          "carried / (1/z)",
          {{"carried", {value}, from_formula(id + ".carried_twice")},
-          {"(1/z)", {carried[way].zinv}, from_formula("zinv")}},
+          {"(1/z)", {carried[way].inv_w}, from_formula("zinv")}},
          {part_of(report.under(Interpolation::zinv_twice), quantity)}});
 }
 
@@ -184,7 +184,7 @@ void add_varying(FragmentReport& report, const QuantityInfo& info, const Carried
          std::string(info.words.help) + " Carried divided by z, and multiplied by it again here.",
          symbol + " / (1/z)",
          {{symbol, {part_of(carried[0].varyings, quantity)}, from_formula(id + ".carried")},
-          {"(1/z)", {carried[0].zinv}, from_formula("zinv")}},
+          {"(1/z)", {carried[0].inv_w}, from_formula("zinv")}},
          {part_of(report.under(Interpolation::perspective), quantity)}});
     const Interpolation wrong = report.interpolation == Interpolation::zinv_twice
                                     ? Interpolation::zinv_twice
@@ -220,7 +220,7 @@ void add_light(const Frame& frame, FragmentReport& report) {
         point.position.value, point.normal.value, point.reflectance.value, light);
     append_light_formulas(point, frame, report.formulas);
 
-    for (std::size_t v = 0; v < 3; ++v) {
+    for (std::size_t v = 0; v < report.at_vertex.size(); ++v) {
         const Vertex& vertex = corners.vertices[v];
         report.at_vertex[v] =
             frame.stages.reflected_light(vertex.position, vertex.normal, vertex.reflectance, light);
@@ -252,7 +252,7 @@ void add_depth_test(FragmentReport& report) {
                   "new",
                   "The fragment's value for the depth buffer: larger is nearer.",
                   "(1/z)",
-                  {{"(1/z)", {report.fragment.zinv}, from_formula("zinv")}},
+                  {{"(1/z)", {report.fragment.depth}, from_formula("zinv")}},
                   {report.depth}};
     if (is_linear) {
         depth.help = "The fragment's value for the depth buffer, from z interpolated as if it "
@@ -339,7 +339,7 @@ std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& 
     }
     add_depths(report, carried);
     report.formulas.push_back(difference(quantity_info(Quantity::z), Interpolation::affine,
-                                         carried[0].z, 1.0f / carried[0].zinv));
+                                         carried[0].z, 1.0f / carried[0].inv_w));
     for (const QuantityInfo& info : shown_quantities(frame)) {
         if (is_varying(info.quantity)) add_varying(report, info, carried);
     }

@@ -43,9 +43,9 @@ struct FragmentReport {
 
     Fragment fragment;                                  ///< as draw() had it
     std::array<Varyings, interpolation_count> varyings; ///< recovered, q; indexed by Interpolation
-    LightTerms light;                    ///< at its own place, interpolated as is in force
-    std::array<LightTerms, 3> at_vertex; ///< light at the three vertices
-    glm::vec3 light_per_vertex{0.0f};    ///< carried from the vertices as is in force
+    LightTerms light; ///< at its own place, interpolated as is in force
+    std::array<LightTerms, triangle_corners> at_vertex; ///< light at the vertices of the scene
+    glm::vec3 light_per_vertex{0.0f}; ///< carried from the vertices as is in force
 
     float depth = 0.0f, stored = 0.0f;
     bool has_cell = true;            ///< in the depth buffer; without one nothing is ever stored

@@ -44,9 +44,9 @@ void add_camera_space(Made& made) {
                         axis,
                         "The world moved so that the camera stands at the origin: P − C.",
                         "P." + axis + " − C." + axis,
-                        {{"P." + axis, {shaded.position_world[i]}, from_formula("world." + axis)},
+                        {{"P." + axis, {shaded.in("world")[i]}, from_formula("world." + axis)},
                          {"C." + axis, {camera[i]}, from_setting("camera.position")}},
-                        {shaded.minus_camera[i]}};
+                        {shaded.in("minus_camera")[i]}};
         if (made.is_bench()) {
             formula.help = "The bench gives its vertices in pixels: there is no camera.";
             formula.expression = "P." + axis;
@@ -97,13 +97,13 @@ void add_rotated(Made& made) {
                         "Turned so that the camera looks along +z: d R, with d = P − C.",
                         "",
                         {},
-                        {shaded.position_camera[i]}};
+                        {shaded.in("rotated")[i]}};
         if (i == 2) formula.help += " How far in front of the camera.";
         if (made.is_bench()) {
             formula.help = "The bench gives its vertices in pixels: there is no camera.";
             formula.expression = "P." + axis;
             formula.inputs = {
-                {"P." + axis, {shaded.position_world[i]}, from_formula("world." + axis)}};
+                {"P." + axis, {shaded.in("world")[i]}, from_formula("world." + axis)}};
             made.add(formula);
             continue;
         }
@@ -115,7 +115,7 @@ void add_rotated(Made& made) {
             const std::string r = rotation_symbol(row, column);
             formula.expression += (k == 0 ? "" : " + ") + d + " · " + r;
             formula.inputs.push_back({d,
-                                      {shaded.minus_camera[k]},
+                                      {shaded.in("minus_camera")[k]},
                                       from_formula(std::string("minus_camera.") + axis_names[k])});
             formula.inputs.push_back(
                 {r, {made.rotation[column][row]}, from_formula(rotation_id(row, column))});
@@ -139,14 +139,14 @@ void add_projected(Made& made, int i) {
         "Pixels from the middle of the picture, before rounding. The program multiplies by 1/z.",
         "f · " + axis + " · 1/z",
         {{"f", {settings.camera.focal_length}, from_setting("camera.focal_length")},
-         {axis, {shaded.position_camera[i]}, from_formula("rotated." + axis)},
-         {"1/z", {shaded.pixel.zinv}, from_formula("zinv")}},
-        {i == 0 ? shaded.projected_x : shaded.projected_y}};
+         {axis, {shaded.in("rotated")[i]}, from_formula("rotated." + axis)},
+         {"1/z", {shaded.pixel.inv_w}, from_formula("zinv")}},
+        {i == 0 ? shaded.in("projected").x : shaded.in("projected").y}};
     if (settings.image_axes == ImageAxes::mirrored) projected.expression.insert(0, minus_sign);
     if (is_bench) {
         projected.help = "The bench gives its vertices in pixels.";
         projected.expression = axis;
-        projected.inputs = {{axis, {shaded.position_camera[i]}, from_formula("rotated." + axis)}};
+        projected.inputs = {{axis, {shaded.in("rotated")[i]}, from_formula("rotated." + axis)}};
     }
     Formula pixel{i == 0 ? "pixel.column" : "pixel.row",
                   i == 0 ? "column" : "row",
@@ -203,30 +203,29 @@ VertexReport vertex_report(const Frame& frame, int triangle, int vertex) {
     VertexReport report;
     report.triangle = triangle;
     report.vertex = vertex;
-    report.shaded = frame.stages.vertex_shader(given, rotation, rules, frame.stages);
-    report.transposed =
-        frame.stages.vertex_shader(given, glm::transpose(rotation), rules, frame.stages);
+    report.shaded = shade_vertex(given, rotation, rules, frame.stages);
+    report.transposed = shade_vertex(given, glm::transpose(rotation), rules, frame.stages);
     for (std::size_t i = 0; i < report.by_rounding.size(); ++i) {
         VertexRules other = rules;
         other.rounding = static_cast<Rounding>(i);
-        report.by_rounding[i] = frame.stages.vertex_shader(given, rotation, other, frame.stages);
+        report.by_rounding[i] = shade_vertex(given, rotation, other, frame.stages);
     }
     report.light =
         frame.stages.reflected_light(given.position, given.normal, given.reflectance, rules.light);
 
     Made made{frame, given, rotation, report};
-    add_given(made, "world", axis_names, report.shaded.position_world,
+    add_given(made, "world", axis_names, report.shaded.in("world"),
               "The vertex where the scene has it.");
     add_camera_space(made);
     if (!made.is_bench()) add_rotation(made);
     add_rotated(made);
-    if (has_pixel(report.shaded)) {
+    if (report.shaded.has_pixel) {
         made.add({"zinv",
                   "1/z",
                   "What the depth buffer holds: larger is nearer.",
                   "1 / z",
-                  {{"z", {report.shaded.position_camera.z}, from_formula("rotated.z")}},
-                  {report.shaded.pixel.zinv}});
+                  {{"z", {report.shaded.in("rotated").z}, from_formula("rotated.z")}},
+                  {report.shaded.pixel.depth}});
         add_projected(made, 0);
         add_projected(made, 1);
     }
@@ -237,20 +236,16 @@ VertexReport vertex_report(const Frame& frame, int triangle, int vertex) {
     return report;
 }
 
-bool has_pixel(const ShadedVertex& vertex) {
-    return vertex.fault == VertexFault::none || vertex.fault == VertexFault::taken_for_behind;
-}
-
 Number vertex_number(const ShadedVertex& vertex, std::string_view id) {
     const auto part = [&](const glm::vec3& vector) {
         return Number{id.back() == 'x' ? vector.x : id.back() == 'y' ? vector.y : vector.z};
     };
-    if (id.starts_with("world.")) return part(vertex.position_world);
-    if (id.starts_with("minus_camera.")) return part(vertex.minus_camera);
-    if (id.starts_with("rotated.")) return part(vertex.position_camera);
-    if (id == "zinv") return {vertex.pixel.zinv};
-    if (id == "projected.x") return {vertex.projected_x};
-    if (id == "projected.y") return {vertex.projected_y};
+    if (id.starts_with("world.")) return part(vertex.in("world"));
+    if (id.starts_with("minus_camera.")) return part(vertex.in("minus_camera"));
+    if (id.starts_with("rotated.")) return part(vertex.in("rotated"));
+    if (id == "zinv") return {vertex.pixel.inv_w};
+    if (id == "projected.x") return {vertex.in("projected").x};
+    if (id == "projected.y") return {vertex.in("projected").y};
     if (id == "pixel.column") return {static_cast<float>(vertex.pixel.column), true};
     if (id == "pixel.row") return {static_cast<float>(vertex.pixel.row), true};
     return {};

@@ -17,7 +17,7 @@ namespace rasterwalk {
 ///
 /// Ids of its formulas: world.x .y .z, minus_camera.x ..., R.1.1 to R.3.3 (of the camera, row and
 /// column), rotated.x ..., zinv, projected.x .y, pixel.column .row, normal.x ..., reflectance.red
-/// ..., and the light's with prefix `light.`, see light_formulas.h. Of a vertex with a fault those
+/// ..., and the light's with prefix `light.`, see light_formulas.h. Of a rejected vertex those
 /// from zinv on may be missing.
 struct VertexReport {
     int triangle = -1;
@@ -31,9 +31,6 @@ struct VertexReport {
 
 /// The report on vertex 0, 1 or 2 of a triangle, drawn or left out.
 VertexReport vertex_report(const Frame& frame, int triangle, int vertex);
-
-/// Has the vertex been given a pixel, be it one for which it is then left out?
-bool has_pixel(const ShadedVertex& vertex);
 
 /// The number of this id in a vertex that went another way; ids of world, minus_camera, rotated,
 /// zinv, projected and pixel only, for others 0.

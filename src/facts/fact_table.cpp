@@ -259,7 +259,7 @@ void add_table_facts(std::vector<Fact>& table) {
                          const std::optional<int> row = f.table_row();
                          return row ? number(f.table()->rows.pixel_count(*row)) : Value();
                      }});
-    for (int edge = 0; edge < 3; ++edge) {
+    for (int edge = 0; edge < triangle_corners; ++edge) {
         const std::string name = "edge" + std::to_string(edge + 1);
         table.push_back({"table." + name + ".samples",
                          "Samples of edge " + std::to_string(edge + 1) +
@@ -274,16 +274,16 @@ void add_table_facts(std::vector<Fact>& table) {
 Value vertex_place(const Facts& facts, int which) {
     const ShadedVertex* const vertex = facts.vertex();
     if (vertex == nullptr) return {};
-    if (which < 3) return number(vertex->position_world[which]);
-    if (which < 6) return number(vertex->position_camera[which - 3]);
-    if (vertex->fault != VertexFault::none) return {};
-    return number(which == 6 ? vertex->projected_x : vertex->projected_y);
+    if (which < 3) return number(vertex->in("world")[which]);
+    if (which < 6) return number(vertex->in("rotated")[which - 3]);
+    if (vertex->rejection != Rejection::none) return {};
+    return number(which == 6 ? vertex->in("projected").x : vertex->in("projected").y);
 }
 
 void add_vertex_facts(std::vector<Fact>& table) {
     const auto with_pixel = [](const Facts& f) {
         const ShadedVertex* const vertex = f.vertex();
-        return vertex != nullptr && vertex->fault == VertexFault::none ? vertex : nullptr;
+        return vertex != nullptr && vertex->rejection == Rejection::none ? vertex : nullptr;
     };
     using WithPixel = decltype(with_pixel);
     table.push_back({"vertex.column", "Column of the selected vertex of the triangle on show.",
@@ -297,7 +297,7 @@ void add_vertex_facts(std::vector<Fact>& table) {
                      }});
     table.push_back({"vertex.zinv", "Its 1/z.", real(), [](const Facts& f, int) {
                          const ShadedVertex* const vertex = WithPixel{}(f);
-                         return vertex != nullptr ? number(vertex->pixel.zinv) : Value();
+                         return vertex != nullptr ? number(vertex->pixel.inv_w) : Value();
                      }});
     table.push_back(
         {"vertex.z", "Its z before the camera; negative behind it.", real(), vertex_place, 5});

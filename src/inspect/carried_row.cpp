@@ -37,15 +37,15 @@ float part_of(const Varyings& varyings, Quantity quantity) {
     return varying_list[static_cast<std::size_t>(info.varying)].component(varyings, info.component);
 }
 
-std::array<ShadedVertex, 3> shade_triangle(const Frame& frame, int triangle,
-                                           const Settings& settings) {
+std::vector<ShadedVertex> shade_triangle(const Frame& frame, int triangle,
+                                         const Settings& settings) {
     const glm::mat3 rotation = camera_rotation(settings.camera);
     const VertexRules rules = vertex_rules(settings, frame.scene->space);
     const Triangle& corners = frame.scene->triangles[static_cast<std::size_t>(triangle)];
     const Stages stages = stages_for(settings, frame.replace);
-    std::array<ShadedVertex, 3> shaded;
-    for (std::size_t v = 0; v < shaded.size(); ++v)
-        shaded[v] = stages.vertex_shader(corners.vertices[v], rotation, rules, stages);
+    std::vector<ShadedVertex> shaded;
+    for (const Vertex& corner : corners.vertices)
+        shaded.push_back(shade_vertex(corner, rotation, rules, stages));
     return shaded;
 }
 
@@ -78,8 +78,9 @@ std::optional<CarriedRow> carried_row(const Frame& frame, int triangle, int inde
         Settings settings = frame.settings;
         settings.interpolation = way;
         settings.stage = Stage::vertex_light;
-        const std::array<ShadedVertex, 3> shaded = shade_triangle(frame, triangle, settings);
-        const std::array<Fragment, 3> corners{shaded[0].pixel, shaded[1].pixel, shaded[2].pixel};
+        std::vector<Fragment> corners;
+        for (const ShadedVertex& vertex : shade_triangle(frame, triangle, settings))
+            corners.push_back(vertex.pixel);
         PolygonRows rows;
         const Stages stages = stages_for(settings, frame.replace);
         stages.compute_polygon_rows(corners, edges, stages, rows, nullptr);

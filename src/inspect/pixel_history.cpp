@@ -19,7 +19,7 @@ class Collector : public Observer {
             entry.row = event.cursor.index;
             entry.column = event.cursor.step;
         }
-        entry.zinv = event.fragment.zinv;
+        entry.zinv = event.fragment.inv_w;
         entry.depth = event.depth;
         entry.stored = event.stored;
         entry.margin = event.depth - event.stored;

@@ -41,8 +41,8 @@ std::optional<int> widest_row(const Frame& frame, int triangle) {
 
 float true_value(const RowGraph& graph, Quantity quantity, int index) {
     const Fragment& fragment = graph.at(Interpolation::perspective, index);
-    if (quantity == Quantity::zinv) return fragment.zinv;
-    if (quantity == Quantity::z) return 1.0f / fragment.zinv;
+    if (quantity == Quantity::zinv) return fragment.inv_w;
+    if (quantity == Quantity::z) return 1.0f / fragment.inv_w;
     return part_of(
         recover_varyings(fragment,
                          graph.row.stages[static_cast<std::size_t>(Interpolation::perspective)]),
@@ -58,7 +58,7 @@ float affine_value(const RowGraph& graph, Quantity quantity, int index) {
 
 float carried_value(const RowGraph& graph, Quantity quantity, int index) {
     const Fragment& fragment = graph.at(Interpolation::perspective, index);
-    return is_varying(quantity) ? part_of(fragment.varyings, quantity) : fragment.zinv;
+    return is_varying(quantity) ? part_of(fragment.varyings, quantity) : fragment.inv_w;
 }
 
 int worst_index(const RowGraph& graph, Quantity quantity) {

@@ -7,26 +7,11 @@
 namespace rasterwalk {
 
 LeftOut count_left_out(const Frame& frame) {
-    LeftOut count;
-    for (const VertexFault fault : frame.left_out) {
-        switch (fault) {
-        case VertexFault::none:
-            break;
-        case VertexFault::not_finite:
-            ++count.not_finite;
-            break;
-        case VertexFault::behind_camera:
-            ++count.behind_camera;
-            break;
-        case VertexFault::too_far_out:
-            ++count.too_far_out;
-            break;
-        case VertexFault::taken_for_behind:
-            ++count.taken_for_behind;
-            break;
-        }
-    }
-    return count;
+    LeftOut left_out;
+    for (const Polygon& polygon : frame.polygons)
+        ++left_out.counts[static_cast<std::size_t>(polygon.rejection)];
+    left_out.counts[static_cast<std::size_t>(Rejection::none)] = 0;
+    return left_out;
 }
 
 SamplesOutside count_samples_outside(const Frame& frame) {

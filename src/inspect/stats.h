@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <numeric>
 
 #include "pipeline/cursor.h"
 #include "pipeline/frame.h"
@@ -10,12 +12,10 @@ namespace rasterwalk {
 
 /// Triangles that are not drawn, by reason.
 struct LeftOut {
-    int not_finite = 0;
-    int behind_camera = 0;
-    int too_far_out = 0;
-    int taken_for_behind = 0;
+    std::array<int, rejection_count> counts{}; ///< indexed by Rejection; 0 for none
 
-    int total() const { return not_finite + behind_camera + too_far_out + taken_for_behind; }
+    int of(Rejection reason) const { return counts[static_cast<std::size_t>(reason)]; }
+    int total() const { return std::accumulate(counts.begin(), counts.end(), 0); }
     friend bool operator==(const LeftOut&, const LeftOut&) = default;
 };
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <string_view>
 #include <vector>
 
@@ -20,10 +19,10 @@ struct EdgeReport {
 /// Everything that is to be known of a triangle, whatever the stage draws of it.
 struct TriangleReport {
     int triangle = 0;
-    VertexFault left_out = VertexFault::none; ///< why it is not drawn, or none
-    std::array<ShadedVertex, 3> vertices;     ///< through the spaces
-    std::array<EdgeReport, 3> edges;          ///< empty for a triangle that is left out
-    RowHistory rows;                          ///< the row table, likewise
+    Rejection rejection = Rejection::none; ///< why it is not drawn, or none
+    std::vector<ShadedVertex> vertices;    ///< of the scene, through the spaces
+    std::vector<EdgeReport> edges;         ///< of what is drawn; empty for a triangle left out
+    RowHistory rows;                       ///< the row table, likewise
 };
 
 /// The report on a triangle of the frame, with its row table as far as it is made at `to`.
@@ -31,8 +30,5 @@ TriangleReport triangle_report(const Frame& frame, int triangle, const Cursor& t
 
 /// What a sample did to the row table: left, right, both, nothing or outside.
 std::string_view write_name(const RowWrite& write);
-
-/// The fault as in data: none, not_finite, behind_camera, too_far_out or taken_for_behind.
-std::string_view fault_name(VertexFault fault);
 
 } // namespace rasterwalk

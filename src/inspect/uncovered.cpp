@@ -169,8 +169,8 @@ std::string uncovered_text(const Frame& frame, const glm::ivec2& pixel) {
     if (is_out_of_bounds(frame, pixel)) {
         return "The bounds test lets only columns and rows above 0 through (bounds=excludes_zero).";
     }
-    const auto is_left_out = [](VertexFault fault) { return fault != VertexFault::none; };
-    if (std::all_of(frame.left_out.begin(), frame.left_out.end(), is_left_out)) {
+    const auto is_left_out = [](const Polygon& p) { return p.rejection != Rejection::none; };
+    if (std::all_of(frame.polygons.begin(), frame.polygons.end(), is_left_out)) {
         return "No triangle of the scene is drawn.";
     }
     switch (frame.settings.stage) {

@@ -28,20 +28,20 @@ std::uint64_t fingerprint(const Rows& rows) {
 }
 
 /// A polygon that the table may belong to: its vertices, or a triangle of the scene.
-struct Polygon {
+struct TablePolygon {
     std::vector<Fragment> vertices;
     int triangle = -1;
     std::string about;
 };
 
-Polygon polygon_of(const std::vector<glm::ivec2>& points) {
-    Polygon polygon;
+TablePolygon polygon_of(const std::vector<glm::ivec2>& points) {
+    TablePolygon polygon;
     polygon.about = "the polygon";
     for (const glm::ivec2& point : points) {
         Fragment vertex;
         vertex.column = point.x;
         vertex.row = point.y;
-        vertex.zinv = vertex.z = 1.0f;
+        vertex.depth = vertex.inv_w = vertex.z = 1.0f;
         polygon.vertices.push_back(vertex);
         polygon.about.append(" (")
             .append(std::to_string(point.x))
@@ -53,7 +53,7 @@ Polygon polygon_of(const std::vector<glm::ivec2>& points) {
 }
 
 /// The row table of a polygon under these settings; nothing if the triangle is left out.
-Rows table_of(const Polygon& polygon, const Scene& scene, const Settings& settings) {
+Rows table_of(const TablePolygon& polygon, const Scene& scene, const Settings& settings) {
     PolygonRows table;
     if (polygon.triangle < 0) {
         const Stages stages = choose_stages(settings);
@@ -70,20 +70,20 @@ Rows table_of(const Polygon& polygon, const Scene& scene, const Settings& settin
 }
 
 /// The polygon whose table comes nearest under the reference's rules.
-Polygon nearest_polygon(const Rows& rows, const Scene& scene, const Settings& reference) {
-    Polygon nearest = polygon_of({{10, 5}, {5, 10}, {15, 15}});
+TablePolygon nearest_polygon(const Rows& rows, const Scene& scene, const Settings& reference) {
+    TablePolygon nearest = polygon_of({{10, 5}, {5, 10}, {15, 15}});
     double smallest = rows_distance(table_of(nearest, scene, reference), rows).mean;
     const Frame frame = prepare_frame(scene, reference);
     const int count = std::min(frame.triangle_count(), most_triangles_tried);
     for (int t = 0; t < count; ++t) {
         if (!frame.is_drawn(t)) continue;
-        const Polygon polygon{{},
-                              t,
-                              std::string("triangle ")
-                                  .append(std::to_string(t))
-                                  .append(" (")
-                                  .append(part_name(scene, t))
-                                  .append(")")};
+        const TablePolygon polygon{{},
+                                   t,
+                                   std::string("triangle ")
+                                       .append(std::to_string(t))
+                                       .append(" (")
+                                       .append(part_name(scene, t))
+                                       .append(")")};
         PolygonRows table;
         compute_rows(frame, t, table);
         const double distance = rows_distance(printed(table), rows).mean;
@@ -157,7 +157,7 @@ const std::vector<RowsEdit>& rows_edits() {
 Diagnosis diagnose_rows(const std::vector<PrintedRow>& rows, const std::vector<glm::ivec2>& polygon,
                         const Scene& scene, const Settings& reference, const std::vector<Bug>& bugs,
                         std::string& about) {
-    const Polygon subject =
+    const TablePolygon subject =
         polygon.empty() ? nearest_polygon(rows, scene, reference) : polygon_of(polygon);
     about = subject.about;
     const Rows right = table_of(subject, scene, reference);

@@ -243,7 +243,7 @@ void follow_lesson_link(Session& session, const Frame& frame, const LessonLink& 
         session.selection.row = chosen(link, "row", session.settings.viewport.height);
         break;
     case LinkKind::vertex:
-        session.selection.vertex = chosen(link, "vertex", 3);
+        session.selection.vertex = chosen(link, "vertex", triangle_corners);
         break;
     case LinkKind::tab:
         session.tab = link.argument;

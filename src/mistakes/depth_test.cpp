@@ -8,7 +8,7 @@ DepthResult depth_test_linear_z(const Fragment& fragment, float stored) {
 }
 
 DepthResult depth_test_reversed(const Fragment& fragment, float stored) {
-    return {fragment.zinv, fragment.zinv < stored};
+    return {fragment.depth, fragment.depth < stored};
 }
 
 glm::ivec2 depth_cell_transposed(int column, int row) {

@@ -19,7 +19,7 @@ float varying_weight_one(float) {
 
 Fragment span_end_times_zinv(const Fragment& end) {
     Fragment again = end;
-    again.varyings = end.varyings * end.zinv;
+    again.varyings = end.varyings * end.inv_w;
     return again;
 }
 

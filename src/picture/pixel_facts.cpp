@@ -27,18 +27,18 @@ Frame unlit_frame(const Frame& frame, Interpolation interpolation) {
 struct Side {
     std::array<float, 6> points;
     int triangle;
-    int opposite; ///< vertex of the triangle that is not on the side, 0..2
+    int opposite; ///< corner of the triangle that is not on the side
 };
 
 Side side_of(const Scene& scene, int triangle, int from) {
     const auto& vertices = scene.triangles[static_cast<std::size_t>(triangle)].vertices;
     glm::vec3 a = vertices[static_cast<std::size_t>(from)].position;
-    glm::vec3 b = vertices[static_cast<std::size_t>((from + 1) % 3)].position;
+    glm::vec3 b = vertices[static_cast<std::size_t>((from + 1) % triangle_corners)].position;
     const auto comes_before = [](const glm::vec3& p, const glm::vec3& q) {
         return std::array{p.x, p.y, p.z} < std::array{q.x, q.y, q.z};
     };
     if (comes_before(b, a)) std::swap(a, b);
-    return {{a.x, a.y, a.z, b.x, b.y, b.z}, triangle, (from + 2) % 3};
+    return {{a.x, a.y, a.z, b.x, b.y, b.z}, triangle, (from + 2) % triangle_corners};
 }
 
 /// On which side of the line from a to b does p lie in the picture? 0: on it.
@@ -63,7 +63,9 @@ struct Neighbours {
 Neighbours find_neighbours(const Frame& frame) {
     std::vector<Side> sides;
     for (int t = 0; t < frame.triangle_count(); ++t) {
-        for (int v = 0; v < 3 && frame.is_drawn(t); ++v)
+        // Of a triangle that was cut, the sides drawn are not those of the scene.
+        const bool is_whole = frame.is_drawn(t) && !frame.is_cut(t);
+        for (int v = 0; is_whole && v < triangle_corners; ++v)
             sides.push_back(side_of(*frame.scene, t, v));
     }
     std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
@@ -73,8 +75,8 @@ Neighbours find_neighbours(const Frame& frame) {
     for (std::size_t i = 0; i < sides.size(); ++i) {
         const Side& later = sides[i];
         const std::span<const Fragment> v = frame.triangle_vertices(later.triangle);
-        const Fragment& a = v[(later.opposite + 1) % 3];
-        const Fragment& b = v[(later.opposite + 2) % 3];
+        const Fragment& a = v[(later.opposite + 1) % triangle_corners];
+        const Fragment& b = v[(later.opposite + 2) % triangle_corners];
         const int on_side = side_of_line(a, b, v[later.opposite]);
         for (std::size_t j = i; j > 0 && i - j < most_on_an_edge; --j) {
             const Side& earlier = sides[j - 1];

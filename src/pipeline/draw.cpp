@@ -127,8 +127,8 @@ constexpr glm::vec3 white{1.0f};
 
 void draw_vertices(Drawing& d, int triangle) {
     const std::span<const Fragment> vertices = d.frame.triangle_vertices(triangle);
-    const Range range =
-        clamp_to_window(d.window, {triangle, Phase::vertices, 0, 0}, &Cursor::index, 3);
+    const Range range = clamp_to_window(d.window, {triangle, Phase::vertices, 0, 0}, &Cursor::index,
+                                        static_cast<int>(vertices.size()));
     for (int v = range.first; v < range.last; ++v) {
         const Cursor cursor{triangle, Phase::vertices, v, 0};
         if (d.observer != nullptr) d.observer->vertex(cursor, vertices[v]);

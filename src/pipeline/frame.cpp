@@ -14,19 +14,22 @@ Frame prepare_frame(const Scene& scene, const Settings& settings, const ReplaceS
     frame.settings = settings;
     frame.replace = replace;
     frame.stages = stages_for(settings, replace);
-    frame.vertices.reserve(3 * scene.triangles.size());
-    frame.left_out.reserve(scene.triangles.size());
+    frame.vertices.reserve(triangle_corners * scene.triangles.size());
+    frame.polygons.reserve(scene.triangles.size());
     const glm::mat3 rotation = camera_rotation(settings.camera);
     const VertexRules rules = vertex_rules(settings, scene.space);
     for (const Triangle& triangle : scene.triangles) {
-        VertexFault fault = VertexFault::none;
+        Polygon polygon{static_cast<int>(frame.vertices.size()), triangle_corners, Rejection::none,
+                        false};
         for (const Vertex& vertex : triangle.vertices) {
-            const ShadedVertex shaded =
-                frame.stages.vertex_shader(vertex, rotation, rules, frame.stages);
-            if (fault == VertexFault::none) fault = shaded.fault;
-            frame.vertices.push_back(shaded.pixel);
+            const ClipVertex clip =
+                frame.stages.vertex_shader(vertex, rotation, rules, frame.stages, nullptr);
+            const ProjectedVertex projected =
+                frame.stages.project(clip, rules, frame.stages, nullptr);
+            if (polygon.rejection == Rejection::none) polygon.rejection = projected.rejection;
+            frame.vertices.push_back(projected.pixel);
         }
-        frame.left_out.push_back(fault);
+        frame.polygons.push_back(polygon);
     }
     return frame;
 }

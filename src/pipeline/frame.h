@@ -19,21 +19,28 @@ struct Frame {
     Settings settings;
     ReplaceStages replace;          ///< functions beside those of the settings, or null
     Stages stages;                  ///< the table by which it is drawn and inspected
-    std::vector<Fragment> vertices; ///< projected; three for each triangle, in order
-    std::vector<VertexFault>
-        left_out; ///< for each triangle the reason why it is not drawn, or none
+    std::vector<Fragment> vertices; ///< projected; the corners of the polygons, one after another
+    std::vector<Polygon> polygons;  ///< what has become of each triangle of the scene, in order
 
-    int triangle_count() const { return static_cast<int>(left_out.size()); }
-    bool is_drawn(int triangle) const { return left_out[triangle] == VertexFault::none; }
+    int triangle_count() const { return static_cast<int>(polygons.size()); }
+    Rejection rejection(int triangle) const {
+        return polygons[static_cast<std::size_t>(triangle)].rejection;
+    }
+    bool is_drawn(int triangle) const { return rejection(triangle) == Rejection::none; }
+    /// Are its corners no longer those that the scene gives the triangle?
+    bool is_cut(int triangle) const { return polygons[static_cast<std::size_t>(triangle)].is_cut; }
+    /// The corners of what is drawn of a triangle; of one that is not drawn, as far as known.
     std::span<const Fragment> triangle_vertices(int triangle) const {
-        return {vertices.data() + 3 * static_cast<std::size_t>(triangle), 3};
+        const Polygon& polygon = polygons[static_cast<std::size_t>(triangle)];
+        return {vertices.data() + polygon.first, static_cast<std::size_t>(polygon.count)};
     }
 };
 
 /// The table for a frame: what the settings choose, and what is put in its place.
 Stages stages_for(const Settings& settings, const ReplaceStages& replace);
 
-/// Runs the vertex shader over the scene. A triangle with one faulty vertex is left out whole.
+/// Runs the vertex shader over the scene. A triangle with one vertex that is rejected is left out
+/// whole, for the reason of the first such vertex.
 Frame prepare_frame(const Scene& scene, const Settings& settings,
                     const ReplaceStages& replace = nullptr);
 

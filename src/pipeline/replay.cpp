@@ -53,6 +53,17 @@ Box in_picture(const Box& box, Viewport picture) {
             std::min(box.bottom, static_cast<double>(picture.height))};
 }
 
+/// Of a polygon without dents, as a fan of triangles about its first corner.
+double twice_the_area(std::span<const Fragment> v) {
+    double area = 0.0;
+    for (std::size_t i = 2; i < v.size(); ++i) {
+        const glm::dvec2 p(v[i - 1].column - v[0].column, v[i - 1].row - v[0].row);
+        const glm::dvec2 q(v[i].column - v[0].column, v[i].row - v[0].row);
+        area += std::abs(p.x * q.y - p.y * q.x);
+    }
+    return area;
+}
+
 /// An estimate of what it takes to draw a triangle. Its box is taken to be filled evenly.
 double work_of(const Frame& frame, int triangle) {
     if (!frame.is_drawn(triangle)) return 0.0;
@@ -61,9 +72,7 @@ double work_of(const Frame& frame, int triangle) {
     const double samples = 2.0 * std::max(box.width(), box.height());
     double fragments = 0.0;
     if (has_fragments(frame.settings.stage)) {
-        const glm::dvec2 p(v[1].column - v[0].column, v[1].row - v[0].row);
-        const glm::dvec2 q(v[2].column - v[0].column, v[2].row - v[0].row);
-        fragments = (std::abs(p.x * q.y - p.y * q.x) + samples) / 2.0;
+        fragments = (twice_the_area(v) + samples) / 2.0;
         fragments *= in_picture(box, frame.settings.viewport).area() / box.area();
     }
     return triangle_work + sample_work * samples + fragments;

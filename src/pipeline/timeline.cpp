@@ -1,17 +1,19 @@
 #include "pipeline/timeline.h"
 
 #include <algorithm>
+#include <climits>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace rasterwalk {
 
 namespace {
 
-/// Moments of a triangle: vertices, then edge samples, then rows.
-constexpr int vertex_moments = 3;
+// Moments of a triangle: vertices, then edge samples, then rows.
 
 int sample_total(const TriangleMoments& m) {
-    return m.samples[0] + m.samples[1] + m.samples[2];
+    return std::accumulate(m.samples.begin(), m.samples.end(), 0);
 }
 
 /// Counts the samples of each edge.
@@ -20,7 +22,7 @@ class SampleCounts : public SampleSink {
     void edge_sample(const EdgeSample& sample) override {
         ++samples[static_cast<std::size_t>(sample.edge)];
     }
-    std::array<int, 3> samples{};
+    std::vector<int> samples;
 };
 
 void find_spans(const Frame& frame, TriangleMoments& m) {
@@ -77,7 +79,8 @@ Cursor behind_piece(Cursor cursor, Granularity step) {
         }
         break;
     case Granularity::line:
-        cursor.index = cursor.phase == Phase::vertices ? vertex_moments : cursor.index + 1;
+        // All vertices are one line, however many there are.
+        cursor.index = cursor.phase == Phase::vertices ? INT_MAX : cursor.index + 1;
         cursor.step = 0;
         break;
     case Granularity::phase:
@@ -95,21 +98,22 @@ Cursor behind_piece(Cursor cursor, Granularity step) {
 int ordinal_at_or_after(const Cursor& cursor, const TriangleMoments& m) {
     switch (cursor.phase) {
     case Phase::vertices: {
-        const int begun = std::clamp(cursor.index, 0, vertex_moments);
-        return cursor.step > 0 ? std::min(begun + 1, vertex_moments) : begun;
+        const int begun = std::clamp(cursor.index, 0, m.vertices);
+        return cursor.step > 0 ? std::min(begun + 1, m.vertices) : begun;
     }
     case Phase::edges: {
-        const int edge = std::clamp(cursor.index, 0, 3);
-        int ordinal = vertex_moments;
+        const int edges = static_cast<int>(m.samples.size());
+        const int edge = std::clamp(cursor.index, 0, edges);
+        int ordinal = m.vertices;
         for (int e = 0; e < edge; ++e)
             ordinal += m.samples[e];
-        if (edge < 3) ordinal += std::clamp(cursor.step, 0, m.samples[edge]);
+        if (edge < edges) ordinal += std::clamp(cursor.step, 0, m.samples[edge]);
         return ordinal;
     }
     case Phase::rows: {
         const int rows = static_cast<int>(m.spans.size());
         const int row = std::clamp(cursor.index, 0, rows);
-        int ordinal = vertex_moments + sample_total(m) + m.before[row];
+        int ordinal = m.vertices + sample_total(m) + m.before[row];
         if (row < rows) {
             const TriangleMoments::Span& span = m.spans[row];
             ordinal += std::clamp(cursor.step, span.first, span.first + span.count) - span.first;
@@ -121,9 +125,9 @@ int ordinal_at_or_after(const Cursor& cursor, const TriangleMoments& m) {
 }
 
 Cursor cursor_at(int ordinal, const TriangleMoments& m) {
-    if (ordinal < vertex_moments) return {m.triangle, Phase::vertices, ordinal, 0};
-    ordinal -= vertex_moments;
-    for (int e = 0; e < 3; ++e) {
+    if (ordinal < m.vertices) return {m.triangle, Phase::vertices, ordinal, 0};
+    ordinal -= m.vertices;
+    for (int e = 0; e < static_cast<int>(m.samples.size()); ++e) {
         if (ordinal < m.samples[e]) return {m.triangle, Phase::edges, e, ordinal};
         ordinal -= m.samples[e];
     }
@@ -139,11 +143,13 @@ const TriangleMoments& Timeline::moments(int triangle) const {
     const Stage stage = frame_->settings.stage;
     SampleCounts counts;
     cache_.triangle = triangle;
-    cache_.samples = {};
-    cache_.count = vertex_moments;
+    cache_.vertices = static_cast<int>(frame_->triangle_vertices(triangle).size());
+    counts.samples.assign(static_cast<std::size_t>(cache_.vertices), 0);
+    cache_.samples.clear();
+    cache_.count = cache_.vertices;
     compute_rows(*frame_, triangle, cache_.rows, &counts, {});
     if (stage >= Stage::edges) {
-        cache_.samples = counts.samples;
+        cache_.samples = std::move(counts.samples);
         cache_.count += sample_total(cache_);
     }
     cache_.spans.clear();

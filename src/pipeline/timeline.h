@@ -1,12 +1,11 @@
 #pragma once
 
 // The moments of a frame: which cursors exist, and how to go from one to another. The moments of a
-// triangle are its three vertices; then, from stage `edges` on, the samples of its three edges;
+// triangle are its vertices; then, from stage `edges` on, the samples of its edges;
 // then in stage `rows` one moment for every row, in which its two ends are shown, and from stage
 // `fill` on one moment for every fragment. Rows and fragments beyond the picture have no moments,
 // nor has a triangle that is left out. Every question costs at most the edges of a triangle or two.
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -28,8 +27,9 @@ enum class Granularity : std::uint8_t {
 /// The moments of one triangle.
 struct TriangleMoments {
     int triangle = -1;
-    std::array<int, 3> samples{}; ///< of each edge; 0 before stage `edges`
-    PolygonRows rows;             ///< the finished row table
+    int vertices = 0;         ///< corners of what is drawn of it
+    std::vector<int> samples; ///< of each edge; 0 before stage `edges`
+    PolygonRows rows;         ///< the finished row table
     /// For each row of the table its first column from the left end that lies in the picture, and
     /// how many columns from there; 0 where the row has no moments.
     struct Span {

@@ -18,9 +18,12 @@ struct Vertex {
     friend bool operator==(const Vertex&, const Vertex&) = default;
 };
 
+/// Corners of a triangle as the scene gives it. What is drawn of it may have more, or none.
+inline constexpr int triangle_corners = 3;
+
 /// Three vertices; the order of the list of triangles is the order of drawing.
 struct Triangle {
-    std::array<Vertex, 3> vertices;
+    std::array<Vertex, triangle_corners> vertices;
     int part = 0; ///< index into Scene::parts
 
     friend bool operator==(const Triangle&, const Triangle&) = default;

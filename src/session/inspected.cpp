@@ -58,7 +58,7 @@ void update_inspected(const Session& session, const InspectedMoment& moment, boo
     const bool new_row = new_triangle || new_fragment || inspected.row != selection.row;
     if (new_triangle) {
         inspected.vertices.clear();
-        for (int v = 0; moment.triangle && v < 3; ++v)
+        for (int v = 0; moment.triangle && v < triangle_corners; ++v)
             inspected.vertices.push_back(vertex_report(moment.frame, *moment.triangle, v));
     }
     if (new_fragment) {

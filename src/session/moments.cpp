@@ -51,12 +51,13 @@ std::string possible(const Frame& frame, const Cursor& cursor) {
     }
     const std::string triangle = "triangle t" + std::to_string(cursor.triangle);
     if (!frame.is_drawn(cursor.triangle)) {
-        return triangle + " is left out: " +
-               fault_text(frame.left_out[static_cast<std::size_t>(cursor.triangle)]);
+        return triangle +
+               " is left out: " + std::string(words(frame.rejection(cursor.triangle)).sentence);
     }
     switch (cursor.phase) {
     case Phase::vertices:
-        return "a triangle has the vertices v0 to v2";
+        return "a triangle has the vertices v0 to v" +
+               std::to_string(frame.triangle_vertices(cursor.triangle).size() - 1);
     case Phase::edges:
         return edge_sentence(frame, cursor, triangle);
     case Phase::rows:
@@ -86,22 +87,6 @@ Cursor find_moment(const Frame& frame, const Cursor& cursor, const std::string& 
 }
 
 } // namespace
-
-std::string fault_text(VertexFault fault) {
-    switch (fault) {
-    case VertexFault::none:
-        break;
-    case VertexFault::not_finite:
-        return "a coordinate is not a finite number";
-    case VertexFault::behind_camera:
-        return "a vertex lies on or behind the camera plane";
-    case VertexFault::too_far_out:
-        return "a vertex is projected too far out";
-    case VertexFault::taken_for_behind:
-        return "a vertex in column -1 is taken for one behind the camera";
-    }
-    return {};
-}
 
 Cursor moment_of(const Frame& frame, const std::string& text) {
     const std::optional<Cursor> cursor = parse_cursor(text);

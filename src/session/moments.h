@@ -7,9 +7,6 @@
 
 namespace rasterwalk {
 
-/// Why a triangle is left out, to follow a colon: "a vertex lies on or behind the camera plane".
-std::string fault_text(VertexFault fault);
-
 /// The moment of a frame that a text names, on the command line, in a link or in a lesson. In a row
 /// that exists, a column that does not (`t12/r37`, `t12/r37/c9999`) stands for the next moment
 /// after it. Throws UsageError that says which moments there would be.

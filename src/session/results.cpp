@@ -62,22 +62,13 @@ int unset_row_pixels(const Frame& frame) {
 
 std::vector<std::string> describe_troubles(const Frame& frame) {
     std::vector<std::string> messages;
-    std::array<int, vertex_fault_count> left_out{};
-    for (const VertexFault fault : frame.left_out)
-        ++left_out[static_cast<std::size_t>(fault)];
-    const auto report = [&](VertexFault fault, std::string_view reason) {
-        const int count = left_out[static_cast<std::size_t>(fault)];
-        if (count > 0) {
-            messages.push_back(counted(count, "triangle", "triangles").append(" left out: ") +
-                               std::string(reason));
-        }
-    };
-    report(VertexFault::behind_camera, "a vertex on or behind the camera plane");
-    report(VertexFault::too_far_out,
-           "an edge of absurd length, its vertex is nearly in the camera");
-    report(VertexFault::not_finite, "a coordinate that is not a finite number");
-    report(VertexFault::taken_for_behind,
-           "a vertex in column −1, which is taken for the mark of one behind the camera");
+    const LeftOut left_out = count_left_out(frame);
+    for (const RejectionWords& reason : rejection_list) {
+        const int count = left_out.of(reason.rejection);
+        if (count == 0) continue;
+        messages.push_back(counted(count, "triangle", "triangles").append(" left out: ") +
+                           std::string(reason.cause));
+    }
     const std::int64_t unset = count_unset_rows(frame);
     if (unset > 0) {
         const int pixels = unset_row_pixels(frame);

@@ -3,11 +3,11 @@
 namespace rasterwalk {
 
 DepthResult depth_test(const Fragment& fragment, float stored) {
-    return {fragment.zinv, fragment.zinv > stored};
+    return {fragment.depth, fragment.depth > stored};
 }
 
 DepthResult no_depth_test(const Fragment& fragment, float) {
-    return {fragment.zinv, true};
+    return {fragment.depth, true};
 }
 
 glm::ivec2 depth_cell(int column, int row) {

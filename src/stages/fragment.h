@@ -9,8 +9,9 @@ namespace rasterwalk {
 struct Fragment {
     int column = 0;
     int row = 0;
-    float zinv = 0.0f; ///< 1/z in camera space, interpolated: right everywhere, larger is nearer
-    float z = 0.0f;    ///< z in camera space, interpolated as if linear: right at vertices only
+    float depth = 0.0f; ///< for the depth buffer, interpolated: larger is nearer; in the lab 1/z
+    float inv_w = 0.0f; ///< 1/w of clip space, by which varyings are weighed; in the lab 1/z
+    float z = 0.0f;     ///< z in camera space, interpolated as if linear: right at vertices only
     Varyings varyings;
 
     friend bool operator==(const Fragment&, const Fragment&) = default;

@@ -29,14 +29,19 @@ int exact_pixel(int a, int b, int i, int n, Rounding rounding) {
 }
 
 LineSample sample_at(const LineStep& at, Rounding rounding) {
-    return {{to_pixel(at.x, rounding), to_pixel(at.y, rounding), at.zinv, at.z, at.varyings},
-            at.x,
-            at.y};
+    return {
+        {to_pixel(at.x, rounding), to_pixel(at.y, rounding), at.depth, at.inv_w, at.z, at.varyings},
+        at.x,
+        at.y};
 }
 
 /// The values with which a walk begins, at their real place.
 LineStep values_at(const Fragment& end) {
-    return {static_cast<float>(end.column), static_cast<float>(end.row), end.zinv, end.z,
+    return {static_cast<float>(end.column),
+            static_cast<float>(end.row),
+            end.depth,
+            end.inv_w,
+            end.z,
             end.varyings};
 }
 
@@ -45,7 +50,8 @@ template <class Op>
 void each_value(VaryingSet carried, LineStep& into, const LineStep& a, const LineStep& b, Op op) {
     op(into.x, a.x, b.x);
     op(into.y, a.y, b.y);
-    op(into.zinv, a.zinv, b.zinv);
+    op(into.depth, a.depth, b.depth);
+    op(into.inv_w, a.inv_w, b.inv_w);
     op(into.z, a.z, b.z);
     each_in(carried, into.varyings, a.varyings, b.varyings, op);
 }
@@ -69,7 +75,8 @@ LineStep line_step(const Fragment& a, const Fragment& b, const LinePart& part) {
     const float steps = static_cast<float>(std::max(part.count - 1, 1));
     LineStep step{static_cast<float>(b.column - a.column) / steps,
                   static_cast<float>(b.row - a.row) / steps,
-                  (b.zinv - a.zinv) / steps,
+                  (b.depth - a.depth) / steps,
+                  (b.inv_w - a.inv_w) / steps,
                   (b.z - a.z) / steps,
                   {}};
     each_in(

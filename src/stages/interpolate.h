@@ -42,7 +42,7 @@ struct LineSample {
 /// What is added from one sample of a line to the next.
 struct LineStep {
     float x = 0.0f, y = 0.0f; ///< pixels
-    float zinv = 0.0f, z = 0.0f;
+    float depth = 0.0f, inv_w = 0.0f, z = 0.0f;
     Varyings varyings;
 };
 

@@ -5,7 +5,7 @@
 namespace rasterwalk {
 
 Varyings recover_varyings(const Fragment& fragment, const Stages& stages) {
-    return fragment.varyings / stages.varying_weight(fragment.zinv);
+    return fragment.varyings / stages.varying_weight(fragment.inv_w);
 }
 
 glm::vec3 pixel_shader(const Fragment& fragment, const Surface& surface, const PixelRules& rules,
@@ -15,11 +15,11 @@ glm::vec3 pixel_shader(const Fragment& fragment, const Surface& surface, const P
     case Lighting::none:
         break;
     case Lighting::per_vertex:
-        return fragment.varyings.illumination / stages.varying_weight(fragment.zinv);
+        return fragment.varyings.illumination / stages.varying_weight(fragment.inv_w);
     case Lighting::per_pixel:
         return stages
             .reflected_light(fragment.varyings.position_world /
-                                 stages.varying_weight(fragment.zinv),
+                                 stages.varying_weight(fragment.inv_w),
                              surface.normal, surface.reflectance, rules.light)
             .reflected;
     }

@@ -11,6 +11,7 @@
 #include "stages/light.h"
 #include "stages/pixel_shader.h"
 #include "stages/polygon_rows.h"
+#include "stages/project.h"
 #include "stages/put_pixel.h"
 #include "stages/spans.h"
 #include "stages/vertex_shader.h"
@@ -20,6 +21,7 @@ namespace rasterwalk {
 /// The slots, in the order of the pipeline.
 struct Stages {
     decltype(&rasterwalk::vertex_shader) vertex_shader = rasterwalk::vertex_shader;
+    decltype(&rasterwalk::project) project = rasterwalk::project;
 
     // Light, at vertices or at pixels.
     decltype(&rasterwalk::reflected_light) reflected_light = rasterwalk::reflected_light;

@@ -1,7 +1,7 @@
 #include "stages/vertex_shader.h"
 
-#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "stages/stage_table.h"
 
@@ -13,8 +13,7 @@ bool is_finite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-Varyings start_varyings(const Vertex& vertex, float zinv, const VertexRules& rules,
-                        const Stages& stages) {
+Varyings start_varyings(const Vertex& vertex, const VertexRules& rules, const Stages& stages) {
     Varyings varyings;
     varyings.position_world = vertex.position;
     varyings.normal = vertex.normal;
@@ -24,7 +23,7 @@ Varyings start_varyings(const Vertex& vertex, float zinv, const VertexRules& rul
             stages.reflected_light(vertex.position, vertex.normal, vertex.reflectance, rules.light)
                 .reflected;
     }
-    return varyings * stages.varying_weight(zinv);
+    return varyings;
 }
 
 } // namespace
@@ -39,58 +38,36 @@ glm::mat3 camera_rotation(const Camera& camera) {
     return {right, down, forward};
 }
 
-ShadedVertex vertex_shader(const Vertex& vertex, const glm::mat3& rotation,
-                           const VertexRules& rules, const Stages& stages) {
-    ShadedVertex shaded;
-    shaded.position_world = vertex.position;
-    int middle_column = 0, middle_row = 0;
-    if (rules.space == SceneSpace::pixels) {
-        shaded.minus_camera = shaded.position_camera = vertex.position;
-        shaded.projected_x = vertex.position.x;
-        shaded.projected_y = vertex.position.y;
-    } else {
-        shaded.minus_camera = vertex.position - rules.camera.position;
-        shaded.position_camera = rules.rotation == Rotation::row_vector
-                                     ? shaded.minus_camera * rotation
-                                     : rotation * shaded.minus_camera;
-        middle_column = rules.viewport.width / 2;
-        middle_row = rules.viewport.height / 2;
+glm::vec3 VertexSpaces::in(std::string_view space) const {
+    for (const SpacePoint& point : points) {
+        if (point.space == space) return point.place;
     }
-    const float z = shaded.position_camera.z;
-    if (!is_finite(shaded.position_camera)) {
-        shaded.fault = VertexFault::not_finite;
-        return shaded;
+    return glm::vec3(0.0f);
+}
+
+ClipVertex vertex_shader(const Vertex& vertex, const glm::mat3& rotation, const VertexRules& rules,
+                         const Stages& stages, VertexSpaces* spaces) {
+    const bool is_projected = rules.space == SceneSpace::world;
+    glm::vec3 minus_camera = vertex.position, rotated = vertex.position;
+    float f = 1.0f;
+    if (is_projected) {
+        minus_camera = vertex.position - rules.camera.position;
+        rotated = rules.rotation == Rotation::row_vector ? minus_camera * rotation
+                                                         : rotation * minus_camera;
+        f = rules.image_axes == ImageAxes::mirrored ? -rules.camera.focal_length
+                                                    : rules.camera.focal_length;
     }
-    if (!(z > 0.0f) && rules.behind_camera != BehindCamera::drawn) {
-        shaded.fault = VertexFault::behind_camera;
-        return shaded;
+    if (spaces != nullptr) {
+        spaces->add("world", vertex.position);
+        spaces->add("minus_camera", minus_camera);
+        spaces->add("rotated", rotated);
     }
-    const float zinv = 1.0f / z;
-    if (rules.space == SceneSpace::world) {
-        const float f = rules.image_axes == ImageAxes::mirrored ? -rules.camera.focal_length
-                                                                : rules.camera.focal_length;
-        shaded.projected_x = f * shaded.position_camera.x * zinv;
-        shaded.projected_y = f * shaded.position_camera.y * zinv;
-    }
-    // Written so that NaN, which no comparison admits, is caught as well.
-    if (!(std::abs(shaded.projected_x) <= max_pixel_distance &&
-          std::abs(shaded.projected_y) <= max_pixel_distance && std::isfinite(zinv))) {
-        shaded.fault = VertexFault::too_far_out;
-        return shaded;
-    }
-    shaded.pixel.column = to_pixel(shaded.projected_x, rules.rounding) + middle_column;
-    shaded.pixel.row = to_pixel(shaded.projected_y, rules.rounding) + middle_row;
-    if (rules.outside_picture == OutsidePicture::clamped) {
-        shaded.pixel.column = std::clamp(shaded.pixel.column, 0, rules.viewport.width - 1);
-        shaded.pixel.row = std::clamp(shaded.pixel.row, 0, rules.viewport.height - 1);
-    }
-    if (rules.behind_camera == BehindCamera::mark_minus_one && shaded.pixel.column == -1) {
-        shaded.fault = VertexFault::taken_for_behind;
-    }
-    shaded.pixel.zinv = zinv;
-    shaded.pixel.z = z;
-    shaded.pixel.varyings = start_varyings(vertex, zinv, rules, stages);
-    return shaded;
+    ClipVertex result;
+    result.position_clip = is_finite(rotated)
+                               ? glm::vec4(f * rotated.x, f * rotated.y, 1.0f, rotated.z)
+                               : glm::vec4(std::numeric_limits<float>::quiet_NaN());
+    result.varyings = start_varyings(vertex, rules, stages);
+    return result;
 }
 
 } // namespace rasterwalk

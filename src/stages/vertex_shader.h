@@ -1,11 +1,12 @@
 #pragma once
 
-// The vertex shader: from a point in the world to a pixel.
+// The vertex shader: from a point in the world to clip space. The lab's VertexShader is this and
+// project(), which divides.
 //
-// In:  a vertex, the camera, the size of the picture.
-// Out: column and row, 1/z, and the varyings that start their way at this vertex.
+// In:  a vertex and the camera.
+// Out: its place in clip space, and the varyings that start their way at this vertex.
 // Picture: move the world so that the camera stands at the origin, turn it so that the camera looks
-//          along +z, divide by z, scale by the focal length, shift to the middle of the picture.
+//          along +z, scale by the focal length.
 //
 // The classic mistakes: R v instead of v R (the camera turns the wrong way), a vertex behind the
 // camera (dividing by a negative z mirrors it), and int() on a negative coordinate, which rounds
@@ -14,13 +15,17 @@
 // for a real one, and moving a vertex to the picture's border bends the edges that end in it.
 
 #include <cstdint>
+#include <string_view>
+#include <vector>
 
 #include <glm/mat3x3.hpp>
+#include <glm/vec4.hpp>
 
 #include "scene/scene.h"
 #include "stages/fragment.h"
 #include "stages/interpolate.h"
 #include "stages/light.h"
+#include "stages/rejection.h"
 
 namespace rasterwalk {
 
@@ -28,17 +33,6 @@ struct Stages;
 
 /// Where light is computed.
 enum class Lighting : std::uint8_t { none, per_vertex, per_pixel };
-
-/// Why a vertex has no pixel.
-enum class VertexFault : std::uint8_t {
-    none,
-    not_finite,       ///< a coordinate is not a number, or infinite
-    behind_camera,    ///< z <= 0 in camera space: on or behind the camera plane
-    too_far_out,      ///< projected farther from the middle than max_pixel_distance
-    taken_for_behind, ///< its column is -1, which is the mark for "behind the camera": mistake B14
-};
-
-inline constexpr int vertex_fault_count = 5;
 
 /// What becomes of a vertex on or behind the camera plane.
 enum class BehindCamera : std::uint8_t {
@@ -83,23 +77,39 @@ struct VertexRules {
     ImageAxes image_axes = ImageAxes::right_way;
 };
 
-/// A vertex in every space on its way, in the order of the way.
-struct ShadedVertex {
-    glm::vec3 position_world{0.0f};
-    glm::vec3 minus_camera{0.0f};    ///< position_world - camera position
-    glm::vec3 position_camera{0.0f}; ///< minus_camera * R: x right, y down, z forward
-    float projected_x = 0.0f;        ///< f x / z, pixels from the middle, before rounding
-    float projected_y = 0.0f;        ///< f y / z, pixels from the middle, before rounding
-    Fragment pixel;                  ///< valid only without fault
-    VertexFault fault = VertexFault::none;
+/// A vertex in clip space: before the division that makes perspective.
+struct ClipVertex {
+    /// f x, f y, 1, z of camera space: x and y become pixels from the middle of the picture when
+    /// they are divided by w, and 1 becomes the depth 1/z. In a scene in pixel space x and y are
+    /// columns and rows already. All NaN if a coordinate in camera space is not finite.
+    glm::vec4 position_clip{0.0f};
+    Varyings varyings; ///< as q: not yet divided by z
+};
+
+/// A vertex in one of the spaces that it goes through.
+struct SpacePoint {
+    std::string_view space; ///< "minus_camera"
+    glm::vec3 place{0.0f};
+};
+
+/// The spaces of a vertex in the order of its way: `world`, `minus_camera`, `rotated` (camera
+/// space: x right, y down, z forward) from the vertex shader, then `projected` (pixels from the
+/// middle, before rounding) from project(). Only reports ask for it.
+struct VertexSpaces {
+    std::vector<SpacePoint> points;
+
+    void add(std::string_view space, const glm::vec3& place) { points.push_back({space, place}); }
+    /// The place in a space; zero if the vertex did not get there.
+    glm::vec3 in(std::string_view space) const;
 };
 
 /// R of the camera, for row vectors: v * R. Yaw turns about y, then pitch about x.
 glm::mat3 camera_rotation(const Camera& camera);
 
-/// The lab's VertexShader. `rotation` is camera_rotation(rules.camera), computed once a frame.
-/// `stages` is the table whose functions light the vertex and weigh its varyings.
-ShadedVertex vertex_shader(const Vertex& vertex, const glm::mat3& rotation,
-                           const VertexRules& rules, const Stages& stages);
+/// From the world to clip space. `rotation` is camera_rotation(rules.camera), computed once a
+/// frame. `stages` is the table whose functions light the vertex.
+/// @param spaces receives the places on the way, or null
+ClipVertex vertex_shader(const Vertex& vertex, const glm::mat3& rotation, const VertexRules& rules,
+                         const Stages& stages, VertexSpaces* spaces);
 
 } // namespace rasterwalk

@@ -111,7 +111,7 @@ class Applier {
         Selection& selection = session_.selection;
         selection.triangle = checked("triangle", situation_.triangle, triangles, "triangles");
         selection.row = checked("row", situation_.row, size.height, "rows");
-        selection.vertex = checked("vertex", situation_.vertex, 3, "vertices");
+        selection.vertex = checked("vertex", situation_.vertex, triangle_corners, "vertices");
         const std::optional<glm::ivec2>& pixel = situation_.pixel;
         if (!pixel) return;
         if (pixel->x < 0 || pixel->y < 0 || pixel->x >= size.width || pixel->y >= size.height) {

@@ -159,7 +159,7 @@ TEST_CASE("Every number of every vertex of the room follows from what its formul
                     check_formulas(report.formulas, variant.name + ", " + pose.name + ", t" +
                                                         std::to_string(t) + "/v" +
                                                         std::to_string(v));
-                    if (report.shaded.fault != VertexFault::none) continue;
+                    if (report.shaded.rejection != Rejection::none) continue;
                     const Fragment& drawn = frame.vertices[static_cast<std::size_t>(3 * t + v)];
                     const auto shows = [&](const char* id, float number) {
                         const Formula* const f = find_formula(report.formulas, id);
@@ -167,7 +167,7 @@ TEST_CASE("Every number of every vertex of the room follows from what its formul
                     };
                     const bool same = shows("pixel.column", static_cast<float>(drawn.column)) &&
                                       shows("pixel.row", static_cast<float>(drawn.row)) &&
-                                      shows("zinv", drawn.zinv) && shows("rotated.z", drawn.z);
+                                      shows("zinv", drawn.inv_w) && shows("rotated.z", drawn.z);
                     if (!same) FAIL("t" << t << "/v" << v << " is not the vertex that is drawn");
                 }
             }
@@ -214,7 +214,7 @@ TEST_CASE("Other roundings and the other convention are what drawing by them wou
         }
         // R v by hand: with R's rows as what were its columns.
         const glm::mat3 r = camera_rotation(settings.camera);
-        const glm::vec3 d = report.shaded.minus_camera;
+        const glm::vec3 d = report.shaded.in("minus_camera");
         const float x = r[0][0] * d.x + r[1][0] * d.y + r[2][0] * d.z;
         CHECK(vertex_number(report.transposed, "rotated.x").value == Approx(x).margin(1e-6));
         changed += vertex_number(report.transposed, "rotated.x").value !=

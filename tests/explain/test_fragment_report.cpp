@@ -84,14 +84,14 @@ void check_row_end(const FragmentReport& report, const PolygonRows& rows, const 
     const char* const suffix = in_force[static_cast<std::size_t>(report.interpolation)];
     std::optional<float> expected;
     if (id == "column") expected = static_cast<float>(end.column);
-    if (id == "zinv") expected = end.zinv;
+    if (id == "zinv") expected = end.inv_w;
     if (id == "z.affine") expected = end.z;
     for (const Quantity q : places) {
         if (id == std::string(quantity_info(q).words.id) + suffix) {
             expected = part_of(end.varyings, q);
         }
     }
-    if (input.symbol == "zl" || input.symbol == "zr") expected = end.zinv;
+    if (input.symbol == "zl" || input.symbol == "zr") expected = end.inv_w;
     if (input.source.row != end.row) FAIL(where << id << " names row " << input.source.row);
     if (expected && !same_bits(*expected, input.number.value)) {
         FAIL(where << id << ": " << input.symbol << " is " << input.number.value
@@ -152,7 +152,7 @@ void check_against_event(const FragmentReport& report, const FragmentEvent& even
         FAIL(where << "reports on another pixel");
     }
     expect("column", result(report, "column"), static_cast<float>(event.fragment.column));
-    expect("zinv", result(report, "zinv"), event.fragment.zinv);
+    expect("zinv", result(report, "zinv"), event.fragment.inv_w);
     expect("z.affine", result(report, "z.affine"), event.fragment.z);
     expect("depth", result(report, "depth"), event.depth);
     expect("margin", result(report, "margin"), event.depth - event.stored);

@@ -32,11 +32,19 @@ namespace {
 
 // --- a function for each slot that does something else
 
-ShadedVertex shader_two_right(const Vertex& vertex, const glm::mat3& rotation,
-                              const VertexRules& rules, const Stages& stages) {
-    ShadedVertex shaded = vertex_shader(vertex, rotation, rules, stages);
-    shaded.pixel.column += 2;
-    return shaded;
+ClipVertex shader_to_the_right(const Vertex& vertex, const glm::mat3& rotation,
+                               const VertexRules& rules, const Stages& stages,
+                               VertexSpaces* spaces) {
+    ClipVertex clip = vertex_shader(vertex, rotation, rules, stages, spaces);
+    const float width = rules.space == SceneSpace::world ? clip.position_clip.w : 1.0f;
+    clip.position_clip.x += 2.0f * width;
+    return clip;
+}
+ProjectedVertex project_two_right(const ClipVertex& clip, const VertexRules& rules,
+                                  const Stages& stages, VertexSpaces* spaces) {
+    ProjectedVertex projected = project(clip, rules, stages, spaces);
+    projected.pixel.column += 2;
+    return projected;
 }
 LightTerms green_light(const glm::vec3& place, const glm::vec3& normal, const glm::vec3& colour,
                        const Light& light) {
@@ -79,7 +87,7 @@ void line_backwards(const Fragment& a, const Fragment& b, const LineStep&, const
 }
 Fragment nearer_end(const Fragment& end) {
     Fragment near = end;
-    near.zinv = 2.0f * end.zinv;
+    near.depth = near.inv_w = 2.0f * end.inv_w;
     return near;
 }
 float squared_weight(float zinv) {
@@ -105,7 +113,8 @@ struct Replacement {
 
 const std::vector<Replacement>& replacements() {
     static const std::vector<Replacement> list{
-        {"vertex_shader", [](Stages& s) { s.vertex_shader = shader_two_right; }},
+        {"vertex_shader", [](Stages& s) { s.vertex_shader = shader_to_the_right; }},
+        {"project", [](Stages& s) { s.project = project_two_right; }},
         {"reflected_light", [](Stages& s) { s.reflected_light = green_light; }},
         {"begin_polygon_rows and polygon_box",
          [](Stages& s) {
@@ -263,7 +272,7 @@ void check_pixels(const Frame& frame, const Story& story) {
             const std::optional<RowGraph> graph =
                 row_graph(frame, winner.cursor.triangle, winner.cursor.index);
             REQUIRE(graph);
-            CHECK(same_bits(graph->at(frame.settings.interpolation, winner.cursor.step).zinv,
+            CHECK(same_bits(graph->at(frame.settings.interpolation, winner.cursor.step).inv_w,
                             winner.zinv));
         }
     }

@@ -23,7 +23,7 @@ Fragment at(int column, int row) {
     Fragment fragment;
     fragment.column = column;
     fragment.row = row;
-    fragment.zinv = fragment.z = 1.0f;
+    fragment.depth = fragment.inv_w = fragment.z = 1.0f;
     return fragment;
 }
 

@@ -60,9 +60,9 @@ TEST_CASE("Triangles behind the camera are counted as left out, with the reason"
     Settings settings = default_settings(scene);
     settings.camera.position = {0.0f, 0.0f, 900.0f};
     const FrameStats behind = frame_stats(prepare_frame(scene, settings));
-    CHECK(behind.left_out.behind_camera == 30);
+    CHECK(behind.left_out.of(Rejection::behind_camera) == 30);
     CHECK(behind.left_out.total() == 30);
     CHECK(behind.fragments == 0);
     settings.camera.position = {0.0f, 0.0f, -1.0000001f};
-    CHECK(frame_stats(prepare_frame(scene, settings)).left_out.too_far_out > 0);
+    CHECK(frame_stats(prepare_frame(scene, settings)).left_out.of(Rejection::too_far_out) > 0);
 }

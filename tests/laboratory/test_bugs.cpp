@@ -259,7 +259,7 @@ TEST_CASE("B4: a second 1/z draws every place toward the origin, and leaves cove
             recover_varyings(event.fragment, runs.wrong.settings.interpolation).position_world;
         const glm::vec3 true_place =
             recover_varyings(right.fragment, runs.correct.settings.interpolation).position_world;
-        if (glm::distance(place, true_place * right.fragment.zinv) > 1e-5f) {
+        if (glm::distance(place, true_place * right.fragment.inv_w) > 1e-5f) {
             FAIL(to_text(cursor) << " is not one 1/z too near");
         }
     }
@@ -269,7 +269,7 @@ TEST_CASE("B5: edges by rows lose columns, and pass the lab's printed table") {
     const Runs runs("B5");
     CHECK(runs.different_pixels() == 7);
     CHECK(runs.wrong_stats.fragments < runs.correct_stats.fragments);
-    const auto at = [](int column, int row) { return Fragment{column, row, 1.0f, 1.0f, {}}; };
+    const auto at = [](int column, int row) { return Fragment{column, row, 1.0f, 1.0f, 1.0f, {}}; };
     const std::vector<Fragment> printed{at(10, 5), at(5, 10), at(15, 15)};
     PolygonRows by_rows, by_axis;
     compute_polygon_rows(printed, runs.wrong.settings, by_rows);
@@ -371,7 +371,7 @@ TEST_CASE("B11: an int step runs level, upright or at 45 degrees") {
 }
 
 TEST_CASE("B12: edges to the right or down lack two samples, the others none") {
-    const auto at = [](int column, int row) { return Fragment{column, row, 1.0f, 1.0f, {}}; };
+    const auto at = [](int column, int row) { return Fragment{column, row, 1.0f, 1.0f, 1.0f, {}}; };
     for (int d = 1; d < 9; ++d) {
         const int right = d + 1, wrong = std::max(d - 1, 1);
         CHECK(edge_sample_count(at(0, 0), at(d, 0), EdgeSamples::shifted) == wrong);
@@ -387,12 +387,12 @@ TEST_CASE("B12: edges to the right or down lack two samples, the others none") {
 
 TEST_CASE("B13: what reaches behind the camera is drawn, mirrored, and within bounds") {
     const Runs runs("B13");
-    CHECK(runs.correct_stats.left_out.behind_camera == 6);
+    CHECK(runs.correct_stats.left_out.of(Rejection::behind_camera) == 6);
     CHECK(runs.wrong_stats.left_out.total() == 0);
     int mirrored = 0;
     for (int t = 0; t < runs.wrong.triangle_count(); ++t) {
         for (const Fragment& vertex : runs.wrong.triangle_vertices(t)) {
-            mirrored += vertex.zinv < 0.0f ? 1 : 0;
+            mirrored += vertex.inv_w < 0.0f ? 1 : 0;
             CHECK(std::abs(vertex.column) < 17000);
         }
         // Triangles wholly in front of the camera are the same.
@@ -409,7 +409,7 @@ TEST_CASE("B13: what reaches behind the camera is drawn, mirrored, and within bo
 TEST_CASE("B14: the triangle with a vertex in column -1 is missing, and no other") {
     const Runs runs("B14");
     CHECK(runs.correct_stats.left_out.total() == 0);
-    CHECK(runs.wrong_stats.left_out.taken_for_behind == 1);
+    CHECK(runs.wrong_stats.left_out.of(Rejection::taken_for_behind) == 1);
     for (int t = 0; t < 4; ++t) {
         int in_column = 0;
         for (const Fragment& vertex : runs.correct.triangle_vertices(t))
@@ -426,7 +426,7 @@ TEST_CASE("B15: vertices are moved to the border, and the wall is bent") {
         const Fragment &wrong = runs.wrong.vertices[v], &correct = runs.correct.vertices[v];
         CHECK(wrong.column == std::clamp(correct.column, 0, 199));
         CHECK(wrong.row == std::clamp(correct.row, 0, 159));
-        CHECK(wrong.zinv == correct.zinv);
+        CHECK(wrong.inv_w == correct.inv_w);
         moved += wrong.column != correct.column ? 1 : 0;
     }
     CHECK(moved == 3);
@@ -505,7 +505,7 @@ TEST_CASE("B17d: every pixel shows the farthest of its fragments") {
     std::vector<float> farthest(runs.pixel_count(), 1000.0f);
     for (const auto& [cursor, event] : fragments_of(runs.wrong)) {
         float& depth = farthest[runs.wrong_picture.at(event.fragment.column, event.fragment.row)];
-        depth = std::min(depth, event.fragment.zinv);
+        depth = std::min(depth, event.fragment.depth);
     }
     CHECK(runs.wrong_picture.depth == farthest);
     CHECK(runs.wrong_picture.overdraw == runs.correct_picture.overdraw);
@@ -618,7 +618,7 @@ TEST_CASE("B25: every vertex is turned about the middle of the picture") {
         const Fragment &wrong = runs.wrong.vertices[v], &correct = runs.correct.vertices[v];
         CHECK(wrong.column - 250 == 250 - correct.column);
         CHECK(wrong.row - 250 == 250 - correct.row);
-        CHECK(wrong.zinv == correct.zinv);
+        CHECK(wrong.inv_w == correct.inv_w);
     }
 }
 

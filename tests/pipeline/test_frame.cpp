@@ -22,7 +22,7 @@ TEST_CASE("A frame holds what the vertex shader says of each vertex, three for e
         for (std::size_t v = 0; v < 3; ++v) {
             const Vertex& vertex = room.triangles[static_cast<std::size_t>(t)].vertices[v];
             const ShadedVertex shaded =
-                vertex_shader(vertex, camera_rotation(settings.camera), rules, {});
+                shade_vertex(vertex, camera_rotation(settings.camera), rules, {});
             CAPTURE(t, v);
             CHECK(same_bits(frame.triangle_vertices(t)[v], shaded.pixel));
         }
@@ -39,10 +39,14 @@ TEST_CASE("A triangle with one faulty vertex is left out whole, for its first fa
                                      {{{1, 1, 1}, {5, -20000, 1}, {3, 6, 1}}}},
                                     {8, 8});
     const Frame frame = prepare_frame(scene, default_settings(scene));
-    CHECK(frame.left_out ==
-          std::vector<VertexFault>{VertexFault::none, VertexFault::behind_camera,
-                                   VertexFault::behind_camera, VertexFault::not_finite,
-                                   VertexFault::too_far_out, VertexFault::too_far_out});
+    std::vector<Rejection> rejections;
+    for (const Polygon& polygon : frame.polygons)
+        rejections.push_back(polygon.rejection);
+    CHECK(rejections == std::vector<Rejection>{Rejection::none, Rejection::behind_camera,
+                                               Rejection::behind_camera, Rejection::not_finite,
+                                               Rejection::too_far_out, Rejection::too_far_out});
+    for (std::size_t t = 0; t < frame.polygons.size(); ++t)
+        CHECK(frame.polygons[t].first == static_cast<int>(triangle_corners * t));
     const Framebuffer framebuffer = draw_frame(frame);
     for (const std::int32_t owner : framebuffer.owner)
         CHECK(owner <= 0);

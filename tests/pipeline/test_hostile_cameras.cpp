@@ -106,7 +106,7 @@ void check_bounds(const Frame& frame) {
         if (!frame.is_drawn(t)) continue;
         for (const Fragment& vertex : frame.triangle_vertices(t)) {
             if (std::abs(vertex.column) > limit || std::abs(vertex.row) > limit ||
-                !std::isfinite(vertex.zinv) || !(vertex.zinv > 0.0f || may_be_behind))
+                !std::isfinite(vertex.inv_w) || !(vertex.inv_w > 0.0f || may_be_behind))
                 FAIL("triangle " << t << " has a vertex out of bounds");
         }
     }
@@ -174,7 +174,7 @@ TEST_CASE("Triangles are left out for the reasons that double precision finds, a
         const double cy = std::cos(double{camera.yaw}), sy = std::sin(double{camera.yaw});
         const double cp = std::cos(double{camera.pitch}), sp = std::sin(double{camera.pitch});
         for (int t = 0; t < 30; ++t) {
-            VertexFault expected = VertexFault::none;
+            Rejection expected = Rejection::none;
             bool certain = true;
             for (const Vertex& vertex : room.triangles[static_cast<std::size_t>(t)].vertices) {
                 const glm::dvec3 moved = glm::dvec3(vertex.position) - glm::dvec3(camera.position);
@@ -187,19 +187,19 @@ TEST_CASE("Triangles are left out for the reasons that double precision finds, a
                                              std::abs(moved.z) + 3.0 * std::abs(camera.yaw));
                 const double reach = camera.focal_length * std::max(std::abs(x), std::abs(y));
                 const double margin = camera.focal_length * doubt + 16384.0 * doubt;
-                VertexFault fault = VertexFault::none;
-                if (z <= 0.0) fault = VertexFault::behind_camera;
-                if (z > 0.0 && reach > 16384.0 * z) fault = VertexFault::too_far_out;
+                Rejection fault = Rejection::none;
+                if (z <= 0.0) fault = Rejection::behind_camera;
+                if (z > 0.0 && reach > 16384.0 * z) fault = Rejection::too_far_out;
                 certain = certain && std::abs(z) > doubt &&
                           (z < 0.0 || std::abs(reach - 16384.0 * z) > margin);
-                if (expected == VertexFault::none) expected = fault;
+                if (expected == Rejection::none) expected = fault;
             }
             if (!certain) continue;
             ++decided;
-            behind += expected == VertexFault::behind_camera ? 1 : 0;
-            too_far += expected == VertexFault::too_far_out ? 1 : 0;
-            drawn += expected == VertexFault::none ? 1 : 0;
-            const VertexFault fault = frame.left_out[static_cast<std::size_t>(t)];
+            behind += expected == Rejection::behind_camera ? 1 : 0;
+            too_far += expected == Rejection::too_far_out ? 1 : 0;
+            drawn += expected == Rejection::none ? 1 : 0;
+            const Rejection fault = frame.rejection(t);
             if (fault == expected) continue;
             CAPTURE(describe(settings), t, static_cast<int>(fault), static_cast<int>(expected));
             FAIL("left out for another reason, or not at all");

@@ -131,8 +131,9 @@ struct ReplayedRows {
             ++outside;
             return {};
         }
-        const Ends start{left_start, right_start, Fragment{left_start, sample.row, 0.0f, 0.0f, {}},
-                         Fragment{right_start, sample.row, 0.0f, 0.0f, {}}};
+        const Ends start{left_start, right_start,
+                         Fragment{left_start, sample.row, 0.0f, 0.0f, 0.0f, {}},
+                         Fragment{right_start, sample.row, 0.0f, 0.0f, 0.0f, {}}};
         Ends& ends = rows.try_emplace(r, start).first->second;
         const RowWrite write{true, sample.column<ends.left, sample.column> ends.right};
         if (write.left) ends.left_sample = sample;

@@ -11,7 +11,7 @@ namespace {
 
 Fragment near(float zinv, float z = 1.0f) {
     Fragment fragment;
-    fragment.zinv = zinv;
+    fragment.depth = zinv;
     fragment.z = z;
     return fragment;
 }

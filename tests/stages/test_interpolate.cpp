@@ -26,7 +26,8 @@ Fragment at(int column, int row) {
 
 Fragment random_fragment(Random& random, int reach) {
     Fragment fragment = at(random.integer(-reach, reach), random.integer(-reach, reach));
-    fragment.zinv = random.number(0.1, 4.0);
+    fragment.depth = random.number(0.1, 4.0);
+    fragment.inv_w = random.number(0.1, 4.0);
     fragment.z = random.number(0.1, 9.0);
     for (int c = 0; c < 3; ++c) {
         fragment.varyings.position_world[c] = random.number(-3.0, 3.0);
@@ -156,7 +157,8 @@ TEST_CASE("Numbers beside the place take the same way as the place, and exact on
                 const Varyings& v = sample.varyings;
                 CAPTURE(static_cast<int>(walk), s, count);
                 const bool same =
-                    same_bits(sample.zinv, expect(a.zinv, b.zinv)) &&
+                    same_bits(sample.depth, expect(a.depth, b.depth)) &&
+                    same_bits(sample.inv_w, expect(a.inv_w, b.inv_w)) &&
                     same_bits(sample.z, expect(a.z, b.z)) &&
                     same_bits(v.position_world.y,
                               expect(a.varyings.position_world.y, b.varyings.position_world.y)) &&

@@ -28,10 +28,10 @@ Fragment carried(const glm::vec3& position, const glm::vec3& illumination, float
                  Interpolation interpolation) {
     Fragment fragment;
     fragment.z = z;
-    fragment.zinv = 1.0f / z;
+    fragment.inv_w = 1.0f / z;
     fragment.varyings = varyings_of(position, illumination);
     if (interpolation == Interpolation::perspective) {
-        fragment.varyings = fragment.varyings * fragment.zinv;
+        fragment.varyings = fragment.varyings * fragment.inv_w;
     }
     return fragment;
 }

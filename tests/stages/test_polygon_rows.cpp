@@ -16,7 +16,7 @@ Fragment at(int column, int row, float zinv = 0.0f) {
     Fragment fragment;
     fragment.column = column;
     fragment.row = row;
-    fragment.zinv = zinv;
+    fragment.depth = fragment.inv_w = zinv;
     return fragment;
 }
 

@@ -7,7 +7,8 @@
 #include <glm/matrix.hpp>
 
 #include "stages/light.h"
-#include "stages/vertex_shader.h"
+#include "stages/project.h"
+#include "stages/stage_table.h"
 #include "support/bits.h"
 #include "support/oracle.h"
 #include "support/random.h"
@@ -29,7 +30,7 @@ Vertex vertex_at(const glm::vec3& position) {
 }
 
 ShadedVertex shade(const glm::vec3& position, const VertexRules& rules = {}) {
-    return vertex_shader(vertex_at(position), camera_rotation(rules.camera), rules, {});
+    return shade_vertex(vertex_at(position), camera_rotation(rules.camera), rules, {});
 }
 
 /// A camera at the origin that looks along z.
@@ -51,9 +52,9 @@ TEST_CASE("The room's corners fall on the handout's pixels") {
     const ShadedVertex far = shade({1.0f, -1.0f, 1.0f});
     CHECK(far.pixel.column == 250 + 124);
     CHECK(far.pixel.row == 250 - 124);
-    CHECK(far.pixel.zinv == Approx(1.0 / 4.001));
+    CHECK(far.pixel.inv_w == Approx(1.0 / 4.001));
     CHECK(far.pixel.z == Approx(4.001));
-    CHECK(far.fault == VertexFault::none);
+    CHECK(far.rejection == Rejection::none);
 }
 
 TEST_CASE("A vertex passes through every space as double precision has it") {
@@ -78,11 +79,11 @@ TEST_CASE("A vertex passes through every space as double precision has it") {
         const glm::dvec3 camera{moved.x * cy - moved.z * sy, moved.y * cp + turned_z * sp,
                                 -moved.y * sp + turned_z * cp};
         CAPTURE(i, camera.x, camera.y, camera.z);
-        CHECK(shaded.position_world == world);
-        CHECK(glm::distance(glm::dvec3(shaded.minus_camera), moved) < 1e-6);
-        CHECK(glm::distance(glm::dvec3(shaded.position_camera), camera) < 2e-6);
+        CHECK(shaded.in("world") == world);
+        CHECK(glm::distance(glm::dvec3(shaded.in("minus_camera")), moved) < 1e-6);
+        CHECK(glm::distance(glm::dvec3(shaded.in("rotated")), camera) < 2e-6);
         if (camera.z < 0.05) {
-            if (camera.z < -1e-5) CHECK(shaded.fault == VertexFault::behind_camera);
+            if (camera.z < -1e-5) CHECK(shaded.rejection == Rejection::behind_camera);
             continue;
         }
         const double x = rules.camera.focal_length * camera.x / camera.z;
@@ -91,15 +92,15 @@ TEST_CASE("A vertex passes through every space as double precision has it") {
         const double tolerance =
             1e-5 * rules.camera.focal_length / camera.z * (1.0 + glm::length(camera) / camera.z);
         if (std::max(std::abs(x), std::abs(y)) > 16000.0) continue;
-        REQUIRE(shaded.fault == VertexFault::none);
-        CHECK(std::abs(shaded.projected_x - x) < tolerance);
-        CHECK(std::abs(shaded.projected_y - y) < tolerance);
+        REQUIRE(shaded.rejection == Rejection::none);
+        CHECK(std::abs(shaded.in("projected").x - x) < tolerance);
+        CHECK(std::abs(shaded.in("projected").y - y) < tolerance);
         CHECK(shaded.pixel.column ==
-              round_float(shaded.projected_x, rules.rounding) + rules.viewport.width / 2);
+              round_float(shaded.in("projected").x, rules.rounding) + rules.viewport.width / 2);
         CHECK(shaded.pixel.row ==
-              round_float(shaded.projected_y, rules.rounding) + rules.viewport.height / 2);
-        CHECK(same_bits(shaded.pixel.z, shaded.position_camera.z));
-        CHECK(same_bits(shaded.pixel.zinv, 1.0f / shaded.position_camera.z));
+              round_float(shaded.in("projected").y, rules.rounding) + rules.viewport.height / 2);
+        CHECK(same_bits(shaded.pixel.z, shaded.in("rotated").z));
+        CHECK(same_bits(shaded.pixel.inv_w, 1.0f / shaded.in("rotated").z));
     }
 }
 
@@ -193,23 +194,23 @@ TEST_CASE("In pixel space a vertex keeps its column, row and depth, without a ca
     rules.camera.position = {7, 7, 7};
     rules.camera.yaw = 1.0f;
     const ShadedVertex shaded = shade({10.0f, -5.0f, 4.0f}, rules);
-    CHECK(shaded.fault == VertexFault::none);
+    CHECK(shaded.rejection == Rejection::none);
     CHECK(shaded.pixel.column == 10);
     CHECK(shaded.pixel.row == -5);
-    CHECK(shaded.pixel.zinv == 0.25f);
+    CHECK(shaded.pixel.inv_w == 0.25f);
     CHECK(shade({10.9f, -5.9f, 1.0f}, rules).pixel.column == 10);
     CHECK(shade({10.9f, -5.9f, 1.0f}, rules).pixel.row == -5);
-    CHECK(shade({0, 0, 0}, rules).fault == VertexFault::behind_camera);
-    CHECK(shade({16385, 0, 1}, rules).fault == VertexFault::too_far_out);
+    CHECK(shade({0, 0, 0}, rules).rejection == Rejection::behind_camera);
+    CHECK(shade({16385, 0, 1}, rules).rejection == Rejection::too_far_out);
 }
 
 TEST_CASE("A vertex on or behind the camera plane is left out") {
     const VertexRules rules = plain_rules();
     for (const float z : {0.0f, -0.0f, -1e-30f, -1.0f, -1e30f}) {
         CAPTURE(z);
-        CHECK(shade({1.0f, 1.0f, z}, rules).fault == VertexFault::behind_camera);
+        CHECK(shade({1.0f, 1.0f, z}, rules).rejection == Rejection::behind_camera);
     }
-    CHECK(shade({0, 0, -3.001f}).fault == VertexFault::behind_camera);
+    CHECK(shade({0, 0, -3.001f}).rejection == Rejection::behind_camera);
 }
 
 TEST_CASE("A coordinate that is not finite is left out, wherever it stands") {
@@ -218,36 +219,36 @@ TEST_CASE("A coordinate that is not finite is left out, wherever it stands") {
             glm::vec3 position(0.5f, 0.5f, 2.0f);
             position[axis] = bad;
             CAPTURE(bad, axis);
-            CHECK(shade(position, plain_rules()).fault == VertexFault::not_finite);
+            CHECK(shade(position, plain_rules()).rejection == Rejection::not_finite);
             VertexRules pixels;
             pixels.space = SceneSpace::pixels;
-            CHECK(shade(position, pixels).fault == VertexFault::not_finite);
+            CHECK(shade(position, pixels).rejection == Rejection::not_finite);
             VertexRules moved;
             moved.camera.position[axis] = bad;
-            CHECK(shade({0, 0, 0}, moved).fault == VertexFault::not_finite);
+            CHECK(shade({0, 0, 0}, moved).rejection == Rejection::not_finite);
         }
     }
     // Finite by itself, but not after the camera is subtracted.
     VertexRules rules = plain_rules();
     rules.camera.position.x = -3e38f;
-    CHECK(shade({3e38f, 0, 1}, rules).fault == VertexFault::not_finite);
+    CHECK(shade({3e38f, 0, 1}, rules).rejection == Rejection::not_finite);
 }
 
 TEST_CASE("A vertex farther out than the limit is left out, and one on the limit is drawn") {
     const VertexRules rules = plain_rules(1.0f);
     const float limit = max_pixel_distance, beyond = std::nextafter(limit, infinity);
     for (const float sign : {-1.0f, 1.0f}) {
-        CHECK(shade({sign * limit, 0, 1}, rules).fault == VertexFault::none);
-        CHECK(shade({0, sign * limit, 1}, rules).fault == VertexFault::none);
-        CHECK(shade({sign * beyond, 0, 1}, rules).fault == VertexFault::too_far_out);
-        CHECK(shade({0, sign * beyond, 1}, rules).fault == VertexFault::too_far_out);
+        CHECK(shade({sign * limit, 0, 1}, rules).rejection == Rejection::none);
+        CHECK(shade({0, sign * limit, 1}, rules).rejection == Rejection::none);
+        CHECK(shade({sign * beyond, 0, 1}, rules).rejection == Rejection::too_far_out);
+        CHECK(shade({0, sign * beyond, 1}, rules).rejection == Rejection::too_far_out);
     }
     CHECK(shade({limit, 0, 1}, rules).pixel.column == 250 + 16384);
     // So near that 1/z overflows, even in the middle of the picture.
-    CHECK(shade({0, 0, 1e-40f}, rules).fault == VertexFault::too_far_out);
-    CHECK(shade({0, 0, 1e-30f}, rules).fault == VertexFault::none);
+    CHECK(shade({0, 0, 1e-40f}, rules).rejection == Rejection::too_far_out);
+    CHECK(shade({0, 0, 1e-30f}, rules).rejection == Rejection::none);
     for (const float focal_length : {not_a_number, infinity}) {
-        CHECK(shade({1, 1, 1}, plain_rules(focal_length)).fault == VertexFault::too_far_out);
+        CHECK(shade({1, 1, 1}, plain_rules(focal_length)).rejection == Rejection::too_far_out);
     }
 }
 
@@ -269,12 +270,16 @@ TEST_CASE("A vertex sets out with its place and, for light per vertex, its light
     const Stages wrong = test::stages_under(Interpolation::affine);
     for (const Lighting lighting : {Lighting::none, Lighting::per_vertex, Lighting::per_pixel}) {
         rules.lighting = lighting;
-        const Varyings affine = vertex_shader(vertex, rotation, rules, wrong).pixel.varyings;
-        const Fragment pixel = vertex_shader(vertex, rotation, rules, right).pixel;
+        const Varyings affine = shade_vertex(vertex, rotation, rules, wrong).pixel.varyings;
+        const Fragment pixel = shade_vertex(vertex, rotation, rules, right).pixel;
+        // Before the division there is no weight yet, whichever way the varyings will be carried.
+        const ClipVertex clip = vertex_shader(vertex, rotation, rules, right, nullptr);
+        CHECK(same_bits(clip.varyings.illumination, affine.illumination));
+        CHECK(same_bits(pixel.inv_w, 1.0f / clip.position_clip.w));
         const bool lit = lighting == Lighting::per_vertex;
         CHECK(same_bits(affine.position_world, vertex.position));
         CHECK(same_bits(affine.illumination, lit ? light : glm::vec3(0.0f)));
-        CHECK(same_bits(pixel.varyings.position_world, vertex.position * pixel.zinv));
-        CHECK(same_bits(pixel.varyings.illumination, affine.illumination * pixel.zinv));
+        CHECK(same_bits(pixel.varyings.position_world, vertex.position * pixel.inv_w));
+        CHECK(same_bits(pixel.varyings.illumination, affine.illumination * pixel.inv_w));
     }
 }

@@ -26,8 +26,8 @@ inline bool same_bits(const Varyings& a, const Varyings& b) {
     return same;
 }
 inline bool same_bits(const Fragment& a, const Fragment& b) {
-    return a.column == b.column && a.row == b.row && same_bits(a.zinv, b.zinv) &&
-           same_bits(a.z, b.z) && same_bits(a.varyings, b.varyings);
+    return a.column == b.column && a.row == b.row && same_bits(a.depth, b.depth) &&
+           same_bits(a.inv_w, b.inv_w) && same_bits(a.z, b.z) && same_bits(a.varyings, b.varyings);
 }
 
 /// The first pixel and plane in which two framebuffers differ, with both values; empty if they are

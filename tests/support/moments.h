@@ -18,13 +18,14 @@ inline std::vector<Cursor> all_moments(const Frame& frame) {
     const int first = settings.bounds == Bounds::excludes_zero ? 1 : 0;
     for (int t = 0; t < frame.triangle_count(); ++t) {
         if (!frame.is_drawn(t)) continue;
-        for (int v = 0; v < 3; ++v)
+        const std::span<const Fragment> vertices = frame.triangle_vertices(t);
+        const int corners = static_cast<int>(vertices.size());
+        for (int v = 0; v < corners; ++v)
             moments.push_back({t, Phase::vertices, v, 0});
         if (settings.stage == Stage::points) continue;
-        const std::span<const Fragment> vertices = frame.triangle_vertices(t);
-        for (int e = 0; e < 3; ++e) {
+        for (int e = 0; e < corners; ++e) {
             const int count =
-                edge_sample_count(vertices[e], vertices[(e + 1) % 3], settings.edge_samples);
+                edge_sample_count(vertices[e], vertices[(e + 1) % corners], settings.edge_samples);
             for (int s = 0; s < count; ++s)
                 moments.push_back({t, Phase::edges, e, s});
         }

@@ -43,20 +43,23 @@ glm::vec2 heat_at(const glm::vec3& place) {
 }
 
 template <int warmer>
-ShadedVertex hot_vertex_shader(const Vertex& vertex, const glm::mat3& rotation,
-                               const VertexRules& rules, const Stages& stages) {
-    ShadedVertex shaded = vertex_shader(vertex, rotation, rules, stages);
-    shaded.pixel.varyings.heat =
-        (heat_at(vertex.position) + glm::vec2(static_cast<float>(warmer))) *
-        stages.varying_weight(shaded.pixel.zinv);
-    return shaded;
+ClipVertex hot_vertex_shader(const Vertex& vertex, const glm::mat3& rotation,
+                             const VertexRules& rules, const Stages& stages, VertexSpaces* spaces) {
+    ClipVertex clip = vertex_shader(vertex, rotation, rules, stages, spaces);
+    clip.varyings.heat = heat_at(vertex.position) + glm::vec2(static_cast<float>(warmer));
+    return clip;
 }
 
 /// What was interpolated reaches the pixel shader, though nobody watches.
 glm::vec3 heat_shader(const Fragment& fragment, const Surface&, const PixelRules&,
                       const Stages& stages) {
-    const glm::vec2 heat = recover_varyings(fragment, stages).heat;
-    return {heat, 0.0f};
+    return {recover_varyings(fragment, stages).heat, 0.0f};
+}
+
+template <int warmer>
+void hot_stages(Stages& stages) {
+    stages.vertex_shader = hot_vertex_shader<warmer>;
+    stages.pixel_shader = heat_shader;
 }
 
 void check_interpolated(const Frame& frame) {
@@ -70,7 +73,7 @@ void check_interpolated(const Frame& frame) {
     int compared = 0;
     for (int i = 0; i < graph.count(); ++i) {
         const Fragment& fragment = graph.at(Interpolation::perspective, i);
-        const glm::vec3 place = recover_varyings(fragment, Stages{}).position_world;
+        const glm::vec3 place = recover_varyings(fragment, frame.stages).position_world;
         const glm::vec2 truth = heat_at(place);
         check(std::abs(true_value(graph, heat_in, i) - truth.x) < 1e-4f, "heat in is not there");
         check(std::abs(true_value(graph, heat_out, i) - truth.y) < 1e-4f, "heat out is not there");
@@ -111,17 +114,10 @@ int main() {
     const Scene scene = one_triangle();
     Settings settings = default_settings(scene);
     settings.stage = Stage::depth;
-    const Frame frame = prepare_frame(scene, settings, [](Stages& stages) {
-        stages.vertex_shader = hot_vertex_shader<0>;
-        stages.pixel_shader = heat_shader;
-    });
+    const Frame frame = prepare_frame(scene, settings, hot_stages<0>);
     check_interpolated(frame);
     check_shown(frame);
-    const Frame warmer = prepare_frame(scene, settings, [](Stages& stages) {
-        stages.vertex_shader = hot_vertex_shader<1>;
-        stages.pixel_shader = heat_shader;
-    });
-    check_compared(frame, warmer);
+    check_compared(frame, prepare_frame(scene, settings, hot_stages<1>));
     if (faults > 0) std::printf("%d faults\n", faults);
     return faults > 0 ? 1 : 0;
 }

@@ -121,9 +121,10 @@ std::vector<std::pair<int, int>> visible_points(const Marks& m) {
     const Frame& frame = m.run.frame;
     std::vector<std::pair<int, int>> points;
     for (int t = 0; t < frame.triangle_count(); ++t) {
-        for (int v = 0; v < 3 && frame.is_drawn(t); ++v) {
-            if (Cursor{t, Phase::vertices, v, 0} >= m.run.cursor) break;
-            const Fragment& vertex = frame.triangle_vertices(t)[v];
+        if (!frame.is_drawn(t)) continue;
+        int v = 0;
+        for (const Fragment& vertex : frame.triangle_vertices(t)) {
+            if (Cursor{t, Phase::vertices, v++, 0} >= m.run.cursor) break;
             if (m.is_visible(m.at(vertex))) points.emplace_back(vertex.row, vertex.column);
         }
         // Neighbours share their corners, but no more than this.
@@ -149,8 +150,9 @@ void draw_point_rings(const Marks& m) {
 /// The true edges: straight lines between the vertices, those still to come dashed.
 void draw_true_edges(const Marks& m, std::span<const Fragment> vertices) {
     const RowHistory& history = m.run.rows;
-    for (int e = 0; e < 3; ++e) {
-        const ImVec2 a = m.at(vertices[e]), b = m.at(vertices[(e + 1) % 3]);
+    const int edges = static_cast<int>(vertices.size());
+    for (int e = 0; e < edges; ++e) {
+        const ImVec2 a = m.at(vertices[e]), b = m.at(vertices[(e + 1) % edges]);
         const bool begun = history.last && history.last->edge >= e;
         const ImU32 colour = m.colour(edge_meaning(e), begun ? 0.95f : 0.55f);
         if (begun || !m.is_large()) {
@@ -217,17 +219,20 @@ void draw_vertices(const Marks& m, int triangle, std::span<const Fragment> verti
     const glm::mat3 rotation = camera_rotation(frame.settings.camera);
     const VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
     const Viewport size = frame.settings.viewport;
-    for (int v = 0; v < 3; ++v) {
+    // Of a triangle that was cut, the corners drawn are not those of the scene.
+    const bool is_whole = !frame.is_cut(triangle);
+    for (int v = 0; v < static_cast<int>(vertices.size()); ++v) {
         const ImVec2 pixel = m.at(vertices[v]);
-        if (frame.scene->space == SceneSpace::world) {
-            const ShadedVertex shaded = frame.stages.vertex_shader(
-                frame.scene->triangles[triangle].vertices[v], rotation, rules, frame.stages);
+        if (is_whole && frame.scene->space == SceneSpace::world) {
+            const ShadedVertex shaded = shade_vertex(frame.scene->triangles[triangle].vertices[v],
+                                                     rotation, rules, frame.stages);
             const int middle_column = size.width / 2, middle_row = size.height / 2;
             // int() and floor() give the pixel i all that lies from i to i + 1; a pixel that is
             // rounded to has its number in its middle.
             const float shift = frame.settings.rounding == Rounding::round ? 0.0f : -0.5f;
-            const ImVec2 real = m.at(shaded.projected_x + static_cast<float>(middle_column) + shift,
-                                     shaded.projected_y + static_cast<float>(middle_row) + shift);
+            const ImVec2 real =
+                m.at(shaded.in("projected").x + static_cast<float>(middle_column) + shift,
+                     shaded.in("projected").y + static_cast<float>(middle_row) + shift);
             m.list->AddLine(real, pixel, m.colour(Meaning::current, 0.7f), 1.2f * m.u);
             m.list->AddCircle(real, 4.0f * m.u, m.colour(Meaning::current), 0, 1.5f * m.u);
         }
@@ -332,7 +337,7 @@ bool drag_bench_vertex(Ui& ui) {
     if (ImGui::IsMouseClicked(0)) {
         ui.dragged_vertex = -1;
         const float reach = std::max(10.0f * ui.options.text_scale, 0.6f * place.scale);
-        for (int v = 0; v < 3; ++v) {
+        for (int v = 0; v < triangle_corners; ++v) {
             const glm::vec3 p = ui.session.scene->triangles[0].vertices[v].position;
             const ImVec2 at{place.origin.x + place.scale * (p.x + 0.5f),
                             place.origin.y + place.scale * (p.y + 0.5f)};

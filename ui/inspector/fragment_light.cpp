@@ -50,7 +50,7 @@ void draw_pixel_light(Ui& ui) {
 void draw_vertex_light(Ui& ui) {
     const FragmentReport& report = report_of(ui);
     const Palette& p = palette(ui.options.theme);
-    for (int v = 0; v < 3; ++v) {
+    for (int v = 0; v < triangle_corners; ++v) {
         FormulaLine line(ui, 0.0f);
         const glm::vec3& light = report.at_vertex[static_cast<std::size_t>(v)].reflected;
         line.text("R at vertex " + std::to_string(v + 1) + "  ", p.dim);

@@ -31,8 +31,10 @@ void look_at_edge(Ui& ui) {
     }
     const Frame& frame = ui.results.frame;
     const std::span<const Fragment> v = frame.triangle_vertices(*ui.results.triangle);
-    const Fragment& a = v[static_cast<std::size_t>(view.edge)];
-    const Fragment& b = v[static_cast<std::size_t>((view.edge + 1) % 3)];
+    view.edge = std::min(view.edge, static_cast<int>(v.size()) - 1);
+    const auto edge_of = static_cast<std::size_t>(view.edge);
+    const Fragment& a = v[edge_of];
+    const Fragment& b = v[(edge_of + 1) % v.size()];
     const EdgeRules rules = edge_rules(frame.settings);
     if (!view.shown.shows(a, b, rules, frame.stages)) {
         view.shown = microscope(a, b, rules, frame.stages);
@@ -57,7 +59,9 @@ void draw_buttons(Ui& ui) {
     // In a narrow column the tooltips have to say what the signs mean.
     const bool is_narrow = ImGui::GetContentRegionAvail().x < 340.0f * u;
     const float gap = is_narrow ? 8.0f * u : 18.0f * u;
-    for (int e = 0; e < 3; ++e) {
+    const auto edges =
+        static_cast<int>(ui.results.frame.triangle_vertices(*ui.results.triangle).size());
+    for (int e = 0; e < edges; ++e) {
         const std::string label = (is_narrow ? "" : "edge ") + std::to_string(e + 1);
         if (e > 0) same_line_if_room(label, 6.0f * u);
         if (button(ui, "microscope.edge." + std::to_string(e), label,

@@ -90,7 +90,7 @@ void draw_values(Ui& ui, const Fragment& end, bool is_set) {
         right_aligned(has_number ? fixed(static_cast<double>(number), 4) : "—",
                       has_number ? p.text : p.dim);
     };
-    draw(is_set, end.zinv);
+    draw(is_set, end.inv_w);
     for (int i = 0; i < 3; ++i) {
         const bool has_number = is_set && i < varying.count;
         draw(has_number, has_number ? varying.component(end.varyings, i) : 0.0f);

@@ -11,22 +11,6 @@ namespace rasterwalk {
 
 namespace {
 
-const char* fault_text(VertexFault fault) {
-    switch (fault) {
-    case VertexFault::none:
-        return "";
-    case VertexFault::not_finite:
-        return "a coordinate that is no finite number";
-    case VertexFault::behind_camera:
-        return "a vertex on or behind the camera plane (z ≤ 0)";
-    case VertexFault::too_far_out:
-        return "a vertex so close to the camera plane that its edges would be absurdly long";
-    case VertexFault::taken_for_behind:
-        return "a vertex in column −1, which is taken for the mark of one behind the camera";
-    }
-    return "";
-}
-
 /// One line of the table: one number of the three vertices.
 struct Line {
     const char* space; ///< only on the first line of a space
@@ -81,7 +65,7 @@ int label_columns(const Ui& ui) {
 
 void draw_header(Ui& ui, int chosen) {
     ImGui::TableNextRow();
-    for (int v = 0; v < 3; ++v) {
+    for (int v = 0; v < triangle_corners; ++v) {
         ImGui::TableSetColumnIndex(label_columns(ui) + v);
         const std::string label = (ui.page_is_narrow ? "v" : "vertex ") + std::to_string(v + 1);
         const std::string name = "vertices.v" + std::to_string(v);
@@ -145,7 +129,8 @@ void draw_table(Ui& ui, int chosen) {
     const bool lights = lighting_of(ui.results.frame.settings.stage) != Lighting::none;
     const float padding = (ui.page_is_narrow ? 2.0f : 6.0f) * ui.options.text_scale;
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {padding, ImGui::GetStyle().CellPadding.y});
-    if (!ImGui::BeginTable("vertices", label_columns(ui) + 3, ImGuiTableFlags_SizingFixedFit)) {
+    if (!ImGui::BeginTable("vertices", label_columns(ui) + triangle_corners,
+                           ImGuiTableFlags_SizingFixedFit)) {
         ImGui::PopStyleVar();
         return;
     }
@@ -162,9 +147,9 @@ void draw_table(Ui& ui, int chosen) {
         add_words(ui.fonts.text, "− camera ");
         add_words(ui.fonts.text, "column ");
     }
-    for (int v = 0; v < 3; ++v) {
+    for (int v = 0; v < triangle_corners; ++v) {
         ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed,
-                                std::max((room - 9.0f * padding) / 3.0f, 1.0f));
+                                std::max((room - 9.0f * padding) / triangle_corners, 1.0f));
     }
     draw_header(ui, chosen);
     for (const Line& line : lines) {
@@ -172,7 +157,7 @@ void draw_table(Ui& ui, int chosen) {
         ImGui::TableNextRow();
         draw_labels(ui, line);
         ImGui::PushFont(ui.fonts.mono);
-        for (int v = 0; v < 3; ++v) {
+        for (int v = 0; v < triangle_corners; ++v) {
             ImGui::TableSetColumnIndex(label_columns(ui) + v);
             draw_cell(ui, line, v, chosen);
         }
@@ -197,15 +182,16 @@ std::string other_roundings(const VertexReport& vertex, std::string_view id, Rou
 /// What R v in place of v R would make of it, or the other way round.
 std::string other_convention(const VertexReport& vertex, const Formula& formula,
                              Rotation rotation) {
-    const std::string words =
+    const std::string way =
         rotation == Rotation::row_vector ? "R v instead of v R" : "v R, which is right,";
     const bool is_of_pixel = !formula.id.starts_with("rotated.");
-    if (is_of_pixel && vertex.transposed.fault != VertexFault::none) {
-        return words + " would leave the triangle out: " + fault_text(vertex.transposed.fault);
+    if (is_of_pixel && vertex.transposed.rejection != Rejection::none) {
+        return way + " would leave the triangle out: " +
+               std::string(words(vertex.transposed.rejection).detail);
     }
     const Number other = vertex_number(vertex.transposed, formula.id);
-    if (other.value == formula.result.value) return words + " would give the same";
-    return words + " would give " + shown(other);
+    if (other.value == formula.result.value) return way + " would give the same";
+    return way + " would give " + shown(other);
 }
 
 void draw_what_else(Ui& ui, const VertexReport& vertex, const Formula& formula) {
@@ -230,9 +216,9 @@ void draw_what_else(Ui& ui, const VertexReport& vertex, const Formula& formula) 
 
 void draw_formula_card(Ui& ui, const VertexReport& vertex) {
     begin_card(ui);
-    if (vertex.shaded.fault != VertexFault::none) {
-        wrapped_text(std::string("The triangle is left out: ") + fault_text(vertex.shaded.fault) +
-                     ".");
+    if (vertex.shaded.rejection != Rejection::none) {
+        wrapped_text("The triangle is left out: " +
+                     std::string(words(vertex.shaded.rejection).detail) + ".");
     }
     const Formula* formula = find_formula(vertex.formulas, ui.inspect.vertex_number);
     if (formula == nullptr) formula = find_formula(vertex.formulas, "rotated.z");
@@ -263,7 +249,7 @@ void draw_vertices_panel(Ui& ui) {
         text_in(palette(ui.options.theme).dim, "The scene has no triangles.");
         return;
     }
-    const int chosen = std::clamp(ui.session.selection.vertex.value_or(0), 0, 2);
+    const int chosen = std::clamp(ui.session.selection.vertex.value_or(0), 0, triangle_corners - 1);
     draw_triangle_title(ui);
     draw_with_card(
         "vertices", [&] { draw_table(ui, chosen); },

@@ -1,0 +1,160 @@
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+#include "inspect/row_history.h"
+#include "inspect/triangle_report.h"
+#include "picture/overlay.h"
+#include "pipeline/replay.h"
+#include "pipeline/timeline.h"
+#include "support/frames.h"
+#include "support/moments.h"
+#include "support/oracle.h"
+#include "support/recorder.h"
+
+using namespace rasterwalk;
+using namespace rasterwalk::test;
+
+namespace {
+
+constexpr int corners = 5;
+
+/// A polygon of five corners in the place of the scene's only triangle, as clipping would leave it.
+Frame pentagon(const Scene& scene, Stage stage) {
+    Settings settings = default_settings(scene);
+    settings.stage = stage;
+    settings.line_walk = LineWalk::exact; // so that no sample strays
+    Frame frame = prepare_frame(scene, settings);
+    const glm::ivec2 places[corners] = {{12, 1}, {22, 8}, {18, 19}, {5, 17}, {2, 7}};
+    const Fragment from = frame.vertices[0];
+    frame.vertices.clear();
+    for (const glm::ivec2& place : places) {
+        frame.vertices.push_back(from);
+        frame.vertices.back().column = place.x;
+        frame.vertices.back().row = place.y;
+    }
+    frame.polygons = {{.first = 0, .count = corners, .rejection = Rejection::none, .is_cut = true}};
+    return frame;
+}
+
+Scene one_triangle() {
+    return pixel_scene({{{{2, 1, 2}, {20, 3, 2}, {9, 15, 2}}}}, {24, 22});
+}
+
+} // namespace
+
+TEST_CASE("A polygon of five corners has the rows that its five edges make") {
+    const Scene scene = one_triangle();
+    const Frame frame = pentagon(scene, Stage::depth);
+    int outside = 0;
+    const std::map<int, RowEnds> expected =
+        row_table(frame.triangle_vertices(0), {{LineWalk::exact, Rounding::truncate}}, outside);
+    REQUIRE(outside == 0);
+    const RowHistory history = row_history(frame, 0);
+    REQUIRE(history.rows.size() == static_cast<int>(expected.size()));
+    CHECK(history.edge_samples.size() == corners);
+    std::int64_t pixels = 0;
+    for (int r = 0; r < history.rows.size(); ++r) {
+        const auto i = static_cast<std::size_t>(r);
+        const RowEnds& ends = expected.at(history.rows.first_row + r);
+        CAPTURE(r);
+        CHECK(history.rows.left[i].column == ends.left);
+        CHECK(history.rows.right[i].column == ends.right);
+        CHECK(history.left_by[i].edge == ends.left_edge);
+        CHECK(history.right_by[i].edge == ends.right_edge);
+        pixels += ends.right - ends.left + 1;
+    }
+    const Framebuffer picture = draw_frame(frame);
+    CHECK(std::count(picture.owner.begin(), picture.owner.end(), 0) == pixels);
+}
+
+TEST_CASE("The moments of a polygon of five corners are all there, in order, and each is drawn") {
+    const Scene scene = one_triangle();
+    for (const StageInfo& info : stage_list()) {
+        const Frame frame = pentagon(scene, info.stage);
+        CAPTURE(std::string(info.name));
+        const std::vector<Cursor> moments = all_moments(frame);
+        const Timeline timeline(frame);
+        CHECK(timeline.moments(0).count == static_cast<int>(moments.size()));
+        Cursor at = timeline.first();
+        for (std::size_t i = 0; i < moments.size(); ++i) {
+            if (at != moments[i]) FAIL("moment " << i << " is " << to_text(at));
+            if (timeline.ordinal(at) != static_cast<int>(i)) FAIL("its number is wrong");
+            if (timeline.at_ordinal(0, static_cast<int>(i)) != at) FAIL("it is not found again");
+            at = timeline.next(at, Granularity::moment);
+        }
+        CHECK(at == cursor_end);
+        CHECK(timeline.exists({0, Phase::vertices, corners - 1, 0}));
+        CHECK_FALSE(timeline.exists({0, Phase::vertices, corners, 0}));
+        const Cursor after_vertices = timeline.next(timeline.first(), Granularity::line);
+        CHECK(after_vertices ==
+              (info.stage == Stage::points ? cursor_end : Cursor{0, Phase::edges, 0, 0}));
+
+        // Replay forwards and backwards shows what drawing up to there shows.
+        Replay replay;
+        replay.begin(frame);
+        for (std::size_t i = 0; i < moments.size(); i += 7) {
+            const Cursor& to = moments[i % 2 == 0 ? i : moments.size() - i];
+            Framebuffer drawn;
+            clear(drawn, frame);
+            draw(frame, {cursor_begin, to, {}}, drawn);
+            require_same(replay.at(to), drawn);
+        }
+    }
+}
+
+TEST_CASE("Observer, report and wires tell of all five corners and edges") {
+    const Scene scene = one_triangle();
+    const Frame frame = pentagon(scene, Stage::fill);
+    Framebuffer picture;
+    clear(picture, frame);
+    Recorder recorder(true);
+    draw(frame, {}, picture, &recorder);
+    CHECK(recorder.vertices.size() == corners);
+    const TriangleReport report = triangle_report(frame, 0);
+    REQUIRE(report.edges.size() == corners);
+    std::size_t samples = 0;
+    for (std::size_t e = 0; e < corners; ++e) {
+        const EdgeReport& edge = report.edges[e];
+        CHECK(edge.to == report.edges[(e + 1) % corners].from);
+        CHECK(edge.from == frame.vertices[e]);
+        CHECK(edge.count == static_cast<int>(edge.samples.size()));
+        samples += edge.samples.size();
+    }
+    CHECK(recorder.samples.size() == samples);
+    CHECK(recorder.samples.back().cursor.index == corners - 1);
+    const std::vector<WireEdge> wires = find_wires(frame);
+    REQUIRE(wires.size() == corners);
+    CHECK(wires.back().to == glm::ivec2(12, 1));
+}
+
+TEST_CASE("A rejected triangle keeps its entry, even without any corner") {
+    const Scene scene = one_triangle();
+    Frame frame = pentagon(scene, Stage::depth);
+    for (const Rejection reason :
+         {Rejection::outside, Rejection::clipped_away, Rejection::back_facing}) {
+        frame.polygons = {{.first = 0, .count = 0, .rejection = reason, .is_cut = true}};
+        CHECK(frame.triangle_count() == 1);
+        CHECK_FALSE(frame.is_drawn(0));
+        const Timeline timeline(frame);
+        CHECK(timeline.first() == cursor_end);
+        const Framebuffer picture = draw_frame(frame);
+        CHECK(std::count(picture.owner.begin(), picture.owner.end(), 0) == 0);
+        CHECK(triangle_report(frame, 0).edges.empty());
+        CHECK_FALSE(words(reason).sentence.empty());
+    }
+}
+
+TEST_CASE("Each rejection has a name of its own and all its words") {
+    for (int i = 1; i < rejection_count; ++i) {
+        const RejectionWords& of = words(static_cast<Rejection>(i));
+        CHECK_FALSE(of.name.empty());
+        CHECK_FALSE(of.sentence.empty());
+        CHECK_FALSE(of.cause.empty());
+        CHECK_FALSE(of.detail.empty());
+        for (int k = 0; k < i; ++k)
+            CHECK(of.name != words(static_cast<Rejection>(k)).name);
+    }
+}
