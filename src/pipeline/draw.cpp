@@ -75,11 +75,6 @@ bool is_in(const Rectangle& area, const Fragment& fragment) {
            fragment.row >= area.top && fragment.row < area.bottom;
 }
 
-/// Tells the observer what became of a fragment.
-void emit(Drawing& d, const FragmentEvent& event) {
-    if (d.observer != nullptr) d.observer->fragment(event);
-}
-
 /// Points, edges and row ends are marks: one colour, no depth.
 void put_mark(Drawing& d, const Cursor& cursor, const Fragment& fragment, const glm::vec3& colour) {
     if (!is_in(d.scissor, fragment)) return;
@@ -91,7 +86,8 @@ void put_mark(Drawing& d, const Cursor& cursor, const Fragment& fragment, const 
     d.target.colour[pixel] = colour;
     d.target.depth[pixel] = depth;
     d.target.owner[pixel] = cursor.triangle;
-    emit(d, {cursor, fragment, Fate::written, depth, stored, before, colour});
+    if (d.observer == nullptr) return;
+    d.observer->fragment({cursor, fragment, Fate::written, depth, stored, before, colour});
 }
 
 glm::vec3 shade(Drawing& d, const Fragment& fragment, const Surface& surface) {
@@ -119,8 +115,9 @@ void draw_fragment(Drawing& d, const Cursor& cursor, const Fragment& fragment,
         if (has_cell) d.target.depth[pixel] = test.depth;
         d.target.owner[pixel] = cursor.triangle;
     }
-    emit(d, {cursor, fragment, test.passed ? Fate::written : Fate::depth_failed, test.depth, stored,
-             before, d.target.colour[pixel]});
+    if (d.observer == nullptr) return;
+    d.observer->fragment({cursor, fragment, test.passed ? Fate::written : Fate::depth_failed,
+                          test.depth, stored, before, d.target.colour[pixel]});
 }
 
 constexpr glm::vec3 white{1.0f};

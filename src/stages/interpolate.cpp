@@ -28,11 +28,17 @@ int exact_pixel(int a, int b, int i, int n, Rounding rounding) {
     return a;
 }
 
-LineSample sample_at(const LineStep& at, Rounding rounding) {
-    return {
-        {to_pixel(at.x, rounding), to_pixel(at.y, rounding), at.depth, at.inv_w, at.z, at.varyings},
-        at.x,
-        at.y};
+/// Puts down the values on which a walk stands; varyings that are not carried are left alone.
+void put_sample(const LineStep& at, const LinePart& part, LineSample& sample) {
+    sample.x = at.x;
+    sample.y = at.y;
+    sample.fragment.column = to_pixel(at.x, part.rounding);
+    sample.fragment.row = to_pixel(at.y, part.rounding);
+    sample.fragment.depth = at.depth;
+    sample.fragment.inv_w = at.inv_w;
+    sample.fragment.z = at.z;
+    each_in(part.carried, sample.fragment.varyings, at.varyings, at.varyings,
+            [](auto& value, const auto& now, const auto&) { value = now; });
 }
 
 /// The values with which a walk begins, at their real place.
@@ -95,7 +101,7 @@ void interpolate(const Fragment& a, const Fragment&, const LineStep& step, const
     for (int i = 0; i < part.first; ++i)
         advance();
     for (LineSample& sample : result) {
-        sample = sample_at(current, part.rounding);
+        put_sample(current, part, sample);
         advance();
     }
 }
@@ -113,7 +119,7 @@ void interpolate_by_multiplying(const Fragment& a, const Fragment&, const LineSt
                 part.carried, current, start, step,
                 [i](auto& value, const auto& from, const auto& more) { value = from + more * i; });
         }
-        sample = sample_at(current, part.rounding);
+        put_sample(current, part, sample);
         ++index;
     }
 }
@@ -133,7 +139,7 @@ void interpolate_exactly(const Fragment& a, const Fragment& b, const LineStep&,
                            value = from * s + to * t;
                        });
         }
-        sample = sample_at(current, part.rounding);
+        put_sample(current, part, sample);
         sample.fragment.column = exact_pixel(a.column, b.column, index, steps, part.rounding);
         sample.fragment.row = exact_pixel(a.row, b.row, index, steps, part.rounding);
         ++index;

@@ -51,7 +51,7 @@ struct LinePart {
     int count = 1; ///< samples of the whole line, both ends included; at least 1
     int first = 0; ///< the first sample that is wanted, 0 <= first
     Rounding rounding = Rounding::truncate;
-    VaryingSet carried = VaryingSet::all(); ///< the other varyings stay as they are at the start
+    VaryingSet carried = VaryingSet::all(); ///< the other varyings of the samples are left alone
 };
 
 /// (b - a) / (count - 1) for the place and for every value that is carried.
