@@ -19,15 +19,16 @@ using namespace rasterwalk::test;
 
 namespace {
 
-constexpr int corners = 5;
+constexpr int corner_count = 5;
 
-/// A polygon of five corners in the place of the scene's only triangle, as clipping would leave it.
+/// A polygon of five corner_count in the place of the scene's only triangle, as clipping would
+/// leave it.
 Frame pentagon(const Scene& scene, Stage stage) {
     Settings settings = default_settings(scene);
     settings.stage = stage;
     settings.line_walk = LineWalk::exact; // so that no sample strays
     Frame frame = prepare_frame(scene, settings);
-    const glm::ivec2 places[corners] = {{12, 1}, {22, 8}, {18, 19}, {5, 17}, {2, 7}};
+    const glm::ivec2 places[corner_count] = {{12, 1}, {22, 8}, {18, 19}, {5, 17}, {2, 7}};
     const Fragment from = frame.vertices[0];
     frame.vertices.clear();
     for (const glm::ivec2& place : places) {
@@ -35,7 +36,8 @@ Frame pentagon(const Scene& scene, Stage stage) {
         frame.vertices.back().column = place.x;
         frame.vertices.back().row = place.y;
     }
-    frame.polygons = {{.first = 0, .count = corners, .rejection = Rejection::none, .is_cut = true}};
+    frame.polygons = {
+        {.first = 0, .count = corner_count, .rejection = Rejection::none, .is_cut = true}};
     return frame;
 }
 
@@ -45,7 +47,7 @@ Scene one_triangle() {
 
 } // namespace
 
-TEST_CASE("A polygon of five corners has the rows that its five edges make") {
+TEST_CASE("A polygon of five corner_count has the rows that its five edges make") {
     const Scene scene = one_triangle();
     const Frame frame = pentagon(scene, Stage::depth);
     int outside = 0;
@@ -54,7 +56,7 @@ TEST_CASE("A polygon of five corners has the rows that its five edges make") {
     REQUIRE(outside == 0);
     const RowHistory history = row_history(frame, 0);
     REQUIRE(history.rows.size() == static_cast<int>(expected.size()));
-    CHECK(history.edge_samples.size() == corners);
+    CHECK(history.edge_samples.size() == corner_count);
     std::int64_t pixels = 0;
     for (int r = 0; r < history.rows.size(); ++r) {
         const auto i = static_cast<std::size_t>(r);
@@ -70,7 +72,8 @@ TEST_CASE("A polygon of five corners has the rows that its five edges make") {
     CHECK(std::count(picture.owner.begin(), picture.owner.end(), 0) == pixels);
 }
 
-TEST_CASE("The moments of a polygon of five corners are all there, in order, and each is drawn") {
+TEST_CASE(
+    "The moments of a polygon of five corner_count are all there, in order, and each is drawn") {
     const Scene scene = one_triangle();
     for (const StageInfo& info : stage_list()) {
         const Frame frame = pentagon(scene, info.stage);
@@ -86,8 +89,8 @@ TEST_CASE("The moments of a polygon of five corners are all there, in order, and
             at = timeline.next(at, Granularity::moment);
         }
         CHECK(at == cursor_end);
-        CHECK(timeline.exists({0, Phase::vertices, corners - 1, 0}));
-        CHECK_FALSE(timeline.exists({0, Phase::vertices, corners, 0}));
+        CHECK(timeline.exists({0, Phase::vertices, corner_count - 1, 0}));
+        CHECK_FALSE(timeline.exists({0, Phase::vertices, corner_count, 0}));
         const Cursor after_vertices = timeline.next(timeline.first(), Granularity::line);
         CHECK(after_vertices ==
               (info.stage == Stage::points ? cursor_end : Cursor{0, Phase::edges, 0, 0}));
@@ -105,28 +108,32 @@ TEST_CASE("The moments of a polygon of five corners are all there, in order, and
     }
 }
 
-TEST_CASE("Observer, report and wires tell of all five corners and edges") {
+TEST_CASE("Observer, report and wires tell of all five corner_count and edges") {
     const Scene scene = one_triangle();
     const Frame frame = pentagon(scene, Stage::fill);
     Framebuffer picture;
     clear(picture, frame);
     Recorder recorder(true);
     draw(frame, {}, picture, &recorder);
-    CHECK(recorder.vertices.size() == corners);
+    CHECK(recorder.vertices.size() == corner_count);
     const TriangleReport report = triangle_report(frame, 0);
-    REQUIRE(report.edges.size() == corners);
+    REQUIRE(report.edges.size() == corner_count);
     std::size_t samples = 0;
-    for (std::size_t e = 0; e < corners; ++e) {
+    for (std::size_t e = 0; e < corner_count; ++e) {
         const EdgeReport& edge = report.edges[e];
-        CHECK(edge.to == report.edges[(e + 1) % corners].from);
+        CHECK(edge.to == report.edges[(e + 1) % corner_count].from);
         CHECK(edge.from == frame.vertices[e]);
         CHECK(edge.count == static_cast<int>(edge.samples.size()));
         samples += edge.samples.size();
     }
     CHECK(recorder.samples.size() == samples);
-    CHECK(recorder.samples.back().cursor.index == corners - 1);
-    const std::vector<WireEdge> wires = find_wires(frame);
-    REQUIRE(wires.size() == corners);
+    CHECK(recorder.samples.back().cursor.index == corner_count - 1);
+    OverlaySet shown;
+    shown.set(Overlay::wireframe, true);
+    OverlayPicture overlay;
+    compose_overlays(frame, cursor_end, draw_frame(frame), shown, false, overlay);
+    const std::vector<WireEdge>& wires = overlay.wires;
+    REQUIRE(wires.size() == corner_count);
     CHECK(wires.back().to == glm::ivec2(12, 1));
 }
 

@@ -47,7 +47,7 @@ TEST_CASE("The room's corners fall on the handout's pixels") {
     const ShadedVertex near = shade({-1.0f, -1.0f, -1.0f});
     CHECK(near.pixel.column == 1);
     CHECK(near.pixel.row == 1);
-    CHECK(near.projected_x == Approx(-249.87506));
+    CHECK(near.in("projected").x == Approx(-249.87506));
     CHECK(shade({1.0f, 1.0f, -1.0f}).pixel.column == 499);
     const ShadedVertex far = shade({1.0f, -1.0f, 1.0f});
     CHECK(far.pixel.column == 250 + 124);
@@ -152,11 +152,11 @@ TEST_CASE("What the camera looks at is in the middle; turning right moves the wo
     }
     rules = plain_rules();
     rules.camera.yaw = 0.1f;
-    CHECK(shade({0, 0, 5}, rules).projected_x < -9.0f);
+    CHECK(shade({0, 0, 5}, rules).in("projected").x < -9.0f);
     rules = plain_rules();
     rules.camera.pitch = 0.1f;
     // Pitch looks up, and y points down.
-    CHECK(shade({0, 0, 5}, rules).projected_y > 9.0f);
+    CHECK(shade({0, 0, 5}, rules).in("projected").y > 9.0f);
 }
 
 TEST_CASE("Truncation toward zero doubles the middle and loses the far left, floor does neither") {
