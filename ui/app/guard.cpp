@@ -15,10 +15,13 @@ void close_what_is_open() {
     if (!context.WithinFrameScope) return;
     for (const ImGuiWindowStackData& open : context.CurrentWindowStack)
         open.Window->DrawList->ChannelsMerge();
-    // ImGui closes everything else itself, and checks the fonts on the way.
+    // ImGui closes everything else itself, and checks the fonts on the way. PopFont() would speak
+    // to the innermost window, whichever pushed the font.
     const int fonts = context.CurrentWindowStack.front().StackSizesOnBegin.SizeOfFontStack;
-    while (context.FontStack.Size > fonts)
-        ImGui::PopFont();
+    if (context.FontStack.Size > fonts) {
+        context.FontStack.shrink(fonts);
+        ImGui::SetCurrentFont(fonts > 0 ? context.FontStack.back() : ImGui::GetDefaultFont());
+    }
     ImGui::ErrorCheckEndFrameRecover(nullptr);
     context.NextWindowData.ClearFlags();
     context.NextItemData.ClearFlags();

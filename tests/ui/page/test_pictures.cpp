@@ -159,8 +159,16 @@ TEST_CASE("A lesson of one's own shows the pictures beside it") {
     const test::TemporaryFolder folder;
     std::filesystem::create_directory(folder.file("images"));
     write_png(numbered(33, 10), folder.file("images/own.png"));
-    const std::string lesson =
-        folder.write("01-own.md", "# Own\n\n## One\n\n![Mine](images/own.png)\n");
+    const std::string lesson = folder.write("01-own.md", "<!-- lesson\n"
+                                                         "title = \"Own\"\n"
+                                                         "section = \"Drawing points\"\n"
+                                                         "minutes = 5\n"
+                                                         "about = \"A test.\"\n"
+                                                         "program = \"nothing\"\n"
+                                                         "scene = \"scenes/lab-room.toml\"\n"
+                                                         "-->\n"
+                                                         "# Own\n\n"
+                                                         "![Mine](images/own.png)\n");
     Driver driver;
     open_file(driver.ui, lesson);
     driver.hand.frames(frames_to_rest);
