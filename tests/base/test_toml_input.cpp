@@ -1,5 +1,7 @@
 #include "base/toml_input.h"
 
+#include <algorithm>
+
 #include <catch2/catch.hpp>
 
 #include "base/error.h"
@@ -53,8 +55,7 @@ TEST_CASE("Keys of 30000 parts are refused with their line wherever TOML is read
     const std::string long_line = "\n" + repeated("a.", 1'900) + "a = 1\n";
     const Lesson lesson =
         read_lesson(folder.write("01-deep.md", "<!-- lesson" + long_line + "-->\n# Deep\n"));
-    REQUIRE_FALSE(lesson.faults.empty());
-    CHECK(lesson.faults.front().sentence == sentence);
+    CHECK(std::count(lesson.faults.begin(), lesson.faults.end(), Fault{2, sentence}) == 1);
 }
 
 TEST_CASE("Whatever makes tables within tables is bounded") {

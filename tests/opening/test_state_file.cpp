@@ -247,7 +247,8 @@ TEST_CASE("Hostile files of views are refused, whatever stands in them") {
 
 TEST_CASE("A view is not saved beside a scene whose name it could not say") {
     const TemporaryFolder folder;
-    const std::string scene = folder.write("caf\xe9.toml", bytes_of(own_scene("lab-room.toml")));
+    const std::string scene =
+        folder.write("caf\xe9.toml", bytes_of(scene_of_program("lab-room.toml")));
     ViewOptions options;
     options.scene = scene;
     const Session session = open_view(options);
@@ -258,8 +259,8 @@ TEST_CASE("A view is not saved beside a scene whose name it could not say") {
     CHECK_FALSE(fs::exists(path));
     // A name with other letters, and one that a terminal would obey, are found again.
     for (const char* name : {"café.toml", "\x1b[31m.toml", "a \"b\" \u202e.toml"}) {
-        options.scene = folder.write(name, bytes_of(own_scene("lab-room.toml")));
+        options.scene = folder.write(name, bytes_of(scene_of_program("lab-room.toml")));
         write_view(open_view(options), path);
-        CHECK(opened(path).scene->path == options.scene);
+        CHECK(opened_file(path).scene->path == options.scene);
     }
 }

@@ -22,6 +22,10 @@ void close_what_is_open() {
         context.FontStack.shrink(fonts);
         ImGui::SetCurrentFont(fonts > 0 ? context.FontStack.back() : ImGui::GetDefaultFont());
     }
+    // Nor does it look in which window a tab bar was begun; its names are taken off with the
+    // others.
+    context.CurrentTabBar = nullptr;
+    context.CurrentTabBarStack.resize(0);
     ImGui::ErrorCheckEndFrameRecover(nullptr);
     context.NextWindowData.ClearFlags();
     context.NextItemData.ClearFlags();
