@@ -40,4 +40,7 @@ inline constexpr float largest_focal_length = 100000.0f;
 inline constexpr float largest_power = 10000.0f;
 inline constexpr float largest_indirect = 100.0f;
 
+/// The number of the last step that a lesson can have.
+inline constexpr int most_lesson_steps = 64;
+
 } // namespace rasterwalk

@@ -4,6 +4,8 @@
 #include <numeric>
 #include <vector>
 
+#include "base/quoted.h"
+
 namespace rasterwalk {
 
 namespace {
@@ -50,6 +52,21 @@ std::string did_you_mean(std::string_view wanted, std::span<const std::string_vi
     const std::string_view nearest = nearest_name(wanted, names);
     if (nearest.empty()) return {};
     return std::string(" Did you mean '").append(nearest).append("'?");
+}
+
+std::string no_such_name(std::string_view what, std::string_view wanted,
+                         std::span<const std::string_view> names) {
+    std::string known;
+    for (const std::string_view name : names)
+        known.append(known.empty() ? "" : ", ").append(name);
+    return std::string("there is no ")
+        .append(what)
+        .append(" ")
+        .append(in_quotes(wanted))
+        .append("; there are ")
+        .append(known)
+        .append(".")
+        .append(did_you_mean(wanted, names));
 }
 
 } // namespace rasterwalk

@@ -35,6 +35,11 @@ std::optional<int> parse_int(std::string_view text) {
     return parse_whole_text<int>(text);
 }
 
+std::optional<float> parse_number(std::string_view text, float smallest, float largest) {
+    const auto number = parse_whole_text<float>(text);
+    return number && *number >= smallest && *number <= largest ? number : std::nullopt;
+}
+
 std::optional<glm::ivec2> parse_pixel(std::string_view text) {
     return parse_two<int, glm::ivec2>(text);
 }

@@ -13,6 +13,9 @@ namespace rasterwalk {
 /// The whole text as a whole number; none if it is not one.
 std::optional<int> parse_int(std::string_view text);
 
+/// The whole text as a number of this range; none if it is not one.
+std::optional<float> parse_number(std::string_view text, float smallest, float largest);
+
 /// "250,131": column and row.
 std::optional<glm::ivec2> parse_pixel(std::string_view text);
 

@@ -13,6 +13,7 @@
 #include "base/toml_input.h"
 #include "lessons/lesson_blocks.h"
 #include "lessons/lesson_text.h"
+#include "view/view_table.h"
 
 namespace rasterwalk {
 
@@ -196,8 +197,8 @@ class Reader {
         LessonStep made;
         made.heading = std::string(trimmed(heading));
         made.line = line;
-        if (!lesson_.steps.empty()) made.situation = step().situation;
-        made.situation.line = line;
+        if (!lesson_.steps.empty()) made.state = step().state;
+        made.state.line = line;
         lesson_.steps.push_back(std::move(made));
         may_have_block_ = true;
     }
@@ -324,8 +325,8 @@ class Reader {
             return;
         }
         has_lesson_block_ = true;
-        lesson_situation_ = read_lesson_block(comment.table, comment.line, lesson_, faults_);
-        step().situation = lesson_situation_;
+        lesson_state_ = read_lesson_block(comment.table, comment.line, lesson_, faults_);
+        step().state = lesson_state_;
     }
 
     void read_step_comment(const Comment& comment) {
@@ -335,9 +336,9 @@ class Reader {
             return;
         }
         may_have_block_ = false;
-        Situation own = read_situation(comment.table, comment.line, faults_);
-        step().situation = combined(lesson_situation_, own);
-        step().situation.point_at = own.point_at;
+        ViewState own = read_view_state(comment.table, comment.line, faults_);
+        step().state = combined(lesson_state_, own);
+        step().state.point_at = own.point_at;
     }
 
     /// The block quote right after the comment, without its marks.
@@ -383,7 +384,7 @@ class Reader {
         if (kind == "task") {
             add_task(read_task(comment.table, comment.line, faults_), std::move(text), quote_line);
         } else {
-            add_prediction(read_prediction(comment.table, comment.line, step().situation, faults_),
+            add_prediction(read_prediction(comment.table, comment.line, step().state, faults_),
                            std::move(text), quote_line);
         }
     }
@@ -422,7 +423,7 @@ class Reader {
         }
         if (in_code_) faults_.add(code_line_, "the block of code does not end.");
         if (lesson_.picture > step_number()) {
-            faults_.add(lesson_situation_.line_of("picture"),
+            faults_.add(lesson_state_.line_of("picture"),
                         "'picture' names step " + std::to_string(lesson_.picture) +
                             ", and the last step is " + std::to_string(step_number()) + ".");
         }
@@ -453,7 +454,7 @@ class Reader {
     std::size_t next_ = 0;
     FaultList faults_;
     Lesson lesson_;
-    Situation lesson_situation_;
+    ViewState lesson_state_;
     int links_ = 0;
     std::string text_; ///< of the part that is being read
     int text_line_ = 1;

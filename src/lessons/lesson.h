@@ -8,8 +8,9 @@
 #include <string_view>
 #include <vector>
 
+#include "base/limits.h"
 #include "facts/expression.h"
-#include "view/situation.h"
+#include "view/view_state.h"
 
 namespace rasterwalk {
 
@@ -25,7 +26,7 @@ struct LinkPlace {
 struct LessonTask {
     std::string id;
     std::optional<Expression> done;  ///< none if it could not be read
-    std::vector<std::string> recipe; ///< link targets that solve it, from the step's situation
+    std::vector<std::string> recipe; ///< link targets that solve it, from what the step shows
     std::string hint;                ///< Markdown; may be empty
     std::string text;                ///< Markdown that the student reads, without the quote's `>`
     int step = 0;
@@ -50,8 +51,8 @@ struct LessonPrediction {
     std::optional<Expression> where;                    ///< with the student's pixel picked
     std::optional<glm::ivec2> right_pixel, wrong_pixel; ///< examples; both are tried by `check`
 
-    Situation at;                  ///< in which the answer is found; the step's is in it already
-    std::optional<Situation> then; ///< shown after the answer, likewise; none: nothing changes
+    ViewState at;                  ///< in which the answer is found; the step's is in it already
+    std::optional<ViewState> then; ///< shown after the answer, likewise; none: nothing changes
     std::string because; ///< Markdown with {answer} and {EXPRESSION}, see fill_in(); may be empty
     std::string text;    ///< Markdown that the student reads, without the quote's `>`
     int step = 0;
@@ -77,7 +78,7 @@ struct TextPlace {
 /// One screen of a lesson.
 struct LessonStep {
     std::string heading; ///< inline Markdown; that of step 0 is the lesson's
-    Situation situation; ///< complete: the lesson's and the step's own
+    ViewState state;     ///< complete: the lesson's and the step's own
     std::vector<LessonPart> parts;
     std::vector<LinkPlace> links;     ///< and pictures in its texts, tasks, hints and predictions
     std::vector<TextPlace> formulas;  ///< TeX between dollar signs, likewise
@@ -128,8 +129,7 @@ const LessonPrediction* find_prediction(const Lesson& lesson, std::string_view i
 inline constexpr std::size_t largest_lesson = std::size_t{1} << 20; ///< bytes
 inline constexpr int most_lesson_lines = 20'000;
 inline constexpr std::size_t longest_lesson_line = 4'000; ///< bytes
-inline constexpr int most_lesson_steps = 64;
-inline constexpr int most_lesson_questions = 100; ///< tasks and predictions together
+inline constexpr int most_lesson_questions = 100;         ///< tasks and predictions together
 inline constexpr int most_lesson_links = 2'000;
 inline constexpr int most_recipe_links = 50;
 inline constexpr int most_choices = 8;

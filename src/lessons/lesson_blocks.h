@@ -12,19 +12,14 @@
 
 namespace rasterwalk {
 
-/// What the block `lesson` says: into the lesson, and its situation.
+/// What the block `lesson` says: into the lesson, and what it shows.
 /// In all of these `line` is where the block begins: faults of the whole block are told there.
-Situation read_lesson_block(const toml::table& table, int line, Lesson& lesson, FaultList& faults);
-
-/// What a block `step`, or a table `at` or `then`, says.
-/// @param what how messages name the table
-Situation read_situation(const toml::table& table, int line, FaultList& faults,
-                         const char* what = "the block");
+ViewState read_lesson_block(const toml::table& table, int line, Lesson& lesson, FaultList& faults);
 
 LessonTask read_task(const toml::table& table, int line, FaultList& faults);
 
-/// @param step the situation of the step in which it stands
-LessonPrediction read_prediction(const toml::table& table, int line, const Situation& step,
+/// @param step what the step shows in which it stands
+LessonPrediction read_prediction(const toml::table& table, int line, const ViewState& step,
                                  FaultList& faults);
 
 } // namespace rasterwalk

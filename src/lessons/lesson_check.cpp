@@ -64,7 +64,7 @@ class Checker {
 
     void check_step(const LessonStep& step) {
         Session session = fresh();
-        add_all(apply_situation(session, step.situation, lesson_.folder));
+        add_all(show_state(session, step.state, lesson_.folder));
         for (const TextPlace& formula : step.formulas) {
             for (const std::string& sentence : formula_faults(formula.text))
                 add(formula.line, sentence);
@@ -146,8 +146,8 @@ class Checker {
 
     // --- tasks
 
-    const Situation& situation_of(int step) const {
-        return lesson_.steps[static_cast<std::size_t>(step)].situation;
+    const ViewState& state_of_step(int step) const {
+        return lesson_.steps[static_cast<std::size_t>(step)].state;
     }
 
     void check_task(const LessonTask& task) {
@@ -155,7 +155,7 @@ class Checker {
         for (const std::string& sentence : impossible_parts(*task.done))
             add(task.done_line, sentence);
         Session session = fresh();
-        apply_situation(session, situation_of(task.step), lesson_.folder);
+        show_state(session, state_of_step(task.step), lesson_.folder);
         if (session.scene == nullptr) return;
         Results results;
         update(session, results);
@@ -184,11 +184,11 @@ class Checker {
 
     void check_prediction(const LessonPrediction& prediction) {
         Session session = fresh();
-        const std::vector<Fault> faults = apply_situation(session, prediction.at, lesson_.folder);
+        const std::vector<Fault> faults = show_state(session, prediction.at, lesson_.folder);
         add_all(faults);
         if (prediction.then) {
             Session shown = fresh();
-            add_all(apply_situation(shown, *prediction.then, lesson_.folder));
+            add_all(show_state(shown, *prediction.then, lesson_.folder));
         }
         if (!faults.empty() || !is_complete(prediction) || !check_because(prediction)) return;
         if (prediction.kind == LessonPrediction::Kind::pixel) {
@@ -238,9 +238,9 @@ class Checker {
     bool check_because(const LessonPrediction& prediction) {
         if (prediction.because.empty()) return true;
         Session session = fresh();
-        Situation at = prediction.at;
+        ViewState at = prediction.at;
         if (prediction.right_pixel) at.pixel = prediction.right_pixel;
-        apply_situation(session, at, lesson_.folder);
+        show_state(session, at, lesson_.folder);
         Results results;
         update(session, results);
         const Facts facts(session, results);

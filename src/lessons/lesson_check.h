@@ -1,7 +1,7 @@
 #pragma once
 
-// Whether a lesson keeps what it promises: its situations can be shown, its links lead somewhere,
-// its tasks can be solved and are not solved before, its predictions have an answer.
+// Whether a lesson keeps what it promises: what its steps say can be shown, its links lead
+// somewhere, its tasks can be solved and are not solved before, its predictions have an answer.
 
 #include <string>
 #include <string_view>

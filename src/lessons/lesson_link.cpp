@@ -11,7 +11,6 @@
 #include "base/quoted.h"
 #include "facts/facts.h"
 #include "laboratory/bug.h"
-#include "lessons/widget_names.h"
 #include "picture/view_image.h"
 #include "pipeline/timeline.h"
 #include "session/moments.h"
@@ -20,7 +19,8 @@
 #include "session/walk.h"
 #include "settings/preset.h"
 #include "settings/setting_table.h"
-#include "view/situation.h"
+#include "view/view_state.h"
+#include "view/widget_names.h"
 
 namespace rasterwalk {
 

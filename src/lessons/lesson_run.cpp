@@ -16,15 +16,15 @@ namespace {
 
 using PredictionKind = LessonPrediction::Kind;
 
-/// A session of its own in the situation in which the answer is found.
+/// A session of its own in the state in which the answer is found.
 struct Trial {
     Session session;
     Results results;
 
-    std::vector<Fault> open(const Situation& situation, const std::string& folder,
+    std::vector<Fault> open(const ViewState& state, const std::string& folder,
                             const Session& like) {
         session.presets = like.presets;
-        std::vector<Fault> faults = apply_situation(session, situation, folder);
+        std::vector<Fault> faults = show_state(session, state, folder);
         if (session.scene != nullptr) update(session, results);
         return faults;
     }
@@ -93,7 +93,7 @@ std::vector<Fault> open_step(Session& session, const Lesson& lesson, int step) {
     session.lesson_folder = is_in_lessons_folder(lesson) ? "" : lesson.folder;
     session.step = std::clamp(step, 0, last);
     const LessonStep& shown = lesson.steps[static_cast<std::size_t>(session.step)];
-    return apply_situation(session, shown.situation, lesson.folder);
+    return show_state(session, shown.state, lesson.folder);
 }
 
 bool is_done(const LessonTask& task, const Facts& facts) {
@@ -104,7 +104,7 @@ Judgement judge(const Lesson& lesson, const LessonPrediction& prediction, const 
                 const Session& session) {
     Judgement result;
     Trial trial;
-    Situation at = prediction.at;
+    ViewState at = prediction.at;
     if (const auto* pixel = std::get_if<glm::ivec2>(&answer.value)) at.pixel = *pixel;
     const std::vector<Fault> faults = trial.open(at, lesson.folder, session);
     if (!faults.empty()) {

@@ -18,7 +18,7 @@ namespace rasterwalk {
 /// Is this one of the lessons that come with the program?
 bool is_in_lessons_folder(const Lesson& lesson);
 
-/// Opens a step: brings the session into its situation and notes lesson and step in it. A step that
+/// Opens a step: shows what it says in the session, and notes lesson and step in it. A step that
 /// does not exist is the nearest that does. Returns what could not be done.
 std::vector<Fault> open_step(Session& session, const Lesson& lesson, int step);
 
@@ -40,7 +40,7 @@ struct Judgement {
     std::string because; ///< with all numbers filled in
 };
 
-/// Finds the program's own answer in the situation `at` and judges the student's. The session that
+/// Finds the program's own answer in the state `at` and judges the student's. The session that
 /// the student sees is not touched: presets are taken from it, nothing else.
 Judgement judge(const Lesson& lesson, const LessonPrediction& prediction, const GivenAnswer& answer,
                 const Session& session);

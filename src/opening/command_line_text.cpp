@@ -6,14 +6,11 @@
 
 #include "base/error.h"
 #include "base/files.h"
-#include "facts/facts.h"
 #include "opening/opened_view.h"
-#include "session/canvas_view.h"
 #include "session/content.h"
-#include "session/depth_view.h"
 #include "session/second_run.h"
 #include "settings/setting_table.h"
-#include "view/shown_situation.h"
+#include "view/view_table.h"
 
 namespace rasterwalk {
 
@@ -66,17 +63,12 @@ ViewOptions start_of(const Session& session) {
     return options;
 }
 
-std::string text_of(const std::optional<int>& number) {
-    return number ? std::to_string(*number) : "none";
-}
-
 /// Words after one another, as far as they differ from where the line begins.
 class Line {
   public:
     Line(const Session& session, const ViewOptions& start)
-        : session_(session), base_(open_view(start)),
-          from_(situation_of(base_, scene_in_file(base_))),
-          to_(situation_of(session, scene_in_file(session))) {
+        : session_(session), base_(open_view(start)), from_(state_of(base_, scene_in_file(base_))),
+          to_(state_of(session, scene_in_file(session))) {
         say("--lesson", start.lesson);
         say("--step", start.step == "0" ? "" : start.step);
         say("--scene", start.scene);
@@ -84,26 +76,19 @@ class Line {
 
     std::vector<std::string> words() {
         say_settings();
-        say_vertices();
-        if (to_.cursor != from_.cursor) say("--to", to_.cursor ? to_text(*to_.cursor) : "end");
-        say_selection();
-        if (to_.tab != from_.tab) say("--tab", session_.tab);
-        if (to_.view != from_.view) {
-            say("--view", view_names()[static_cast<std::size_t>(session_.view)]);
+        const ViewChange change{base_, session_, from_, to_};
+        for (const ViewField* field : view_table_drawn_first()) {
+            if (!field->words) continue;
+            for (const std::string& word : field->words(change))
+                say(option_name(*field), word);
         }
-        say_overlays();
-        if (to_.depth_range != from_.depth_range) {
-            say("--depth-range", to_.depth_range ? to_text(*to_.depth_range) : "none");
-        }
-        say_canvas();
-        say_second_run();
         return words_;
     }
 
   private:
-    void say(const char* option, std::string_view value) {
+    void say(const std::string& option, std::string_view value) {
         if (value.empty()) return;
-        words_.emplace_back(option);
+        words_.push_back(option);
         words_.emplace_back(value);
     }
 
@@ -117,67 +102,9 @@ class Line {
         }
     }
 
-    void say_vertices() {
-        for (const PlacedTriangle& placed : moved_triangles(*session_.scene, *base_.scene))
-            say("--vertices", to_text(placed));
-    }
-
-    void say_selection() {
-        if (to_.triangle != from_.triangle) say("--triangle", text_of(to_.triangle));
-        if (to_.row != from_.row) say("--row", text_of(to_.row));
-        if (to_.vertex != from_.vertex) say("--vertex", text_of(to_.vertex));
-        if (to_.pixel == from_.pixel) return;
-        std::string pixel = "none";
-        if (to_.pixel) {
-            pixel = std::to_string(to_.pixel->x).append(",").append(std::to_string(to_.pixel->y));
-        }
-        say("--pixel", pixel);
-    }
-
-    void say_overlays() {
-        if (to_.overlays == from_.overlays) return;
-        if (!to_.overlays) say("--overlay", "none");
-        for (const OverlayInfo& info : overlay_list()) {
-            if (session_.overlays.has(info.overlay)) say("--overlay", info.name);
-        }
-    }
-
-    void say_canvas() {
-        if (to_.grid != from_.grid) say("--grid", session_.canvas.grid ? "on" : "off");
-        // Where a lesson names no centre, it follows the pixel or the size of the picture.
-        const bool is_same = to_.zoom == from_.zoom && to_.centre == from_.centre &&
-                             to_.pixel == from_.pixel &&
-                             session_.settings.viewport == base_.settings.viewport;
-        if (is_same) return;
-        if (to_.zoom) {
-            say("--zoom", number_text(*to_.zoom));
-            say("--centre", to_text(*to_.centre));
-        } else if (from_.zoom) {
-            say("--zoom", "fit");
-        }
-    }
-
-    void say_second_run() {
-        const Settings& a = session_.settings;
-        const std::optional<Settings>& b = session_.other;
-        if (!b && base_.other) say("--b", "none");
-        if (b && !(b == base_.other && a == base_.settings)) {
-            for (const RunDifference& difference : run_differences(a, *b))
-                say("--b", std::string(difference.setting).append("=").append(difference.b));
-            if (a == *b) say("--b", "stage=" + value_text(*find_setting("stage"), a));
-        }
-        if (to_.compare_view != from_.compare_view) {
-            say("--compare-view",
-                compare_view_names()[static_cast<std::size_t>(session_.compare_view)]);
-        }
-        if (to_.wipe != from_.wipe) {
-            say("--wipe", number_text(std::clamp(session_.wipe, 0.0f, 1.0f)));
-        }
-    }
-
     const Session& session_;
     Session base_;
-    Situation from_, to_;
+    ViewState from_, to_;
     std::vector<std::string> words_{"rasterwalk"};
 };
 

@@ -1,11 +1,8 @@
 #include "opening/opened_view.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <filesystem>
 #include <optional>
-#include <span>
 #include <utility>
 
 #include "base/error.h"
@@ -13,21 +10,17 @@
 #include "base/nearest_name.h"
 #include "base/numbers.h"
 #include "base/quoted.h"
-#include "facts/facts.h"
 #include "laboratory/bug.h"
 #include "lessons/lesson_list.h"
 #include "lessons/lesson_run.h"
-#include "opening/state_file.h"
 #include "pipeline/frame.h"
 #include "pipeline/timeline.h"
 #include "session/content.h"
-#include "session/depth_view.h"
 #include "session/moments.h"
 #include "session/scene_file.h"
-#include "session/second_run.h"
-#include "session/tabs.h"
 #include "settings/setting_table.h"
-#include "view/situation.h"
+#include "view/state_file.h"
+#include "view/view_table.h"
 
 namespace rasterwalk {
 
@@ -35,15 +28,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view none = "none";
-
-/// In Situation::lines: this was said by the options, not by a file.
+/// In ViewState::lines: this was said by the options, not by a file.
 constexpr int said_by_options = -1;
 
 /// What the options start from.
 struct Start {
     Session session;
-    Situation situation;
+    ViewState state;
     std::string path; ///< of the lesson or the saved view; empty: neither
 };
 
@@ -52,7 +43,7 @@ std::string sentence_of(const std::string& path, const Fault& fault) {
                           : path + ": " + fault.sentence;
 }
 
-/// The first fault of a situation, thrown.
+/// The first of these faults, thrown.
 void refuse_faults(const std::string& path, const std::vector<Fault>& faults) {
     if (faults.empty()) return;
     const Fault& first = faults.front();
@@ -73,14 +64,13 @@ Start start_of_lesson(const ViewOptions& options) {
     const int step = parse_step(options.step, lesson);
     Start start;
     start.path = lesson.path;
-    start.situation = lesson.steps[static_cast<std::size_t>(step)].situation;
+    start.state = lesson.steps[static_cast<std::size_t>(step)].state;
     std::string scene;
     try {
-        scene = find_lesson_file(lesson.folder,
-                                 start.situation.scene.value_or(std::string(usual_scene)));
+        scene =
+            find_lesson_file(lesson.folder, start.state.scene.value_or(std::string(usual_scene)));
     } catch (const Error& fault) {
-        throw InputError(
-            sentence_of(lesson.path, {start.situation.line_of("scene"), fault.what()}));
+        throw InputError(sentence_of(lesson.path, {start.state.line_of("scene"), fault.what()}));
     }
     start.session = open_session(scene);
     start.session.lesson = lesson.id;
@@ -119,7 +109,7 @@ Start start_of_saved_view(const std::string& path) {
     const SavedView saved = read_view(path);
     Start start;
     start.path = saved.path;
-    start.situation = saved.situation;
+    start.state = saved.state;
     start.session = open_session(find_file(saved, "scene", saved.scene));
     take_lesson(saved, start.session);
     return start;
@@ -129,14 +119,9 @@ Start start_of_saved_view(const std::string& path) {
 /// mean nothing there.
 void replace_scene(Start& start, const std::string& name) {
     set_scene(start.session, read_scene_file(find_scene_file(name)));
-    Situation& s = start.situation;
-    s.cursor = std::nullopt;
-    s.pixel = std::nullopt;
-    s.triangle = s.row = s.vertex = std::nullopt;
-    s.zoom = std::nullopt;
-    s.centre = std::nullopt;
-    s.depth_range = std::nullopt;
-    s.vertices.clear();
+    for (const ViewField& field : view_table()) {
+        if (field.is_of_scene) field.clear(start.state);
+    }
 }
 
 /// Gives the picture another size and the same field of view.
@@ -149,16 +134,15 @@ void set_size(Settings& settings, SceneSpace space, const std::string& size) {
     set_value(settings, *find_setting("camera.focal_length"), number_text(focal_length));
 }
 
-/// The settings that the start's situation asks for.
-void set_as_situation_says(Start& start) {
+/// The settings that the start asks for.
+void set_as_start_says(Start& start) {
     Settings& settings = start.session.settings;
     settings = default_settings(*start.session.scene);
-    for (const std::string& assignment : start.situation.set) {
+    for (const std::string& assignment : start.state.set) {
         try {
             set_from_text(settings, assignment);
         } catch (const Error& fault) {
-            throw InputError(
-                sentence_of(start.path, {start.situation.line_of("set"), fault.what()}));
+            throw InputError(sentence_of(start.path, {start.state.line_of("set"), fault.what()}));
         }
     }
 }
@@ -183,186 +167,44 @@ void set_as_options_say(const ViewOptions& options, const std::optional<Bug>& bu
 /// Do the options draw another picture than the start's?
 bool changes_picture(const ViewOptions& o) {
     return !(o.scene.empty() && o.size.empty() && o.stage.empty() && o.bug.empty() &&
-             o.presets.empty() && o.assignments.empty() && o.vertices.empty());
+             o.presets.empty() && o.assignments.empty() && o.given.count("vertices") == 0);
 }
 
 /// Where the start's cursor, pixel and row do not exist with other settings, they give way.
-void fit(const Session& session, Situation& situation) {
+void fit(const Session& session, ViewState& state) {
     const Frame frame = prepare_frame(*session.scene, session.settings);
-    if (situation.cursor) situation.cursor = Timeline(frame).at_or_after(*situation.cursor);
+    if (state.cursor) state.cursor = Timeline(frame).at_or_after(*state.cursor);
     const Viewport& size = frame.settings.viewport;
-    const std::optional<glm::ivec2>& pixel = situation.pixel;
-    if (situation.line_of("pixel") != said_by_options && pixel &&
+    const std::optional<glm::ivec2>& pixel = state.pixel;
+    if (state.line_of("pixel") != said_by_options && pixel &&
         (pixel->x >= size.width || pixel->y >= size.height)) {
-        situation.pixel = std::nullopt;
+        state.pixel = std::nullopt;
     }
-    if (situation.line_of("row") != said_by_options && situation.row &&
-        *situation.row >= size.height) {
-        situation.row = std::nullopt;
+    if (state.line_of("row") != said_by_options && state.row && *state.row >= size.height) {
+        state.row = std::nullopt;
     }
 }
 
 /// Puts the vertices of a bench where they are to lie, so that everything after it finds them.
-std::vector<Fault> place_all(Session& session, const Situation& situation) {
+std::vector<Fault> place_vertices(Session& session, const ViewState& state) {
     try {
-        for (const PlacedTriangle& placed : situation.vertices)
-            place_triangle(session, placed);
+        view_field("vertices").show(state, session);
         return {};
     } catch (const Error& fault) {
-        return {{situation.line_of("vertices"), fault.what()}};
+        return {{state.line_of("vertices"), fault.what()}};
     }
 }
 
-[[noreturn]] void refuse(const char* option, const char* takes, const std::string& text) {
-    throw UsageError(std::string(option).append(takes).append(", not ") + in_quotes(text) + ".");
+/// Puts what the options say on top of what is there. What goes wrong with it is then the options'
+/// fault, not the file's.
+void take_options(const ViewOptions& options, ViewState& state) {
+    for (const ViewField& field : view_table()) {
+        const auto given = options.given.find(field.key);
+        if (!field.parse || given == options.given.end()) continue;
+        state.lines[std::string(field.key)] = said_by_options;
+        field.parse({option_name(field), given->second}, state);
+    }
 }
-
-std::size_t word_index(const char* option, std::span<const std::string_view> words,
-                       const std::string& text) {
-    const auto found = std::find(words.begin(), words.end(), text);
-    if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
-    std::string known;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        known.append(i == 0 ? "" : i + 1 == words.size() ? " or " : ", ").append(words[i]);
-    }
-    throw UsageError(std::string(option).append(" is ").append(known).append(", not ") +
-                     in_quotes(text) + "." + did_you_mean(text, words));
-}
-
-std::optional<float> parse_number(const std::string& text, float smallest, float largest) {
-    float value = 0.0f;
-    const std::string_view written = trimmed(text);
-    const char* const last = written.data() + written.size();
-    const auto [end, fault] = std::from_chars(written.data(), last, value);
-    const bool is_good =
-        fault == std::errc{} && end == last && value >= smallest && value <= largest;
-    return is_good ? std::optional(value) : std::nullopt;
-}
-
-/// Puts the options into a situation, on top of what stands there.
-class Asked {
-  public:
-    Asked(const ViewOptions& options, Situation& situation) : o_(options), s_(situation) {}
-
-    void take() {
-        take_words();
-        take_selection();
-        take_canvas();
-        if (!o_.vertices.empty()) take_vertices();
-        if (!o_.b.empty()) {
-            said("compare");
-            s_.compare = o_.b;
-            if (o_.b.back() == none) s_.compare = std::nullopt;
-        }
-    }
-
-  private:
-    /// What goes wrong with this key is the options' fault, not the file's.
-    void said(const char* key) { s_.lines[key] = said_by_options; }
-
-    template <class Take>
-    void option(const std::string& text, const char* key, Take take) {
-        if (text.empty()) return;
-        said(key);
-        take(text);
-    }
-
-    void take_words() {
-        option(o_.tab, "tab", [&](const std::string& text) {
-            s_.tab = tab_names()[word_index("--tab", tab_names(), text)];
-        });
-        option(o_.view, "view", [&](const std::string& text) {
-            s_.view = static_cast<View>(word_index("--view", view_names(), text));
-        });
-        option(o_.compare_view, "compare_view", [&](const std::string& text) {
-            s_.compare_view =
-                static_cast<CompareView>(word_index("--compare-view", compare_view_names(), text));
-        });
-        if (o_.overlays.empty()) return;
-        OverlaySet overlays;
-        for (const std::string& name : o_.overlays) {
-            if (name == none) {
-                overlays = {};
-            } else {
-                overlays.set(static_cast<Overlay>(word_index("--overlay", overlay_names(), name)),
-                             true);
-            }
-        }
-        s_.overlays = overlays;
-    }
-
-    static std::span<const std::string_view> overlay_names() {
-        static const auto names = [] {
-            std::array<std::string_view, overlay_count> words;
-            for (std::size_t i = 0; i < words.size(); ++i)
-                words[i] = overlay_list()[i].name;
-            return words;
-        }();
-        return names;
-    }
-
-    void number(const std::string& text, const char* option_name, const char* key,
-                std::optional<int>& value) {
-        option(text, key, [&](const std::string& written) {
-            value = std::nullopt;
-            if (written == none) return;
-            value = parse_int(written);
-            if (!value) refuse(option_name, " is a whole number or none", written);
-        });
-    }
-
-    void take_selection() {
-        number(o_.triangle, "--triangle", "triangle", s_.triangle);
-        number(o_.row, "--row", "row", s_.row);
-        number(o_.vertex, "--vertex", "vertex", s_.vertex);
-        option(o_.pixel, "pixel", [&](const std::string& text) {
-            s_.pixel = std::nullopt;
-            if (text == none) return;
-            s_.pixel = parse_pixel(text);
-            if (!s_.pixel) refuse("--pixel", " is a column and a row as 250,131 or none", text);
-        });
-    }
-
-    void take_canvas() {
-        option(o_.zoom, "zoom", [&](const std::string& text) {
-            s_.zoom = text == "fit" ? 0.0f : parse_number(text, smallest_zoom, largest_zoom);
-            if (!s_.zoom) refuse("--zoom", " is a number from 0.25 to 64 or fit", text);
-        });
-        option(o_.centre, "centre", [&](const std::string& text) {
-            s_.centre = parse_place(text);
-            if (!s_.centre ||
-                std::max(std::abs(s_.centre->x), std::abs(s_.centre->y)) > farthest_centre) {
-                refuse("--centre", " is a place in the picture as 250,131.5", text);
-            }
-        });
-        option(o_.grid, "grid", [&](const std::string& text) {
-            constexpr std::array<std::string_view, 2> words{"off", "on"};
-            s_.grid = word_index("--grid", words, text) == 1;
-        });
-        option(o_.wipe, "wipe", [&](const std::string& text) {
-            s_.wipe = parse_number(text, 0.0f, 1.0f);
-            if (!s_.wipe) refuse("--wipe", " is a number from 0 to 1", text);
-        });
-        option(o_.depth_range, "depth_range", [&](const std::string& text) {
-            s_.depth_range = std::nullopt;
-            if (text == none) return;
-            s_.depth_range = parse_depth_range(text);
-            if (!s_.depth_range) {
-                refuse("--depth-range", " is a range of 1/z, far and near, as 0.2,0.8 or none",
-                       text);
-            }
-        });
-    }
-
-    void take_vertices() {
-        said("vertices");
-        for (const std::string& text : o_.vertices)
-            s_.vertices.push_back(parse_placed_triangle(text));
-    }
-
-    const ViewOptions& o_;
-    Situation& s_;
-};
 
 /// FILE stands for one of the other options, by its ending.
 ViewOptions with_file_sorted(ViewOptions options) {
@@ -396,27 +238,32 @@ Session open_view(const ViewOptions& given) {
                   : !options.lesson.empty() ? start_of_lesson(options)
                                             : start_of_scene(options, bug);
     Session& session = start.session;
-    Situation& situation = start.situation;
+    ViewState& state = start.state;
     if (!start.path.empty()) {
-        set_as_situation_says(start);
+        set_as_start_says(start);
         if (!options.scene.empty()) replace_scene(start, options.scene);
     }
     set_as_options_say(options, bug, session);
 
-    Asked(options, situation).take();
+    take_options(options, state);
     const std::optional<Settings> correct = session.other;
     const std::optional<TakenRun> taken = session.taken;
-    refuse_faults(start.path, place_all(session, situation));
-    if (changes_picture(options)) fit(session, situation);
-    refuse_faults(start.path, apply_on_scene(session, situation));
+    refuse_faults(start.path, place_vertices(session, state));
+    if (changes_picture(options)) fit(session, state);
+    refuse_faults(start.path, show_on_scene(session, state));
     const Frame frame = prepare_frame(*session.scene, session.settings);
-    if (!options.to.empty()) session.cursor = moment_of(frame, options.to);
-    if (bug && options.b.empty() && correct) {
+    const auto to = options.given.find("cursor");
+    if (to != options.given.end()) session.cursor = moment_of(frame, to->second.back());
+    if (bug && options.given.count("compare") == 0 && correct) {
         compare_with(session, *correct);
         session.taken = taken; // the laboratory turns it off again
     }
     session.jumps = 0;
     return std::move(start.session);
+}
+
+std::string option_name(const ViewField& field) {
+    return "--" + std::string(field.option.name);
 }
 
 std::string find_scene_file(const std::string& name) {

@@ -3,6 +3,8 @@
 // From what a command line, a lesson or a saved view says to a session: what the program opens
 // with.
 
+#include <functional>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +13,8 @@
 #include "session/session.h"
 
 namespace rasterwalk {
+
+struct ViewField;
 
 /// What a command line says about the view, as it was written. What is empty was not said. Where a
 /// lesson or a saved view sets something, `none` takes it away again.
@@ -23,18 +27,10 @@ struct ViewOptions {
     std::string bug; ///< id; its scene is taken unless one is named
     std::vector<std::string> presets;
     std::vector<std::string> assignments; ///< name=value
-    std::string to;                       ///< a cursor
     std::string size;                     ///< WIDTHxHEIGHT; keeps the field of view
-    std::vector<std::string> vertices;    ///< of a bench scene, see parse_placed_triangle()
-
-    std::string tab;
-    std::string view; ///< plane that is shown
-    std::vector<std::string> overlays;
-    std::string pixel, triangle, row, vertex;
-    std::string zoom, centre, grid;
-    std::vector<std::string> b; ///< name=value: run B differs by these
-    std::string compare_view, wipe;
-    std::string depth_range;
+    /// The words of the other options by the key of their field in view_table(), `compare` for
+    /// --b. None is empty.
+    std::map<std::string, std::vector<std::string>, std::less<>> given;
 
     friend bool operator==(const ViewOptions&, const ViewOptions&) = default;
 };
@@ -45,6 +41,9 @@ struct ViewOptions {
 /// otherwise. Throws Error: what a file says wrongly is an InputError with file:line. A lesson that
 /// is wrong elsewhere than in what this step shows opens, and session.notice says so.
 Session open_view(const ViewOptions& given);
+
+/// The option of a field as it is written: "--compare-view".
+std::string option_name(const ViewField& field);
 
 /// The path of the scene that a text names: a file, or one in lessons_folder()
 /// ("scenes/fence.toml").

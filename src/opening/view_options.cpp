@@ -4,6 +4,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "view/view_table.h"
+
 namespace rasterwalk {
 
 namespace {
@@ -21,6 +23,30 @@ void add_texts(CLI::App& command, const char* name, std::vector<std::string>& va
         ->type_name(type)
         ->allow_extra_args(false)
         ->group(view_group);
+}
+
+/// The option of a field of what is on show.
+void add_field(CLI::App& command, ViewOptions& o, const ViewField& field) {
+    const ViewOption& option = field.option;
+    const auto take = [&o, &field](const std::vector<std::string>& words) {
+        // Nothing between two quotes says nothing.
+        if (!field.option.is_repeatable && words.back().empty()) return;
+        o.given[std::string(field.key)] = words;
+    };
+    CLI::Option* const made = command.add_option_function<std::vector<std::string>>(
+        option_name(field), take, std::string(option.help));
+    made->type_name(std::string(option.type))->group(view_group);
+    if (option.is_repeatable) {
+        made->allow_extra_args(false);
+    } else {
+        made->expected(1);
+    }
+}
+
+void add_part(CLI::App& command, ViewOptions& o, ViewPart part) {
+    for (const ViewField& field : view_table()) {
+        if (field.part == part && field.parse) add_field(command, o, field);
+    }
 }
 
 } // namespace
@@ -42,48 +68,21 @@ void add_view_options(CLI::App& command, ViewOptions& o) {
              "ID");
     add_texts(command, "--preset", o.presets, "Named set of settings; repeatable", "NAME");
     add_texts(command, "--set", o.assignments, "One setting: name=value; repeatable", "NAME=VALUE");
-    add_text(command, "--to", o.to,
-             "Draw up to this moment: t12, t12/v1, t12/e2/s14, t12/r37/c5 or end", "CURSOR");
+    add_field(command, o, view_field("cursor"));
     add_text(command, "--size", o.size,
              "Size of the picture; the focal length follows unless it is set too", "WIDTHxHEIGHT");
-    add_texts(command, "--vertices", o.vertices,
-              "Where the vertices of a scene in pixels lie, as 10,5/5,10/15,15; of triangle 3: "
-              "3:10,5/5,10/15,15; repeatable",
-              "[N:]X,Y/X,Y/X,Y");
+    add_field(command, o, view_field("vertices"));
 }
 
 void add_plane_options(CLI::App& command, ViewOptions& o) {
-    add_text(command, "--view", o.view, "Plane: colour, depth, triangle or overdraw", "PLANE");
-    add_text(command, "--depth-range", o.depth_range,
-             "Range of 1/z that the depth view colours; all that is there if not given",
-             "FAR,NEAR");
+    add_part(command, o, ViewPart::plane);
 }
 
 void add_look_options(CLI::App& command, ViewOptions& o) {
-    add_plane_options(command, o);
-    add_text(command, "--tab", o.tab,
-             "Tab of the inspector: vertices, rows, fragment, microscope, history, graph, "
-             "settings, compare or lab",
-             "NAME");
-    add_texts(command, "--overlay", o.overlays,
-              "Laid over the picture: wireframe, owner, overdraw, drawn_twice, depth, uncovered, "
-              "over_one or affine_error; repeatable; none for none",
-              "NAME");
-    add_text(command, "--pixel", o.pixel, "Pixel that is picked, or none", "X,Y");
-    add_text(command, "--triangle", o.triangle, "Triangle that is selected, from 0, or none", "N");
-    add_text(command, "--row", o.row, "Row of the picture that is selected, from 0, or none", "N");
-    add_text(command, "--vertex", o.vertex, "Vertex that is selected, 0 to 2, or none", "N");
-    add_text(command, "--zoom", o.zoom,
-             "Screen pixels for each pixel of the picture, 0.25 to 64, or fit", "NUMBER");
-    add_text(command, "--centre", o.centre, "Place in the middle of the zoomed picture", "X,Y");
-    add_text(command, "--grid", o.grid, "Grid of pixels from 8x on: on or off", "WORD");
-    add_texts(command, "--b", o.b,
-              "A second run beside the first, which differs by this setting; repeatable; none for "
-              "no second run",
-              "NAME=VALUE");
-    add_text(command, "--compare-view", o.compare_view,
-             "How two runs are shown: side_by_side, wipe, blink or difference", "NAME");
-    add_text(command, "--wipe", o.wipe, "Place of the divider between them, 0 to 1", "NUMBER");
+    for (const ViewPart part : {ViewPart::plane, ViewPart::panel, ViewPart::selection,
+                                ViewPart::canvas, ViewPart::runs}) {
+        add_part(command, o, part);
+    }
 }
 
 std::vector<std::string> command_arguments(int argc, const char* const* argv) {

@@ -18,4 +18,8 @@ struct CanvasView {
 /// A place in the picture, picture pixels: "250.5,131", such that parse_place() reads it back.
 std::string to_text(const glm::vec2& place);
 
+inline constexpr float smallest_zoom = 0.25f; ///< screen pixels a picture pixel
+inline constexpr float largest_zoom = 64.0f;
+inline constexpr float farthest_centre = 1e6f; ///< picture pixels, either sign
+
 } // namespace rasterwalk

@@ -1,10 +1,13 @@
 #include "session/content.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 #include <system_error>
 
 #include "base/error.h"
+#include "base/quoted.h"
 
 namespace rasterwalk {
 
@@ -15,6 +18,19 @@ namespace fs = std::filesystem;
 bool holds_content(const fs::path& folder) {
     std::error_code ignored;
     return fs::is_regular_file(folder / "presets.toml", ignored);
+}
+
+/// The file in one folder, if it is there and the path does not lead out of the folder, not even by
+/// a link of the file system.
+std::optional<std::string> find_within(const fs::path& folder, const fs::path& relative) {
+    std::error_code fault;
+    const fs::path root = fs::canonical(folder.empty() ? fs::path(".") : folder, fault);
+    if (fault) return std::nullopt;
+    const fs::path file = fs::canonical(root / relative, fault);
+    if (fault || !fs::is_regular_file(file, fault)) return std::nullopt;
+    const auto [end, ignored] = std::mismatch(root.begin(), root.end(), file.begin(), file.end());
+    if (end != root.end()) return std::nullopt;
+    return (folder / relative).lexically_normal().string();
 }
 
 } // namespace
@@ -38,6 +54,18 @@ std::string lessons_folder() {
     }
     if (holds_content(RASTERWALK_LESSONS)) return RASTERWALK_LESSONS;
     throw AccessError("the folder 'lessons' was not found; set RASTERWALK_LESSONS to its place.");
+}
+
+std::string find_lesson_file(const std::string& folder, std::string_view relative) {
+    const fs::path path(relative);
+    const bool leads_out =
+        std::any_of(path.begin(), path.end(), [](const fs::path& part) { return part == ".."; });
+    if (path.empty() || path.is_absolute() || leads_out) {
+        throw UsageError(in_quotes(relative) + " leads out of the folder of the lessons.");
+    }
+    if (const auto found = find_within(folder, path)) return *found;
+    if (const auto found = find_within(lessons_folder(), path)) return *found;
+    throw UsageError("there is no file " + in_quotes(relative) + " in the folder of the lessons.");
 }
 
 std::string version_text() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace rasterwalk {
 
@@ -8,6 +9,14 @@ namespace rasterwalk {
 /// lies beside or above the program, or the one it was built from. Throws AccessError if none is
 /// there.
 std::string lessons_folder();
+
+/// The scene where none is named, in lessons_folder().
+inline constexpr std::string_view usual_scene = "scenes/lab-room.toml";
+
+/// The file a lesson names by a relative path: within `folder`, or else within lessons_folder().
+/// Throws UsageError for a path that is absolute or leads out of the folder, or a file that is not
+/// there.
+std::string find_lesson_file(const std::string& folder, std::string_view relative);
 
 /// The version of the program: "0.1.0".
 std::string version_text();

@@ -137,8 +137,8 @@ TEST_CASE("Each step of every lesson can be opened, and each link be followed") 
             CHECK(student.session.lesson == lesson.id);
             CHECK(student.session.step == static_cast<int>(i));
             CHECK(student.results.cursor == student.session.cursor);
-            if (step.situation.cursor && *step.situation.cursor != cursor_end) {
-                CHECK(student.session.cursor.triangle == step.situation.cursor->triangle);
+            if (step.state.cursor && *step.state.cursor != cursor_end) {
+                CHECK(student.session.cursor.triangle == step.state.cursor->triangle);
             }
             for (const LinkPlace& link : step.links) {
                 if (link.is_picture) continue;

@@ -28,9 +28,9 @@ void leave_step(LessonView& view) {
 /// What belongs to the step that is on show now.
 void enter_step(Ui& ui, const Lesson& lesson) {
     ui.lesson.progress.note_step(lesson.id, ui.session.step);
-    const std::string& widget =
-        lesson.steps[static_cast<std::size_t>(ui.session.step)].situation.point_at;
-    if (!widget.empty()) point_at_widget(ui, widget, true);
+    const std::optional<std::string>& widget =
+        lesson.steps[static_cast<std::size_t>(ui.session.step)].state.point_at;
+    if (widget) point_at_widget(ui, *widget, true);
 }
 
 } // namespace
@@ -122,7 +122,7 @@ void answer_prediction(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
     ui.lesson.progress.note_answer(lesson.id, prediction.id, {said, view.judged->is_right});
     view.said = std::move(said);
     if (!prediction.then) return;
-    const std::vector<Fault> faults = apply_situation(ui.session, *prediction.then, lesson.folder);
+    const std::vector<Fault> faults = show_state(ui.session, *prediction.then, lesson.folder);
     if (!faults.empty()) ui.session.notice = fault_text(lesson, faults.front());
 }
 

@@ -7,11 +7,11 @@
 
 namespace rasterwalk {
 
-/// Opens a lesson at a step: its situation comes on the screen. A lesson that is not there, or of
+/// Opens a lesson at a step, and shows what the step says. A lesson that is not there, or of
 /// which nothing can be shown, leaves everything as it is, and session.notice says why.
 void open_lesson(Ui& ui, std::string_view id, int step);
 
-/// Shows the lesson and the step that the session names, whose situation is on the screen already.
+/// Shows the lesson and the step that the session names, which is on the screen already.
 /// Does nothing without a lesson.
 void take_up_lesson(Ui& ui);
 
@@ -32,7 +32,7 @@ const Lesson* open_lesson_of(Ui& ui);
 /// Notes in the progress which tasks of the step on show are solved now.
 void tick_off_tasks(Ui& ui, const Lesson& lesson);
 
-/// Answers a prediction: judges it, notes the first answer in the progress, and shows the situation
+/// Answers a prediction: judges it, notes the first answer in the progress, and shows the state
 /// that belongs to the reveal.
 /// @param said the answer as it is told back to the student
 void answer_prediction(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction,

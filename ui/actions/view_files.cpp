@@ -12,7 +12,7 @@
 #include "lessons/lesson_list.h"
 #include "opening/command_line_text.h"
 #include "opening/opened_view.h"
-#include "opening/state_file.h"
+#include "view/state_file.h"
 #include "session/content.h"
 #include "session/scene_file.h"
 #include "ui/actions/lab.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "ui/widgets/layout.h"
-#include "view/situation.h"
+#include "view/view_state.h"
 
 namespace rasterwalk {
 

@@ -109,7 +109,8 @@ Session understand(Arguments& a) {
     }
     options.ui.theme = a.theme == "light" ? Theme::light : Theme::dark;
     // A tab that is asked for by name is in front of the lesson, where that is a tab too.
-    options.tab = a.view.tab;
+    const auto tab = a.view.given.find("tab");
+    if (tab != a.view.given.end()) options.tab = tab->second.back();
     return open_view(a.view);
 }
 

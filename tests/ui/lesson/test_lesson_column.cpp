@@ -271,7 +271,7 @@ TEST_CASE("Every widget that a lesson points at is in the window at that step") 
                 driver.hand.frames(frames_to_rest);
                 CHECK(is_there(widget));
             }
-            const std::string& pointed = lesson.steps[i].situation.point_at;
+            const std::string pointed = lesson.steps[i].state.point_at.value_or("");
             if (pointed.empty()) continue;
             INFO(lesson.path << ": step " << i << " points at " << pointed);
             open_lesson(driver.ui, lesson.id, static_cast<int>(i));

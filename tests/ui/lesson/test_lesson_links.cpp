@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "laboratory/bug.h"
-#include "lessons/widget_names.h"
+#include "view/widget_names.h"
 #include "picture/view_image.h"
 #include "tests/ui/driver.h"
 #include "ui/actions/lesson_state.h"

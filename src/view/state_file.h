@@ -5,17 +5,17 @@
 #include <string>
 #include <string_view>
 
-#include "view/situation.h"
+#include "view/view_state.h"
 
 namespace rasterwalk {
 
 /// A view as it stands in a file.
 struct SavedView {
-    std::string path;    ///< of the file; the scene and the lesson are found from its folder
-    std::string scene;   ///< file beside it or in a folder below, or one of the program's own
-    std::string lesson;  ///< id, or a file (.md) beside it; empty: none
-    int step = 0;        ///< of the lesson
-    Situation situation; ///< on that scene; its lines are those of the file
+    std::string path;   ///< of the file; the scene and the lesson are found from its folder
+    std::string scene;  ///< file beside it or in a folder below, or one of the program's own
+    std::string lesson; ///< id, or a file (.md) beside it; empty: none
+    int step = 0;       ///< of the lesson
+    ViewState state;    ///< on that scene; its lines are those of the file
 };
 
 /// The view as text. Scene and lesson are named from the folder in which the file is to lie.

@@ -1,4 +1,4 @@
-#include "lessons/widget_names.h"
+#include "view/widget_names.h"
 
 #include <algorithm>
 #include <array>

@@ -1,26 +1,20 @@
-#include "opening/state_file.h"
+#include "view/state_file.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <map>
-#include <sstream>
 #include <system_error>
 
 #include "base/error.h"
 #include "base/faults.h"
 #include "base/files.h"
-#include "base/numbers.h"
+#include "base/limits.h"
 #include "base/quoted.h"
 #include "base/toml_input.h"
-#include "facts/facts.h"
-#include "lessons/lesson_blocks.h"
 #include "session/bench.h"
-#include "session/canvas_view.h"
 #include "session/content.h"
-#include "session/depth_view.h"
-#include "session/second_run.h"
-#include "settings/setting_table.h"
-#include "view/shown_situation.h"
+#include "view/view_form.h"
+#include "view/view_table.h"
 
 namespace rasterwalk {
 
@@ -68,68 +62,8 @@ std::string name_of_lesson(const Session& session, const std::string& folder) {
 }
 
 /// A key in its own line, so that a fault can be found by its line.
-class Lines {
-  public:
-    void add(const char* key, const toml::node& value) {
-        out_ << key << " = " << toml::node_view<const toml::node>(value) << '\n';
-    }
-    void text(const char* key, std::string_view value) {
-        add(key, toml::value<std::string>(std::string(value)));
-    }
-    void number(const char* key, std::optional<int> value) {
-        if (value) add(key, toml::value<std::int64_t>(*value));
-    }
-    void texts(const char* key, const std::vector<std::string>& values) {
-        if (values.empty()) {
-            out_ << key << " = []\n";
-            return;
-        }
-        out_ << key << " = [\n";
-        for (const std::string& value : values)
-            out_ << "    " << toml::node_view<const toml::node>(toml::value<std::string>(value))
-                 << ",\n";
-        out_ << "]\n";
-    }
-    void comment(std::string_view words) { out_ << "# " << words << '\n'; }
-    void plain(const char* key, std::string_view value) { out_ << key << " = " << value << '\n'; }
-    std::string str() const { return out_.str(); }
-
-  private:
-    std::ostringstream out_;
-};
-
-void add_situation(const Situation& s, Lines& lines) {
-    if (!s.set.empty()) lines.texts("set", s.set);
-    if (s.cursor) lines.text("cursor", to_text(*s.cursor));
-    if (s.pixel) {
-        lines.text("pixel",
-                   std::to_string(s.pixel->x).append(",").append(std::to_string(s.pixel->y)));
-    }
-    lines.number("triangle", s.triangle);
-    lines.number("row", s.row);
-    lines.number("vertex", s.vertex);
-    if (s.tab) lines.text("tab", *s.tab);
-    if (s.view) lines.text("view", view_names()[static_cast<std::size_t>(*s.view)]);
-    if (s.overlays) {
-        std::vector<std::string> names;
-        for (const OverlayInfo& info : overlay_list()) {
-            if (s.overlays->has(info.overlay)) names.emplace_back(info.name);
-        }
-        lines.texts("overlays", names);
-    }
-    if (s.zoom) lines.plain("zoom", number_text(*s.zoom));
-    if (s.centre) lines.text("centre", to_text(*s.centre));
-    if (s.grid) lines.plain("grid", *s.grid ? "true" : "false");
-    if (s.compare) lines.texts("compare", *s.compare);
-    if (s.compare_view) {
-        lines.text("compare_view", compare_view_names()[static_cast<std::size_t>(*s.compare_view)]);
-    }
-    if (s.wipe) lines.plain("wipe", number_text(*s.wipe));
-    if (s.depth_range) lines.text("depth_range", to_text(*s.depth_range));
-    std::vector<std::string> placed;
-    for (const PlacedTriangle& triangle : s.vertices)
-        placed.push_back(to_text(triangle));
-    if (!placed.empty()) lines.texts("vertices", placed);
+void add_line(std::string& text, std::string_view key, std::string_view value) {
+    text.append(key).append(" = ").append(value).append("\n");
 }
 
 } // namespace
@@ -140,21 +74,23 @@ std::string view_text(const Session& session, const std::string& path) {
     }
     const std::string folder = folder_of(path);
     const Scene original = scene_in_file(session);
-    Lines lines;
-    lines.comment("A view of Rasterwalk, to be opened with it.");
-    lines.text("scene", name_from(folder, session.scene->path, "scene"));
+    std::string text = "# A view of Rasterwalk, to be opened with it.\n";
+    add_line(text, "scene", toml_text(name_from(folder, session.scene->path, "scene")));
     const std::string lesson = name_of_lesson(session, folder);
     if (!lesson.empty()) {
-        lines.text("lesson", lesson);
-        lines.number("step", session.step);
+        add_line(text, "lesson", toml_text(lesson));
+        add_line(text, "step", std::to_string(session.step));
     }
-    const Situation situation = situation_of(session, original);
-    if (situation.vertices.size() > most_placed_triangles) {
+    const ViewState state = state_of(session, original);
+    if (state.vertices && state.vertices->size() > most_placed_triangles) {
         throw UsageError("more than " + std::to_string(most_placed_triangles) +
                          " triangles were moved: too many to be saved.");
     }
-    add_situation(situation, lines);
-    return lines.str();
+    for (const ViewField& field : view_table()) {
+        const std::string value = field.write ? field.write(state) : std::string();
+        if (!value.empty()) add_line(text, field.key, value);
+    }
+    return text;
 }
 
 void write_view(const Session& session, const std::string& path) {
@@ -174,8 +110,11 @@ SavedView parse_view(std::string_view text, const std::string& path) {
     if (input.find("step") != nullptr && view.lesson.empty()) {
         input.fail(*input.find("step"), "'step' belongs to a 'lesson', and there is none.");
     }
-    if (input.find("point_at") != nullptr) {
-        input.fail(*input.find("point_at"), "the view has no 'point_at'.");
+    for (const ViewField& field : view_table()) {
+        const toml::node* const node = input.find(field.key);
+        if (node != nullptr && field.key != "scene" && !field.write) {
+            input.fail(*node, "the view has no '" + std::string(field.key) + "'.");
+        }
     }
     std::map<std::string, int, std::less<>> lines;
     for (const char* key : {"scene", "lesson", "step"}) {
@@ -186,9 +125,9 @@ SavedView parse_view(std::string_view text, const std::string& path) {
     root.erase("lesson");
     root.erase("step");
     FaultList faults(path);
-    view.situation = read_situation(root, 1, faults, "the view");
+    view.state = read_view_state(root, 1, faults, "the view");
     for (const auto& [key, line] : lines)
-        view.situation.lines[key] = line;
+        view.state.lines[key] = line;
     const std::vector<Fault> found = faults.take();
     if (!found.empty()) throw InputError(path, std::max(found[0].line, 1), found[0].sentence);
     return view;
@@ -202,7 +141,7 @@ std::string find_file(const SavedView& view, const char* key, const std::string&
     try {
         return find_lesson_file(folder_of(view.path), name);
     } catch (const Error&) {
-        throw InputError(view.path, view.situation.line_of(key),
+        throw InputError(view.path, view.state.line_of(key),
                          "there is no file " + in_quotes(name) +
                              " in the folder of this view, nor is it one of the program's own.");
     }

@@ -7,7 +7,7 @@
 #include "laboratory/bug.h"
 #include "laboratory/quiz.h"
 #include "opening/opened_view.h"
-#include "opening/state_file.h"
+#include "view/state_file.h"
 #include "session/content.h"
 #include "tests/support/random_session.h"
 #include "tests/support/temporary_folder.h"

@@ -1,0 +1,388 @@
+#include "view/look_fields.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "base/numbers.h"
+#include "picture/overlay.h"
+#include "picture/view_image.h"
+#include "session/canvas_view.h"
+#include "session/depth_view.h"
+#include "session/second_run.h"
+#include "session/tabs.h"
+#include "settings/setting_table.h"
+#include "view/view_form.h"
+#include "view/widget_names.h"
+
+namespace rasterwalk {
+
+ViewField tab_field() {
+    ViewForm<std::string> form{&ViewState::tab};
+    form.read = [](const TomlBlock& block, const toml::node& node) {
+        return block.word(node, "tab", tab_names());
+    };
+    form.toml = toml_text;
+    form.parse = [](const GivenOption& given, const std::string& word) {
+        return std::string(tab_names()[option_index(given, tab_names(), word)]);
+    };
+    form.word = [](const auto& tab) { return tab.value_or(Session().tab); };
+    form.tell = [](const Session& session) {
+        return session.tab != Session().tab ? std::optional(session.tab) : std::nullopt;
+    };
+    form.show = [](const auto& tab, Session& session) { session.tab = tab.value_or("rows"); };
+    const ViewOption option{"tab", "NAME",
+                            "Tab of the inspector: vertices, rows, fragment, microscope, history, "
+                            "graph, settings, compare or lab"};
+    return make_field("tab", ViewPart::panel, option, form);
+}
+
+namespace {
+
+/// One of several that have a word each.
+/// @param what it is, in messages
+/// @param keeps_last not said, it stays as it was
+template <class Enum>
+ViewField enum_field(std::string_view key, ViewPart part, const ViewOption& option,
+                     const char* what, std::span<const std::string_view> names,
+                     std::optional<Enum> ViewState::*member, Enum Session::*shown,
+                     bool keeps_last) {
+    ViewForm<Enum> form{member};
+    const auto name_of = [names](Enum value) { return names[static_cast<std::size_t>(value)]; };
+    form.read = [what, names](const TomlBlock& block, const toml::node& node) {
+        const std::string word = block.word(node, what, names);
+        return static_cast<Enum>(std::find(names.begin(), names.end(), word) - names.begin());
+    };
+    form.toml = [name_of](Enum value) { return toml_text(name_of(value)); };
+    form.parse = [names](const GivenOption& given, const std::string& word) {
+        return static_cast<Enum>(option_index(given, names, word));
+    };
+    form.word = [name_of, shown](const auto& value) {
+        return std::string(name_of(value.value_or(Session().*shown)));
+    };
+    form.tell = [shown](const Session& session) {
+        const Enum value = session.*shown;
+        return value != Session().*shown ? std::optional(value) : std::nullopt;
+    };
+    form.show = [shown, keeps_last](const auto& value, Session& session) {
+        session.*shown = value.value_or(keeps_last ? session.*shown : Session().*shown);
+    };
+    return make_field(key, part, option, form);
+}
+
+std::span<const std::string_view> overlay_names() {
+    static const auto names = [] {
+        std::array<std::string_view, overlay_count> words;
+        for (std::size_t i = 0; i < words.size(); ++i)
+            words[i] = overlay_list()[i].name;
+        return words;
+    }();
+    return names;
+}
+
+std::vector<std::string_view> overlays_and_none() {
+    std::vector<std::string_view> words{no_value};
+    words.insert(words.end(), overlay_names().begin(), overlay_names().end());
+    return words;
+}
+
+OverlaySet read_overlays(const TomlBlock& block, const toml::node& node) {
+    OverlaySet overlays;
+    block.for_each_text(node, overlay_count, [&](const std::string& name) {
+        const std::optional<Overlay> overlay = find_overlay(name);
+        if (!overlay) throw UsageError(no_such_name("overlay", name, overlays_and_none()));
+        overlays.set(*overlay, true);
+    });
+    return overlays;
+}
+
+std::vector<std::string> texts_of(const OverlaySet& overlays) {
+    std::vector<std::string> names;
+    for (const OverlayInfo& info : overlay_list()) {
+        if (overlays.has(info.overlay)) names.emplace_back(info.name);
+    }
+    return names;
+}
+
+} // namespace
+
+ViewField overlays_field() {
+    ViewForm<OverlaySet> form{&ViewState::overlays};
+    form.read = read_overlays;
+    form.toml = [](const OverlaySet& overlays) { return toml_list(texts_of(overlays)); };
+    form.tell = [](const Session& session) {
+        return session.overlays.empty() ? std::nullopt : std::optional(session.overlays);
+    };
+    form.show = [](const auto& overlays, Session& session) {
+        session.overlays = overlays.value_or(OverlaySet{});
+    };
+    const ViewOption option{
+        "overlay", "NAME",
+        "Laid over the picture: wireframe, owner, overdraw, drawn_twice, depth, uncovered, "
+        "over_one or affine_error; repeatable; none for none",
+        true};
+    ViewField field = make_field("overlays", ViewPart::panel, option, form);
+    field.parse = [](const GivenOption& given, ViewState& state) {
+        OverlaySet overlays;
+        for (const std::string& word : given.words) {
+            if (word == no_value) {
+                overlays = {};
+            } else {
+                overlays.set(static_cast<Overlay>(option_index(given, overlay_names(), word)),
+                             true);
+            }
+        }
+        state.overlays = overlays;
+    };
+    field.words = [](const ViewChange& change) -> std::vector<std::string> {
+        if (change.to.overlays == change.from.overlays) return {};
+        if (!change.to.overlays) return {std::string(no_value)};
+        return texts_of(*change.to.overlays);
+    };
+    return field;
+}
+
+ViewField depth_range_field() {
+    ViewForm<DepthRange> form{&ViewState::depth_range};
+    form.read = [](const TomlBlock& block, const toml::node& node) {
+        const std::optional<DepthRange> range = parse_depth_range(block.text(node));
+        if (!range) {
+            block.input().fail(node, "a range of 1/z is needed here, far and near: \"0.2,0.8\".");
+        }
+        return *range;
+    };
+    form.toml = [](const DepthRange& range) { return toml_text(to_text(range)); };
+    form.parse = [](const GivenOption& given, const std::string& word) {
+        const std::optional<DepthRange> range = parse_depth_range(word);
+        if (!range && word != no_value) {
+            refuse_option(given, "a range of 1/z, far and near, as 0.2,0.8 or none", word);
+        }
+        return range;
+    };
+    form.word = [](const auto& range) { return range ? to_text(*range) : std::string(no_value); };
+    form.tell = [](const Session& session) {
+        const std::optional<DepthRange>& range = session.depth_range;
+        return range && range->far <= range->near ? range : std::nullopt;
+    };
+    form.show = [](const auto& range, Session& session) { session.depth_range = range; };
+    const ViewOption option{
+        "depth-range", "FAR,NEAR",
+        "Range of 1/z that the depth view colours; all that is there if not given"};
+    ViewField field = make_field("depth_range", ViewPart::plane, option, form);
+    field.is_of_scene = true;
+    return field;
+}
+
+namespace {
+
+// --- which place of the picture, how large
+
+/// Where a lesson names no centre, it follows the pixel or the size of the picture.
+bool is_same_place(const ViewChange& change) {
+    const ViewState& to = change.to;
+    const ViewState& from = change.from;
+    return to.zoom == from.zoom && to.centre == from.centre && to.pixel == from.pixel &&
+           change.to_session.settings.viewport == change.from_session.settings.viewport;
+}
+
+} // namespace
+
+ViewField zoom_field() {
+    ViewForm<float> form{&ViewState::zoom};
+    form.read = [](const TomlBlock& block, const toml::node& node) {
+        const float zoom = block.input().number(node, 0.0f, largest_zoom, "the zoom");
+        if (zoom != 0.0f && zoom < smallest_zoom) {
+            block.input().fail(node, "the zoom is 0.25 to 64, or 0 to fit.");
+        }
+        return zoom;
+    };
+    form.toml = [](float zoom) { return number_text(zoom); };
+    form.parse = [](const GivenOption& given, const std::string& word) {
+        const std::optional<float> zoom =
+            word == "fit" ? 0.0f : parse_number(word, smallest_zoom, largest_zoom);
+        if (!zoom) refuse_option(given, "a number from 0.25 to 64 or fit", word);
+        return zoom;
+    };
+    form.tell = [](const Session& session) {
+        const float zoom = session.canvas.zoom;
+        return zoom > 0.0f ? std::optional(std::clamp(zoom, smallest_zoom, largest_zoom))
+                           : std::nullopt;
+    };
+    form.show = [](const auto& zoom, Session& session) {
+        session.canvas.zoom = zoom.value_or(0.0f);
+    };
+    const ViewOption option{"zoom", "NUMBER",
+                            "Screen pixels for each pixel of the picture, 0.25 to 64, or fit"};
+    ViewField field = make_field("zoom", ViewPart::canvas, option, form);
+    field.is_of_scene = true;
+    field.words = [](const ViewChange& change) -> std::vector<std::string> {
+        if (is_same_place(change)) return {};
+        if (change.to.zoom) return {number_text(*change.to.zoom)};
+        if (change.from.zoom) return {"fit"};
+        return {};
+    };
+    return field;
+}
+
+namespace {
+
+bool is_near(const glm::vec2& place) {
+    return std::max(std::abs(place.x), std::abs(place.y)) <= farthest_centre;
+}
+
+} // namespace
+
+ViewField centre_field() {
+    ViewForm<glm::vec2> form{&ViewState::centre};
+    form.read = [](const TomlBlock& block, const toml::node& node) {
+        const std::optional<glm::vec2> centre = parse_place(block.text(node));
+        if (!centre) {
+            block.input().fail(node, "a place in the picture is needed here: \"250,131\".");
+        }
+        if (!is_near(*centre)) {
+            block.input().fail(node, "this place lies too far outside the picture.");
+        }
+        return *centre;
+    };
+    form.toml = [](const glm::vec2& centre) { return toml_text(to_text(centre)); };
+    form.parse = [](const GivenOption& given, const std::string& word) {
+        const std::optional<glm::vec2> centre = parse_place(word);
+        if (!centre || !is_near(*centre)) {
+            refuse_option(given, "a place in the picture as 250,131.5", word);
+        }
+        return centre;
+    };
+    form.tell = [](const Session& session) -> std::optional<glm::vec2> {
+        if (session.canvas.zoom <= 0.0f) return std::nullopt;
+        const glm::vec2& centre = session.canvas.centre;
+        return glm::vec2{std::clamp(centre.x, -farthest_centre, farthest_centre),
+                         std::clamp(centre.y, -farthest_centre, farthest_centre)};
+    };
+    const ViewOption option{"centre", "X,Y", "Place in the middle of the zoomed picture"};
+    ViewField field = make_field("centre", ViewPart::canvas, option, form);
+    field.is_of_scene = true;
+    field.words = [](const ViewChange& change) -> std::vector<std::string> {
+        if (is_same_place(change) || !change.to.zoom) return {};
+        return {to_text(*change.to.centre)};
+    };
+    field.show = [](const ViewState& state, Session& session) {
+        const Viewport& size = session.settings.viewport;
+        const glm::vec2 middle(0.5f * static_cast<float>(size.width),
+                               0.5f * static_cast<float>(size.height));
+        const glm::vec2 near = state.pixel ? glm::vec2(*state.pixel) : middle;
+        session.canvas.centre = state.centre.value_or(near);
+    };
+    return field;
+}
+
+ViewField grid_field() {
+    ViewForm<bool> form{&ViewState::grid};
+    form.read = [](const TomlBlock& block, const toml::node& node) {
+        const std::optional<bool> grid = node.value_exact<bool>();
+        if (!grid) block.input().fail(node, "the grid is true or false.");
+        return *grid;
+    };
+    form.toml = [](bool grid) { return std::string(grid ? "true" : "false"); };
+    form.parse = [](const GivenOption& given, const std::string& word) {
+        constexpr std::array<std::string_view, 2> words{"off", "on"};
+        return option_index(given, words, word) == 1;
+    };
+    form.word = [](const auto& grid) { return std::string(grid.value_or(true) ? "on" : "off"); };
+    form.tell = [](const Session& session) {
+        return session.canvas.grid ? std::nullopt : std::optional(false);
+    };
+    form.show = [](const auto& grid, Session& session) {
+        session.canvas.grid = grid.value_or(session.canvas.grid);
+    };
+    const ViewOption option{"grid", "WORD", "Grid of pixels from 8x on: on or off"};
+    return make_field("grid", ViewPart::canvas, option, form);
+}
+
+// --- the second run
+
+ViewField compare_field() {
+    ViewForm<std::vector<std::string>> form{&ViewState::compare};
+    form.read = read_assignments;
+    form.toml = toml_list;
+    form.tell = [](const Session& session) -> std::optional<std::vector<std::string>> {
+        if (!session.other) return std::nullopt;
+        return assignments_between(session.settings, *session.other);
+    };
+    form.show = [](const auto& compare, Session& session) {
+        stop_comparing(session);
+        if (compare) compare_with(session, settings_with(session.settings, *compare));
+    };
+    const ViewOption option{
+        "b", "NAME=VALUE",
+        "A second run beside the first, which differs by this setting; repeatable; none for "
+        "no second run",
+        true};
+    ViewField field = make_field("compare", ViewPart::runs, option, form);
+    field.parse = [](const GivenOption& given, ViewState& state) {
+        state.compare = given.words;
+        if (given.words.back() == no_value) state.compare = std::nullopt;
+    };
+    field.words = [](const ViewChange& change) -> std::vector<std::string> {
+        const Session& to = change.to_session;
+        const Session& from = change.from_session;
+        if (!to.other) {
+            return from.other ? std::vector{std::string(no_value)} : std::vector<std::string>();
+        }
+        if (to.other == from.other && to.settings == from.settings) return {};
+        if (to.settings == *to.other) {
+            return {"stage=" + value_text(*find_setting("stage"), to.settings)};
+        }
+        return assignments_between(to.settings, *to.other);
+    };
+    return field;
+}
+
+ViewField wipe_field() {
+    ViewForm<float> form{&ViewState::wipe};
+    form.read = [](const TomlBlock& block, const toml::node& node) {
+        return block.input().number(node, 0.0f, 1.0f, "the place of the divider");
+    };
+    form.toml = [](float wipe) { return number_text(wipe); };
+    form.parse = [](const GivenOption& given, const std::string& word) {
+        const std::optional<float> wipe = parse_number(word, 0.0f, 1.0f);
+        if (!wipe) refuse_option(given, "a number from 0 to 1", word);
+        return wipe;
+    };
+    form.word = [](const auto& wipe) { return number_text(wipe.value_or(Session().wipe)); };
+    form.tell = [](const Session& session) {
+        return session.wipe != Session().wipe ? std::optional(std::clamp(session.wipe, 0.0f, 1.0f))
+                                              : std::nullopt;
+    };
+    form.show = [](const auto& wipe, Session& session) {
+        session.wipe = wipe.value_or(session.wipe);
+    };
+    const ViewOption option{"wipe", "NUMBER", "Place of the divider between them, 0 to 1"};
+    return make_field("wipe", ViewPart::runs, option, form);
+}
+
+ViewField point_at_field() {
+    ViewForm<std::string> form{&ViewState::point_at};
+    form.read = [](const TomlBlock& block, const toml::node& node) {
+        check_widget_name(block.text(node));
+        return block.text(node);
+    };
+    return make_field("point_at", ViewPart::panel, {}, form);
+}
+
+ViewField plane_field() {
+    return enum_field("view", ViewPart::plane,
+                      {"view", "PLANE", "Plane: colour, depth, triangle or overdraw"}, "view",
+                      view_names(), &ViewState::view, &Session::view, false);
+}
+
+ViewField compare_view_field() {
+    return enum_field(
+        "compare_view", ViewPart::runs,
+        {"compare-view", "NAME", "How two runs are shown: side_by_side, wipe, blink or difference"},
+        "way to compare", compare_view_names(), &ViewState::compare_view, &Session::compare_view,
+        true);
+}
+
+} // namespace rasterwalk

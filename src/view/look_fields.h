@@ -1,0 +1,26 @@
+#pragma once
+
+// The rows of view_table() that say how the picture is looked at.
+
+#include "view/view_table.h"
+
+namespace rasterwalk {
+
+// Planes and panels.
+ViewField tab_field();
+ViewField plane_field();
+ViewField overlays_field();
+ViewField depth_range_field();
+ViewField point_at_field();
+
+// Which place of the picture, how large.
+ViewField zoom_field();
+ViewField centre_field();
+ViewField grid_field();
+
+// The second run.
+ViewField compare_field();
+ViewField compare_view_field();
+ViewField wipe_field();
+
+} // namespace rasterwalk

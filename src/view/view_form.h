@@ -1,0 +1,102 @@
+#pragma once
+
+// How the rows of view_table() are made: what a value looks like as text and where the session
+// keeps it, told once, gives all functions of a field.
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "view/view_table.h"
+
+namespace rasterwalk {
+
+/// A field whose value is an optional member of ViewState.
+template <class T>
+struct ViewForm {
+    std::optional<T> ViewState::*member;
+    std::function<T(const TomlBlock&, const toml::node&)> read{};
+    std::function<std::string(const T&)> toml{}; ///< missing: a saved view cannot hold it
+    /// From one word of an option; none unsays it. Missing: see ViewField::parse.
+    std::function<std::optional<T>(const GivenOption&, const std::string&)> parse{};
+    std::function<std::string(const std::optional<T>&)> word{}; ///< what parse() reads again
+    std::function<std::optional<T>(const Session&)> tell{};     ///< none: as in a fresh session
+    std::function<void(const std::optional<T>&, Session&)> show{};
+};
+
+/// "--zoom is a number from 0.25 to 64 or fit, not 'x'."
+[[noreturn]] void refuse_option(const GivenOption& option, std::string_view takes,
+                                const std::string& word);
+
+/// The place of an option's word in a list. Throws UsageError that names all of them.
+std::size_t option_index(const GivenOption& option, std::span<const std::string_view> words,
+                         const std::string& word);
+
+/// As values of TOML: text in quotes; a list, a line an entry.
+std::string toml_text(std::string_view text);
+std::string toml_list(const std::vector<std::string>& entries);
+
+/// Settings, name=value, one by one; each must be one.
+std::vector<std::string> read_assignments(const TomlBlock& block, const toml::node& node);
+
+/// What `to` sets otherwise than `from`.
+std::vector<std::string> assignments_between(const Settings& from, const Settings& to);
+
+/// With this word an option unsays what stands there.
+inline constexpr std::string_view no_value = "none";
+
+template <class T>
+ViewField make_field(std::string_view key, ViewPart part, ViewOption option, ViewForm<T> form) {
+    ViewField field;
+    field.key = key;
+    field.part = part;
+    field.option = option;
+    const auto member = form.member;
+    field.take = [member](const ViewState& over, ViewState& state) {
+        if (over.*member) state.*member = over.*member;
+    };
+    field.clear = [member](ViewState& state) { state.*member = std::nullopt; };
+    if (form.read) {
+        field.read = [member, read = std::move(form.read)](
+                         const TomlBlock& block, const toml::node& node, ViewState& state) {
+            state.*member = read(block, node);
+        };
+    }
+    if (form.toml) {
+        field.write = [member, toml = std::move(form.toml)](const ViewState& state) {
+            return state.*member ? toml(*(state.*member)) : std::string();
+        };
+    }
+    if (form.parse) {
+        field.parse = [member, parse = std::move(form.parse)](const GivenOption& given,
+                                                              ViewState& state) {
+            state.*member = parse(given, given.words.back());
+        };
+    }
+    if (form.word) {
+        field.words = [member, word = std::move(form.word)](const ViewChange& change) {
+            std::vector<std::string> words;
+            if (change.to.*member != change.from.*member) words.push_back(word(change.to.*member));
+            return words;
+        };
+    }
+    if (form.tell) {
+        field.tell = [member, tell = std::move(form.tell)](const Session& session, const Scene&,
+                                                           ViewState& state) {
+            state.*member = tell(session);
+        };
+    }
+    if (form.show) {
+        field.show = [member, show = std::move(form.show)](const ViewState& state,
+                                                           Session& session) {
+            show(state.*member, session);
+        };
+    }
+    return field;
+}
+
+} // namespace rasterwalk

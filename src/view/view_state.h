@@ -1,0 +1,77 @@
+#pragma once
+
+// What is on show, as a lesson, a saved view or a command line says it.
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "base/faults.h"
+#include "picture/overlay.h"
+#include "picture/view_image.h"
+#include "pipeline/cursor.h"
+#include "session/bench.h"
+#include "session/second_run.h"
+#include "session/session.h"
+
+namespace rasterwalk {
+
+/// What is on the screen, as far as it is said. What is left open is as in a fresh session. How
+/// each member is written, shown and told stands in view_table().
+struct ViewState {
+    std::optional<std::string> scene; ///< path from the folder of the lessons; none: the room
+    std::vector<std::string> set;     ///< name=value, on top of the scene's default settings
+    std::optional<std::vector<PlacedTriangle>> vertices; ///< of a bench scene, that lie elsewhere
+    std::optional<Cursor> cursor;                        ///< none: the end
+    std::optional<glm::ivec2> pixel;
+    std::optional<int> triangle, row, vertex;
+    std::optional<std::string> tab; ///< of the inspector; none: rows
+    std::optional<View> view;
+    std::optional<OverlaySet> overlays;
+    std::optional<float> zoom; ///< screen pixels a picture pixel; 0, and none: it fits
+    std::optional<glm::vec2> centre;
+    std::optional<bool> grid;                        ///< of pixels; none: as it was
+    std::optional<std::vector<std::string>> compare; ///< run B: A, and these; none: no second run
+    std::optional<CompareView> compare_view;         ///< of two runs; none: as it was
+    std::optional<float> wipe;                       ///< place of the divider; none: as it was
+    std::optional<DepthRange> depth_range;           ///< of the depth view; none: all that is there
+    std::optional<std::string> point_at;             ///< widget that is outlined
+
+    int line = 0;                                  ///< of the block that says so
+    std::map<std::string, int, std::less<>> lines; ///< of each key
+
+    /// The line of a key, or of the block.
+    int line_of(std::string_view key) const;
+};
+
+/// What `base` says, and on top of it what `over` says: settings are added to the base's, all else
+/// takes the place of the base's.
+ViewState combined(const ViewState& base, const ViewState& over);
+
+/// Shows this state in the session: scene, settings, cursor, selection, view, overlays, tab, second
+/// run. Never throws: what cannot be done is left out and reported.
+/// @param folder of the lesson: scenes are looked for there, and in lessons_folder() after that
+std::vector<Fault> show_state(Session& session, const ViewState& state, const std::string& folder);
+
+/// The same on the scene and the settings that the session has already, whatever the state says of
+/// them.
+std::vector<Fault> show_on_scene(Session& session, const ViewState& state);
+
+/// What the session shows, as the state that brings a fresh session on the same scene there. The
+/// scene itself is left out, because it is a path; so is a selection that lies outside the picture.
+/// The cursor is the moment at or after the session's that exists.
+/// @param original the scene as it stands in its file: vertices that lie elsewhere are told
+ViewState state_of(const Session& session, const Scene& original);
+
+/// The session's scene as it stands in its file; the session's own where nothing in it can be
+/// moved. Throws Error: UsageError for a scene that was not read from a file.
+Scene scene_in_file(const Session& session);
+
+/// These settings with the assignments, name=value, on top. Throws UsageError.
+Settings settings_with(const Settings& settings, const std::vector<std::string>& assignments);
+
+} // namespace rasterwalk

@@ -1,0 +1,289 @@
+#include "view/view_table.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "base/limits.h"
+#include "base/numbers.h"
+#include "base/quoted.h"
+#include "pipeline/frame.h"
+#include "pipeline/timeline.h"
+#include "session/moments.h"
+#include "settings/setting_table.h"
+#include "view/look_fields.h"
+#include "view/view_form.h"
+
+namespace rasterwalk {
+
+namespace {
+
+// --- what is drawn
+
+ViewField scene_field() {
+    ViewForm<std::string> form{&ViewState::scene};
+    form.read = [](const TomlBlock& block, const toml::node& node) { return block.text(node); };
+    return make_field("scene", ViewPart::drawn, {}, form);
+}
+
+ViewField set_field() {
+    ViewField field;
+    field.key = "set";
+    field.read = [](const TomlBlock& block, const toml::node& node, ViewState& state) {
+        state.set = read_assignments(block, node);
+    };
+    field.write = [](const ViewState& state) {
+        return state.set.empty() ? std::string() : toml_list(state.set);
+    };
+    field.tell = [](const Session& session, const Scene& original, ViewState& state) {
+        state.set = assignments_between(default_settings(original), session.settings);
+    };
+    field.take = [](const ViewState& over, ViewState& state) {
+        state.set.insert(state.set.end(), over.set.begin(), over.set.end());
+    };
+    field.clear = [](ViewState& state) { state.set.clear(); };
+    return field;
+}
+
+std::vector<std::string> texts_of(const std::vector<PlacedTriangle>& triangles) {
+    std::vector<std::string> texts;
+    for (const PlacedTriangle& placed : triangles)
+        texts.push_back(to_text(placed));
+    return texts;
+}
+
+ViewField vertices_field() {
+    ViewForm<std::vector<PlacedTriangle>> form{&ViewState::vertices};
+    form.read = [](const TomlBlock& block, const toml::node& node) {
+        std::vector<PlacedTriangle> list;
+        block.for_each_text(node, most_placed_triangles, [&](const std::string& text) {
+            list.push_back(parse_placed_triangle(text));
+        });
+        return list;
+    };
+    form.toml = [](const auto& list) { return toml_list(texts_of(list)); };
+    form.show = [](const auto& list, Session& session) {
+        if (!list) return;
+        for (const PlacedTriangle& placed : *list)
+            place_triangle(session, placed);
+    };
+    const ViewOption option{
+        "vertices", "[N:]X,Y/X,Y/X,Y",
+        "Where the vertices of a scene in pixels lie, as 10,5/5,10/15,15; of triangle 3: "
+        "3:10,5/5,10/15,15; repeatable",
+        true};
+    ViewField field = make_field("vertices", ViewPart::drawn, option, form);
+    field.is_of_scene = true;
+    field.parse = [](const GivenOption& given, ViewState& state) {
+        if (!state.vertices) state.vertices.emplace(); // others may have been put elsewhere too
+        for (const std::string& word : given.words)
+            state.vertices->push_back(parse_placed_triangle(word));
+    };
+    field.words = [](const ViewChange& change) {
+        return texts_of(moved_triangles(*change.to_session.scene, *change.from_session.scene));
+    };
+    field.tell = [](const Session& session, const Scene& original, ViewState& state) {
+        std::vector<PlacedTriangle> moved = moved_triangles(*session.scene, original);
+        if (!moved.empty()) state.vertices = std::move(moved);
+    };
+    return field;
+}
+
+ViewField cursor_field() {
+    ViewForm<Cursor> form{&ViewState::cursor};
+    form.read = [](const TomlBlock& block, const toml::node& node) {
+        const std::optional<Cursor> cursor = parse_cursor(block.text(node));
+        if (!cursor) {
+            block.input().fail(node, in_quotes(block.text(node)) +
+                                         " is not a moment; one is written t12, t12/v1, "
+                                         "t12/e2/s14, t12/r37/c5 or end.");
+        }
+        return *cursor;
+    };
+    form.toml = [](const Cursor& cursor) { return toml_text(to_text(cursor)); };
+    form.word = [](const auto& cursor) { return to_text(cursor.value_or(cursor_end)); };
+    form.tell = [](const Session& session) -> std::optional<Cursor> {
+        if (session.cursor == cursor_end) return std::nullopt;
+        const Frame frame = prepare_frame(*session.scene, session.settings);
+        const Cursor cursor = Timeline(frame).at_or_after(session.cursor);
+        return cursor != cursor_end ? std::optional(cursor) : std::nullopt;
+    };
+    form.show = [](const auto& cursor, Session& session) {
+        session.cursor = cursor_end;
+        if (!cursor) return;
+        session.cursor = moment_of(prepare_frame(*session.scene, session.settings), *cursor);
+    };
+    const ViewOption option{"to", "CURSOR",
+                            "Draw up to this moment: t12, t12/v1, t12/e2/s14, t12/r37/c5 or end"};
+    ViewField field = make_field("cursor", ViewPart::selection, option, form);
+    field.is_of_scene = true;
+    return field;
+}
+
+// --- what is picked
+
+ViewField pixel_field() {
+    ViewForm<glm::ivec2> form{&ViewState::pixel};
+    const auto text = [](const glm::ivec2& pixel) {
+        return std::to_string(pixel.x).append(",").append(std::to_string(pixel.y));
+    };
+    const auto is_inside = [](const glm::ivec2& pixel, const Viewport& size) {
+        return pixel.x >= 0 && pixel.y >= 0 && pixel.x < size.width && pixel.y < size.height;
+    };
+    form.read = [](const TomlBlock& block, const toml::node& node) { return block.pixel(node); };
+    form.toml = [text](const glm::ivec2& pixel) { return toml_text(text(pixel)); };
+    form.parse = [](const GivenOption& given, const std::string& word) {
+        const std::optional<glm::ivec2> pixel = parse_pixel(word);
+        if (!pixel && word != no_value) {
+            refuse_option(given, "a column and a row as 250,131 or none", word);
+        }
+        return pixel;
+    };
+    form.word = [text](const auto& pixel) { return pixel ? text(*pixel) : std::string(no_value); };
+    form.tell = [is_inside](const Session& session) {
+        const std::optional<glm::ivec2>& pixel = session.selection.pixel;
+        return pixel && is_inside(*pixel, session.settings.viewport) ? pixel : std::nullopt;
+    };
+    form.show = [text, is_inside](const auto& pixel, Session& session) {
+        const Viewport& size = session.settings.viewport;
+        session.selection.pixel = std::nullopt;
+        if (pixel && !is_inside(*pixel, size)) {
+            throw UsageError("the pixel " + text(*pixel) + " lies outside the picture of " +
+                             std::to_string(size.width) + " x " + std::to_string(size.height) +
+                             " pixels.");
+        }
+        session.selection.pixel = pixel;
+    };
+    ViewField field = make_field("pixel", ViewPart::selection,
+                                 {"pixel", "X,Y", "Pixel that is picked, or none"}, form);
+    field.is_of_scene = true;
+    return field;
+}
+
+int triangles_of(const Session& session) {
+    return static_cast<int>(session.scene->triangles.size());
+}
+
+int rows_of(const Session& session) {
+    return session.settings.viewport.height;
+}
+
+int vertices_of(const Session&) {
+    return triangle_corners;
+}
+
+/// Something that is picked by its number, from 0.
+/// @param most what may be written, wherever it is shown
+ViewField number_field(std::string_view name, std::string_view plural, std::string_view help,
+                       int most, int (*count)(const Session&),
+                       std::optional<int> ViewState::*member,
+                       std::optional<int> Selection::*selected) {
+    ViewForm<int> form{member};
+    form.read = [most](const TomlBlock& block, const toml::node& node) {
+        return block.whole(node, 0, most);
+    };
+    form.toml = [](int number) { return std::to_string(number); };
+    form.parse = [](const GivenOption& given, const std::string& word) {
+        const std::optional<int> number = parse_int(word);
+        if (!number && word != no_value) refuse_option(given, "a whole number or none", word);
+        return number;
+    };
+    form.word = [](const auto& number) {
+        return number ? std::to_string(*number) : std::string(no_value);
+    };
+    form.tell = [count, selected](const Session& session) {
+        const std::optional<int>& number = session.selection.*selected;
+        return number && *number >= 0 && *number < count(session) ? number : std::nullopt;
+    };
+    form.show = [=](const auto& number, Session& session) {
+        session.selection.*selected = std::nullopt;
+        if (number && (*number < 0 || *number >= count(session))) {
+            throw UsageError(std::string("there is no ")
+                                 .append(name)
+                                 .append(" ")
+                                 .append(std::to_string(*number))
+                                 .append(": the ")
+                                 .append(plural)
+                                 .append(" are 0 to ")
+                                 .append(std::to_string(count(session) - 1))
+                                 .append("."));
+        }
+        session.selection.*selected = number;
+    };
+    ViewField field = make_field(name, ViewPart::selection, {name, "N", help}, form);
+    field.is_of_scene = true;
+    return field;
+}
+
+std::vector<ViewField> make_table() {
+    return {
+        scene_field(),
+        set_field(),
+        cursor_field(),
+        pixel_field(),
+        number_field("triangle", "triangles", "Triangle that is selected, from 0, or none",
+                     max_triangles, triangles_of, &ViewState::triangle, &Selection::triangle),
+        number_field("row", "rows", "Row of the picture that is selected, from 0, or none",
+                     largest_viewport, rows_of, &ViewState::row, &Selection::row),
+        number_field("vertex", "vertices", "Vertex that is selected, 0 to 2, or none",
+                     triangle_corners - 1, vertices_of, &ViewState::vertex, &Selection::vertex),
+        tab_field(),
+        plane_field(),
+        overlays_field(),
+        zoom_field(),
+        centre_field(),
+        grid_field(),
+        compare_field(),
+        compare_view_field(),
+        wipe_field(),
+        depth_range_field(),
+        vertices_field(),
+        point_at_field(),
+    };
+}
+
+} // namespace
+
+std::span<const ViewField> view_table() {
+    static const std::vector<ViewField> table = make_table();
+    return table;
+}
+
+std::span<const ViewField* const> view_table_drawn_first() {
+    static const std::vector<const ViewField*> fields = [] {
+        std::vector<const ViewField*> list;
+        for (const ViewField& field : view_table())
+            list.push_back(&field);
+        std::stable_partition(list.begin(), list.end(), [](const ViewField* field) {
+            return field->part == ViewPart::drawn;
+        });
+        return list;
+    }();
+    return fields;
+}
+
+const ViewField& view_field(std::string_view key) {
+    const std::span<const ViewField> table = view_table();
+    return *std::find_if(table.begin(), table.end(),
+                         [&](const ViewField& field) { return field.key == key; });
+}
+
+TomlKeys view_keys(const TomlBlock& block, ViewState& state) {
+    TomlKeys keys;
+    for (const ViewField& field : view_table()) {
+        keys[field.key] = [&block, &state, &field](const toml::node& node) {
+            state.lines[std::string(field.key)] = line_of(node);
+            field.read(block, node, state);
+        };
+    }
+    return keys;
+}
+
+ViewState read_view_state(const toml::table& table, int line, FaultList& faults, const char* what) {
+    TomlBlock block(table, line, what, faults);
+    ViewState state;
+    state.line = line;
+    block.read(view_keys(block, state));
+    return state;
+}
+
+} // namespace rasterwalk
