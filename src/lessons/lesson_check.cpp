@@ -15,6 +15,7 @@
 #include "lessons/lesson_run.h"
 #include "pipeline/frame.h"
 #include "session/content.h"
+#include "text/math.h"
 
 namespace rasterwalk {
 
@@ -66,7 +67,9 @@ class Checker {
         Session session = fresh();
         add_all(show_state(session, step.state, lesson_.folder));
         for (const TextPlace& formula : step.formulas) {
-            for (const std::string& sentence : formula_faults(formula.text))
+            std::vector<std::string> sentences;
+            parse_math(formula.text, &sentences);
+            for (const std::string& sentence : sentences)
                 add(formula.line, sentence);
         }
         if (session.scene == nullptr) return;

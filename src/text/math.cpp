@@ -4,6 +4,8 @@
 #include <array>
 #include <cctype>
 
+#include "base/quoted.h"
+
 namespace rasterwalk {
 
 namespace {
@@ -47,18 +49,30 @@ MathNode symbol(std::string_view text, Style style = Style::upright) {
 
 class Reader {
   public:
-    explicit Reader(std::string_view tex) : rest_(tex) {}
+    Reader(std::string_view tex, std::vector<std::string>* faults)
+        : whole_(tex), rest_(tex), faults_(faults) {}
 
-    /// Everything up to the closing brace, or to the end.
-    MathNode row(int depth);
-    bool done() const { return rest_.empty(); }
+    /// Everything, also what stands after a brace that closes nothing.
+    MathNode read() {
+        MathNode formula = row(0);
+        while (!rest_.empty()) {
+            MathNode more = row(0);
+            for (MathNode& child : more.children)
+                formula.children.push_back(std::move(child));
+        }
+        return formula;
+    }
 
   private:
+    /// Everything up to the closing brace, or to the end; `depth` is 0 outside all braces.
+    MathNode row(int depth);
+    MathNode group(int depth);
     MathNode atom(int depth);
-    MathNode argument(int depth);
+    MathNode argument(const std::string& of, int depth);
     MathNode command(int depth);
     MathNode scripts(MathNode base, int depth);
-    std::string_view raw_argument();
+    std::string_view raw_argument(const std::string& of);
+    std::string_view take_command();
     void skip_blanks() {
         while (!rest_.empty() && (rest_[0] == ' ' || rest_[0] == '\n'))
             rest_.remove_prefix(1);
@@ -69,44 +83,90 @@ class Reader {
         return true;
     }
 
-    std::string_view rest_;
+    bool is_at_end() {
+        skip_blanks();
+        return rest_.empty() || rest_[0] == '}';
+    }
+
+    /// Each sentence is said once, and none after too deep a nesting.
+    void say(std::string sentence) {
+        if (faults_ == nullptr || is_too_deep_) return;
+        if (std::find(faults_->begin(), faults_->end(), sentence) == faults_->end()) {
+            faults_->push_back(std::move(sentence));
+        }
+    }
+    void say_no_match() {
+        say("the braces of the formula " + in_quotes(whole_) + " do not match.");
+    }
+    void say_missing(const std::string& of) {
+        say(in_quotes(of) + " has nothing to stand on in the formula " + in_quotes(whole_) + ".");
+    }
+    void note_depth(int depth) {
+        if (depth <= deepest_formula) return;
+        say("the formula " + in_quotes(whole_) + " is nested deeper than " +
+            std::to_string(deepest_formula) + " levels.");
+        is_too_deep_ = true;
+    }
+
+    std::string_view whole_, rest_;
+    std::vector<std::string>* faults_; ///< null: nobody asks
+    bool is_too_deep_ = false;
 };
 
 MathNode Reader::row(int depth) {
     MathNode result;
     if (depth >= deepest_math) rest_ = {};
     for (skip_blanks(); !rest_.empty(); skip_blanks()) {
-        if (take('}')) break;
+        if (take('}')) {
+            if (depth == 0) say_no_match();
+            return result;
+        }
         result.children.push_back(scripts(atom(depth), depth));
     }
+    if (depth > 0) say_no_match();
     return result;
+}
+
+/// What stands in braces; the first is taken already.
+MathNode Reader::group(int depth) {
+    note_depth(depth);
+    return row(depth + 1);
 }
 
 MathNode Reader::scripts(MathNode base, int depth) {
     MathNode script{NodeKind::script, {}, Style::upright, {std::move(base), {}, {}}};
     bool is_script = false;
+    std::array<bool, 3> has_one{};
     for (skip_blanks(); !rest_.empty(); skip_blanks()) {
         const char c = rest_[0];
         if (c != '^' && c != '_') break;
         rest_.remove_prefix(1);
-        script.children[c == '^' ? 1 : 2] = argument(depth);
-        is_script = true;
+        const std::size_t place = c == '^' ? 1 : 2;
+        if (has_one[place]) {
+            say("the formula " + in_quotes(whole_) + " has two scripts in one place.");
+        }
+        has_one[place] = is_script = true;
+        script.children[place] = argument(std::string(1, c), depth);
     }
     return is_script ? script : std::move(script.children[0]);
 }
 
 /// What follows a command or a script: a group in braces, or one symbol.
-MathNode Reader::argument(int depth) {
-    skip_blanks();
+MathNode Reader::argument(const std::string& of, int depth) {
     if (depth >= deepest_math) rest_ = {};
-    if (rest_.empty()) return {};
-    if (take('{')) return row(depth + 1);
+    if (is_at_end()) {
+        say_missing(of);
+        return {};
+    }
+    if (take('{')) return group(depth);
     return atom(depth + 1);
 }
 
-std::string_view Reader::raw_argument() {
-    skip_blanks();
+/// The text in braces as it stands.
+std::string_view Reader::raw_argument(const std::string& of) {
+    if (is_at_end()) say_missing(of);
     if (!take('{')) return {};
+    if (rest_.find('}') == rest_.npos) say_no_match();
     const std::size_t end = std::min(rest_.find('}'), rest_.size());
     const std::string_view text = rest_.substr(0, end);
     rest_.remove_prefix(std::min(end + 1, rest_.size()));
@@ -115,8 +175,10 @@ std::string_view Reader::raw_argument() {
 
 MathNode Reader::atom(int depth) {
     const char c = rest_[0];
-    if (take('{')) return row(depth + 1);
+    if (take('{')) return group(depth);
+    note_depth(depth);
     if (take('\\')) return command(depth);
+    if ((c == '^' || c == '_') && rest_.size() == 1) say_missing(std::string(1, c));
     const auto byte = static_cast<unsigned char>(c);
     if (std::isdigit(byte) != 0) {
         std::size_t end = 0;
@@ -144,35 +206,44 @@ MathNode Reader::atom(int depth) {
     return symbol(text);
 }
 
-MathNode Reader::command(int depth) {
+/// The name of a command; its backslash is taken already.
+std::string_view Reader::take_command() {
     std::size_t length = 0;
     while (length < rest_.size() && std::isalpha(static_cast<unsigned char>(rest_[length])) != 0)
         ++length;
     if (length == 0 && !rest_.empty()) length = 1;
     const std::string_view name = rest_.substr(0, length);
     rest_.remove_prefix(length);
+    return name;
+}
+
+MathNode Reader::command(int depth) {
+    const std::string_view name = take_command();
+    const std::string written = "\\" + std::string(name);
     if (name == "frac") {
-        MathNode top = argument(depth);
-        MathNode bottom = argument(depth);
+        MathNode top = argument(written, depth);
+        MathNode bottom = argument(written, depth);
         return {NodeKind::fraction, {}, Style::upright, {std::move(top), std::move(bottom)}};
     }
-    if (name == "sqrt") return {NodeKind::root, {}, Style::upright, {argument(depth)}};
+    if (name == "sqrt") return {NodeKind::root, {}, Style::upright, {argument(written, depth)}};
     if (name == "hat" || name == "vec" || name == "bar") {
         const char* const mark = name == "hat" ? "ˆ" : name == "vec" ? "→" : "¯";
-        return {NodeKind::accent, mark, Style::upright, {argument(depth)}};
+        return {NodeKind::accent, mark, Style::upright, {argument(written, depth)}};
     }
-    if (name == "text" || name == "mathrm" || name == "texttt") return symbol(raw_argument());
+    if (name == "text" || name == "mathrm" || name == "texttt") {
+        return symbol(raw_argument(written));
+    }
     if (name == "left" || name == "right") {
         // The bracket itself follows; a dot stands for none.
-        if (take('.') || rest_.empty()) return {};
+        if (is_at_end()) say_missing(written);
+        if (is_at_end() || take('.')) return {};
         return atom(depth);
     }
     const auto* const known = std::find_if(commands.begin(), commands.end(),
                                            [&](const Command& c) { return c.name == name; });
     if (known != commands.end()) return symbol(known->sign, known->style);
-    std::string text = "\\";
-    text += name;
-    return symbol(text);
+    say("the program cannot draw " + in_quotes(written) + " in a formula.");
+    return symbol(written);
 }
 
 /// A sign at the beginning, or after another sign or a bracket, belongs to what follows: no blanks.
@@ -190,15 +261,9 @@ void settle_signs(MathNode& node) {
 
 } // namespace
 
-MathNode parse_math(std::string_view tex) {
+MathNode parse_math(std::string_view tex, std::vector<std::string>* faults) {
     constexpr std::size_t longest = 2000;
-    Reader reader(tex.substr(0, longest));
-    MathNode formula = reader.row(0);
-    while (!reader.done()) { // after a brace that closes nothing
-        MathNode more = reader.row(0);
-        for (MathNode& child : more.children)
-            formula.children.push_back(std::move(child));
-    }
+    MathNode formula = Reader(tex.substr(0, longest), faults).read();
     settle_signs(formula);
     return formula;
 }

@@ -32,8 +32,11 @@ struct MathNode {
 /// Reads a formula in a small part of TeX: letters, numbers and signs, `^ _ { }`, \frac \sqrt \hat
 /// \vec \text \left \right \cdot \times and their like, Greek letters. Never fails: a command that
 /// is not known stands as it is written, what is nested deeper than deepest_math is left out.
-MathNode parse_math(std::string_view tex);
+/// @param faults gets a sentence for each thing that is wrong: commands that are not known, braces
+///               that do not close, arguments that are missing, nesting beyond deepest_formula
+MathNode parse_math(std::string_view tex, std::vector<std::string>* faults = nullptr);
 
-inline constexpr int deepest_math = 16;
+inline constexpr int deepest_formula = 12; ///< that an author may write
+inline constexpr int deepest_math = 16;    ///< that is drawn
 
 } // namespace rasterwalk

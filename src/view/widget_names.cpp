@@ -8,7 +8,6 @@
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/quoted.h"
-#include "facts/facts.h"
 #include "picture/overlay.h"
 #include "session/tabs.h"
 #include "settings/setting_table.h"

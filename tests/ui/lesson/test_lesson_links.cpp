@@ -3,11 +3,11 @@
 #include <catch2/catch.hpp>
 
 #include "laboratory/bug.h"
-#include "view/widget_names.h"
 #include "picture/view_image.h"
 #include "tests/ui/driver.h"
 #include "ui/actions/lesson_state.h"
 #include "ui/actions/open_tab.h"
+#include "view/widget_names.h"
 
 namespace rasterwalk {
 

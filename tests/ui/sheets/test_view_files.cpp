@@ -5,7 +5,6 @@
 #include "laboratory/bug.h"
 #include "laboratory/quiz.h"
 #include "opening/opened_view.h"
-#include "view/state_file.h"
 #include "session/content.h"
 #include "tests/support/random_session.h"
 #include "tests/support/temporary_folder.h"
@@ -14,6 +13,7 @@
 #include "ui/actions/lab.h"
 #include "ui/actions/lesson_state.h"
 #include "ui/actions/view_files.h"
+#include "view/state_file.h"
 
 namespace rasterwalk {
 
