@@ -28,8 +28,9 @@ std::string plain(float value) {
 toml::table parse_toml(std::string_view text, const std::string& path) {
     if (const std::optional<int> line = line_nested_too_deeply(text)) {
         throw InputError(path, *line,
-                         "a key has more than " + std::to_string(most_key_dots) +
-                             " dots, or more than " + std::to_string(most_nested_brackets) +
+                         "this is nested too deeply: a key has more than " +
+                             std::to_string(most_key_dots) + " dots, or more than " +
+                             std::to_string(most_nested_brackets) +
                              " brackets stand within one another.");
     }
     try {

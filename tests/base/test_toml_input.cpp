@@ -9,11 +9,11 @@
 #include "laboratory/bug.h"
 #include "lessons/lesson.h"
 #include "lessons/progress.h"
-#include "opening/state_file.h"
 #include "scene/read_scene.h"
 #include "session/glossary.h"
 #include "settings/preset.h"
 #include "tests/support/temporary_folder.h"
+#include "view/state_file.h"
 
 using namespace rasterwalk;
 
@@ -26,8 +26,9 @@ std::string repeated(std::string_view text, int count) {
     return result;
 }
 
-const std::string sentence = "a key has more than 32 dots, or more than 32 brackets stand within "
-                             "one another.";
+const std::string sentence =
+    "this is nested too deeply: a key has more than 32 dots, or more than 32 brackets stand within "
+    "one another.";
 
 std::string fault_of(const std::string& text) {
     try {

@@ -122,6 +122,8 @@ TEST_CASE("The folder of the lessons disappears: the window goes on, and nothing
     }
     CHECK(driver.ui.lesson.progress.is_step_seen("05-row-table", 3));
     CHECK(driver.ui.session.settings.viewport == settings.viewport);
+    // What the clicks have opened is closed again.
+    driver.ui.shows_keys = driver.ui.shows_glossary = false;
     driver.hand.click("stage.points"); // closes a menu that is still open
     driver.hand.click("stage.points");
     CHECK(driver.ui.session.settings.stage == Stage::points);

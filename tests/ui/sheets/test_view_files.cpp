@@ -177,7 +177,7 @@ TEST_CASE("The view is copied as a command line") {
     driver.hand.click_picture(250, 400);
     driver.hand.press('C', ctrl);
     const std::string copied = ImGui::GetClipboardText();
-    CHECK(copied.starts_with("rasterwalk --stage depth --triangle "));
+    CHECK(copied.starts_with("rasterwalk --stage depth --pixel 250,400 --triangle "));
     CHECK(copied.find(" --pixel 250,400") != std::string::npos);
     CHECK(driver.ui.session.notice == "Copied: " + copied);
     CHECK_FALSE(driver.ui.session.other); // C alone compares
