@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <sstream>
 
 #include "base/error.h"
+#include "base/toml_nesting.h"
 
 namespace rasterwalk {
 
@@ -24,6 +26,12 @@ std::string plain(float value) {
 } // namespace
 
 toml::table parse_toml(std::string_view text, const std::string& path) {
+    if (const std::optional<int> line = line_nested_too_deeply(text)) {
+        throw InputError(path, *line,
+                         "a key has more than " + std::to_string(most_key_dots) +
+                             " dots, or more than " + std::to_string(most_nested_brackets) +
+                             " brackets stand within one another.");
+    }
     try {
         return toml::parse(text, path);
     } catch (const toml::parse_error& error) {
