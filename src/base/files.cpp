@@ -1,12 +1,15 @@
 #include "base/files.h"
 
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <system_error>
 #include <utility>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -21,7 +24,8 @@ namespace fs = std::filesystem;
 /// A file descriptor that is closed when it goes out of scope.
 class OpenFile {
   public:
-    OpenFile(const std::string& path, int flags) : descriptor_(::open(path.c_str(), flags, 0666)) {}
+    OpenFile(const std::string& path, int flags, mode_t mode = 0666)
+        : descriptor_(::open(path.c_str(), flags, mode)) {}
     OpenFile(const OpenFile&) = delete;
     OpenFile& operator=(const OpenFile&) = delete;
     ~OpenFile() {
@@ -50,6 +54,34 @@ bool write_all(int descriptor, std::string_view bytes) {
     return true;
 }
 
+/// Waits until there is something to be read, or the writer has ended.
+void wait_for_input(int descriptor) {
+    pollfd wanted{descriptor, POLLIN, 0};
+    ::poll(&wanted, 1, -1);
+}
+
+std::string read_all(int descriptor, const std::string& name, std::size_t limit) {
+    struct stat status {};
+    if (::fstat(descriptor, &status) == 0 && S_ISDIR(status.st_mode)) refuse("read", name, EISDIR);
+    std::string bytes;
+    std::string block(std::size_t{1} << 16, '\0');
+    while (true) {
+        const ssize_t count = ::read(descriptor, block.data(), block.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0 && errno == EAGAIN) {
+            wait_for_input(descriptor);
+            continue;
+        }
+        if (count < 0) refuse("read", name, errno);
+        if (count == 0) return bytes;
+        if (bytes.size() + static_cast<std::size_t>(count) > limit) {
+            throw InputError(name + ": the file is larger than " + std::to_string(limit >> 20) +
+                             " MB.");
+        }
+        bytes.append(block, 0, static_cast<std::size_t>(count));
+    }
+}
+
 void write_directly(const std::string& path, std::string_view bytes) {
     OpenFile file(path, O_WRONLY | O_CLOEXEC);
     if (!file.is_open() || !write_all(file.descriptor(), bytes) || !file.close()) {
@@ -57,48 +89,110 @@ void write_directly(const std::string& path, std::string_view bytes) {
     }
 }
 
-} // namespace
-
-std::string read_file(const std::string& path, std::size_t limit) {
-    // Not to wait for ever for someone to write into a pipe.
-    const OpenFile file(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    if (!file.is_open()) refuse("read", path, errno);
-    struct stat status {};
-    if (::fstat(file.descriptor(), &status) == 0 && S_ISDIR(status.st_mode)) {
-        refuse("read", path, EISDIR);
-    }
-    std::string bytes;
-    std::string block(std::size_t{1} << 16, '\0');
-    while (true) {
-        const ssize_t count = ::read(file.descriptor(), block.data(), block.size());
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0) refuse("read", path, errno);
-        if (count == 0) return bytes;
-        if (bytes.size() + static_cast<std::size_t>(count) > limit) {
-            throw InputError(path + ": the file is larger than " + std::to_string(limit >> 20) +
-                             " MB.");
-        }
-        bytes.append(block, 0, static_cast<std::size_t>(count));
+/// Renaming would leave the old bytes under the file's other names. Its room is taken first, so
+/// that a full disk leaves it as it was.
+void write_in_place(const std::string& path, std::string_view bytes) {
+    OpenFile file(path, O_WRONLY | O_CLOEXEC);
+    if (!file.is_open()) refuse("write", path, errno);
+    const auto size = static_cast<off_t>(bytes.size());
+    const int full = size > 0 ? ::posix_fallocate(file.descriptor(), 0, size) : 0;
+    if (full != 0) refuse("write", path, full);
+    if (!write_all(file.descriptor(), bytes) || ::ftruncate(file.descriptor(), size) != 0 ||
+        !file.close()) {
+        refuse("write", path, errno);
     }
 }
 
-void write_file(const std::string& path, std::string_view bytes) {
+/// Where a chain of links ends, whether something is there or not.
+fs::path end_of_links(fs::path path) {
+    constexpr int longest_chain = 40;
+    std::error_code fault;
+    for (int i = 0; i < longest_chain && fs::is_symlink(path, fault); ++i) {
+        const fs::path next = fs::read_symlink(path, fault);
+        if (fault) break;
+        path = path.parent_path() / next; // or `next` alone, if that is absolute
+    }
+    return path;
+}
+
+constexpr std::string_view temporary_ending = ".part";
+
+/// The number of the process that made a temporary file for `name`; 0 if it is none.
+pid_t maker_of(std::string_view file, std::string_view name) {
+    if (!file.starts_with(name)) return 0;
+    file.remove_prefix(name.size());
+    if (!file.starts_with(temporary_ending)) return 0;
+    file.remove_prefix(temporary_ending.size());
+    pid_t maker = 0;
+    const auto [end, fault] = std::from_chars(file.data(), file.data() + file.size(), maker);
+    return fault == std::errc{} && end == file.data() + file.size() && maker > 0 ? maker : 0;
+}
+
+/// Removes the temporary files of processes that ended before they could.
+void remove_leftovers(const fs::path& target) {
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+    const std::string name = target.filename().string();
+    std::error_code fault;
+    for (fs::directory_iterator entry(folder, fault), end; !fault && entry != end;
+         entry.increment(fault)) {
+        const pid_t maker = maker_of(entry->path().filename().string(), name);
+        if (maker == 0 || ::kill(maker, 0) == 0 || errno != ESRCH) continue;
+        std::error_code ignored;
+        if (fs::is_regular_file(entry->symlink_status(ignored))) ::unlink(entry->path().c_str());
+    }
+}
+
+/// Gives a file the mode of another, and its owner and group as far as that is allowed.
+bool take_after(int descriptor, const struct stat& old) {
+    if (::fchown(descriptor, old.st_uid, old.st_gid) != 0) {
+        // Only the administrator may give files away.
+        if (::fchown(descriptor, static_cast<uid_t>(-1), old.st_gid) != 0) errno = 0;
+    }
+    return ::fchmod(descriptor, old.st_mode & 07777) == 0;
+}
+
+} // namespace
+
+std::string read_file(const std::string& path, std::size_t limit) {
+    // Opening must not wait for someone to open the other end of a pipe.
+    const OpenFile file(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (!file.is_open()) refuse("read", path, errno);
+    return read_all(file.descriptor(), path, limit);
+}
+
+std::string read_input(const std::string& path, std::size_t limit) {
+    if (path != "-") return read_file(path, limit);
+    return read_all(STDIN_FILENO, standard_input_name, limit);
+}
+
+void refuse_endless_file(const std::string& path) {
     std::error_code ignored;
     const fs::file_status status = fs::status(path, ignored);
-    std::string target = path;
-    if (fs::exists(status)) {
-        if (fs::is_directory(status)) refuse("write", path, EISDIR);
+    if (!fs::exists(status) || fs::is_regular_file(status) || fs::is_directory(status)) return;
+    throw AccessError("cannot read '" + path + "': it is a pipe or a device.");
+}
+
+void write_file(const std::string& path, std::string_view bytes) {
+    const std::string target = end_of_links(path).string();
+    std::error_code ignored;
+    if (fs::is_symlink(target, ignored)) refuse("write", path, ELOOP);
+    struct stat old {};
+    const bool is_there = ::stat(target.c_str(), &old) == 0;
+    if (is_there) {
+        if (S_ISDIR(old.st_mode)) refuse("write", path, EISDIR);
         // Renaming would put a plain file in the place of /dev/null.
-        if (!fs::is_regular_file(status)) return write_directly(path, bytes);
-        if (::access(path.c_str(), W_OK) != 0) refuse("write", path, errno);
-        const fs::path real = fs::canonical(path, ignored);
-        if (!ignored) target = real.string();
+        if (!S_ISREG(old.st_mode)) return write_directly(path, bytes);
+        if (::access(target.c_str(), W_OK) != 0) refuse("write", path, errno);
+        if (old.st_nlink > 1) return write_in_place(target, bytes);
     }
-    const std::string temporary = target + ".part" + std::to_string(::getpid());
-    OpenFile file(temporary, O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC);
+    remove_leftovers(target);
+    const std::string temporary =
+        target + std::string(temporary_ending) + std::to_string(::getpid());
+    OpenFile file(temporary, O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC,
+                  is_there ? 0600 : 0666);
     if (!file.is_open()) refuse("write", path, errno);
-    if (!write_all(file.descriptor(), bytes) || !file.close() ||
-        ::rename(temporary.c_str(), target.c_str()) != 0) {
+    if (!write_all(file.descriptor(), bytes) || (is_there && !take_after(file.descriptor(), old)) ||
+        !file.close() || ::rename(temporary.c_str(), target.c_str()) != 0) {
         const int reason = errno;
         ::unlink(temporary.c_str());
         refuse("write", path, reason);

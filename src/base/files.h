@@ -8,13 +8,25 @@
 
 namespace rasterwalk {
 
-/// The bytes of a whole file. Throws AccessError if it cannot be opened or read, InputError if it
-/// is larger than `limit` bytes.
+/// The bytes of a whole file. A pipe is read until its writer ends it, however long that takes.
+/// Throws AccessError if it cannot be opened or read, InputError if it is larger than `limit`
+/// bytes.
 std::string read_file(const std::string& path, std::size_t limit = largest_text_file);
 
+/// The same, with "-" for the standard input. For commands only: a window must not wait.
+std::string read_input(const std::string& path, std::size_t limit = largest_text_file);
+
+/// How messages name the standard input.
+inline constexpr const char* standard_input_name = "standard input";
+
+/// Throws AccessError for a pipe or a device, which may never end: nothing for a window to wait
+/// for.
+void refuse_endless_file(const std::string& path);
+
 /// Writes a file so that it is either the old one or the new one, never half of one: to a temporary
-/// file beside it, then renamed. A link is followed; a device or pipe is written directly.
-/// Throws AccessError.
+/// file beside it, then renamed. The new file keeps the mode of the old one. Links are followed,
+/// also one whose file is not there yet; a file with several names is written in place, and so is a
+/// device or pipe. What an interrupted run has left of its own is removed. Throws AccessError.
 void write_file(const std::string& path, std::string_view bytes);
 
 /// Do two paths lead to the same file? Two paths of the same letters do, even if nothing is there.

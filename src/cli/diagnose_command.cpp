@@ -25,11 +25,17 @@ std::string size_text(int width, int height) {
     return std::to_string(width).append(" x ").append(std::to_string(height));
 }
 
-Finding diagnose_picture_file(const DiagnoseOptions& options, const Session& session,
+/// What is diagnosed: a file, or the standard input.
+struct Result {
+    std::string name; ///< for messages
+    std::string bytes;
+};
+
+Finding diagnose_picture_file(const Result& result, const Session& session,
                               const std::vector<Bug>& bugs, std::ostream& err) {
-    const Image picture = read_image(options.file);
+    const Image picture = parse_image(result.bytes, result.name);
     if (picture.width > largest_diagnosed || picture.height > largest_diagnosed) {
-        throw InputError(options.file + ": a picture of " +
+        throw InputError(result.name + ": a picture of " +
                          size_text(picture.width, picture.height) +
                          " pixels is too large to be diagnosed.");
     }
@@ -44,14 +50,14 @@ Finding diagnose_picture_file(const DiagnoseOptions& options, const Session& ses
             "the picture of " + session.scene->name};
 }
 
-Finding diagnose_rows_file(const DiagnoseOptions& options, const Session& session,
-                           const std::vector<Bug>& bugs) {
+Finding diagnose_rows_file(const DiagnoseOptions& options, const Result& result,
+                           const Session& session, const std::vector<Bug>& bugs) {
     std::vector<glm::ivec2> polygon;
     for (const std::string& text : options.polygon) {
         const Fragment point = parse_point(text);
         polygon.emplace_back(point.column, point.row);
     }
-    const std::vector<PrintedRow> rows = parse_printed_rows(read_file(options.file), options.file);
+    const std::vector<PrintedRow> rows = parse_printed_rows(result.bytes, result.name);
     Finding finding;
     finding.kind = "rows";
     finding.diagnosis =
@@ -101,9 +107,11 @@ void print_text(const Finding& finding, std::ostream& out) {
 ExitCode diagnose_command(const DiagnoseOptions& options, std::ostream& out, std::ostream& err) {
     const Session session = open_view(options.view);
     const std::vector<Bug> bugs = read_bugs();
-    const Finding finding = is_image_file(options.file)
-                                ? diagnose_picture_file(options, session, bugs, err)
-                                : diagnose_rows_file(options, session, bugs);
+    const Result result{options.file == "-" ? standard_input_name : options.file,
+                        read_input(options.file, largest_image_file)};
+    const Finding finding = is_image(result.bytes)
+                                ? diagnose_picture_file(result, session, bugs, err)
+                                : diagnose_rows_file(options, result, session, bugs);
     if (options.json) {
         print_json(to_json(finding), out);
     } else {

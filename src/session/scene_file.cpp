@@ -3,6 +3,7 @@
 #include <array>
 #include <string_view>
 
+#include "base/files.h"
 #include "scene/read_scene.h"
 #include "settings/settings.h"
 
@@ -12,6 +13,7 @@ Scene read_scene_file(const std::string& path) {
     std::array<std::string_view, stage_count> stages;
     for (std::size_t i = 0; i < stages.size(); ++i)
         stages[i] = stage_list()[i].name;
+    if (path == "-") return parse_scene(read_input(path), standard_input_name, stages);
     return read_scene(path, stages);
 }
 

@@ -6,8 +6,8 @@
 
 namespace rasterwalk {
 
-/// Reads a scene; a stage that it asks for must be one of the pipeline's. Throws AccessError, or
-/// InputError with file:line.
+/// Reads a scene; a stage that it asks for must be one of the pipeline's. "-" is the standard
+/// input. Throws AccessError, or InputError with file:line.
 Scene read_scene_file(const std::string& path);
 
 } // namespace rasterwalk

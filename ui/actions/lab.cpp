@@ -90,6 +90,7 @@ void carry_on_diagnosis(Ui& ui) {
     const Session& session = ui.session;
     const std::string path = lab.result_path;
     try {
+        refuse_endless_file(path);
         if (is_image_file(path)) {
             const Image picture = read_image(path);
             if (picture.width > largest_result || picture.height > largest_result) {

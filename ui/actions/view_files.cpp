@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/files.h"
 #include "base/image.h"
 #include "lessons/lesson_list.h"
 #include "opening/command_line_text.h"
@@ -126,6 +127,7 @@ void show_view(Ui& ui, Session&& opened) {
 }
 
 void open_file(Ui& ui, const std::string& path) {
+    refuse_endless_file(path);
     if (is_result(path)) {
         diagnose_file(ui, path);
     } else if (is_view_file(path) || path.ends_with(".md")) {

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+namespace rasterwalk {
+
+/// Keeps other processes, and other locks of this one, from a file while it is read and written
+/// anew. The lock is held on a file beside it, NAME.lock, which stays there.
+class FileLock {
+  public:
+    /// Waits for at most about half a second. Where the file system knows no locks, or nothing can
+    /// be written, there is none. Throws AccessError if someone else holds it for longer.
+    explicit FileLock(const std::string& path);
+    FileLock(const FileLock&) = delete;
+    FileLock& operator=(const FileLock&) = delete;
+    ~FileLock();
+
+  private:
+    int descriptor_;
+};
+
+} // namespace rasterwalk
