@@ -10,9 +10,11 @@
 
 #include "base/error.h"
 #include "base/nearest_name.h"
+#include "base/quoted.h"
 #include "cli/commands.h"
 #include "cli/compare_command.h"
 #include "cli/diagnose_command.h"
+#include "cli/visible_output.h"
 #include "opening/view_options.h"
 #include "session/content.h"
 
@@ -126,7 +128,8 @@ void describe(CommandLine& line, std::ostream& out, std::ostream& err) {
         [&] { line.exit_code = diagnose_command(line.diagnose, out, err); });
     diagnose
         .add_option("FILE", line.diagnose.file,
-                    "PNG or BMP, or lines like 'Start: (10,5). End: (10,5).'")
+                    "PNG or BMP, or lines like 'Start: (10,5). End: (10,5).'; - reads standard "
+                    "input")
         ->type_name("")
         ->required();
     diagnose
@@ -174,7 +177,7 @@ void describe(CommandLine& line, std::ostream& out, std::ostream& err) {
 void check_file(const CommandLine& line) {
     std::error_code ignored;
     const std::string& file = line.view.file;
-    if (file.empty() || file.find_first_of("./") != std::string::npos ||
+    if (file.empty() || file == "-" || file.find_first_of("./") != std::string::npos ||
         std::filesystem::exists(file, ignored)) {
         return;
     }
@@ -224,10 +227,11 @@ int to_int(ExitCode code) {
 
 } // namespace
 
-int run_cli(int argc, const char* const* argv, std::ostream& out, std::ostream& err,
+int run_cli(int argc, const char* const* argv, std::ostream& data, std::ostream& messages,
             CliRequest& request) {
+    VisibleOutput out(data), err(messages);
     const auto complain = [&](const std::string& sentence, ExitCode code) {
-        err << "rasterwalk: " << sentence << '\n';
+        err << "rasterwalk: " << visible_line(sentence) << '\n';
         return to_int(code);
     };
     try {

@@ -44,6 +44,11 @@ std::string name_from(const std::string& folder, const std::string& file, const 
     for (const std::string& root : {lessons_folder(), folder}) {
         const std::string name = name_within(root, file);
         if (name.empty()) continue;
+        if (!is_utf8(name)) {
+            throw UsageError(std::string("the view cannot be saved: it names its ") + what +
+                             ", and " + in_quotes(name) +
+                             " is not UTF-8 text; give the file another name.");
+        }
         try {
             if (is_same_file(find_lesson_file(folder, name), file)) return name;
         } catch (const Error&) {

@@ -244,3 +244,23 @@ TEST_CASE("Hostile files of views are refused, whatever stands in them") {
         }
     }
 }
+
+TEST_CASE("A view is not saved beside a scene whose name it could not say") {
+    const TemporaryFolder folder;
+    const std::string scene =
+        folder.write("caf\xe9.toml", bytes_of(scene_of_program("lab-room.toml")));
+    ViewOptions options;
+    options.scene = scene;
+    const Session session = open_view(options);
+    const std::string path = folder.file("view.walk.toml");
+    CHECK_THROWS_WITH(write_view(session, path),
+                      "the view cannot be saved: it names its scene, and 'caf\\xe9.toml' is not "
+                      "UTF-8 text; give the file another name.");
+    CHECK_FALSE(fs::exists(path));
+    // A name with other letters, and one that a terminal would obey, are found again.
+    for (const char* name : {"café.toml", "\x1b[31m.toml", "a \"b\" \u202e.toml"}) {
+        options.scene = folder.write(name, bytes_of(scene_of_program("lab-room.toml")));
+        write_view(open_view(options), path);
+        CHECK(opened_file(path).scene->path == options.scene);
+    }
+}

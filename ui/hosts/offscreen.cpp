@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/quoted.h"
 #include "ui/actions/open_tab.h"
 #include "ui/app/app.h"
 #include "ui/hand/hand.h"
@@ -120,7 +121,7 @@ Image draw_offscreen(Session session, const OffscreenOptions& options) {
         !options.deeds.empty() && options.deeds.back().kind == Deed::Kind::hover;
     if (!is_resting) hand.leave();
     if (options.report_path == "-") {
-        std::cout << report_of(screen.ui);
+        std::cout << visible(report_of(screen.ui));
     } else if (!options.report_path.empty()) {
         write_file(options.report_path, report_of(screen.ui));
     }

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/image.h"
+#include "base/quoted.h"
 #include "opening/view_options.h"
 #include "session/content.h"
 #include "ui/hosts/offscreen.h"
@@ -144,7 +145,7 @@ int run(int argc, const char* const* argv) {
 int main(int argc, char** argv) {
     using rasterwalk::ExitCode;
     const auto complain = [](const char* sentence, ExitCode code) {
-        std::cerr << "rasterwalk-offscreen: " << sentence << '\n';
+        std::cerr << "rasterwalk-offscreen: " << rasterwalk::visible_line(sentence) << '\n';
         return static_cast<int>(code);
     };
     try {

@@ -4,13 +4,14 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/quoted.h"
 #include "cli/cli.h"
 #include "ui/hosts/window.h"
 
 int main(int argc, char** argv) {
     using rasterwalk::ExitCode;
     const auto complain = [](const char* sentence, ExitCode code) {
-        std::cerr << "rasterwalk: " << sentence << '\n';
+        std::cerr << "rasterwalk: " << rasterwalk::visible_line(sentence) << '\n';
         return static_cast<int>(code);
     };
     try {
