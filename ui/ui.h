@@ -62,6 +62,8 @@ struct QuizScore {
     int rounds = 0;       ///< that were ended after they were over
     int points = 0;       ///< in all of them
     bool is_kept = false; ///< between two runs of the program
+
+    friend bool operator==(const QuizScore&, const QuizScore&) = default;
 };
 inline constexpr int largest_score = 1'000'000;
 
@@ -73,6 +75,13 @@ struct UiOptions {
     float lesson_width = 0.0f; ///< columns, share of the window's width; 0: the layout decides
     float inspector_width = 0.0f;
     QuizScore score;
+};
+
+/// A file in which something is kept between two runs of the program.
+struct KeptFile {
+    std::string path;        ///< empty: nowhere
+    double next_try = 0.0;   ///< not to be written before ImGui's clock says so, seconds
+    bool is_failing = false; ///< it could not be written, and the student was told
 };
 
 /// Where the picture lies on the screen: screen = origin + scale * (column, row).
@@ -178,9 +187,9 @@ struct LessonView {
     StageNotes notes;
     LessonList lessons;
     Progress progress;
-    Progress kept_progress;    ///< as it stands in the file
-    std::string progress_path; ///< where it is kept; empty: nowhere
-    FactCache facts;           ///< that the conditions of the tasks ask for
+    Progress kept_progress; ///< as this window last read or wrote it
+    KeptFile progress_file;
+    FactCache facts; ///< that the conditions of the tasks ask for
     std::map<std::string, std::shared_ptr<MarkdownPage>> pages; ///< of the step on show, by name
     std::map<std::string, PredictionView> predictions;          ///< of the lesson, by id
     std::set<std::string> open_hints;                           ///< ids of tasks
@@ -215,14 +224,29 @@ struct FileSheet {
     bool wants_focus = false; ///< the field takes the keyboard in the next frame
 };
 
+/// What of the session a frame depends on.
+struct Asked {
+    std::shared_ptr<const Scene> scene;
+    Settings settings;
+    Cursor cursor;
+    Selection selection;
+    View view;
+    OverlaySet overlays;
+    std::optional<DepthRange> depth_range;
+    std::optional<Settings> other;
+
+    friend bool operator==(const Asked&, const Asked&) = default;
+};
+
 /// The interface: what the student sets (session), what follows from it (results), and what only
 /// concerns the screen.
 struct Ui {
     Session session;
     Results results;
+    std::optional<Asked> worked_out; ///< what the results belong to
     UiOptions options;
-    std::string options_path; ///< where they are kept between runs; empty: nowhere
-    std::string kept_options; ///< as they stand in that file
+    UiOptions kept_options; ///< as this window last read or wrote them
+    KeptFile options_file;
     MicroscopeView microscope;
     InspectView inspect;
     LessonView lesson;

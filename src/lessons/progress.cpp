@@ -4,8 +4,10 @@
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
+#include <utility>
 
 #include "base/error.h"
+#include "base/file_lock.h"
 #include "base/files.h"
 #include "base/toml_input.h"
 
@@ -44,6 +46,36 @@ LessonProgress parse_lesson_progress(const TomlInput& input) {
         lesson.answers[std::string(id.str())] = {answer.text_or_empty("said"), *is_right};
     }
     return lesson;
+}
+
+const std::string& key_of(const std::string& id) {
+    return id;
+}
+int key_of(int step) {
+    return step;
+}
+const std::string& key_of(const std::pair<const std::string, FirstAnswer>& answer) {
+    return answer.first;
+}
+
+/// Takes away what went from `before` to `after`, and adds what came.
+template <class Container>
+void carry_over(const Container& before, const Container& after, Container& theirs) {
+    for (const auto& one : before) {
+        if (after.count(key_of(one)) == 0) theirs.erase(key_of(one));
+    }
+    for (const auto& one : after) {
+        if (before.count(key_of(one)) == 0) theirs.insert(one);
+    }
+}
+
+LessonProgress merged(const LessonProgress& before, const LessonProgress& after,
+                      LessonProgress theirs) {
+    carry_over(before.steps, after.steps, theirs.steps);
+    carry_over(before.tasks, after.tasks, theirs.tasks);
+    carry_over(before.answers, after.answers, theirs.answers);
+    if (after.last_step != before.last_step) theirs.last_step = after.last_step;
+    return theirs;
 }
 
 } // namespace
@@ -153,10 +185,33 @@ Progress read_progress(const std::string& path) {
     return parse_progress(read_file(path, largest_progress), path);
 }
 
-void write_progress(const Progress& progress, const std::string& path) {
+Progress merged(const Progress& before, const Progress& after, const Progress& theirs) {
+    if (theirs == before) return after;
+    Progress result = theirs;
+    if (after.last_lesson != before.last_lesson) result.last_lesson = after.last_lesson;
+    std::set<std::string> ids;
+    for (const Progress* const one : {&before, &after, &theirs}) {
+        for (const auto& [id, lesson] : one->lessons)
+            ids.insert(id);
+    }
+    for (const std::string& id : ids) {
+        LessonProgress lesson = merged(before.of(id), after.of(id), theirs.of(id));
+        if (lesson == LessonProgress{}) {
+            result.lessons.erase(id);
+        } else {
+            result.lessons[id] = std::move(lesson);
+        }
+    }
+    return result;
+}
+
+Progress write_progress(const Progress& before, const Progress& after, const std::string& path) {
     std::error_code fault; // the writing itself will tell
     std::filesystem::create_directories(std::filesystem::path(path).parent_path(), fault);
-    write_file(path, progress_text(progress));
+    const FileLock lock(path);
+    Progress kept = merged(before, after, read_progress(path));
+    write_file(path, progress_text(kept));
+    return kept;
 }
 
 std::string state_folder() {

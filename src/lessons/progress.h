@@ -65,8 +65,14 @@ Progress parse_progress(std::string_view text, const std::string& path);
 /// Reads what was kept; a file that is not there is no progress. Throws AccessError or InputError.
 Progress read_progress(const std::string& path);
 
-/// Keeps it; makes the folder if need be. Throws AccessError.
-void write_progress(const Progress& progress, const std::string& path);
+/// What is to be kept where someone else has written since: their progress, with what changed from
+/// `before` to `after` added or taken away. The answer that is there already stays the first one.
+Progress merged(const Progress& before, const Progress& after, const Progress& theirs);
+
+/// Keeps what changed from `before` to `after` in a file that other windows write too, and returns
+/// what it then holds. Makes the folder if need be. Throws AccessError, or InputError if the file
+/// cannot be understood; it then stays as it is.
+Progress write_progress(const Progress& before, const Progress& after, const std::string& path);
 
 /// The folder for what is kept between runs: $XDG_STATE_HOME/rasterwalk, or
 /// ~/.local/state/rasterwalk. Empty if neither variable is set.

@@ -59,7 +59,7 @@ TEST_CASE("'rasterwalk lessons' lists the lessons and what is done of them") {
         progress.note_answer(edges.id, prediction.id, {"1", false});
     progress.note_step("05-row-table", 2);
     progress.note_step("99-gone", 1);
-    write_progress(progress, state.progress());
+    write_progress({}, progress, state.progress());
     const CliRun later = run({"lessons"});
     CHECK(later.err.empty());
     CHECK(later.out.find("04-edges  " + edges.title) == later.out.find("04-edges"));

@@ -1,5 +1,8 @@
 #include "lessons/progress.h"
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 
 #include "base/error.h"
@@ -57,9 +60,9 @@ TEST_CASE("Progress is the same after it was written and read") {
     const test::TemporaryFolder folder;
     const std::string path = folder.file("a/new/folder/progress.toml");
     CHECK(read_progress(path) == Progress{});
-    write_progress(progress, path);
+    CHECK(write_progress({}, progress, path) == progress);
     CHECK(read_progress(path) == progress);
-    write_progress(Progress{}, path);
+    CHECK(write_progress(progress, {}, path) == Progress{});
     CHECK(read_progress(path) == Progress{});
 }
 
@@ -139,7 +142,7 @@ TEST_CASE("A file of progress that is too large, or none, is refused") {
     const std::string path = folder.write("progress.toml", std::string(largest_progress + 1, '\n'));
     CHECK_THROWS_AS(read_progress(path), InputError);
     CHECK_THROWS_AS(read_progress(folder.file("")), AccessError);
-    CHECK_THROWS_AS(write_progress(Progress{}, "/proc/nowhere/progress.toml"), AccessError);
+    CHECK_THROWS_AS(write_progress({}, {}, "/proc/nowhere/progress.toml"), AccessError);
 }
 
 TEST_CASE("What was damaged by one byte is read or refused, and never crashes") {
@@ -155,4 +158,71 @@ TEST_CASE("What was damaged by one byte is read or refused, and never crashes") 
             }
         }
     }
+}
+
+TEST_CASE("What two windows do is kept, whichever writes last") {
+    const test::TemporaryFolder folder;
+    const std::string path = folder.file("progress.toml");
+    const Progress start = write_progress({}, some_progress(), path);
+    Progress a = start, b = start;
+    a.note_step("06-filling", 1);
+    a.note_answer("06-filling", "how-many", {"5", true});
+    b.note_task("06-filling", "paint");
+    b.note_answer("06-filling", "how-many", {"6", false});
+    b.note_step("04-edges", 5);
+    const Progress after_a = write_progress(start, a, path);
+    CHECK(after_a == a);
+    const Progress after_b = write_progress(start, b, path);
+    CHECK(read_progress(path) == after_b);
+    CHECK(after_b.is_step_seen("06-filling", 1));
+    CHECK(after_b.is_task_done("06-filling", "paint"));
+    CHECK(after_b.of("06-filling").answers.at("how-many") == FirstAnswer{"5", true});
+    CHECK(after_b.of("04-edges").last_step == 5);
+    CHECK(after_b.last_lesson == "04-edges");
+    // What one forgets does not come back by the other, which still knows it.
+    write_progress(after_b, {}, path);
+    Progress later = after_b;
+    later.note_step("07-painters-order", 0);
+    const Progress left = write_progress(after_b, later, path);
+    CHECK(left.lessons.size() == 1);
+    CHECK(left.is_step_seen("07-painters-order", 0));
+}
+
+TEST_CASE("Two processes that write at the same time lose nothing of each other") {
+    const test::TemporaryFolder folder;
+    const std::string path = folder.file("progress.toml");
+    constexpr int count = 40;
+    std::vector<pid_t> children;
+    for (const char* lesson : {"01-a", "02-b"}) {
+        const pid_t child = ::fork();
+        if (child == 0) {
+            Progress kept;
+            for (int step = 0; step < count; ++step) {
+                Progress mine = kept;
+                mine.note_step(lesson, step);
+                try {
+                    kept = write_progress(kept, mine, path);
+                } catch (const Error&) {
+                    ::_exit(1);
+                }
+            }
+            ::_exit(0);
+        }
+        children.push_back(child);
+    }
+    for (const pid_t child : children) {
+        int status = -1;
+        ::waitpid(child, &status, 0);
+        CHECK(status == 0);
+    }
+    const Progress both = read_progress(path);
+    CHECK(both.of("01-a").steps.size() == count);
+    CHECK(both.of("02-b").steps.size() == count);
+}
+
+TEST_CASE("Progress that someone has broken meanwhile is left as it is") {
+    const test::TemporaryFolder folder;
+    const std::string path = folder.write("progress.toml", "lessons = 5\n");
+    CHECK_THROWS_AS(write_progress({}, some_progress(), path), InputError);
+    CHECK(test::bytes_of(path) == "lessons = 5\n");
 }

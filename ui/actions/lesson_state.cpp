@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "session/content.h"
+#include "ui/actions/kept_file.h"
 #include "ui/actions/lesson_links.h"
 
 namespace rasterwalk {
@@ -135,33 +136,33 @@ std::string lesson_after(Ui& ui, std::string_view id) {
 }
 
 void reset_progress(Ui& ui) {
-    ui.lesson.progress = {};
-    ui.lesson.predictions.clear();
+    LessonView& view = ui.lesson;
+    view.progress = {};
+    view.predictions.clear();
+    try {
+        // What another window has kept meanwhile is to be forgotten too.
+        if (!view.progress_file.path.empty())
+            view.kept_progress = read_progress(view.progress_file.path);
+    } catch (const Error&) {
+        // The writing will tell.
+    }
 }
 
 void keep_progress(Ui& ui, const std::string& path) {
     LessonView& view = ui.lesson;
-    view.progress_path = path;
-    try {
-        if (path.empty()) throw AccessError("there is no home folder.");
+    take_up_kept(ui, view.progress_file, path, "Progress", [&] {
         view.progress = read_progress(path);
         view.kept_progress = view.progress;
-    } catch (const Error& fault) {
-        view.progress_path.clear();
-        ui.session.notice = std::string("Progress will not be kept: ").append(fault.what());
-    }
+    });
 }
 
 void save_progress(Ui& ui) {
     LessonView& view = ui.lesson;
-    if (view.progress_path.empty() || view.progress == view.kept_progress) return;
-    try {
-        write_progress(view.progress, view.progress_path);
+    if (view.progress == view.kept_progress) return;
+    write_kept(ui, view.progress_file, "Progress", [&] {
+        view.progress = write_progress(view.kept_progress, view.progress, view.progress_file.path);
         view.kept_progress = view.progress;
-    } catch (const Error& fault) {
-        view.progress_path.clear();
-        ui.session.notice = std::string("Progress will not be kept: ").append(fault.what());
-    }
+    });
 }
 
 } // namespace rasterwalk

@@ -45,10 +45,11 @@ std::string lesson_after(Ui& ui, std::string_view id);
 void reset_progress(Ui& ui);
 
 /// Keeps the progress in this file from now on, and takes up what stands in it. An empty path, or
-/// one that cannot be read or written: nothing is kept, and session.notice says so once.
+/// one that cannot be read: nothing is kept, and session.notice says so.
 void keep_progress(Ui& ui, const std::string& path);
 
-/// Writes the progress if it has changed. To be called when the input has come to rest.
+/// Writes the progress if it has changed, and takes up what another window has kept in the same
+/// file meanwhile. To be called when the input has come to rest.
 void save_progress(Ui& ui);
 
 } // namespace rasterwalk

@@ -11,6 +11,7 @@
 #include "ui/actions/lab.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/actions/lesson_state.h"
+#include "ui/app/guard.h"
 #include "ui/app/kept_options.h"
 #include "ui/bars/bars.h"
 #include "ui/canvas/canvas.h"
@@ -104,38 +105,27 @@ void draw_everything(Ui& ui) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const Layout layout = compute_layout(window, ui.options, stage_strip_lines(ui, window.x),
                                          transport_lines(ui, window.x));
-    draw_menu_bar(ui, layout.menu);
-    draw_stage_strip(ui, layout.strip);
-    if (!layout.lesson_is_tab) draw_lesson_column(ui, layout.lesson);
-    draw_canvas(ui, layout.canvas);
-    draw_inspector(ui, layout);
-    draw_transport(ui, layout.transport);
-    draw_status_line(ui, layout.status);
+    // One that fails leaves the others on the screen.
+    guarded(ui, [&] { draw_menu_bar(ui, layout.menu); });
+    guarded(ui, [&] { draw_stage_strip(ui, layout.strip); });
+    guarded(ui, [&] {
+        if (!layout.lesson_is_tab) draw_lesson_column(ui, layout.lesson);
+    });
+    guarded(ui, [&] { draw_canvas(ui, layout.canvas); });
+    guarded(ui, [&] { draw_inspector(ui, layout); });
+    guarded(ui, [&] { draw_transport(ui, layout.transport); });
+    guarded(ui, [&] { draw_status_line(ui, layout.status); });
     if (!layout.lesson_is_tab) {
         draw_splitter(ui, "splitter.lesson", layout.canvas.position.x, layout.canvas,
                       ui.options.lesson_width, false);
     }
     draw_splitter(ui, "splitter.inspector", layout.inspector.position.x, layout.canvas,
                   ui.options.inspector_width, true);
-    draw_key_sheet(ui, window);
-    draw_glossary_sheet(ui, window);
-    draw_file_sheet(ui, window);
+    guarded(ui, [&] { draw_key_sheet(ui, window); });
+    guarded(ui, [&] { draw_glossary_sheet(ui, window); });
+    guarded(ui, [&] { draw_file_sheet(ui, window); });
     release_pointed(ui);
 }
-
-/// What of the session the next frame depends on.
-struct Asked {
-    std::shared_ptr<const Scene> scene;
-    Settings settings;
-    Cursor cursor;
-    Selection selection;
-    View view;
-    OverlaySet overlays;
-    std::optional<DepthRange> depth_range;
-    std::optional<Settings> other;
-
-    friend bool operator==(const Asked&, const Asked&) = default;
-};
 
 Asked asked_for(const Session& session) {
     return {session.scene, session.settings, session.cursor,      session.selection,
@@ -150,25 +140,64 @@ bool is_at_rest() {
     return !button_is_down && !ImGui::IsAnyItemActive();
 }
 
+/// Works out what follows from the session. If that fails, as for want of memory, the session goes
+/// back to what it was when it went well.
+bool update_or_go_back(Ui& ui) {
+    Session& session = ui.session;
+    const auto work = [&] {
+        update(session, ui.results);
+        ui.worked_out = asked_for(session);
+    };
+    if (guarded(ui, work)) return true;
+    if (!ui.worked_out) return false;
+    const Asked& last = *ui.worked_out;
+    session.scene = last.scene;
+    session.settings = last.settings;
+    session.cursor = last.cursor;
+    session.selection = last.selection;
+    session.view = last.view;
+    session.overlays = last.overlays;
+    session.depth_range = last.depth_range;
+    session.other = last.other;
+    return guarded(ui, work);
+}
+
+/// For the worst case: there is nothing that could be drawn but the sentence that says why.
+void draw_notice_alone(const Ui& ui) {
+    ImGui::SetNextWindowPos({0.0f, 0.0f});
+    ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
+    ImGui::Begin("notice", nullptr, panel_flags);
+    wrapped_text(ui.session.notice);
+    ImGui::End();
+}
+
 /// One pass: from the input to what is to be drawn. Returns true if a widget changed what is asked
 /// for, so that what was drawn is already old.
 bool build_pass(Ui& ui, float seconds) {
     ImGui::NewFrame();
-    handle_keys(ui); // asks where widgets were in the frame that the student sees
+    guarded(ui, [&] { handle_keys(ui); }); // asks where widgets were in the frame that is seen
     ui.widgets.clear();
-    advance_play(ui.session, Timeline(ui.results.frame), seconds);
-    follow_first_run(ui.session);
+    guarded(ui, [&] {
+        advance_play(ui.session, Timeline(ui.results.frame), seconds);
+        follow_first_run(ui.session);
+    });
     if (is_blinking(ui)) ui.compare.blink_seconds += seconds;
     const Cursor before = ui.results.cursor;
-    update(ui.session, ui.results);
+    const bool is_known = update_or_go_back(ui);
     ui.follow_cursor = ui.results.cursor != before;
     const Asked asked = asked_for(ui.session);
-    draw_everything(ui);
+    if (is_known) {
+        guarded(ui, [&] { draw_everything(ui); });
+    } else {
+        draw_notice_alone(ui);
+    }
     if (is_at_rest() && !is_moving_by_key()) {
-        note_choices(ui.session);
-        note_place(ui.session);
-        save_progress(ui);
-        save_options(ui);
+        guarded(ui, [&] {
+            note_choices(ui.session);
+            note_place(ui.session);
+        });
+        guarded(ui, [&] { save_progress(ui); });
+        guarded(ui, [&] { save_options(ui); });
     }
     ImGui::Render();
     return !(asked == asked_for(ui.session));
@@ -183,6 +212,7 @@ void open_ui(Ui& ui, TextureHost& textures) {
     ui.textures = &textures;
     take_up_lesson(ui);
     update(ui.session, ui.results);
+    ui.worked_out = asked_for(ui.session);
     ui.options.text_scale = ui.options.wished_text_scale;
     ImGui::GetIO().DisplaySize = {1600.0f, 1000.0f}; // until the host says better
     renew_style(ui);
@@ -199,8 +229,8 @@ void build_ui(Ui& ui) {
     io.DisplaySize.x = std::max(io.DisplaySize.x, 1.0f);
     io.DisplaySize.y = std::max(io.DisplaySize.y, 1.0f);
     io.DeltaTime = std::max(io.DeltaTime, shortest_frame);
-    renew_style(ui);
-    carry_on_diagnosis(ui);
+    guarded(ui, [&] { renew_style(ui); });
+    guarded(ui, [&] { carry_on_diagnosis(ui); });
     if (!build_pass(ui, io.DeltaTime)) return;
     // The same moment once more, with what is asked for now; no input is used twice.
     const float seconds = io.DeltaTime;
@@ -209,6 +239,12 @@ void build_ui(Ui& ui) {
     io.ClearInputCharacters();
     build_pass(ui, 0.0f);
     io.DeltaTime = seconds;
+}
+
+void keep_everything(Ui& ui) {
+    ui.lesson.progress_file.next_try = ui.options_file.next_try = 0.0;
+    guarded(ui, [&] { save_progress(ui); });
+    guarded(ui, [&] { save_options(ui); });
 }
 
 bool is_animating(const Ui& ui) {

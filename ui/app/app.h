@@ -11,9 +11,13 @@ void open_ui(Ui& ui, TextureHost& textures);
 void close_ui(Ui& ui);
 
 /// One frame of the interface, from ImGui::NewFrame to ImGui::Render; ImGui::GetDrawData() then
-/// shows it. The host has set io.DisplaySize, io.DeltaTime and the input before. A change that a
-/// widget makes is drawn in the same call: the frame is then built a second time.
+/// shows it. Never throws: what goes wrong is said in session.notice. The host has set
+/// io.DisplaySize, io.DeltaTime and the input before. A change that a widget makes is drawn in the
+/// same call: the frame is then built a second time.
 void build_ui(Ui& ui);
+
+/// Writes what is kept between two runs of the program, if need be for the last time.
+void keep_everything(Ui& ui);
 
 /// True while the next frame will differ without any input: time is playing.
 bool is_animating(const Ui& ui);

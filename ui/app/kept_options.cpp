@@ -1,11 +1,13 @@
 #include "ui/app/kept_options.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <sstream>
 
-#include "base/error.h"
+#include "base/file_lock.h"
 #include "base/files.h"
 #include "base/toml_input.h"
+#include "ui/actions/kept_file.h"
 #include "ui/widgets/style.h"
 
 namespace rasterwalk {
@@ -14,10 +16,35 @@ namespace {
 
 constexpr std::size_t largest_options = std::size_t{1} << 16; ///< bytes
 
-void give_up(Ui& ui, const Error& fault) {
-    ui.options_path.clear();
-    ui.session.notice =
-        std::string("The look of the window will not be kept: ").append(fault.what());
+/// Points and rounds add up; a score that was set back, or not kept before, counts alone.
+QuizScore merged(const QuizScore& before, const QuizScore& after, const QuizScore& theirs) {
+    if (after == before) return theirs;
+    const bool adds_up = after.is_kept && before.is_kept && theirs.is_kept &&
+                         after.points >= before.points && after.rounds >= before.rounds;
+    if (!adds_up) return after;
+    return {.rounds = std::min(theirs.rounds + after.rounds - before.rounds, largest_score),
+            .points = std::min(theirs.points + after.points - before.points, largest_score),
+            .is_kept = true};
+}
+
+/// The options in the file, with what changed in this window from `before` to `after`.
+UiOptions merged(const UiOptions& before, const UiOptions& after, UiOptions theirs) {
+    const auto take = [&](auto member) {
+        if (after.*member != before.*member) theirs.*member = after.*member;
+    };
+    take(&UiOptions::theme);
+    take(&UiOptions::wished_text_scale);
+    take(&UiOptions::lesson_width);
+    take(&UiOptions::inspector_width);
+    theirs.score = merged(before.score, after.score, theirs.score);
+    return theirs;
+}
+
+/// The options in a file; what it does not name, and a file that is not there, as in `options`.
+UiOptions read_options(const std::string& path, const UiOptions& options) {
+    std::error_code fault;
+    if (!std::filesystem::exists(path, fault) && !fault) return options;
+    return parse_options(read_file(path, largest_options), path, options);
 }
 
 } // namespace
@@ -58,33 +85,26 @@ UiOptions parse_options(std::string_view text, const std::string& path, UiOption
 }
 
 void keep_options(Ui& ui, const std::string& path) {
-    ui.options_path = path;
-    try {
-        if (path.empty()) throw AccessError("there is no home folder.");
-        std::error_code fault;
-        if (std::filesystem::exists(path, fault) || fault) {
-            ui.options = parse_options(read_file(path, largest_options), path, ui.options);
-            ui.style_is_stale = true;
-        }
-        ui.kept_options = options_text(ui.options);
-    } catch (const Error& error) {
-        give_up(ui, error);
-    }
+    take_up_kept(ui, ui.options_file, path, "The look of the window", [&] {
+        ui.options = read_options(path, ui.options);
+        ui.style_is_stale = true;
+        ui.kept_options = ui.options;
+    });
 }
 
 void save_options(Ui& ui) {
-    if (ui.options_path.empty()) return;
-    std::string text = options_text(ui.options);
-    if (text == ui.kept_options) return;
-    try {
+    if (options_text(ui.options) == options_text(ui.kept_options)) return;
+    write_kept(ui, ui.options_file, "The look of the window", [&] {
+        const std::string& path = ui.options_file.path;
         std::error_code fault; // the writing itself will tell
-        std::filesystem::create_directories(std::filesystem::path(ui.options_path).parent_path(),
-                                            fault);
-        write_file(ui.options_path, text);
-        ui.kept_options = std::move(text);
-    } catch (const Error& error) {
-        give_up(ui, error);
-    }
+        std::filesystem::create_directories(std::filesystem::path(path).parent_path(), fault);
+        const FileLock lock(path);
+        const UiOptions kept =
+            merged(ui.kept_options, ui.options, read_options(path, ui.kept_options));
+        write_file(path, options_text(kept));
+        ui.options.score = kept.score;
+        ui.kept_options = ui.options;
+    });
 }
 
 } // namespace rasterwalk

@@ -8,10 +8,11 @@ namespace rasterwalk {
 
 /// Keeps how the window looks in this file from now on, and takes up what stands in it: theme, text
 /// size, widths of the columns, and the score of the quiz if it is to be kept. An empty path, or a
-/// file that cannot be read or written: nothing is kept, and session.notice says so once.
+/// file that cannot be read: nothing is kept, it stays as it is, and session.notice says so.
 void keep_options(Ui& ui, const std::string& path);
 
-/// Writes the options if they have changed. To be called when the input has come to rest.
+/// Writes the options that were changed in this window, beside what another window has changed in
+/// the same file; the score adds up. To be called when the input has come to rest.
 void save_options(Ui& ui);
 
 /// The options as TOML, and back. Reading throws InputError with file:line; what is not named stays

@@ -19,6 +19,7 @@
 #include "ui/actions/lesson_state.h"
 #include "ui/actions/view_files.h"
 #include "ui/app/app.h"
+#include "ui/app/guard.h"
 #include "ui/app/kept_options.h"
 #include "ui/hand/report.h"
 #include "ui/hosts/gl2.h"
@@ -97,7 +98,11 @@ void on_key(GLFWwindow* handle, int key, int scancode, int action, int modifiers
 
 void on_drop(GLFWwindow* handle, int count, const char** paths) {
     wake(handle);
-    if (count > 0) open_dropped(window_of(handle).ui, paths[0]);
+    Ui& ui = window_of(handle).ui;
+    // Nothing may be thrown through GLFW.
+    guarded(ui, [&] {
+        if (count > 0) open_dropped(ui, paths[0]);
+    });
 }
 
 void on_content_scale(GLFWwindow* handle, float scale, float) {
@@ -262,13 +267,18 @@ void run(Window& window) {
         } else {
             glfwWaitEventsTimeout(is_typing ? blink_wait : idle_wait);
         }
-        if (lesson_was_edited(window.ui)) window.frames_due = frames_after_event;
+        guarded(window.ui, [&] {
+            if (lesson_was_edited(window.ui)) window.frames_due = frames_after_event;
+        });
         if (window.frames_due <= 0 && !is_moving && !is_typing) continue;
         --window.frames_due;
         last_frame = glfwGetTime();
         // A window that is minimized has nothing to be drawn on.
-        if (!draw_frame(window)) glfwWaitEventsTimeout(idle_wait);
+        bool is_drawn = false;
+        guarded(window.ui, [&] { is_drawn = draw_frame(window); });
+        if (!is_drawn) glfwWaitEventsTimeout(idle_wait);
     }
+    keep_everything(window.ui);
 }
 
 /// GLFW, begun and ended.

@@ -85,7 +85,8 @@ void draw_step_text(Ui& ui, const Lesson& lesson, float width) {
             const std::string name = "lesson.part" + std::to_string(i);
             std::shared_ptr<MarkdownPage>& page = ui.lesson.pages[name];
             const MarkdownEvents events =
-                draw_markdown(ui, page, with_footnotes(lesson, part.text), width, name + ".link.");
+                draw_markdown(ui, page, with_footnotes(lesson, part.text), width, name + ".link.",
+                              ui.session.lesson_folder);
             answer_links(ui, document_of(*page), events);
             break;
         }

@@ -42,8 +42,8 @@ class Box {
 
     void markdown(const std::string& name, std::shared_ptr<MarkdownPage>& page,
                   const std::string& text) {
-        const MarkdownEvents events =
-            draw_markdown(ui_, page, text, inner_width(), name + ".link.");
+        const MarkdownEvents events = draw_markdown(ui_, page, text, inner_width(), name + ".link.",
+                                                    ui_.session.lesson_folder);
         answer_links(ui_, document_of(*page), events);
     }
 

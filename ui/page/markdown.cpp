@@ -29,6 +29,7 @@ struct MarkdownPage {
     MarkdownPage& operator=(const MarkdownPage&) = delete;
 
     std::string text;
+    std::string folder; ///< of its pictures; empty: the program's own lessons
     MarkdownDocument document;
     std::optional<PageMeasure> measure; ///< of the layout; none before the first
     PageLayout layout;
@@ -45,13 +46,15 @@ constexpr int most_shapes = 400;
 constexpr int most_hidden_links = 500;
 
 /// Brings the page up to date with text, width and fonts.
-void prepare(Ui& ui, MarkdownPage& page, std::string_view text, float width) {
+void prepare(Ui& ui, MarkdownPage& page, std::string_view text, float width,
+             const std::string& folder) {
     const PageMeasure measure{width, ui.options.text_scale, ui.fonts.text, ui.fonts.text->FontSize};
-    const bool is_new = !page.measure || page.text != text;
+    const bool is_new = !page.measure || page.text != text || page.folder != folder;
     if (!is_new && page.measure == measure) return;
     if (is_new) {
         page.layout = {};
         page.text = text;
+        page.folder = folder;
         page.document = parse_markdown(text);
         if (!page.document.fault.empty()) {
             MarkdownBlock& block = page.document.blocks.emplace_back();
@@ -59,9 +62,10 @@ void prepare(Ui& ui, MarkdownPage& page, std::string_view text, float width) {
         }
     }
     if (!ui.pictures) ui.pictures = std::make_shared<PictureShelf>();
-    page.layout =
-        lay_out(page.document, ui.fonts, ui.options.text_scale, width,
-                [&](const std::string& target) { return picture_size(*ui.pictures, target); });
+    page.layout = lay_out(page.document, ui.fonts, ui.options.text_scale, width,
+                          [&](const std::string& target) {
+                              return picture_size(*ui.pictures, {page.folder, target});
+                          });
     page.measure = measure;
 }
 
@@ -172,8 +176,8 @@ void draw_pictures(Ui& ui, ImDrawList* list, const MarkdownPage& page, const Sig
         const ImVec2 low{std::floor(sight.origin.x + picture.low.x),
                          std::floor(sight.origin.y + picture.low.y)};
         const ImVec2 size{picture.high.x - picture.low.x, picture.high.y - picture.low.y};
-        ImTextureID texture =
-            picture_texture(ui, std::string(picture.target), static_cast<int>(size.x));
+        ImTextureID texture = picture_texture(ui, {page.folder, std::string(picture.target)},
+                                              static_cast<int>(size.x));
         const ImVec2 high{low.x + size.x, low.y + size.y};
         if (texture != nullptr) list->AddImage(texture, low, high);
         list->AddRect(low, high, packed(palette(ui.options.theme).line));
@@ -214,9 +218,9 @@ void draw_pieces(const Ui& ui, ImDrawList* list, const MarkdownPage& page, const
 } // namespace
 
 MarkdownEvents draw_markdown(Ui& ui, std::shared_ptr<MarkdownPage>& page, std::string_view text,
-                             float width, std::string_view prefix) {
+                             float width, std::string_view prefix, const std::string& folder) {
     if (!page) page = std::make_shared<MarkdownPage>();
-    prepare(ui, *page, text, width);
+    prepare(ui, *page, text, width, folder);
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     ImDrawList* const list = ImGui::GetWindowDrawList();
     const Sight sight{origin, list->GetClipRectMin().y, list->GetClipRectMax().y};

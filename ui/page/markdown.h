@@ -19,9 +19,10 @@ struct MarkdownEvents {
 
 /// Draws Markdown at ImGui's cursor, wrapped at `width` screen pixels, and moves the cursor below
 /// it. Each link is entered in Ui::widgets as `prefix` and its number.
+/// @param folder of the lesson, whose pictures are shown; empty: the program's own lessons
 /// @param page keeps what was worked out from one frame to the next; null at first
 MarkdownEvents draw_markdown(Ui& ui, std::shared_ptr<MarkdownPage>& page, std::string_view text,
-                             float width, std::string_view prefix);
+                             float width, std::string_view prefix, const std::string& folder = {});
 
 /// The document of a page that was drawn.
 const MarkdownDocument& document_of(const MarkdownPage& page);

@@ -11,10 +11,11 @@ namespace rasterwalk {
 
 namespace {
 
-ShownPicture read_picture(const std::string& target) {
+ShownPicture read_picture(const PictureName& name) {
     ShownPicture picture;
     try {
-        picture.image = read_lesson_picture(lessons_folder(), target);
+        const std::string folder = name.folder.empty() ? lessons_folder() : name.folder;
+        picture.image = read_lesson_picture(folder, name.target);
         picture.size = {static_cast<float>(picture.image.width),
                         static_cast<float>(picture.image.height)};
     } catch (const Error&) {
@@ -23,14 +24,14 @@ ShownPicture read_picture(const std::string& target) {
     return picture;
 }
 
-ShownPicture& find_picture(PictureShelf& shelf, const std::string& target) {
-    const auto found = shelf.pictures.find(target);
+ShownPicture& find_picture(PictureShelf& shelf, const PictureName& name) {
+    const auto found = shelf.pictures.find(name);
     if (found != shelf.pictures.end()) return found->second;
     if (shelf.pictures.size() >= most_pictures) {
         static ShownPicture none;
         return none;
     }
-    return shelf.pictures[target] = read_picture(target);
+    return shelf.pictures[name] = read_picture(name);
 }
 
 } // namespace
@@ -71,12 +72,12 @@ Image shrink(const Image& image, int width) {
     return small;
 }
 
-ImVec2 picture_size(PictureShelf& shelf, const std::string& target) {
-    return find_picture(shelf, target).size;
+ImVec2 picture_size(PictureShelf& shelf, const PictureName& name) {
+    return find_picture(shelf, name).size;
 }
 
-ImTextureID picture_texture(Ui& ui, const std::string& target, int width) {
-    ShownPicture& picture = find_picture(*ui.pictures, target);
+ImTextureID picture_texture(Ui& ui, const PictureName& name, int width) {
+    ShownPicture& picture = find_picture(*ui.pictures, name);
     if (picture.size.x < 1.0f || ui.textures == nullptr) return nullptr;
     if (picture.texture_width != width) {
         picture.texture = ui.textures->upload(picture.texture, shrink(picture.image, width));

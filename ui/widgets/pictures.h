@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <map>
 #include <string>
 #include <utility>
@@ -17,16 +18,24 @@ struct ShownPicture {
     Image image;
 };
 
-/// The pictures that lessons show, by their path as written in a lesson. Read once.
+/// How a page names a picture.
+struct PictureName {
+    std::string folder; ///< of the lesson; empty: the program's own lessons
+    std::string target; ///< path as written in the lesson
+
+    friend auto operator<=>(const PictureName&, const PictureName&) = default;
+};
+
+/// The pictures that lessons show. Read once.
 struct PictureShelf {
-    std::map<std::string, ShownPicture, std::less<>> pictures;
+    std::map<PictureName, ShownPicture> pictures;
 };
 
 /// Size of a picture, pixels; 0 if it cannot be read, is too large, or lies outside the project.
-ImVec2 picture_size(PictureShelf& shelf, const std::string& target);
+ImVec2 picture_size(PictureShelf& shelf, const PictureName& name);
 
 /// The texture of a picture, made smaller to `width` screen pixels. Null if there is none.
-ImTextureID picture_texture(Ui& ui, const std::string& target, int width);
+ImTextureID picture_texture(Ui& ui, const PictureName& name, int width);
 
 /// The same picture, smaller, each pixel the average of those that it stands for.
 /// @param width 1 .. image.width

@@ -1,5 +1,6 @@
 // What of the window is found again the next time.
 
+#include <filesystem>
 #include <string>
 
 #include <catch2/catch.hpp>
@@ -8,6 +9,8 @@
 #include "base/files.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/driver.h"
+#include "ui/actions/lesson_state.h"
+#include "ui/app/app.h"
 #include "ui/app/kept_options.h"
 
 namespace rasterwalk {
@@ -90,6 +93,85 @@ TEST_CASE("A broken file of options is left as it is, and said to be so") {
     driver.ui.options.theme = Theme::light;
     driver.hand.frames(3);
     CHECK(read_file(path) == "text_scale = 1.5\ntheme = \"pink\"\n");
+}
+
+TEST_CASE("Two windows keep what each has changed") {
+    const test::TemporaryFolder folder;
+    const std::string path = folder.file("window.toml");
+    Driver driver;
+    Ui& a = driver.ui;
+    Ui b; // another window's; nothing of it is drawn
+    a.options.score = b.options.score = {.rounds = 2, .points = 100, .is_kept = true};
+    keep_options(a, path);
+    keep_options(b, path);
+    a.options.theme = Theme::light;
+    a.options.score.rounds += 1;
+    a.options.score.points += 70;
+    save_options(a);
+    b.options.lesson_width = 0.25f;
+    b.options.score.rounds += 1;
+    b.options.score.points += 30;
+    save_options(b);
+    const UiOptions kept = parse_options(read_file(path), path, {});
+    CHECK(kept.theme == Theme::light);
+    CHECK(kept.lesson_width == 0.25f);
+    CHECK(kept.score == QuizScore{.rounds = 4, .points = 200, .is_kept = true});
+    CHECK(b.options.theme == Theme::dark); // its look is its own
+    b.options.score = {.rounds = 0, .points = 0, .is_kept = true};
+    save_options(b);
+    CHECK(parse_options(read_file(path), path, {}).score.points == 0);
+}
+
+TEST_CASE("After a moment in which nothing can be written, options and progress are kept again") {
+    const test::TemporaryFolder folder;
+    const std::string place = folder.write("state", "a file where a folder should be");
+    Driver driver;
+    keep_options(driver.ui, place + "/window.toml");
+    keep_progress(driver.ui, place + "/progress.toml");
+    driver.ui.options.theme = Theme::light;
+    driver.ui.lesson.progress.note_step("01-pinhole-camera", 2);
+    driver.hand.frames(2);
+    CHECK_THAT(driver.ui.session.notice, Catch::Contains("will not be kept until"));
+    driver.ui.session.notice.clear();
+    driver.hand.frames(20, 1.0f);
+    CHECK(driver.ui.session.notice.empty()); // it is said once
+    std::filesystem::remove(place);
+    driver.hand.frames(10, 1.0f);
+    CHECK_THAT(driver.ui.session.notice, Catch::Contains("kept again"));
+    CHECK(parse_options(read_file(place + "/window.toml"), "", {}).theme == Theme::light);
+    CHECK(read_progress(place + "/progress.toml").is_step_seen("01-pinhole-camera", 2));
+}
+
+TEST_CASE("At the end it is tried once more, without waiting") {
+    const test::TemporaryFolder folder;
+    const std::string place = folder.write("state", "");
+    Driver driver;
+    keep_progress(driver.ui, place + "/progress.toml");
+    driver.ui.lesson.progress.note_step("01-pinhole-camera", 2);
+    driver.hand.frames(2);
+    std::filesystem::remove(place);
+    keep_everything(driver.ui);
+    CHECK(read_progress(place + "/progress.toml").is_step_seen("01-pinhole-camera", 2));
+}
+
+TEST_CASE("Files that nest too deeply keep nobody from the window, and stay as they are") {
+    const test::TemporaryFolder folder;
+    std::string deep;
+    for (int i = 0; i < 30'000; ++i)
+        deep += "a.";
+    deep += "a = 1\n";
+    const std::string options = folder.write("window.toml", deep);
+    const std::string progress = folder.write("progress.toml", deep);
+    Driver driver;
+    keep_options(driver.ui, options);
+    CHECK_THAT(driver.ui.session.notice, Catch::Contains(options + ":1: a key has more than"));
+    keep_progress(driver.ui, progress);
+    CHECK_THAT(driver.ui.session.notice, Catch::Contains(progress + ":1: a key has more than"));
+    driver.ui.options.theme = Theme::light;
+    driver.ui.lesson.progress.note_step("01-pinhole-camera", 2);
+    driver.hand.frames(10, 1.0f);
+    CHECK(read_file(options) == deep);
+    CHECK(read_file(progress) == deep);
 }
 
 } // namespace rasterwalk

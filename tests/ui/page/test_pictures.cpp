@@ -8,6 +8,7 @@
 #include "tests/support/hostile_lessons.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/driver.h"
+#include "ui/actions/view_files.h"
 #include "ui/page/markdown.h"
 
 namespace rasterwalk {
@@ -54,7 +55,7 @@ class OwnLessons {
 
 bool is_shown(const std::string& target) {
     PictureShelf shelf;
-    return picture_size(shelf, target).x > 0.0f;
+    return picture_size(shelf, {"", target}).x > 0.0f;
 }
 
 } // namespace
@@ -100,12 +101,12 @@ TEST_CASE("Pictures are found in the lessons' folder and beside it in screenshot
     write_png(numbered(20, 10), lessons.file("lessons/images/a.png"));
     write_png(numbered(30, 10), lessons.file("screenshots/b.png"));
     PictureShelf shelf;
-    CHECK(picture_size(shelf, "images/a.png").x == 20.0f);
-    CHECK(picture_size(shelf, "../screenshots/b.png").x == 30.0f);
+    CHECK(picture_size(shelf, {"", "images/a.png"}).x == 20.0f);
+    CHECK(picture_size(shelf, {"", "../screenshots/b.png"}).x == 30.0f);
     CHECK(shelf.pictures.size() == 2);
     // It is read once.
     std::filesystem::remove(lessons.file("lessons/images/a.png"));
-    CHECK(picture_size(shelf, "images/a.png").y == 10.0f);
+    CHECK(picture_size(shelf, {"", "images/a.png"}).y == 10.0f);
 }
 
 TEST_CASE("A picture that is broken, too large or outside is not shown") {
@@ -140,7 +141,7 @@ TEST_CASE("A picture that is broken, too large or outside is not shown") {
         bytes[i] = static_cast<char>(bytes[i] ^ 0x55);
         lessons.write("lessons/images/changed.png", bytes);
         shelf.pictures.clear();
-        const ImVec2 size = picture_size(shelf, "images/changed.png");
+        const ImVec2 size = picture_size(shelf, {"", "images/changed.png"});
         REQUIRE(size.x <= 4096.0f);
         REQUIRE(size.y <= 4096.0f);
     }
@@ -150,27 +151,51 @@ TEST_CASE("Not more pictures are kept than there is room for") {
     const OwnLessons lessons;
     PictureShelf shelf;
     for (int i = 0; i < 200; ++i)
-        picture_size(shelf, "images/" + std::to_string(i) + ".png");
+        picture_size(shelf, {"", "images/" + std::to_string(i) + ".png"});
     CHECK(shelf.pictures.size() == most_pictures);
+}
+
+TEST_CASE("A lesson of one's own shows the pictures beside it") {
+    const test::TemporaryFolder folder;
+    std::filesystem::create_directory(folder.file("images"));
+    write_png(numbered(33, 10), folder.file("images/own.png"));
+    const std::string lesson = folder.write("01-own.md", "<!-- lesson\n"
+                                                         "title = \"Own\"\n"
+                                                         "section = \"Drawing points\"\n"
+                                                         "minutes = 5\n"
+                                                         "about = \"A test.\"\n"
+                                                         "program = \"nothing\"\n"
+                                                         "scene = \"scenes/lab-room.toml\"\n"
+                                                         "-->\n"
+                                                         "# Own\n\n"
+                                                         "![Mine](images/own.png)\n");
+    Driver driver;
+    open_file(driver.ui, lesson);
+    driver.hand.frames(frames_to_rest);
+    REQUIRE(driver.ui.pictures);
+    const PictureName name{driver.ui.session.lesson_folder, "images/own.png"};
+    REQUIRE(driver.ui.pictures->pictures.count(name) == 1);
+    CHECK(driver.ui.pictures->pictures[name].size.x == 33.0f);
+    CHECK(driver.ui.pictures->pictures[name].texture != nullptr);
 }
 
 TEST_CASE("A picture is drawn as wide as the page, and made anew only when that changes") {
     Driver driver;
     Ui& ui = driver.ui;
     ui.pictures = std::make_shared<PictureShelf>();
-    ShownPicture& picture = ui.pictures->pictures["images/a.png"];
+    ShownPicture& picture = ui.pictures->pictures[{"", "images/a.png"}];
     picture.image = numbered(200, 100);
     picture.size = {200, 100};
     const int before = driver.textures.uploads;
-    const ImTextureID texture = picture_texture(ui, "images/a.png", 50);
+    const ImTextureID texture = picture_texture(ui, {"", "images/a.png"}, 50);
     CHECK(texture != nullptr);
     CHECK(driver.textures.last.width == 50);
     CHECK(driver.textures.last.height == 25);
-    CHECK(picture_texture(ui, "images/a.png", 50) == texture);
+    CHECK(picture_texture(ui, {"", "images/a.png"}, 50) == texture);
     CHECK(driver.textures.uploads == before + 1);
-    CHECK(picture_texture(ui, "images/a.png", 80) == texture);
+    CHECK(picture_texture(ui, {"", "images/a.png"}, 80) == texture);
     CHECK(driver.textures.uploads == before + 2);
-    CHECK(picture_texture(ui, "images/none.png", 80) == nullptr);
+    CHECK(picture_texture(ui, {"", "images/none.png"}, 80) == nullptr);
 }
 
 } // namespace rasterwalk

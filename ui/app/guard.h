@@ -1,0 +1,15 @@
+#pragma once
+
+#include <functional>
+
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+/// Does a part of a frame, or something between two frames. What it throws ends neither the frame
+/// nor the program: it becomes a sentence in session.notice, and ImGui's windows, fonts and colours
+/// that the part left open are closed. To be called with no window open. Returns true if all went
+/// well.
+bool guarded(Ui& ui, const std::function<void()>& part);
+
+} // namespace rasterwalk
