@@ -9,11 +9,11 @@
 #include "laboratory/bug.h"
 #include "lessons/lesson.h"
 #include "lessons/progress.h"
-#include "opening/state_file.h"
 #include "scene/read_scene.h"
 #include "session/glossary.h"
 #include "settings/preset.h"
 #include "tests/support/temporary_folder.h"
+#include "view/state_file.h"
 
 using namespace rasterwalk;
 
