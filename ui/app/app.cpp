@@ -126,20 +126,20 @@ void draw_everything(Ui& ui) {
 /// What of the session the next frame depends on.
 struct Asked {
     std::shared_ptr<const Scene> scene;
-    Settings settings;
+    Run a;
+    std::optional<Run> b;
     Cursor cursor;
     Selection selection;
     View view;
     OverlaySet overlays;
     std::optional<DepthRange> depth_range;
-    std::optional<Settings> other;
 
     friend bool operator==(const Asked&, const Asked&) = default;
 };
 
 Asked asked_for(const Session& session) {
-    return {session.scene, session.settings, session.cursor,      session.selection,
-            session.view,  session.overlays, session.depth_range, session.other};
+    return {session.scene,     session.a,    session.b,        session.cursor,
+            session.selection, session.view, session.overlays, session.depth_range};
 }
 
 /// True while nothing is held, so that a drag counts as one change.
@@ -156,12 +156,12 @@ bool build_pass(Ui& ui, float seconds) {
     ImGui::NewFrame();
     handle_keys(ui); // asks where widgets were in the frame that the student sees
     ui.widgets.clear();
-    advance_play(ui.session, Timeline(ui.results.frame), seconds);
-    follow_first_run(ui.session);
+    advance_play(ui.session, Timeline(ui.results.a.frame), seconds);
+    carry_changes_to_b(ui.session);
     if (is_blinking(ui)) ui.compare.blink_seconds += seconds;
-    const Cursor before = ui.results.cursor;
+    const Cursor before = ui.results.a.cursor;
     update(ui.session, ui.results);
-    ui.follow_cursor = ui.results.cursor != before;
+    ui.follow_cursor = ui.results.a.cursor != before;
     const Asked asked = asked_for(ui.session);
     draw_everything(ui);
     if (is_at_rest() && !is_moving_by_key()) {
@@ -213,7 +213,7 @@ void build_ui(Ui& ui) {
 
 bool is_animating(const Ui& ui) {
     return ui.session.play.running || is_moving_by_key() || is_blinking(ui) ||
-           ui.lab.frames_to_result > 0;
+           ui.lab.frames_to_result > 0 || is_working(ui.results);
 }
 
 } // namespace rasterwalk

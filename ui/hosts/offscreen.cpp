@@ -112,9 +112,18 @@ void carry_out(const Deed& deed, Hand& hand) {
 Image draw_offscreen(Session session, const OffscreenOptions& options) {
     Screen screen(std::move(session), options);
     Hand hand(screen.ui, [&] { screen.frame(); });
+    // Work that a window would spread over many frames is done at once.
+    const auto settle = [&] {
+        if (!is_working(screen.ui.results)) return;
+        finish(screen.ui.session, screen.ui.results);
+        hand.frames(frames_to_rest);
+    };
     hand.frames(frames_to_rest);
-    for (const Deed& deed : options.deeds)
+    settle();
+    for (const Deed& deed : options.deeds) {
         carry_out(deed, hand);
+        settle();
+    }
     // Only who asks for it gets a tooltip.
     const bool is_resting =
         !options.deeds.empty() && options.deeds.back().kind == Deed::Kind::hover;
