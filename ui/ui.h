@@ -227,13 +227,13 @@ struct FileSheet {
 /// What of the session a frame depends on.
 struct Asked {
     std::shared_ptr<const Scene> scene;
-    Settings settings;
+    Run a;
+    std::optional<Run> b;
     Cursor cursor;
     Selection selection;
     View view;
     OverlaySet overlays;
     std::optional<DepthRange> depth_range;
-    std::optional<Settings> other;
 
     friend bool operator==(const Asked&, const Asked&) = default;
 };

@@ -167,9 +167,9 @@ void write_difference(const Frame& a, const Frame& b, const Cursor& to, float la
 
 ExitCode compare_command(const CompareOptions& options, std::ostream& out) {
     const Session session = open_view(options.view);
-    const Frame a = prepare_frame(*session.scene, settings_of_run(session.settings, options.a));
-    const Frame b = prepare_frame(
-        *session.scene, settings_of_run(session.other.value_or(session.settings), options.b));
+    const Run& run_b = session.b ? *session.b : session.a;
+    const Frame a = prepare_frame(*session.scene, settings_of_run(session.a.settings, options.a));
+    const Frame b = prepare_frame(*session.scene, settings_of_run(run_b.settings, options.b));
     if (!(a.settings.viewport == b.settings.viewport)) {
         throw UsageError("the two runs have pictures of different sizes, which cannot be "
                          "compared.");

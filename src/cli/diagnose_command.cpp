@@ -39,7 +39,7 @@ Finding diagnose_picture_file(const Result& result, const Session& session,
                          size_text(picture.width, picture.height) +
                          " pixels is too large to be diagnosed.");
     }
-    const Settings& view = session.settings;
+    const Settings& view = session.a.settings;
     const Settings reference = fitted_to(view, picture, session.scene->space);
     if (!(reference.viewport == view.viewport)) {
         err << "rasterwalk: the picture has " << size_text(picture.width, picture.height)
@@ -60,8 +60,8 @@ Finding diagnose_rows_file(const DiagnoseOptions& options, const Result& result,
     const std::vector<PrintedRow> rows = parse_printed_rows(result.bytes, result.name);
     Finding finding;
     finding.kind = "rows";
-    finding.diagnosis =
-        diagnose_rows(rows, polygon, *session.scene, session.settings, bugs, finding.held_against);
+    finding.diagnosis = diagnose_rows(rows, polygon, *session.scene, session.a.settings, bugs,
+                                      finding.held_against);
     finding.held_against.insert(0, "the row table of ");
     return finding;
 }

@@ -51,9 +51,9 @@ void settings_command(const SettingsOptions& options, std::ostream& out) {
     const Session session = open_view(options.view);
     const Settings defaults = default_settings(*session.scene);
     if (options.json) {
-        print_json(to_json(session.settings, defaults), out);
+        print_json(to_json(session.a.settings, defaults), out);
     } else {
-        print_settings(session.settings, defaults, out);
+        print_settings(session.a.settings, defaults, out);
     }
 }
 

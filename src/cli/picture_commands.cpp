@@ -49,7 +49,7 @@ toml::table to_json(const FrameStats& stats) {
 
 void render_command(const RenderOptions& options, std::ostream& err) {
     const Session session = open_view(options.view);
-    const Frame frame = prepare_frame(*session.scene, session.settings);
+    const Frame frame = prepare_frame(*session.scene, session.a.settings);
     Framebuffer framebuffer;
     clear(framebuffer, frame);
     draw(frame, {.from = cursor_begin, .to = session.cursor, .scissor = {}}, framebuffer);
@@ -59,7 +59,7 @@ void render_command(const RenderOptions& options, std::ostream& err) {
 
 void stats_command(const StatsOptions& options, std::ostream& out, std::ostream& err) {
     const Session session = open_view(options.view);
-    const Frame frame = prepare_frame(*session.scene, session.settings);
+    const Frame frame = prepare_frame(*session.scene, session.a.settings);
     Framebuffer framebuffer;
     const FrameStats stats = frame_stats(frame, session.cursor, framebuffer);
     if (options.json) {

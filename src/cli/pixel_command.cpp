@@ -163,8 +163,8 @@ void print_text(const Frame& frame, const PixelHistory& history, const Cursor& t
 
 void pixel_command(const PixelOptions& options, std::ostream& out) {
     const Session session = open_view(options.view);
-    const glm::ivec2 pixel = parse_pixel(options.pixel, session.settings.viewport);
-    const Frame frame = prepare_frame(*session.scene, session.settings);
+    const glm::ivec2 pixel = parse_pixel(options.pixel, session.a.settings.viewport);
+    const Frame frame = prepare_frame(*session.scene, session.a.settings);
     const PixelHistory history = pixel_history(frame, pixel);
     if (options.json) {
         print_json(to_json(*session.scene, history, session.cursor), out);

@@ -213,7 +213,7 @@ void triangle_command(const TriangleOptions& options, std::ostream& out) {
     const Session session = open_view(options.view);
     const Scene& scene = *session.scene;
     const int triangle = parse_triangle(options.triangle, scene);
-    const Frame frame = prepare_frame(scene, session.settings);
+    const Frame frame = prepare_frame(scene, session.a.settings);
     const TriangleReport report = triangle_report(frame, triangle, session.cursor);
     if (options.json) {
         print_json(to_json(report, scene), out);

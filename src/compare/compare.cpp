@@ -5,7 +5,6 @@
 
 #include <glm/common.hpp>
 
-#include "compare/run_walk.h"
 #include "picture/view_image.h"
 
 namespace rasterwalk {
@@ -56,31 +55,6 @@ struct Colours {
         return seen;
     }
 };
-
-/// The finished row table of a triangle; without rows if the run makes none.
-void make_rows(const Frame& frame, int triangle, PolygonRows& rows) {
-    rows.left.clear();
-    rows.right.clear();
-    if (!frame.is_drawn(triangle) || frame.settings.stage < Stage::edges) return;
-    compute_rows(frame, triangle, rows);
-}
-
-/// Rows of the picture in which the two tables differ.
-std::int64_t different_rows(const PolygonRows& a, const PolygonRows& b) {
-    if (a.size() == 0 || b.size() == 0) return a.size() + b.size();
-    const int first = std::min(a.first_row, b.first_row);
-    const int last = std::max(a.first_row + a.size(), b.first_row + b.size());
-    std::int64_t different = 0;
-    for (int row = first; row < last; ++row) {
-        const int i = row - a.first_row, k = row - b.first_row;
-        const bool in_a = i >= 0 && i < a.size(), in_b = k >= 0 && k < b.size();
-        if (!in_a && !in_b) continue; // between two tables that do not touch
-        const bool same = in_a && in_b && a.left[i].column == b.left[k].column &&
-                          a.right[i].column == b.right[k].column;
-        different += same ? 0 : 1;
-    }
-    return different;
-}
 
 } // namespace
 
@@ -166,30 +140,6 @@ Image difference_image(const std::vector<float>& values, Viewport size, float li
         image.rgba[4 * i + 3] = 255;
     }
     return image;
-}
-
-namespace {
-
-std::int64_t all_different_rows(const Frame& a, const Frame& b, const Cursor& to) {
-    std::int64_t different = 0;
-    PolygonRows rows_a, rows_b;
-    for (int t = 0; t < a.triangle_count() && Cursor{t, Phase::rows, 0, 0} < to; ++t) {
-        make_rows(a, t, rows_a);
-        make_rows(b, t, rows_b);
-        different += different_rows(rows_a, rows_b);
-    }
-    return different;
-}
-
-} // namespace
-
-Comparison compare_runs(const Frame& a, const Frame& b, const Cursor& to) {
-    Comparison comparison;
-    RunWalk walk(a, b, to);
-    comparison.divergences = all_divergences(a, b, walk);
-    comparison.pixels = pixel_difference(walk.picture_a(), walk.picture_b());
-    comparison.different_rows = all_different_rows(a, b, to);
-    return comparison;
 }
 
 } // namespace rasterwalk

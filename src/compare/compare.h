@@ -4,6 +4,7 @@
 // what else differs.
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -12,9 +13,12 @@
 
 #include "base/image.h"
 #include "compare/divergence.h"
+#include "compare/run_walk.h"
 #include "picture/view_image.h"
 #include "pipeline/frame.h"
 #include "pipeline/framebuffer.h"
+#include "pipeline/work.h"
+#include "stages/polygon_rows.h"
 
 namespace rasterwalk {
 
@@ -61,8 +65,43 @@ struct Comparison {
     }
 };
 
-/// Draws both runs side by side and compares them, moment by moment. They must be of the same scene
-/// and have viewports of the same size. Takes both frames' drawing, and the memory of two pictures.
+/// Two runs being compared, part by part. Draws both side by side and holds them against each other
+/// moment by moment: takes some times both frames' drawing, and the memory of two pictures.
+class ComparisonWork {
+  public:
+    /// Begins anew. The frames must be of the same scene, have viewports of the same size, and live
+    /// until the work is done or another is begun.
+    void begin(const Frame& a, const Frame& b, const Cursor& to = cursor_end);
+
+    /// Goes on as far as the limit allows.
+    void advance(const WorkLimit& limit = {});
+
+    /// Is everything compared? It is too before anything was begun.
+    bool is_done() const { return walk_ == nullptr; }
+
+    /// How many triangles are compared, and how many there are.
+    int triangles_done() const { return done_; }
+    int triangles() const { return triangles_; }
+
+    /// What was found so far; the pixels are compared last.
+    const Comparison& found() const { return found_; }
+
+  private:
+    double missing_work() const;
+    void end_triangles();
+
+    const Frame* a_ = nullptr;
+    const Frame* b_ = nullptr;
+    Cursor to_;
+    FrameWork work_a_, work_b_;
+    std::unique_ptr<RunWalk> walk_; ///< null: nothing is left to do
+    DivergenceCollector divergences_;
+    PolygonRows rows_a_, rows_b_; ///< kept to save allocations
+    int done_ = 0, triangles_ = 0;
+    Comparison found_;
+};
+
+/// Two runs compared at once.
 Comparison compare_runs(const Frame& a, const Frame& b, const Cursor& to = cursor_end);
 
 } // namespace rasterwalk

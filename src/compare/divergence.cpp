@@ -1,7 +1,6 @@
 #include "compare/divergence.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -119,27 +118,6 @@ Divergence divergence_of(const Frame& a, const Frame& b, const PairMoment& momen
             divergence_text(a, b, moment, difference.kind)};
 }
 
-/// Collects the divergences of one triangle by phase and kind.
-class TriangleGroups {
-  public:
-    void add(const Cursor& cursor, DivergenceKind kind) {
-        DivergenceGroup& group =
-            groups_[static_cast<std::size_t>(cursor.phase)][static_cast<std::size_t>(kind)];
-        if (group.count++ == 0) group = {cursor.triangle, cursor.phase, kind, 1, cursor, cursor};
-        group.last = cursor;
-    }
-    void move_to(std::vector<DivergenceGroup>& list) {
-        for (auto& kinds : groups_) {
-            for (DivergenceGroup& group : kinds) {
-                if (group.count > 0) list.push_back(std::exchange(group, {}));
-            }
-        }
-    }
-
-  private:
-    std::array<std::array<DivergenceGroup, 3>, 3> groups_;
-};
-
 } // namespace
 
 std::string kind_text(DivergenceKind kind) {
@@ -154,26 +132,37 @@ std::string kind_text(DivergenceKind kind) {
     return "other value";
 }
 
-DivergenceList all_divergences(const Frame& a, const Frame& b, RunWalk& walk) {
-    DivergenceList list;
-    TriangleGroups groups;
+void DivergenceCollector::add(const Cursor& cursor, DivergenceKind kind) {
+    DivergenceGroup& group =
+        groups_[static_cast<std::size_t>(cursor.phase)][static_cast<std::size_t>(kind)];
+    if (group.count++ == 0) group = {cursor.triangle, cursor.phase, kind, 1, cursor, cursor};
+    group.last = cursor;
+}
+
+void DivergenceCollector::end_triangle(DivergenceList& list) {
+    for (auto& kinds : groups_) {
+        for (DivergenceGroup& group : kinds) {
+            if (group.count > 0) list.groups.push_back(std::exchange(group, {}));
+        }
+    }
+}
+
+void DivergenceCollector::walk_part(const Frame& a, const Frame& b, RunWalk& walk,
+                                    DivergenceList& list) {
     const SightRules rules = sight_rules(a, b);
-    const PairVisitor visit = [&](const PairMoment& moment) {
+    const int triangle = walk.triangle();
+    walk.walk_part([&](const PairMoment& moment) {
         const std::optional<Difference> difference = difference_at(moment.a, moment.b, rules);
         if (!difference) return true;
         ++list.count;
-        groups.add(moment.cursor, difference->kind);
+        add(moment.cursor, difference->kind);
         if (!list.first) list.first = divergence_of(a, b, moment, *difference);
         if (!list.first_beyond_rounding && !difference->only_rounding) {
             list.first_beyond_rounding = divergence_of(a, b, moment, *difference);
         }
         return true;
-    };
-    while (!walk.is_done()) {
-        walk.walk_triangle(visit);
-        groups.move_to(list.groups);
-    }
-    return list;
+    });
+    if (walk.is_done() || walk.triangle() != triangle) end_triangle(list);
 }
 
 std::optional<Divergence> next_divergence(const Frame& a, const Frame& b, const Cursor& from) {
@@ -187,7 +176,7 @@ std::optional<Divergence> next_divergence(const Frame& a, const Frame& b, const 
         if (difference) found = divergence_of(a, b, moment, *difference);
         return !found;
     };
-    while (!walk.is_done() && walk.walk_triangle(visit)) {
+    while (!walk.is_done() && walk.walk_part(visit)) {
     }
     return found;
 }
@@ -202,7 +191,7 @@ std::optional<Divergence> previous_divergence(const Frame& a, const Frame& b, co
         return true;
     };
     while (!walk.is_done())
-        walk.walk_triangle(note_last);
+        walk.walk_part(note_last);
     return last ? next_divergence(a, b, *last) : std::nullopt;
 }
 

@@ -7,6 +7,7 @@
 // fate, depth and colour. Row ends show through the samples that make them and the fragments
 // between them. How varyings are carried (q or q/z) is a way to reckon, not a difference.
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -58,8 +59,22 @@ struct DivergenceList {
 
 class RunWalk;
 
-/// All divergences of what the walk has still before it; the walk is done afterwards.
-DivergenceList all_divergences(const Frame& a, const Frame& b, RunWalk& walk);
+/// Collects the divergences of two runs, part by part of a walk through both.
+class DivergenceCollector {
+  public:
+    /// Walks one part further, and adds what it finds to the list; the groups of a triangle once
+    /// its last part is done.
+    void walk_part(const Frame& a, const Frame& b, RunWalk& walk, DivergenceList& list);
+
+  private:
+    /// The divergences of one triangle by phase and kind.
+    using TriangleGroups = std::array<std::array<DivergenceGroup, 3>, 3>;
+
+    void add(const Cursor& cursor, DivergenceKind kind);
+    void end_triangle(DivergenceList& list);
+
+    TriangleGroups groups_;
+};
 
 /// The divergence at this very moment, if there is one. The pictures are those of both runs with
 /// everything before it drawn. Costs no more than the triangle's edges.

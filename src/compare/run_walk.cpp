@@ -135,45 +135,47 @@ RunWalk::RunWalk(const Frame& a, const Frame& b, const Cursor& to)
 }
 
 bool RunWalk::is_done() const {
-    return triangle_ >= a_.triangle_count() || Cursor{triangle_, Phase::vertices, 0, 0} >= to_;
+    return next_.triangle >= a_.triangle_count() || next_ >= to_;
 }
 
 void RunWalk::skip_to(int triangle) {
-    const Cursor from{triangle_, Phase::vertices, 0, 0};
     const Cursor to = std::min(to_, {triangle, Phase::vertices, 0, 0});
-    if (from >= to) return;
-    draw(a_, {from, to, {}}, picture_a_);
-    draw(b_, {from, to, {}}, picture_b_);
-    triangle_ = triangle;
+    if (next_ >= to) return;
+    draw(a_, {next_, to, {}}, picture_a_);
+    draw(b_, {next_, to, {}}, picture_b_);
+    next_ = {triangle, Phase::vertices, 0, 0};
 }
 
-bool RunWalk::walk_part(const Cursor& from, const Cursor& to, const PairVisitor& visit) {
-    const Cursor end = std::min(to, to_);
-    if (from >= end) return true;
+/// Behind the part of the triangle that begins at next_: rows of so many fragments as are kept.
+Cursor RunWalk::part_end() const {
+    const RowRange rows_a = rows_in_picture(a_, next_.triangle);
+    const RowRange rows_b = rows_in_picture(b_, next_.triangle);
+    const int last = std::max(rows_a.last, rows_b.last);
+    const int rows_at_once = std::max(1, most_kept / std::max(1, a_.settings.viewport.width));
+    // Rows above and below the picture cost nothing, and go with the first and the last part.
+    int row = next_.index;
+    if (next_.phase != Phase::rows) {
+        row = last;
+        if (rows_a.last > rows_a.first) row = std::min(row, rows_a.first);
+        if (rows_b.last > rows_b.first) row = std::min(row, rows_b.first);
+    }
+    row += rows_at_once;
+    return row < last ? Cursor{next_.triangle, Phase::rows, row, 0}
+                      : Cursor{next_.triangle + 1, Phase::vertices, 0, 0};
+}
+
+bool RunWalk::walk_part(const PairVisitor& visit) {
+    const Cursor from = next_;
+    const bool is_drawn = a_.is_drawn(from.triangle) || b_.is_drawn(from.triangle);
+    next_ = is_drawn ? part_end() : Cursor{from.triangle + 1, Phase::vertices, 0, 0};
+    if (!is_drawn) return true;
+    const Cursor end = std::min(next_, to_);
     deeds_a_.clear();
     deeds_b_.clear();
     draw(a_, {from, end, {}}, picture_a_, &deeds_a_);
     draw(b_, {from, end, {}}, picture_b_, &deeds_b_);
+    events_ += static_cast<std::int64_t>(deeds_a_.count() + deeds_b_.count());
     return merge(deeds_a_, deeds_b_, visit);
-}
-
-bool RunWalk::walk_triangle(const PairVisitor& visit) {
-    const int triangle = triangle_++;
-    if (!a_.is_drawn(triangle) && !b_.is_drawn(triangle)) return true;
-    const RowRange rows_a = rows_in_picture(a_, triangle), rows_b = rows_in_picture(b_, triangle);
-    const int last = std::max(rows_a.last, rows_b.last);
-    const int rows_at_once = std::max(1, most_kept / std::max(1, a_.settings.viewport.width));
-    Cursor from{triangle, Phase::vertices, 0, 0};
-    // Rows above and below the picture cost nothing, and go with the first and the last part.
-    int row = last;
-    if (rows_a.last > rows_a.first) row = std::min(row, rows_a.first);
-    if (rows_b.last > rows_b.first) row = std::min(row, rows_b.first);
-    for (row += rows_at_once; row < last; row += rows_at_once) {
-        const Cursor to{triangle, Phase::rows, row, 0};
-        if (!walk_part(from, to, visit)) return false;
-        from = to;
-    }
-    return walk_part(from, {triangle + 1, Phase::vertices, 0, 0}, visit);
 }
 
 void visit_moment(const Frame& a, const Framebuffer& picture_a, const Frame& b,

@@ -3,6 +3,7 @@
 // Two runs drawn side by side, triangle by triangle, and what each does at every moment. Keeps the
 // work of a few rows, never that of a frame.
 
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
@@ -57,6 +58,9 @@ class Deeds : public Observer {
     void fragment(const FragmentEvent& event) override { fragments_.push_back(event); }
     bool wants_edge_samples() const override { return true; }
 
+    /// How many vertices, edge samples and fragments there are.
+    std::size_t count() const { return vertices_.size() + samples_.size() + fragments_.size(); }
+
     /// The next moment that has not been taken; the end if all have been.
     Cursor next() const;
     /// What is done at that moment, which must not be before next().
@@ -80,22 +84,30 @@ class RunWalk {
     /// Draws everything before this triangle without telling anyone.
     void skip_to(int triangle);
 
-    /// Draws the next triangle and tells of every moment. False if the visitor has ended the walk.
-    bool walk_triangle(const PairVisitor& visit);
+    /// Draws the next part, a triangle or some rows of a large one, and tells of every moment.
+    /// False if the visitor has ended the walk.
+    bool walk_part(const PairVisitor& visit);
 
     bool is_done() const;
+
+    /// The triangle that the next part belongs to.
+    int triangle() const { return next_.triangle; }
+
+    /// How many vertices, edge samples and fragments of both runs have been drawn and told of.
+    std::int64_t events() const { return events_; }
 
     /// The pictures so far.
     const Framebuffer& picture_a() const { return picture_a_; }
     const Framebuffer& picture_b() const { return picture_b_; }
 
   private:
-    bool walk_part(const Cursor& from, const Cursor& to, const PairVisitor& visit);
+    Cursor part_end() const;
 
     const Frame& a_;
     const Frame& b_;
     Cursor to_;
-    int triangle_ = 0;
+    Cursor next_ = cursor_begin; ///< where the next part begins
+    std::int64_t events_ = 0;
     Framebuffer picture_a_, picture_b_;
     Deeds deeds_a_, deeds_b_;
 };

@@ -104,7 +104,7 @@ Value Facts::operator()(std::string_view name) const {
     if (const Fact* fact = find_fact(name)) return fact->read(*this, fact->number);
     const SettingName found = find_setting_name(name);
     if (found.setting == nullptr) return {};
-    return std::visit(SettingValue{session_->settings, found.part}, found.setting->kind);
+    return std::visit(SettingValue{session_->a.settings, found.part}, found.setting->kind);
 }
 
 std::vector<std::string> all_names() {

@@ -22,12 +22,12 @@ const ValueRange place = whole(0, largest_viewport - 1); ///< column or row of t
 
 /// The cursor, if it stands in this phase of a triangle.
 const Cursor* cursor_in(const Facts& facts, Phase phase) {
-    const Cursor& cursor = facts.results().cursor;
+    const Cursor& cursor = facts.results().a.cursor;
     return cursor != cursor_end && cursor.phase == phase ? &cursor : nullptr;
 }
 
 Value cursor_phase(const Facts& facts, int) {
-    const Cursor& cursor = facts.results().cursor;
+    const Cursor& cursor = facts.results().a.cursor;
     const std::size_t phase = cursor == cursor_end ? 3 : static_cast<std::size_t>(cursor.phase);
     return std::string(phase_words[phase]);
 }
@@ -36,7 +36,7 @@ Value cursor_phase(const Facts& facts, int) {
 Value cursor_pixel(const Facts& facts, int axis) {
     const Cursor* const cursor = cursor_in(facts, Phase::rows);
     if (cursor == nullptr) return {};
-    const Timeline timeline(facts.results().frame);
+    const Timeline timeline(facts.results().a.frame);
     const PolygonRows& rows = timeline.moments(cursor->triangle).rows;
     if (axis == 1) return number(rows.first_row + cursor->index);
     return number(rows.left[static_cast<std::size_t>(cursor->index)].column + cursor->step);
@@ -44,9 +44,9 @@ Value cursor_pixel(const Facts& facts, int axis) {
 
 void add_cursor_facts(std::vector<Fact>& table) {
     table.push_back({"cursor", "The moment: what comes next. `end` after everything.", moment(),
-                     [](const Facts& f, int) { return Value(f.results().cursor); }});
+                     [](const Facts& f, int) { return Value(f.results().a.cursor); }});
     table.push_back({"cursor.triangle", "Triangle of the moment.", count, [](const Facts& f, int) {
-                         const Cursor& cursor = f.results().cursor;
+                         const Cursor& cursor = f.results().a.cursor;
                          return cursor == cursor_end ? Value() : number(cursor.triangle);
                      }});
     table.push_back(
@@ -77,12 +77,12 @@ void add_session_facts(std::vector<Fact>& table) {
     table.push_back({"triangle", "Selected triangle.", count,
                      [](const Facts& f, int) { return number(f.session().selection.triangle); }});
     table.push_back({"triangle.count", "Triangles of the scene.", count, [](const Facts& f, int) {
-                         return number(f.results().frame.triangle_count());
+                         return number(f.results().a.frame.triangle_count());
                      }});
     table.push_back({"triangle.shown",
                      "Triangle that the inspector shows: the selected one, or "
                      "the one that was just drawn.",
-                     count, [](const Facts& f, int) { return number(f.results().triangle); }});
+                     count, [](const Facts& f, int) { return number(f.results().a.triangle); }});
     table.push_back({"row", "Selected row of the picture.", whole(-endless, endless),
                      [](const Facts& f, int) { return number(f.session().selection.row); }});
     table.push_back({"vertex", "Selected vertex of the triangle on show, 0 to 2.", whole(0, 2),
@@ -321,10 +321,10 @@ void add_vertex_facts(std::vector<Fact>& table) {
 
 // --- two runs
 
-/// The comparison of the whole frames; null without a second run.
+/// The comparison of the whole frames; null without a second run, and until it is done.
 const Comparison* comparison(const Facts& facts) {
-    const std::optional<Compared>& compared = facts.results().compared;
-    return compared ? &compared->whole : nullptr;
+    const Results& results = facts.results();
+    return results.b && results.comparison.work.is_done() ? &results.comparison.whole() : nullptr;
 }
 
 template <class Read>
@@ -338,7 +338,7 @@ void add_compare_fact(std::vector<Fact>& table, const char* name, const char* he
 
 void add_compare_facts(std::vector<Fact>& table) {
     table.push_back({"comparing", "1 while a second run is compared.", yes_or_no,
-                     [](const Facts& f, int) { return number(f.session().other ? 1 : 0); }});
+                     [](const Facts& f, int) { return number(f.session().b ? 1 : 0); }});
     add_compare_fact(table, "compare.different_pixels", "Pixels whose colour differs in run B.",
                      count, [](const Comparison& c) { return number(c.pixels.different); });
     add_compare_fact(table, "compare.largest_difference",

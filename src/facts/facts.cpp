@@ -49,22 +49,22 @@ Facts::Facts(const Session& session, const Results& results, FactCache* cache)
 
 FactCache& Facts::cache() const {
     FactCache& cache = cache_ != nullptr ? *cache_ : own_;
-    if (cache.frame_number != results_->frame_number) {
+    if (cache.frame_number != results_->a.frame_number) {
         cache = FactCache{};
-        cache.frame_number = results_->frame_number;
+        cache.frame_number = results_->a.frame_number;
     }
     return cache;
 }
 
 const FrameStats& Facts::frame_stats() const {
     FactCache& known = cache();
-    if (!known.frame) known.frame = rasterwalk::frame_stats(results_->frame);
+    if (!known.frame) known.frame = rasterwalk::frame_stats(results_->a.frame);
     return *known.frame;
 }
 
 const RowHistory* Facts::table() const {
-    const std::optional<int>& triangle = results_->triangle;
-    const Frame& frame = results_->frame;
+    const std::optional<int>& triangle = results_->a.triangle;
+    const Frame& frame = results_->a.frame;
     if (!triangle || !frame.is_drawn(*triangle)) return nullptr;
     FactCache& known = cache();
     if (known.table_triangle != triangle) {
@@ -93,7 +93,7 @@ std::optional<InterpolationError> Facts::interpolation_error() const {
     if (entry == nullptr) return std::nullopt;
     FactCache& known = cache();
     if (known.error_at != entry->cursor) {
-        known.error = error_of(results_->frame, entry->cursor);
+        known.error = error_of(results_->a.frame, entry->cursor);
         known.error_at = entry->cursor;
     }
     return known.error;
@@ -101,7 +101,7 @@ std::optional<InterpolationError> Facts::interpolation_error() const {
 
 const ShadedVertex* Facts::vertex() const {
     const std::optional<int>& vertex = session_->selection.vertex;
-    const std::vector<VertexReport>& reports = results_->inspected.vertices;
+    const std::vector<VertexReport>& reports = results_->a.inspected.vertices;
     if (!vertex || *vertex < 0 || static_cast<std::size_t>(*vertex) >= reports.size()) {
         return nullptr;
     }

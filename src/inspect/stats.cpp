@@ -14,33 +14,6 @@ LeftOut count_left_out(const Frame& frame) {
     return left_out;
 }
 
-SamplesOutside count_samples_outside(const Frame& frame) {
-    SamplesOutside count;
-    if (frame.settings.stage == Stage::points) return count;
-    PolygonRows rows;
-    for (int t = 0; t < frame.triangle_count(); ++t) {
-        if (!frame.is_drawn(t)) continue;
-        compute_rows(frame, t, rows, nullptr, {});
-        count.samples += rows.outside;
-        count.triangles += rows.outside > 0 ? 1 : 0;
-    }
-    return count;
-}
-
-std::int64_t count_unset_rows(const Frame& frame) {
-    std::int64_t count = 0;
-    const bool are_drawn = frame.stages.row_pixel_count(empty_left, empty_right) != 0;
-    if (!are_drawn || !has_fragments(frame.settings.stage)) return count;
-    PolygonRows rows;
-    for (int t = 0; t < frame.triangle_count(); ++t) {
-        if (!frame.is_drawn(t)) continue;
-        compute_rows(frame, t, rows, nullptr, {});
-        for (int r = 0; r < rows.size(); ++r)
-            count += rows.is_empty_row(r) ? 1 : 0;
-    }
-    return count;
-}
-
 FrameStats frame_stats(const Frame& frame, const Cursor& to, Framebuffer& framebuffer) {
     clear(framebuffer, frame);
     const DrawTally tally =

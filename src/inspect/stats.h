@@ -39,22 +39,6 @@ struct FrameStats {
 /// Counts the triangles that the vertex shader left out.
 LeftOut count_left_out(const Frame& frame);
 
-/// Edge samples that fall outside their row table.
-struct SamplesOutside {
-    std::int64_t samples = 0;
-    int triangles = 0; ///< that have such samples
-
-    friend bool operator==(const SamplesOutside&, const SamplesOutside&) = default;
-};
-
-/// Makes the row tables of the whole frame without drawing it, and counts. Stage `points` makes
-/// none.
-SamplesOutside count_samples_outside(const Frame& frame);
-
-/// Rows of all tables that no sample reaches and that are drawn all the same: under guard, nothing
-/// of them is in the picture. 0 where the stages leave them out, and before stage `fill`.
-std::int64_t count_unset_rows(const Frame& frame);
-
 /// Draws everything before `to` and counts; `framebuffer` receives the picture.
 FrameStats frame_stats(const Frame& frame, const Cursor& to, Framebuffer& framebuffer);
 FrameStats frame_stats(const Frame& frame);

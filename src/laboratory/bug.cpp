@@ -160,26 +160,26 @@ Settings with_handout_rules(const Settings& settings) {
 
 void apply_bug(const Bug& bug, Session& session) {
     end_comparison(session);
-    const Settings before = session.settings;
-    const Settings base = with_handout_rules(before);
-    session.settings = wrong_run(bug, base);
+    const Run before = session.a;
+    const Settings base = with_handout_rules(before.settings);
+    session.a.settings = wrong_run(bug, base);
     compare_with(session, correct_run(bug, base));
-    session.taken = TakenRun{before, session.settings, nullptr, bug.id};
+    session.replaced = ReplacedRun{before, session.a, nullptr, bug.id};
 }
 
 void open_bug(const Bug& bug, Session& session) {
     Scene scene = read_scene_file(lessons_folder() + "/" + bug.scene);
     end_comparison(session);
-    const Settings before = session.settings;
+    const Run before = session.a;
     const std::shared_ptr<const Scene> before_scene = session.scene;
     set_scene(session, std::move(scene));
     apply_bug(bug, session);
-    session.taken->before = before;
-    if (session.scene != before_scene) session.taken->before_scene = before_scene;
+    session.replaced->before = before;
+    if (session.scene != before_scene) session.replaced->before_scene = before_scene;
 }
 
 bool is_on(const Session& session, std::string_view bug) {
-    return session.other.has_value() && session.taken && session.taken->bug == bug;
+    return session.b.has_value() && session.replaced && session.replaced->bug == bug;
 }
 
 } // namespace rasterwalk

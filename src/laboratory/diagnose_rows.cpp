@@ -14,8 +14,10 @@ namespace {
 
 using Rows = std::vector<PrintedRow>;
 
-/// Of larger scenes only the first triangles are looked at.
+/// Of larger scenes only the first triangles are looked at, and of them only as many as it takes to
+/// hold so many rows against the table.
 constexpr int most_triangles_tried = 2000;
+constexpr std::size_t most_rows_held = 10'000'000;
 
 std::uint64_t fingerprint(const Rows& rows) {
     std::uint64_t hash = 14695981039346656037u;
@@ -74,7 +76,9 @@ TablePolygon nearest_polygon(const Rows& rows, const Scene& scene, const Setting
     TablePolygon nearest = polygon_of({{10, 5}, {5, 10}, {15, 15}});
     double smallest = rows_distance(table_of(nearest, scene, reference), rows).mean;
     const Frame frame = prepare_frame(scene, reference);
-    const int count = std::min(frame.triangle_count(), most_triangles_tried);
+    const std::size_t fitting = most_rows_held / std::max<std::size_t>(rows.size(), 1);
+    const int tried = static_cast<int>(std::min<std::size_t>(most_triangles_tried, fitting));
+    const int count = std::min(frame.triangle_count(), tried);
     for (int t = 0; t < count; ++t) {
         if (!frame.is_drawn(t)) continue;
         const TablePolygon polygon{{},

@@ -44,7 +44,7 @@ std::uint64_t print_of(const Scene& scene, const Settings& settings) {
 
 /// The settings that a quiz begins with, before any mistake is made.
 Settings quiz_settings(const Session& session) {
-    Settings settings = with_handout_rules(session.settings);
+    Settings settings = with_handout_rules(session.a.settings);
     settings.stage = Stage::pixel_light;
     settings.light.power = glm::max(settings.light.power, glm::vec3(visible_power));
     return settings;
@@ -156,21 +156,21 @@ bool start_quiz(Session& session, const std::vector<Bug>& bugs, std::uint32_t se
     Dice dice(seed);
     Quiz quiz;
     quiz.seed = seed;
-    quiz.before = session.settings;
+    quiz.before = session.a.settings;
     Settings settings = quiz_settings(session);
     const std::vector<std::size_t> chosen = choose(session, shown, count, dice);
     for (const std::size_t i : chosen) {
         quiz.questions.push_back(question_about(session, shown, i));
         apply_bug_rule(*shown.bugs[i], settings);
     }
-    session.settings = settings;
+    session.a.settings = settings;
     session.quiz = std::move(quiz);
     session.undo = {};
     return true;
 }
 
 Settings quiz_reference(const Session& session) {
-    Settings settings = with_handout_rules(session.settings);
+    Settings settings = with_handout_rules(session.a.settings);
     if (session.quiz) {
         // The lamp's power may be the mistake.
         settings.light.power = glm::max(session.quiz->before.light.power, glm::vec3(visible_power));

@@ -125,7 +125,7 @@ class Checker {
     }
 
     static void follow(Session& session, const LessonLink& link) {
-        follow_lesson_link(session, prepare_frame(*session.scene, session.settings), link);
+        follow_lesson_link(session, prepare_frame(*session.scene, session.a.settings), link);
     }
 
     /// What a link names that the session does not know.
@@ -161,7 +161,7 @@ class Checker {
         show_state(session, state_of_step(task.step), lesson_.folder);
         if (session.scene == nullptr) return;
         Results results;
-        update(session, results);
+        finish(session, results);
         if (is_done(task, Facts(session, results))) {
             add(task.done_line, "the task '" + task.id + "' is solved before it is begun.");
             return;
@@ -177,7 +177,7 @@ class Checker {
             add(task.recipe_line, fault.what());
             return;
         }
-        update(session, results);
+        finish(session, results);
         if (!is_done(task, Facts(session, results))) {
             add(task.recipe_line, "the recipe does not solve the task '" + task.id + "'.");
         }
@@ -245,7 +245,7 @@ class Checker {
         if (prediction.right_pixel) at.pixel = prediction.right_pixel;
         show_state(session, at, lesson_.folder);
         Results results;
-        update(session, results);
+        finish(session, results);
         const Facts facts(session, results);
         try {
             std::string missing;

@@ -169,7 +169,7 @@ std::optional<int> chosen(const LessonLink& link, const char* what, int count) {
 
 void pick_pixel(Session& session, const LessonLink& link) {
     const std::optional<glm::ivec2> pixel = parse_pixel(link.argument);
-    const Viewport& size = session.settings.viewport;
+    const Viewport& size = session.a.settings.viewport;
     if (pixel &&
         (pixel->x < 0 || pixel->y < 0 || pixel->x >= size.width || pixel->y >= size.height)) {
         throw UsageError("the pixel " + in_quotes(link.argument) + " lies outside the picture of " +
@@ -183,7 +183,7 @@ void follow_compare(Session& session, const LessonLink& link) {
     if (link.argument == "off") {
         stop_comparing(session);
     } else {
-        compare_with(session, settings_with(session.settings, assignments_of(link.argument)));
+        compare_with(session, settings_with(session.a.settings, assignments_of(link.argument)));
     }
 }
 
@@ -222,7 +222,7 @@ LessonLink parse_lesson_link(std::string_view target) {
 void follow_lesson_link(Session& session, const Frame& frame, const LessonLink& link) {
     switch (link.kind) {
     case LinkKind::set:
-        session.settings = settings_with(session.settings, assignments_of(link.argument));
+        session.a.settings = settings_with(session.a.settings, assignments_of(link.argument));
         break;
     case LinkKind::cursor: {
         const Cursor cursor = moment_of(frame, link.argument);
@@ -240,7 +240,7 @@ void follow_lesson_link(Session& session, const Frame& frame, const LessonLink& 
         session.selection.triangle = chosen(link, "triangle", frame.triangle_count());
         break;
     case LinkKind::row:
-        session.selection.row = chosen(link, "row", session.settings.viewport.height);
+        session.selection.row = chosen(link, "row", session.a.settings.viewport.height);
         break;
     case LinkKind::vertex:
         session.selection.vertex = chosen(link, "vertex", triangle_corners);
@@ -255,7 +255,7 @@ void follow_lesson_link(Session& session, const Frame& frame, const LessonLink& 
         toggle_overlay(session, link);
         break;
     case LinkKind::preset:
-        apply_preset(find_preset(session.presets, link.argument), session.settings);
+        apply_preset(find_preset(session.presets, link.argument), session.a.settings);
         break;
     case LinkKind::bug:
         open_bug(find_bug(read_bugs(), link.argument), session);

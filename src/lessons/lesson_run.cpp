@@ -25,7 +25,7 @@ struct Trial {
                             const Session& like) {
         session.presets = like.presets;
         std::vector<Fault> faults = show_state(session, state, folder);
-        if (session.scene != nullptr) update(session, results);
+        if (session.scene != nullptr) finish(session, results);
         return faults;
     }
 };

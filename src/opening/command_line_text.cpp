@@ -93,7 +93,7 @@ class Line {
     }
 
     void say_settings() {
-        for (const RunDifference& change : run_differences(base_.settings, session_.settings)) {
+        for (const RunDifference& change : run_differences(base_.a.settings, session_.a.settings)) {
             if (change.setting == "stage") {
                 say("--stage", change.b);
             } else {

@@ -136,7 +136,7 @@ void set_size(Settings& settings, SceneSpace space, const std::string& size) {
 
 /// The settings that the start asks for.
 void set_as_start_says(Start& start) {
-    Settings& settings = start.session.settings;
+    Settings& settings = start.session.a.settings;
     settings = default_settings(*start.session.scene);
     for (const std::string& assignment : start.state.set) {
         try {
@@ -150,11 +150,11 @@ void set_as_start_says(Start& start) {
 /// What was set by the options, on top of the start.
 void set_as_options_say(const ViewOptions& options, const std::optional<Bug>& bug,
                         Session& session) {
-    Settings& settings = session.settings;
+    Settings& settings = session.a.settings;
     if (!options.size.empty()) set_size(settings, session.scene->space, options.size);
     if (bug) apply_bug(*bug, session);
     // Both runs of a mistake: or else what is set would count as a part of it.
-    for (Settings* const run : {&settings, bug ? &*session.other : nullptr}) {
+    for (Settings* const run : {&settings, bug ? &session.b->settings : nullptr}) {
         if (run == nullptr) continue;
         for (const std::string& name : options.presets)
             apply_preset(find_preset(session.presets, name), *run);
@@ -172,7 +172,7 @@ bool changes_picture(const ViewOptions& o) {
 
 /// Where the start's cursor, pixel and row do not exist with other settings, they give way.
 void fit(const Session& session, ViewState& state) {
-    const Frame frame = prepare_frame(*session.scene, session.settings);
+    const Frame frame = prepare_frame(*session.scene, session.a.settings);
     if (state.cursor) state.cursor = Timeline(frame).at_or_after(*state.cursor);
     const Viewport& size = frame.settings.viewport;
     const std::optional<glm::ivec2>& pixel = state.pixel;
@@ -246,17 +246,17 @@ Session open_view(const ViewOptions& given) {
     set_as_options_say(options, bug, session);
 
     take_options(options, state);
-    const std::optional<Settings> correct = session.other;
-    const std::optional<TakenRun> taken = session.taken;
+    const std::optional<Run> correct = session.b;
+    const std::optional<ReplacedRun> replaced = session.replaced;
     refuse_faults(start.path, place_vertices(session, state));
     if (changes_picture(options)) fit(session, state);
     refuse_faults(start.path, show_on_scene(session, state));
-    const Frame frame = prepare_frame(*session.scene, session.settings);
+    const Frame frame = prepare_frame(*session.scene, session.a.settings);
     const auto to = options.given.find("cursor");
     if (to != options.given.end()) session.cursor = moment_of(frame, to->second.back());
     if (bug && options.given.count("compare") == 0 && correct) {
         compare_with(session, *correct);
-        session.taken = taken; // the laboratory turns it off again
+        session.replaced = replaced; // the laboratory turns it off again
     }
     session.jumps = 0;
     return std::move(start.session);

@@ -159,16 +159,29 @@ class EdgeDrawing : public SampleSink {
     bool shown_, watched_;
 };
 
+/// What the row table took, and what is wrong with it.
+void count_rows(const PolygonRows& rows, bool draws_unset, DrawTally& tally) {
+    tally.samples_outside += rows.outside;
+    tally.triangles_outside += rows.outside > 0 ? 1 : 0;
+    tally.rows_looked_at += rows.looked_at;
+    if (!draws_unset) return;
+    for (int r = 0; r < rows.size(); ++r)
+        tally.unset_rows += rows.is_empty_row(r) ? 1 : 0;
+}
+
+/// Are rows that no edge sample has reached drawn all the same?
+bool draws_unset_rows(const Frame& frame) {
+    return has_fragments(frame.settings.stage) &&
+           frame.stages.row_pixel_count(empty_left, empty_right) != 0;
+}
+
 /// Coverage: the row table of the triangle.
 void cover(Drawing& d, int triangle) {
     EdgeDrawing edges(d, triangle);
     compute_rows(d.frame, triangle, d.rows, edges.is_wanted() ? &edges : nullptr, d.carried);
-    d.tally.samples_outside += d.rows.outside;
-    d.tally.triangles_outside += d.rows.outside > 0 ? 1 : 0;
-    d.tally.rows_looked_at += d.rows.looked_at;
-    if (!d.draws_unset) return;
-    for (int r = 0; r < d.rows.size(); ++r)
-        d.tally.unset_rows += d.rows.is_empty_row(r) ? 1 : 0;
+    if (d.window.from <= Cursor{triangle, Phase::vertices, 0, 0}) {
+        count_rows(d.rows, d.draws_unset, d.tally);
+    }
 }
 
 /// Stage `rows`: both ends of each row, the left one first.
@@ -234,6 +247,30 @@ void draw_triangle(Drawing& d, int triangle) {
 
 } // namespace
 
+DrawTally& operator+=(DrawTally& sum, const DrawTally& part) {
+    sum.fragments += part.fragments;
+    sum.samples_outside += part.samples_outside;
+    sum.triangles_outside += part.triangles_outside;
+    sum.shaded += part.shaded;
+    sum.rows_looked_at += part.rows_looked_at;
+    sum.unset_rows += part.unset_rows;
+    sum.depth_outside += part.depth_outside;
+    return sum;
+}
+
+DrawTally tally_rows(const Frame& frame, int first) {
+    DrawTally tally;
+    if (frame.settings.stage == Stage::points) return tally;
+    const bool draws_unset = draws_unset_rows(frame);
+    PolygonRows rows;
+    for (int t = std::max(first, 0); t < frame.triangle_count(); ++t) {
+        if (!frame.is_drawn(t)) continue;
+        compute_rows(frame, t, rows, nullptr, {});
+        count_rows(rows, draws_unset, tally);
+    }
+    return tally;
+}
+
 void clear(Framebuffer& framebuffer, const Frame& frame) {
     clear(framebuffer, frame, frame.settings.viewport, {0, 0});
 }
@@ -260,8 +297,7 @@ DrawTally draw(const Frame& frame, const DrawWindow& window, Framebuffer& frameb
               .carried = carried,
               .is_depth_tested = depth_rule(settings) != DepthTest::off,
               .shades_first = settings.shading == Shading::before_depth_test,
-              .draws_unset = has_fragments(settings.stage) &&
-                             frame.stages.row_pixel_count(empty_left, empty_right) != 0,
+              .draws_unset = draws_unset_rows(frame),
               .target = framebuffer,
               .observer = observer,
               .rows = {},

@@ -18,7 +18,9 @@ struct DrawWindow {
     std::optional<Rectangle> scissor;
 };
 
-/// What draw() did with the triangles that it did not pass over.
+/// What draw() did with the triangles that it did not pass over. What is told of row tables is told
+/// of the triangles that begin in the window, so that tallies of windows that follow each other can
+/// be added.
 struct DrawTally {
     std::int64_t fragments = 0;       ///< that fell in the framebuffer and the scissor
     std::int64_t samples_outside = 0; ///< edge samples outside their row table, of whole triangles
@@ -28,6 +30,11 @@ struct DrawTally {
     std::int64_t unset_rows = 0;      ///< rows without a sample that are drawn all the same
     std::int64_t depth_outside = 0;   ///< tested fragments whose pixel has no depth cell
 };
+
+DrawTally& operator+=(DrawTally& sum, const DrawTally& part);
+
+/// What the row tables of the triangles from `first` on come to, without drawing them.
+DrawTally tally_rows(const Frame& frame, int first);
 
 /// Makes the framebuffer ready for a frame: black and empty, of the picture's size, or for a window
 /// of it.

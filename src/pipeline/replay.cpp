@@ -1,90 +1,25 @@
 #include "pipeline/replay.h"
 
 #include <algorithm>
-#include <cmath>
-
-#include <glm/vec2.hpp>
+#include <climits>
+#include <utility>
 
 namespace rasterwalk {
 
 namespace {
 
-// Work is counted in fragments: one takes about 20 nanoseconds.
-
-/// Marks lie at least this far apart: as much as it takes to put back a copy of 500 x 500 pixels.
+/// Marks lie at least this far apart: as much work as it takes to put back a copy of 500 x 500
+/// pixels.
 constexpr double smallest_spacing = 50'000;
 
-/// So far apart are the copies that are laid on the first way: far enough for the drawing of a
-/// frame not to be much slower for them, and near enough for a jump back to seem immediate.
+/// The copies that are laid on the first way lie at least this far apart, and as far as this part
+/// of the frame: so far that the drawing is not much slower for them, and so near that a jump back
+/// takes no longer than the drawing did.
 constexpr double first_way_spacing = 500'000;
-
-/// What an edge sample, and a triangle by itself, cost beside a fragment.
-constexpr double sample_work = 2;
-constexpr double triangle_work = 20;
-
-/// Triangles of more work than this may have a mark within.
-constexpr double large_triangle = 5'000;
+constexpr double first_way_part = 1.0 / 3.0;
 
 /// Over more triangles than this it is not worth asking which pixels have changed.
 constexpr int most_triangles_asked = 8;
-
-struct Box {
-    double left, top, right, bottom;
-
-    double width() const { return std::max(right - left, 0.0); }
-    double height() const { return std::max(bottom - top, 0.0); }
-    double area() const { return width() * height(); }
-};
-
-Box box_of(std::span<const Fragment> v) {
-    Box box{1e9, 1e9, -1e9, -1e9};
-    for (const Fragment& vertex : v) {
-        box.left = std::min(box.left, static_cast<double>(vertex.column));
-        box.right = std::max(box.right, vertex.column + 1.0);
-        box.top = std::min(box.top, static_cast<double>(vertex.row));
-        box.bottom = std::max(box.bottom, vertex.row + 1.0);
-    }
-    return box;
-}
-
-Box in_picture(const Box& box, Viewport picture) {
-    return {std::max(box.left, 0.0), std::max(box.top, 0.0),
-            std::min(box.right, static_cast<double>(picture.width)),
-            std::min(box.bottom, static_cast<double>(picture.height))};
-}
-
-/// Of a polygon without dents, as a fan of triangles about its first corner.
-double twice_the_area(std::span<const Fragment> v) {
-    double area = 0.0;
-    for (std::size_t i = 2; i < v.size(); ++i) {
-        const glm::dvec2 p(v[i - 1].column - v[0].column, v[i - 1].row - v[0].row);
-        const glm::dvec2 q(v[i].column - v[0].column, v[i].row - v[0].row);
-        area += std::abs(p.x * q.y - p.y * q.x);
-    }
-    return area;
-}
-
-/// An estimate of what it takes to draw a triangle. Its box is taken to be filled evenly.
-double work_of(const Frame& frame, int triangle) {
-    if (!frame.is_drawn(triangle)) return 0.0;
-    const std::span<const Fragment> v = frame.triangle_vertices(triangle);
-    const Box box = box_of(v);
-    const double samples = 2.0 * std::max(box.width(), box.height());
-    double fragments = 0.0;
-    if (has_fragments(frame.settings.stage)) {
-        fragments = (twice_the_area(v) + samples) / 2.0;
-        fragments *= in_picture(box, frame.settings.viewport).area() / box.area();
-    }
-    return triangle_work + sample_work * samples + fragments;
-}
-
-/// A moment within a triangle, at the beginning of a row, with this share of its work before it.
-Cursor moment_within(const Frame& frame, int triangle, double share) {
-    const Box box = box_of(frame.triangle_vertices(triangle));
-    const Box shown = in_picture(box, frame.settings.viewport);
-    const double row = shown.top - box.top + share * shown.height();
-    return {triangle, Phase::rows, static_cast<int>(row), 0};
-}
 
 std::int64_t area(const Rectangle& r) {
     return static_cast<std::int64_t>(std::max(r.right - r.left, 0)) * std::max(r.bottom - r.top, 0);
@@ -94,11 +29,21 @@ Rectangle whole_picture(const Frame& frame) {
     return {0, 0, frame.settings.viewport.width, frame.settings.viewport.height};
 }
 
+/// The same moment; at the beginning of a triangle as a cursor behind the triangle before, so that
+/// draw() leaves the row table of this one alone.
+Cursor behind_triangles_before(const Cursor& cursor) {
+    const bool is_begin = cursor.phase == Phase::vertices && cursor.index <= 0 && cursor.step <= 0;
+    if (!is_begin || cursor.triangle <= 0 || cursor == cursor_end) return cursor;
+    return {cursor.triangle - 1, Phase::rows, INT_MAX, 0};
+}
+
 } // namespace
 
 void Replay::begin(const Frame& frame) {
     frame_ = &frame;
-    cursor_ = cursor_begin;
+    work_.begin(frame);
+    cursor_ = tallied_ = cursor_begin;
+    tally_ = {};
     has_gone_back_ = false;
     clear(framebuffer_, frame);
     place_marks();
@@ -109,48 +54,61 @@ void Replay::place_marks() {
     const std::size_t bytes = framebuffer_.bytes();
     const std::size_t room = bytes > 0 ? budget_ / bytes : 0;
     if (room == 0) return;
-    double total = 0.0;
-    for (int t = 0; t < frame_->triangle_count(); ++t)
-        total += work_of(*frame_, t);
+    const double total = work_.total();
     const double spacing = std::max(smallest_spacing, total / (static_cast<double>(room) + 1.0));
-    double before = 0.0;    // work of the triangles before t
-    double first_way = 0.0; // work before the last mark that is laid on the first way
-    double next = spacing;  // work before the next mark
-    for (int t = 0; t < frame_->triangle_count() && marks_.size() < room; ++t) {
-        const double work = work_of(*frame_, t);
-        const bool is_large = work > large_triangle && has_fragments(frame_->settings.stage);
-        for (; next < before + work && marks_.size() < room; next += spacing) {
-            Mark mark;
-            mark.cursor = is_large ? moment_within(*frame_, t, (next - before) / work)
-                                   : Cursor{t, Phase::vertices, 0, 0};
-            mark.on_first_way = next - first_way >= first_way_spacing;
-            if (mark.on_first_way) first_way = next;
-            marks_.push_back(std::move(mark));
-        }
-        before += work;
+    const double first_way = std::max(first_way_spacing, first_way_part * total);
+    double last = 0.0; // work before the last mark that is laid on the first way
+    for (double next = spacing; next < total && marks_.size() < room; next += spacing) {
+        Mark mark;
+        mark.cursor = work_.at(next);
+        mark.on_first_way = next - last >= first_way;
+        if (mark.on_first_way) last = next;
+        marks_.push_back(std::move(mark));
     }
 }
 
-const Framebuffer& Replay::at(const Cursor& cursor) {
+const Framebuffer& Replay::toward(const Cursor& cursor, const WorkLimit& limit) {
     const Mark* const mark = last_laid(cursor);
     if (cursor < cursor_) {
-        const Rectangle whole = whole_picture(*frame_);
-        const Rectangle changed = changed_between(cursor, cursor_);
-        restore(changed, mark);
-        cursor_ = mark != nullptr ? mark->cursor : cursor_begin;
-        if (!(changed == whole)) {
-            // All other pixels are as they are at `cursor` already.
-            draw(*frame_, {cursor_, cursor, changed}, framebuffer_);
-            cursor_ = cursor;
-            return framebuffer_;
-        }
-        has_gone_back_ = true;
+        go_back(cursor, mark, limit);
     } else if (mark != nullptr && mark->cursor > cursor_) {
         restore(whole_picture(*frame_), mark);
         cursor_ = mark->cursor;
     }
-    draw_on(cursor);
+    lay_and_draw(part_end(cursor, limit));
     return framebuffer_;
+}
+
+/// Back to the cursor, or to the mark before it.
+void Replay::go_back(const Cursor& cursor, const Mark* mark, const WorkLimit& limit) {
+    const Rectangle whole = whole_picture(*frame_);
+    const Cursor from = mark != nullptr ? mark->cursor : cursor_begin;
+    const bool is_little = work_.before(cursor) - work_.before(from) <= limit.at_once;
+    const Rectangle changed = is_little ? changed_between(cursor, cursor_) : whole;
+    restore(changed, mark);
+    cursor_ = from;
+    if (changed == whole) {
+        has_gone_back_ = true;
+        return;
+    }
+    // All other pixels are as they are at `cursor` already.
+    draw(*frame_, {from, cursor, changed}, framebuffer_);
+    cursor_ = cursor;
+}
+
+/// How far toward the cursor the limit allows to draw; further than now, unless that is the cursor.
+Cursor Replay::part_end(const Cursor& cursor, const WorkLimit& limit) const {
+    const double begun = work_.before(cursor_), missing = work_.before(cursor) - begun;
+    const double part = limit.of(missing);
+    if (part >= missing) return cursor;
+    Cursor end = work_.at(begun + part);
+    // Where the estimate does not lead on, a row or a triangle is drawn.
+    if (end <= cursor_) {
+        end = cursor_.phase == Phase::rows
+                  ? Cursor{cursor_.triangle, Phase::rows, cursor_.index + 1, 0}
+                  : Cursor{cursor_.triangle + 1, Phase::vertices, 0, 0};
+    }
+    return std::min(cursor, end);
 }
 
 /// The last mark with a copy that is not after the cursor; null: there is none.
@@ -225,7 +183,7 @@ void Replay::restore(const Rectangle& pixels, const Mark* mark) {
 }
 
 /// Draws from where the framebuffer stands to the cursor, and lays copies on the way.
-void Replay::draw_on(const Cursor& cursor) {
+void Replay::lay_and_draw(const Cursor& cursor) {
     Mark* last_passed = nullptr;
     for (Mark& mark : marks_) {
         if (mark.cursor > cursor_ && mark.cursor <= cursor && !mark.is_laid()) last_passed = &mark;
@@ -235,12 +193,23 @@ void Replay::draw_on(const Cursor& cursor) {
         // One a call, the one that lies nearest to where someone is at work.
         const bool is_wanted = mark.on_first_way || (has_gone_back_ && &mark == last_passed);
         if (!is_wanted) continue;
-        draw(*frame_, {cursor_, mark.cursor, {}}, framebuffer_);
-        cursor_ = mark.cursor;
+        draw_on(mark.cursor);
         mark.copy = framebuffer_;
     }
-    draw(*frame_, {cursor_, cursor, {}}, framebuffer_);
-    cursor_ = cursor;
+    draw_on(cursor);
+}
+
+/// Draws from where the framebuffer stands to the cursor.
+void Replay::draw_on(const Cursor& cursor) {
+    if (cursor_ < tallied_) {
+        const Cursor to = std::min(cursor, tallied_);
+        draw(*frame_, {cursor_, to, {}}, framebuffer_);
+        cursor_ = to;
+    }
+    if (cursor_ < cursor) {
+        tally_ += draw(*frame_, {cursor_, behind_triangles_before(cursor), {}}, framebuffer_);
+        cursor_ = tallied_ = cursor;
+    }
 }
 
 std::size_t Replay::keyframe_count() const {

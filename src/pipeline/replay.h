@@ -7,6 +7,7 @@
 #include "pipeline/draw.h"
 #include "pipeline/frame.h"
 #include "pipeline/framebuffer.h"
+#include "pipeline/work.h"
 
 namespace rasterwalk {
 
@@ -15,8 +16,8 @@ namespace rasterwalk {
 /// again: a step back costs what it undoes.
 ///
 /// Copies (keyframes) lie at marks that are evenly spread over the work of the frame, as many as
-/// the budget holds. In a frame of much work a few are laid on the way of the first drawing, the
-/// others, one a call, once someone has gone back.
+/// the budget holds. In a frame of much work one or two are laid on the way of the first drawing,
+/// the others, one a call, once someone has gone back.
 class Replay {
   public:
     explicit Replay(std::size_t budget_bytes = std::size_t{64} << 20) : budget_(budget_bytes) {}
@@ -25,7 +26,19 @@ class Replay {
     void begin(const Frame& frame);
 
     /// The framebuffer with everything before `cursor` drawn; valid until the next call.
-    const Framebuffer& at(const Cursor& cursor);
+    const Framebuffer& at(const Cursor& cursor) { return toward(cursor, {}); }
+
+    /// Goes toward the cursor as far as the limit allows. The framebuffer has everything before
+    /// drawn() drawn; valid until the next call.
+    const Framebuffer& toward(const Cursor& cursor, const WorkLimit& limit);
+    const Cursor& drawn() const { return cursor_; }
+
+    /// What has been drawn of the frame so far, everything once, and the moment up to which that
+    /// was.
+    const DrawTally& tally() const { return tally_; }
+    const Cursor& tallied() const { return tallied_; }
+
+    const FrameWork& work() const { return work_; }
 
     /// Memory that the copies take.
     std::size_t keyframe_bytes() const;
@@ -43,11 +56,17 @@ class Replay {
     const Mark* last_laid(const Cursor& cursor) const;
     Rectangle changed_between(const Cursor& from, const Cursor& to) const;
     void restore(const Rectangle& pixels, const Mark* mark);
+    void go_back(const Cursor& cursor, const Mark* mark, const WorkLimit& limit);
+    Cursor part_end(const Cursor& cursor, const WorkLimit& limit) const;
+    void lay_and_draw(const Cursor& cursor);
     void draw_on(const Cursor& cursor);
 
     const Frame* frame_ = nullptr;
+    FrameWork work_;
     Framebuffer framebuffer_;
     Cursor cursor_ = cursor_begin;
+    DrawTally tally_;
+    Cursor tallied_ = cursor_begin;
     std::vector<Mark> marks_; ///< in order of time
     std::size_t budget_;
     bool has_gone_back_ = false;

@@ -25,7 +25,7 @@ bool is_over(const Quiz& quiz) {
 
 void end_quiz(Session& session) {
     if (!session.quiz) return;
-    session.settings = session.quiz->before;
+    session.a.settings = session.quiz->before;
     stop_comparing(session);
     session.quiz = std::nullopt;
     session.undo = {};

@@ -1,27 +1,11 @@
 #include "session/results.h"
 
-#include <array>
-#include <string_view>
-
-#include "inspect/stats.h"
-#include "picture/view_image.h"
+#include <algorithm>
+#include <cmath>
 
 namespace rasterwalk {
 
 namespace {
-
-std::string counted(int count, std::string_view one, std::string_view many) {
-    return std::to_string(count).append(" ").append(count == 1 ? one : many);
-}
-
-std::optional<int> shown_triangle(const Session& session, const Results& results) {
-    const int count = results.frame.triangle_count();
-    if (session.selection.triangle && *session.selection.triangle < count) {
-        return session.selection.triangle;
-    }
-    if (results.done) return results.done->triangle;
-    return count > 0 ? std::optional(0) : std::nullopt;
-}
 
 /// The picked pixel, if it lies in the picture.
 std::optional<glm::ivec2> picked_pixel(const Session& session, const Frame& frame) {
@@ -33,114 +17,116 @@ std::optional<glm::ivec2> picked_pixel(const Session& session, const Frame& fram
 }
 
 void update_overlay(const Session& session, Results& results, bool moved) {
-    if (!moved && results.overlay.shown == session.overlays) return;
-    compose_overlays(results.frame, results.cursor, *results.framebuffer, session.overlays, !moved,
-                     results.overlay);
+    const bool is_missing = !(results.overlay.shown == session.overlays) || results.overlay_is_old;
+    if (!moved && !is_missing) return;
+    // It marks what is on the picture at the cursor: until that is drawn there is nothing to mark.
+    results.overlay_is_old = !results.a.is_drawn();
+    if (results.overlay_is_old) {
+        results.overlay = {};
+        ++results.overlay_number;
+        return;
+    }
+    compose_overlays(results.a.frame, results.a.cursor, *results.a.framebuffer, session.overlays,
+                     !moved, results.overlay);
     ++results.overlay_number;
 }
 
 void update_history(const Session& session, Results& results, bool new_frame) {
-    const std::optional<glm::ivec2> pixel = picked_pixel(session, results.frame);
+    const std::optional<glm::ivec2> pixel = picked_pixel(session, results.a.frame);
     const auto known = results.history ? std::optional(results.history->pixel) : std::nullopt;
     if (!new_frame && pixel == known) return;
     results.history = std::nullopt;
-    if (pixel) results.history = pixel_history(results.frame, *pixel);
+    if (pixel) results.history = pixel_history(results.a.frame, *pixel);
+}
+
+std::string size_text(Viewport size) {
+    return std::to_string(size.width).append(" x ").append(std::to_string(size.height));
+}
+
+/// Why the two runs cannot be compared; empty if they can.
+std::string obstacle(const Settings& a, const Settings& b) {
+    if (a.viewport == b.viewport) return "";
+    return std::string("Run B cannot be compared with run A: its picture has ")
+        .append(size_text(b.viewport))
+        .append(" pixels, that of A ")
+        .append(size_text(a.viewport))
+        .append(".");
+}
+
+/// The end of the scale: that of the whole frame's difference, so that it does not jump while time
+/// runs, unless more is seen at the cursor.
+float scale_limit(const ComparisonResults& comparison, View view) {
+    float largest = view == View::colour ? comparison.whole().pixels.largest : 0.0f;
+    for (const float value : comparison.difference_values)
+        largest = std::max(largest, std::abs(value));
+    return difference_limit(largest);
+}
+
+/// How the pictures at the cursor differ.
+void compare_pictures(const RunResults& a, const RunResults& b, View view,
+                      ComparisonResults& comparison) {
+    comparison.pixels = pixel_difference(*a.framebuffer, *b.framebuffer);
+    comparison.difference_values = signed_difference(*a.framebuffer, *b.framebuffer, view);
+    comparison.difference_limit = scale_limit(comparison, view);
+    comparison.difference = difference_image(comparison.difference_values, a.framebuffer->size,
+                                             comparison.difference_limit);
+    comparison.here = std::nullopt;
+    if (!a.is_drawn() || !b.is_drawn()) return;
+    const Cursor& next = std::min(a.cursor, b.cursor);
+    comparison.here = divergence_at(a.frame, *a.framebuffer, b.frame, *b.framebuffer, next);
+}
+
+void update_second_run(const Session& session, const RunChanges& a, const WorkLimit& limit,
+                       Results& results) {
+    results.no_comparison =
+        session.b ? obstacle(session.a.settings, session.b->settings) : std::string();
+    if (!session.b || !results.no_comparison.empty()) {
+        results.b = std::nullopt;
+        results.comparison = {};
+        return;
+    }
+    if (!results.b) results.b.emplace();
+    // Both in the colours of A, so that the same colour means the same depth.
+    SharedView shared{results.a.triangle, session.depth_range};
+    if (!shared.depths && results.depth) shared.depths = results.depth->range;
+    const RunChanges b =
+        update_run(session, *session.b, &shared, limit, results.numbers, *results.b);
+    ComparisonResults& comparison = results.comparison;
+    if (a.frame || b.frame) comparison.work.begin(results.a.frame, results.b->frame);
+    const bool was_done = comparison.work.is_done();
+    if (results.a.is_drawn() && results.b->is_drawn()) comparison.work.advance(limit);
+    // The scale of the difference follows the whole frames.
+    const bool new_scale = !was_done && comparison.work.is_done();
+    if (a.picture || b.picture || new_scale) {
+        compare_pictures(results.a, *results.b, session.view, comparison);
+        comparison.difference_number = ++results.numbers;
+    }
 }
 
 } // namespace
 
-namespace {
-
-/// How many pixels the stages give to a row that no edge sample has reached.
-int unset_row_pixels(const Frame& frame) {
-    PolygonRows rows;
-    frame.stages.begin_polygon_rows(std::array<Fragment, 1>{}, edge_rules(frame.settings), rows);
-    return row_span(frame.stages, rows, 0).count;
-}
-
-} // namespace
-
-std::vector<std::string> describe_troubles(const Frame& frame) {
-    std::vector<std::string> messages;
-    const LeftOut left_out = count_left_out(frame);
-    for (const RejectionWords& reason : rejection_list) {
-        const int count = left_out.of(reason.rejection);
-        if (count == 0) continue;
-        messages.push_back(counted(count, "triangle", "triangles").append(" left out: ") +
-                           std::string(reason.cause));
-    }
-    const std::int64_t unset = count_unset_rows(frame);
-    if (unset > 0) {
-        const int pixels = unset_row_pixels(frame);
-        messages.push_back(counted(static_cast<int>(unset), "row", "rows")
-                               .append(" that no edge sample reached: right − left + 1 is ")
-                               .append(std::to_string(pixels))
-                               .append(" there; nothing of it is in the picture"));
-    }
-    const Viewport size = frame.settings.viewport;
-    if (frame.settings.depth_index == DepthIndex::transposed && size.width != size.height &&
-        depth_rule(frame.settings) != DepthTest::off) {
-        messages.push_back("[x][y] lies outside the depth buffer for every pixel with x ≥ " +
-                           std::to_string(size.height) + " or y ≥ " + std::to_string(size.width) +
-                           ": not written there");
-    }
-    const SamplesOutside outside = count_samples_outside(frame);
-    if (outside.samples > 0) {
-        messages.push_back(counted(static_cast<int>(outside.samples), "edge sample", "edge samples")
-                               .append(" outside the row table of ")
-                               .append(counted(outside.triangles, "triangle", "triangles"))
-                               .append("; not written"));
-    }
-    return messages;
-}
-
-RowHistory rows_at_cursor(const Frame& frame, int triangle, const Cursor& cursor) {
-    if (!frame.is_drawn(triangle)) return {};
-    return row_history(frame, triangle, cursor);
-}
-
-bool update(const Session& session, Results& results) {
-    const bool new_frame = results.scene != session.scene || !results.view ||
-                           !(results.frame.settings == session.settings);
-    if (new_frame) {
-        results.scene = session.scene;
-        results.frame = prepare_frame(*results.scene, session.settings);
-        ++results.frame_number;
-        results.replay.begin(results.frame);
-        results.messages = describe_troubles(results.frame);
-    }
-    const Timeline timeline(results.frame);
-    const Cursor cursor = timeline.at_or_after(session.cursor);
-    const bool moved = new_frame || cursor != results.cursor;
-    const bool changed =
-        moved || results.view != session.view || results.depth_range != session.depth_range;
-    if (changed) {
-        results.cursor = cursor;
-        results.done = std::nullopt;
-        if (cursor != timeline.first()) {
-            results.done = timeline.previous(cursor, Granularity::moment);
-        }
-        results.framebuffer = &results.replay.at(cursor);
-        results.view = session.view;
-        results.depth_range = session.depth_range;
-        results.picture = view_image(*results.framebuffer, session.view, session.depth_range);
+bool update(const Session& session, Results& results, const WorkLimit& limit) {
+    const RunChanges changes =
+        update_run(session, session.a, nullptr, limit, results.numbers, results.a);
+    if (changes.picture) {
         results.depth = std::nullopt;
         if (session.view == View::depth) {
-            results.depth = depth_view(*results.framebuffer, session.depth_range);
+            results.depth = depth_view(*results.a.framebuffer, session.depth_range);
         }
-        ++results.picture_number;
     }
-    const std::optional<int> triangle = shown_triangle(session, results);
-    if (changed || triangle != results.triangle) {
-        results.triangle = triangle;
-        results.rows = triangle ? rows_at_cursor(results.frame, *triangle, cursor) : RowHistory{};
-    }
-    update_overlay(session, results, moved);
-    update_history(session, results, new_frame);
-    update_inspected(session, {results.frame, results.cursor, results.done, results.triangle},
-                     new_frame, moved, results.inspected);
-    update_compared(session, results, new_frame, moved, changed);
-    return changed;
+    update_overlay(session, results, changes.moment);
+    update_history(session, results, changes.frame);
+    update_second_run(session, changes, limit, results);
+    return changes.picture;
+}
+
+bool finish(const Session& session, Results& results) {
+    return update(session, results, {});
+}
+
+bool is_working(const Results& results) {
+    return !results.a.is_drawn() ||
+           (results.b && (!results.b->is_drawn() || !results.comparison.work.is_done()));
 }
 
 } // namespace rasterwalk

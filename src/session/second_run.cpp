@@ -56,55 +56,62 @@ std::optional<CompareView> find_compare_view(std::string_view name) {
     return std::nullopt;
 }
 
-void compare_with(Session& session, const Settings& other) {
-    if (!session.other) session.taken = std::nullopt;
-    session.other = other;
-    session.followed = RunPair{session.settings, other};
+void compare_with(Session& session, const Run& b) {
+    if (!session.b) session.replaced = std::nullopt;
+    session.b = b;
+    session.runs_before = RunPair{session.a, b};
+}
+
+void compare_with(Session& session, const Settings& settings) {
+    compare_with(session, Run{session.a.engine, settings});
 }
 
 void stop_comparing(Session& session) {
-    session.other = std::nullopt;
-    session.followed = std::nullopt;
-    session.taken = std::nullopt;
+    session.b = std::nullopt;
+    session.runs_before = std::nullopt;
+    session.replaced = std::nullopt;
 }
 
 void end_comparison(Session& session) {
-    const std::optional<TakenRun> taken = session.taken;
+    const std::optional<ReplacedRun> replaced = session.replaced;
     stop_comparing(session);
-    if (!taken) return;
-    if (taken->before_scene != nullptr) {
-        show_scene(session, taken->before_scene);
-        session.settings = taken->before;
+    if (!replaced) return;
+    if (replaced->before_scene != nullptr) {
+        show_scene(session, replaced->before_scene);
+        session.a = replaced->before;
         return;
     }
-    Settings& now = session.settings;
-    for (const RunDifference& difference : run_differences(taken->after, taken->before)) {
+    Settings& now = session.a.settings;
+    for (const RunDifference& difference :
+         run_differences(replaced->after.settings, replaced->before.settings)) {
         const Setting* const setting = find_setting(difference.setting);
         if (value_text(*setting, now) == difference.a) set_value(now, *setting, difference.b);
     }
 }
 
 void swap_runs(Session& session) {
-    if (!session.other) return;
-    std::swap(session.settings, *session.other);
-    session.followed = RunPair{session.settings, *session.other};
+    if (!session.b) return;
+    std::swap(session.a, *session.b);
+    session.runs_before = RunPair{session.a, *session.b};
 }
 
-void follow_first_run(Session& session) {
-    if (!session.other) {
-        session.followed = std::nullopt;
+void carry_changes_to_b(Session& session) {
+    if (!session.b) {
+        session.runs_before = std::nullopt;
         return;
     }
-    Settings& other = *session.other;
-    if (session.followed && session.followed->second == other) {
-        const Settings& before = session.followed->first;
+    if (session.runs_before && *session.runs_before == RunPair{session.a, *session.b}) return;
+    if (session.runs_before && session.runs_before->b == *session.b) {
+        const Settings& before = session.runs_before->a.settings;
+        Settings& b = session.b->settings;
         for (const Setting& setting : setting_table()) {
-            const std::string now = value_text(setting, session.settings);
-            const std::string then = value_text(setting, before);
-            if (now != then && then == value_text(setting, other)) set_value(other, setting, now);
+            const bool is_new = !has_same_value(setting, session.a.settings, before);
+            if (is_new && has_same_value(setting, before, b)) {
+                copy_value(setting, session.a.settings, b);
+            }
         }
     }
-    session.followed = RunPair{session.settings, other};
+    session.runs_before = RunPair{session.a, *session.b};
 }
 
 std::vector<RunDifference> run_differences(const Settings& a, const Settings& b) {
@@ -118,8 +125,8 @@ std::vector<RunDifference> run_differences(const Settings& a, const Settings& b)
 }
 
 std::vector<RunDifference> run_differences(const Session& session) {
-    if (!session.other) return {};
-    return run_differences(session.settings, *session.other);
+    if (!session.b) return {};
+    return run_differences(session.a.settings, session.b->settings);
 }
 
 std::span<const ComparePair> compare_pairs() {
@@ -144,15 +151,15 @@ std::span<const ComparePair> compare_pairs() {
 
 void start_pair(Session& session, const ComparePair& pair) {
     end_comparison(session);
-    Settings& a = session.settings;
-    const Settings before = a;
+    Settings& a = session.a.settings;
+    const Run before = session.a;
     if (a.stage < pair.first_stage) a.stage = pair.first_stage;
     if (a.stage > pair.last_stage) a.stage = pair.last_stage;
-    Settings b = a;
+    Run b = session.a;
     apply(pair.a, a);
-    apply(pair.b, b);
+    apply(pair.b, b.settings);
     compare_with(session, b);
-    session.taken = TakenRun{before, a, nullptr, {}};
+    session.replaced = ReplacedRun{before, session.a, nullptr, {}};
 }
 
 } // namespace rasterwalk

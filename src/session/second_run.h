@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "pipeline/run.h"
 #include "scene/scene.h"
-#include "settings/settings.h"
 
 namespace rasterwalk {
 
@@ -43,40 +43,41 @@ const std::array<CompareViewInfo, compare_view_count>& compare_view_list();
 std::span<const std::string_view> compare_view_names();
 std::optional<CompareView> find_compare_view(std::string_view name);
 
-/// The settings of both runs as they stood when follow_first_run() last looked.
+/// Both runs as they stood when carry_changes_to_b() last looked.
 struct RunPair {
-    Settings first, second;
+    Run a, b;
 
     friend bool operator==(const RunPair&, const RunPair&) = default;
 };
 
-/// What a pair or a mistake has taken the place of, to be brought back when the comparison ends.
-struct TakenRun {
-    Settings before, after; ///< run A before it was begun, and just after
+/// What a pair or a mistake has replaced, to be brought back when the comparison ends.
+struct ReplacedRun {
+    Run before, after; ///< run A before it was begun, and just after
     std::shared_ptr<const Scene>
         before_scene; ///< another scene than the one opened; null: it stayed
     std::string bug;  ///< id of the mistake; empty: a pair
 
-    friend bool operator==(const TakenRun&, const TakenRun&) = default;
+    friend bool operator==(const ReplacedRun&, const ReplacedRun&) = default;
 };
 
-/// Compares the session's settings with these from now on.
-void compare_with(Session& session, const Settings& other);
+/// Compares run A from now on with this run, or with one by the same engine with these settings.
+void compare_with(Session& session, const Run& b);
+void compare_with(Session& session, const Settings& settings);
 
 /// Back to one run; run A stays as it is.
 void stop_comparing(Session& session);
 
-/// Back to one run, and to what a pair or a mistake took the place of: its scene, and what it has
-/// set in run A, where that still stands.
+/// Back to one run, and to what a pair or a mistake replaced: the scene, and the values that it has
+/// set in run A, where they still stand.
 void end_comparison(Session& session);
 
 /// A becomes B and B becomes A.
 void swap_runs(Session& session);
 
-/// What is changed in A is changed in B too where both were the same before, so that a turn of the
-/// camera turns both. To be called once a frame, before update(). Leaves B alone if someone has set
-/// it since.
-void follow_first_run(Session& session);
+/// A setting that has changed in A changes in B too if both had the same value before, so that a
+/// turn of the camera turns both. To be called once a frame, before update(). If B has changed
+/// since the last call, it is left alone.
+void carry_changes_to_b(Session& session);
 
 /// A setting in which two runs differ.
 struct RunDifference {

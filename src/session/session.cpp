@@ -23,22 +23,21 @@ void set_scene(Session& session, Scene scene) {
         settings.light = fresh.light;
         settings.viewport = fresh.viewport;
     };
-    if (session.other) {
-        Settings other = *session.other;
-        take_view(other);
-        const bool same_stage = other.stage == session.settings.stage;
-        if (same_stage && !scene.stage.empty()) other.stage = fresh.stage;
-        session.other = other;
+    if (session.b) {
+        Settings& b = session.b->settings;
+        take_view(b);
+        const bool same_stage = b.stage == session.a.settings.stage;
+        if (same_stage && !scene.stage.empty()) b.stage = fresh.stage;
     }
-    if (session.taken) {
+    if (session.replaced) {
         // It can bring back what it set, but neither the scene nor the view of it.
-        session.taken->before_scene = nullptr;
-        take_view(session.taken->before);
-        take_view(session.taken->after);
+        session.replaced->before_scene = nullptr;
+        take_view(session.replaced->before.settings);
+        take_view(session.replaced->after.settings);
     }
-    take_view(session.settings);
-    if (!scene.stage.empty()) session.settings.stage = fresh.stage;
-    session.followed = std::nullopt;
+    take_view(session.a.settings);
+    if (!scene.stage.empty()) session.a.settings.stage = fresh.stage;
+    session.runs_before = std::nullopt;
     // The same scene again is no change that undo could take back.
     const bool is_same = session.scene != nullptr && *session.scene == scene;
     show_scene(session, is_same ? session.scene : std::make_shared<const Scene>(std::move(scene)));

@@ -11,6 +11,7 @@
 #include "picture/view_image.h"
 #include "pipeline/cursor.h"
 #include "pipeline/framebuffer.h"
+#include "pipeline/run.h"
 #include "pipeline/timeline.h"
 #include "scene/scene.h"
 #include "session/canvas_view.h"
@@ -40,10 +41,10 @@ struct Session {
     std::shared_ptr<const Scene> scene; ///< never null once opened
     std::vector<Preset> presets;
     std::vector<Term> glossary;
-    Settings settings;               ///< of run A
-    std::optional<Settings> other;   ///< of run B, which is compared with A; none: no comparison
-    std::optional<RunPair> followed; ///< for follow_first_run() alone
-    std::optional<TakenRun> taken;   ///< while a pair or a mistake is compared
+    Run a;
+    std::optional<Run> b;                ///< is compared with A; none: no comparison
+    std::optional<RunPair> runs_before;  ///< for carry_changes_to_b() alone
+    std::optional<ReplacedRun> replaced; ///< while a pair or a mistake is compared
     CompareView compare_view = CompareView::side_by_side;
     float wipe = 0.5f;        ///< place of the divider, 0 left to 1 right
     std::optional<Quiz> quiz; ///< while it goes on the settings are hidden

@@ -7,7 +7,7 @@ namespace rasterwalk {
 namespace {
 
 Choices choices_of(const Session& session) {
-    return {session.scene, session.settings, session.other,      session.taken,
+    return {session.scene, session.a,        session.b,          session.replaced,
             session.view,  session.overlays, session.depth_range};
 }
 
@@ -20,10 +20,10 @@ bool move_between(Session& session, std::vector<Choices>& from, std::vector<Choi
     from.pop_back();
     if (session.scene != stack.now.scene) session.selection = {};
     session.scene = stack.now.scene;
-    session.settings = stack.now.settings;
-    session.other = stack.now.other;
-    session.taken = stack.now.taken;
-    session.followed = std::nullopt;
+    session.a = stack.now.a;
+    session.b = stack.now.b;
+    session.replaced = stack.now.replaced;
+    session.runs_before = std::nullopt;
     session.view = stack.now.view;
     session.overlays = stack.now.overlays;
     session.depth_range = stack.now.depth_range;

@@ -7,8 +7,8 @@
 #include "picture/overlay.h"
 #include "picture/view_image.h"
 #include "pipeline/framebuffer.h"
+#include "pipeline/run.h"
 #include "session/second_run.h"
-#include "settings/settings.h"
 
 namespace rasterwalk {
 
@@ -17,9 +17,9 @@ struct Session;
 /// What undo takes back: everything that the student sets, but not where they look.
 struct Choices {
     std::shared_ptr<const Scene> scene;
-    Settings settings;
-    std::optional<Settings> other;
-    std::optional<TakenRun> taken;
+    Run a;
+    std::optional<Run> b;
+    std::optional<ReplacedRun> replaced;
     View view = View::colour;
     OverlaySet overlays;
     std::optional<DepthRange> depth_range;

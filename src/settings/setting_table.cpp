@@ -290,6 +290,29 @@ struct Reader {
     }
 };
 
+/// Compares one setting of two sets of settings: one function for each kind of setting.
+struct SameValue {
+    Settings a, b;
+
+    bool operator()(const ChoiceSetting& kind) { return kind.read(a) == kind.read(b); }
+    template <class Kind>
+    bool operator()(const Kind& kind) {
+        return kind.value(a) == kind.value(b);
+    }
+};
+
+/// Copies one setting: one function for each kind of setting.
+struct ValueCopy {
+    Settings from;
+    Settings& to;
+
+    void operator()(const ChoiceSetting& kind) { kind.write(to, kind.read(from)); }
+    template <class Kind>
+    void operator()(const Kind& kind) {
+        kind.value(to) = kind.value(from);
+    }
+};
+
 std::string range_text(float smallest, float largest) {
     return number_text(smallest).append(" to ").append(number_text(largest));
 }
@@ -361,6 +384,14 @@ std::string number_text(float value) {
 
 std::string value_text(const Setting& setting, const Settings& settings) {
     return std::visit(Reader{settings}, setting.kind);
+}
+
+bool has_same_value(const Setting& setting, const Settings& a, const Settings& b) {
+    return std::visit(SameValue{a, b}, setting.kind);
+}
+
+void copy_value(const Setting& setting, const Settings& from, Settings& to) {
+    std::visit(ValueCopy{from, to}, setting.kind);
 }
 
 std::string allowed_text(const Setting& setting) {

@@ -64,6 +64,12 @@ const Setting* find_setting(std::string_view name);
 /// still be read back as the same bits.
 std::string value_text(const Setting& setting, const Settings& settings);
 
+/// Has the setting the same value in both?
+bool has_same_value(const Setting& setting, const Settings& a, const Settings& b);
+
+/// Gives the setting in `to` the value that it has in `from`.
+void copy_value(const Setting& setting, const Settings& from, Settings& to);
+
 /// Which values the setting takes: "truncate, floor or round", "a number from 1 to 100000".
 std::string allowed_text(const Setting& setting);
 

@@ -184,7 +184,7 @@ bool is_same_place(const ViewChange& change) {
     const ViewState& to = change.to;
     const ViewState& from = change.from;
     return to.zoom == from.zoom && to.centre == from.centre && to.pixel == from.pixel &&
-           change.to_session.settings.viewport == change.from_session.settings.viewport;
+           change.to_session.a.settings.viewport == change.from_session.a.settings.viewport;
 }
 
 } // namespace
@@ -268,7 +268,7 @@ ViewField centre_field() {
         return {to_text(*change.to.centre)};
     };
     field.show = [](const ViewState& state, Session& session) {
-        const Viewport& size = session.settings.viewport;
+        const Viewport& size = session.a.settings.viewport;
         const glm::vec2 middle(0.5f * static_cast<float>(size.width),
                                0.5f * static_cast<float>(size.height));
         const glm::vec2 near = state.pixel ? glm::vec2(*state.pixel) : middle;
@@ -307,12 +307,12 @@ ViewField compare_field() {
     form.read = read_assignments;
     form.toml = toml_list;
     form.tell = [](const Session& session) -> std::optional<std::vector<std::string>> {
-        if (!session.other) return std::nullopt;
-        return assignments_between(session.settings, *session.other);
+        if (!session.b) return std::nullopt;
+        return assignments_between(session.a.settings, session.b->settings);
     };
     form.show = [](const auto& compare, Session& session) {
         stop_comparing(session);
-        if (compare) compare_with(session, settings_with(session.settings, *compare));
+        if (compare) compare_with(session, settings_with(session.a.settings, *compare));
     };
     const ViewOption option{
         "b", "NAME=VALUE",
@@ -327,14 +327,14 @@ ViewField compare_field() {
     field.words = [](const ViewChange& change) -> std::vector<std::string> {
         const Session& to = change.to_session;
         const Session& from = change.from_session;
-        if (!to.other) {
-            return from.other ? std::vector{std::string(no_value)} : std::vector<std::string>();
+        if (!to.b) {
+            return from.b ? std::vector{std::string(no_value)} : std::vector<std::string>();
         }
-        if (to.other == from.other && to.settings == from.settings) return {};
-        if (to.settings == *to.other) {
-            return {"stage=" + value_text(*find_setting("stage"), to.settings)};
+        if (to.b == from.b && to.a == from.a) return {};
+        if (to.a == *to.b) {
+            return {"stage=" + value_text(*find_setting("stage"), to.a.settings)};
         }
-        return assignments_between(to.settings, *to.other);
+        return assignments_between(to.a.settings, to.b->settings);
     };
     return field;
 }

@@ -23,9 +23,9 @@ class Showing {
             set_scene(session_, read_scene_file(find_lesson_file(folder, wanted)));
         });
         if (session_.scene == nullptr) return std::move(faults_);
-        session_.settings = default_settings(*session_.scene);
+        session_.a.settings = default_settings(*session_.scene);
         for (const std::string& assignment : state_.set)
-            attempt("set", [&] { set_from_text(session_.settings, assignment); });
+            attempt("set", [&] { set_from_text(session_.a.settings, assignment); });
         return show_on_scene();
     }
 

@@ -35,7 +35,7 @@ ViewField set_field() {
         return state.set.empty() ? std::string() : toml_list(state.set);
     };
     field.tell = [](const Session& session, const Scene& original, ViewState& state) {
-        state.set = assignments_between(default_settings(original), session.settings);
+        state.set = assignments_between(default_settings(original), session.a.settings);
     };
     field.take = [](const ViewState& over, ViewState& state) {
         state.set.insert(state.set.end(), over.set.begin(), over.set.end());
@@ -103,14 +103,14 @@ ViewField cursor_field() {
     form.word = [](const auto& cursor) { return to_text(cursor.value_or(cursor_end)); };
     form.tell = [](const Session& session) -> std::optional<Cursor> {
         if (session.cursor == cursor_end) return std::nullopt;
-        const Frame frame = prepare_frame(*session.scene, session.settings);
+        const Frame frame = prepare_frame(*session.scene, session.a.settings);
         const Cursor cursor = Timeline(frame).at_or_after(session.cursor);
         return cursor != cursor_end ? std::optional(cursor) : std::nullopt;
     };
     form.show = [](const auto& cursor, Session& session) {
         session.cursor = cursor_end;
         if (!cursor) return;
-        session.cursor = moment_of(prepare_frame(*session.scene, session.settings), *cursor);
+        session.cursor = moment_of(prepare_frame(*session.scene, session.a.settings), *cursor);
     };
     const ViewOption option{"to", "CURSOR",
                             "Draw up to this moment: t12, t12/v1, t12/e2/s14, t12/r37/c5 or end"};
@@ -141,10 +141,10 @@ ViewField pixel_field() {
     form.word = [text](const auto& pixel) { return pixel ? text(*pixel) : std::string(no_value); };
     form.tell = [is_inside](const Session& session) {
         const std::optional<glm::ivec2>& pixel = session.selection.pixel;
-        return pixel && is_inside(*pixel, session.settings.viewport) ? pixel : std::nullopt;
+        return pixel && is_inside(*pixel, session.a.settings.viewport) ? pixel : std::nullopt;
     };
     form.show = [text, is_inside](const auto& pixel, Session& session) {
-        const Viewport& size = session.settings.viewport;
+        const Viewport& size = session.a.settings.viewport;
         session.selection.pixel = std::nullopt;
         if (pixel && !is_inside(*pixel, size)) {
             throw UsageError("the pixel " + text(*pixel) + " lies outside the picture of " +
@@ -164,7 +164,7 @@ int triangles_of(const Session& session) {
 }
 
 int rows_of(const Session& session) {
-    return session.settings.viewport.height;
+    return session.a.settings.viewport.height;
 }
 
 int vertices_of(const Session&) {

@@ -110,9 +110,9 @@ void measure_pixel_history(Measurements& measurements, const Scene& scene,
 /// The room compared with itself under other rules, as a whole and by a jump of the cursor.
 void measure_comparison(Measurements& measurements, const std::string& scene_path) {
     Session session = open_session(scene_path);
-    const Frame a = prepare_frame(*session.scene, session.settings);
+    const Frame a = prepare_frame(*session.scene, session.a.settings);
     const auto whole = [&](const std::string& assignment) {
-        Settings settings = session.settings;
+        Settings settings = session.a.settings;
         set_from_text(settings, assignment);
         const Frame b = prepare_frame(*session.scene, settings);
         measure(measurements, "compare " + assignment, [&] { compare_runs(a, b); });
@@ -123,7 +123,7 @@ void measure_comparison(Measurements& measurements, const std::string& scene_pat
     start_pair(session, compare_pairs().front());
     Results results;
     update(session, results);
-    const Frame& frame = results.frame;
+    const Frame& frame = results.a.frame;
     const Timeline timeline(frame);
     session.cursor = timeline.at_place(0.7);
     measure(measurements, "comparing, a step", [&] {
@@ -161,7 +161,7 @@ void measure_interface(Measurements& measurements, const std::string& scene_path
     float yaw = 0.0f;
     measure(measurements, "interface, camera turns", [&] {
         yaw += 0.001f;
-        ui.session.settings.camera.yaw = yaw;
+        ui.session.a.settings.camera.yaw = yaw;
         frame();
     });
     close_ui(ui);

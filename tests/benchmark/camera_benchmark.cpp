@@ -100,7 +100,7 @@ Session made() {
 }
 
 void compare_with_affine(Session& session) {
-    Settings other = session.settings;
+    Settings other = session.a.settings;
     set_from_text(other, "interpolation=affine");
     compare_with(session, other);
 }
@@ -115,14 +115,14 @@ void take_session_figures(const Figures& figures, const std::string& scene, Sess
         if (is_comparing) compare_with_affine(session);
         Results results;
         figures.take(step, [&] {
-            session.settings.camera.yaw += turn;
-            follow_first_run(session);
+            session.a.settings.camera.yaw += turn;
+            carry_changes_to_b(session);
             update(session, results);
         });
         update(session, results);
-        session.cursor = Timeline(results.frame).at_place(0.7);
+        session.cursor = Timeline(results.a.frame).at_place(0.7);
         figures.take(moment, [&] {
-            session.cursor = Timeline(results.frame).next(session.cursor, Granularity::moment);
+            session.cursor = Timeline(results.a.frame).next(session.cursor, Granularity::moment);
             update(session, results);
         });
     }
@@ -156,7 +156,7 @@ void take_frame_figures(const Figures& figures, const std::string& scene, Sessio
         frame(); // sizes of windows and columns settle
     figures.take(rest, frame);
     figures.take(turning, [&] {
-        ui.session.settings.camera.yaw += turn;
+        ui.session.a.settings.camera.yaw += turn;
         frame();
     });
     close_ui(ui);

@@ -84,13 +84,13 @@ TEST_CASE("stats of the lab's room are the numbers that were found independently
 
 TEST_CASE("The size of the picture keeps the field of view unless the focal length is set too") {
     const auto focal_length = [](std::vector<std::string> arguments) {
-        return run(arguments).request.session.settings.camera.focal_length;
+        return run(arguments).request.session.a.settings.camera.focal_length;
     };
     CHECK(focal_length({"--size", "250x250"}) == 250.0f);
     CHECK(focal_length({"--size", "1000x250"}) == 250.0f);
     CHECK(focal_length({"--size", "250x250", "--set", "camera.focal_length=400"}) == 400.0f);
     CHECK(focal_length({"--set", "viewport.size=250x250"}) == 500.0f);
-    CHECK(run({"--size", "640x480"}).request.session.settings.viewport == Viewport{640, 480});
+    CHECK(run({"--size", "640x480"}).request.session.a.settings.viewport == Viewport{640, 480});
 }
 
 TEST_CASE("The view options set the session, and the more exact one wins") {
@@ -98,7 +98,7 @@ TEST_CASE("The view options set the session, and the more exact one wins") {
                                "rounding=round", "--stage", "depth", "--to", "t3/e1/s2"});
     REQUIRE(result.exit_code == 0);
     CHECK(result.request.open_window);
-    const Settings& settings = result.request.session.settings;
+    const Settings& settings = result.request.session.a.settings;
     CHECK(settings.light.power == glm::vec3(14.0f));
     CHECK(settings.rounding == Rounding::round);
     CHECK(settings.line_walk == LineWalk::exact);

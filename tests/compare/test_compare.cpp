@@ -5,6 +5,9 @@
 
 #include <catch2/catch.hpp>
 
+#include "settings/setting_table.h"
+#include "support/samples.h"
+
 using namespace rasterwalk;
 
 namespace {
@@ -59,4 +62,52 @@ TEST_CASE("The colours of a difference are symmetric about black") {
     CHECK(difference_colour(-3.0f, 1.0f) == Rgb{86, 180, 233});
     CHECK(difference_colour(1.0f, 1.0f) == Rgb{230, 159, 0});
     CHECK(difference_colour(1e-9f, 1.0f).r > 50);
+}
+
+TEST_CASE("Runs compared in parts come to the same as compared at once") {
+    const Scene scene = test::lab_room();
+    Settings settings = default_settings(scene);
+    set_from_text(settings, "viewport.size=120x100");
+    set_from_text(settings, "camera.focal_length=110");
+    const Frame a = prepare_frame(scene, settings);
+    set_from_text(settings, "rounding=floor");
+    const Frame b = prepare_frame(scene, settings);
+    const Comparison whole = compare_runs(a, b);
+    REQUIRE(whole.divergences.first);
+    ComparisonWork work;
+    CHECK(work.is_done());
+    work.begin(a, b);
+    work.advance({0.0, 10'000.0});
+    CHECK_FALSE(work.is_done());
+    work.begin(a, b); // another step of the camera: all over again
+    CHECK(work.triangles_done() == 0);
+    int parts = 0;
+    for (int done = 0; !work.is_done(); ++parts) {
+        work.advance({0.0, 10'000.0});
+        CHECK(work.triangles_done() >= done);
+        CHECK(work.triangles() == 30);
+        done = work.triangles_done();
+        REQUIRE(parts < 1000);
+    }
+    CHECK(parts > 5);
+    CHECK(work.triangles_done() == 30);
+    CHECK(work.found().pixels == whole.pixels);
+    CHECK(work.found().different_rows == whole.different_rows);
+    CHECK(work.found().divergences.count == whole.divergences.count);
+    CHECK(work.found().divergences.groups == whole.divergences.groups);
+    REQUIRE(work.found().divergences.first);
+    CHECK(work.found().divergences.first->text == whole.divergences.first->text);
+}
+
+TEST_CASE("A large triangle is compared in parts of its rows") {
+    const Scene scene =
+        test::pixel_scene({{{{0, 0, 1}, {511, 0, 1}, {0, 511, 1}}}}, {512, 512});
+    const Frame frame = prepare_frame(scene, default_settings(scene));
+    ComparisonWork work;
+    work.begin(frame, frame);
+    int parts = 0;
+    for (; !work.is_done(); ++parts)
+        work.advance({0.0, 1.0});
+    CHECK(parts > 3);
+    CHECK(work.found().is_same());
 }

@@ -55,7 +55,7 @@ TEST_CASE("Every fact has a value of its type and in its range, or none") {
     Asked room;
     room.session.selection = {21, 1, 250, glm::ivec2(250, 131)};
     room.session.cursor = {21, Phase::rows, 10, 3};
-    compare_with(room.session, room.session.settings);
+    compare_with(room.session, room.session.a.settings);
     for (const std::string& name : all_names()) {
         INFO(name);
         const Value value = room.value(name);
@@ -100,7 +100,7 @@ TEST_CASE("The frame's facts are the golden numbers of the room") {
     CHECK(room.number("frame.max_overdraw") == 8);
     CHECK(room.number("frame.uncovered") == 998);
     CHECK(room.number("frame.rows_outside") == 4);
-    room.session.settings.camera.position.z = -0.9f;
+    room.session.a.settings.camera.position.z = -0.9f;
     CHECK(room.number("frame.left_out") > 0);
     CHECK(room.number("frame.triangles") + room.number("frame.left_out") == 30);
 }
@@ -126,7 +126,7 @@ TEST_CASE("What is not selected is not there") {
 TEST_CASE("A pixel's facts are those of the fragment that stays") {
     Asked room;
     room.session.selection.pixel = glm::ivec2(250, 400);
-    room.session.settings.stage = Stage::depth;
+    room.session.a.settings.stage = Stage::depth;
     CHECK(room.number("pixel.owner") >= 10);
     CHECK(room.number("pixel.owner") < 20);
     CHECK(room.number("pixel.zinv") == Approx(0.4170).margin(1e-4));
@@ -134,11 +134,11 @@ TEST_CASE("A pixel's facts are those of the fragment that stays") {
     CHECK(room.number("pixel.losers") >= 1);
     CHECK(room.number("pixel.red") == 0.75);
     // The same as the report on that fragment has it.
-    room.session.settings.stage = Stage::pixel_light;
+    room.session.a.settings.stage = Stage::pixel_light;
     const double error = room.number("pixel.position_error");
-    const auto at = fragment_on_pixel(room.results.frame, {250, 400}, cursor_end);
+    const auto at = fragment_on_pixel(room.results.a.frame, {250, 400}, cursor_end);
     REQUIRE(at);
-    const auto report = fragment_report(room.results.frame, *at);
+    const auto report = fragment_report(room.results.a.frame, *at);
     REQUIRE(report);
     const glm::vec3 apart = report->under(Interpolation::affine).position_world -
                             report->under(Interpolation::perspective).position_world;
@@ -148,13 +148,13 @@ TEST_CASE("A pixel's facts are those of the fragment that stays") {
 
 TEST_CASE("The light error is the difference of the two pictures") {
     Asked room;
-    room.session.settings.light.power = glm::vec3(14.0f);
+    room.session.a.settings.light.power = glm::vec3(14.0f);
     const glm::ivec2 pixel(60, 420);
     room.session.selection.pixel = pixel;
     const auto colour = [&](Interpolation way) {
-        room.session.settings.interpolation = way;
+        room.session.a.settings.interpolation = way;
         update(room.session, room.results);
-        return room.results.framebuffer->colour[room.results.framebuffer->at(pixel.x, pixel.y)];
+        return room.results.a.framebuffer->colour[room.results.a.framebuffer->at(pixel.x, pixel.y)];
     };
     const glm::vec3 apart =
         glm::abs(colour(Interpolation::affine) - colour(Interpolation::perspective));
@@ -168,7 +168,7 @@ TEST_CASE("The table's facts are of the finished table of the triangle on show")
     bench.session = open_session(lessons_folder() + "/scenes/one-triangle.toml");
     bench.session.cursor = cursor_begin;
     update(bench.session, bench.results);
-    const RowHistory rows = row_history(bench.results.frame, 0);
+    const RowHistory rows = row_history(bench.results.a.frame, 0);
     CHECK(bench.number("table.rows") == rows.rows.size());
     CHECK(bench.number("table.first_row") == rows.rows.first_row);
     CHECK(bench.number("table.edge1.samples") + bench.number("table.edge2.samples") +
@@ -198,7 +198,7 @@ TEST_CASE("The cursor's facts tell what comes next") {
     CHECK_FALSE(room.is_there("cursor.column"));
     room.session.cursor = {20, Phase::rows, 30, 2};
     update(room.session, room.results);
-    const Timeline timeline(room.results.frame);
+    const Timeline timeline(room.results.a.frame);
     const PolygonRows& rows = timeline.moments(20).rows;
     CHECK(room.number("cursor.row") == rows.first_row + 30);
     CHECK(room.number("cursor.column") == rows.left[30].column + 2);
@@ -209,7 +209,7 @@ TEST_CASE("The cursor's facts tell what comes next") {
 
 TEST_CASE("Two runs have facts while they are compared") {
     Asked room;
-    Settings other = room.session.settings;
+    Settings other = room.session.a.settings;
     other.interpolation = Interpolation::affine;
     compare_with(room.session, other);
     CHECK(room.number("comparing") == 1);

@@ -54,8 +54,8 @@ struct Runs {
     Runs& operator=(const Runs&) = delete;
 
     void draw_again() {
-        wrong = prepare_frame(*session.scene, session.settings);
-        correct = prepare_frame(*session.scene, *session.other);
+        wrong = prepare_frame(*session.scene, session.a.settings);
+        correct = prepare_frame(*session.scene, session.b->settings);
         wrong_stats = frame_stats(wrong, cursor_end, wrong_picture);
         correct_stats = frame_stats(correct, cursor_end, correct_picture);
     }
@@ -165,24 +165,24 @@ TEST_CASE("Both runs of a bug differ in what it sets and in nothing else") {
     for (const Bug& bug : bugs()) {
         INFO(bug.id);
         Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
-        session.settings.rounding =
+        session.a.settings.rounding =
             Rounding::round; // forgotten: bugs are told from the lab's rules
         session.cursor = cursor_begin;
         apply_bug(bug, session);
-        REQUIRE(session.other);
+        REQUIRE(session.b);
         CHECK(session.cursor == cursor_begin);
-        CHECK(session.settings.stage == session.other->stage);
-        Settings correct = *session.other;
-        CHECK_FALSE(session.settings == correct);
+        CHECK(session.a.settings.stage == session.b->settings.stage);
+        Settings correct = session.b->settings;
+        CHECK_FALSE(session.a.settings == correct);
         for (const auto& [name, value] : bug.set)
             set_from_text(correct, name + "=" + value);
-        CHECK(session.settings == correct);
-        Settings handout = with_handout_rules(session.settings);
-        handout.light = session.other->light;
+        CHECK(session.a.settings == correct);
+        Settings handout = with_handout_rules(session.a.settings);
+        handout.light = session.b->settings.light;
         for (const auto& [name, value] : bug.against)
             set_from_text(handout, name + "=" + value);
-        handout.stage = session.other->stage;
-        CHECK(handout == *session.other);
+        handout.stage = session.b->settings.stage;
+        CHECK(handout == session.b->settings);
     }
 }
 
@@ -219,8 +219,8 @@ TEST_CASE("B1: a sum of steps ends short, and one sample falls above the table")
     CHECK(runs.different_pixels() == 1);
     Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
     apply_bug(find_bug(bugs(), "B1"), session);
-    CHECK(frame_stats(prepare_frame(*session.scene, session.settings)).rows_outside == 4);
-    CHECK(frame_stats(prepare_frame(*session.scene, *session.other)).rows_outside == 0);
+    CHECK(frame_stats(prepare_frame(*session.scene, session.a.settings)).rows_outside == 4);
+    CHECK(frame_stats(prepare_frame(*session.scene, session.b->settings)).rows_outside == 0);
 }
 
 TEST_CASE("B2: cutting toward zero leaves the first row and column black") {
@@ -305,9 +305,10 @@ TEST_CASE("B7: rows that nobody has set are counted, and nothing of them is draw
     CHECK(row_pixel_count_wrapped(500, 0) == -499);
     Results results;
     update(runs.session, results);
-    REQUIRE(results.messages.size() == 1);
-    CHECK(results.messages[0] == "5 rows that no edge sample reached: right − left + 1 is 3 there; "
-                                 "nothing of it is in the picture");
+    REQUIRE(results.a.messages.size() == 1);
+    CHECK(results.a.messages[0] ==
+          "5 rows that no edge sample reached: right − left + 1 is 3 there; "
+          "nothing of it is in the picture");
 }
 
 TEST_CASE("B8: rows of one pixel vanish, and only they") {
@@ -445,7 +446,7 @@ TEST_CASE("B17a and B17b: nothing passes the depth test, and as much is tested")
 
 TEST_CASE("B17b: what is nearer than one unit passes a buffer that starts at 1") {
     Runs runs("B17b");
-    runs.session.settings.camera.position.z = runs.session.other->camera.position.z = -1.2f;
+    runs.session.a.settings.camera.position.z = runs.session.b->settings.camera.position.z = -1.2f;
     runs.draw_again();
     int shown = 0;
     for (std::size_t i = 0; i < runs.pixel_count(); ++i) {
@@ -475,8 +476,9 @@ TEST_CASE("B17c: the depth picture is mirrored in its diagonal, and the colours 
 TEST_CASE("B17c: in a picture that is not square the cells outside are not written") {
     for (const Viewport size : {Viewport{60, 40}, Viewport{40, 60}}) {
         Runs runs("B17c");
-        runs.session.settings.viewport = runs.session.other->viewport = size;
-        runs.session.settings.camera.focal_length = runs.session.other->camera.focal_length = 40.0f;
+        runs.session.a.settings.viewport = runs.session.b->settings.viewport = size;
+        runs.session.a.settings.camera.focal_length = runs.session.b->settings.camera.focal_length =
+            40.0f;
         runs.draw_again();
         std::int64_t outside = 0;
         for (int row = 0; row < size.height; ++row) {
@@ -495,8 +497,8 @@ TEST_CASE("B17c: in a picture that is not square the cells outside are not writt
         CHECK(runs.wrong_stats.depth_outside == outside);
         Results results;
         update(runs.session, results);
-        REQUIRE_FALSE(results.messages.empty());
-        CHECK_THAT(results.messages[0], Contains("[x][y] lies outside the depth buffer"));
+        REQUIRE_FALSE(results.a.messages.empty());
+        CHECK_THAT(results.a.messages[0], Contains("[x][y] lies outside the depth buffer"));
     }
 }
 
@@ -600,12 +602,12 @@ TEST_CASE("B22: what is shown differs exactly where a channel does not fit 8 bit
 
 TEST_CASE("B24: the camera turns by as much to the other side") {
     const Runs runs("B24");
-    Settings other_side = *runs.session.other;
+    Settings other_side = runs.session.b->settings;
     other_side.camera.yaw = -other_side.camera.yaw;
     const Framebuffer picture = draw_frame(prepare_frame(*runs.session.scene, other_side));
     CHECK(same_planes(runs.wrong_picture, picture));
     CHECK(runs.different_pixels() > 100000);
-    Settings straight = runs.session.settings;
+    Settings straight = runs.session.a.settings;
     straight.camera.yaw = 0.0f;
     const Framebuffer not_turned = draw_frame(prepare_frame(*runs.session.scene, straight));
     straight.rotation = Rotation::row_vector;

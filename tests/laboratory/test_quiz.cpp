@@ -18,8 +18,8 @@ namespace {
 
 Session small_room() {
     Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
-    session.settings.viewport = {90, 80};
-    session.settings.camera.focal_length = 80.0f;
+    session.a.settings.viewport = {90, 80};
+    session.a.settings.camera.focal_length = 80.0f;
     return session;
 }
 
@@ -38,10 +38,10 @@ TEST_CASE("A quiz asks only for what can be seen, and the same seed asks the sam
         REQUIRE(start_quiz(session, bugs, seed, 1 + static_cast<int>(seed % 2)));
         REQUIRE(start_quiz(again, bugs, seed, 1 + static_cast<int>(seed % 2)));
         CHECK(session.quiz == again.quiz);
-        CHECK(session.settings == again.settings);
+        CHECK(session.a.settings == again.a.settings);
         CHECK(session.quiz->questions.size() == 1 + seed % 2);
         CHECK(hides_settings(session));
-        CHECK_FALSE(picture_of(session, session.settings) ==
+        CHECK_FALSE(picture_of(session, session.a.settings) ==
                     picture_of(session, quiz_reference(session)));
         for (const QuizQuestion& question : session.quiz->questions) {
             asked.insert(question.bugs.front());
@@ -57,7 +57,7 @@ TEST_CASE("A quiz asks only for what can be seen, and the same seed asks the sam
 TEST_CASE("A right guess wins, hints and wrong guesses cost, the settings come back") {
     const std::vector<Bug> bugs = read_bugs();
     Session session = small_room();
-    const Settings before = session.settings;
+    const Settings before = session.a.settings;
     note_choices(session);
     REQUIRE(start_quiz(session, bugs, 5));
     CHECK_FALSE(undo(session));
@@ -85,7 +85,7 @@ TEST_CASE("A right guess wins, hints and wrong guesses cost, the settings come b
     CHECK(quiz.guesses.size() == 2);
     end_quiz(session);
     CHECK_FALSE(session.quiz);
-    CHECK(session.settings == before);
+    CHECK(session.a.settings == before);
 }
 
 TEST_CASE("Two mistakes are found one after the other") {
@@ -111,21 +111,21 @@ TEST_CASE("A scene in which nothing shows has no quiz") {
     empty.triangles.clear();
     empty.parts.clear();
     set_scene(session, empty);
-    const Settings before = session.settings;
+    const Settings before = session.a.settings;
     CHECK_FALSE(start_quiz(session, read_bugs(), 1));
-    CHECK(session.settings == before);
+    CHECK(session.a.settings == before);
     CHECK_FALSE(session.quiz);
 }
 
 TEST_CASE("Another scene ends the quiz and keeps its own view") {
     Session session = small_room();
-    const Settings before = session.settings;
+    const Settings before = session.a.settings;
     REQUIRE(start_quiz(session, read_bugs(), 3));
     set_scene(session, read_scene_file(lessons_folder() + "/scenes/one-triangle.toml"));
     CHECK_FALSE(session.quiz);
-    CHECK(session.settings.viewport == Viewport{20, 20});
-    CHECK(session.settings.rounding == before.rounding);
-    CHECK_FALSE(session.other);
+    CHECK(session.a.settings.viewport == Viewport{20, 20});
+    CHECK(session.a.settings.rounding == before.rounding);
+    CHECK_FALSE(session.b);
 }
 
 TEST_CASE("While a quiz goes on the settings are refused, with a reason") {
@@ -140,9 +140,9 @@ TEST_CASE("While a quiz goes on the settings are refused, with a reason") {
 
 TEST_CASE("In a large picture the quiz tries the mistakes in a small one") {
     Session session = small_room();
-    set_from_text(session.settings, "viewport.size=4096x4096");
-    set_from_text(session.settings, "camera.focal_length=4096");
+    set_from_text(session.a.settings, "viewport.size=4096x4096");
+    set_from_text(session.a.settings, "camera.focal_length=4096");
     REQUIRE(start_quiz(session, read_bugs(), 3));
-    CHECK(session.settings.viewport == Viewport{4096, 4096});
-    CHECK(session.settings.camera.focal_length == 4096.0f);
+    CHECK(session.a.settings.viewport == Viewport{4096, 4096});
+    CHECK(session.a.settings.camera.focal_length == 4096.0f);
 }

@@ -48,7 +48,7 @@ struct Student {
         return faults;
     }
     void follow(const std::string& target) {
-        follow_lesson_link(session, results.frame, parse_lesson_link(target));
+        follow_lesson_link(session, results.a.frame, parse_lesson_link(target));
         update(session, results);
     }
     bool has_done(const LessonTask& task) const { return is_done(task, Facts(session, results)); }
@@ -64,12 +64,12 @@ void check_kept(const LessonLink& link, const Student& student) {
     case Kind::set: {
         // Nothing is left to set.
         Session again = session;
-        follow_lesson_link(again, student.results.frame, link);
-        CHECK(again.settings == session.settings);
+        follow_lesson_link(again, student.results.a.frame, link);
+        CHECK(again.a.settings == session.a.settings);
         break;
     }
     case Kind::cursor:
-        CHECK(student.results.cursor == session.cursor);
+        CHECK(student.results.a.cursor == session.cursor);
         CHECK((session.cursor == cursor_end) == (link.argument == "end"));
         CHECK_FALSE(selection.triangle);
         if (link.argument != "end") {
@@ -77,8 +77,8 @@ void check_kept(const LessonLink& link, const Student& student) {
         }
         break;
     case Kind::compare:
-        CHECK(session.other.has_value() == (link.argument != "off"));
-        CHECK(student.results.compared.has_value() == (link.argument != "off"));
+        CHECK(session.b.has_value() == (link.argument != "off"));
+        CHECK(student.results.b.has_value() == (link.argument != "off"));
         break;
     case Kind::pixel:
         CHECK(selection.pixel == parse_pixel(link.argument));
@@ -136,7 +136,7 @@ TEST_CASE("Each step of every lesson can be opened, and each link be followed") 
             CHECK(student.open(lesson, static_cast<int>(i)).empty());
             CHECK(student.session.lesson == lesson.id);
             CHECK(student.session.step == static_cast<int>(i));
-            CHECK(student.results.cursor == student.session.cursor);
+            CHECK(student.results.a.cursor == student.session.cursor);
             if (step.state.cursor && *step.state.cursor != cursor_end) {
                 CHECK(student.session.cursor.triangle == step.state.cursor->triangle);
             }

@@ -20,7 +20,7 @@ Session open_room() {
 }
 
 Frame frame_of(const Session& session) {
-    return prepare_frame(*session.scene, session.settings);
+    return prepare_frame(*session.scene, session.a.settings);
 }
 
 /// The sentence with which a link is refused; empty if it is followed.
@@ -40,7 +40,7 @@ TEST_CASE("Each stage has its note, and a bench has one for all stages") {
     Session bench = open_session(lessons_folder() + "/scenes/one-triangle.toml");
     for (const StageInfo& info : stage_list()) {
         INFO(info.name);
-        session.settings.stage = bench.settings.stage = info.stage;
+        session.a.settings.stage = bench.a.settings.stage = info.stage;
         CHECK(note_name(session) == info.name);
         CHECK(note_name(bench) == "bench");
     }
@@ -95,9 +95,9 @@ TEST_CASE("A note that is changed while the program runs is read again") {
 TEST_CASE("A link sets a setting") {
     Session session = open_room();
     CHECK(refusal(session, "set:interpolation=affine").empty());
-    CHECK(session.settings.interpolation == Interpolation::affine);
+    CHECK(session.a.settings.interpolation == Interpolation::affine);
     CHECK(refusal(session, "set:light.power=14").empty());
-    CHECK(session.settings.light.power == glm::vec3(14.0f));
+    CHECK(session.a.settings.light.power == glm::vec3(14.0f));
 }
 
 TEST_CASE("A link goes to a moment, stops the play and shows the triangle that is drawn") {
@@ -114,9 +114,9 @@ TEST_CASE("A link goes to a moment, stops the play and shows the triangle that i
 
 TEST_CASE("A link that cannot be followed is answered by a sentence and changes nothing") {
     Session session = open_room();
-    session.settings.stage = Stage::points;
+    session.a.settings.stage = Stage::points;
     session.selection.triangle = 3;
-    const Settings settings = session.settings;
+    const Settings settings = session.a.settings;
     const std::pair<std::string, std::string> cases[] = {
         {"", "leads nowhere"},
         {"https://example.org", "leads nowhere"},
@@ -143,7 +143,7 @@ TEST_CASE("A link that cannot be followed is answered by a sentence and changes 
         CHECK(sentence.ends_with(answer.ends_with('?') ? '?' : '.'));
         CHECK(sentence.find('\n') == std::string::npos);
         CHECK(sentence.size() < 300);
-        CHECK(session.settings == settings);
+        CHECK(session.a.settings == settings);
         CHECK(session.cursor == cursor_end);
         CHECK(session.selection.triangle == 3);
     }
@@ -154,7 +154,7 @@ TEST_CASE("A link that only points at a widget leaves the session alone") {
     const LessonLink link = parse_lesson_link("show:tab.rows");
     CHECK(link.kind == LessonLink::Kind::show);
     CHECK(link.argument == "tab.rows");
-    const Settings before = session.settings;
+    const Settings before = session.a.settings;
     follow_lesson_link(session, frame_of(session), link);
-    CHECK(session.settings == before);
+    CHECK(session.a.settings == before);
 }

@@ -62,7 +62,7 @@ TEST_CASE("A copied command line opens the same view, for many sessions") {
 TEST_CASE("A command line says only what differs") {
     Session session = open_session(own_scene("lab-room.toml"));
     CHECK(command_line_text(session) == "rasterwalk");
-    session.settings.stage = Stage::depth;
+    session.a.settings.stage = Stage::depth;
     session.selection.pixel = glm::ivec2(250, 400);
     session.tab = "history";
     CHECK(command_line_text(session) == "rasterwalk --stage depth --pixel 250,400 --tab history");
@@ -74,7 +74,7 @@ TEST_CASE("A command line says only what differs") {
     const Lesson lesson = read_lesson(lessons_folder() + "/05-row-table.md");
     REQUIRE(open_step(session, lesson, 3).empty());
     CHECK(command_line_text(session) == "rasterwalk --lesson 05-row-table --step 3");
-    session.settings.rounding = Rounding::floor;
+    session.a.settings.rounding = Rounding::floor;
     CHECK(command_line_text(session) ==
           "rasterwalk --lesson 05-row-table --step 3 --set rounding=floor");
 }

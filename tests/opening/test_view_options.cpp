@@ -55,8 +55,8 @@ TEST_CASE("A lesson on the command line is at the step as the lesson itself puts
             CHECK(session.step == step);
             CHECK(session.lesson_folder.empty());
             CHECK(session.scene->path == expected.scene->path);
-            CHECK(session.settings == expected.settings);
-            CHECK(session.other == expected.other);
+            CHECK(session.a.settings == expected.a.settings);
+            CHECK(session.b == expected.b);
             CHECK(session.cursor == expected.cursor);
             CHECK(session.selection == expected.selection);
             CHECK(session.view == expected.view);
@@ -92,8 +92,8 @@ TEST_CASE("What is said beside a lesson wins") {
     };
     const Session plain = opened(lesson);
     CHECK(with({"--to", "t0/e2/s1"}).cursor == Cursor{0, Phase::edges, 2, 1});
-    CHECK(with({"--set", "rounding=floor"}).settings.rounding == Rounding::floor);
-    CHECK(with({"--set", "rounding=floor"}).settings.stage == plain.settings.stage);
+    CHECK(with({"--set", "rounding=floor"}).a.settings.rounding == Rounding::floor);
+    CHECK(with({"--set", "rounding=floor"}).a.settings.stage == plain.a.settings.stage);
     CHECK(with({"--tab", "graph"}).tab == "graph");
     CHECK(with({"--view", "depth"}).view == View::depth);
     CHECK(with({"--row", "9"}).selection.row == 9);
@@ -142,9 +142,9 @@ TEST_CASE("Selection, canvas, overlays and comparison on the command line") {
     CHECK(s.overlays.has(Overlay::depth));
     CHECK(s.overlays.has(Overlay::wireframe));
     CHECK(s.overlays.count() == 2);
-    REQUIRE(s.other);
+    REQUIRE(s.b);
     CHECK(run_differences(s).size() == 2);
-    CHECK(s.other->stage == Stage::fill);
+    CHECK(s.b->settings.stage == Stage::fill);
     CHECK(s.compare_view == CompareView::wipe);
     CHECK(s.wipe == 0.25f);
     CHECK(s.depth_range == DepthRange{0.2f, 0.8f});
@@ -152,13 +152,13 @@ TEST_CASE("Selection, canvas, overlays and comparison on the command line") {
 
 TEST_CASE("A second run is what the command line says, or the lesson, or the bug") {
     const Session bug = opened({"--bug", "B9"});
-    REQUIRE(bug.other);
-    CHECK(bug.other->spans == Spans::inclusive);
+    REQUIRE(bug.b);
+    CHECK(bug.b->settings.spans == Spans::inclusive);
     CHECK(is_on(bug, "B9"));
-    CHECK_FALSE(opened({"--bug", "B9", "--b", "none"}).other);
+    CHECK_FALSE(opened({"--bug", "B9", "--b", "none"}).b);
     const Session other = opened({"--bug", "B9", "--b", "stage=edges"});
-    REQUIRE(other.other);
-    CHECK(other.other->spans == other.settings.spans);
+    REQUIRE(other.b);
+    CHECK(other.b->settings.spans == other.a.settings.spans);
 }
 
 TEST_CASE("The vertices of a bench can be said") {
@@ -224,17 +224,17 @@ TEST_CASE("A saved view is opened, and what is said beside it wins") {
                                                          "row = 9\n"
                                                          "compare = [\"rounding=truncate\"]\n");
     const Session plain = opened({path});
-    CHECK(plain.settings.rounding == Rounding::floor);
+    CHECK(plain.a.settings.rounding == Rounding::floor);
     CHECK(plain.cursor == Cursor{0, Phase::edges, 1, 5});
-    REQUIRE(plain.other);
-    CHECK(plain.other->rounding == Rounding::truncate);
+    REQUIRE(plain.b);
+    CHECK(plain.b->settings.rounding == Rounding::truncate);
     const Session changed =
         opened({path, "--to", "end", "--row", "none", "--b", "none", "--stage", "fill"});
-    CHECK(changed.settings.rounding == Rounding::floor);
-    CHECK(changed.settings.stage == Stage::fill);
+    CHECK(changed.a.settings.rounding == Rounding::floor);
+    CHECK(changed.a.settings.stage == Stage::fill);
     CHECK(changed.cursor == cursor_end);
     CHECK_FALSE(changed.selection.row);
-    CHECK_FALSE(changed.other);
+    CHECK_FALSE(changed.b);
     refuses({path, "--lesson", "04-edges"}, 2,
             "a saved view has its own lesson: it does not go with --lesson.");
     CHECK(run({"check", path}).exit_code == 0);

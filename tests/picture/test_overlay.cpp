@@ -28,16 +28,16 @@ OverlaySet all_overlays() {
 
 /// The four bytes of a pixel of the overlays' picture.
 std::array<int, 4> bytes_at(const Results& results, int column, int row) {
-    const std::size_t at = 4 * results.framebuffer->at(column, row);
+    const std::size_t at = 4 * results.a.framebuffer->at(column, row);
     const auto& rgba = results.overlay.image.rgba;
     return {rgba[at], rgba[at + 1], rgba[at + 2], rgba[at + 3]};
 }
 
 std::string total(Overlay overlay, const Results& results) {
-    return overlay_total(overlay, results.frame, results.overlay);
+    return overlay_total(overlay, results.a.frame, results.overlay);
 }
 std::string value(Overlay overlay, const Results& results, int column, int row) {
-    return overlay_value(overlay, results.frame, *results.framebuffer, results.overlay,
+    return overlay_value(overlay, results.a.frame, *results.a.framebuffer, results.overlay,
                          {column, row});
 }
 
@@ -70,7 +70,7 @@ TEST_CASE("An overlay is switched on and off without touching the others") {
 
 TEST_CASE("The totals of the room are its golden numbers") {
     Session session = room_session();
-    session.settings.stage = Stage::depth;
+    session.a.settings.stage = Stage::depth;
     session.overlays = all_overlays();
     Results results;
     update(session, results);
@@ -98,14 +98,14 @@ TEST_CASE("The totals of the room are its golden numbers") {
 
 TEST_CASE("Every pixel of the overlays' picture is the tint of that overlay, and clear elsewhere") {
     Session session = room_session();
-    session.settings.light.power = glm::vec3(60.0f);
+    session.a.settings.light.power = glm::vec3(60.0f);
     Results results;
     for (const OverlayInfo& info : overlay_list()) {
         if (info.overlay == Overlay::wireframe) continue;
         session.overlays = {};
         session.overlays.set(info.overlay, true);
         update(session, results);
-        const Framebuffer& drawn = *results.framebuffer;
+        const Framebuffer& drawn = *results.a.framebuffer;
         const PixelFacts& facts = results.overlay.facts;
         int tinted = 0;
         for (int row = 0; row < 500; ++row) {
@@ -163,10 +163,11 @@ TEST_CASE("Overlays that lie on each other mix as two sheets of coloured glass")
     session.overlays.set(Overlay::depth, true);
     update(session, results);
     const int column = 300, row = 400;
-    const int owner = results.framebuffer->owner[results.framebuffer->at(column, row)];
+    const int owner = results.a.framebuffer->owner[results.a.framebuffer->at(column, row)];
     const Tint below = overlay_tint(Overlay::owner, 1.0f, {column, row}, owner);
     const float failed =
-        results.overlay.facts.depth[results.framebuffer->at(column, row)].failed > 0 ? 1.0f : 0.0f;
+        results.overlay.facts.depth[results.a.framebuffer->at(column, row)].failed > 0 ? 1.0f
+                                                                                       : 0.0f;
     const Tint above = overlay_tint(Overlay::depth, failed, {column, row});
     // Over a picture of black and over one of white the result must be that of two layers.
     for (const float ground : {0.0f, 255.0f}) {
@@ -187,8 +188,8 @@ TEST_CASE("Overlays leave the picture and the framebuffer as they are") {
     update(session, plain);
     session.overlays = all_overlays();
     update(session, covered);
-    CHECK(plain.picture == covered.picture);
-    CHECK(*plain.framebuffer == *covered.framebuffer);
+    CHECK(plain.a.picture == covered.a.picture);
+    CHECK(*plain.a.framebuffer == *covered.a.framebuffer);
     CHECK(plain.overlay.image.rgba.empty());
 }
 
@@ -209,10 +210,10 @@ TEST_CASE("Facts are worked out once a moment, and anew when the moment is anoth
     update(session, results);
     CHECK(results.overlay_number == number + 2);
     // Only floor and left wall are drawn; nothing stands in the middle of the ceiling yet.
-    CHECK(results.overlay.facts.affine_error[results.framebuffer->at(250, 20)] == 0.0f);
-    CHECK(results.overlay.facts.affine_error[results.framebuffer->at(250, 470)] > 0.0f);
+    CHECK(results.overlay.facts.affine_error[results.a.framebuffer->at(250, 20)] == 0.0f);
+    CHECK(results.overlay.facts.affine_error[results.a.framebuffer->at(250, 470)] > 0.0f);
     CHECK(value(Overlay::owner, results, 250, 20) == "none");
-    session.settings.camera.yaw = 0.1f;
+    session.a.settings.camera.yaw = 0.1f;
     update(session, results);
     CHECK(results.overlay_number == number + 3);
     session.view = View::depth;
@@ -222,7 +223,7 @@ TEST_CASE("Facts are worked out once a moment, and anew when the moment is anoth
 
 TEST_CASE("Each overlay says of a pixel what is so") {
     Session session = room_session();
-    session.settings.light.power = glm::vec3(60.0f);
+    session.a.settings.light.power = glm::vec3(60.0f);
     session.overlays = all_overlays();
     Results results;
     update(session, results);
@@ -230,9 +231,9 @@ TEST_CASE("Each overlay says of a pixel what is so") {
     CHECK(value(Overlay::uncovered, results, 250, 250) == "covered");
     CHECK(value(Overlay::owner, results, 250, 350) == "triangle 11, short block");
     CHECK(value(Overlay::overdraw, results, 0, 0) == "0 fragments");
-    const std::size_t at = results.framebuffer->at(250, 350);
+    const std::size_t at = results.a.framebuffer->at(250, 350);
     const DepthVerdicts verdicts = results.overlay.facts.depth[at];
-    CHECK(verdicts.passed + verdicts.failed == results.framebuffer->overdraw[at]);
+    CHECK(verdicts.passed + verdicts.failed == results.a.framebuffer->overdraw[at]);
     CHECK(value(Overlay::depth, results, 250, 350) ==
           std::to_string(verdicts.passed) + " passed, " + std::to_string(verdicts.failed) +
               " failed");
@@ -245,7 +246,7 @@ TEST_CASE("Each overlay says of a pixel what is so") {
     }
     CHECK(twice > 50);
     CHECK(value(Overlay::wireframe, results, 200, 60) == "no edge");
-    const Fragment corner = results.frame.triangle_vertices(8)[0];
+    const Fragment corner = results.a.frame.triangle_vertices(8)[0];
     CHECK(value(Overlay::wireframe, results, corner.column, corner.row) != "no edge");
     CHECK(value(Overlay::over_one, results, 0, 0) == "none");
     CHECK(value(Overlay::affine_error, results, 700, 700).empty());
@@ -259,7 +260,7 @@ TEST_CASE("A carpet of edges is cut off, and said to be") {
     }
     Session session;
     session.scene = std::make_shared<const Scene>(test::pixel_scene(many, {64, 64}));
-    session.settings = default_settings(*session.scene);
+    session.a.settings = default_settings(*session.scene);
     session.overlays.set(Overlay::wireframe, true);
     Results results;
     update(session, results);
@@ -271,7 +272,7 @@ TEST_CASE("An edge that two triangles have in common is one edge") {
     Session session;
     session.scene = std::make_shared<const Scene>(test::pixel_scene(
         {{{{2, 2, 1}, {9, 2, 1}, {2, 9, 1}}}, {{{9, 2, 1}, {9, 9, 1}, {2, 9, 1}}}}, {12, 12}));
-    session.settings = default_settings(*session.scene);
+    session.a.settings = default_settings(*session.scene);
     session.overlays.set(Overlay::wireframe, true);
     Results results;
     update(session, results);

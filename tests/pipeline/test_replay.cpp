@@ -134,3 +134,63 @@ TEST_CASE("A frame without triangles is black at every moment") {
          {cursor_begin, cursor_end, Cursor{3, Phase::rows, 1, 1}, cursor_begin})
         require_at(replay, cursor, black);
 }
+
+TEST_CASE("A frame drawn in parts comes to the same picture, and no part is much work") {
+    const Scene scene = crowded_scene(1500);
+    for (const Stage stage : {Stage::edges, Stage::rows, Stage::pixel_light}) {
+        Settings settings = default_settings(scene);
+        settings.stage = stage;
+        const Frame frame = prepare_frame(scene, settings);
+        const WorkLimit limit{5'000.0, 2'000.0};
+        Replay replay;
+        replay.begin(frame);
+        CAPTURE(static_cast<int>(stage), replay.work().total());
+        int parts = 0;
+        for (; replay.drawn() != cursor_end; ++parts) {
+            const double before = replay.work().before(replay.drawn());
+            replay.toward(cursor_end, limit);
+            const double part = replay.work().before(replay.drawn()) - before;
+            // A triangle more: at most 64 x 48 fragments and its edges.
+            REQUIRE(part <= limit.at_once + 64 * 48 + 500);
+            REQUIRE(part > 0.0);
+        }
+        CHECK(parts > 20);
+        for (const Cursor to :
+             {Cursor{700, Phase::rows, 2, 1}, cursor_end, Cursor{20, Phase::edges, 1, 3}}) {
+            for (parts = 0; parts == 0 || replay.drawn() != to; ++parts) {
+                REQUIRE(parts < 2000);
+                replay.toward(to, limit);
+            }
+            require_at(replay, to, drawn_from_start(frame, to));
+        }
+    }
+}
+
+TEST_CASE("The tally has every fragment and every row table once, whichever way one goes") {
+    const Scene scene = crowded_scene(300);
+    for (const Stage stage : {Stage::edges, Stage::rows, Stage::pixel_light}) {
+        Settings settings = default_settings(scene);
+        settings.stage = stage;
+        const Frame frame = prepare_frame(scene, settings);
+        Framebuffer framebuffer;
+        clear(framebuffer, frame);
+        const DrawTally whole = draw(frame, {}, framebuffer);
+        Replay replay(4 * framebuffer.bytes());
+        replay.begin(frame);
+        Random random(44);
+        for (int i = 0; i < 40; ++i) {
+            const Cursor to{random.integer(0, frame.triangle_count()),
+                            static_cast<Phase>(random.integer(0, 2)), random.integer(0, 3),
+                            random.integer(0, 3)};
+            replay.toward(to, {1'000.0, 500.0});
+        }
+        replay.at(cursor_end);
+        CAPTURE(static_cast<int>(stage));
+        CHECK(replay.tally().fragments == whole.fragments);
+        CHECK(replay.tally().shaded == whole.shaded);
+        CHECK(replay.tally().samples_outside == whole.samples_outside);
+        CHECK(replay.tally().triangles_outside == whole.triangles_outside);
+        CHECK(replay.tally().rows_looked_at == whole.rows_looked_at);
+        CHECK(replay.tallied() == cursor_end);
+    }
+}

@@ -17,7 +17,7 @@ namespace {
 
 Session depth_session() {
     Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
-    session.settings.stage = Stage::depth;
+    session.a.settings.stage = Stage::depth;
     session.view = View::depth;
     return session;
 }
@@ -34,14 +34,14 @@ TEST_CASE("Without a range of its own the depth view goes from the smallest to t
     update(session, results);
     REQUIRE(results.depth);
     float smallest = 1e9f, largest = 0.0f;
-    for (const float depth : results.framebuffer->depth) {
+    for (const float depth : results.a.framebuffer->depth) {
         if (depth > 0.0f) smallest = std::min(smallest, depth);
         largest = std::max(largest, depth);
     }
     CHECK(results.depth->range == DepthRange{smallest, largest});
     CHECK(results.depth->nearer == 0);
     CHECK(results.depth->farther == 0);
-    CHECK(results.picture == view_image(*results.framebuffer, View::depth));
+    CHECK(results.a.picture == view_image(*results.a.framebuffer, View::depth));
 }
 
 TEST_CASE("What lies outside the range takes the colour of its end") {
@@ -50,9 +50,9 @@ TEST_CASE("What lies outside the range takes the colour of its end") {
     Results results;
     update(session, results);
     std::int64_t nearer = 0, farther = 0;
-    for (std::size_t i = 0; i < results.framebuffer->depth.size(); ++i) {
-        const float depth = results.framebuffer->depth[i];
-        const auto colour = colour_at(results.picture, i);
+    for (std::size_t i = 0; i < results.a.framebuffer->depth.size(); ++i) {
+        const float depth = results.a.framebuffer->depth[i];
+        const auto colour = colour_at(results.a.picture, i);
         INFO("pixel " << i << ", 1/z " << depth);
         if (!(depth > 0.0f)) {
             REQUIRE(colour == glm::vec<3, std::uint8_t>(0));
@@ -83,7 +83,7 @@ TEST_CASE("Every pixel with a depth stands in the histogram once, in its own bin
     const double width = (static_cast<double>(histogram.axis.near) - histogram.axis.far) /
                          static_cast<double>(depth_bins);
     std::vector<std::int64_t> expected(depth_bins, 0);
-    for (const float depth : results.framebuffer->depth) {
+    for (const float depth : results.a.framebuffer->depth) {
         if (depth > 0.0f)
             ++expected[static_cast<std::size_t>((depth - histogram.axis.far) / width)];
     }
@@ -115,14 +115,14 @@ TEST_CASE("A range stays as it was set while the picture changes") {
     session.depth_range = DepthRange{0.3f, 0.4f};
     Results results;
     update(session, results);
-    const std::uint64_t number = results.picture_number;
+    const std::uint64_t number = results.a.picture_number;
     session.cursor = Cursor{2, Phase::vertices, 0, 0};
     update(session, results);
     CHECK(results.depth->range == DepthRange{0.3f, 0.4f});
-    CHECK(results.picture_number == number + 1);
+    CHECK(results.a.picture_number == number + 1);
     session.depth_range = std::nullopt;
     update(session, results);
-    CHECK(results.picture_number == number + 2);
+    CHECK(results.a.picture_number == number + 2);
     CHECK(results.depth->range == *results.depth->present);
 }
 

@@ -40,11 +40,11 @@ TEST_CASE("Each pair sets what it says, in a stage in which it shows") {
     for (const ComparePair& pair : compare_pairs()) {
         for (int stage = 0; stage < stage_count; ++stage) {
             Session session = room();
-            session.settings.stage = static_cast<Stage>(stage);
+            session.a.settings.stage = static_cast<Stage>(stage);
             start_pair(session, pair);
             CHECK(settings_of(session) == expected[i]);
-            CHECK(session.settings.stage >= pair.first_stage);
-            CHECK(session.settings.stage <= pair.last_stage);
+            CHECK(session.a.settings.stage >= pair.first_stage);
+            CHECK(session.a.settings.stage <= pair.last_stage);
         }
         ++i;
     }
@@ -54,36 +54,36 @@ TEST_CASE("Each pair sets what it says, in a stage in which it shows") {
 TEST_CASE("What changes in A changes in B too, unless they differ in it") {
     Session session = room();
     start_pair(session, compare_pairs()[0]);
-    follow_first_run(session);
-    session.settings.camera.yaw = 0.25f;
-    set_from_text(session.settings, "stage=vertex_light");
-    follow_first_run(session);
+    carry_changes_to_b(session);
+    session.a.settings.camera.yaw = 0.25f;
+    set_from_text(session.a.settings, "stage=vertex_light");
+    carry_changes_to_b(session);
     CHECK(settings_of(session) == "interpolation affine perspective; ");
-    CHECK(session.other->camera.yaw == 0.25f);
-    set_from_text(session.settings, "interpolation=perspective");
-    follow_first_run(session);
+    CHECK(session.b->settings.camera.yaw == 0.25f);
+    set_from_text(session.a.settings, "interpolation=perspective");
+    carry_changes_to_b(session);
     CHECK(settings_of(session).empty());
-    set_from_text(*session.other, "rounding=floor");
-    follow_first_run(session);
+    set_from_text(session.b->settings, "rounding=floor");
+    carry_changes_to_b(session);
     CHECK(settings_of(session) == "rounding truncate floor; ");
 }
 
 TEST_CASE("A second run that was set by itself is left alone") {
     Session session = room();
     start_pair(session, compare_pairs()[3]);
-    follow_first_run(session);
-    session.settings.camera.yaw = 0.5f;
-    set_from_text(*session.other, "stage=fill");
-    follow_first_run(session);
-    CHECK(session.other->camera.yaw == 0.0f);
-    CHECK(session.other->stage == Stage::fill);
+    carry_changes_to_b(session);
+    session.a.settings.camera.yaw = 0.5f;
+    set_from_text(session.b->settings, "stage=fill");
+    carry_changes_to_b(session);
+    CHECK(session.b->settings.camera.yaw == 0.0f);
+    CHECK(session.b->settings.stage == Stage::fill);
 }
 
 TEST_CASE("The runs are swapped") {
     Session session = room();
     start_pair(session, compare_pairs()[0]);
     swap_runs(session);
-    follow_first_run(session);
+    carry_changes_to_b(session);
     CHECK(settings_of(session) == "interpolation perspective affine; ");
 }
 
@@ -91,16 +91,16 @@ TEST_CASE("Undo takes back the second run, and follows nothing") {
     Session session = room();
     note_choices(session);
     start_pair(session, compare_pairs()[0]);
-    follow_first_run(session);
+    carry_changes_to_b(session);
     note_choices(session);
-    set_from_text(session.settings, "interpolation=perspective");
-    follow_first_run(session);
+    set_from_text(session.a.settings, "interpolation=perspective");
+    carry_changes_to_b(session);
     note_choices(session);
     REQUIRE(undo(session));
-    follow_first_run(session);
+    carry_changes_to_b(session);
     CHECK(settings_of(session) == "interpolation affine perspective; ");
     REQUIRE(undo(session));
-    CHECK_FALSE(session.other);
+    CHECK_FALSE(session.b);
     REQUIRE(redo(session));
     CHECK(settings_of(session) == "interpolation affine perspective; ");
 }
@@ -108,32 +108,32 @@ TEST_CASE("Undo takes back the second run, and follows nothing") {
 TEST_CASE("Another scene brings its view to both runs") {
     Session session = room();
     start_pair(session, compare_pairs()[0]);
-    session.settings.camera.yaw = 1.0f;
+    session.a.settings.camera.yaw = 1.0f;
     set_scene(session, read_scene(lessons_folder() + "/scenes/one-triangle.toml"));
     CHECK(settings_of(session) == "interpolation affine perspective; ");
-    CHECK(session.other->viewport == Viewport{20, 20});
+    CHECK(session.b->settings.viewport == Viewport{20, 20});
 }
 
 TEST_CASE("The end of a pair takes back what it has set in A, where it still stands") {
     Session session = room();
-    const Settings before = session.settings;
+    const Settings before = session.a.settings;
     start_pair(session, compare_pairs()[0]);
     start_pair(session, compare_pairs()[2]);
-    CHECK(session.settings.interpolation == before.interpolation);
-    session.settings.camera.yaw = 0.25f;
+    CHECK(session.a.settings.interpolation == before.interpolation);
+    session.a.settings.camera.yaw = 0.25f;
     end_comparison(session);
     Settings expected = before;
     expected.camera.yaw = 0.25f;
-    expected.stage = session.settings.stage;
-    CHECK(session.settings == expected);
-    CHECK_FALSE(session.other);
-    CHECK_FALSE(session.taken);
+    expected.stage = session.a.settings.stage;
+    CHECK(session.a.settings == expected);
+    CHECK_FALSE(session.b);
+    CHECK_FALSE(session.replaced);
 }
 
 TEST_CASE("A mistake on its own scene is turned off into the scene from before") {
     Session session = room();
     const std::shared_ptr<const Scene> scene = session.scene;
-    const Settings before = session.settings;
+    const Settings before = session.a.settings;
     const std::vector<Bug> bugs = read_bugs();
     open_bug(find_bug(bugs, "B1"), session);
     CHECK(session.scene != scene);
@@ -142,7 +142,7 @@ TEST_CASE("A mistake on its own scene is turned off into the scene from before")
     CHECK_FALSE(is_on(session, "B1"));
     end_comparison(session);
     CHECK(session.scene == scene);
-    CHECK(session.settings == before);
+    CHECK(session.a.settings == before);
     CHECK_FALSE(is_on(session, "B14"));
 }
 
@@ -154,8 +154,8 @@ TEST_CASE("A scene opened while a mistake is on stays when it is turned off") {
     CHECK(is_on(session, "B5"));
     end_comparison(session);
     CHECK(session.scene == bench);
-    CHECK(session.settings.viewport == Viewport{20, 20});
-    CHECK(session.settings.edge_samples == Settings{}.edge_samples);
+    CHECK(session.a.settings.viewport == Viewport{20, 20});
+    CHECK(session.a.settings.edge_samples == Settings{}.edge_samples);
 }
 
 TEST_CASE("Undo brings back which mistake was on") {
@@ -167,7 +167,7 @@ TEST_CASE("Undo brings back which mistake was on") {
     note_choices(session);
     REQUIRE(undo(session));
     CHECK_FALSE(is_on(session, "B5"));
-    CHECK(session.settings.interpolation == Interpolation::affine);
+    CHECK(session.a.settings.interpolation == Interpolation::affine);
     REQUIRE(redo(session));
     CHECK(is_on(session, "B5"));
 }

@@ -46,23 +46,23 @@ TEST_CASE("A session opens at the end of the scene, with the scene's view and th
     CHECK(session.scene->triangles.size() == 30);
     CHECK(session.presets.size() == 3);
     CHECK(session.cursor == cursor_end);
-    CHECK(session.settings.stage == Stage::pixel_light);
-    CHECK(session.settings.camera.position == glm::vec3(0.0f, 0.0f, -3.001f));
+    CHECK(session.a.settings.stage == Stage::pixel_light);
+    CHECK(session.a.settings.camera.position == glm::vec3(0.0f, 0.0f, -3.001f));
 }
 
 TEST_CASE("Another scene brings its camera, light, viewport and stage; the rules stay") {
     Session session = open_session(room_file);
-    session.settings.rounding = Rounding::floor;
-    session.settings.camera.yaw = 1.0f;
+    session.a.settings.rounding = Rounding::floor;
+    session.a.settings.camera.yaw = 1.0f;
     session.selection.triangle = 29;
     session.selection.pixel = glm::ivec2(400, 400);
     session.cursor = {20, Phase::edges, 1, 7};
     session.play.running = true;
     set_scene(session, read_scene(bench));
-    CHECK(session.settings.rounding == Rounding::floor);
-    CHECK(session.settings.camera.yaw == 0.0f);
-    CHECK(session.settings.viewport == Viewport{20, 20});
-    CHECK(session.settings.stage == Stage::rows);
+    CHECK(session.a.settings.rounding == Rounding::floor);
+    CHECK(session.a.settings.camera.yaw == 0.0f);
+    CHECK(session.a.settings.viewport == Viewport{20, 20});
+    CHECK(session.a.settings.stage == Stage::rows);
     CHECK(session.selection == Selection{});
     CHECK(session.cursor == cursor_end);
     CHECK_FALSE(session.play.running);
@@ -70,11 +70,11 @@ TEST_CASE("Another scene brings its camera, light, viewport and stage; the rules
 
 TEST_CASE("A scene without a wish for a stage leaves the stage as it is") {
     Session session = open_session(room_file);
-    session.settings.stage = Stage::edges;
+    session.a.settings.stage = Stage::edges;
     Scene scene = *session.scene;
     scene.stage.clear();
     set_scene(session, std::move(scene));
-    CHECK(session.settings.stage == Stage::edges);
+    CHECK(session.a.settings.stage == Stage::edges);
 }
 
 TEST_CASE("A scene that asks for an unknown stage does not open") {

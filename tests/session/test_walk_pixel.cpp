@@ -18,7 +18,7 @@ Session picked_room() {
 
 glm::vec3 picked_colour(const Session& session, const Results& results) {
     const glm::ivec2 pixel = *session.selection.pixel;
-    return results.framebuffer->colour[results.framebuffer->at(pixel.x, pixel.y)];
+    return results.a.framebuffer->colour[results.a.framebuffer->at(pixel.x, pixel.y)];
 }
 
 } // namespace
@@ -36,7 +36,7 @@ TEST_CASE("The history of the picked pixel follows pixel and frame, and costs no
     update(session, results);
     CHECK(results.history->entries.data() == before);
 
-    session.settings.stage = Stage::fill;
+    session.a.settings.stage = Stage::fill;
     update(session, results);
     CHECK_FALSE(results.history->depth_tested);
 
@@ -53,10 +53,10 @@ TEST_CASE("A picked pixel that a smaller picture no longer has is no picked pixe
     Session session = picked_room();
     Results results;
     update(session, results);
-    session.settings.viewport = {240, 400};
+    session.a.settings.viewport = {240, 400};
     update(session, results);
     CHECK_FALSE(results.history);
-    session.settings.viewport = {241, 301};
+    session.a.settings.viewport = {241, 301};
     update(session, results);
     CHECK(results.history);
     session.selection.pixel = glm::ivec2(-1, 0);
@@ -70,12 +70,12 @@ TEST_CASE("Next and previous change lead through the moments in which the pixel 
     update(session, results);
     const std::vector<PixelEntry> entries = results.history->entries;
     const auto next = [&] {
-        const bool found = next_change(session, Timeline(results.frame), *results.history);
+        const bool found = next_change(session, Timeline(results.a.frame), *results.history);
         update(session, results);
         return found;
     };
     const auto previous = [&] {
-        const bool found = previous_change(session, Timeline(results.frame), *results.history);
+        const bool found = previous_change(session, Timeline(results.a.frame), *results.history);
         update(session, results);
         return found;
     };
@@ -90,38 +90,38 @@ TEST_CASE("Next and previous change lead through the moments in which the pixel 
 
     REQUIRE(next());
     CHECK_FALSE(session.play.running);
-    CHECK(results.done == entries[0].cursor);
+    CHECK(results.a.done == entries[0].cursor);
     CHECK(picked_colour(session, results) == entries[0].colour_after);
     CHECK(session.selection.triangle == 8);
     REQUIRE(next());
-    CHECK(results.done == entries[1].cursor);
+    CHECK(results.a.done == entries[1].cursor);
     CHECK(picked_colour(session, results) == entries[1].colour_after);
     // The third fragment is hidden: it changes nothing.
     CHECK_FALSE(next());
-    CHECK(results.done == entries[1].cursor);
+    CHECK(results.a.done == entries[1].cursor);
 
     REQUIRE(previous());
-    CHECK(results.done == entries[0].cursor);
+    CHECK(results.a.done == entries[0].cursor);
     CHECK(session.selection.triangle == 8);
     CHECK_FALSE(previous());
-    CHECK(results.done == entries[0].cursor);
+    CHECK(results.a.done == entries[0].cursor);
 
     // From a moment between two changes, back leads to where the last one has just happened.
     session.cursor = cursor_end;
     update(session, results);
     REQUIRE(previous());
-    CHECK(results.done == entries[1].cursor);
+    CHECK(results.a.done == entries[1].cursor);
 }
 
 TEST_CASE("A change is not found twice where both ends of a row fall on the pixel") {
     Session session = open_session(lessons_folder() + "/scenes/one-triangle.toml");
-    session.settings.stage = Stage::rows;
+    session.a.settings.stage = Stage::rows;
     session.selection.pixel = glm::ivec2(10, 5);
     session.cursor = cursor_begin;
     Results results;
     update(session, results);
     REQUIRE(results.history->entries.size() == 2);
-    const Timeline timeline(results.frame);
+    const Timeline timeline(results.a.frame);
     REQUIRE(next_change(session, timeline, *results.history));
     CHECK(session.cursor == Cursor{0, Phase::rows, 1, 0});
     CHECK_FALSE(next_change(session, timeline, *results.history));
@@ -135,10 +135,10 @@ TEST_CASE("Each entry of the history, hidden ones too, can be gone to") {
     const std::vector<PixelEntry> entries = results.history->entries;
     for (const PixelEntry& entry : entries) {
         const int jumps = session.jumps;
-        go_to_entry(session, Timeline(results.frame), entry);
+        go_to_entry(session, Timeline(results.a.frame), entry);
         update(session, results);
         INFO(to_text(entry.cursor));
-        CHECK(results.done == entry.cursor);
+        CHECK(results.a.done == entry.cursor);
         CHECK(picked_colour(session, results) == entry.colour_after);
         CHECK(session.selection.triangle == entry.cursor.triangle);
         CHECK(session.jumps == jumps + 1);

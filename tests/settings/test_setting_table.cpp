@@ -280,3 +280,25 @@ TEST_CASE("Settings within their ranges keep every bit") {
     clamp_to_ranges(settings);
     CHECK(settings == before);
 }
+
+TEST_CASE("Each setting is compared and copied by itself") {
+    for (const Setting& setting : setting_table()) {
+        Settings from, to;
+        const auto* const choice = std::get_if<ChoiceSetting>(&setting.kind);
+        if (choice != nullptr) {
+            const int other = (choice->read(from) + 1) % static_cast<int>(choice->words.size());
+            choice->write(from, other);
+        } else if (std::holds_alternative<SizeSetting>(setting.kind)) {
+            set_value(from, setting, "3x4");
+        } else {
+            set_value(from, setting,
+                      std::holds_alternative<NumberSetting>(setting.kind) ? "1.5" : "1,2,0.5");
+        }
+        INFO(setting.name);
+        CHECK(has_same_value(setting, from, from));
+        CHECK_FALSE(has_same_value(setting, from, to));
+        copy_value(setting, from, to);
+        CHECK(has_same_value(setting, from, to));
+        CHECK(to == from);
+    }
+}

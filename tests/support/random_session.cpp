@@ -72,7 +72,7 @@ Session started(Random& random) {
 }
 
 void select_some(Random& random, Session& session) {
-    const Viewport& size = session.settings.viewport;
+    const Viewport& size = session.a.settings.viewport;
     const auto maybe = [&](int count) {
         return random.integer(0, 2) == 0 ? std::nullopt
                                          : std::optional(random.integer(0, count - 1));
@@ -112,7 +112,7 @@ void look_somehow(Random& random, Session& session) {
 
 Session random_session(Random& random) {
     Session session = started(random);
-    if (random.integer(0, 3) > 0) change_some(random, session.settings, random.integer(1, 20));
+    if (random.integer(0, 3) > 0) change_some(random, session.a.settings, random.integer(1, 20));
     for (int i = 0; is_bench(*session.scene) && i < random.integer(0, 3); ++i) {
         const int last = static_cast<int>(session.scene->triangles.size()) - 1;
         move_bench_vertex(session, random.integer(0, last), random.integer(0, 2),
@@ -126,7 +126,7 @@ Session random_session(Random& random) {
     if (random.integer(0, 4) > 0) select_some(random, session);
     if (random.integer(0, 4) > 0) look_somehow(random, session);
     if (random.integer(0, 2) == 0) {
-        Settings other = session.settings;
+        Settings other = session.a.settings;
         change_some(random, other, 8);
         compare_with(session, other);
     }
@@ -134,11 +134,11 @@ Session random_session(Random& random) {
         session.cursor = {random.integer(0, 30), static_cast<Phase>(random.integer(0, 2)),
                           random.integer(0, 40), random.integer(0, 40)};
     }
-    const Frame frame = prepare_frame(*session.scene, session.settings);
+    const Frame frame = prepare_frame(*session.scene, session.a.settings);
     session.cursor = Timeline(frame).at_or_after(session.cursor);
     // What another size of the picture has put outside is selected no more.
     Selection& selection = session.selection;
-    const Viewport& size = session.settings.viewport;
+    const Viewport& size = session.a.settings.viewport;
     if (selection.row && *selection.row >= size.height) selection.row = std::nullopt;
     if (selection.pixel &&
         (selection.pixel->x >= size.width || selection.pixel->y >= size.height)) {
@@ -150,11 +150,11 @@ Session random_session(Random& random) {
 void check_same_view(const Session& is, const Session& expected) {
     CHECK(std::filesystem::equivalent(is.scene->path, expected.scene->path));
     CHECK(moved_triangles(*is.scene, *expected.scene).empty());
-    CHECK(is.settings == expected.settings);
-    for (const RunDifference& difference : run_differences(is.settings, expected.settings))
+    CHECK(is.a.settings == expected.a.settings);
+    for (const RunDifference& difference : run_differences(is.a.settings, expected.a.settings))
         UNSCOPED_INFO(difference.setting << " is " << difference.a << ", not " << difference.b);
-    CHECK(is.other.has_value() == expected.other.has_value());
-    CHECK(is.other == expected.other);
+    CHECK(is.b.has_value() == expected.b.has_value());
+    CHECK(is.b == expected.b);
     CHECK(is.compare_view == expected.compare_view);
     CHECK(is.wipe == expected.wipe);
     CHECK(to_text(is.cursor) == to_text(expected.cursor));

@@ -20,7 +20,7 @@ struct KeptTextures : TextureHost {
 ///
 ///     Driver driver;
 ///     driver.hand.click("stage.depth");
-///     CHECK(driver.ui.session.settings.stage == Stage::depth);
+///     CHECK(driver.ui.session.a.settings.stage == Stage::depth);
 ///
 /// One at a time: ImGui has one context.
 class Driver {

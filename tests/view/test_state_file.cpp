@@ -66,13 +66,13 @@ TEST_CASE("A view that is saved and opened again is the same, for many sessions"
 TEST_CASE("A saved view reads well") {
     Session session = open_session(scene_of_program("one-triangle.toml"));
     session.cursor = Cursor{0, Phase::edges, 1, 5};
-    session.settings.rounding = Rounding::floor;
+    session.a.settings.rounding = Rounding::floor;
     session.selection.row = 9;
     session.canvas = {16.0f, {8.5f, 10.0f}, true};
     session.overlays.set(Overlay::wireframe, true);
     session.lesson = "05-row-table";
     session.step = 3;
-    compare_with(session, session.settings);
+    compare_with(session, session.a.settings);
     move_bench_vertex(session, 0, 1, {4, 12});
     CHECK(view_text(session, "/tmp/x.walk.toml") ==
           "# A view of Rasterwalk, to be opened with it.\n"

@@ -20,7 +20,7 @@ namespace {
 
 template <Stage stage>
 void set_stage(Ui& ui) {
-    ui.session.settings.stage = stage;
+    ui.session.a.settings.stage = stage;
 }
 
 template <View view>
@@ -34,12 +34,12 @@ bool shows_view(const Ui& ui) {
 
 template <CompareView view>
 void set_compare_view(Ui& ui) {
-    if (!ui.session.other) toggle_compare(ui);
+    if (!ui.session.b) toggle_compare(ui);
     ui.session.compare_view = view;
 }
 template <CompareView view>
 bool shows_compare_view(const Ui& ui) {
-    return ui.session.other && ui.session.compare_view == view;
+    return ui.session.b && ui.session.compare_view == view;
 }
 
 void set_text_scale(Ui& ui, float scale) {
@@ -47,7 +47,7 @@ void set_text_scale(Ui& ui, float scale) {
 }
 
 Timeline timeline_of(const Ui& ui) {
-    return Timeline(ui.results.frame);
+    return Timeline(ui.results.a.frame);
 }
 
 void walk_to_change(Ui& ui, bool (*walk)(Session&, const Timeline&, const PixelHistory&),
@@ -275,10 +275,12 @@ const Action table[] = {
      {'P'},
      [](Ui& ui) {
          if (refuses_settings(ui.session)) return;
-         Interpolation& i = ui.session.settings.interpolation;
+         Interpolation& i = ui.session.a.settings.interpolation;
          i = i == Interpolation::perspective ? Interpolation::affine : Interpolation::perspective;
      },
-     [](const Ui& ui) { return ui.session.settings.interpolation == Interpolation::perspective; }},
+     [](const Ui& ui) {
+         return ui.session.a.settings.interpolation == Interpolation::perspective;
+     }},
     {"switch.depth_test",
      "Stage",
      "Depth test",
@@ -286,10 +288,10 @@ const Action table[] = {
      {'Z'},
      [](Ui& ui) {
          if (refuses_settings(ui.session)) return;
-         DepthTest& d = ui.session.settings.depth_test;
+         DepthTest& d = ui.session.a.settings.depth_test;
          d = d == DepthTest::off ? DepthTest::inverse_z : DepthTest::off;
      },
-     [](const Ui& ui) { return ui.session.settings.depth_test != DepthTest::off; }},
+     [](const Ui& ui) { return ui.session.a.settings.depth_test != DepthTest::off; }},
 
     {"switch.compare",
      "Compare",
@@ -298,7 +300,7 @@ const Action table[] = {
      "or rounding, as suits the stage. Again: back to one run.",
      {'C'},
      toggle_compare,
-     [](const Ui& ui) { return ui.session.other.has_value(); }},
+     [](const Ui& ui) { return ui.session.b.has_value(); }},
     {"compare.view.side_by_side",
      "Compare",
      "Side by side",

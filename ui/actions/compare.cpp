@@ -57,14 +57,14 @@ std::optional<glm::ivec2> pixel_of(const Frame& frame, const Cursor& cursor) {
 
 const ComparePair* pair_on_show(const Session& session) {
     // While a quiz goes on it would give the mistake away.
-    if (!session.other || hides_settings(session)) return nullptr;
+    if (!session.b || hides_settings(session)) return nullptr;
     const std::vector<RunDifference> differences = run_differences(session);
     for (const ComparePair& pair : compare_pairs()) {
         const bool is_all =
             std::all_of(differences.begin(), differences.end(),
                         [&](const RunDifference& d) { return names(pair.a, d.setting); });
-        if (!differences.empty() && is_all && has_all(session.settings, pair.a) &&
-            has_all(*session.other, pair.b)) {
+        if (!differences.empty() && is_all && has_all(session.a.settings, pair.a) &&
+            has_all(session.b->settings, pair.b)) {
             return &pair;
         }
     }
@@ -72,12 +72,12 @@ const ComparePair* pair_on_show(const Session& session) {
 }
 
 void toggle_compare(Ui& ui) {
-    if (ui.session.other) {
+    if (ui.session.b) {
         end_comparison(ui.session);
     } else if (ui.session.quiz) {
         compare_with(ui.session, quiz_reference(ui.session));
     } else {
-        start_pair(ui.session, pair_for(ui.session.settings.stage));
+        start_pair(ui.session, pair_for(ui.session.a.settings.stage));
     }
 }
 
@@ -87,38 +87,38 @@ void stand_at(Ui& ui, const Cursor& cursor) {
     selection.triangle = cursor.triangle;
     selection.pixel = std::nullopt;
     if (cursor.phase == Phase::vertices) selection.vertex = cursor.index;
-    std::optional<glm::ivec2> pixel = pixel_of(ui.results.frame, cursor);
-    if (!pixel && ui.results.compared) pixel = pixel_of(ui.results.compared->frame, cursor);
-    if (!pixel || !ui.results.framebuffer->contains(pixel->x, pixel->y)) return;
+    std::optional<glm::ivec2> pixel = pixel_of(ui.results.a.frame, cursor);
+    if (!pixel && ui.results.b) pixel = pixel_of(ui.results.b->frame, cursor);
+    if (!pixel || !ui.results.a.framebuffer->contains(pixel->x, pixel->y)) return;
     selection.pixel = pixel;
     selection.row = pixel->y;
 }
 
 void go_to_next_divergence(Ui& ui) {
-    if (!ui.results.compared) {
+    if (!ui.results.b) {
         ui.session.notice = "There are no two runs: press C to compare.";
         return;
     }
     Cursor from = ui.session.cursor;
     if (from != cursor_end) ++from.step;
-    const auto found = next_divergence(ui.results.frame, ui.results.compared->frame, from);
+    const auto found = next_divergence(ui.results.a.frame, ui.results.b->frame, from);
     if (found) stand_at(ui, found->cursor);
     ui.session.notice = found ? "" : "The runs do not differ any more after this moment.";
 }
 
 void go_to_previous_divergence(Ui& ui) {
-    if (!ui.results.compared) {
+    if (!ui.results.b) {
         ui.session.notice = "There are no two runs: press C to compare.";
         return;
     }
     const auto found =
-        previous_divergence(ui.results.frame, ui.results.compared->frame, ui.session.cursor);
+        previous_divergence(ui.results.a.frame, ui.results.b->frame, ui.session.cursor);
     if (found) stand_at(ui, found->cursor);
     ui.session.notice = found ? "" : "The runs do not differ before this moment.";
 }
 
 bool is_comparing(const Ui& ui) {
-    return ui.results.compared.has_value();
+    return ui.results.b.has_value();
 }
 
 bool is_blinking(const Ui& ui) {
@@ -155,6 +155,20 @@ std::string grouped(std::int64_t number) {
          at > (number < 0 ? 1 : 0); at -= 3)
         digits.insert(static_cast<std::size_t>(at), " ");
     return digits;
+}
+
+std::string work_words(const Results& results) {
+    const auto words = [](const char* what, int done, int of) {
+        return std::string(what) + " " + grouped(done) + " of " + grouped(of) + " triangles";
+    };
+    const auto drawn = [&](const char* what, const RunResults& run) {
+        const int triangles = run.frame.triangle_count();
+        return words(what, std::min(run.replay.drawn().triangle, triangles), triangles);
+    };
+    if (!results.a.is_drawn()) return drawn("drawn", results.a);
+    if (results.b && !results.b->is_drawn()) return drawn("drawn of run B", *results.b);
+    const ComparisonWork& work = results.comparison.work;
+    return work.is_done() ? "" : words("compared", work.triangles_done(), work.triangles());
 }
 
 std::string difference_words(const PixelDifference& pixels) {

@@ -36,6 +36,10 @@ bool blink_shows_b(const Ui& ui);
 /// as many as fit on one line.
 std::string run_words(const Session& session, bool of_b, bool one_line);
 
+/// How far the work is that one update did not finish: "compared 40 of 200 000 triangles". Empty if
+/// nothing is left to do.
+std::string work_words(const Results& results);
+
 /// How far the pictures lie apart at the cursor: "74 310 pixels differ · largest 0.46 · mean
 /// 0.037".
 std::string difference_words(const PixelDifference& pixels);

@@ -52,13 +52,13 @@ void move_by_held_keys(Ui& ui) {
     if (!modifiers_are_up()) return;
     for (const HeldKey& held : held_keys) {
         if (ImGui::IsKeyPressed(held.key, false)) {
-            held.move(ui.session.settings, touch_distance);
+            held.move(ui.session.a.settings, touch_distance);
         } else if (ImGui::IsKeyDown(held.key)) {
-            held.move(ui.session.settings, held_speed * std::min(ImGui::GetIO().DeltaTime, 0.1f));
+            held.move(ui.session.a.settings, held_speed * std::min(ImGui::GetIO().DeltaTime, 0.1f));
         } else {
             continue;
         }
-        clamp_to_ranges(ui.session.settings);
+        clamp_to_ranges(ui.session.a.settings);
     }
 }
 

@@ -99,14 +99,14 @@ void carry_on_diagnosis(Ui& ui) {
                                  "diagnose' takes larger ones.");
             }
             const Settings reference =
-                fitted_to(with_handout_rules(session.settings), picture, session.scene->space);
+                fitted_to(with_handout_rules(session.a.settings), picture, session.scene->space);
             lab.diagnosis = diagnose_picture(picture, *session.scene, reference, lab_bugs(ui));
             lab.held_against = "the picture of " + session.scene->name;
         } else {
             const std::vector<PrintedRow> rows = parse_printed_rows(read_file(path), path);
             std::string about;
             lab.diagnosis =
-                diagnose_rows(rows, {}, *session.scene, with_handout_rules(session.settings),
+                diagnose_rows(rows, {}, *session.scene, with_handout_rules(session.a.settings),
                               lab_bugs(ui), about);
             lab.held_against = "the row table of " + about;
         }

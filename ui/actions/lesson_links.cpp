@@ -65,7 +65,7 @@ void follow_link(Ui& ui, const std::string& target) {
         const LessonLink link = parse_lesson_link(target);
         ui.session.notice.clear();
         if (changes_settings(link.kind) && refuses_settings(ui.session)) return;
-        follow_lesson_link(ui.session, ui.results.frame, link);
+        follow_lesson_link(ui.session, ui.results.a.frame, link);
         switch (link.kind) {
         case LessonLink::Kind::show: {
             const bool is_tab = link.argument.starts_with(tab_widget);
@@ -76,7 +76,7 @@ void follow_link(Ui& ui, const std::string& target) {
             break;
         }
         case LessonLink::Kind::bug:
-            ui.lab.chosen = ui.session.taken->bug;
+            ui.lab.chosen = ui.session.replaced->bug;
             break;
         case LessonLink::Kind::tab:
             open_tab(ui, link.argument);

@@ -128,8 +128,8 @@ void draw_everything(Ui& ui) {
 }
 
 Asked asked_for(const Session& session) {
-    return {session.scene, session.settings, session.cursor,      session.selection,
-            session.view,  session.overlays, session.depth_range, session.other};
+    return {session.scene,     session.a,    session.b,        session.cursor,
+            session.selection, session.view, session.overlays, session.depth_range};
 }
 
 /// True while nothing is held, so that a drag counts as one change.
@@ -152,13 +152,13 @@ bool update_or_go_back(Ui& ui) {
     if (!ui.worked_out) return false;
     const Asked& last = *ui.worked_out;
     session.scene = last.scene;
-    session.settings = last.settings;
+    session.a = last.a;
     session.cursor = last.cursor;
     session.selection = last.selection;
     session.view = last.view;
     session.overlays = last.overlays;
     session.depth_range = last.depth_range;
-    session.other = last.other;
+    session.b = last.b;
     return guarded(ui, work);
 }
 
@@ -178,13 +178,13 @@ bool build_pass(Ui& ui, float seconds) {
     guarded(ui, [&] { handle_keys(ui); }); // asks where widgets were in the frame that is seen
     ui.widgets.clear();
     guarded(ui, [&] {
-        advance_play(ui.session, Timeline(ui.results.frame), seconds);
-        follow_first_run(ui.session);
+        advance_play(ui.session, Timeline(ui.results.a.frame), seconds);
+        carry_changes_to_b(ui.session);
     });
     if (is_blinking(ui)) ui.compare.blink_seconds += seconds;
-    const Cursor before = ui.results.cursor;
+    const Cursor before = ui.results.a.cursor;
     const bool is_known = update_or_go_back(ui);
-    ui.follow_cursor = ui.results.cursor != before;
+    ui.follow_cursor = ui.results.a.cursor != before;
     const Asked asked = asked_for(ui.session);
     if (is_known) {
         guarded(ui, [&] { draw_everything(ui); });
@@ -249,7 +249,7 @@ void keep_everything(Ui& ui) {
 
 bool is_animating(const Ui& ui) {
     return ui.session.play.running || is_moving_by_key() || is_blinking(ui) ||
-           ui.lab.frames_to_result > 0;
+           ui.lab.frames_to_result > 0 || is_working(ui.results);
 }
 
 } // namespace rasterwalk

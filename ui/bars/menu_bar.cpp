@@ -51,7 +51,7 @@ void draw_scene_menu(Ui& ui) {
     ImGui::Separator();
     for (const Preset& preset : ui.session.presets) {
         if (ImGui::MenuItem(("Preset: " + preset.name).c_str()) && !refuses_settings(ui.session)) {
-            apply_preset(preset, ui.session.settings);
+            apply_preset(preset, ui.session.a.settings);
         }
         name_widget(ui, "preset." + preset.name, preset.about);
     }

@@ -39,7 +39,7 @@ enum class Form : std::uint8_t {
 
 std::vector<StripItem> strip_items(const Ui& ui, Form form) {
     std::vector<StripItem> items;
-    const Settings& settings = ui.session.settings;
+    const Settings& settings = ui.session.a.settings;
     for (const StageInfo& info : stage_list()) {
         items.push_back({.name = "stage." + std::string(info.name),
                          .first = std::to_string(static_cast<int>(info.stage) + 1),
@@ -81,7 +81,7 @@ std::vector<StripItem> strip_items(const Ui& ui, Form form) {
                      .first = form > Form::full ? "A | B" : "Compare",
                      .second = "",
                      .first_is_main = true,
-                     .chosen = ui.session.other.has_value(),
+                     .chosen = ui.session.b.has_value(),
                      .is_switch = true,
                      .has_state = false});
     if (form == Form::with_pairs) {

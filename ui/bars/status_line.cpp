@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <string>
 
+#include "ui/actions/compare.h"
 #include "ui/bars/bars.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -11,7 +12,8 @@ namespace {
 
 /// The pixel's colours in both runs, and how much they differ.
 std::string colours_of_both(const Ui& ui, std::size_t at) {
-    const Compared& b = *ui.results.compared;
+    const RunResults& b = *ui.results.b;
+    const ComparisonResults& comparison = ui.results.comparison;
     const auto colour = [&](const char* run, const Framebuffer& picture) {
         const glm::vec3& c = picture.colour[at];
         char text[96];
@@ -19,8 +21,8 @@ std::string colours_of_both(const Ui& ui, std::size_t at) {
                       static_cast<double>(c.g), static_cast<double>(c.b));
         return std::string(text);
     };
-    const float difference = b.difference_values[at];
-    std::string words = colour("A", *ui.results.framebuffer) + colour("B", *b.framebuffer);
+    const float difference = comparison.difference_values[at];
+    std::string words = colour("A", *ui.results.a.framebuffer) + colour("B", *b.framebuffer);
     words += "   B − A ";
     words += (difference > 0.0f ? "+" : "") + fixed(static_cast<double>(difference), 4);
     return words;
@@ -29,13 +31,13 @@ std::string colours_of_both(const Ui& ui, std::size_t at) {
 /// All that is known of the pixel under the pointer, or else of the one picked.
 std::string describe_pixel(const Ui& ui) {
     const auto pixel = ui.hovered_pixel ? ui.hovered_pixel : ui.session.selection.pixel;
-    const Framebuffer& framebuffer = *ui.results.framebuffer;
+    const Framebuffer& framebuffer = *ui.results.a.framebuffer;
     if (!pixel || !framebuffer.contains(pixel->x, pixel->y)) return "point at a pixel";
     const std::size_t at = framebuffer.at(pixel->x, pixel->y);
     char text[160];
     std::snprintf(text, sizeof text, "pixel (%d, %d)", pixel->x, pixel->y);
     std::string words = text;
-    if (ui.results.compared) return words + colours_of_both(ui, at);
+    if (ui.results.b) return words + colours_of_both(ui, at);
     const int owner = framebuffer.owner[at];
     if (owner < 0) return words + "   not drawn";
     const glm::vec3& c = framebuffer.colour[at];
@@ -49,7 +51,7 @@ std::string describe_pixel(const Ui& ui) {
         words += text;
     }
     std::snprintf(text, sizeof text, "   triangle %d, ", owner + 1);
-    words += text + part_name(*ui.results.scene, owner);
+    words += text + part_name(*ui.results.a.scene, owner);
     const unsigned drawn = framebuffer.overdraw[at];
     std::snprintf(text, sizeof text, "   drawn %ux", drawn);
     return words + text;
@@ -58,10 +60,11 @@ std::string describe_pixel(const Ui& ui) {
 std::string trouble_text(const Ui& ui) {
     if (!ui.session.notice.empty()) return ui.session.notice;
     if (!ui.fonts.notice.empty()) return ui.fonts.notice;
+    if (is_working(ui.results)) return work_words(ui.results);
     // What a message says may be the answer.
     if (hides_settings(ui.session)) return {};
     std::string all;
-    for (const std::string& message : ui.results.messages) {
+    for (const std::string& message : ui.results.a.messages) {
         all += (all.empty() ? "" : "; ") + message;
     }
     return all;
@@ -95,8 +98,11 @@ void draw_status_line(Ui& ui, const Area& area) {
                 shortened(trouble, right - left));
         name_widget(ui, "status.trouble",
                     is_fault ? trouble
-                             : trouble + "\nThe program guards against this and goes on; lesson 12 "
-                                         "tells why it happens.");
+                    : is_working(ui.results)
+                        ? trouble +
+                              "\nIt is too much work for one frame of the window, and goes on."
+                        : trouble + "\nThe program guards against this and goes on; lesson 12 "
+                                    "tells why it happens.");
         ImGui::PopClipRect();
     }
     ImGui::End();

@@ -139,7 +139,7 @@ std::string step_name(const StepChoice& choice) {
 void draw_step_list(Ui& ui, ImVec2 at, ImVec2 size) {
     ImGui::SetCursorScreenPos({at.x, at.y + 0.5f * (size.y - ImGui::GetFrameHeight())});
     ImGui::SetNextItemWidth(size.x);
-    const auto choices = step_choices(ui.session.settings.stage);
+    const auto choices = step_choices(ui.session.a.settings.stage);
     const auto now = static_cast<std::size_t>(ui.session.play.granularity);
     const bool open = ImGui::BeginCombo("##step", choices[now].name);
     name_widget(ui, "step.list", "How far a step goes.");
@@ -160,7 +160,7 @@ void draw_step_choice(Ui& ui, ImVec2 at, ImVec2 size) {
     ImDrawList* const list = ImGui::GetWindowDrawList();
     list->AddRectFilled(at, {at.x + size.x, at.y + size.y}, packed(p.button), 5.0f * u);
     float x = at.x;
-    for (const StepChoice& choice : step_choices(ui.session.settings.stage)) {
+    for (const StepChoice& choice : step_choices(ui.session.a.settings.stage)) {
         const float slack = choice.granularity == Granularity::moment
                                 ? text_width("fragment") - text_width(choice.name)
                             : choice.granularity == Granularity::line
@@ -202,7 +202,7 @@ void draw_speed(Ui& ui, ImVec2 at, ImVec2 size) {
 void draw_scrub_bar(Ui& ui, ImVec2 at, ImVec2 size) {
     const Palette& p = palette(ui.options.theme);
     const float u = ui.options.text_scale;
-    const Timeline timeline(ui.results.frame);
+    const Timeline timeline(ui.results.a.frame);
     ImGui::SetCursorScreenPos(at);
     ImGui::InvisibleButton("scrub", size);
     if (ImGui::IsItemActive()) {
@@ -215,11 +215,11 @@ void draw_scrub_bar(Ui& ui, ImVec2 at, ImVec2 size) {
     ImDrawList* const list = ImGui::GetWindowDrawList();
     const float middle = at.y + 0.5f * size.y;
     const float half = 7.0f * u;
-    const float x = at.x + size.x * static_cast<float>(timeline.place(ui.results.cursor));
+    const float x = at.x + size.x * static_cast<float>(timeline.place(ui.results.a.cursor));
     list->AddRectFilled({at.x, middle - half}, {at.x + size.x, middle + half}, packed(p.button),
                         3.0f * u);
     list->AddRectFilled({at.x, middle - half}, {x, middle + half}, packed(p.accent), 3.0f * u);
-    const int triangles = ui.results.frame.triangle_count();
+    const int triangles = ui.results.a.frame.triangle_count();
     if (static_cast<float>(triangles) * 4.0f * u < size.x) {
         for (int t = 1; t < triangles; ++t) {
             const float tick =
@@ -258,8 +258,9 @@ void draw_change_buttons(Ui& ui, ImVec2 at) {
 void draw_words(Ui& ui, ImVec2 at, float room) {
     const float u = ui.options.text_scale;
     const float gap = 18.0f * u;
-    const std::string words = ui.results.done ? describe_moment(ui.results.frame, *ui.results.done)
-                                              : "nothing is drawn yet";
+    const std::string words = ui.results.a.done
+                                  ? describe_moment(ui.results.a.frame, *ui.results.a.done)
+                                  : "nothing is drawn yet";
     const float words_width = text_width(words.c_str());
     const float buttons =
         text_width(previous_change_label) + text_width(next_change_label) + 46.0f * u;
@@ -272,8 +273,9 @@ void draw_words(Ui& ui, ImVec2 at, float room) {
                 words_width > right - at.x ? words + "\nWhat was just drawn."
                                            : "What was just drawn.");
     ImGui::PopClipRect();
-    const std::string next =
-        ui.results.cursor == cursor_end ? "end of the frame" : "next " + to_text(ui.results.cursor);
+    const std::string next = ui.results.a.cursor == cursor_end
+                                 ? "end of the frame"
+                                 : "next " + to_text(ui.results.a.cursor);
     ImGui::PushFont(ui.fonts.mono);
     if (at.x + words_width + gap + text_width(next.c_str()) <= right) {
         ImGui::SameLine(0.0f, gap);

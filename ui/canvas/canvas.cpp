@@ -29,7 +29,7 @@ constexpr float share_kept = 0.75f;
 constexpr float turn_per_pixel = 0.004f;
 
 float fit_zoom(const Ui& ui, ImVec2 room) {
-    const Viewport size = ui.results.frame.settings.viewport;
+    const Viewport size = ui.results.a.frame.settings.viewport;
     const float zoom =
         std::min(room.x / static_cast<float>(size.width), room.y / static_cast<float>(size.height));
     // Whole multiples keep all pixels equally large and sharp: where they leave room enough.
@@ -38,7 +38,7 @@ float fit_zoom(const Ui& ui, ImVec2 room) {
 }
 
 PicturePlace place_picture(const Ui& ui, ImVec2 low, ImVec2 room) {
-    const Viewport size = ui.results.frame.settings.viewport;
+    const Viewport size = ui.results.a.frame.settings.viewport;
     const bool fits = ui.session.canvas.zoom <= 0.0f;
     PicturePlace place;
     place.scale = fits ? fit_zoom(ui, room) : ui.session.canvas.zoom;
@@ -71,7 +71,7 @@ float next_zoom(float zoom, float wheel) {
 }
 
 void pick(Ui& ui, glm::ivec2 pixel, bool triangle_only) {
-    const Framebuffer& framebuffer = *ui.results.framebuffer;
+    const Framebuffer& framebuffer = *ui.results.a.framebuffer;
     Selection& selection = ui.session.selection;
     if (!framebuffer.contains(pixel.x, pixel.y)) return;
     const int owner = framebuffer.owner[framebuffer.at(pixel.x, pixel.y)];
@@ -99,7 +99,7 @@ void handle_pointer(Ui& ui, ImVec2 low, ImVec2 room) {
     const ImVec2 pointer = pointer_in_a(ui);
     const ImVec2 at = picture_point(ui.picture_place, pointer);
     const glm::ivec2 pixel(std::floor(at.x), std::floor(at.y));
-    if (ui.results.framebuffer->contains(pixel.x, pixel.y)) ui.hovered_pixel = pixel;
+    if (ui.results.a.framebuffer->contains(pixel.x, pixel.y)) ui.hovered_pixel = pixel;
     if (io.MouseWheel != 0.0f && ImGui::IsItemHovered()) {
         zoom_about(ui, pointer, next_zoom(ui.picture_place.scale, io.MouseWheel), low, room);
     }
@@ -122,10 +122,10 @@ void handle_pointer(Ui& ui, ImVec2 low, ImVec2 room) {
         ui.picture_place = place_picture(ui, low, room);
     }
     if (ImGui::IsMouseDragging(1)) {
-        Camera& camera = ui.session.settings.camera;
+        Camera& camera = ui.session.a.settings.camera;
         camera.yaw += turn_per_pixel * io.MouseDelta.x;
         camera.pitch -= turn_per_pixel * io.MouseDelta.y;
-        clamp_to_ranges(ui.session.settings);
+        clamp_to_ranges(ui.session.a.settings);
     }
 }
 
@@ -269,7 +269,7 @@ void draw_canvas(Ui& ui, const Area& area) {
     if (is_comparing(ui)) {
         draw_compared(ui, list, canvas);
     } else {
-        show_texture(ui, ui.picture, ui.results.picture, ui.results.picture_number,
+        show_texture(ui, ui.picture, ui.results.a.picture, ui.results.a.picture_number,
                      ui.picture_place.scale);
         draw_texture(list, ui.picture, ui.picture_place);
         draw_overlays(ui, list, frame_low, frame_high);

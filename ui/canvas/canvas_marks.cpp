@@ -287,12 +287,12 @@ void draw_lit_row(const Marks& m, int row, float opacity) {
 } // namespace
 
 ShownRun run_a(const Ui& ui) {
-    const Results& a = ui.results;
+    const RunResults& a = ui.results.a;
     return {a.frame, a.rows, a.cursor, a.done, ui.picture_place};
 }
 
 ShownRun run_b(const Ui& ui, const PicturePlace& place) {
-    const Compared& b = *ui.results.compared;
+    const RunResults& b = *ui.results.b;
     return {b.frame, b.rows, b.cursor, b.done, place};
 }
 
@@ -302,16 +302,16 @@ void draw_canvas_marks(const Ui& ui, const ShownRun& run, ImDrawList* list, ImVe
     const Frame& frame = run.frame;
     if (m.is_large()) draw_grid(m);
     draw_point_rings(m);
-    const bool has_triangle = ui.results.triangle && frame.is_drawn(*ui.results.triangle);
+    const bool has_triangle = ui.results.a.triangle && frame.is_drawn(*ui.results.a.triangle);
     const bool is_picked = ui.session.selection.triangle.has_value();
     const bool is_walking = run.cursor != cursor_end;
     if (has_triangle && (m.is_large() || is_picked || is_walking)) {
-        const std::span<const Fragment> vertices = frame.triangle_vertices(*ui.results.triangle);
+        const std::span<const Fragment> vertices = frame.triangle_vertices(*ui.results.a.triangle);
         if (m.is_large() && frame.settings.stage >= Stage::edges) draw_row_ends(m);
         draw_true_edges(m, vertices);
         if (m.is_large()) {
-            if (frame.settings.stage >= Stage::edges) draw_samples(m, *ui.results.triangle);
-            draw_vertices(m, *ui.results.triangle, vertices);
+            if (frame.settings.stage >= Stage::edges) draw_samples(m, *ui.results.a.triangle);
+            draw_vertices(m, *ui.results.a.triangle, vertices);
         }
     }
     if (ui.hovered_row) draw_lit_row(m, *ui.hovered_row, 0.25f);

@@ -32,7 +32,8 @@ struct Span {
 };
 Span visible_span(const Ui& ui, const Pane& canvas) {
     const PicturePlace& place = ui.picture_place;
-    const float width = place.scale * static_cast<float>(ui.results.frame.settings.viewport.width);
+    const float width =
+        place.scale * static_cast<float>(ui.results.a.frame.settings.viewport.width);
     const float low = std::max(place.origin.x, canvas.low.x);
     return {low, std::max(std::min(place.origin.x + width, canvas.high.x), low + 1.0f)};
 }
@@ -152,13 +153,15 @@ void draw_difference(Ui& ui, ImDrawList* list, const Pane& canvas) {
 }
 
 void show_textures(Ui& ui) {
-    const Compared& b = *ui.results.compared;
+    const RunResults& b = *ui.results.b;
+    const ComparisonResults& comparison = ui.results.comparison;
     const float scale = ui.picture_place.scale;
     if (ui.session.compare_view == CompareView::difference) {
-        show_texture(ui, ui.compare.difference, b.difference, b.difference_number, scale);
+        show_texture(ui, ui.compare.difference, comparison.difference, comparison.difference_number,
+                     scale);
         return;
     }
-    show_texture(ui, ui.picture, ui.results.picture, ui.results.picture_number, scale);
+    show_texture(ui, ui.picture, ui.results.a.picture, ui.results.a.picture_number, scale);
     show_texture(ui, ui.compare.picture, b.picture, b.picture_number, scale);
 }
 
@@ -198,7 +201,7 @@ float views_width() {
 } // namespace
 
 void draw_compare_bar(Ui& ui) {
-    if (!ui.session.other) return;
+    if (!ui.session.b) return;
     const Palette& p = palette(ui.options.theme);
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
@@ -219,7 +222,7 @@ void draw_compare_bar(Ui& ui) {
                 shortened(ui.results.no_comparison, room));
         name_widget(ui, "compare.fault", ui.results.no_comparison);
     } else {
-        const std::string words = difference_words(ui.results.compared->pixels);
+        const std::string words = difference_words(ui.results.comparison.pixels);
         const std::string shown = shortened(words, room - gap);
         const float width = ImGui::CalcTextSize(shown.c_str()).x;
         ImGui::SetCursorScreenPos(

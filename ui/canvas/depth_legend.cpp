@@ -149,7 +149,7 @@ std::string bar_text(const Plot& plot, float x) {
 /// 1/z of the pixel pointed at or picked; 0: there is none.
 float depth_asked(const Ui& ui) {
     const auto pixel = ui.hovered_pixel ? ui.hovered_pixel : ui.session.selection.pixel;
-    const Framebuffer& framebuffer = *ui.results.framebuffer;
+    const Framebuffer& framebuffer = *ui.results.a.framebuffer;
     if (!pixel || !framebuffer.contains(pixel->x, pixel->y)) return 0.0f;
     return stored_depth(framebuffer, pixel->x, pixel->y);
 }

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "picture/view_image.h"
-#include "session/compared.h"
+#include "session/results.h"
 #include "ui/actions/compare.h"
 #include "ui/canvas/compare_view.h"
 #include "ui/widgets/style.h"
@@ -37,9 +37,9 @@ const char* difference_unit(View view) {
 /// The difference at the pixel under the pointer, or at the picked one; none outside the picture.
 std::optional<float> difference_in_focus(const Ui& ui) {
     const auto& pixel = ui.hovered_pixel ? ui.hovered_pixel : ui.session.selection.pixel;
-    if (!pixel || !ui.results.framebuffer->contains(pixel->x, pixel->y)) return std::nullopt;
-    const std::size_t at = ui.results.framebuffer->at(pixel->x, pixel->y);
-    return ui.results.compared->difference_values[at];
+    if (!pixel || !ui.results.a.framebuffer->contains(pixel->x, pixel->y)) return std::nullopt;
+    const std::size_t at = ui.results.a.framebuffer->at(pixel->x, pixel->y);
+    return ui.results.comparison.difference_values[at];
 }
 
 /// What the scale measures, and the number in focus.
@@ -61,7 +61,7 @@ std::array<std::string, 3> difference_ends(float limit) {
 
 /// The colours of the scale, and a mark at the number in focus.
 void draw_difference_bar(const Ui& ui, ImVec2 low, ImVec2 high) {
-    const float limit = ui.results.compared->difference_limit;
+    const float limit = ui.results.comparison.difference_limit;
     const float u = ui.options.text_scale;
     ImDrawList* const list = ImGui::GetWindowDrawList();
     constexpr int steps = 96;
@@ -92,12 +92,12 @@ float difference_legend_height(const Ui& ui, float canvas_height) {
 }
 
 void draw_difference_legend(Ui& ui, ImVec2 low, ImVec2 high) {
-    const Compared& b = *ui.results.compared;
+    const ComparisonResults& comparison = ui.results.comparison;
     const Palette& p = palette(ui.options.theme);
     const float u = ui.options.text_scale;
     ImDrawList* const list = ImGui::GetWindowDrawList();
     ImGui::PushFont(ui.fonts.small);
-    const std::array<std::string, 3> ends = difference_ends(b.difference_limit);
+    const std::array<std::string, 3> ends = difference_ends(comparison.difference_limit);
     if (high.y - low.y < scale_height * u - 1.0f) {
         // The numbers beside the colours.
         const float side = ImGui::CalcTextSize(ends[0].c_str()).x + 6.0f * u;

@@ -74,7 +74,7 @@ void draw_swatch(const Ui& ui, ImDrawList* list, ImVec2 at, Overlay overlay, flo
 /// The pixel that the legends speak of: the one pointed at, or else the one picked.
 std::optional<glm::ivec2> pixel_asked(const Ui& ui) {
     const auto pixel = ui.hovered_pixel ? ui.hovered_pixel : ui.session.selection.pixel;
-    const Framebuffer& framebuffer = *ui.results.framebuffer;
+    const Framebuffer& framebuffer = *ui.results.a.framebuffer;
     const bool is_inside = pixel && framebuffer.contains(pixel->x, pixel->y);
     return is_inside ? pixel : std::nullopt;
 }
@@ -82,7 +82,7 @@ std::optional<glm::ivec2> pixel_asked(const Ui& ui) {
 std::string value_at(const Ui& ui, Overlay overlay, glm::ivec2 pixel) {
     // As near as the eye can tell, however much the picture is enlarged.
     const float reach = std::max(5.0f * ui.options.text_scale / ui.picture_place.scale, 0.75f);
-    return overlay_value(overlay, ui.results.frame, *ui.results.framebuffer, ui.results.overlay,
+    return overlay_value(overlay, ui.results.a.frame, *ui.results.a.framebuffer, ui.results.overlay,
                          pixel, reach);
 }
 
@@ -166,7 +166,7 @@ void draw_entry(const Legend& l, const OverlayInfo& info, ImVec2 at, float right
     text_in(p.text, info.title);
     const float title_end = ImGui::GetItemRectMax().x + 10.0f * l.u;
     const std::optional<glm::ivec2> pixel = pixel_asked(l.ui);
-    const std::string total = overlay_total(info.overlay, l.ui.results.frame, picture);
+    const std::string total = overlay_total(info.overlay, l.ui.results.a.frame, picture);
     const std::string value = pixel ? value_at(l.ui, info.overlay, *pixel) : std::string();
     if (l.compact) {
         text_right(pixel ? value : total, pixel ? p.text : p.dim, at, right, title_end);

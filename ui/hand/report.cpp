@@ -23,7 +23,7 @@ std::string report_of(const Ui& ui) {
     std::string text = "window" + numbers({window.x, window.y}) + "\n";
     for (const Setting& setting : setting_table()) {
         text.append("setting ").append(setting.name).append(" ");
-        text += value_text(setting, ui.session.settings) + "\n";
+        text += value_text(setting, ui.session.a.settings) + "\n";
     }
     text += "cursor " + to_text(ui.session.cursor) + "\n";
     const PicturePlace& picture = ui.picture_place;

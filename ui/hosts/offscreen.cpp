@@ -83,25 +83,25 @@ class Screen {
     int width_, height_;
 };
 
-void carry_out(const Deed& deed, Hand& hand) {
-    switch (deed.kind) {
-    case Deed::Kind::click:
-        hand.click(deed.what);
+void carry_out(const HandAction& action, Hand& hand) {
+    switch (action.kind) {
+    case HandAction::Kind::click:
+        hand.click(action.what);
         break;
-    case Deed::Kind::hover:
-        hand.hover(deed.what);
+    case HandAction::Kind::hover:
+        hand.hover(action.what);
         break;
-    case Deed::Kind::pick: {
+    case HandAction::Kind::pick: {
         int column = 0, row = 0;
         char rest = 0;
-        if (std::sscanf(deed.what.c_str(), " %d , %d %c", &column, &row, &rest) != 2) {
-            throw UsageError("--pick takes a pixel X,Y, not '" + deed.what + "'.");
+        if (std::sscanf(action.what.c_str(), " %d , %d %c", &column, &row, &rest) != 2) {
+            throw UsageError("--pick takes a pixel X,Y, not '" + action.what + "'.");
         }
         hand.click_picture(column, row);
         break;
     }
-    case Deed::Kind::press: {
-        const KeyPress pressed = parse_key(deed.what);
+    case HandAction::Kind::press: {
+        const KeyPress pressed = parse_key(action.what);
         hand.press(pressed.key, pressed.held);
         break;
     }
@@ -113,12 +113,21 @@ void carry_out(const Deed& deed, Hand& hand) {
 Image draw_offscreen(Session session, const OffscreenOptions& options) {
     Screen screen(std::move(session), options);
     Hand hand(screen.ui, [&] { screen.frame(); });
+    // Work that a window would spread over many frames is done at once.
+    const auto settle = [&] {
+        if (!is_working(screen.ui.results)) return;
+        finish(screen.ui.session, screen.ui.results);
+        hand.frames(frames_to_rest);
+    };
     hand.frames(frames_to_rest);
-    for (const Deed& deed : options.deeds)
-        carry_out(deed, hand);
+    settle();
+    for (const HandAction& action : options.actions) {
+        carry_out(action, hand);
+        settle();
+    }
     // Only who asks for it gets a tooltip.
     const bool is_resting =
-        !options.deeds.empty() && options.deeds.back().kind == Deed::Kind::hover;
+        !options.actions.empty() && options.actions.back().kind == HandAction::Kind::hover;
     if (!is_resting) hand.leave();
     if (options.report_path == "-") {
         std::cout << visible(report_of(screen.ui));

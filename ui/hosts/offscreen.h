@@ -8,7 +8,7 @@
 namespace rasterwalk {
 
 /// Something done to the interface before its picture is taken.
-struct Deed {
+struct HandAction {
     enum class Kind : std::uint8_t {
         click, ///< on a widget, by its name
         hover, ///< the pointer rests on a widget, by its name
@@ -25,7 +25,7 @@ struct OffscreenOptions {
     int height = 1000;
     UiOptions ui;
     std::string tab; ///< of the inspector, brought to the front; empty: as the session has it
-    std::vector<Deed> deeds;
+    std::vector<HandAction> actions;
     std::string report_path; ///< file that takes report_of(); "-" for standard output; empty: none
 };
 
@@ -35,7 +35,7 @@ inline constexpr int smallest_offscreen_height = 240;
 inline constexpr int largest_offscreen_side = 8192;
 
 /// The interface on a session as a picture, drawn without a display. Throws Error: UsageError for a
-/// deed that cannot be done, AccessError where there is no way to draw.
+/// action that cannot be done, AccessError where there is no way to draw.
 Image draw_offscreen(Session session, const OffscreenOptions& options);
 
 } // namespace rasterwalk

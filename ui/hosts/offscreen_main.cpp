@@ -29,7 +29,8 @@ struct Arguments {
     OffscreenOptions options;
 };
 
-using DeedOptions = std::map<const CLI::Option*, std::pair<Deed::Kind, std::vector<std::string>*>>;
+using DeedOptions =
+    std::map<const CLI::Option*, std::pair<HandAction::Kind, std::vector<std::string>*>>;
 
 DeedOptions describe(CLI::App& app, Arguments& a) {
     app.set_version_flag("--version", "rasterwalk-offscreen " + version_text());
@@ -52,31 +53,33 @@ DeedOptions describe(CLI::App& app, Arguments& a) {
     text("--report-widgets", a.options.report_path,
          "Write names and places of all widgets to this file; - for standard output", "FILE");
 
-    DeedOptions deeds;
-    const auto deed = [&](const char* name, std::vector<std::string>& values, Deed::Kind kind,
-                          const char* help, const char* type) {
+    DeedOptions actions;
+    const auto action = [&](const char* name, std::vector<std::string>& values,
+                            HandAction::Kind kind, const char* help, const char* type) {
         CLI::Option* const option = app.add_option(name, values, help);
         option->type_name(type)->allow_extra_args(false)->group("Window");
-        deeds[option] = {kind, &values};
+        actions[option] = {kind, &values};
     };
-    deed("--click", a.clicks, Deed::Kind::click, "Click on a widget; repeatable", "NAME");
-    deed("--hover", a.hovers, Deed::Kind::hover, "Point at a widget; repeatable", "NAME");
-    deed("--pick", a.picks, Deed::Kind::pick, "Click on a pixel of the picture; repeatable", "X,Y");
-    deed("--press", a.presses, Deed::Kind::press, "Press a key, as Ctrl+Z; repeatable", "KEY");
-    return deeds;
+    action("--click", a.clicks, HandAction::Kind::click, "Click on a widget; repeatable", "NAME");
+    action("--hover", a.hovers, HandAction::Kind::hover, "Point at a widget; repeatable", "NAME");
+    action("--pick", a.picks, HandAction::Kind::pick, "Click on a pixel of the picture; repeatable",
+           "X,Y");
+    action("--press", a.presses, HandAction::Kind::press, "Press a key, as Ctrl+Z; repeatable",
+           "KEY");
+    return actions;
 }
 
-/// The deeds of all kinds in the order in which they were written.
-std::vector<Deed> in_order(const CLI::App& app, const DeedOptions& options) {
+/// The actions of all kinds in the order in which they were written.
+std::vector<HandAction> in_order(const CLI::App& app, const DeedOptions& options) {
     std::map<const CLI::Option*, std::size_t> taken;
-    std::vector<Deed> deeds;
+    std::vector<HandAction> actions;
     for (const CLI::Option* option : app.parse_order()) {
         const auto found = options.find(option);
         if (found == options.end()) continue;
         const auto& [kind, values] = found->second;
-        deeds.push_back({kind, values->at(taken[option]++)});
+        actions.push_back({kind, values->at(taken[option]++)});
     }
-    return deeds;
+    return actions;
 }
 
 void read_window(const std::string& text, OffscreenOptions& options) {
@@ -119,7 +122,7 @@ int run(int argc, const char* const* argv) {
     CLI::App app{"Draws the window of Rasterwalk as a picture, without a display.",
                  "rasterwalk-offscreen"};
     Arguments arguments;
-    const DeedOptions deeds = describe(app, arguments);
+    const DeedOptions actions = describe(app, arguments);
     std::vector<std::string> words = command_arguments(argc, argv);
     std::reverse(words.begin(), words.end()); // as CLI11 wants them
     try {
@@ -131,7 +134,7 @@ int run(int argc, const char* const* argv) {
         throw UsageError(sentence + " See rasterwalk-offscreen --help.");
     }
     Session session = understand(arguments);
-    arguments.options.deeds = in_order(app, deeds);
+    arguments.options.actions = in_order(app, actions);
     write_png(draw_offscreen(std::move(session), arguments.options), arguments.output);
     std::cout.flush();
     if (!std::cout) throw AccessError("the output could not be written.");

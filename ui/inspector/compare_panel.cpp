@@ -59,8 +59,8 @@ void draw_choice_of_difference(Ui& ui, const char* title) {
         if (choice == nullptr) continue;
         const std::string name(setting.name);
         if (ImGui::Selectable(name.c_str())) {
-            Settings other = ui.session.other.value_or(ui.session.settings);
-            set_next_word(other, *choice);
+            Run other = ui.session.b.value_or(ui.session.a);
+            set_next_word(other.settings, *choice);
             compare_with(ui.session, other);
         }
         name_widget(ui, "compare.another." + name, setting.help);
@@ -132,8 +132,8 @@ void draw_settings(Ui& ui) {
             edit_setting(ui, settings, setting, std::string("compare.") + run + "." + name);
             ImGui::PopID();
         };
-        edit(ui.session.settings, "a");
-        edit(*ui.session.other, "b");
+        edit(ui.session.a.settings, "a");
+        edit(ui.session.b->settings, "b");
         ImGui::PopID();
     }
     ImGui::EndTable();
@@ -157,9 +157,9 @@ void count_line(Ui& ui, const char* title, const char* name, const std::string& 
 }
 
 void draw_counts(Ui& ui) {
-    const Compared& b = *ui.results.compared;
-    const PixelDifference& here = b.pixels;
-    const PixelDifference& whole = b.whole.pixels;
+    const ComparisonResults& comparison = ui.results.comparison;
+    const PixelDifference& here = comparison.pixels;
+    const PixelDifference& whole = comparison.whole().pixels;
     if (!ImGui::BeginTable("compare.counts", 3, ImGuiTableFlags_SizingStretchProp)) return;
     ImGui::TableSetupColumn("", 0, 1.3f);
     ImGui::TableSetupColumn("", 0, 1.0f);
@@ -169,18 +169,24 @@ void draw_counts(Ui& ui) {
     header_cell(ui, "at the cursor", "compare.header.here", "In what is drawn so far.", false);
     header_cell(ui, "whole frame", "compare.header.whole", "When everything is drawn.", false);
     const auto number = [](double value, int digits) { return fixed(value, digits); };
+    const bool is_known = comparison.work.is_done();
+    const auto known = [&](const std::string& text) { return is_known ? text : "…"; };
+    const auto found = [&](std::int64_t count) { return grouped(count) + (is_known ? "" : " …"); };
     count_line(ui, "pixels", "compare.count.pixels", grouped(here.different),
-               grouped(whole.different), "Pixels whose colour is not the same to the last bit.");
-    count_line(ui, "… to be seen", "compare.count.shown", grouped(here.shown), grouped(whole.shown),
+               known(grouped(whole.different)),
+               "Pixels whose colour is not the same to the last bit.");
+    count_line(ui, "… to be seen", "compare.count.shown", grouped(here.shown),
+               known(grouped(whole.shown)),
                "Of them those that differ on the screen too, in 8 bits a channel.");
     count_line(ui, "largest", "compare.count.largest", number(static_cast<double>(here.largest), 4),
-               number(static_cast<double>(whole.largest), 4),
+               known(number(static_cast<double>(whole.largest), 4)),
                "The largest difference of any channel of any pixel, in linear colour.");
-    count_line(ui, "mean", "compare.count.mean", number(here.mean, 5), number(whole.mean, 5),
+    count_line(ui, "mean", "compare.count.mean", number(here.mean, 5), known(number(whole.mean, 5)),
                "The mean over all pixels of the channel that differs most.");
-    count_line(ui, "rows", "compare.count.rows", "", grouped(b.whole.different_rows),
+    count_line(ui, "rows", "compare.count.rows", "", found(comparison.whole().different_rows),
                "Rows of row tables whose left or right end differs.");
-    count_line(ui, "moments", "compare.count.moments", "", grouped(b.whole.divergences.count),
+    count_line(ui, "moments", "compare.count.moments", "",
+               found(comparison.whole().divergences.count),
                "Moments at which the runs do something different.");
     ImGui::EndTable();
 }
@@ -194,7 +200,7 @@ void draw_divergence(Ui& ui, const char* title, const std::string& name,
     ImGui::PopFont();
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
     if (button(ui, name, to_text(divergence.cursor), Look::link,
-               describe_moment(ui.results.frame, divergence.cursor) +
+               describe_moment(ui.results.a.frame, divergence.cursor) +
                    "\nClick: stands there in both runs.")) {
         stand_at(ui, divergence.cursor);
     }
@@ -207,11 +213,13 @@ void draw_divergence(Ui& ui, const char* title, const std::string& name,
 }
 
 void draw_first(Ui& ui) {
-    const Compared& b = *ui.results.compared;
-    const DivergenceList& list = b.whole.divergences;
+    const ComparisonResults& comparison = ui.results.comparison;
+    const DivergenceList& list = comparison.whole().divergences;
     begin_card(ui);
     if (!list.first) {
-        text_in(palette(ui.options.theme).dim, "The two runs do the very same.");
+        text_in(palette(ui.options.theme).dim, comparison.work.is_done()
+                                                   ? "The two runs do the very same."
+                                                   : work_words(ui.results).c_str());
         end_card(ui);
         return;
     }
@@ -223,10 +231,10 @@ void draw_first(Ui& ui) {
         draw_divergence(ui, "first that is more than rounding", "compare.first_beyond_rounding",
                         *list.first_beyond_rounding);
     }
-    if (b.here && b.here->cursor != list.first->cursor &&
-        !(has_more && b.here->cursor == list.first_beyond_rounding->cursor)) {
+    if (comparison.here && comparison.here->cursor != list.first->cursor &&
+        !(has_more && comparison.here->cursor == list.first_beyond_rounding->cursor)) {
         ImGui::Spacing();
-        draw_divergence(ui, "at the cursor", "compare.here", *b.here);
+        draw_divergence(ui, "at the cursor", "compare.here", *comparison.here);
     }
     end_card(ui);
     if (button(ui, "compare.previous", "‹ previous", Look::plain, tooltip_of("compare.previous"))) {
@@ -255,7 +263,7 @@ void draw_group(Ui& ui, const DivergenceGroup& group, int index) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushID(index);
-    const bool is_here = ui.results.triangle == group.triangle &&
+    const bool is_here = ui.results.a.triangle == group.triangle &&
                          ui.session.cursor >= group.first && ui.session.cursor <= group.last;
     if (ImGui::Selectable("##group", is_here,
                           ImGuiSelectableFlags_SpanAllColumns |
@@ -263,7 +271,7 @@ void draw_group(Ui& ui, const DivergenceGroup& group, int index) {
         stand_at(ui, group.first);
     }
     ImGui::PopID();
-    const std::string part = part_name(*ui.results.scene, group.triangle);
+    const std::string part = part_name(*ui.results.a.scene, group.triangle);
     name_widget(ui, "compare.group." + std::to_string(index),
                 "Triangle " + std::to_string(group.triangle + 1) + ", " + part + ": from " +
                     to_text(group.first) + " to " + to_text(group.last) +
@@ -283,7 +291,7 @@ void draw_group(Ui& ui, const DivergenceGroup& group, int index) {
 }
 
 void draw_groups(Ui& ui) {
-    const std::vector<DivergenceGroup>& groups = ui.results.compared->whole.divergences.groups;
+    const std::vector<DivergenceGroup>& groups = ui.results.comparison.whole().divergences.groups;
     if (groups.empty()) return;
     const float line = ImGui::GetTextLineHeight() + 2.0f * ImGui::GetStyle().CellPadding.y;
     const float needed = line * static_cast<float>(groups.size() + 1) + 4.0f;
@@ -316,11 +324,11 @@ void draw_groups(Ui& ui) {
 } // namespace
 
 void draw_compare_panel(Ui& ui) {
-    if (!ui.session.other && hides_settings(ui.session)) {
+    if (!ui.session.b && hides_settings(ui.session)) {
         wrapped_text("While a quiz goes on, the laboratory compares with the correct run.");
         return;
     }
-    if (!ui.session.other) {
+    if (!ui.session.b) {
         draw_no_comparison(ui);
         return;
     }

@@ -19,7 +19,7 @@ bool is_grey(const glm::vec3& colour) {
 void draw_clamped(Ui& ui, const glm::vec3& colour) {
     const Palette& p = palette(ui.options.theme);
     FormulaLine line(ui, 0.0f);
-    const Frame& frame = ui.results.frame;
+    const Frame& frame = ui.results.a.frame;
     const ColourOverOne rule = frame.settings.colour_over_one;
     const glm::vec3 cut = shown_colour(colour, frame.stages.visible_channel);
     if (shown_colour(colour, visible_channel) == colour) return;

@@ -15,7 +15,7 @@ namespace rasterwalk {
 namespace {
 
 ImU32 screen_colour(const Ui& ui, const glm::vec3& colour) {
-    const glm::vec3 cut = shown_colour(colour, ui.results.frame.stages.visible_channel);
+    const glm::vec3 cut = shown_colour(colour, ui.results.a.frame.stages.visible_channel);
     return packed({cut.r, cut.g, cut.b, 1.0f});
 }
 
@@ -49,7 +49,7 @@ bool link_at_right(Ui& ui, const char* name, const char* label, const char* help
 void draw_title(Ui& ui) {
     const FragmentReport& report = report_of(ui);
     const Palette& p = palette(ui.options.theme);
-    const Scene& scene = *ui.results.scene;
+    const Scene& scene = *ui.results.a.scene;
     const auto triangle = static_cast<std::size_t>(report.cursor.triangle);
     ImGui::PushFont(ui.fonts.bold);
     ImGui::Text("Pixel %d, %d", report.pixel.x, report.pixel.y);
@@ -60,9 +60,9 @@ void draw_title(Ui& ui) {
     ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
     text_in(p.dim, part_name(scene, report.cursor.triangle));
     name_widget(ui, "fragment.part", "The part of the scene that the triangle belongs to.");
-    const bool is_done = ui.results.done == report.cursor;
-    const bool can_follow = ui.session.selection.pixel && !is_done && ui.results.done &&
-                            ui.results.done->phase == Phase::rows;
+    const bool is_done = ui.results.a.done == report.cursor;
+    const bool can_follow = ui.session.selection.pixel && !is_done && ui.results.a.done &&
+                            ui.results.a.done->phase == Phase::rows;
     if (can_follow &&
         link_at_right(ui, "fragment.follow", "follow the cursor",
                       "Lets the picked pixel go and shows the fragment that was drawn last.")) {
@@ -173,7 +173,7 @@ void draw_values(Ui& ui) {
         ImGui::TableSetupColumn("", 0, width);
     draw_column_headers(ui);
     ImGui::PushFont(ui.fonts.mono);
-    for (const QuantityInfo& info : shown_quantities(ui.results.frame)) {
+    for (const QuantityInfo& info : shown_quantities(ui.results.a.frame)) {
         const bool is_light = info.varying == varying_index(&Varyings::illumination);
         if (is_light && !shows_vertex_light(ui)) continue;
         ImGui::TableNextRow();
@@ -272,7 +272,7 @@ void draw_formula_card(Ui& ui) {
 }
 
 void draw_no_fragment(Ui& ui) {
-    const Frame& frame = ui.results.frame;
+    const Frame& frame = ui.results.a.frame;
     std::string words;
     if (!has_fragments(frame.settings.stage)) {
         words = "This stage has no fragments: they come with the filling of triangles.";
@@ -288,14 +288,14 @@ void draw_no_fragment(Ui& ui) {
     if (!has_fragments(frame.settings.stage) &&
         button(ui, "fragment.fill", "to stage Fill", Look::plain,
                "Draws the picture as far as filled triangles.")) {
-        ui.session.settings.stage = Stage::fill;
+        ui.session.a.settings.stage = Stage::fill;
     }
 }
 
 } // namespace
 
 const FragmentReport& report_of(const Ui& ui) {
-    return *ui.results.inspected.fragment;
+    return *ui.results.a.inspected.fragment;
 }
 
 void follow_source(Ui& ui, const std::optional<Source>& source) {
@@ -312,7 +312,7 @@ void draw_fragment_line(Ui& ui, const std::string& id, std::string_view label, b
 }
 
 void draw_fragment_panel(Ui& ui) {
-    if (!ui.results.inspected.fragment) {
+    if (!ui.results.a.inspected.fragment) {
         draw_no_fragment(ui);
         return;
     }

@@ -14,11 +14,11 @@ namespace rasterwalk {
 namespace {
 
 const RowGraph& graph_of(const Ui& ui) {
-    return *ui.results.inspected.graph;
+    return *ui.results.a.inspected.graph;
 }
 
 Quantity chosen_quantity(const Ui& ui) {
-    for (const QuantityInfo& info : shown_quantities(ui.results.frame)) {
+    for (const QuantityInfo& info : shown_quantities(ui.results.a.frame)) {
         if (info.words.id == ui.inspect.graph_quantity) return info.quantity;
     }
     return Quantity::z;
@@ -31,10 +31,11 @@ int marked_index(const Ui& ui) {
         return cursor.phase == Phase::rows && cursor.triangle == graph.row.triangle &&
                cursor.index == graph.row.index;
     };
-    const std::optional<FragmentReport>& fragment = ui.results.inspected.fragment;
+    const std::optional<FragmentReport>& fragment = ui.results.a.inspected.fragment;
     if (fragment && in_row(fragment->cursor)) return fragment->step;
-    const bool done_here = ui.results.done && in_row(*ui.results.done);
-    return done_here && has_fragments(ui.results.frame.settings.stage) ? ui.results.done->step : -1;
+    const bool done_here = ui.results.a.done && in_row(*ui.results.a.done);
+    return done_here && has_fragments(ui.results.a.frame.settings.stage) ? ui.results.a.done->step
+                                                                         : -1;
 }
 
 /// "row 21, column 398 at the fragment", and buttons to the rows above and below.
@@ -77,7 +78,7 @@ void draw_quantities(Ui& ui) {
     ImGui::PushFont(ui.fonts.small);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
                         ImVec2(8.0f * ui.options.text_scale, 4.0f * ui.options.text_scale));
-    const std::vector<QuantityInfo> shown = shown_quantities(ui.results.frame);
+    const std::vector<QuantityInfo> shown = shown_quantities(ui.results.a.frame);
     std::vector<float> widths;
     for (const QuantityInfo& info : shown)
         widths.push_back(button_width(info.words.name));
@@ -105,7 +106,7 @@ Plot base_plot(const Ui& ui) {
     plot.first_x = graph.first_column;
     plot.count = graph.count();
     plot.marked = marked_index(ui);
-    plot.valid_to = ui.results.frame.settings.viewport.width;
+    plot.valid_to = ui.results.a.frame.settings.viewport.width;
     return plot;
 }
 
@@ -161,8 +162,8 @@ std::string truth_tooltip(Quantity quantity) {
 void go_to_column(Ui& ui, int index) {
     const RowGraph& graph = graph_of(ui);
     const Cursor cursor{graph.row.triangle, Phase::rows, graph.row.index, index};
-    if (!Timeline(ui.results.frame).exists(cursor)) return;
-    if (!has_fragments(ui.results.frame.settings.stage)) return;
+    if (!Timeline(ui.results.a.frame).exists(cursor)) return;
+    if (!has_fragments(ui.results.a.frame.settings.stage)) return;
     ui.session.selection.triangle = graph.row.triangle;
     ui.session.selection.row = graph.row.row;
     ui.session.selection.pixel = std::nullopt;
@@ -228,11 +229,11 @@ void draw_graph(Ui& ui) {
 }
 
 void draw_no_row(Ui& ui) {
-    const Frame& frame = ui.results.frame;
+    const Frame& frame = ui.results.a.frame;
     std::string words = "No row of this triangle lies in the picture.";
     if (frame.settings.stage < Stage::rows) {
         words = "This stage has no rows yet: they come with filled triangles.";
-    } else if (!frame.is_drawn(*ui.results.triangle)) {
+    } else if (!frame.is_drawn(*ui.results.a.triangle)) {
         words = "This triangle is left out, so it has no rows. The Vertices tab says why.";
     } else if (ui.session.selection.row) {
         words = "No edge sample reaches this row.";
@@ -244,19 +245,19 @@ void draw_no_row(Ui& ui) {
     if (frame.settings.stage < Stage::rows &&
         button(ui, "graph.rows", "to stage Rows", Look::plain,
                "Draws the picture as far as the rows of filled triangles.")) {
-        ui.session.settings.stage = Stage::rows;
+        ui.session.a.settings.stage = Stage::rows;
     }
 }
 
 } // namespace
 
 void draw_graph_panel(Ui& ui) {
-    if (!ui.results.triangle) {
+    if (!ui.results.a.triangle) {
         text_in(palette(ui.options.theme).dim, "The scene has no triangles.");
         return;
     }
     draw_triangle_title(ui);
-    if (!ui.results.inspected.graph) {
+    if (!ui.results.a.inspected.graph) {
         draw_no_row(ui);
         return;
     }

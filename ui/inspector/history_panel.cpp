@@ -22,12 +22,12 @@ std::string capitalized(std::string text) {
 
 std::string triangle_words(const Ui& ui, int triangle) {
     return "triangle " + std::to_string(triangle + 1) + " (" +
-           part_name(*ui.results.scene, triangle) + ")";
+           part_name(*ui.results.a.scene, triangle) + ")";
 }
 
 /// 1 where the larger value in the depth buffer wins, -1 where the smaller one does.
 float winning_sign(const Ui& ui) {
-    return depth_rule(ui.results.frame.settings) == DepthTest::reversed ? -1.0f : 1.0f;
+    return depth_rule(ui.results.a.frame.settings) == DepthTest::reversed ? -1.0f : 1.0f;
 }
 
 /// The next in the depth test's order among those that do not stay; there must be one.
@@ -68,24 +68,24 @@ std::array<std::string, 2> verdict(const Ui& ui, const PixelHistory& history) {
 
 void draw_title(Ui& ui, const PixelHistory& history) {
     const Palette& p = palette(ui.options.theme);
-    const std::size_t at = ui.results.framebuffer->at(history.pixel.x, history.pixel.y);
+    const std::size_t at = ui.results.a.framebuffer->at(history.pixel.x, history.pixel.y);
     const float size = ImGui::GetTextLineHeight();
     const ImVec2 start = ImGui::GetCursorScreenPos();
     draw_history_swatch(ui, {start.x, start.y + ImGui::GetStyle().FramePadding.y}, size,
-                        ui.results.framebuffer->colour[at], 1.0f);
+                        ui.results.a.framebuffer->colour[at], 1.0f);
     ImGui::SetCursorScreenPos({start.x + size + ImGui::GetStyle().ItemSpacing.x, start.y});
     ImGui::AlignTextToFramePadding();
     ImGui::PushFont(ui.fonts.bold);
     ImGui::Text("Pixel (%d, %d)", history.pixel.x, history.pixel.y);
     ImGui::PopFont();
     name_widget(ui, "history.pixel", "The picked pixel, column and row, and its colour now.");
-    const int owner = ui.results.framebuffer->owner[at];
+    const int owner = ui.results.a.framebuffer->owner[at];
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     const std::string shows = owner < 0
                                   ? "not drawn" + std::string(history.entries.empty() ? "" : " yet")
                                   : "now triangle " + std::to_string(owner + 1) + ", " +
-                                        part_name(*ui.results.scene, owner);
+                                        part_name(*ui.results.a.scene, owner);
     text_in(p.dim, shortened(shows, ImGui::GetContentRegionAvail().x));
 }
 
@@ -104,7 +104,7 @@ void draw_near(Ui& ui, const NearTriangle& near, int index, const glm::ivec2& pi
 
 void draw_uncovered(Ui& ui, const PixelHistory& history) {
     const float u = ui.options.text_scale;
-    wrapped_text(uncovered_text(ui.results.frame, history.pixel));
+    wrapped_text(uncovered_text(ui.results.a.frame, history.pixel));
     if (history.nearest.empty()) return;
     ImGui::Dummy({0, 4.0f * u});
     text_in(palette(ui.options.theme).dim,
@@ -129,7 +129,7 @@ void draw_uncovered(Ui& ui, const PixelHistory& history) {
         }
         if (button(ui, "history.try." + std::string(rules[i]), label, Look::plain,
                    "Sets this rule for the whole picture. Undo takes it back.")) {
-            set_from_text(ui.session.settings, std::string(rules[i]));
+            set_from_text(ui.session.a.settings, std::string(rules[i]));
         }
     }
 }

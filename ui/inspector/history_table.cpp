@@ -17,7 +17,7 @@ namespace {
 
 /// Colour as it reaches the screen.
 ImU32 screen_colour(const Ui& ui, const glm::vec3& colour, float opacity) {
-    const glm::vec3 cut = shown_colour(colour, ui.results.frame.stages.visible_channel);
+    const glm::vec3 cut = shown_colour(colour, ui.results.a.frame.stages.visible_channel);
     return packed({cut.r, cut.g, cut.b, 1.0f}, opacity);
 }
 
@@ -88,7 +88,7 @@ std::string margin_text(float value) {
 }
 
 bool is_linear_z(const Ui& ui) {
-    return depth_rule(ui.results.frame.settings) == DepthTest::linear_z;
+    return depth_rule(ui.results.a.frame.settings) == DepthTest::linear_z;
 }
 
 /// Where the fragment lies in its triangle, counted from 1 as everywhere in the interface: row and
@@ -114,16 +114,16 @@ std::string tooltip(const Ui& ui, const PixelHistory& history, int index) {
         std::snprintf(text, sizeof text, "%.9g", static_cast<double>(value));
         return std::string(text);
     };
-    std::string text = describe_moment(ui.results.frame, entry.cursor);
+    std::string text = describe_moment(ui.results.a.frame, entry.cursor);
     if (history.depth_tested) {
         text.append("\n").append(depth_value_words(ui)).append(" ");
         text += nine(entry.depth) + ", stored before " + nine(entry.stored) + ", margin " +
                 nine(entry.margin);
-    } else if (has_fragments(ui.results.frame.settings.stage)) {
+    } else if (has_fragments(ui.results.a.frame.settings.stage)) {
         text += "\n1/z " + nine(entry.zinv) + "; no depth test asks for it";
     }
     if (entry.fate == Fate::depth_failed) {
-        const bool is_reversed = depth_rule(ui.results.frame.settings) == DepthTest::reversed;
+        const bool is_reversed = depth_rule(ui.results.a.frame.settings) == DepthTest::reversed;
         text += std::string("\nHidden: it is not ") + (is_reversed ? "smaller" : "larger") +
                 " than what is stored.";
     } else if (stays(history, index)) {
@@ -162,8 +162,8 @@ void draw_entry(Ui& ui, const PixelHistory& history, int index, const Columns& c
     const Palette& p = palette(ui.options.theme);
     const float u = ui.options.text_scale;
     const PixelEntry& entry = history.entries[index];
-    const bool is_drawn = entry.cursor < ui.results.cursor;
-    const bool is_now = ui.results.done == entry.cursor;
+    const bool is_drawn = entry.cursor < ui.results.a.cursor;
+    const bool is_now = ui.results.a.done == entry.cursor;
     // Grey is what is still to come.
     const ImVec4 colour = is_drawn ? p.text : p.dim;
     const float opacity = is_drawn ? 1.0f : 0.6f;
@@ -186,7 +186,7 @@ void draw_entry(Ui& ui, const PixelHistory& history, int index, const Columns& c
     }
     const std::string number = std::to_string(entry.cursor.triangle + 1);
     ImGui::PushFont(stays(history, index) ? ui.fonts.bold : ui.fonts.text);
-    text_in(colour, shortened(number + " " + part_name(*ui.results.scene, entry.cursor.triangle),
+    text_in(colour, shortened(number + " " + part_name(*ui.results.a.scene, entry.cursor.triangle),
                               columns.widths[name_column]));
     ImGui::PopFont();
     if (columns.has(place_column)) {
@@ -212,9 +212,9 @@ void draw_entry(Ui& ui, const PixelHistory& history, int index, const Columns& c
                             packed(colour_of(Meaning::pass, ui.options.theme), opacity));
     }
     const bool is_first_to_come =
-        !is_drawn && (index == 0 || history.entries[index - 1].cursor < ui.results.cursor);
+        !is_drawn && (index == 0 || history.entries[index - 1].cursor < ui.results.a.cursor);
     if (is_first_to_come) draw_cursor_line(ui, top);
-    if (pressed) go_to_entry(ui.session, Timeline(ui.results.frame), entry);
+    if (pressed) go_to_entry(ui.session, Timeline(ui.results.a.frame), entry);
 }
 
 void draw_history_headers(Ui& ui, const Columns& columns) {
@@ -226,7 +226,7 @@ void draw_history_headers(Ui& ui, const Columns& columns) {
     const Header headers[] = {
         {"number", "#", "Number of the fragment, in the order of drawing."},
         {"triangle", "triangle", "The triangle that it belongs to, and the part of the scene."},
-        {"place", place_header(ui.results.frame.settings.stage),
+        {"place", place_header(ui.results.a.frame.settings.stage),
          "Where in its triangle it lies: row of the row table and column from the row's left end, "
          "or edge and sample, or vertex; counted from 1."},
         {"zinv", is_linear_z(ui) ? "1/lin z" : "1/z",
@@ -302,7 +302,7 @@ void draw_history_table(Ui& ui, const PixelHistory& history, float height) {
         ImGuiListClipper clipper;
         clipper.Begin(count);
         for (int i = 0; i < count && ui.follow_cursor; ++i) {
-            if (ui.results.done == history.entries[i].cursor) {
+            if (ui.results.a.done == history.entries[i].cursor) {
                 clipper.ForceDisplayRangeByIndices(i, i + 1);
                 break;
             }

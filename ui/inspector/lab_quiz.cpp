@@ -74,7 +74,7 @@ void draw_beginning(Ui& ui) {
 }
 
 void draw_correct_run_switch(Ui& ui) {
-    const bool comparing = ui.session.other.has_value();
+    const bool comparing = ui.session.b.has_value();
     if (button(ui, "lab.quiz.compare",
                comparing ? "without the correct run" : "beside the correct run",
                comparing ? Look::chosen : Look::plain,

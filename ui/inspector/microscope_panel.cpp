@@ -24,13 +24,13 @@ std::string counted(std::size_t count, int of) {
 /// The edge that was picked, until the cursor comes to another.
 void look_at_edge(Ui& ui) {
     MicroscopeView& view = ui.microscope;
-    const std::optional<Cursor>& done = ui.results.done;
-    if (view.picked_at != ui.results.cursor && done && done->phase == Phase::edges &&
-        done->triangle == *ui.results.triangle) {
+    const std::optional<Cursor>& done = ui.results.a.done;
+    if (view.picked_at != ui.results.a.cursor && done && done->phase == Phase::edges &&
+        done->triangle == *ui.results.a.triangle) {
         view.edge = done->index;
     }
-    const Frame& frame = ui.results.frame;
-    const std::span<const Fragment> v = frame.triangle_vertices(*ui.results.triangle);
+    const Frame& frame = ui.results.a.frame;
+    const std::span<const Fragment> v = frame.triangle_vertices(*ui.results.a.triangle);
     view.edge = std::min(view.edge, static_cast<int>(v.size()) - 1);
     const auto edge_of = static_cast<std::size_t>(view.edge);
     const Fragment& a = v[edge_of];
@@ -39,7 +39,7 @@ void look_at_edge(Ui& ui) {
     if (!view.shown.shows(a, b, rules, frame.stages)) {
         view.shown = microscope(a, b, rules, frame.stages);
     }
-    const std::pair<int, int> edge{*ui.results.triangle, view.edge};
+    const std::pair<int, int> edge{*ui.results.a.triangle, view.edge};
     if (view.axis_chosen_for == edge) return;
     // One of the two steps by whole pixels and never drifts: the other one is worth looking at.
     const MicroscopeSummary& summary = view.shown.summary;
@@ -60,7 +60,7 @@ void draw_buttons(Ui& ui) {
     const bool is_narrow = ImGui::GetContentRegionAvail().x < 340.0f * u;
     const float gap = is_narrow ? 8.0f * u : 18.0f * u;
     const auto edges =
-        static_cast<int>(ui.results.frame.triangle_vertices(*ui.results.triangle).size());
+        static_cast<int>(ui.results.a.frame.triangle_vertices(*ui.results.a.triangle).size());
     for (int e = 0; e < edges; ++e) {
         const std::string label = (is_narrow ? "" : "edge ") + std::to_string(e + 1);
         if (e > 0) same_line_if_room(label, 6.0f * u);
@@ -69,7 +69,7 @@ void draw_buttons(Ui& ui) {
                    "Puts edge " + std::to_string(e + 1) +
                        " of the triangle under the microscope.")) {
             view.edge = e;
-            view.picked_at = ui.results.cursor;
+            view.picked_at = ui.results.a.cursor;
         }
     }
     same_line_if_room("x", gap);
@@ -160,7 +160,7 @@ void draw_summary(Ui& ui) {
     ImGui::TextUnformatted((" from " + place_text(edge.a.column, edge.a.row) + " to " +
                             place_text(edge.b.column, edge.b.row))
                                .c_str());
-    text_in(p.dim, walk_text(ui.results.frame.settings.line_walk));
+    text_in(p.dim, walk_text(ui.results.a.frame.settings.line_walk));
     draw_step(ui, "x", edge.step_x, edge.float_step_x, summary.largest_drift_x);
     draw_step(ui, "y", edge.step_y, edge.float_step_y, summary.largest_drift_y);
     draw_verdict(ui);
@@ -182,15 +182,15 @@ void draw_summary(Ui& ui) {
 } // namespace
 
 int current_sample(const Ui& ui) {
-    const std::optional<Cursor>& done = ui.results.done;
-    const bool is_here = done && done->triangle == *ui.results.triangle &&
+    const std::optional<Cursor>& done = ui.results.a.done;
+    const bool is_here = done && done->triangle == *ui.results.a.triangle &&
                          done->phase == Phase::edges && done->index == ui.microscope.edge;
     return is_here ? done->step : -1;
 }
 
 void go_to_sample(Ui& ui, int sample) {
-    const Timeline timeline(ui.results.frame);
-    const Cursor cursor{*ui.results.triangle, Phase::edges, ui.microscope.edge, sample};
+    const Timeline timeline(ui.results.a.frame);
+    const Cursor cursor{*ui.results.a.triangle, Phase::edges, ui.microscope.edge, sample};
     if (timeline.exists(cursor)) go_to(ui.session, timeline.next(cursor, Granularity::moment));
 }
 
@@ -201,12 +201,12 @@ const MicroscopeCoordinate& shown_coordinate(const Ui& ui, const MicroscopeSampl
 void draw_microscope_panel(Ui& ui) {
     ui.hovered_row = std::nullopt;
     const Palette& p = palette(ui.options.theme);
-    if (!ui.results.triangle) {
+    if (!ui.results.a.triangle) {
         text_in(p.dim, "The scene has no triangles.");
         return;
     }
     draw_triangle_title(ui);
-    if (!ui.results.frame.is_drawn(*ui.results.triangle)) {
+    if (!ui.results.a.frame.is_drawn(*ui.results.a.triangle)) {
         wrapped_text("This triangle is left out, so it has no edges. The Vertices tab says why.");
         return;
     }

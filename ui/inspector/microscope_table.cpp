@@ -14,8 +14,8 @@ namespace {
 
 /// How many samples of the shown edge come before the cursor.
 int samples_walked(const Ui& ui) {
-    const Cursor begin{*ui.results.triangle, Phase::edges, ui.microscope.edge, 0};
-    if (ui.results.cursor <= begin) return 0;
+    const Cursor begin{*ui.results.a.triangle, Phase::edges, ui.microscope.edge, 0};
+    if (ui.results.a.cursor <= begin) return 0;
     const int current = current_sample(ui);
     return current >= 0 ? current + 1 : ui.microscope.shown.count;
 }

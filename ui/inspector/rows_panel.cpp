@@ -32,8 +32,8 @@ std::string writer_tooltip(const EndWriter& writer) {
 
 /// To the moment just after a sample was entered, so that its cell is the one that lights up.
 void go_to_sample(Ui& ui, int edge, int sample) {
-    const Timeline timeline(ui.results.frame);
-    const Cursor cursor{*ui.results.triangle, Phase::edges, edge, sample};
+    const Timeline timeline(ui.results.a.frame);
+    const Cursor cursor{*ui.results.a.triangle, Phase::edges, edge, sample};
     if (timeline.exists(cursor)) go_to(ui.session, timeline.next(cursor, Granularity::moment));
 }
 
@@ -84,7 +84,7 @@ const VaryingInfo& shown_varying(const Frame& frame) {
 
 void draw_values(Ui& ui, const Fragment& end, bool is_set) {
     const Palette& p = palette(ui.options.theme);
-    const VaryingInfo& varying = shown_varying(ui.results.frame);
+    const VaryingInfo& varying = shown_varying(ui.results.a.frame);
     const auto draw = [&](bool has_number, float number) {
         ImGui::TableNextColumn();
         right_aligned(has_number ? fixed(static_cast<double>(number), 4) : "—",
@@ -100,9 +100,9 @@ void draw_values(Ui& ui, const Fragment& end, bool is_set) {
 /// The row of the picture at which the work in this table stands: that of the last fragments, or of
 /// the last sample; none before the first.
 std::optional<int> row_at_work(const Ui& ui) {
-    const RowHistory& history = ui.results.rows;
-    const std::optional<Cursor>& done = ui.results.done;
-    if (done && done->triangle == ui.results.triangle && done->phase == Phase::rows) {
+    const RowHistory& history = ui.results.a.rows;
+    const std::optional<Cursor>& done = ui.results.a.done;
+    if (done && done->triangle == ui.results.a.triangle && done->phase == Phase::rows) {
         return history.rows.first_row + done->index;
     }
     if (history.last && history.last->write.inside) return history.last->fragment.row;
@@ -111,7 +111,7 @@ std::optional<int> row_at_work(const Ui& ui) {
 
 void draw_row(Ui& ui, int index) {
     const Palette& p = palette(ui.options.theme);
-    const RowHistory& history = ui.results.rows;
+    const RowHistory& history = ui.results.a.rows;
     const int row = history.rows.first_row + index;
     const std::string name = "rows." + std::to_string(row);
     const EndWriter& left = history.left_by[index];
@@ -249,8 +249,8 @@ void bring_into_view(Ui& ui) {
 /// The row to bring into view, as an index into the table, -1: none. A table that comes to be shown
 /// shows its selected row, or else the row at work.
 int wanted_row(Ui& ui) {
-    const RowHistory& history = ui.results.rows;
-    const RowsPlace place{*ui.results.triangle, ui.session.selection.row, ui.session.jumps};
+    const RowHistory& history = ui.results.a.rows;
+    const RowsPlace place{*ui.results.a.triangle, ui.session.selection.row, ui.session.jumps};
     if (!(place == ui.rows_place)) {
         ui.rows_place = place;
         ui.scroll_to_row = true;
@@ -265,7 +265,7 @@ int wanted_row(Ui& ui) {
 }
 
 void draw_table(Ui& ui, float height) {
-    const RowHistory& history = ui.results.rows;
+    const RowHistory& history = ui.results.a.rows;
     const float u = ui.options.text_scale;
     const int columns = ui.shows_end_values ? 11 : 6;
     const ImGuiTableFlags flags =
@@ -324,7 +324,7 @@ void draw_table(Ui& ui, float height) {
 
 /// What the sample that was entered last did, in words and numbers.
 void draw_last_sample(Ui& ui) {
-    const RowHistory& history = ui.results.rows;
+    const RowHistory& history = ui.results.a.rows;
     const Palette& p = palette(ui.options.theme);
     begin_card(ui);
     if (!history.last) {
@@ -367,17 +367,17 @@ void draw_last_sample(Ui& ui) {
 void draw_rows_panel(Ui& ui) {
     ui.hovered_row = std::nullopt;
     const Palette& p = palette(ui.options.theme);
-    if (!ui.results.triangle) {
+    if (!ui.results.a.triangle) {
         text_in(p.dim, "The scene has no triangles.");
         return;
     }
     draw_triangle_title(ui);
-    if (!ui.results.frame.is_drawn(*ui.results.triangle)) {
+    if (!ui.results.a.frame.is_drawn(*ui.results.a.triangle)) {
         wrapped_text("This triangle is left out, so it has no rows. The Vertices tab says why.");
         return;
     }
     draw_bench_examples(ui);
-    const RowHistory& history = ui.results.rows;
+    const RowHistory& history = ui.results.a.rows;
     const float line = ImGui::GetTextLineHeightWithSpacing();
     const float below = 6.2f * line + ImGui::GetFrameHeightWithSpacing();
     const float slack = 10.0f * ui.options.text_scale; // the lines between the rows

@@ -78,7 +78,7 @@ void draw_setting(Ui& ui, const Setting& setting, const Settings& usual) {
     const Palette& p = palette(ui.options.theme);
     const std::string name(setting.name);
     const std::string usual_text = value_text(setting, usual);
-    const bool differs = value_text(setting, ui.session.settings) != usual_text;
+    const bool differs = value_text(setting, ui.session.a.settings) != usual_text;
     ImGui::PushID(name.c_str());
     ImGui::AlignTextToFramePadding();
     text_in(differs ? p.changed : p.text, name);
@@ -89,11 +89,11 @@ void draw_setting(Ui& ui, const Setting& setting, const Settings& usual) {
         ImGui::SameLine();
         if (button(ui, "reset." + name, "reset", Look::link,
                    "Differs from the handout; sets it back to " + usual_text + ".")) {
-            set_value(ui.session.settings, setting, usual_text);
+            set_value(ui.session.a.settings, setting, usual_text);
         }
     }
     ImGui::SetNextItemWidth(-1.0f);
-    edit_setting(ui, ui.session.settings, setting, "setting." + name);
+    edit_setting(ui, ui.session.a.settings, setting, "setting." + name);
     ImGui::PopID();
 }
 
@@ -124,7 +124,7 @@ void draw_settings_panel(Ui& ui) {
     name_widget(ui, "settings.search", "Shows only the settings whose name or help has this word.");
     for (const Preset& preset : ui.session.presets) {
         if (button(ui, "settings.preset." + preset.name, preset.name, Look::plain, preset.about)) {
-            apply_preset(preset, ui.session.settings);
+            apply_preset(preset, ui.session.a.settings);
         }
         ImGui::SameLine();
     }

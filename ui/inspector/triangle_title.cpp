@@ -9,8 +9,8 @@
 namespace rasterwalk {
 
 void draw_triangle_title(Ui& ui) {
-    const int triangle = *ui.results.triangle;
-    const int count = ui.results.frame.triangle_count();
+    const int triangle = *ui.results.a.triangle;
+    const int count = ui.results.a.frame.triangle_count();
     const Palette& p = palette(ui.options.theme);
     ImGui::AlignTextToFramePadding();
     ImGui::PushFont(ui.fonts.bold);
@@ -20,11 +20,12 @@ void draw_triangle_title(Ui& ui) {
     ImGui::AlignTextToFramePadding();
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const bool follows = !ui.session.selection.triangle;
-    const bool can_follow = !follows && ui.results.done && ui.results.done->triangle != triangle;
+    const bool can_follow =
+        !follows && ui.results.a.done && ui.results.a.done->triangle != triangle;
     const std::string follow_label =
         ui.page_is_low ? "follow"
                        : "follow the cursor: triangle " +
-                             std::to_string(can_follow ? ui.results.done->triangle + 1 : 0);
+                             std::to_string(can_follow ? ui.results.a.done->triangle + 1 : 0);
     const auto follow = [&] {
         if (button(ui, "triangle.follow", follow_label, Look::link,
                    "Shows the triangle that is being drawn instead of the picked one.")) {
@@ -36,7 +37,7 @@ void draw_triangle_title(Ui& ui) {
     if (can_follow && ui.page_is_low) width += button_width(follow_label);
     const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
     text_in(p.dim, shortened("of " + std::to_string(count) + " · " +
-                                 part_name(*ui.results.scene, triangle),
+                                 part_name(*ui.results.a.scene, triangle),
                              std::max(ImGui::GetContentRegionAvail().x - width - gap, 0.0f)));
     ImGui::SameLine();
     ImGui::SetCursorPosX(std::max(right - width, ImGui::GetCursorPosX()));

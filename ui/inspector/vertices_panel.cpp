@@ -107,8 +107,8 @@ void draw_labels(Ui& ui, const Line& line) {
 
 void draw_cell(Ui& ui, const Line& line, int v, int chosen) {
     const Palette& p = palette(ui.options.theme);
-    const Formula* const formula =
-        find_formula(ui.results.inspected.vertices[static_cast<std::size_t>(v)].formulas, line.id);
+    const Formula* const formula = find_formula(
+        ui.results.a.inspected.vertices[static_cast<std::size_t>(v)].formulas, line.id);
     const bool is_chosen = v == chosen && ui.inspect.vertex_number == line.id;
     const std::string name =
         std::string("vertices.").append(line.id).append(".v").append(std::to_string(v));
@@ -126,7 +126,7 @@ void draw_cell(Ui& ui, const Line& line, int v, int chosen) {
 }
 
 void draw_table(Ui& ui, int chosen) {
-    const bool lights = lighting_of(ui.results.frame.settings.stage) != Lighting::none;
+    const bool lights = lighting_of(ui.results.a.frame.settings.stage) != Lighting::none;
     const float padding = (ui.page_is_narrow ? 2.0f : 6.0f) * ui.options.text_scale;
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {padding, ImGui::GetStyle().CellPadding.y});
     if (!ImGui::BeginTable("vertices", label_columns(ui) + triangle_corners,
@@ -196,7 +196,7 @@ std::string other_convention(const VertexReport& vertex, const Formula& formula,
 
 void draw_what_else(Ui& ui, const VertexReport& vertex, const Formula& formula) {
     const Palette& p = palette(ui.options.theme);
-    const Settings& settings = ui.results.frame.settings;
+    const Settings& settings = ui.results.a.frame.settings;
     ImGui::PushStyleColor(ImGuiCol_Text, p.dim);
     if (formula.id.starts_with("pixel.")) {
         wrapped_text(other_roundings(vertex, formula.id, settings.rounding));
@@ -204,7 +204,7 @@ void draw_what_else(Ui& ui, const VertexReport& vertex, const Formula& formula) 
                     "The same number made whole in the other ways. int() cuts toward zero, so it "
                     "moves negative numbers the other way than positive ones.");
     }
-    const bool has_camera = ui.results.scene->space == SceneSpace::world;
+    const bool has_camera = ui.results.a.scene->space == SceneSpace::world;
     if (has_camera && depends_on_rotation(formula.id)) {
         wrapped_text(other_convention(vertex, formula, settings.rotation));
         name_widget(ui, "vertices.other_convention",
@@ -244,8 +244,8 @@ void draw_formula_card(Ui& ui, const VertexReport& vertex) {
 } // namespace
 
 void draw_vertices_panel(Ui& ui) {
-    const std::vector<VertexReport>& vertices = ui.results.inspected.vertices;
-    if (!ui.results.triangle || vertices.empty()) {
+    const std::vector<VertexReport>& vertices = ui.results.a.inspected.vertices;
+    if (!ui.results.a.triangle || vertices.empty()) {
         text_in(palette(ui.options.theme).dim, "The scene has no triangles.");
         return;
     }

@@ -61,15 +61,15 @@ std::string stage_page_name(Ui& ui) {
 }
 
 void draw_stage_text(Ui& ui, float width) {
-    draw_text(ui, stage_list()[static_cast<std::size_t>(ui.session.settings.stage)], width);
+    draw_text(ui, stage_list()[static_cast<std::size_t>(ui.session.a.settings.stage)], width);
 }
 
 void draw_stage_footer(Ui& ui, float width) {
     PageFooter footer;
-    footer.current = static_cast<int>(ui.session.settings.stage);
+    footer.current = static_cast<int>(ui.session.a.settings.stage);
     for (const StageInfo& info : stage_list()) {
         footer.pages.push_back({"lesson.bar." + std::string(info.name), std::string(info.title),
-                                info.stage <= ui.session.settings.stage});
+                                info.stage <= ui.session.a.settings.stage});
     }
     const int wanted = draw_page_footer(ui, footer, width);
     if (wanted >= 0) go_to_stage(ui, wanted);

@@ -211,7 +211,7 @@ void go_to_source(Ui& ui, const Source& source) {
         return;
     case SourceKind::moment:
         selection.triangle = source.moment.triangle;
-        go_to(ui.session, Timeline(ui.results.frame).next(source.moment, Granularity::moment));
+        go_to(ui.session, Timeline(ui.results.a.frame).next(source.moment, Granularity::moment));
         return;
     }
 }

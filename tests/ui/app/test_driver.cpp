@@ -12,9 +12,9 @@ namespace rasterwalk {
 TEST_CASE("A click reaches the widget of that name and no other") {
     Driver driver;
     driver.hand.click("stage.points");
-    CHECK(driver.ui.session.settings.stage == Stage::points);
+    CHECK(driver.ui.session.a.settings.stage == Stage::points);
     driver.hand.click("stage.edges");
-    CHECK(driver.ui.session.settings.stage == Stage::edges);
+    CHECK(driver.ui.session.a.settings.stage == Stage::edges);
 }
 
 TEST_CASE("A widget that is not there is answered with the nearest name") {
@@ -68,11 +68,11 @@ TEST_CASE("A widget that is scrolled away is scrolled into view before it is use
 TEST_CASE("A key is pressed for one frame and modifiers end with it") {
     Driver driver;
     driver.hand.press('2');
-    CHECK(driver.ui.session.settings.stage == Stage::edges);
+    CHECK(driver.ui.session.a.settings.stage == Stage::edges);
     driver.hand.press('3', {.ctrl = true});
-    CHECK(driver.ui.session.settings.stage == Stage::edges);
+    CHECK(driver.ui.session.a.settings.stage == Stage::edges);
     driver.hand.press('4');
-    CHECK(driver.ui.session.settings.stage == Stage::fill);
+    CHECK(driver.ui.session.a.settings.stage == Stage::fill);
 }
 
 TEST_CASE("The picture goes to the textures when it changed, and only then") {
@@ -80,12 +80,12 @@ TEST_CASE("The picture goes to the textures when it changed, and only then") {
     driver.ui.session.canvas.zoom = 1.0f; // shown as it is
     driver.hand.click("stage.points");
     const int before = driver.textures.uploads;
-    CHECK(driver.textures.last == driver.ui.results.picture);
+    CHECK(driver.textures.last == driver.ui.results.a.picture);
     driver.hand.hover("stage.depth");
     CHECK(driver.textures.uploads == before);
     driver.hand.click("stage.depth");
     CHECK(driver.textures.uploads > before);
-    CHECK(driver.textures.last == driver.ui.results.picture);
+    CHECK(driver.textures.last == driver.ui.results.a.picture);
 }
 
 TEST_CASE("The report names the settings and every widget that can be seen, with its place") {

@@ -90,7 +90,7 @@ TEST_CASE("A part of a frame that throws leaves ImGui as it found it, and its se
     CHECK_FALSE(guarded(driver.ui, [] { throw std::runtime_error("between frames"); }));
     CHECK(driver.ui.session.notice == "between frames");
     driver.hand.click("stage.depth");
-    CHECK(driver.ui.session.settings.stage == Stage::depth);
+    CHECK(driver.ui.session.a.settings.stage == Stage::depth);
 }
 
 TEST_CASE("The folder of the lessons disappears: the window goes on, and nothing is lost") {
@@ -102,7 +102,7 @@ TEST_CASE("The folder of the lessons disappears: the window goes on, and nothing
 
     driver.hand.press('S', {.ctrl = true});
     CHECK_THAT(driver.ui.session.notice, Catch::Contains("RASTERWALK_LESSONS"));
-    const Settings settings = driver.ui.session.settings;
+    const Settings settings = driver.ui.session.a.settings;
     for (const char letter : {'O', 'C', 'S'}) {
         driver.hand.press(letter, {.ctrl = true});
         driver.hand.press(key::escape);
@@ -121,23 +121,23 @@ TEST_CASE("The folder of the lessons disappears: the window goes on, and nothing
         driver.hand.press(key::escape);
     }
     CHECK(driver.ui.lesson.progress.is_step_seen("05-row-table", 3));
-    CHECK(driver.ui.session.settings.viewport == settings.viewport);
-    driver.ui.session.settings.stage = Stage::points;
+    CHECK(driver.ui.session.a.settings.viewport == settings.viewport);
+    driver.ui.session.a.settings.stage = Stage::points;
     driver.hand.frames(2);
-    CHECK(driver.ui.results.frame.settings.stage == Stage::points);
+    CHECK(driver.ui.results.a.frame.settings.stage == Stage::points);
 }
 
 TEST_CASE("What cannot be worked out is taken back, and the window goes on") {
     Driver driver;
     driver.hand.click("stage.depth");
-    const Settings before = driver.ui.session.settings;
+    const Settings before = driver.ui.session.a.settings;
     // More pixels than there is memory for; no setting can ask for them.
-    driver.ui.session.settings.viewport = {2'000'000'000, 2'000'000'000};
+    driver.ui.session.a.settings.viewport = {2'000'000'000, 2'000'000'000};
     driver.hand.frames(2);
     CHECK_FALSE(driver.ui.session.notice.empty());
-    CHECK(driver.ui.session.settings == before);
+    CHECK(driver.ui.session.a.settings == before);
     driver.hand.click("stage.rows");
-    CHECK(driver.ui.session.settings.stage == Stage::rows);
+    CHECK(driver.ui.session.a.settings.stage == Stage::rows);
 }
 
 } // namespace rasterwalk

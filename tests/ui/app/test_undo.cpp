@@ -8,35 +8,35 @@ namespace rasterwalk {
 TEST_CASE("Ten edits are undone one by one, and done again") {
     Driver driver;
     driver.hand.click("stage.depth");
-    std::vector<Settings> states{driver.ui.session.settings};
+    std::vector<Settings> states{driver.ui.session.a.settings};
     const char* const edits[] = {"stage.points",      "stage.rows",         "switch.perspective",
                                  "switch.depth_test", "stage.fill",         "stage.pixel_light",
                                  "switch.depth_test", "switch.perspective", "stage.edges",
                                  "stage.vertex_light"};
     for (const char* edit : edits) {
         driver.hand.click(edit);
-        states.push_back(driver.ui.session.settings);
+        states.push_back(driver.ui.session.a.settings);
     }
     for (std::size_t i = states.size() - 1; i > 0; --i) {
         driver.hand.press('Z', {.ctrl = true});
         INFO("after undoing " << edits[i - 1]);
-        CHECK(driver.ui.session.settings == states[i - 1]);
-        CHECK(driver.ui.results.frame.settings == states[i - 1]);
+        CHECK(driver.ui.session.a.settings == states[i - 1]);
+        CHECK(driver.ui.results.a.frame.settings == states[i - 1]);
     }
     for (std::size_t i = 1; i < states.size(); ++i) {
         driver.hand.press('Z', {.ctrl = true, .shift = true});
         INFO("after redoing " << edits[i - 1]);
-        CHECK(driver.ui.session.settings == states[i]);
+        CHECK(driver.ui.session.a.settings == states[i]);
     }
 }
 
 TEST_CASE("A drag of the camera is one step to undo") {
     Driver driver;
-    const Camera before = driver.ui.session.settings.camera;
+    const Camera before = driver.ui.session.a.settings.camera;
     driver.hand.drag("canvas", 80.0f, 20.0f, {}, 1);
-    CHECK_FALSE(driver.ui.session.settings.camera == before);
+    CHECK_FALSE(driver.ui.session.a.settings.camera == before);
     driver.hand.press('Z', {.ctrl = true});
-    CHECK(driver.ui.session.settings.camera == before);
+    CHECK(driver.ui.session.a.settings.camera == before);
 }
 
 TEST_CASE("Back and forward lead through the places visited") {

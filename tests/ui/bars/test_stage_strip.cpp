@@ -23,7 +23,7 @@ std::string first_difference(const Framebuffer& a, const Framebuffer& b) {
 }
 
 Framebuffer expected_picture(const Session& session) {
-    return draw_frame(prepare_frame(*session.scene, session.settings));
+    return draw_frame(prepare_frame(*session.scene, session.a.settings));
 }
 
 } // namespace
@@ -33,11 +33,11 @@ TEST_CASE("Each stage button shows its stage, in the frame in which it is clicke
     for (const StageInfo& info : stage_list()) {
         INFO("stage " << info.name);
         driver.hand.click("stage." + std::string(info.name));
-        CHECK(driver.ui.session.settings.stage == info.stage);
-        CHECK(driver.ui.results.frame.settings.stage == info.stage);
-        CHECK(first_difference(*driver.ui.results.framebuffer,
+        CHECK(driver.ui.session.a.settings.stage == info.stage);
+        CHECK(driver.ui.results.a.frame.settings.stage == info.stage);
+        CHECK(first_difference(*driver.ui.results.a.framebuffer,
                                expected_picture(driver.ui.session)) == "");
-        CHECK(driver.ui.picture.number == driver.ui.results.picture_number);
+        CHECK(driver.ui.picture.number == driver.ui.results.a.picture_number);
     }
 }
 
@@ -45,23 +45,23 @@ TEST_CASE("The digits 1 to 7 show the stages") {
     Driver driver;
     for (int i = 0; i < stage_count; ++i) {
         driver.hand.press('1' + i);
-        CHECK(static_cast<int>(driver.ui.session.settings.stage) == i);
+        CHECK(static_cast<int>(driver.ui.session.a.settings.stage) == i);
     }
 }
 
 TEST_CASE("The perspective switch skews the light and a second click puts it right again") {
     Driver driver;
     driver.hand.click("stage.pixel_light");
-    const Framebuffer right = *driver.ui.results.framebuffer;
+    const Framebuffer right = *driver.ui.results.a.framebuffer;
     driver.hand.click("switch.perspective");
-    CHECK(driver.ui.session.settings.interpolation == Interpolation::affine);
-    CHECK(first_difference(*driver.ui.results.framebuffer, right) != "");
-    CHECK(first_difference(*driver.ui.results.framebuffer, expected_picture(driver.ui.session)) ==
+    CHECK(driver.ui.session.a.settings.interpolation == Interpolation::affine);
+    CHECK(first_difference(*driver.ui.results.a.framebuffer, right) != "");
+    CHECK(first_difference(*driver.ui.results.a.framebuffer, expected_picture(driver.ui.session)) ==
           "");
     driver.hand.click("switch.perspective");
-    CHECK(first_difference(*driver.ui.results.framebuffer, right) == "");
+    CHECK(first_difference(*driver.ui.results.a.framebuffer, right) == "");
     driver.hand.press('P');
-    CHECK(driver.ui.session.settings.interpolation == Interpolation::affine);
+    CHECK(driver.ui.session.a.settings.interpolation == Interpolation::affine);
 }
 
 TEST_CASE("Without the depth test the blue block covers the red one") {
@@ -69,12 +69,12 @@ TEST_CASE("Without the depth test the blue block covers the red one") {
     driver.hand.click("stage.depth");
     // In front of the tall block stands the short one.
     const auto owner_in_front = [&] {
-        const Framebuffer& f = *driver.ui.results.framebuffer;
+        const Framebuffer& f = *driver.ui.results.a.framebuffer;
         return part_name(*driver.ui.session.scene, f.owner[f.at(250, 350)]);
     };
     CHECK(owner_in_front() == "short block");
     driver.hand.click("switch.depth_test");
-    CHECK(driver.ui.session.settings.depth_test == DepthTest::off);
+    CHECK(driver.ui.session.a.settings.depth_test == DepthTest::off);
     CHECK(owner_in_front() == "tall block");
     driver.hand.press('Z');
     CHECK(owner_in_front() == "short block");
@@ -83,13 +83,13 @@ TEST_CASE("Without the depth test the blue block covers the red one") {
 TEST_CASE("A picture is drawn again only when something changed") {
     Driver driver;
     driver.hand.click("stage.depth");
-    const std::uint64_t number = driver.ui.results.picture_number;
+    const std::uint64_t number = driver.ui.results.a.picture_number;
     driver.hand.frames(5);
     driver.hand.hover("stage.points");
     driver.hand.click("tab.settings");
-    CHECK(driver.ui.results.picture_number == number);
+    CHECK(driver.ui.results.a.picture_number == number);
     driver.hand.click("stage.points");
-    CHECK(driver.ui.results.picture_number == number + 1);
+    CHECK(driver.ui.results.a.picture_number == number + 1);
 }
 
 } // namespace rasterwalk

@@ -10,7 +10,7 @@ namespace rasterwalk {
 namespace {
 
 std::string cursor_text(const Driver& driver) {
-    return to_text(driver.ui.results.cursor);
+    return to_text(driver.ui.results.a.cursor);
 }
 
 } // namespace
@@ -65,12 +65,12 @@ TEST_CASE("Play takes one step after the other, never two at once, and stops at 
     driver.ui.session.play.speed = fastest_play;
     driver.hand.click("walk.play");
     CHECK(driver.ui.session.play.running);
-    const Timeline timeline(driver.ui.results.frame);
-    Cursor before = driver.ui.results.cursor;
+    const Timeline timeline(driver.ui.results.a.frame);
+    Cursor before = driver.ui.results.a.cursor;
     int frames = 0;
     while (driver.ui.session.play.running && frames < 1000) {
         driver.hand.frames(1, 0.1f);
-        const Cursor now = driver.ui.results.cursor;
+        const Cursor now = driver.ui.results.a.cursor;
         INFO("from " << to_text(before) << " to " << to_text(now));
         REQUIRE((now == before || now == timeline.next(before, Granularity::moment)));
         before = now;
@@ -92,21 +92,21 @@ TEST_CASE("The scrub bar shows the picture at the moment under the pointer") {
     Driver driver;
     driver.hand.click("stage.depth");
     driver.hand.click("walk.scrub");
-    const Cursor cursor = driver.ui.results.cursor;
+    const Cursor cursor = driver.ui.results.a.cursor;
     CHECK(cursor.triangle >= 14);
     CHECK(cursor.triangle <= 15);
     Framebuffer expected;
-    clear(expected, driver.ui.session.settings.viewport);
-    draw(driver.ui.results.frame, {cursor_begin, cursor, {}}, expected);
-    CHECK(*driver.ui.results.framebuffer == expected);
+    clear(expected, driver.ui.session.a.settings.viewport);
+    draw(driver.ui.results.a.frame, {cursor_begin, cursor, {}}, expected);
+    CHECK(*driver.ui.results.a.framebuffer == expected);
     driver.hand.drag("walk.scrub", -200.0f, 0.0f);
-    CHECK(driver.ui.results.cursor < cursor);
+    CHECK(driver.ui.results.a.cursor < cursor);
 }
 
 TEST_CASE("A moment in words names triangle, part, edge and sample, counted from one") {
     Driver driver;
     driver.hand.click("stage.edges");
-    CHECK(describe_moment(driver.ui.results.frame, {20, Phase::edges, 1, 13}) ==
+    CHECK(describe_moment(driver.ui.results.a.frame, {20, Phase::edges, 1, 13}) ==
           "triangle 21 of 30 (tall block) · edge 2 of 3 · sample 14 of 98");
 }
 

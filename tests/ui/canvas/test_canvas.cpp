@@ -17,7 +17,7 @@ TEST_CASE("A click on the picture picks the pixel, its row and its triangle") {
     CHECK(selection.row == 350);
     REQUIRE(selection.triangle);
     CHECK(part_name(*driver.ui.session.scene, *selection.triangle) == "short block");
-    CHECK(driver.ui.results.triangle == selection.triangle);
+    CHECK(driver.ui.results.a.triangle == selection.triangle);
 }
 
 TEST_CASE("Shift and a click pick the triangle and leave the pixel") {
@@ -57,15 +57,15 @@ TEST_CASE("A drag moves the picture with the pointer") {
 TEST_CASE("A drag with the right button turns the camera") {
     Driver driver;
     driver.hand.drag("canvas", 60.0f, 30.0f, {}, 1);
-    CHECK(driver.ui.session.settings.camera.yaw > 0.0f);
-    CHECK(driver.ui.session.settings.camera.pitch < 0.0f);
-    CHECK(driver.ui.results.frame.settings.camera == driver.ui.session.settings.camera);
+    CHECK(driver.ui.session.a.settings.camera.yaw > 0.0f);
+    CHECK(driver.ui.session.a.settings.camera.pitch < 0.0f);
+    CHECK(driver.ui.results.a.frame.settings.camera == driver.ui.session.a.settings.camera);
 }
 
 TEST_CASE("The lab's keys move camera and light") {
     Driver driver;
-    const Settings before = driver.ui.session.settings;
-    const Settings& now = driver.ui.session.settings;
+    const Settings before = driver.ui.session.a.settings;
+    const Settings& now = driver.ui.session.a.settings;
     driver.hand.press(key::up);
     CHECK(now.camera.position.z > before.camera.position.z);
     driver.hand.press(key::down);
@@ -86,7 +86,7 @@ TEST_CASE("The lab's keys move camera and light") {
         driver.hand.press(move.key);
         CHECK(move.sign * (now.light.position[move.axis] - place[move.axis]) > 0.0f);
     }
-    CHECK(driver.ui.results.frame.settings == driver.ui.session.settings);
+    CHECK(driver.ui.results.a.frame.settings == driver.ui.session.a.settings);
 }
 
 TEST_CASE("Keys do nothing to the picture while text is typed") {
@@ -95,18 +95,18 @@ TEST_CASE("Keys do nothing to the picture while text is typed") {
     driver.hand.click("settings.search");
     driver.hand.press('P');
     driver.hand.press('W');
-    CHECK(driver.ui.session.settings.interpolation == Interpolation::perspective);
-    CHECK(driver.ui.session.settings.light.position == driver.ui.session.scene->light.position);
+    CHECK(driver.ui.session.a.settings.interpolation == Interpolation::perspective);
+    CHECK(driver.ui.session.a.settings.light.position == driver.ui.session.scene->light.position);
 }
 
 TEST_CASE("The view selector shows another plane of the framebuffer") {
     Driver driver;
     driver.hand.click("stage.depth");
-    const Image colours = driver.ui.results.picture;
+    const Image colours = driver.ui.results.a.picture;
     driver.hand.click("canvas.view");
     driver.hand.click("canvas.view.overdraw");
     CHECK(driver.ui.session.view == View::overdraw);
-    CHECK_FALSE(driver.ui.results.picture == colours);
+    CHECK_FALSE(driver.ui.results.a.picture == colours);
 }
 
 } // namespace rasterwalk

@@ -46,9 +46,9 @@ int corners_around(const std::vector<ImVec2>& corners, PicturePlace place, float
 
 TEST_CASE("With another walk along the edges the marks are where its samples are") {
     Driver driver("one-triangle.toml");
-    Settings settings = driver.ui.session.settings;
+    Settings settings = driver.ui.session.a.settings;
     settings.stage = Stage::fill;
-    driver.ui.results.triangle = 0;
+    driver.ui.results.a.triangle = 0;
     const Scene& scene = *driver.ui.session.scene;
     const Frame usual = prepare_frame(scene, settings);
     const Frame other =

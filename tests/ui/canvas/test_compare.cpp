@@ -12,8 +12,8 @@ namespace {
 /// The room with a lamp that can be seen, at stage pixel_light.
 Session lit_room() {
     Session session = open_session(project_root() + "/lessons/scenes/lab-room.toml");
-    session.settings.stage = Stage::pixel_light;
-    session.settings.light.power = glm::vec3(14.0f);
+    session.a.settings.stage = Stage::pixel_light;
+    session.a.settings.light.power = glm::vec3(14.0f);
     return session;
 }
 
@@ -21,19 +21,19 @@ Session lit_room() {
 
 TEST_CASE("One click compares affine with perspective, and one ends it as it was before") {
     Driver driver(lit_room());
-    const Settings before = driver.ui.session.settings;
+    const Settings before = driver.ui.session.a.settings;
     driver.hand.click("switch.compare");
-    REQUIRE(driver.ui.results.compared);
-    CHECK(driver.ui.session.settings.interpolation == Interpolation::affine);
-    CHECK(driver.ui.session.other->interpolation == Interpolation::perspective);
-    CHECK(driver.ui.results.compared->pixels.different > 100'000);
+    REQUIRE(driver.ui.results.b);
+    CHECK(driver.ui.session.a.settings.interpolation == Interpolation::affine);
+    CHECK(driver.ui.session.b->settings.interpolation == Interpolation::perspective);
+    CHECK(driver.ui.results.comparison.pixels.different > 100'000);
     CHECK(shown_text(driver, "compare.title_a") == "interpolation = affine");
     CHECK(shown_text(driver, "compare.title_b") == "interpolation = perspective");
     CHECK_THAT(shown_text(driver, "compare.counts"), Catch::Contains("pixels differ"));
     driver.hand.press('C');
-    CHECK_FALSE(driver.ui.session.other);
-    CHECK_FALSE(driver.ui.results.compared);
-    CHECK(driver.ui.session.settings == before);
+    CHECK_FALSE(driver.ui.session.b);
+    CHECK_FALSE(driver.ui.results.b);
+    CHECK(driver.ui.session.a.settings == before);
 }
 
 TEST_CASE("Every pair is compared by one click in the strip, and a second one ends it") {
@@ -43,11 +43,11 @@ TEST_CASE("Every pair is compared by one click in the strip, and a second one en
         INFO(name);
         driver.hand.click(name);
         CHECK(pair_on_show(driver.ui.session) == &pair);
-        CHECK(driver.ui.results.compared->whole.pixels.different > 0);
+        CHECK(driver.ui.results.comparison.whole().pixels.different > 0);
     }
     driver.hand.click("compare.strip.exact");
-    CHECK_FALSE(driver.ui.session.other);
-    CHECK(driver.ui.session.settings == lit_room().settings);
+    CHECK_FALSE(driver.ui.session.b);
+    CHECK(driver.ui.session.a.settings == lit_room().a.settings);
 }
 
 TEST_CASE("In a narrow window every pair is begun from the list in the strip and from the tab") {
@@ -58,7 +58,7 @@ TEST_CASE("In a narrow window every pair is begun from the list in the strip and
         driver.hand.click("compare.pairs");
         driver.hand.click("compare.pair." + name);
         CHECK(pair_on_show(driver.ui.session) == &pair);
-        CHECK(driver.ui.results.compared->whole.pixels.different > 0);
+        CHECK(driver.ui.results.comparison.whole().pixels.different > 0);
     }
     driver.hand.click("tab.compare");
     for (const ComparePair& pair : compare_pairs()) {
@@ -68,7 +68,7 @@ TEST_CASE("In a narrow window every pair is begun from the list in the strip and
         CHECK(pair_on_show(driver.ui.session) == &pair);
     }
     driver.hand.click("compare.end");
-    CHECK(driver.ui.session.settings == lit_room().settings);
+    CHECK(driver.ui.session.a.settings == lit_room().a.settings);
 }
 
 TEST_CASE("Both pictures stand side by side with the same zoom, and each can be pointed at") {
@@ -149,24 +149,24 @@ TEST_CASE("The difference has a scale, and the number under the pointer is B min
     driver.hand.click("switch.compare");
     driver.hand.click("compare.difference");
     CHECK(driver.hand.is_visible("compare.scale"));
-    CHECK(driver.ui.compare.difference.number == driver.ui.results.compared->difference_number);
+    CHECK(driver.ui.compare.difference.number == driver.ui.results.comparison.difference_number);
     driver.ui.session.canvas.zoom = 1.0f;
     driver.ui.session.canvas.centre = {250.0f, 250.0f};
     driver.hand.frames(2);
-    CHECK(driver.textures.last == driver.ui.results.compared->difference);
+    CHECK(driver.textures.last == driver.ui.results.comparison.difference);
 }
 
 TEST_CASE("The tab leads to the first divergence, to the next, and back; a click on a group too") {
     Driver driver(lit_room());
     driver.hand.click("tab.compare");
     driver.hand.click("compare.tab.exact");
-    const DivergenceList& list = driver.ui.results.compared->whole.divergences;
+    const DivergenceList& list = driver.ui.results.comparison.whole().divergences;
     REQUIRE(list.first);
     driver.hand.click("compare.first");
     CHECK(driver.ui.session.cursor == list.first->cursor);
     CHECK(driver.ui.session.selection.triangle == list.first->cursor.triangle);
-    REQUIRE(driver.ui.results.compared->here);
-    CHECK(driver.ui.results.compared->here->cursor == list.first->cursor);
+    REQUIRE(driver.ui.results.comparison.here);
+    CHECK(driver.ui.results.comparison.here->cursor == list.first->cursor);
     driver.hand.click("compare.previous");
     CHECK(driver.ui.session.cursor == list.first->cursor);
     CHECK_THAT(driver.ui.session.notice, Catch::Contains("do not differ before"));
@@ -186,7 +186,7 @@ TEST_CASE("The counts of the tab are those of the comparison") {
     Driver driver(lit_room());
     driver.hand.click("tab.compare");
     driver.hand.click("compare.tab.affine");
-    const Comparison& whole = driver.ui.results.compared->whole;
+    const Comparison& whole = driver.ui.results.comparison.whole();
     CHECK(shown_text(driver, "compare.count.pixels") == grouped(whole.pixels.different));
     CHECK(shown_text(driver, "compare.count.rows") == grouped(whole.different_rows));
     CHECK(number_in(shown_text(driver, "compare.count.largest")) ==
@@ -200,17 +200,17 @@ TEST_CASE("Run B is set in the tab, and what is changed in A is changed in both"
     driver.hand.click("tab.compare");
     driver.hand.click("compare.another");
     driver.hand.click("compare.another.rounding");
-    REQUIRE(driver.ui.session.other);
-    CHECK(driver.ui.session.other->rounding == Rounding::floor);
+    REQUIRE(driver.ui.session.b);
+    CHECK(driver.ui.session.b->settings.rounding == Rounding::floor);
     driver.hand.click("compare.b.rounding");
     driver.hand.click("compare.b.rounding=round");
-    CHECK(driver.ui.session.other->rounding == Rounding::round);
-    CHECK(driver.ui.session.settings.rounding == Rounding::truncate);
+    CHECK(driver.ui.session.b->settings.rounding == Rounding::round);
+    CHECK(driver.ui.session.a.settings.rounding == Rounding::truncate);
     driver.hand.click("switch.perspective");
-    CHECK(driver.ui.session.other->interpolation == Interpolation::affine);
+    CHECK(driver.ui.session.b->settings.interpolation == Interpolation::affine);
     driver.hand.click("compare.swap");
-    CHECK(driver.ui.session.settings.rounding == Rounding::round);
-    CHECK(driver.ui.session.other->rounding == Rounding::truncate);
+    CHECK(driver.ui.session.a.settings.rounding == Rounding::round);
+    CHECK(driver.ui.session.b->settings.rounding == Rounding::truncate);
 }
 
 TEST_CASE("Comparing is undone and done again") {
@@ -218,10 +218,10 @@ TEST_CASE("Comparing is undone and done again") {
     driver.hand.frames(2);
     driver.hand.click("switch.compare");
     driver.hand.press('Z', {.ctrl = true});
-    CHECK_FALSE(driver.ui.session.other);
-    CHECK(driver.ui.session.settings == lit_room().settings);
+    CHECK_FALSE(driver.ui.session.b);
+    CHECK(driver.ui.session.a.settings == lit_room().a.settings);
     driver.hand.press('Z', {.ctrl = true, .shift = true});
-    CHECK(driver.ui.session.other);
+    CHECK(driver.ui.session.b);
 }
 
 TEST_CASE("In a small window every way to show two runs has room") {

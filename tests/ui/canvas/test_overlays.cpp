@@ -121,7 +121,7 @@ TEST_CASE("A click on the legend picks no pixel under it, one beside it does") {
     driver.hand.click_picture(250, 350);
     REQUIRE(driver.ui.session.selection.triangle);
     const std::string named =
-        overlay_value(Overlay::owner, driver.ui.results.frame, *driver.ui.results.framebuffer,
+        overlay_value(Overlay::owner, driver.ui.results.a.frame, *driver.ui.results.a.framebuffer,
                       driver.ui.results.overlay, {250, 350});
     CHECK(named == "triangle " + std::to_string(*driver.ui.session.selection.triangle + 1) +
                        ", short block");
@@ -134,7 +134,7 @@ TEST_CASE("The ends of the depth range are dragged, undone as one step, and fitt
     driver.hand.click("canvas.view");
     driver.hand.click("canvas.view.depth 1/z");
     const DepthRange present = *driver.ui.results.depth->present;
-    const Image automatic = driver.ui.results.picture;
+    const Image automatic = driver.ui.results.a.picture;
     driver.hand.drag("depth.far", 120.0f, 0.0f);
     REQUIRE(driver.ui.session.depth_range);
     const DepthRange dragged = *driver.ui.session.depth_range;
@@ -143,7 +143,7 @@ TEST_CASE("The ends of the depth range are dragged, undone as one step, and fitt
     const DepthRange& axis = driver.ui.results.depth->histogram.axis;
     const float a_pixel = (axis.near - axis.far) / (plot.bottom_right.x - plot.top_left.x);
     CHECK(dragged.far == Approx(present.far + 120.0f * a_pixel).margin(1.01f * a_pixel));
-    CHECK_FALSE(driver.ui.results.picture == automatic);
+    CHECK_FALSE(driver.ui.results.a.picture == automatic);
     driver.hand.drag("depth.near", -80.0f, 0.0f);
     CHECK(driver.ui.session.depth_range->near < present.near);
     CHECK(driver.ui.session.depth_range->far == dragged.far);
@@ -151,7 +151,7 @@ TEST_CASE("The ends of the depth range are dragged, undone as one step, and fitt
     CHECK(driver.ui.session.depth_range == dragged);
     driver.hand.click("depth.autofit");
     CHECK_FALSE(driver.ui.session.depth_range);
-    CHECK(driver.ui.results.picture == automatic);
+    CHECK(driver.ui.results.a.picture == automatic);
     driver.hand.press('Z', {.ctrl = true});
     CHECK(driver.ui.session.depth_range == dragged);
 }

@@ -9,9 +9,9 @@ namespace {
 
 /// The report that a test makes for itself, of the picked pixel.
 FragmentReport report_on_picked(const Driver& driver) {
-    const Frame& frame = driver.ui.results.frame;
+    const Frame& frame = driver.ui.results.a.frame;
     const auto cursor =
-        fragment_on_pixel(frame, *driver.ui.session.selection.pixel, driver.ui.results.cursor);
+        fragment_on_pixel(frame, *driver.ui.session.selection.pixel, driver.ui.results.a.cursor);
     REQUIRE(cursor);
     const auto report = fragment_report(frame, *cursor);
     REQUIRE(report);
@@ -54,7 +54,7 @@ TEST_CASE("The way in force is marked, and the switch changes it but not the num
     const std::string right = shown_text(driver, "fragment.z_world.perspective");
     CHECK(affine != right);
     driver.hand.click("switch.perspective");
-    CHECK(driver.ui.results.inspected.fragment->interpolation == Interpolation::affine);
+    CHECK(driver.ui.results.a.inspected.fragment->interpolation == Interpolation::affine);
     CHECK(shown_text(driver, "fragment.z_world.affine") == affine);
     CHECK(shown_text(driver, "fragment.z_world.perspective") == right);
 }
@@ -89,13 +89,13 @@ TEST_CASE("The panel follows the cursor again when the picked pixel is let go") 
     driver.hand.click_picture(398, 121);
     driver.ui.session.cursor = *parse_cursor("t20/r5/c3");
     driver.hand.frames(2);
-    CHECK(driver.ui.results.inspected.fragment->pixel == glm::ivec2(398, 121));
+    CHECK(driver.ui.results.a.inspected.fragment->pixel == glm::ivec2(398, 121));
     driver.hand.click("fragment.follow");
     CHECK_FALSE(driver.ui.session.selection.pixel);
-    CHECK(driver.ui.results.inspected.fragment->cursor.triangle == 20);
+    CHECK(driver.ui.results.a.inspected.fragment->cursor.triangle == 20);
     driver.hand.click_picture(398, 121);
     driver.hand.click("fragment.go");
-    CHECK(driver.ui.results.done == driver.ui.results.inspected.fragment->cursor);
+    CHECK(driver.ui.results.a.done == driver.ui.results.a.inspected.fragment->cursor);
 }
 
 TEST_CASE("Where there is no fragment the panel says why") {
@@ -105,7 +105,7 @@ TEST_CASE("Where there is no fragment the panel says why") {
     CHECK(driver.hand.is_visible("fragment.none"));
     driver.hand.click("stage.edges");
     driver.hand.click("fragment.fill");
-    CHECK(driver.ui.session.settings.stage == Stage::fill);
+    CHECK(driver.ui.session.a.settings.stage == Stage::fill);
 }
 
 TEST_CASE("In a small window the fragment's formula is in sight, and all else can be reached") {

@@ -9,22 +9,22 @@ TEST_CASE("The graph is that of the row of the clicked pixel, and its buttons le
     Driver driver;
     driver.hand.click("tab.graph");
     driver.hand.click_picture(398, 121);
-    REQUIRE(driver.ui.results.inspected.graph);
-    CHECK(driver.ui.results.inspected.graph->row.row == 121);
-    CHECK(driver.ui.results.inspected.graph->row.triangle == driver.ui.results.triangle);
+    REQUIRE(driver.ui.results.a.inspected.graph);
+    CHECK(driver.ui.results.a.inspected.graph->row.row == 121);
+    CHECK(driver.ui.results.a.inspected.graph->row.triangle == driver.ui.results.a.triangle);
     driver.hand.click("graph.row.next");
     CHECK(driver.ui.session.selection.row == 122);
-    CHECK(driver.ui.results.inspected.graph->row.row == 122);
+    CHECK(driver.ui.results.a.inspected.graph->row.row == 122);
     driver.hand.click("graph.row.previous");
-    CHECK(driver.ui.results.inspected.graph->row.row == 121);
+    CHECK(driver.ui.results.a.inspected.graph->row.row == 121);
 }
 
 TEST_CASE("The curves have the values of the fragments along the row") {
     Driver driver;
     driver.hand.click("tab.graph");
     driver.hand.click_picture(398, 121);
-    const RowGraph& graph = *driver.ui.results.inspected.graph;
-    const Frame& frame = driver.ui.results.frame;
+    const RowGraph& graph = *driver.ui.results.a.inspected.graph;
+    const Frame& frame = driver.ui.results.a.frame;
     for (int i = 0; i < graph.count(); i += 7) {
         INFO("column " << graph.first_column + i);
         const auto report =
@@ -41,7 +41,7 @@ TEST_CASE("A quantity is chosen by its button; a varying has the lines it is car
     Driver driver;
     driver.hand.click("tab.graph");
     driver.hand.click_picture(398, 121);
-    for (const QuantityInfo& info : shown_quantities(driver.ui.results.frame)) {
+    for (const QuantityInfo& info : shown_quantities(driver.ui.results.a.frame)) {
         const std::string name = "graph." + std::string(info.words.id);
         INFO(name);
         driver.hand.click(name);
@@ -55,12 +55,12 @@ TEST_CASE("A click into the graph goes to the fragment of that column") {
     Driver driver;
     driver.hand.click("tab.graph");
     driver.hand.click_picture(398, 121);
-    const int triangle = driver.ui.results.inspected.graph->row.triangle;
+    const int triangle = driver.ui.results.a.inspected.graph->row.triangle;
     driver.hand.click("graph.plot");
-    REQUIRE(driver.ui.results.done);
-    CHECK(driver.ui.results.done->triangle == triangle);
-    CHECK(driver.ui.results.done->phase == Phase::rows);
-    CHECK(driver.ui.results.inspected.fragment->pixel.y == 121);
+    REQUIRE(driver.ui.results.a.done);
+    CHECK(driver.ui.results.a.done->triangle == triangle);
+    CHECK(driver.ui.results.a.done->phase == Phase::rows);
+    CHECK(driver.ui.results.a.inspected.fragment->pixel.y == 121);
 }
 
 TEST_CASE("A stage without rows says so, and leads to one that has them") {
@@ -69,7 +69,7 @@ TEST_CASE("A stage without rows says so, and leads to one that has them") {
     driver.hand.click("stage.edges");
     CHECK(driver.hand.is_visible("graph.none"));
     driver.hand.click("graph.rows");
-    CHECK(driver.ui.session.settings.stage == Stage::rows);
+    CHECK(driver.ui.session.a.settings.stage == Stage::rows);
     CHECK(driver.hand.is_visible("graph.plot"));
 }
 

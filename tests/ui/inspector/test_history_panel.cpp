@@ -12,7 +12,7 @@ constexpr int window_widths[] = {1600, 1024, 800};
 constexpr int window_heights[] = {1000, 640, 600};
 
 glm::vec3 picked_colour(const Driver& driver) {
-    const Framebuffer& picture = *driver.ui.results.framebuffer;
+    const Framebuffer& picture = *driver.ui.results.a.framebuffer;
     const glm::ivec2 pixel = *driver.ui.session.selection.pixel;
     return picture.colour[picture.at(pixel.x, pixel.y)];
 }
@@ -27,7 +27,7 @@ TEST_CASE("Without a picked pixel the history asks for one, and so do the keys f
         driver.ui.session.notice.clear();
         driver.hand.press(key);
         CHECK_THAT(driver.ui.session.notice, Catch::Contains("pick a pixel first"));
-        CHECK(driver.ui.results.cursor == cursor_end);
+        CHECK(driver.ui.results.a.cursor == cursor_end);
     }
     driver.hand.click_picture(240, 300);
     CHECK_FALSE(driver.hand.is_visible("history.empty"));
@@ -44,14 +44,14 @@ TEST_CASE("A click on a line of the history goes to the moment just after that f
     for (const int line : {2, 0, 1}) {
         INFO("line " << line);
         driver.hand.click("history." + std::to_string(line));
-        CHECK(driver.ui.results.done == entries[line].cursor);
+        CHECK(driver.ui.results.a.done == entries[line].cursor);
         CHECK(driver.ui.session.selection.triangle == entries[line].cursor.triangle);
         CHECK(picked_colour(driver) == entries[line].colour_after);
         // What is still to come keeps its line.
         CHECK(driver.hand.is_visible("history.2"));
     }
     driver.hand.press(key::left, {.alt = true});
-    CHECK(driver.ui.results.done == entries[0].cursor);
+    CHECK(driver.ui.results.a.done == entries[0].cursor);
 }
 
 TEST_CASE("The keys and the buttons of the transport walk through the changes of the pixel") {
@@ -61,15 +61,15 @@ TEST_CASE("The keys and the buttons of the transport walk through the changes of
     const std::vector<PixelEntry> entries = driver.ui.results.history->entries;
     driver.hand.press(key::home);
     driver.hand.press('N');
-    CHECK(driver.ui.results.done == entries[0].cursor);
+    CHECK(driver.ui.results.a.done == entries[0].cursor);
     driver.hand.click("walk.next_change");
-    CHECK(driver.ui.results.done == entries[1].cursor);
+    CHECK(driver.ui.results.a.done == entries[1].cursor);
     CHECK(driver.ui.session.notice.empty());
     driver.hand.press('N');
-    CHECK(driver.ui.results.done == entries[1].cursor);
+    CHECK(driver.ui.results.a.done == entries[1].cursor);
     CHECK(driver.ui.session.notice == "Pixel (240, 300) has no later change.");
     driver.hand.click("walk.previous_change");
-    CHECK(driver.ui.results.done == entries[0].cursor);
+    CHECK(driver.ui.results.a.done == entries[0].cursor);
     CHECK(driver.ui.session.notice.empty());
     driver.hand.press('B');
     CHECK(driver.ui.session.notice == "Pixel (240, 300) has no earlier change.");
@@ -84,13 +84,13 @@ TEST_CASE("An uncovered pixel says which triangle comes nearest, and lets its re
     driver.hand.click("history.near.0");
     CHECK(driver.ui.session.selection.triangle == 2);
     driver.hand.click("history.try.rounding=floor");
-    CHECK(driver.ui.session.settings.rounding == Rounding::floor);
+    CHECK(driver.ui.session.a.settings.rounding == Rounding::floor);
     REQUIRE(driver.ui.results.history);
     REQUIRE(driver.ui.results.history->entries.size() == 1);
     CHECK(driver.ui.results.history->entries[0].cursor.triangle == 2);
     CHECK(driver.hand.is_visible("history.0"));
     driver.hand.press('Z', {.ctrl = true});
-    CHECK(driver.ui.session.settings.rounding == Rounding::truncate);
+    CHECK(driver.ui.session.a.settings.rounding == Rounding::truncate);
     CHECK(driver.hand.is_visible("history.near.0"));
 }
 
@@ -102,7 +102,7 @@ TEST_CASE("The history follows the stage: marks have their lines too") {
     REQUIRE(driver.ui.results.history);
     CHECK(driver.ui.results.history->entries.size() == 10);
     driver.hand.click("history.4");
-    CHECK(driver.ui.results.done == driver.ui.results.history->entries[4].cursor);
+    CHECK(driver.ui.results.a.done == driver.ui.results.history->entries[4].cursor);
     driver.hand.click("stage.points");
     CHECK(driver.ui.results.history->entries.size() == 5);
     CHECK(driver.hand.is_visible("history.0"));

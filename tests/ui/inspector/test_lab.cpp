@@ -23,13 +23,13 @@ namespace {
 
 Session lit_room() {
     Session session = open_session(project_root() + "/lessons/scenes/lab-room.toml");
-    session.settings.stage = Stage::pixel_light;
-    session.settings.light.power = glm::vec3(14.0f);
+    session.a.settings.stage = Stage::pixel_light;
+    session.a.settings.light.power = glm::vec3(14.0f);
     return session;
 }
 
 Image picture_with(const Bug& bug, const Session& session) {
-    const Settings settings = wrong_run(bug, with_handout_rules(session.settings));
+    const Settings settings = wrong_run(bug, with_handout_rules(session.a.settings));
     const Frame frame = prepare_frame(*session.scene, settings);
     return view_image(draw_frame(frame), View::colour, std::nullopt);
 }
@@ -38,21 +38,21 @@ Image picture_with(const Bug& bug, const Session& session) {
 
 TEST_CASE("A mistake is turned on and compared with the correct run at once, and turned off") {
     Driver driver(lit_room());
-    const Settings before = driver.ui.session.settings;
+    const Settings before = driver.ui.session.a.settings;
     driver.hand.click("tab.lab");
     driver.hand.click("lab.B9");
     CHECK(driver.ui.lab.chosen == "B9");
     driver.hand.click("lab.on");
     CHECK(is_on(driver.ui.session, "B9"));
-    REQUIRE(driver.ui.results.compared);
-    CHECK(driver.ui.results.compared->whole.pixels.different > 0);
+    REQUIRE(driver.ui.results.b);
+    CHECK(driver.ui.results.comparison.whole().pixels.different > 0);
     driver.hand.click("lab.B3");
     driver.hand.click("lab.on");
     CHECK(is_on(driver.ui.session, "B3"));
     CHECK_FALSE(is_on(driver.ui.session, "B9"));
     driver.hand.click("lab.off");
-    CHECK_FALSE(driver.ui.session.other);
-    CHECK(driver.ui.session.settings == before);
+    CHECK_FALSE(driver.ui.session.b);
+    CHECK(driver.ui.session.a.settings == before);
 }
 
 TEST_CASE("Every mistake is described and shows on its own scene, from which one comes back") {
@@ -74,7 +74,7 @@ TEST_CASE("Every mistake is described and shows on its own scene, from which one
 
 TEST_CASE("A round of the quiz is won: hint, wrong guess, right guess, and all is as before") {
     Driver driver(lit_room());
-    const Settings before = driver.ui.session.settings;
+    const Settings before = driver.ui.session.a.settings;
     driver.hand.click("tab.lab");
     driver.hand.click("lab.mode.quiz");
     driver.ui.lab.seed = 7;
@@ -85,13 +85,13 @@ TEST_CASE("A round of the quiz is won: hint, wrong guess, right guess, and all i
     driver.hand.click("tab.settings");
     CHECK(driver.hand.is_visible("settings.hidden"));
     CHECK_FALSE(driver.hand.is_visible("setting.rounding"));
-    const Settings hidden = driver.ui.session.settings;
+    const Settings hidden = driver.ui.session.a.settings;
     driver.hand.click("switch.perspective");
-    CHECK(driver.ui.session.settings == hidden);
+    CHECK(driver.ui.session.a.settings == hidden);
     driver.hand.click("tab.lab");
     driver.hand.click("lab.quiz.compare");
-    REQUIRE(driver.ui.results.compared);
-    CHECK(driver.ui.results.compared->pixels.different > 0);
+    REQUIRE(driver.ui.results.b);
+    CHECK(driver.ui.results.comparison.pixels.different > 0);
     CHECK(shown_text(driver, "compare.title_b") == "the correct run");
     driver.hand.click("lab.hint");
     CHECK(driver.ui.session.quiz->questions[0].hints == 1);
@@ -110,7 +110,7 @@ TEST_CASE("A round of the quiz is won: hint, wrong guess, right guess, and all i
     CHECK(driver.hand.is_visible("lab.verdict"));
     driver.hand.click("lab.quiz.end");
     CHECK_FALSE(driver.ui.session.quiz);
-    CHECK(driver.ui.session.settings == before);
+    CHECK(driver.ui.session.a.settings == before);
     CHECK(driver.ui.options.score.rounds == 1);
     CHECK(driver.ui.options.score.points ==
           points_of_question - cost_of_hint - cost_of_wrong_guess);
@@ -160,9 +160,9 @@ TEST_CASE("While a quiz hides the settings nothing can set them, and nothing tel
     driver.hand.click("lab.mode.quiz");
     driver.hand.enter("lab.seed", "7");
     driver.hand.click("lab.quiz.start");
-    const Settings hidden = driver.ui.session.settings;
+    const Settings hidden = driver.ui.session.a.settings;
     driver.hand.click("lab.quiz.compare");
-    REQUIRE(driver.ui.session.other);
+    REQUIRE(driver.ui.session.b);
     driver.hand.click("compare.swap");
     driver.hand.click("compare.strip.exact");
     driver.hand.press('P');
@@ -171,24 +171,24 @@ TEST_CASE("While a quiz hides the settings nothing can set them, and nothing tel
     follow_link(driver.ui, "preset:exact");
     follow_link(driver.ui, "bug:B9");
     driver.hand.frames(2);
-    CHECK(driver.ui.session.settings == hidden);
+    CHECK(driver.ui.session.a.settings == hidden);
     CHECK(pair_on_show(driver.ui.session) == nullptr);
     driver.hand.press('C');
-    CHECK(driver.ui.session.settings == hidden);
+    CHECK(driver.ui.session.a.settings == hidden);
     driver.hand.click("menu.Scene");
     driver.hand.click("scene.one-triangle");
     CHECK_FALSE(driver.ui.session.quiz);
-    CHECK(driver.ui.session.settings.viewport == Viewport{20, 20});
+    CHECK(driver.ui.session.a.settings.viewport == Viewport{20, 20});
 }
 
 TEST_CASE("The key C ends a mistake as the button does") {
     Driver driver(lit_room());
-    const Settings before = driver.ui.session.settings;
+    const Settings before = driver.ui.session.a.settings;
     driver.hand.click("tab.lab");
     driver.hand.click("lab.B5");
     driver.hand.click("lab.on");
     driver.hand.press('C');
-    CHECK(driver.ui.session.settings == before);
+    CHECK(driver.ui.session.a.settings == before);
     CHECK(driver.hand.find("lab.on").visible);
     driver.hand.press('C');
     CHECK_FALSE(is_on(driver.ui.session, "B5"));

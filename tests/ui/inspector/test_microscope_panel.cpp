@@ -30,14 +30,14 @@ TEST_CASE("The microscope goes to the sample that is clicked, and to the next th
     Driver driver("one-triangle.toml");
     open_outside_example(driver);
     driver.hand.click("microscope.next");
-    CHECK(driver.ui.results.done == sample(0, 0, 3));
+    CHECK(driver.ui.results.a.done == sample(0, 0, 3));
     CHECK_FALSE(driver.ui.microscope.shows_x);
     driver.hand.click("microscope.sample.1");
-    CHECK(driver.ui.results.done == sample(0, 0, 1));
+    CHECK(driver.ui.results.a.done == sample(0, 0, 1));
     driver.hand.click("microscope.curve");
-    CHECK(driver.ui.results.done->phase == Phase::edges);
+    CHECK(driver.ui.results.a.done->phase == Phase::edges);
     driver.hand.drag("microscope.curve", 5000.0f, 0.0f);
-    CHECK(driver.ui.results.done == sample(0, 0, 3));
+    CHECK(driver.ui.results.a.done == sample(0, 0, 3));
 }
 
 TEST_CASE("An edge that is picked stays under the microscope until the cursor moves on an edge") {
@@ -49,12 +49,12 @@ TEST_CASE("An edge that is picked stays under the microscope until the cursor mo
     driver.hand.frames(3);
     CHECK(driver.ui.microscope.edge == 1);
     driver.hand.press(key::period);
-    CHECK(driver.ui.results.done == sample(0, 0, 1));
+    CHECK(driver.ui.results.a.done == sample(0, 0, 1));
     CHECK(driver.ui.microscope.edge == 0);
     // On to the second edge, sample by sample.
     for (int i = 0; i < 3; ++i)
         driver.hand.press(key::period);
-    CHECK(driver.ui.results.done == sample(0, 1, 0));
+    CHECK(driver.ui.results.a.done == sample(0, 1, 0));
     CHECK(driver.ui.microscope.edge == 1);
 }
 
@@ -95,7 +95,7 @@ TEST_CASE("The current sample is in view, in every window and text size") {
 TEST_CASE("The microscope has a word for a triangle that is left out, and for none at all") {
     Driver driver;
     driver.hand.click("tab.microscope");
-    driver.ui.session.settings.camera.position = {0.0f, 0.0f, 0.0f};
+    driver.ui.session.a.settings.camera.position = {0.0f, 0.0f, 0.0f};
     driver.ui.session.selection.triangle = 0;
     driver.hand.frames(2);
     CHECK_FALSE(driver.hand.is_visible("microscope.edge.0"));

@@ -9,26 +9,26 @@ namespace rasterwalk {
 TEST_CASE("The row table fills as the cursor moves") {
     Driver driver("one-triangle.toml");
     driver.hand.click("walk.first");
-    CHECK(driver.ui.results.rows.samples == 0);
-    CHECK(driver.ui.results.rows.rows.is_empty_row(0));
+    CHECK(driver.ui.results.a.rows.samples == 0);
+    CHECK(driver.ui.results.a.rows.rows.is_empty_row(0));
     driver.hand.click("step.line");
     driver.hand.click("walk.step");
     driver.hand.click("walk.step");
-    CHECK(driver.ui.results.rows.samples == 6);
-    CHECK_FALSE(driver.ui.results.rows.rows.is_empty_row(5));
-    CHECK(driver.ui.results.rows.rows.is_empty_row(6));
+    CHECK(driver.ui.results.a.rows.samples == 6);
+    CHECK_FALSE(driver.ui.results.a.rows.rows.is_empty_row(5));
+    CHECK(driver.ui.results.a.rows.rows.is_empty_row(6));
 }
 
 TEST_CASE("A click on a cell goes to the moment in which it was written") {
     Driver driver("one-triangle.toml");
     driver.hand.click("rows.12.left");
-    const RowHistory& rows = driver.ui.results.rows;
+    const RowHistory& rows = driver.ui.results.a.rows;
     REQUIRE(rows.last);
     CHECK(rows.last->fragment.row == 12);
     CHECK(rows.last->write.left);
-    CHECK(to_text(driver.ui.results.cursor) == "t0/e1/s5");
+    CHECK(to_text(driver.ui.results.a.cursor) == "t0/e1/s5");
     driver.hand.press(key::left, {.alt = true});
-    CHECK(driver.ui.results.cursor == cursor_end);
+    CHECK(driver.ui.results.a.cursor == cursor_end);
 }
 
 TEST_CASE("A row that is pointed at lights up in the picture, and the other way round") {
@@ -54,13 +54,13 @@ TEST_CASE("A write outside the table has a line of its own that leads to its sam
     driver.hand.drag_picture(10, 5, 0, 2);
     driver.hand.drag_picture(5, 10, 3, 1);
     driver.hand.drag_picture(15, 15, 3, 4);
-    const RowHistory& rows = driver.ui.results.rows;
+    const RowHistory& rows = driver.ui.results.a.rows;
     REQUIRE(rows.outside.size() == 1);
     CHECK(rows.outside[0].row == 0);
     CHECK(rows.outside[0].y < 1.0f);
     driver.hand.click("rows.outside.0");
-    REQUIRE(driver.ui.results.rows.last);
-    CHECK_FALSE(driver.ui.results.rows.last->write.inside);
+    REQUIRE(driver.ui.results.a.rows.last);
+    CHECK_FALSE(driver.ui.results.a.rows.last->write.inside);
 }
 
 TEST_CASE("A dragged bench vertex takes the row table with it") {
@@ -69,9 +69,9 @@ TEST_CASE("A dragged bench vertex takes the row table with it") {
     const glm::vec3 moved = driver.ui.session.scene->triangles[0].vertices[2].position;
     CHECK(moved.x == 12.0f);
     CHECK(moved.y == 18.0f);
-    CHECK(driver.ui.results.rows.rows.size() == 14);
+    CHECK(driver.ui.results.a.rows.rows.size() == 14);
     driver.hand.press('Z', {.ctrl = true});
-    CHECK(driver.ui.results.rows.rows.size() == 11);
+    CHECK(driver.ui.results.a.rows.rows.size() == 11);
 }
 
 TEST_CASE("The bench offers its examples") {

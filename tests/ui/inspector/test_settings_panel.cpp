@@ -9,8 +9,8 @@ TEST_CASE("A number typed into a setting takes effect at once") {
     Driver driver;
     driver.hand.click("tab.settings");
     driver.hand.enter("setting.camera.focal_length", "300");
-    CHECK(driver.ui.session.settings.camera.focal_length == 300.0f);
-    CHECK(driver.ui.results.frame.settings.camera.focal_length == 300.0f);
+    CHECK(driver.ui.session.a.settings.camera.focal_length == 300.0f);
+    CHECK(driver.ui.results.a.frame.settings.camera.focal_length == 300.0f);
 }
 
 TEST_CASE("A typed number is kept within its range") {
@@ -18,9 +18,9 @@ TEST_CASE("A typed number is kept within its range") {
     driver.hand.click("tab.settings");
     const auto& range = std::get<NumberSetting>(find_setting("camera.focal_length")->kind);
     driver.hand.enter("setting.camera.focal_length", "1e30");
-    CHECK(driver.ui.session.settings.camera.focal_length == range.largest);
+    CHECK(driver.ui.session.a.settings.camera.focal_length == range.largest);
     driver.hand.enter("setting.camera.focal_length", "-5");
-    CHECK(driver.ui.session.settings.camera.focal_length == range.smallest);
+    CHECK(driver.ui.session.a.settings.camera.focal_length == range.smallest);
 }
 
 TEST_CASE("A word is chosen from a list, is marked as changed, and is reset") {
@@ -29,9 +29,9 @@ TEST_CASE("A word is chosen from a list, is marked as changed, and is reset") {
     CHECK_FALSE(driver.hand.is_visible("reset.rounding"));
     driver.hand.click("setting.rounding");
     driver.hand.click("setting.rounding=floor");
-    CHECK(driver.ui.session.settings.rounding == Rounding::floor);
+    CHECK(driver.ui.session.a.settings.rounding == Rounding::floor);
     driver.hand.click("reset.rounding");
-    CHECK(driver.ui.session.settings.rounding == Rounding::truncate);
+    CHECK(driver.ui.session.a.settings.rounding == Rounding::truncate);
 }
 
 TEST_CASE("Every setting can be reached in the panel, and the search leaves only what fits") {
@@ -50,10 +50,10 @@ TEST_CASE("A preset's button sets what the preset names") {
     Driver driver;
     driver.hand.click("tab.settings");
     driver.hand.click("settings.preset.exact");
-    CHECK(driver.ui.session.settings.line_walk == LineWalk::exact);
-    CHECK(driver.ui.session.settings.rounding == Rounding::floor);
+    CHECK(driver.ui.session.a.settings.line_walk == LineWalk::exact);
+    CHECK(driver.ui.session.a.settings.rounding == Rounding::floor);
     driver.hand.click("settings.preset.handout");
-    CHECK(driver.ui.session.settings.line_walk == LineWalk::accumulate);
+    CHECK(driver.ui.session.a.settings.line_walk == LineWalk::accumulate);
 }
 
 } // namespace rasterwalk

@@ -22,7 +22,7 @@ TEST_CASE("Each number of the vertices is that of the report, and a click shows 
     driver.ui.session.selection.triangle = 7;
     driver.hand.click("tab.vertices");
     for (int v = 0; v < 3; ++v) {
-        const VertexReport report = vertex_report(driver.ui.results.frame, 7, v);
+        const VertexReport report = vertex_report(driver.ui.results.a.frame, 7, v);
         for (const std::string id : numbers) {
             INFO(id << " of vertex " << v);
             const Formula* const formula = find_formula(report.formulas, id);
@@ -60,7 +60,7 @@ TEST_CASE("The vertices follow the camera, and say what the other rounding and o
     driver.hand.click("tab.vertices");
     driver.hand.click(cell("pixel.column", 0));
     const std::string before = shown_text(driver, cell("pixel.column", 0));
-    driver.ui.session.settings.camera.yaw = 0.3f;
+    driver.ui.session.a.settings.camera.yaw = 0.3f;
     driver.hand.frames(2);
     CHECK(shown_text(driver, cell("pixel.column", 0)) != before);
     CHECK(driver.hand.is_visible("vertices.other_roundings"));

@@ -131,14 +131,14 @@ TEST_CASE("Links of a hostile lesson do nothing but say so") {
     room.open_good();
     open_lesson(room.ui, "02-links", 0);
     room.driver.hand.frames(frames_to_rest);
-    const Settings settings = room.ui.session.settings;
+    const Settings settings = room.ui.session.a.settings;
     for (int link = 0; link < 11; ++link) {
         INFO(link);
         room.ui.session.notice.clear();
         room.driver.hand.click("lesson.part0.link." + std::to_string(link));
         CHECK_FALSE(room.ui.session.notice.empty());
         CHECK(room.ui.session.lesson == "02-links");
-        CHECK(room.ui.session.settings == settings);
+        CHECK(room.ui.session.a.settings == settings);
     }
 }
 

@@ -97,24 +97,24 @@ TEST_CASE("A lesson is opened from the list and walked by its buttons") {
     room.open();
     CHECK(ui.session.lesson == "01-tiny");
     CHECK(ui.session.step == 0);
-    CHECK(ui.session.settings.stage == Stage::depth);
+    CHECK(ui.session.a.settings.stage == Stage::depth);
     hand.click("lesson.part0.link.0");
-    CHECK(ui.session.settings.stage == Stage::edges);
+    CHECK(ui.session.a.settings.stage == Stage::edges);
 
     hand.click("lesson.next");
     CHECK(ui.session.step == 1);
-    CHECK(ui.session.settings.stage == Stage::rows);
+    CHECK(ui.session.a.settings.stage == Stage::rows);
     CHECK(ui.session.tab == "vertices");
     CHECK(ui.session.selection.triangle == 20);
     hand.click("lesson.previous");
     CHECK(ui.session.step == 0);
-    CHECK(ui.session.settings.stage == Stage::depth);
+    CHECK(ui.session.a.settings.stage == Stage::depth);
     hand.click("lesson.step.1");
     CHECK(ui.session.step == 1);
 
     hand.click("stage.fill");
     hand.press('R');
-    CHECK(ui.session.settings.stage == Stage::rows);
+    CHECK(ui.session.a.settings.stage == Stage::rows);
     hand.press(key::page_up);
     CHECK(ui.session.step == 0);
     hand.press(key::page_down);
@@ -129,7 +129,7 @@ TEST_CASE("A task is ticked off when it is solved, and stays so") {
     room.driver.hand.click("lesson.task.affine.hint");
     CHECK_FALSE(ui.lesson.progress.is_task_done("01-tiny", "affine"));
     room.driver.hand.click("switch.perspective");
-    CHECK(ui.session.settings.interpolation == Interpolation::affine);
+    CHECK(ui.session.a.settings.interpolation == Interpolation::affine);
     CHECK(ui.lesson.progress.is_task_done("01-tiny", "affine"));
     room.driver.hand.click("switch.perspective");
     CHECK(ui.lesson.progress.is_task_done("01-tiny", "affine"));

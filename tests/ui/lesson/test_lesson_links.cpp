@@ -21,8 +21,8 @@ TEST_CASE("Each kind of link does what it says") {
         driver.hand.frames(frames_to_rest);
     };
     follow("set:stage=depth&interpolation=affine");
-    CHECK(ui.session.settings.stage == Stage::depth);
-    CHECK(ui.session.settings.interpolation == Interpolation::affine);
+    CHECK(ui.session.a.settings.stage == Stage::depth);
+    CHECK(ui.session.a.settings.interpolation == Interpolation::affine);
     follow("cursor:t3/e1/s5");
     CHECK(ui.session.cursor.triangle == 3);
     follow("cursor:end");
@@ -47,11 +47,11 @@ TEST_CASE("Each kind of link does what it says") {
     follow("overlay:none");
     CHECK(ui.session.overlays.empty());
     follow("compare:interpolation=perspective");
-    REQUIRE(ui.session.other);
-    CHECK(ui.session.other->interpolation == Interpolation::perspective);
-    CHECK(ui.session.settings.interpolation == Interpolation::affine);
+    REQUIRE(ui.session.b);
+    CHECK(ui.session.b->settings.interpolation == Interpolation::perspective);
+    CHECK(ui.session.a.settings.interpolation == Interpolation::affine);
     follow("compare:off");
-    CHECK_FALSE(ui.session.other);
+    CHECK_FALSE(ui.session.b);
     follow("preset:visible%20light");
     follow("preset:exact");
     follow("term:1/z");
@@ -74,12 +74,12 @@ TEST_CASE("A link that leads nowhere says so and changes nothing") {
           "vertex:3", "tab:row", "view:deep", "overlay:wires", "preset:exakt", "bug:B999",
           "show:switch.perspektive", "99-gone.md", "../etc/passwd", "http://example.org"}) {
         INFO(target);
-        const Settings settings = ui.session.settings;
+        const Settings settings = ui.session.a.settings;
         const Cursor cursor = ui.session.cursor;
         ui.session.notice.clear();
         follow_link(ui, target);
         CHECK((ui.session.notice.ends_with(".") || ui.session.notice.ends_with("?")));
-        CHECK(ui.session.settings == settings);
+        CHECK(ui.session.a.settings == settings);
         CHECK(ui.session.cursor == cursor);
         CHECK(ui.session.lesson.empty());
     }

@@ -46,7 +46,7 @@ class OwnNote {
 
 Session room_at(Stage stage) {
     Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
-    session.settings.stage = stage;
+    session.a.settings.stage = stage;
     return session;
 }
 
@@ -72,10 +72,10 @@ void follow_all(const Session& start, ImVec2 window) {
             const std::size_t place = link.argument.find('=');
             const Setting* const setting = find_setting(link.argument.substr(0, place));
             REQUIRE(setting != nullptr);
-            CHECK(value_text(*setting, driver.ui.session.settings) ==
+            CHECK(value_text(*setting, driver.ui.session.a.settings) ==
                   link.argument.substr(place + 1));
         } else if (link.kind == LessonLink::Kind::cursor) {
-            CHECK(to_text(driver.ui.results.cursor) == link.argument);
+            CHECK(to_text(driver.ui.results.a.cursor) == link.argument);
         } else {
             CHECK(driver.ui.lesson.pointed_at == link.argument);
             CHECK(driver.hand.is_visible(link.argument));
@@ -99,13 +99,13 @@ TEST_CASE("The buttons and bars of the lesson walk through the stages") {
     CHECK_FALSE(driver.hand.is_visible("lesson.previous"));
     for (int i = 1; i < stage_count; ++i) {
         driver.hand.click("lesson.next");
-        CHECK(driver.ui.session.settings.stage == static_cast<Stage>(i));
+        CHECK(driver.ui.session.a.settings.stage == static_cast<Stage>(i));
     }
     CHECK_FALSE(driver.hand.is_visible("lesson.next"));
     driver.hand.click("lesson.previous");
-    CHECK(driver.ui.session.settings.stage == Stage::vertex_light);
+    CHECK(driver.ui.session.a.settings.stage == Stage::vertex_light);
     driver.hand.click("lesson.bar.edges");
-    CHECK(driver.ui.session.settings.stage == Stage::edges);
+    CHECK(driver.ui.session.a.settings.stage == Stage::edges);
 }
 
 TEST_CASE("Another page begins at its top; the same page keeps its place") {
@@ -181,7 +181,7 @@ TEST_CASE("A link that leads nowhere is answered in the status line") {
     CHECK_THAT(driver.ui.session.notice, Catch::Contains("stage cannot be 'row'"));
     driver.hand.click("lesson.link.3");
     CHECK_THAT(driver.ui.session.notice, Catch::Contains("leads nowhere"));
-    CHECK(driver.ui.session.settings.stage == Stage::rows);
+    CHECK(driver.ui.session.a.settings.stage == Stage::rows);
 }
 
 TEST_CASE("Without its notes the program shows the stage's title and goes on") {
@@ -190,7 +190,7 @@ TEST_CASE("Without its notes the program shows the stage's title and goes on") {
     Driver driver(session);
     CHECK(driver.hand.is_visible("lesson.next"));
     driver.hand.click("lesson.next");
-    CHECK(driver.ui.session.settings.stage == Stage::fill);
+    CHECK(driver.ui.session.a.settings.stage == Stage::fill);
 }
 
 TEST_CASE("A page of a megabyte is drawn and scrolled") {

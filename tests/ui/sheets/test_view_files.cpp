@@ -75,11 +75,11 @@ TEST_CASE("What is saved by keys and opened again is the same view") {
     SECTION("one undo brings back what was there before") {
         driver.hand.press('Z', ctrl);
         CHECK(driver.ui.session.scene->path == between.scene->path);
-        CHECK(driver.ui.session.settings == between.settings);
-        CHECK_FALSE(driver.ui.session.other);
+        CHECK(driver.ui.session.a.settings == between.a.settings);
+        CHECK_FALSE(driver.ui.session.b);
         driver.hand.press('Z', {true, true, false});
-        CHECK(driver.ui.session.settings == saved.settings);
-        CHECK(driver.ui.session.other == saved.other);
+        CHECK(driver.ui.session.a.settings == saved.a.settings);
+        CHECK(driver.ui.session.b == saved.b);
     }
     SECTION("and Back leads to the place before") {
         driver.hand.press(key::left, {false, false, true});
@@ -180,7 +180,7 @@ TEST_CASE("The view is copied as a command line") {
     CHECK(copied.starts_with("rasterwalk --stage depth --pixel 250,400 --triangle "));
     CHECK(copied.find(" --pixel 250,400") != std::string::npos);
     CHECK(driver.ui.session.notice == "Copied: " + copied);
-    CHECK_FALSE(driver.ui.session.other); // C alone compares
+    CHECK_FALSE(driver.ui.session.b); // C alone compares
 
     ImGui::SetClipboardText("mine");
     driver.hand.click("tab.settings");
@@ -204,7 +204,7 @@ TEST_CASE("A quiz gives nothing away, and ends when a file is opened") {
     CHECK(std::string(ImGui::GetClipboardText()) == "mine");
     open(driver, path);
     CHECK_FALSE(driver.ui.session.quiz);
-    CHECK(driver.ui.session.settings == default_settings(*driver.ui.session.scene));
+    CHECK(driver.ui.session.a.settings == default_settings(*driver.ui.session.scene));
 }
 
 TEST_CASE("Files dropped on the window open by their kind") {

@@ -1,0 +1,89 @@
+#include <algorithm>
+
+#include "compare/compare.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// A moment that is drawn, told of and compared takes so many times the work of one that is drawn.
+constexpr double work_factor = 3.0;
+
+/// The finished row table of a triangle; without rows if the run makes none.
+void make_rows(const Frame& frame, int triangle, PolygonRows& rows) {
+    rows.left.clear();
+    rows.right.clear();
+    if (!frame.is_drawn(triangle) || frame.settings.stage < Stage::edges) return;
+    compute_rows(frame, triangle, rows);
+}
+
+/// Rows of the picture in which the two tables differ.
+std::int64_t different_rows(const PolygonRows& a, const PolygonRows& b) {
+    if (a.size() == 0 || b.size() == 0) return a.size() + b.size();
+    const int first = std::min(a.first_row, b.first_row);
+    const int last = std::max(a.first_row + a.size(), b.first_row + b.size());
+    std::int64_t different = 0;
+    for (int row = first; row < last; ++row) {
+        const int i = row - a.first_row, k = row - b.first_row;
+        const bool in_a = i >= 0 && i < a.size(), in_b = k >= 0 && k < b.size();
+        if (!in_a && !in_b) continue; // between two tables that do not touch
+        const bool same = in_a && in_b && a.left[i].column == b.left[k].column &&
+                          a.right[i].column == b.right[k].column;
+        different += same ? 0 : 1;
+    }
+    return different;
+}
+
+} // namespace
+
+void ComparisonWork::begin(const Frame& a, const Frame& b, const Cursor& to) {
+    a_ = &a;
+    b_ = &b;
+    to_ = to;
+    work_a_.begin(a);
+    work_b_.begin(b);
+    walk_ = std::make_unique<RunWalk>(a, b, to);
+    divergences_ = {};
+    done_ = 0;
+    triangles_ = std::min(a.triangle_count(), std::max(to.triangle, 0));
+    found_ = {};
+}
+
+double ComparisonWork::missing_work() const {
+    const Cursor from{walk_->triangle(), Phase::vertices, 0, 0};
+    return work_factor * (work_a_.before(to_) - work_a_.before(from) + work_b_.before(to_) -
+                          work_b_.before(from));
+}
+
+/// Counts the rows of the triangles that the walk has left behind.
+void ComparisonWork::end_triangles() {
+    const int end = walk_->is_done() ? a_->triangle_count() : walk_->triangle();
+    for (; done_ < end && Cursor{done_, Phase::rows, 0, 0} < to_; ++done_) {
+        make_rows(*a_, done_, rows_a_);
+        make_rows(*b_, done_, rows_b_);
+        found_.different_rows += different_rows(rows_a_, rows_b_);
+    }
+}
+
+void ComparisonWork::advance(const WorkLimit& limit) {
+    if (walk_ == nullptr) return;
+    const bool is_little = missing_work() <= limit.at_once;
+    const auto last_event = static_cast<double>(walk_->events()) + limit.slice / work_factor;
+    while (!walk_->is_done() && (is_little || static_cast<double>(walk_->events()) < last_event)) {
+        divergences_.walk_part(*a_, *b_, *walk_, found_.divergences);
+        end_triangles();
+    }
+    if (!walk_->is_done()) return;
+    end_triangles();
+    found_.pixels = pixel_difference(walk_->picture_a(), walk_->picture_b());
+    walk_ = nullptr;
+}
+
+Comparison compare_runs(const Frame& a, const Frame& b, const Cursor& to) {
+    ComparisonWork work;
+    work.begin(a, b, to);
+    work.advance();
+    return work.found();
+}
+
+} // namespace rasterwalk

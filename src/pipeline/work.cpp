@@ -1,0 +1,113 @@
+#include "pipeline/work.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/vec2.hpp>
+
+namespace rasterwalk {
+
+namespace {
+
+/// What an edge sample, and a triangle by itself, cost beside a fragment.
+constexpr double sample_work = 2;
+constexpr double triangle_work = 20;
+
+/// Triangles of more work than this are divided by rows.
+constexpr double large_triangle = 5'000;
+
+struct Box {
+    double left, top, right, bottom;
+
+    double width() const { return std::max(right - left, 0.0); }
+    double height() const { return std::max(bottom - top, 0.0); }
+    double area() const { return width() * height(); }
+};
+
+Box box_of(std::span<const Fragment> v) {
+    Box box{1e9, 1e9, -1e9, -1e9};
+    for (const Fragment& vertex : v) {
+        box.left = std::min(box.left, static_cast<double>(vertex.column));
+        box.right = std::max(box.right, vertex.column + 1.0);
+        box.top = std::min(box.top, static_cast<double>(vertex.row));
+        box.bottom = std::max(box.bottom, vertex.row + 1.0);
+    }
+    return box;
+}
+
+Box in_picture(const Box& box, Viewport picture) {
+    return {std::max(box.left, 0.0), std::max(box.top, 0.0),
+            std::min(box.right, static_cast<double>(picture.width)),
+            std::min(box.bottom, static_cast<double>(picture.height))};
+}
+
+/// Of a polygon without dents, as a fan of triangles about its first corner.
+double twice_the_area(std::span<const Fragment> v) {
+    double area = 0.0;
+    for (std::size_t i = 2; i < v.size(); ++i) {
+        const glm::dvec2 p(v[i - 1].column - v[0].column, v[i - 1].row - v[0].row);
+        const glm::dvec2 q(v[i].column - v[0].column, v[i].row - v[0].row);
+        area += std::abs(p.x * q.y - p.y * q.x);
+    }
+    return area;
+}
+
+/// The work of one triangle. Its box is taken to be filled evenly.
+double work_of(const Frame& frame, int triangle) {
+    if (!frame.is_drawn(triangle)) return 0.0;
+    const std::span<const Fragment> v = frame.triangle_vertices(triangle);
+    const Box box = box_of(v);
+    const double samples = 2.0 * std::max(box.width(), box.height());
+    double fragments = 0.0;
+    if (has_fragments(frame.settings.stage)) {
+        fragments = (twice_the_area(v) + samples) / 2.0;
+        fragments *= in_picture(box, frame.settings.viewport).area() / box.area();
+    }
+    return triangle_work + sample_work * samples + fragments;
+}
+
+bool is_divided(const Frame& frame, double work) {
+    return work > large_triangle && has_fragments(frame.settings.stage);
+}
+
+} // namespace
+
+void FrameWork::begin(const Frame& frame) {
+    frame_ = &frame;
+    before_.clear();
+    before_.reserve(static_cast<std::size_t>(frame.triangle_count()) + 1);
+    double before = 0.0;
+    for (int t = 0; t < frame.triangle_count(); ++t) {
+        before_.push_back(before);
+        before += work_of(frame, t);
+    }
+    before_.push_back(before);
+}
+
+double FrameWork::before(const Cursor& cursor) const {
+    const int triangles = frame_->triangle_count();
+    if (cursor.triangle < 0) return 0.0;
+    if (cursor.triangle >= triangles) return total();
+    const auto triangle = static_cast<std::size_t>(cursor.triangle);
+    const double begin = before_[triangle], work = before_[triangle + 1] - begin;
+    if (cursor.phase != Phase::rows || !is_divided(*frame_, work)) return begin;
+    const Box box = box_of(frame_->triangle_vertices(cursor.triangle));
+    const Box shown = in_picture(box, frame_->settings.viewport);
+    if (shown.height() <= 0.0) return begin;
+    const double share = (cursor.index - (shown.top - box.top)) / shown.height();
+    return begin + std::clamp(share, 0.0, 1.0) * work;
+}
+
+Cursor FrameWork::at(double work) const {
+    if (!(work < total())) return cursor_end;
+    const auto behind = std::upper_bound(before_.begin(), before_.end(), std::max(work, 0.0));
+    const auto triangle = static_cast<int>(behind - before_.begin()) - 1;
+    const double begin = before_[static_cast<std::size_t>(triangle)], of_triangle = *behind - begin;
+    if (!is_divided(*frame_, of_triangle)) return {triangle, Phase::vertices, 0, 0};
+    const Box box = box_of(frame_->triangle_vertices(triangle));
+    const Box shown = in_picture(box, frame_->settings.viewport);
+    const double row = shown.top - box.top + (work - begin) / of_triangle * shown.height();
+    return {triangle, Phase::rows, static_cast<int>(row), 0};
+}
+
+} // namespace rasterwalk

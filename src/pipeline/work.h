@@ -1,0 +1,48 @@
+#pragma once
+
+// How much work it is to draw a frame, estimated from its vertices without drawing it. The unit is
+// the work of one fragment, some 10 to 20 nanoseconds.
+
+#include <limits>
+#include <vector>
+
+#include "pipeline/cursor.h"
+#include "pipeline/frame.h"
+
+namespace rasterwalk {
+
+/// How much one call of a function may do: what is estimated at no more than `at_once` it does as a
+/// whole, of anything larger only a part of about `slice`. Without limits: everything.
+struct WorkLimit {
+    double at_once = std::numeric_limits<double>::infinity();
+    double slice = std::numeric_limits<double>::infinity();
+
+    /// How much of this work may be done.
+    double of(double work) const { return work <= at_once ? work : slice; }
+};
+
+/// The limit of one update of the window: the lessons' scenes are done at once, what is larger a
+/// few hundredths of a second at a time.
+inline constexpr WorkLimit frame_limit{4'000'000.0, 1'000'000.0};
+
+/// The work of a frame, triangle by triangle.
+class FrameWork {
+  public:
+    /// Estimates the work of this frame, which must live as long as it is asked about.
+    void begin(const Frame& frame);
+
+    double total() const { return before_.empty() ? 0.0 : before_.back(); }
+
+    /// The work of everything before the cursor.
+    double before(const Cursor& cursor) const;
+
+    /// A cursor with about this much work before it: at the beginning of a triangle, or of a row of
+    /// a large one. The end if the frame has no more than that.
+    Cursor at(double work) const;
+
+  private:
+    const Frame* frame_ = nullptr;
+    std::vector<double> before_; ///< work of all triangles before; one entry more than triangles
+};
+
+} // namespace rasterwalk

@@ -1,0 +1,142 @@
+#include "session/run_results.h"
+
+#include <array>
+#include <string_view>
+
+#include "inspect/stats.h"
+#include "pipeline/draw.h"
+#include "pipeline/timeline.h"
+
+namespace rasterwalk {
+
+namespace {
+
+std::string counted(int count, std::string_view one, std::string_view many) {
+    return std::to_string(count).append(" ").append(count == 1 ? one : many);
+}
+
+std::optional<int> shown_triangle(const Session& session, const RunResults& results) {
+    const int count = results.frame.triangle_count();
+    if (session.selection.triangle && *session.selection.triangle < count) {
+        return session.selection.triangle;
+    }
+    if (results.done) return results.done->triangle;
+    return count > 0 ? std::optional(0) : std::nullopt;
+}
+
+/// Projects the scene, if it or the run is another one.
+bool update_frame(const std::shared_ptr<const Scene>& scene, const Run& run, RunResults& results) {
+    if (results.scene == scene && results.run == run) return false;
+    results.scene = scene;
+    results.run = run;
+    results.frame = prepare_frame(*scene, run.settings);
+    results.replay.begin(results.frame);
+    return true;
+}
+
+/// Moves to the session's cursor; false if that is where it was.
+bool update_cursor(const Cursor& wanted, bool new_frame, RunResults& results) {
+    const Timeline timeline(results.frame);
+    const Cursor cursor = timeline.at_or_after(wanted);
+    if (!new_frame && cursor == results.cursor) return false;
+    results.cursor = cursor;
+    results.done = std::nullopt;
+    if (cursor != timeline.first()) results.done = timeline.previous(cursor, Granularity::moment);
+    return true;
+}
+
+/// Tells what is out of order in the whole frame. Row tables that have not been drawn are counted,
+/// unless that is too much work: then only of what has been drawn.
+void update_messages(const WorkLimit& limit, RunResults& results) {
+    DrawTally tally = results.replay.tally();
+    const FrameWork& work = results.replay.work();
+    const Cursor& to = results.replay.tallied();
+    results.has_all_messages = work.total() - work.before(to) <= limit.at_once;
+    if (results.has_all_messages && to < cursor_end) {
+        const bool has_begun = to > Cursor{to.triangle, Phase::vertices, 0, 0};
+        tally += tally_rows(results.frame, has_begun ? to.triangle + 1 : to.triangle);
+    }
+    results.messages = describe_troubles(results.frame, tally);
+}
+
+/// How many pixels the stages give to a row that no edge sample has reached.
+int unset_row_pixels(const Frame& frame) {
+    PolygonRows rows;
+    frame.stages.begin_polygon_rows(std::array<Fragment, 1>{}, edge_rules(frame.settings), rows);
+    return row_span(frame.stages, rows, 0).count;
+}
+
+} // namespace
+
+std::vector<std::string> describe_troubles(const Frame& frame, const DrawTally& tally) {
+    std::vector<std::string> messages;
+    const LeftOut left_out = count_left_out(frame);
+    for (const RejectionWords& reason : rejection_list) {
+        const int count = left_out.of(reason.rejection);
+        if (count == 0) continue;
+        messages.push_back(counted(count, "triangle", "triangles").append(" left out: ") +
+                           std::string(reason.cause));
+    }
+    const std::int64_t unset = tally.unset_rows;
+    if (unset > 0) {
+        const int pixels = unset_row_pixels(frame);
+        messages.push_back(counted(static_cast<int>(unset), "row", "rows")
+                               .append(" that no edge sample reached: right − left + 1 is ")
+                               .append(std::to_string(pixels))
+                               .append(" there; nothing of it is in the picture"));
+    }
+    const Viewport size = frame.settings.viewport;
+    if (frame.settings.depth_index == DepthIndex::transposed && size.width != size.height &&
+        depth_rule(frame.settings) != DepthTest::off) {
+        messages.push_back("[x][y] lies outside the depth buffer for every pixel with x ≥ " +
+                           std::to_string(size.height) + " or y ≥ " + std::to_string(size.width) +
+                           ": not written there");
+    }
+    if (tally.samples_outside > 0) {
+        const int samples = static_cast<int>(tally.samples_outside);
+        messages.push_back(counted(samples, "edge sample", "edge samples")
+                               .append(" outside the row table of ")
+                               .append(counted(tally.triangles_outside, "triangle", "triangles"))
+                               .append("; not written"));
+    }
+    return messages;
+}
+
+RowHistory rows_at_cursor(const Frame& frame, int triangle, const Cursor& cursor) {
+    if (!frame.is_drawn(triangle)) return {};
+    return row_history(frame, triangle, cursor);
+}
+
+RunChanges update_run(const Session& session, const Run& run, const SharedView* shared,
+                      const WorkLimit& limit, std::uint64_t& numbers, RunResults& results) {
+    RunChanges changes;
+    changes.frame = update_frame(session.scene, run, results);
+    if (changes.frame) results.frame_number = ++numbers;
+    changes.moment = update_cursor(session.cursor, changes.frame, results);
+    const bool draws_on = changes.moment || !results.is_drawn();
+    if (draws_on) {
+        results.framebuffer = &results.replay.toward(results.cursor, limit);
+        if (changes.frame || !results.has_all_messages) update_messages(limit, results);
+    }
+    const std::optional<DepthRange> depths =
+        shared != nullptr ? shared->depths : session.depth_range;
+    changes.picture = draws_on || results.view != session.view || results.depth_range != depths;
+    if (changes.picture) {
+        results.view = session.view;
+        results.depth_range = depths;
+        results.picture = view_image(*results.framebuffer, session.view, depths);
+        results.picture_number = ++numbers;
+    }
+    const std::optional<int> triangle =
+        shared != nullptr ? shared->triangle : shown_triangle(session, results);
+    if (changes.moment || triangle != results.triangle) {
+        results.triangle = triangle;
+        results.rows =
+            triangle ? rows_at_cursor(results.frame, *triangle, results.cursor) : RowHistory{};
+    }
+    update_inspected(session, {results.frame, results.cursor, results.done, results.triangle},
+                     changes.frame, changes.moment, results.inspected);
+    return changes;
+}
+
+} // namespace rasterwalk

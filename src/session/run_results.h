@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/image.h"
+#include "inspect/row_history.h"
+#include "picture/view_image.h"
+#include "pipeline/frame.h"
+#include "pipeline/replay.h"
+#include "pipeline/run.h"
+#include "session/inspected.h"
+#include "session/session.h"
+
+namespace rasterwalk {
+
+/// What is shown of one run. Written by update() alone; not to be copied or moved, because its
+/// parts refer to each other.
+struct RunResults {
+    RunResults() = default;
+    RunResults(const RunResults&) = delete;
+    RunResults& operator=(const RunResults&) = delete;
+
+    Frame frame;                    ///< the scene, projected
+    std::uint64_t frame_number = 0; ///< another one whenever `frame` is another
+    Cursor cursor;              ///< the session's cursor, moved to a moment that exists in this run
+    std::optional<Cursor> done; ///< the moment before it: what was just drawn; none at the start
+    const Framebuffer* framebuffer = nullptr; ///< at the cursor, or as far as it is drawn
+    Image picture;                            ///< the view of the framebuffer
+    std::uint64_t picture_number = 0;         ///< another one whenever `picture` is another
+    std::optional<int> triangle; ///< that the inspector shows: selected, or being drawn, or first
+    RowHistory rows;             ///< row table of that triangle, as far as it is made at the cursor
+    Inspected inspected; ///< the vertices, the fragment and the row on show, with their formulas
+    std::vector<std::string> messages; ///< what is out of order: triangles left out, samples
+                                       ///< outside
+    bool has_all_messages = false;     ///< false: only of what has been drawn so far
+
+    // Of what this was made.
+    std::shared_ptr<const Scene> scene; ///< keeps the frame's scene alive; null before the first
+                                        ///< update
+    std::optional<Run> run;
+    std::optional<View> view;              ///< that `picture` shows
+    std::optional<DepthRange> depth_range; ///< that it colours
+    Replay replay;
+
+    /// Is everything before the cursor drawn? What is too much work for one update is not.
+    bool is_drawn() const { return replay.drawn() == cursor; }
+};
+
+/// What of a run's results is new.
+struct RunChanges {
+    bool frame = false;
+    bool moment = false;  ///< the cursor has moved, or the frame is new
+    bool picture = false; ///< it shows another moment, view or range of depths, or has been drawn
+                          ///< further
+};
+
+/// What is out of order in a frame, a sentence each: triangles left out, samples outside.
+/// @param tally what its row tables come to
+std::vector<std::string> describe_troubles(const Frame& frame, const DrawTally& tally);
+
+/// The row table of a triangle, as far as it is made at the cursor; empty if it is not drawn.
+RowHistory rows_at_cursor(const Frame& frame, int triangle, const Cursor& cursor);
+
+/// What run A prescribes for run B, so that the same thing is seen of both.
+struct SharedView {
+    std::optional<int> triangle;      ///< on show
+    std::optional<DepthRange> depths; ///< that the depth view colours
+};
+
+/// Brings the results of one run up to date; does nothing where they are what is asked for already.
+/// To be called by update() alone.
+/// @param shared  for run B; null for run A, which decides for itself
+/// @param limit   how much it may draw
+/// @param numbers the last number given to a frame or a picture; counts on
+RunChanges update_run(const Session& session, const Run& run, const SharedView* shared,
+                      const WorkLimit& limit, std::uint64_t& numbers, RunResults& results);
+
+} // namespace rasterwalk

@@ -1,0 +1,229 @@
+#include "session/results.h"
+
+#include <catch2/catch.hpp>
+
+#include "picture/view_image.h"
+#include "pipeline/draw.h"
+#include "session/content.h"
+#include "session/results.h"
+#include "settings/setting_table.h"
+#include "tests/support/frames.h"
+
+using namespace rasterwalk;
+
+namespace {
+
+Session room_session() {
+    Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
+    set_from_text(session.a.settings, "viewport.size=120x100");
+    set_from_text(session.a.settings, "camera.focal_length=110");
+    set_from_text(session.a.settings, "light.power=14");
+    return session;
+}
+
+Settings with(Settings settings, std::string_view assignment) {
+    set_from_text(settings, assignment);
+    return settings;
+}
+
+} // namespace
+
+TEST_CASE("Without a second run there is nothing to compare") {
+    Session session = room_session();
+    Results results;
+    update(session, results);
+    CHECK_FALSE(results.b);
+    compare_with(session, session.a.settings);
+    update(session, results);
+    REQUIRE(results.b);
+    CHECK(results.comparison.whole().is_same());
+    CHECK(results.comparison.pixels == PixelDifference{120 * 100, 0, 0, 0.0f, 0.0, {}});
+    stop_comparing(session);
+    update(session, results);
+    CHECK_FALSE(results.b);
+}
+
+TEST_CASE("Run B is drawn up to the same cursor as run A") {
+    Session session = room_session();
+    compare_with(session, with(session.a.settings, "interpolation=affine"));
+    Results results;
+    for (const Cursor& cursor : {cursor_end, Cursor{12, Phase::edges, 1, 4},
+                                 Cursor{3, Phase::rows, 20, 2}, cursor_begin, cursor_end}) {
+        session.cursor = cursor;
+        update(session, results);
+        REQUIRE(results.b);
+        const RunResults& b = *results.b;
+        const ComparisonResults& comparison = results.comparison;
+        Framebuffer expected;
+        clear(expected, b.frame);
+        draw(b.frame, {cursor_begin, cursor, {}}, expected);
+        test::require_same(*b.framebuffer, expected);
+        CHECK(b.picture == view_image(expected, View::colour));
+        CHECK(comparison.pixels == pixel_difference(*results.a.framebuffer, expected));
+        const Image difference =
+            difference_image(comparison.difference_values, {120, 100}, comparison.difference_limit);
+        CHECK(comparison.difference == difference);
+    }
+    CHECK(results.comparison.whole().pixels == results.comparison.pixels);
+    CHECK(results.comparison.pixels.largest > 0.1f);
+    CHECK(results.comparison.difference_limit >= results.comparison.pixels.largest);
+}
+
+TEST_CASE("B is worked out again only if something changed") {
+    Session session = room_session();
+    compare_with(session, with(session.a.settings, "rounding=floor"));
+    Results results;
+    update(session, results);
+    const std::uint64_t number = results.comparison.difference_number;
+    update(session, results);
+    CHECK(results.comparison.difference_number == number);
+    set_from_text(session.b->settings, "line_walk=exact");
+    update(session, results);
+    CHECK(results.comparison.difference_number > number);
+    stop_comparing(session);
+    update(session, results);
+    const std::uint64_t last = results.numbers;
+    compare_with(session, session.a.settings);
+    update(session, results);
+    CHECK(results.b->picture_number > last);
+}
+
+TEST_CASE("It is told whether the runs differ in what comes next") {
+    Session session = room_session();
+    compare_with(session, with(session.a.settings, "rounding=floor"));
+    Results results;
+    update(session, results);
+    CHECK_FALSE(results.comparison.here);
+    const DivergenceList& list = results.comparison.whole().divergences;
+    REQUIRE(list.first);
+    for (const DivergenceGroup& group : std::vector(list.groups)) {
+        session.cursor = group.last;
+        update(session, results);
+        REQUIRE(results.comparison.here);
+        CHECK(results.comparison.here->cursor == group.last);
+        CHECK(results.comparison.here->kind == group.kind);
+    }
+}
+
+TEST_CASE("The difference follows the plane that is shown") {
+    Session session = room_session();
+    compare_with(session, with(session.a.settings, "depth_test=off"));
+    Results results;
+    for (const View view : {View::depth, View::triangle, View::overdraw, View::colour}) {
+        session.view = view;
+        update(session, results);
+        const RunResults& b = *results.b;
+        const ComparisonResults& comparison = results.comparison;
+        CHECK(comparison.difference_values ==
+              signed_difference(*results.a.framebuffer, *b.framebuffer, view));
+        bool any = false;
+        for (const float value : comparison.difference_values)
+            any = any || value != 0.0f;
+        CHECK(any == (view != View::overdraw));
+    }
+}
+
+TEST_CASE("A depth buffer addressed by [x][y] differs as it is shown") {
+    Session session = room_session();
+    session.view = View::depth;
+    session.a.settings.stage = Stage::depth;
+    compare_with(session, session.a.settings);
+    set_from_text(session.a.settings, "depth_index=transposed");
+    Results results;
+    update(session, results);
+    const RunResults& b = *results.b;
+    const ComparisonResults& comparison = results.comparison;
+    const Framebuffer &wrong = *results.a.framebuffer, &right = *b.framebuffer;
+    for (int row = 0; row < right.size.height; ++row) {
+        for (int column = 0; column < right.size.width; ++column) {
+            INFO("pixel (" << column << ", " << row << ")");
+            REQUIRE(comparison.difference_values[right.at(column, row)] ==
+                    stored_depth(right, column, row) - stored_depth(wrong, column, row));
+        }
+    }
+    CHECK(comparison.difference_limit > 0.1f);
+}
+
+TEST_CASE("Pictures of different sizes are not compared") {
+    Session session = room_session();
+    compare_with(session, with(session.a.settings, "viewport.size=60x50"));
+    Results results;
+    update(session, results);
+    CHECK_FALSE(results.b);
+    CHECK(results.no_comparison == "Run B cannot be compared with run A: its picture has 60 x 50 "
+                                   "pixels, that of A 120 x 100.");
+    set_from_text(session.b->settings, "viewport.size=120x100");
+    update(session, results);
+    CHECK(results.b);
+    CHECK(results.no_comparison.empty());
+}
+
+TEST_CASE("What is too much work for one update is done by several, and comes to the same") {
+    Session session = room_session();
+    compare_with(session, with(session.a.settings, "rounding=floor"));
+    Results expected;
+    finish(session, expected);
+    CHECK_FALSE(is_working(expected));
+    REQUIRE(expected.a.messages.size() == 1);
+    const WorkLimit limit{5'000.0, 3'000.0};
+    Results results;
+    int updates = 0;
+    do {
+        update(session, results, limit);
+        REQUIRE(++updates < 1000);
+        CHECK(results.a.picture.width == 120);
+        CHECK(results.comparison.difference_values.size() == 120 * 100);
+    } while (is_working(results));
+    CHECK(updates > 20);
+    CHECK(results.a.picture == expected.a.picture);
+    CHECK(results.a.messages == expected.a.messages);
+    CHECK(results.b->picture == expected.b->picture);
+    CHECK(results.b->messages == expected.b->messages);
+    CHECK(results.comparison.whole().pixels == expected.comparison.whole().pixels);
+    CHECK(results.comparison.whole().divergences.count ==
+          expected.comparison.whole().divergences.count);
+    CHECK(results.comparison.difference == expected.comparison.difference);
+    const std::uint64_t picture = results.a.picture_number;
+    update(session, results, limit);
+    CHECK(results.a.picture_number == picture);
+}
+
+TEST_CASE("The room of the lab, and its comparison, take one update") {
+    Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
+    compare_with(session, with(session.a.settings, "interpolation=affine"));
+    Results results;
+    update(session, results);
+    CHECK_FALSE(is_working(results));
+    CHECK(results.a.has_all_messages);
+}
+
+TEST_CASE("Overlays wait for the picture that they mark") {
+    Session session = room_session();
+    session.overlays.set(Overlay::overdraw, true);
+    Results results;
+    const WorkLimit limit{5'000.0, 3'000.0};
+    update(session, results, limit);
+    REQUIRE(is_working(results));
+    CHECK(results.overlay.shown.empty());
+    while (is_working(results))
+        update(session, results, limit);
+    CHECK(results.overlay.shown == session.overlays);
+    Results expected;
+    finish(session, expected);
+    CHECK(results.overlay.image == expected.overlay.image);
+}
+
+TEST_CASE("What is out of order is told of the whole frame, wherever the cursor stands") {
+    Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
+    Results end;
+    update(session, end);
+    REQUIRE_FALSE(end.a.messages.empty());
+    for (const Cursor& cursor : {cursor_begin, Cursor{12, Phase::vertices, 0, 0},
+                                 Cursor{12, Phase::edges, 1, 4}, Cursor{3, Phase::rows, 20, 2}}) {
+        session.cursor = cursor;
+        Results results;
+        update(session, results);
+        CHECK(results.a.messages == end.a.messages);
+        session.cursor = cursor_end;
+    }
+}

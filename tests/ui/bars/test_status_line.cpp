@@ -1,0 +1,37 @@
+#include <catch2/catch.hpp>
+
+#include "session/content.h"
+#include "support/made_scene.h"
+#include "tests/ui/driver.h"
+#include "ui/actions/compare.h"
+#include "ui/app/app.h"
+
+using namespace rasterwalk;
+using Catch::Matchers::Contains;
+
+TEST_CASE("What is too much work for one frame of the window goes on in the next ones") {
+    Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
+    set_scene(session, test::made_scene(120'000));
+    Driver driver(std::move(session));
+    const RunResults& a = driver.ui.results.a;
+    REQUIRE_FALSE(a.is_drawn());
+    CHECK(is_animating(driver.ui));
+    CHECK_THAT(work_words(driver.ui.results), Contains("drawn") && Contains("of 120 000 triangles"));
+    CHECK(driver.ui.widgets.contains("status.trouble"));
+    int frames = 0;
+    for (; !a.is_drawn(); ++frames) {
+        const double before = a.replay.work().before(a.replay.drawn());
+        driver.hand.frames(1);
+        // A frame builds what it shows at most twice.
+        const double part = a.replay.work().before(a.replay.drawn()) - before;
+        CHECK(part <= 2.0 * frame_limit.at_once);
+        REQUIRE(part > 0.0);
+    }
+    CHECK(frames > 3);
+    CHECK(work_words(driver.ui.results).empty());
+    CHECK_FALSE(is_animating(driver.ui));
+    // A step of the camera begins anew.
+    driver.ui.session.a.settings.camera.yaw += 0.01f;
+    driver.hand.frames(1);
+    CHECK_FALSE(a.is_drawn());
+}
