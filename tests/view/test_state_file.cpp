@@ -7,10 +7,10 @@
 #include "laboratory/bug.h"
 #include "laboratory/quiz.h"
 #include "opening/opened_view.h"
-#include "view/state_file.h"
 #include "session/content.h"
 #include "tests/support/random_session.h"
 #include "tests/support/temporary_folder.h"
+#include "view/state_file.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

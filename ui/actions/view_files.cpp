@@ -13,12 +13,12 @@
 #include "lessons/lesson_list.h"
 #include "opening/command_line_text.h"
 #include "opening/opened_view.h"
-#include "view/state_file.h"
 #include "session/content.h"
 #include "session/scene_file.h"
 #include "ui/actions/lab.h"
 #include "ui/actions/lesson_state.h"
 #include "ui/widgets/widgets.h"
+#include "view/state_file.h"
 
 namespace rasterwalk {
 
