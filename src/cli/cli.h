@@ -13,9 +13,10 @@ struct CliRequest {
     Session session;          ///< open if `open_window`
 };
 
-/// Carries out the command line of `rasterwalk`: data on `out`, messages on `err`. Never throws for
-/// what a user may do wrong. Returns the exit code (see ExitCode).
-int run_cli(int argc, const char* const* argv, std::ostream& out, std::ostream& err,
+/// Carries out the command line of `rasterwalk`: writes what was asked for to `data`, and what is
+/// said about it to `messages`. Never throws for what a user may do wrong. Returns the exit code
+/// (see ExitCode).
+int run_cli(int argc, const char* const* argv, std::ostream& data, std::ostream& messages,
             CliRequest& request);
 
 } // namespace rasterwalk

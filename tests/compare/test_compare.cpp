@@ -100,8 +100,7 @@ TEST_CASE("Runs compared in parts come to the same as compared at once") {
 }
 
 TEST_CASE("A large triangle is compared in parts of its rows") {
-    const Scene scene =
-        test::pixel_scene({{{{0, 0, 1}, {511, 0, 1}, {0, 511, 1}}}}, {512, 512});
+    const Scene scene = test::pixel_scene({{{{0, 0, 1}, {511, 0, 1}, {0, 511, 1}}}}, {512, 512});
     const Frame frame = prepare_frame(scene, default_settings(scene));
     ComparisonWork work;
     work.begin(frame, frame);

@@ -16,7 +16,8 @@ TEST_CASE("What is too much work for one frame of the window goes on in the next
     const RunResults& a = driver.ui.results.a;
     REQUIRE_FALSE(a.is_drawn());
     CHECK(is_animating(driver.ui));
-    CHECK_THAT(work_words(driver.ui.results), Contains("drawn") && Contains("of 120 000 triangles"));
+    CHECK_THAT(work_words(driver.ui.results),
+               Contains("drawn") && Contains("of 120 000 triangles"));
     CHECK(driver.ui.widgets.contains("status.trouble"));
     int frames = 0;
     for (; !a.is_drawn(); ++frames) {
