@@ -17,12 +17,13 @@ struct Drawing {
     PixelRules pixels;
     VaryingSet carried; ///< those that edges and rows carry
     bool is_depth_tested;
-    bool shades_first; ///< the pixel shader comes before the depth test
-    bool draws_unset;  ///< rows that no edge sample has reached are drawn like the others
+    bool all_have_cells; ///< each pixel of the picture has a depth cell: nothing to ask
+    bool shades_first;   ///< the pixel shader comes before the depth test
+    bool draws_unset;    ///< rows that no edge sample has reached are drawn like the others
     Framebuffer& target;
     Observer* observer;
     PolygonRows rows;                  ///< the row table of the triangle
-    std::vector<LineSample> fragments; ///< of the row
+    std::vector<LineSample> fragments; ///< of the row, and room for those of longer ones
     DrawTally tally;
 };
 
@@ -95,29 +96,45 @@ glm::vec3 shade(Drawing& d, const Fragment& fragment, const Surface& surface) {
     return d.stages.pixel_shader(fragment, surface, d.pixels, d.stages);
 }
 
-/// Depth test, pixel shader, put pixel. The fragment must lie in the scissor.
-void draw_fragment(Drawing& d, const Cursor& cursor, const Fragment& fragment,
+/// Depth test, pixel shader, put pixel.
+/// @param pixel where the fragment stands in the planes
+template <bool is_watched>
+void draw_fragment(Drawing& d, const Cursor& cursor, const Fragment& fragment, std::size_t pixel,
                    const Surface& surface) {
-    const std::size_t pixel = d.target.at(fragment.column, fragment.row);
     const float stored = d.target.depth[pixel];
     const glm::vec3 before = d.target.colour[pixel];
-    glm::vec3 colour = before;
+    glm::vec3 colour(0.0f);
     if (d.shades_first) colour = shade(d, fragment, surface);
     const bool has_cell =
+        d.all_have_cells ||
         has_depth_cell(d.stages, fragment.column, fragment.row, d.frame.settings.viewport);
     if (!has_cell && d.is_depth_tested) ++d.tally.depth_outside;
-    const DepthResult test = d.stages.depth_test(fragment, stored);
-    ++d.tally.fragments;
+    const DepthResult test = call<depth_test, no_depth_test>(d.stages.depth_test, fragment, stored);
     ++d.target.overdraw[pixel];
     if (test.passed) {
-        if (!d.shades_first) colour = shade(d, fragment, surface);
-        d.target.colour[pixel] = colour;
+        d.target.colour[pixel] = d.shades_first ? colour : shade(d, fragment, surface);
         if (has_cell) d.target.depth[pixel] = test.depth;
         d.target.owner[pixel] = cursor.triangle;
     }
-    if (d.observer == nullptr) return;
-    d.observer->fragment({cursor, fragment, test.passed ? Fate::written : Fate::depth_failed,
-                          test.depth, stored, before, d.target.colour[pixel]});
+    if constexpr (is_watched) {
+        const Fate fate = test.passed ? Fate::written : Fate::depth_failed;
+        d.observer->fragment(
+            {cursor, fragment, fate, test.depth, stored, before, d.target.colour[pixel]});
+    }
+}
+
+/// The fragments of a row, side by side; all must lie in the scissor.
+template <bool is_watched>
+void draw_fragments(Drawing& d, Cursor cursor, std::span<const LineSample> fragments,
+                    const Surface& surface) {
+    const Fragment& first = fragments.front().fragment;
+    std::size_t pixel = d.target.at(first.column, first.row);
+    d.tally.fragments += static_cast<std::int64_t>(fragments.size());
+    for (const LineSample& sample : fragments) {
+        draw_fragment<is_watched>(d, cursor, sample.fragment, pixel, surface);
+        ++cursor.step;
+        ++pixel;
+    }
 }
 
 constexpr glm::vec3 white{1.0f};
@@ -224,14 +241,15 @@ void draw_polygon_rows(Drawing& d, int triangle) {
         const RowSpan span = row_span(d.stages, rows, r);
         const Range columns = columns_in_window(d, {triangle, Phase::rows, r, 0}, span);
         if (columns.first >= columns.last) continue;
-        d.fragments.resize(static_cast<std::size_t>(columns.last - columns.first));
+        const std::span<LineSample> fragments =
+            samples_of(d.fragments, columns.last - columns.first);
         row_fragments(d.stages, rows.left[r], rows.right[r], span.count, columns.first, d.carried,
-                      d.fragments);
-        Cursor cursor{triangle, Phase::rows, r, columns.first};
-        for (const LineSample& sample : d.fragments) {
-            draw_fragment(d, cursor, sample.fragment, surface);
-            ++cursor.step;
-        }
+                      fragments);
+        const Cursor cursor{triangle, Phase::rows, r, columns.first};
+        if (d.observer == nullptr)
+            draw_fragments<false>(d, cursor, fragments, surface);
+        else
+            draw_fragments<true>(d, cursor, fragments, surface);
     }
 }
 
@@ -296,6 +314,7 @@ DrawTally draw(const Frame& frame, const DrawWindow& window, Framebuffer& frameb
               .pixels = pixel_rules(settings),
               .carried = carried,
               .is_depth_tested = depth_rule(settings) != DepthTest::off,
+              .all_have_cells = frame.stages.depth_cell == depth_cell,
               .shades_first = settings.shading == Shading::before_depth_test,
               .draws_unset = draws_unset_rows(frame),
               .target = framebuffer,

@@ -30,12 +30,18 @@ struct DepthResult {
 };
 
 /// The nearer one is drawn: passes if the interpolated 1/z is larger than what is stored.
-DepthResult depth_test(const Fragment& fragment, float stored);
+inline DepthResult depth_test(const Fragment& fragment, float stored) {
+    return {fragment.depth, fragment.depth > stored};
+}
 
 /// No test: the last one drawn wins.
-DepthResult no_depth_test(const Fragment& fragment, float stored);
+inline DepthResult no_depth_test(const Fragment& fragment, float) {
+    return {fragment.depth, true};
+}
 
 /// The cell (x, y) of the depth buffer that belongs to the pixel (column, row).
-glm::ivec2 depth_cell(int column, int row);
+inline glm::ivec2 depth_cell(int column, int row) {
+    return {column, row};
+}
 
 } // namespace rasterwalk

@@ -77,6 +77,12 @@ int to_pixel(float value, Rounding rounding) {
     return 0;
 }
 
+std::span<LineSample> samples_of(std::vector<LineSample>& buffer, int count) {
+    const auto size = static_cast<std::size_t>(count);
+    if (buffer.size() < size) buffer.resize(size);
+    return {buffer.data(), size};
+}
+
 LineStep line_step(const Fragment& a, const Fragment& b, const LinePart& part) {
     const float steps = static_cast<float>(std::max(part.count - 1, 1));
     LineStep step{static_cast<float>(b.column - a.column) / steps,
@@ -93,17 +99,38 @@ LineStep line_step(const Fragment& a, const Fragment& b, const LinePart& part) {
 
 void interpolate(const Fragment& a, const Fragment&, const LineStep& step, const LinePart& part,
                  std::span<LineSample> result) {
-    LineStep current = values_at(a);
-    const auto advance = [&] {
-        each_value(part.carried, current, current, step,
-                   [](auto& sum, const auto& value, const auto& more) { sum = value + more; });
+    const auto add_up = [&](auto value, const auto& more, auto put) {
+        for (int i = 0; i < part.first; ++i)
+            value = value + more;
+        for (LineSample& sample : result) {
+            put(sample, value);
+            value = value + more;
+        }
     };
-    for (int i = 0; i < part.first; ++i)
-        advance();
-    for (LineSample& sample : result) {
-        put_sample(current, part, sample);
-        advance();
+    // One after the other: then nothing has to be decided at each sample.
+    if (part.has_places) {
+        const glm::vec2 start(a.column, a.row);
+        add_up(start, glm::vec2(step.x, step.y), [&](LineSample& sample, const glm::vec2& at) {
+            sample.x = at.x;
+            sample.y = at.y;
+            sample.fragment.column = to_pixel(at.x, part.rounding);
+            sample.fragment.row = to_pixel(at.y, part.rounding);
+        });
     }
+    add_up(glm::vec3(a.depth, a.inv_w, a.z), glm::vec3(step.depth, step.inv_w, step.z),
+           [](LineSample& sample, const glm::vec3& at) {
+               sample.fragment.depth = at.x;
+               sample.fragment.inv_w = at.y;
+               sample.fragment.z = at.z;
+           });
+    int index = 0;
+    for_each_varying([&](auto member) {
+        if (!part.carried.has(index++)) return;
+        add_up(a.varyings.*member, step.varyings.*member,
+               [&](LineSample& sample, const auto& value) {
+                   sample.fragment.varyings.*member = value;
+               });
+    });
 }
 
 void interpolate_by_multiplying(const Fragment& a, const Fragment&, const LineStep& step,

@@ -18,6 +18,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "stages/fragment.h"
 
@@ -52,7 +53,12 @@ struct LinePart {
     int first = 0; ///< the first sample that is wanted, 0 <= first
     Rounding rounding = Rounding::truncate;
     VaryingSet carried = VaryingSet::all(); ///< the other varyings of the samples are left alone
+    bool has_places = true;                 ///< false: nobody asks where the samples lie
 };
+
+/// `count` samples in a buffer that grows and never shrinks: to make them anew for each line takes
+/// longer than to fill them. They hold whatever the line before has left there.
+std::span<LineSample> samples_of(std::vector<LineSample>& buffer, int count);
 
 /// (b - a) / (count - 1) for the place and for every value that is carried.
 LineStep line_step(const Fragment& a, const Fragment& b, const LinePart& part);

@@ -39,7 +39,22 @@ struct LightTerms {
 };
 
 /// R = reflectance * (D + N) with D = P max(r^ . n^, 0) / (4 pi r^2); at the lamp itself D is 0.
-LightTerms reflected_light(const glm::vec3& position_world, const glm::vec3& normal,
-                           const glm::vec3& reflectance, const Light& light);
+/// Defined here so that the pixel shader, which needs only R, does not store the other terms.
+inline LightTerms reflected_light(const glm::vec3& position_world, const glm::vec3& normal,
+                                  const glm::vec3& reflectance, const Light& light) {
+    constexpr float pi = 3.14159265f;
+    LightTerms terms;
+    terms.to_light = light.position - position_world;
+    terms.distance2 = glm::dot(terms.to_light, terms.to_light);
+    const float distance = std::sqrt(terms.distance2);
+    terms.sphere_area = 4.0f * pi * terms.distance2;
+    if (terms.distance2 > 0.0f) {
+        // In this order NaN, from a place too far away for floats, becomes 0.
+        terms.cosine = std::max(0.0f, glm::dot(terms.to_light, normal) / distance);
+        terms.direct = light.power * (terms.cosine / terms.sphere_area);
+    }
+    terms.reflected = reflectance * (terms.direct + light.indirect);
+    return terms;
+}
 
 } // namespace rasterwalk

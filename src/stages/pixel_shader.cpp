@@ -4,8 +4,16 @@
 
 namespace rasterwalk {
 
+namespace {
+
+float weight_of(const Fragment& fragment, const Stages& stages) {
+    return call<varying_weight>(stages.varying_weight, fragment.inv_w);
+}
+
+} // namespace
+
 Varyings recover_varyings(const Fragment& fragment, const Stages& stages) {
-    return fragment.varyings / stages.varying_weight(fragment.inv_w);
+    return fragment.varyings / weight_of(fragment, stages);
 }
 
 glm::vec3 pixel_shader(const Fragment& fragment, const Surface& surface, const PixelRules& rules,
@@ -15,12 +23,11 @@ glm::vec3 pixel_shader(const Fragment& fragment, const Surface& surface, const P
     case Lighting::none:
         break;
     case Lighting::per_vertex:
-        return fragment.varyings.illumination / stages.varying_weight(fragment.inv_w);
+        return fragment.varyings.illumination / weight_of(fragment, stages);
     case Lighting::per_pixel:
-        return stages
-            .reflected_light(fragment.varyings.position_world /
-                                 stages.varying_weight(fragment.inv_w),
-                             surface.normal, surface.reflectance, rules.light)
+        return call<reflected_light>(stages.reflected_light,
+                                     fragment.varyings.position_world / weight_of(fragment, stages),
+                                     surface.normal, surface.reflectance, rules.light)
             .reflected;
     }
     return surface.reflectance;

@@ -68,11 +68,11 @@ void compute_polygon_rows(std::span<const Fragment> vertices, const EdgeRules& r
         const Fragment& a = vertices[i];
         const Fragment& b = vertices[(i + 1) % vertices.size()];
         const int count = stages.edge_sample_count(a, b);
-        rows.line.resize(static_cast<std::size_t>(count));
+        const std::span<LineSample> line = samples_of(rows.line, count);
         const LinePart part{count, 0, rules.rounding, rules.carried};
-        stages.interpolate(a, b, stages.line_step(a, b, part), part, rows.line);
+        stages.interpolate(a, b, stages.line_step(a, b, part), part, line);
         for (int s = 0; s < count; ++s) {
-            const LineSample& sample = rows.line[static_cast<std::size_t>(s)];
+            const LineSample& sample = line[static_cast<std::size_t>(s)];
             const RowWrite write = add_edge_sample(sample.fragment, stages, rows);
             if (sink == nullptr) continue;
             sink->edge_sample({static_cast<int>(i), s, sample.x, sample.y, sample.fragment, write});

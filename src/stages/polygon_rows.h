@@ -40,7 +40,7 @@ struct PolygonRows {
     std::vector<Fragment> right;  ///< the lab's rightPixels
     int outside = 0;              ///< samples that fell above or below the table; never written
     std::int64_t looked_at = 0;   ///< rows that were asked on the samples' way to their own
-    std::vector<LineSample> line; ///< the edge walked last; kept to save allocations
+    std::vector<LineSample> line; ///< room for the samples of an edge; kept to save allocations
 
     int size() const { return static_cast<int>(left.size()); }
     bool is_empty_row(int index) const { return left[index].column > right[index].column; }

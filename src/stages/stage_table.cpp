@@ -16,7 +16,7 @@ RowSpan row_span(const Stages& stages, const PolygonRows& rows, int index) {
 void row_fragments(const Stages& stages, const Fragment& left, const Fragment& right, int count,
                    int first, VaryingSet carried, std::span<LineSample> result) {
     const Fragment a = stages.span_end(left), b = stages.span_end(right);
-    const LinePart part{count, first, Rounding::truncate, carried};
+    const LinePart part{count, first, Rounding::truncate, carried, false};
     stages.interpolate(a, b, stages.line_step(a, b, part), part, result);
     for (LineSample& sample : result) {
         sample.fragment.column = left.column + first++;

@@ -58,6 +58,17 @@ struct Stages {
     friend bool operator==(const Stages&, const Stages&) = default;
 };
 
+/// Calls the function in a slot. Those that are most likely to stand there are called by name, so
+/// that the compiler can inline them: a call by pointer takes longer than a depth test.
+template <auto likely, auto... others, class... Arguments>
+auto call(decltype(likely) slot, const Arguments&... arguments) {
+    if (slot == likely) return likely(arguments...);
+    if constexpr (sizeof...(others) > 0)
+        return call<others...>(slot, arguments...);
+    else
+        return slot(arguments...);
+}
+
 /// The varyings that edges and rows carry in a frame: what the pixel shader reads, and those that
 /// are always carried.
 VaryingSet carried_varyings(const Stages& stages, Lighting lighting);

@@ -63,7 +63,7 @@ done
 for header in GL/gl.h GLFW/glfw3.h GL/osmesa.h imgui_impl_glfw.h; do
     faulty ui/app/app.cpp "#include <$header>" "ui/ includes <$header>"
 done
-faulty src/stages/light.cpp '#pragma STDC FP_CONTRACT ON' 'this pragma'
+faulty src/stages/project.cpp '#pragma STDC FP_CONTRACT ON' 'this pragma'
 new_house; mkdir "$tree/src/misc"; touch "$tree/src/misc/a.h"; echo >>"$tree/src/misc/a.h"
 expect "src/misc/a.h:1: this folder has no place"
 new_house; flags "-O3 -ffp-contract=off -ffast-math"; expect "compile_commands.json:4: $tree/src/scene/a.cpp is compiled with -ffast-math"

@@ -312,6 +312,7 @@ TEST_CASE("With another function in any slot all that is shown tells the same, n
                                          !(story.depth_image.rgba == usual.depth_image.rgba) ||
                                          story.tally.samples_outside != usual.tally.samples_outside;
         CHECK(tells_something_new);
+        CHECK(draw_frame(frame) == story.picture); // also when nobody watches
         for (int t = 0; t < frame.triangle_count(); ++t) {
             if (!frame.is_drawn(t)) continue;
             check_tables(frame, story, t);
