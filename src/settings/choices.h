@@ -7,6 +7,31 @@
 
 namespace rasterwalk {
 
+/// What becomes of a vertex on or behind the camera plane.
+enum class BehindCamera : std::uint8_t {
+    left_out,       ///< its triangles are not drawn
+    drawn,          ///< divided by z all the same, which mirrors it: mistake B13
+    mark_minus_one, ///< as left_out, but marked by the column -1, which others have too: B14
+};
+
+/// What becomes of a vertex whose pixel lies outside the picture.
+enum class OutsidePicture : std::uint8_t {
+    kept,    ///< it stays where it is
+    clamped, ///< it is moved to the picture's border: mistake B15
+};
+
+/// How the camera's rotation is applied.
+enum class Rotation : std::uint8_t {
+    row_vector, ///< v R
+    transposed, ///< R v, the turn the other way round: mistake B24
+};
+
+/// The sign of the focal length.
+enum class ImageAxes : std::uint8_t {
+    right_way, ///< f: x right, y down
+    mirrored,  ///< -f: the picture turned by half a turn: mistake B25
+};
+
 /// How the value of sample i of a line is obtained from the two ends.
 enum class LineWalk : std::uint8_t {
     accumulate,   ///< current += step, in float: the lab

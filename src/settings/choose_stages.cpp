@@ -4,11 +4,38 @@
 #include "mistakes/depth_test.h"
 #include "mistakes/interpolate.h"
 #include "mistakes/light.h"
+#include "mistakes/project.h"
 #include "mistakes/put_pixel.h"
+#include "mistakes/vertex_shader.h"
 
 namespace rasterwalk {
 
 namespace {
+
+void choose(Rotation rotation, Stages& stages) {
+    if (rotation == Rotation::transposed) stages.rotate_to_camera = rotate_transposed;
+}
+
+void choose(ImageAxes axes, Stages& stages) {
+    if (axes == ImageAxes::mirrored) stages.to_clip_space = to_clip_space_mirrored;
+}
+
+void choose(BehindCamera behind, Stages& stages) {
+    switch (behind) {
+    case BehindCamera::left_out:
+        break;
+    case BehindCamera::drawn:
+        stages.is_in_front = is_in_front_unasked;
+        break;
+    case BehindCamera::mark_minus_one:
+        stages.project = project_marking_column;
+        break;
+    }
+}
+
+void choose(OutsidePicture outside, Stages& stages) {
+    if (outside == OutsidePicture::clamped) stages.snap_to_pixel = snap_into_picture;
+}
 
 void choose(LineWalk walk, Stages& stages) {
     switch (walk) {
@@ -149,6 +176,10 @@ void choose(ColourOverOne over_one, Stages& stages) {
 
 Stages choose_stages(const Settings& settings) {
     Stages stages;
+    choose(settings.rotation, stages);
+    choose(settings.image_axes, stages);
+    choose(settings.behind_camera, stages);
+    choose(settings.outside_picture, stages);
     choose(settings.line_walk, stages);
     choose(settings.edge_samples, stages);
     choose(settings.row_start, stages);

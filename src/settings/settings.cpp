@@ -19,11 +19,7 @@ VertexRules vertex_rules(const Settings& settings, SceneSpace space) {
             .viewport = settings.viewport,
             .space = space,
             .rounding = settings.rounding,
-            .lighting = lighting_of(settings.stage),
-            .behind_camera = settings.behind_camera,
-            .outside_picture = settings.outside_picture,
-            .rotation = settings.rotation,
-            .image_axes = settings.image_axes};
+            .lighting = lighting_of(settings.stage)};
 }
 
 EdgeRules edge_rules(const Settings& settings, VaryingSet carried) {

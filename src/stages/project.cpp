@@ -1,54 +1,58 @@
 #include "stages/project.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "stages/stage_table.h"
 
 namespace rasterwalk {
 
+namespace {
+
+ProjectedVertex rejected(Rejection rejection) {
+    ProjectedVertex vertex;
+    vertex.rejection = rejection;
+    return vertex;
+}
+
+/// Written so that NaN, which no comparison admits, is too far out as well.
+bool is_too_far_out(const glm::vec2& projected, float inv_w) {
+    return !(std::abs(projected.x) <= max_pixel_distance &&
+             std::abs(projected.y) <= max_pixel_distance && std::isfinite(inv_w));
+}
+
+} // namespace
+
+glm::ivec2 viewport_middle(const VertexRules& rules) {
+    if (rules.space == SceneSpace::pixels) return {0, 0};
+    return {rules.viewport.width / 2, rules.viewport.height / 2};
+}
+
+glm::ivec2 snap_to_pixel(const glm::vec2& projected, const VertexRules& rules) {
+    return glm::ivec2(to_pixel(projected.x, rules.rounding),
+                      to_pixel(projected.y, rules.rounding)) +
+           viewport_middle(rules);
+}
+
 ProjectedVertex project(const ClipVertex& vertex, const VertexRules& rules, const Stages& stages,
                         VertexSpaces* spaces) {
-    ProjectedVertex result;
     const glm::vec4& clip = vertex.position_clip;
-    if (!std::isfinite(clip.w)) {
-        result.rejection = Rejection::not_finite;
-        return result;
-    }
-    if (!(clip.w > 0.0f) && rules.behind_camera != BehindCamera::drawn) {
-        result.rejection = Rejection::behind_camera;
-        return result;
-    }
+    if (!std::isfinite(clip.w)) return rejected(Rejection::not_finite);
+    if (!stages.is_in_front(clip.w)) return rejected(Rejection::behind_camera);
     const float inv_w = 1.0f / clip.w;
-    glm::vec2 projected(clip.x, clip.y);
-    int middle_column = 0, middle_row = 0;
-    if (rules.space == SceneSpace::world) {
-        projected = projected * inv_w;
-        middle_column = rules.viewport.width / 2;
-        middle_row = rules.viewport.height / 2;
-    }
+    const glm::vec2 projected = rules.space == SceneSpace::world
+                                    ? stages.perspective_divide(clip, inv_w)
+                                    : glm::vec2(clip.x, clip.y);
     if (spaces != nullptr) spaces->add("projected", {projected, 0.0f});
-    // Written so that NaN, which no comparison admits, is caught as well.
-    if (!(std::abs(projected.x) <= max_pixel_distance &&
-          std::abs(projected.y) <= max_pixel_distance && std::isfinite(inv_w))) {
-        result.rejection = Rejection::too_far_out;
-        return result;
-    }
-    Fragment& pixel = result.pixel;
+    if (is_too_far_out(projected, inv_w)) return rejected(Rejection::too_far_out);
+    const glm::ivec2 pixel = stages.snap_to_pixel(projected, rules);
+    ProjectedVertex result;
     result.has_pixel = true;
-    pixel.column = to_pixel(projected.x, rules.rounding) + middle_column;
-    pixel.row = to_pixel(projected.y, rules.rounding) + middle_row;
-    if (rules.outside_picture == OutsidePicture::clamped) {
-        pixel.column = std::clamp(pixel.column, 0, rules.viewport.width - 1);
-        pixel.row = std::clamp(pixel.row, 0, rules.viewport.height - 1);
-    }
-    if (rules.behind_camera == BehindCamera::mark_minus_one && pixel.column == -1) {
-        result.rejection = Rejection::taken_for_behind;
-    }
-    pixel.depth = clip.z * inv_w;
-    pixel.inv_w = inv_w;
-    pixel.z = clip.w;
-    pixel.varyings = vertex.varyings * stages.varying_weight(inv_w);
+    result.pixel.column = pixel.x;
+    result.pixel.row = pixel.y;
+    result.pixel.depth = clip.z * inv_w;
+    result.pixel.inv_w = inv_w;
+    result.pixel.z = clip.w;
+    result.pixel.varyings = vertex.varyings * stages.varying_weight(inv_w);
     return result;
 }
 

@@ -9,15 +9,23 @@
 //
 // The classic mistakes: a vertex behind the camera (dividing by a negative z mirrors it), and int()
 // on a negative coordinate, which rounds toward the middle of the picture and leaves the left
-// column and the top row black.
+// column and the top row black. What is behind the camera has no pixel; a mark for it that is a
+// possible column, such as -1, is one day mistaken for a real one, and moving a vertex to the
+// picture's border bends the edges that end in it.
 //
 // Source: Foley, van Dam, Feiner, Hughes, Computer Graphics: Principles and Practice, 2nd edition,
 // section 6.5; Blinn, Jim Blinn's Corner: A Trip Down the Graphics Pipeline, on the homogeneous
 // division.
 
+#include <glm/vec2.hpp>
+
 #include "stages/vertex_shader.h"
 
 namespace rasterwalk {
+
+/// Projected coordinates beyond this many pixels from the picture's middle are not drawn: a vertex
+/// just in front of the camera would otherwise make an edge of millions of samples.
+inline constexpr float max_pixel_distance = 16384.0f;
 
 /// What project() makes of a vertex.
 struct ProjectedVertex {
@@ -26,8 +34,28 @@ struct ProjectedVertex {
     bool has_pixel = false;                ///< a vertex can be rejected though it has one
 };
 
-/// Perspective division, viewport transform and snap to a whole pixel. `stages` is the table whose
-/// function weighs the varyings.
+/// Does a vertex lie in front of the camera? What does not is not divided. `w` of clip space is z
+/// of camera space. NaN does not.
+constexpr bool is_in_front(float w) {
+    return w > 0.0f;
+}
+
+/// The perspective division: pixels from the middle of the picture.
+inline glm::vec2 perspective_divide(const glm::vec4& clip, float inv_w) {
+    return glm::vec2(clip.x, clip.y) * inv_w;
+}
+
+/// The viewport transform: where in the picture its middle lies, in whole pixels; in pixel space
+/// places count from its corner already.
+glm::ivec2 viewport_middle(const VertexRules& rules);
+
+/// The snap to whole pixels. The lab rounds first and moves to the middle then, int(f x / z) + W/2.
+/// @param projected pixels from the middle
+/// @return column and row
+glm::ivec2 snap_to_pixel(const glm::vec2& projected, const VertexRules& rules);
+
+/// Perspective division, viewport transform and snap to a whole pixel, by the functions of the
+/// table, which weighs the varyings too.
 /// @param spaces receives the place before rounding, or null
 ProjectedVertex project(const ClipVertex& vertex, const VertexRules& rules, const Stages& stages,
                         VertexSpaces* spaces);

@@ -21,7 +21,14 @@ namespace rasterwalk {
 /// The slots, in the order of the pipeline.
 struct Stages {
     decltype(&rasterwalk::vertex_shader) vertex_shader = rasterwalk::vertex_shader;
+    decltype(&rasterwalk::rotate_to_camera) rotate_to_camera = rasterwalk::rotate_to_camera;
+    decltype(&rasterwalk::to_clip_space) to_clip_space = rasterwalk::to_clip_space;
+
+    // Project: division, viewport transform and snap.
     decltype(&rasterwalk::project) project = rasterwalk::project;
+    bool (*is_in_front)(float w) = rasterwalk::is_in_front;
+    decltype(&rasterwalk::perspective_divide) perspective_divide = rasterwalk::perspective_divide;
+    decltype(&rasterwalk::snap_to_pixel) snap_to_pixel = rasterwalk::snap_to_pixel;
 
     // Light, at vertices or at pixels.
     decltype(&rasterwalk::reflected_light) reflected_light = rasterwalk::reflected_light;

@@ -13,6 +13,27 @@ bool is_finite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
+/// A vertex before the camera.
+struct CameraPlace {
+    glm::vec3 minus_camera; ///< the camera stands at the origin
+    glm::vec3 rotated;      ///< and looks along +z
+    glm::vec4 clip;
+};
+
+CameraPlace seen_by_camera(const glm::vec3& position_world, const glm::mat3& rotation,
+                           const VertexRules& rules, const Stages& stages) {
+    CameraPlace place;
+    place.minus_camera = position_world - rules.camera.position;
+    place.rotated = stages.rotate_to_camera(place.minus_camera, rotation);
+    place.clip = stages.to_clip_space(place.rotated, rules.camera.focal_length);
+    return place;
+}
+
+/// In a scene in pixel space x and y are columns and rows already: there is no camera.
+CameraPlace given_in_pixels(const glm::vec3& position) {
+    return {position, position, {position.x, position.y, 1.0f, position.z}};
+}
+
 Varyings start_varyings(const Vertex& vertex, const VertexRules& rules, const Stages& stages) {
     Varyings varyings;
     varyings.position_world = vertex.position;
@@ -47,27 +68,17 @@ glm::vec3 VertexSpaces::in(std::string_view space) const {
 
 ClipVertex vertex_shader(const Vertex& vertex, const glm::mat3& rotation, const VertexRules& rules,
                          const Stages& stages, VertexSpaces* spaces) {
-    const bool is_projected = rules.space == SceneSpace::world;
-    glm::vec3 minus_camera = vertex.position, rotated = vertex.position;
-    float f = 1.0f;
-    if (is_projected) {
-        minus_camera = vertex.position - rules.camera.position;
-        rotated = rules.rotation == Rotation::row_vector ? minus_camera * rotation
-                                                         : rotation * minus_camera;
-        f = rules.image_axes == ImageAxes::mirrored ? -rules.camera.focal_length
-                                                    : rules.camera.focal_length;
-    }
+    const CameraPlace place = rules.space == SceneSpace::world
+                                  ? seen_by_camera(vertex.position, rotation, rules, stages)
+                                  : given_in_pixels(vertex.position);
     if (spaces != nullptr) {
         spaces->add("world", vertex.position);
-        spaces->add("minus_camera", minus_camera);
-        spaces->add("rotated", rotated);
+        spaces->add("minus_camera", place.minus_camera);
+        spaces->add("rotated", place.rotated);
     }
-    ClipVertex result;
-    result.position_clip = is_finite(rotated)
-                               ? glm::vec4(f * rotated.x, f * rotated.y, 1.0f, rotated.z)
-                               : glm::vec4(std::numeric_limits<float>::quiet_NaN());
-    result.varyings = start_varyings(vertex, rules, stages);
-    return result;
+    constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+    const glm::vec4 clip = is_finite(place.rotated) ? place.clip : glm::vec4(not_a_number);
+    return {clip, start_varyings(vertex, rules, stages)};
 }
 
 } // namespace rasterwalk

@@ -8,11 +8,12 @@
 // Picture: move the world so that the camera stands at the origin, turn it so that the camera looks
 //          along +z, scale by the focal length.
 //
-// The classic mistakes: R v instead of v R (the camera turns the wrong way), a vertex behind the
-// camera (dividing by a negative z mirrors it), and int() on a negative coordinate, which rounds
-// toward the middle of the picture and leaves the left column and the top row black. What is behind
-// the camera has no pixel; a mark for it that is a possible column, such as -1, is one day mistaken
-// for a real one, and moving a vertex to the picture's border bends the edges that end in it.
+// The classic mistakes: R v instead of v R, so that the camera turns the wrong way, and a minus
+// before the focal length, which turns the picture by half a turn.
+//
+// Source: Foley, van Dam, Feiner, Hughes, Computer Graphics: Principles and Practice, 2nd edition,
+// chapter 6, viewing in 3D; Blinn and Newell, "Clipping Using Homogeneous Coordinates", SIGGRAPH
+// 1978, on clip space.
 
 #include <cstdint>
 #include <string_view>
@@ -34,35 +35,6 @@ struct Stages;
 /// Where light is computed.
 enum class Lighting : std::uint8_t { none, per_vertex, per_pixel };
 
-/// What becomes of a vertex on or behind the camera plane.
-enum class BehindCamera : std::uint8_t {
-    left_out,       ///< its triangles are not drawn
-    drawn,          ///< divided by z all the same, which mirrors it: mistake B13
-    mark_minus_one, ///< as left_out, but marked by the column -1, which others have too
-};
-
-/// What becomes of a vertex whose pixel lies outside the picture.
-enum class OutsidePicture : std::uint8_t {
-    kept,    ///< it stays where it is
-    clamped, ///< it is moved to the picture's border: mistake B15
-};
-
-/// How the camera's rotation is applied.
-enum class Rotation : std::uint8_t {
-    row_vector, ///< v R
-    transposed, ///< R v, the turn the other way round: mistake B24
-};
-
-/// The sign of the focal length.
-enum class ImageAxes : std::uint8_t {
-    right_way, ///< f: x right, y down
-    mirrored,  ///< -f: the picture turned by half a turn: mistake B25
-};
-
-/// Projected coordinates beyond this many pixels from the picture's middle are not drawn: a vertex
-/// just in front of the camera would otherwise make an edge of millions of samples.
-inline constexpr float max_pixel_distance = 16384.0f;
-
 /// What the vertex shader needs beside the vertex.
 struct VertexRules {
     Camera camera;
@@ -71,10 +43,6 @@ struct VertexRules {
     SceneSpace space = SceneSpace::world;
     Rounding rounding = Rounding::truncate;
     Lighting lighting = Lighting::none;
-    BehindCamera behind_camera = BehindCamera::left_out;
-    OutsidePicture outside_picture = OutsidePicture::kept;
-    Rotation rotation = Rotation::row_vector;
-    ImageAxes image_axes = ImageAxes::right_way;
 };
 
 /// A vertex in clip space: before the division that makes perspective.
@@ -106,8 +74,19 @@ struct VertexSpaces {
 /// R of the camera, for row vectors: v * R. Yaw turns about y, then pitch about x.
 glm::mat3 camera_rotation(const Camera& camera);
 
+/// Turns the world so that the camera looks along +z: the row vector times R.
+inline glm::vec3 rotate_to_camera(const glm::vec3& minus_camera, const glm::mat3& rotation) {
+    return minus_camera * rotation;
+}
+
+/// The perspective projection as far as it is linear, from camera space to clip space: the division
+/// by w follows.
+inline glm::vec4 to_clip_space(const glm::vec3& rotated, float focal_length) {
+    return {focal_length * rotated.x, focal_length * rotated.y, 1.0f, rotated.z};
+}
+
 /// From the world to clip space. `rotation` is camera_rotation(rules.camera), computed once a
-/// frame. `stages` is the table whose functions light the vertex.
+/// frame. `stages` is the table whose functions turn, project and light the vertex.
 /// @param spaces receives the places on the way, or null
 ClipVertex vertex_shader(const Vertex& vertex, const glm::mat3& rotation, const VertexRules& rules,
                          const Stages& stages, VertexSpaces* spaces);

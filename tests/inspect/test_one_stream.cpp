@@ -46,6 +46,23 @@ ProjectedVertex project_two_right(const ClipVertex& clip, const VertexRules& rul
     projected.pixel.column += 2;
     return projected;
 }
+glm::vec3 tilted(const glm::vec3& minus_camera, const glm::mat3& rotation) {
+    const glm::vec3 rotated = rotate_to_camera(minus_camera, rotation);
+    return {rotated.x + 0.1f * rotated.y, rotated.y, rotated.z};
+}
+glm::vec4 half_as_long(const glm::vec3& rotated, float focal_length) {
+    return to_clip_space(rotated, 0.5f * focal_length);
+}
+bool is_between(float w) {
+    return w > 0.0f && w < 3.5f;
+}
+glm::vec2 two_columns_left(const glm::vec4& clip, float inv_w) {
+    return perspective_divide(clip, inv_w) - glm::vec2(2.0f, 0.0f);
+}
+glm::ivec2 even_columns(const glm::vec2& projected, const VertexRules& rules) {
+    const glm::ivec2 pixel = snap_to_pixel(projected, rules);
+    return {pixel.x - pixel.x % 2, pixel.y};
+}
 LightTerms green_light(const glm::vec3& place, const glm::vec3& normal, const glm::vec3& colour,
                        const Light& light) {
     LightTerms terms = reflected_light(place, normal, colour, light);
@@ -109,12 +126,18 @@ float negative_channel(float channel) {
 struct Replacement {
     const char* slot;
     ReplaceStages replace;
+    bool needs_camera = false; ///< a scene in pixel space does not come by the slot
 };
 
 const std::vector<Replacement>& replacements() {
     static const std::vector<Replacement> list{
         {"vertex_shader", [](Stages& s) { s.vertex_shader = shader_to_the_right; }},
+        {"rotate_to_camera", [](Stages& s) { s.rotate_to_camera = tilted; }, true},
+        {"to_clip_space", [](Stages& s) { s.to_clip_space = half_as_long; }, true},
         {"project", [](Stages& s) { s.project = project_two_right; }},
+        {"is_in_front", [](Stages& s) { s.is_in_front = is_between; }},
+        {"perspective_divide", [](Stages& s) { s.perspective_divide = two_columns_left; }, true},
+        {"snap_to_pixel", [](Stages& s) { s.snap_to_pixel = even_columns; }},
         {"reflected_light", [](Stages& s) { s.reflected_light = green_light; }},
         {"begin_polygon_rows and polygon_box",
          [](Stages& s) {
@@ -291,6 +314,22 @@ void check_stats(const Frame& frame, const Story& story) {
     CHECK(stats.rows_looked_at == story.tally.rows_looked_at);
 }
 
+/// The small scene before a camera that sees it much as it lies in pixels.
+Scene small_world() {
+    Scene scene = small_scene();
+    scene.space = SceneSpace::world;
+    scene.camera = {{0.0f, 0.0f, 0.0f}, 0.0f, 0.0f, 10.0f};
+    const glm::vec2 middle(scene.viewport.width / 2, scene.viewport.height / 2);
+    for (Triangle& triangle : scene.triangles) {
+        for (Vertex& vertex : triangle.vertices) {
+            const glm::vec3 p = vertex.position;
+            vertex.position.x = (p.x - middle.x) * p.z / scene.camera.focal_length;
+            vertex.position.y = (p.y - middle.y) * p.z / scene.camera.focal_length;
+        }
+    }
+    return scene;
+}
+
 Settings settings_of_story(const Scene& scene) {
     Settings settings = default_settings(scene);
     settings.stage = Stage::pixel_light;
@@ -300,11 +339,12 @@ Settings settings_of_story(const Scene& scene) {
 } // namespace
 
 TEST_CASE("With another function in any slot all that is shown tells the same, new story") {
-    const Scene scene = small_scene();
-    const Settings settings = settings_of_story(scene);
-    const Story usual = story_of(prepare_frame(scene, settings));
+    const Scene pixels = small_scene(), world = small_world();
     for (const Replacement& replacement : replacements()) {
         CAPTURE(replacement.slot);
+        const Scene& scene = replacement.needs_camera ? world : pixels;
+        const Settings settings = settings_of_story(scene);
+        const Story usual = story_of(prepare_frame(scene, settings));
         const Frame frame = prepare_frame(scene, settings, replacement.replace);
         const Story story = story_of(frame);
         const bool tells_something_new = !(story.picture == usual.picture) ||

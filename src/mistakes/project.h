@@ -1,0 +1,24 @@
+#pragma once
+
+// Mistakes in the slots of stages/project.h.
+
+#include "stages/project.h"
+
+namespace rasterwalk {
+
+/// B13, in the slot is_in_front: nobody asks whether a vertex lies in front of the camera; division
+/// by a negative z mirrors it. What is thrown too far out is still left out.
+constexpr bool is_in_front_unasked(float) {
+    return true;
+}
+
+/// B14, in the slot project: what is behind the camera is marked by the column -1, and so whatever
+/// has the column -1 is taken for something behind the camera.
+ProjectedVertex project_marking_column(const ClipVertex& vertex, const VertexRules& rules,
+                                       const Stages& stages, VertexSpaces* spaces);
+
+/// B15, in the slot snap_to_pixel: a vertex outside the picture is moved to its border, which bends
+/// the edges that end in it.
+glm::ivec2 snap_into_picture(const glm::vec2& projected, const VertexRules& rules);
+
+} // namespace rasterwalk
