@@ -1,7 +1,10 @@
 #include "base/numbers.h"
 
+#include <array>
 #include <charconv>
 #include <cmath>
+
+#include <fmt/format.h>
 
 #include "base/quoted.h"
 
@@ -29,6 +32,13 @@ std::optional<Pair> parse_two(std::string_view text) {
     return x && y ? std::optional(Pair(*x, *y)) : std::nullopt;
 }
 
+template <class Number, class... Notation>
+std::string shortest_text(Number value, Notation... notation) {
+    std::array<char, 64> text;
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value, notation...).ptr;
+    return {text.data(), end};
+}
+
 } // namespace
 
 std::optional<int> parse_int(std::string_view text) {
@@ -48,6 +58,36 @@ std::optional<glm::vec2> parse_place(std::string_view text) {
     const auto place = parse_two<float, glm::vec2>(text);
     const bool is_finite = place && std::isfinite(place->x) && std::isfinite(place->y);
     return is_finite ? place : std::nullopt;
+}
+
+std::string shortest(float value) {
+    return shortest_text(value);
+}
+
+std::string shortest(double value) {
+    return shortest_text(value);
+}
+
+std::string shortest_usual(float value) {
+    const float size = std::abs(value);
+    const bool is_usual = size == 0.0f || (size >= 1e-4f && size < 1e7f);
+    return shortest_text(value, is_usual ? std::chars_format::fixed : std::chars_format::general);
+}
+
+std::string significant(double value, int digits) {
+    return fmt::format("{:.{}g}", value, digits);
+}
+
+std::string nine_digits(float value) {
+    return fmt::format("{:.9g}", value);
+}
+
+std::string decimals(double value, int digits) {
+    return fmt::format("{:.{}f}", value, digits);
+}
+
+std::string scientific(double value, int digits) {
+    return fmt::format("{:.{}e}", value, digits);
 }
 
 } // namespace rasterwalk

@@ -1,6 +1,8 @@
 #pragma once
 
-// Whole numbers, pixels and places as they are written in links, lessons and on the command line.
+// Numbers, pixels and places as they are written: read from links, lessons and the command line,
+// and made into text. Every text of a float on the screen, in a file or in an answer is made here
+// or by fmt; both know no locale.
 
 #include <optional>
 #include <string>
@@ -21,5 +23,25 @@ std::optional<glm::ivec2> parse_pixel(std::string_view text);
 
 /// "250.5,131": two finite numbers.
 std::optional<glm::vec2> parse_place(std::string_view text);
+
+/// The fewest digits from which the very same number is read: "0.1", "1e-05", "inf".
+std::string shortest(float value);
+std::string shortest(double value);
+
+/// The same in the usual notation where people read it, from 0.0001 to 9,999,999: "100000",
+/// "1e+07".
+std::string shortest_usual(float value);
+
+/// So many digits that count, without zeros at the end: "0.333333", "2", "1e-05".
+std::string significant(double value, int digits);
+
+/// Nine digits that count: they tell every float from its neighbours.
+std::string nine_digits(float value);
+
+/// So many digits behind the point: "0.250".
+std::string decimals(double value, int digits);
+
+/// A digit, so many behind the point, and the power of ten: "4.62e-05".
+std::string scientific(double value, int digits);
 
 } // namespace rasterwalk

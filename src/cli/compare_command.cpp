@@ -49,51 +49,42 @@ RunTexts run_texts(const Settings& a, const Settings& b) {
     return texts;
 }
 
-toml::table to_json(const Scene& scene, const DivergenceGroup& group) {
-    return toml::table{{"triangle", group.triangle},
-                       {"name", part_name(scene, group.triangle)},
-                       {"phase", phase_name(group.phase)},
-                       {"kind", kind_name(group.kind)},
-                       {"count", group.count},
-                       {"first", to_text(group.first)},
-                       {"last", to_text(group.last)}};
+Json to_json(const Scene& scene, const DivergenceGroup& group) {
+    return {{"count", group.count},
+            {"first", to_text(group.first)},
+            {"kind", kind_name(group.kind)},
+            {"last", to_text(group.last)},
+            {"name", part_name(scene, group.triangle)},
+            {"phase", phase_name(group.phase)},
+            {"triangle", group.triangle}};
 }
 
 void print_comparison(const Scene& scene, const RunTexts& runs, const Comparison& comparison,
                       std::ostream& out) {
     const DivergenceList& list = comparison.divergences;
-    toml::array groups;
+    const auto &first = list.first, &larger = list.first_beyond_rounding;
+    Json groups = Json::array();
     for (const DivergenceGroup& group : list.groups)
         groups.push_back(to_json(scene, group));
-    toml::table table{{"a", texts_to_json(runs.a)},
-                      {"b", texts_to_json(runs.b)},
-                      {"pixels", comparison.pixels.pixels},
-                      {"different_pixels", comparison.pixels.different},
-                      {"shown_pixels", comparison.pixels.shown},
-                      {"largest_difference", static_cast<double>(comparison.pixels.largest)},
-                      {"mean_difference", comparison.pixels.mean},
-                      {"different_rows", comparison.different_rows},
-                      {"divergence_count", list.count},
-                      {"divergences", std::move(groups)}};
-    std::vector<std::string_view> absent;
-    const auto add = [&](std::string_view key, const std::optional<std::string>& value) {
-        if (value) {
-            table.insert(key, *value);
-        } else {
-            absent.push_back(key);
-        }
-    };
-    const auto cursor = [](const std::optional<Divergence>& divergence) {
-        return divergence ? std::optional(to_text(divergence->cursor)) : std::nullopt;
-    };
-    const auto cause = [](const std::optional<Divergence>& divergence) {
-        return divergence ? std::optional(divergence->text) : std::nullopt;
-    };
-    add("first_divergence", cursor(list.first));
-    add("cause", cause(list.first));
-    add("first_beyond_rounding", cursor(list.first_beyond_rounding));
-    add("cause_beyond_rounding", cause(list.first_beyond_rounding));
-    print_json(table, absent, out);
+    Json object{{"a", texts_to_json(runs.a)}, {"b", texts_to_json(runs.b)}};
+    if (first) object["cause"] = first->text;
+    if (larger) object["cause_beyond_rounding"] = larger->text;
+    object["different_pixels"] = comparison.pixels.different;
+    object["different_rows"] = comparison.different_rows;
+    object["divergence_count"] = list.count;
+    object["divergences"] = std::move(groups);
+    if (larger) object["first_beyond_rounding"] = to_text(larger->cursor);
+    if (first) object["first_divergence"] = to_text(first->cursor);
+    object["largest_difference"] = comparison.pixels.largest;
+    object["mean_difference"] = comparison.pixels.mean;
+    object["pixels"] = comparison.pixels.pixels;
+    object["shown_pixels"] = comparison.pixels.shown;
+    // What there is none of stands at the end.
+    for (const char* const key :
+         {"first_divergence", "cause", "first_beyond_rounding", "cause_beyond_rounding"}) {
+        object.emplace(key, nullptr);
+    }
+    print_json(object, out);
 }
 
 std::string joined(const std::vector<std::string>& texts) {

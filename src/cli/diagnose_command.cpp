@@ -66,21 +66,23 @@ Finding diagnose_rows_file(const DiagnoseOptions& options, const Result& result,
     return finding;
 }
 
-toml::table to_json(const Finding& finding) {
+Json to_json(const Finding& finding) {
     const Diagnosis& diagnosis = finding.diagnosis;
-    toml::array candidates;
+    Json candidates = Json::array();
     for (const Suspect& suspect : diagnosis.candidates) {
-        candidates.push_back(toml::table{{"ids", texts_to_json(suspect.ids)},
-                                         {"names", texts_to_json(suspect.names)},
-                                         {"remark", suspect.remark},
-                                         {"distance", suspect.distance},
-                                         {"different", suspect.different},
-                                         {"explained", suspect.explained}});
+        candidates.push_back({{"different", suspect.different},
+                              {"distance", suspect.distance},
+                              {"explained", suspect.explained},
+                              {"ids", texts_to_json(suspect.ids)},
+                              {"names", texts_to_json(suspect.names)},
+                              {"remark", suspect.remark}});
     }
-    return toml::table{
-        {"verdict", diagnosis.verdict},         {"kind", finding.kind},
-        {"held_against", finding.held_against}, {"distance", diagnosis.distance},
-        {"different", diagnosis.different},     {"candidates", std::move(candidates)}};
+    return {{"candidates", std::move(candidates)},
+            {"different", diagnosis.different},
+            {"distance", diagnosis.distance},
+            {"held_against", finding.held_against},
+            {"kind", finding.kind},
+            {"verdict", diagnosis.verdict}};
 }
 
 void print_text(const Finding& finding, std::ostream& out) {

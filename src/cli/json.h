@@ -1,49 +1,26 @@
 #pragma once
 
 #include <ostream>
-#include <span>
-#include <sstream>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <glm/vec3.hpp>
-#include <toml++/toml.h>
+#include <nlohmann/json.hpp>
 
 namespace rasterwalk {
 
-inline toml::array texts_to_json(const std::vector<std::string>& texts) {
-    toml::array array;
-    for (const std::string& text : texts)
-        array.push_back(text);
-    return array;
-}
+/// What a command answers with --json. The keys of an object are printed in the order in which they
+/// are written: by name.
+using Json = nlohmann::ordered_json;
 
-inline toml::array vector_to_json(const glm::vec3& v) {
-    return toml::array{static_cast<double>(v.x), static_cast<double>(v.y),
-                       static_cast<double>(v.z)};
-}
+Json texts_to_json(const std::vector<std::string>& texts);
 
-/// Prints a table as JSON and ends the line.
-inline void print_json(const toml::table& table, std::ostream& out) {
-    out << toml::json_formatter{table} << '\n';
-}
+/// The list of its three numbers.
+Json vector_to_json(const glm::vec3& v);
 
-/// The same with further keys whose value is null, for which TOML has no word.
-inline void print_json(const toml::table& table, std::span<const std::string_view> null_keys,
-                       std::ostream& out) {
-    std::ostringstream printed;
-    printed << toml::json_formatter{table};
-    std::string text = printed.str();
-    text.erase(text.rfind('}'));
-    text.erase(text.find_last_not_of(" \n") + 1);
-    out << text;
-    bool is_first = table.empty();
-    for (const std::string_view key : null_keys) {
-        out << (is_first ? "\n    \"" : ",\n    \"") << key << "\" : null";
-        is_first = false;
-    }
-    out << "\n}\n";
-}
+/// Prints it over several lines, four blanks deeper in each list and object, and ends the line.
+/// Numbers have all their digits; what JSON has no number for is a text: "Infinity", "-Infinity",
+/// "NaN". Text is printed as UTF-8, what a terminal would obey escaped.
+void print_json(const Json& value, std::ostream& out);
 
 } // namespace rasterwalk

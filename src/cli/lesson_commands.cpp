@@ -129,7 +129,7 @@ ExitCode check_command(const CheckOptions& options, std::ostream& out, std::ostr
 }
 
 void facts_command(const FactsOptions& options, std::ostream& out) {
-    toml::array list;
+    Json list = Json::array();
     for (const std::string& name : all_names()) {
         const ValueRange range = find_name(name).value_or(ValueRange{});
         std::string help;
@@ -138,9 +138,6 @@ void facts_command(const FactsOptions& options, std::ostream& out) {
         }
         const bool is_setting = help.empty();
         if (is_setting) help = "Setting; see rasterwalk settings.";
-        toml::array words;
-        for (const std::string_view word : range.words)
-            words.push_back(std::string(word));
         if (!options.json) {
             out << name << "   " << type_name(range.type) << "\n    " << help << '\n';
             if (!is_setting && !range.words.empty()) {
@@ -150,12 +147,12 @@ void facts_command(const FactsOptions& options, std::ostream& out) {
                 out << '\n';
             }
         }
-        list.push_back(toml::table{{"name", name},
-                                   {"type", type_name(range.type)},
-                                   {"words", std::move(words)},
-                                   {"help", help}});
+        list.push_back({{"help", help},
+                        {"name", name},
+                        {"type", type_name(range.type)},
+                        {"words", range.words}});
     }
-    if (options.json) print_json(toml::table{{"facts", std::move(list)}}, out);
+    if (options.json) print_json({{"facts", std::move(list)}}, out);
 }
 
 } // namespace rasterwalk

@@ -42,7 +42,7 @@ int steps_seen(const LessonProgress& progress, const Lesson& lesson) {
 void lessons_command(const LessonsOptions& options, std::ostream& out, std::ostream& err) {
     LessonList lessons;
     const Progress progress = progress_so_far(err);
-    toml::array list;
+    Json list = Json::array();
     for (const Lesson& lesson : lessons.all()) {
         const LessonProgress& own = progress.of(lesson.id);
         const LessonScore score = score_of(progress, lesson);
@@ -67,21 +67,21 @@ void lessons_command(const LessonsOptions& options, std::ostream& out, std::ostr
                 out << "Not begun.\n";
             }
         }
-        list.push_back(toml::table{{"id", lesson.id},
-                                   {"title", lesson.title},
-                                   {"section", lesson.section},
-                                   {"about", lesson.about},
-                                   {"minutes", lesson.minutes},
-                                   {"steps", steps},
-                                   {"tasks", tasks},
-                                   {"predictions", predictions},
-                                   {"steps_seen", seen},
-                                   {"tasks_done", solved},
-                                   {"predictions_answered", answered},
-                                   {"last_step", score.last_step},
-                                   {"done", score.is_done}});
+        list.push_back({{"about", lesson.about},
+                        {"done", score.is_done},
+                        {"id", lesson.id},
+                        {"last_step", score.last_step},
+                        {"minutes", lesson.minutes},
+                        {"predictions", predictions},
+                        {"predictions_answered", answered},
+                        {"section", lesson.section},
+                        {"steps", steps},
+                        {"steps_seen", seen},
+                        {"tasks", tasks},
+                        {"tasks_done", solved},
+                        {"title", lesson.title}});
     }
-    if (options.json) print_json(toml::table{{"lessons", std::move(list)}}, out);
+    if (options.json) print_json({{"lessons", std::move(list)}}, out);
 }
 
 } // namespace rasterwalk

@@ -30,19 +30,27 @@ void print_settings(const Settings& settings, const Settings& defaults, std::ost
     }
 }
 
-toml::table to_json(const Settings& settings, const Settings& defaults) {
-    toml::array list;
+Json to_json(const Settings& settings, const Settings& defaults) {
+    Json list = Json::array();
     for (const Setting& setting : setting_table()) {
-        list.push_back(toml::table{{"name", setting.name},
-                                   {"value", value_text(setting, settings)},
-                                   {"default", value_text(setting, defaults)},
-                                   {"takes", allowed_text(setting)},
-                                   {"group", setting.group},
-                                   {"help", setting.help},
-                                   {"section", setting.section},
-                                   {"unit", setting.unit}});
+        list.push_back({{"default", value_text(setting, defaults)},
+                        {"group", setting.group},
+                        {"help", setting.help},
+                        {"name", setting.name},
+                        {"section", setting.section},
+                        {"takes", allowed_text(setting)},
+                        {"unit", setting.unit},
+                        {"value", value_text(setting, settings)}});
     }
-    return toml::table{{"settings", std::move(list)}};
+    return {{"settings", std::move(list)}};
+}
+
+/// "name=value" of each.
+std::vector<std::string> assignment_texts(const Assignments& values) {
+    std::vector<std::string> texts;
+    for (const auto& [name, value] : values)
+        texts.push_back(name + "=" + value);
+    return texts;
 }
 
 } // namespace
@@ -59,31 +67,21 @@ void settings_command(const SettingsOptions& options, std::ostream& out) {
 
 void presets_command(const PresetsOptions& options, std::ostream& out) {
     const std::vector<Preset> presets = read_presets(lessons_folder() + "/presets.toml");
-    toml::array list;
+    Json list = Json::array();
     for (const Preset& preset : presets) {
-        toml::array values;
-        for (const auto& [name, value] : preset.values)
-            values.push_back(name + "=" + value);
+        const std::vector<std::string> values = assignment_texts(preset.values);
         if (!options.json) {
             out << preset.name << "\n    " << preset.about << '\n';
-            for (const toml::node& value : values) {
-                out << "    " << value.value_or(std::string()) << '\n';
-            }
+            for (const std::string& value : values)
+                out << "    " << value << '\n';
         }
-        list.push_back(toml::table{
-            {"name", preset.name}, {"about", preset.about}, {"set", std::move(values)}});
+        list.push_back(
+            {{"about", preset.about}, {"name", preset.name}, {"set", texts_to_json(values)}});
     }
-    if (options.json) print_json(toml::table{{"presets", std::move(list)}}, out);
+    if (options.json) print_json({{"presets", std::move(list)}}, out);
 }
 
 namespace {
-
-toml::array to_json(const Assignments& values) {
-    toml::array list;
-    for (const auto& [name, value] : values)
-        list.push_back(name + "=" + value);
-    return list;
-}
 
 /// Continues after line breaks under the text's beginning.
 std::string indented(const std::string& text) {
@@ -98,7 +96,7 @@ std::string indented(const std::string& text) {
 } // namespace
 
 void bugs_command(const BugsOptions& options, std::ostream& out) {
-    toml::array list;
+    Json list = Json::array();
     for (const Bug& bug : read_bugs()) {
         if (!options.json) {
             out << (list.empty() ? "" : "\n") << bug.id << "  " << bug.name << "\n    "
@@ -115,19 +113,19 @@ void bugs_command(const BugsOptions& options, std::ostream& out) {
                 out << ' ' << name << '=' << value;
             out << "\n    Scene:   " << bug.scene << '\n';
         }
-        list.push_back(toml::table{{"id", bug.id},
-                                   {"name", bug.name},
-                                   {"sentence", bug.sentence},
-                                   {"symptom", bug.symptom},
-                                   {"look", bug.look},
-                                   {"cure", bug.cure},
-                                   {"section", bug.section},
-                                   {"code", bug.code},
-                                   {"scene", bug.scene},
-                                   {"set", to_json(bug.set)},
-                                   {"against", to_json(bug.against)}});
+        list.push_back({{"against", texts_to_json(assignment_texts(bug.against))},
+                        {"code", bug.code},
+                        {"cure", bug.cure},
+                        {"id", bug.id},
+                        {"look", bug.look},
+                        {"name", bug.name},
+                        {"scene", bug.scene},
+                        {"section", bug.section},
+                        {"sentence", bug.sentence},
+                        {"set", texts_to_json(assignment_texts(bug.set))},
+                        {"symptom", bug.symptom}});
     }
-    if (options.json) print_json(toml::table{{"bugs", std::move(list)}}, out);
+    if (options.json) print_json({{"bugs", std::move(list)}}, out);
 }
 
 } // namespace rasterwalk

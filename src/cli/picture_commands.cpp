@@ -1,6 +1,8 @@
 #include "cli/commands.h"
 
+#include <map>
 #include <ostream>
+#include <string_view>
 
 #include "cli/json.h"
 #include "inspect/stats.h"
@@ -20,29 +22,27 @@ void report_left_out(const LeftOut& left_out, std::ostream& err) {
     }
 }
 
-toml::table to_json(const LeftOut& left_out) {
-    toml::table table;
+Json to_json(const LeftOut& left_out) {
+    std::map<std::string_view, int> counts; // by name
     for (const RejectionWords& reason : rejection_list) {
         const int count = left_out.of(reason.rejection);
-        if (count > 0 || reason.is_always_counted) table.insert(reason.name, count);
+        if (count > 0 || reason.is_always_counted) counts[reason.name] = count;
     }
-    return table;
+    return Json(counts);
 }
 
-toml::table to_json(const FrameStats& stats) {
-    return toml::table{
-        {"triangles", stats.triangles},
-        {"fragments", stats.fragments},
-        {"max_overdraw", static_cast<std::int64_t>(stats.max_overdraw)},
-        {"uncovered", stats.uncovered},
-        {"rows_outside", stats.rows_outside},
-        {"rows_outside_triangles", stats.rows_outside_triangles},
-        {"shaded", stats.shaded},
-        {"rows_looked_at", stats.rows_looked_at},
-        {"unset_rows", stats.unset_rows},
-        {"depth_outside", stats.depth_outside},
-        {"left_out", to_json(stats.left_out)},
-    };
+Json to_json(const FrameStats& stats) {
+    return {{"depth_outside", stats.depth_outside},
+            {"fragments", stats.fragments},
+            {"left_out", to_json(stats.left_out)},
+            {"max_overdraw", stats.max_overdraw},
+            {"rows_looked_at", stats.rows_looked_at},
+            {"rows_outside", stats.rows_outside},
+            {"rows_outside_triangles", stats.rows_outside_triangles},
+            {"shaded", stats.shaded},
+            {"triangles", stats.triangles},
+            {"uncovered", stats.uncovered},
+            {"unset_rows", stats.unset_rows}};
 }
 
 } // namespace

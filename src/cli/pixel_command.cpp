@@ -43,46 +43,41 @@ glm::ivec2 parse_pixel(const std::string& text, Viewport size) {
     return {*column, *row};
 }
 
-toml::table to_json(const Scene& scene, const PixelEntry& entry, bool stays, const Cursor& to) {
-    toml::table table{{"triangle", entry.cursor.triangle},
-                      {"name", part_name(scene, entry.cursor.triangle)},
-                      {"cursor", to_text(entry.cursor)},
-                      {"zinv", static_cast<double>(entry.zinv)},
-                      {"depth", static_cast<double>(entry.depth)},
-                      {"stored_zinv", static_cast<double>(entry.stored)},
-                      {"margin", static_cast<double>(entry.margin)},
-                      {"margin_to_winner", static_cast<double>(entry.margin_to_winner)},
-                      {"fate", entry.fate == Fate::written ? "written" : "depth_failed"},
-                      {"stays", stays},
-                      {"drawn", entry.cursor < to},
-                      {"colour_before", vector_to_json(entry.colour_before)},
-                      {"colour_after", vector_to_json(entry.colour_after)}};
-    if (entry.row >= 0) {
-        table.insert("row", entry.row);
-        table.insert("column", entry.column);
-    }
-    return table;
+Json to_json(const Scene& scene, const PixelEntry& entry, bool stays, const Cursor& to) {
+    const bool is_in_a_row = entry.row >= 0;
+    Json object{{"colour_after", vector_to_json(entry.colour_after)},
+                {"colour_before", vector_to_json(entry.colour_before)}};
+    if (is_in_a_row) object["column"] = entry.column;
+    object["cursor"] = to_text(entry.cursor);
+    object["depth"] = entry.depth;
+    object["drawn"] = entry.cursor < to;
+    object["fate"] = entry.fate == Fate::written ? "written" : "depth_failed";
+    object["margin"] = entry.margin;
+    object["margin_to_winner"] = entry.margin_to_winner;
+    object["name"] = part_name(scene, entry.cursor.triangle);
+    if (is_in_a_row) object["row"] = entry.row;
+    object["stays"] = stays;
+    object["stored_zinv"] = entry.stored;
+    object["triangle"] = entry.cursor.triangle;
+    object["zinv"] = entry.zinv;
+    return object;
 }
 
-toml::table to_json(const Scene& scene, const NearTriangle& near, const glm::ivec2& pixel) {
-    toml::array rules;
-    for (const OtherRule& rule : near.rules) {
-        rules.push_back(
-            toml::table{{"rule", rule.rule}, {"left", rule.left}, {"right", rule.right}});
-    }
-    toml::table table{{"triangle", near.triangle},
-                      {"name", part_name(scene, near.triangle)},
-                      {"row", near.row},
-                      {"rows_away", near.rows_away},
-                      {"columns_away", near.columns_away},
-                      {"why", miss_text(near)},
-                      {"would_need", rules_text(near, pixel)},
-                      {"rules", std::move(rules)}};
-    if (!near.is_empty) {
-        table.insert("left", near.left);
-        table.insert("right", near.right);
-    }
-    return table;
+Json to_json(const Scene& scene, const NearTriangle& near, const glm::ivec2& pixel) {
+    Json rules = Json::array();
+    for (const OtherRule& rule : near.rules)
+        rules.push_back({{"left", rule.left}, {"right", rule.right}, {"rule", rule.rule}});
+    Json object{{"columns_away", near.columns_away}};
+    if (!near.is_empty) object["left"] = near.left;
+    object["name"] = part_name(scene, near.triangle);
+    if (!near.is_empty) object["right"] = near.right;
+    object["row"] = near.row;
+    object["rows_away"] = near.rows_away;
+    object["rules"] = std::move(rules);
+    object["triangle"] = near.triangle;
+    object["why"] = miss_text(near);
+    object["would_need"] = rules_text(near, pixel);
+    return object;
 }
 
 /// Room for the name of a part; longer ones push the rest of their line to the right.
@@ -97,21 +92,21 @@ glm::vec3 colour_at(const PixelHistory& history, const Cursor& to) {
     return colour;
 }
 
-toml::table to_json(const Scene& scene, const PixelHistory& history, const Cursor& to) {
-    toml::array entries, nearest;
+Json to_json(const Scene& scene, const PixelHistory& history, const Cursor& to) {
+    Json entries = Json::array(), nearest = Json::array();
     for (std::size_t i = 0; i < history.entries.size(); ++i) {
         const bool stays = static_cast<int>(i) == history.winner;
         entries.push_back(to_json(scene, history.entries[i], stays, to));
     }
     for (const NearTriangle& near : history.nearest)
         nearest.push_back(to_json(scene, near, history.pixel));
-    return toml::table{{"column", history.pixel.x},
-                       {"row", history.pixel.y},
-                       {"colour", vector_to_json(colour_at(history, to))},
-                       {"covered", !history.entries.empty()},
-                       {"depth_tested", history.depth_tested},
-                       {"history", std::move(entries)},
-                       {"uncovered", std::move(nearest)}};
+    return {{"colour", vector_to_json(colour_at(history, to))},
+            {"column", history.pixel.x},
+            {"covered", !history.entries.empty()},
+            {"depth_tested", history.depth_tested},
+            {"history", std::move(entries)},
+            {"row", history.pixel.y},
+            {"uncovered", std::move(nearest)}};
 }
 
 std::string entry_line(const Scene& scene, const PixelHistory& history, std::size_t i,

@@ -4,34 +4,34 @@ namespace rasterwalk {
 
 namespace {
 
-toml::table writer_json(const EndWriter& end) {
-    if (!end.is_set()) return {};
-    return toml::table{{"edge", end.edge}, {"sample", end.sample}, {"replaced", end.replaced}};
+Json writer_json(const EndWriter& end) {
+    if (!end.is_set()) return Json::object();
+    return {{"edge", end.edge}, {"replaced", end.replaced}, {"sample", end.sample}};
 }
 
 } // namespace
 
-toml::array rows_json(const RowHistory& history) {
-    toml::array rows;
+Json rows_json(const RowHistory& history) {
+    Json rows = Json::array();
     for (std::size_t i = 0; i < history.rows.left.size(); ++i) {
-        rows.push_back(toml::table{{"row", history.rows.left[i].row},
-                                   {"left", history.rows.left[i].column},
-                                   {"right", history.rows.right[i].column},
-                                   {"left_by", writer_json(history.left_by[i])},
-                                   {"right_by", writer_json(history.right_by[i])}});
+        rows.push_back({{"left", history.rows.left[i].column},
+                        {"left_by", writer_json(history.left_by[i])},
+                        {"right", history.rows.right[i].column},
+                        {"right_by", writer_json(history.right_by[i])},
+                        {"row", history.rows.left[i].row}});
     }
     return rows;
 }
 
-toml::array outside_json(const RowHistory& history) {
-    toml::array outside;
+Json outside_json(const RowHistory& history) {
+    Json outside = Json::array();
     for (const OutsideSample& sample : history.outside) {
-        outside.push_back(toml::table{{"edge", sample.edge},
-                                      {"sample", sample.sample},
-                                      {"x", static_cast<double>(sample.x)},
-                                      {"y", static_cast<double>(sample.y)},
-                                      {"column", sample.column},
-                                      {"row", sample.row}});
+        outside.push_back({{"column", sample.column},
+                           {"edge", sample.edge},
+                           {"row", sample.row},
+                           {"sample", sample.sample},
+                           {"x", sample.x},
+                           {"y", sample.y}});
     }
     return outside;
 }

@@ -1,15 +1,14 @@
 #pragma once
 
-#include <toml++/toml.h>
-
+#include "cli/json.h"
 #include "inspect/row_history.h"
 
 namespace rasterwalk {
 
 /// The rows of a table with who wrote their ends: a list of {row, left, right, left_by, right_by}.
-toml::array rows_json(const RowHistory& history);
+Json rows_json(const RowHistory& history);
 
 /// The samples that fell in no row: a list of {edge, sample, x, y, column, row}.
-toml::array outside_json(const RowHistory& history);
+Json outside_json(const RowHistory& history);
 
 } // namespace rasterwalk

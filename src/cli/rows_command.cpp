@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cstdio>
 #include <ostream>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "cli/json.h"
 #include "cli/points.h"
 #include "cli/row_json.h"
@@ -33,13 +33,6 @@ int parse_coordinate(std::string_view part, const std::string& whole) {
         refuse_point(whole);
     }
     return value;
-}
-
-/// Nine digits tell every float from its neighbours.
-std::string nine_digits(float value) {
-    std::array<char, 32> text;
-    std::snprintf(text.data(), text.size(), "%.9g", static_cast<double>(value));
-    return text.data();
 }
 
 void check_assignment(const std::string& assignment) {
@@ -95,8 +88,7 @@ void rows_command(const RowsOptions& options, std::ostream& out, std::ostream& e
     const Settings settings = read_rules(options);
     const RowHistory history = row_history(vertices, edge_rules(settings), choose_stages(settings));
     if (options.json) {
-        print_json(toml::table{{"rows", rows_json(history)}, {"outside", outside_json(history)}},
-                   out);
+        print_json({{"outside", outside_json(history)}, {"rows", rows_json(history)}}, out);
     } else {
         out << rows_text(history.rows);
     }

@@ -51,57 +51,55 @@ bool is_projected(const ShadedVertex& vertex) {
     return vertex.rejection == Rejection::none || vertex.rejection == Rejection::too_far_out;
 }
 
-toml::table to_json(const ShadedVertex& vertex) {
-    toml::table table{{"world", vector_to_json(vertex.in("world"))},
-                      {"minus_camera", vector_to_json(vertex.in("minus_camera"))},
-                      {"rotated", vector_to_json(vertex.in("rotated"))},
-                      {"fault", words(vertex.rejection).name}};
+Json to_json(const ShadedVertex& vertex) {
+    Json object{{"fault", words(vertex.rejection).name},
+                {"minus_camera", vector_to_json(vertex.in("minus_camera"))}};
+    const bool has_pixel = vertex.rejection == Rejection::none;
+    if (has_pixel) object["pixel"] = {vertex.pixel.column, vertex.pixel.row};
     if (is_projected(vertex)) {
-        table.insert("projected", toml::array{static_cast<double>(vertex.in("projected").x),
-                                              static_cast<double>(vertex.in("projected").y)});
+        object["projected"] = {vertex.in("projected").x, vertex.in("projected").y};
     }
-    if (vertex.rejection == Rejection::none) {
-        table.insert("pixel", toml::array{vertex.pixel.column, vertex.pixel.row});
-        table.insert("zinv", static_cast<double>(vertex.pixel.inv_w));
-    }
-    return table;
+    object["rotated"] = vector_to_json(vertex.in("rotated"));
+    object["world"] = vector_to_json(vertex.in("world"));
+    if (has_pixel) object["zinv"] = vertex.pixel.inv_w;
+    return object;
 }
 
-toml::table to_json(const EdgeSample& step) {
-    return toml::table{{"sample", step.sample},
-                       {"x", static_cast<double>(step.x)},
-                       {"y", static_cast<double>(step.y)},
-                       {"column", step.fragment.column},
-                       {"row", step.fragment.row},
-                       {"wrote", write_name(step.write)}};
+Json to_json(const EdgeSample& step) {
+    return {{"column", step.fragment.column},
+            {"row", step.fragment.row},
+            {"sample", step.sample},
+            {"wrote", write_name(step.write)},
+            {"x", step.x},
+            {"y", step.y}};
 }
 
-toml::table to_json(const EdgeReport& edge, int number) {
-    toml::array samples;
+Json to_json(const EdgeReport& edge, int number) {
+    Json samples = Json::array();
     for (const EdgeSample& step : edge.samples)
         samples.push_back(to_json(step));
-    return toml::table{{"edge", number},
-                       {"from", toml::array{edge.from.column, edge.from.row}},
-                       {"to", toml::array{edge.to.column, edge.to.row}},
-                       {"count", edge.count},
-                       {"samples", std::move(samples)}};
+    return {{"count", edge.count},
+            {"edge", number},
+            {"from", {edge.from.column, edge.from.row}},
+            {"samples", std::move(samples)},
+            {"to", {edge.to.column, edge.to.row}}};
 }
 
-toml::table to_json(const TriangleReport& report, const Scene& scene) {
-    toml::array vertices, edges;
+Json to_json(const TriangleReport& report, const Scene& scene) {
+    Json vertices = Json::array(), edges = Json::array();
     for (const ShadedVertex& vertex : report.vertices)
         vertices.push_back(to_json(vertex));
     if (report.rejection == Rejection::none) {
         for (std::size_t e = 0; e < report.edges.size(); ++e)
             edges.push_back(to_json(report.edges[e], static_cast<int>(e)));
     }
-    return toml::table{{"triangle", report.triangle},
-                       {"name", part_name(scene, report.triangle)},
-                       {"left_out", words(report.rejection).name},
-                       {"vertices", std::move(vertices)},
-                       {"edges", std::move(edges)},
-                       {"rows", rows_json(report.rows)},
-                       {"outside", outside_json(report.rows)}};
+    return {{"edges", std::move(edges)},
+            {"left_out", words(report.rejection).name},
+            {"name", part_name(scene, report.triangle)},
+            {"outside", outside_json(report.rows)},
+            {"rows", rows_json(report.rows)},
+            {"triangle", report.triangle},
+            {"vertices", std::move(vertices)}};
 }
 
 // Text

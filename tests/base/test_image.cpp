@@ -69,7 +69,7 @@ std::string many_zeros(std::size_t count) {
 
 /// What is said about a picture by a process that may take only this much more memory, bytes; "" if
 /// it is read.
-std::string complaint_within(std::size_t memory, const std::string& path) {
+std::string complaint_within([[maybe_unused]] std::size_t memory, const std::string& path) {
     int ends[2];
     REQUIRE(::pipe(ends) == 0);
     const pid_t child = ::fork();

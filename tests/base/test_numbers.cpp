@@ -1,0 +1,60 @@
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <random>
+
+#include "base/numbers.h"
+
+using namespace rasterwalk;
+
+TEST_CASE("The shortest text of a number is read as the same number") {
+    CHECK(shortest(0.1f) == "0.1");
+    CHECK(shortest(0.1) == "0.1");
+    CHECK(shortest(static_cast<double>(0.1f)) == "0.10000000149011612");
+    CHECK(shortest(-0.0f) == "-0");
+    CHECK(shortest(100000.0f) == "1e+05");
+    CHECK(shortest(std::numeric_limits<float>::infinity()) == "inf");
+    std::mt19937 random(3);
+    for (int i = 0; i < 10000; ++i) {
+        const float value = std::ldexp(static_cast<float>(random()) - 2e9f, i % 100 - 70);
+        CHECK(std::stof(shortest(value)) == value);
+        CHECK(std::stof(shortest_usual(value)) == value);
+        CHECK(std::stof(nine_digits(value)) == value);
+    }
+}
+
+TEST_CASE("The usual notation is kept where people read it") {
+    CHECK(shortest_usual(0.0f) == "0");
+    CHECK(shortest_usual(100000.0f) == "100000");
+    CHECK(shortest_usual(9999999.0f) == "9999999");
+    CHECK(shortest_usual(1e7f) == "1e+07");
+    CHECK(shortest_usual(0.0001f) == "0.0001");
+    CHECK(shortest_usual(0.00005f) == "5e-05");
+    CHECK(shortest_usual(-2.5f) == "-2.5");
+}
+
+TEST_CASE("Digits are those of the C library, rounded to even where two are as near") {
+    CHECK(significant(1.0 / 3.0, 6) == "0.333333");
+    CHECK(significant(2.0, 6) == "2");
+    CHECK(significant(1e-5, 6) == "1e-05");
+    CHECK(nine_digits(0.1f) == "0.100000001");
+    CHECK(decimals(0.125, 2) == "0.12");
+    CHECK(decimals(-0.0, 1) == "-0.0");
+    CHECK(decimals(1e22, 0) == "10000000000000000000000");
+    CHECK(scientific(0.0000462, 2) == "4.62e-05");
+    CHECK(decimals(std::numeric_limits<double>::quiet_NaN(), 3) == "nan");
+    std::mt19937 random(4);
+    for (int i = 0; i < 10000; ++i) {
+        const double value = std::ldexp(static_cast<double>(random()) - 2e9, i % 90 - 60);
+        const int digits = i % 10;
+        char text[200];
+        std::snprintf(text, sizeof text, "%.*g", digits + 1, value);
+        CHECK(significant(value, digits + 1) == text);
+        std::snprintf(text, sizeof text, "%.*f", digits, value);
+        CHECK(decimals(value, digits) == text);
+        std::snprintf(text, sizeof text, "%.*e", digits, value);
+        CHECK(scientific(value, digits) == text);
+    }
+}
