@@ -1,23 +1,23 @@
 #include "compare/divergence_text.h"
-#include "inspect/row_history.h"
-#include "picture/view_image.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <string_view>
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
+
+#include "base/numbers.h"
+#include "inspect/row_history.h"
+#include "picture/view_image.h"
 
 namespace rasterwalk {
 
 namespace {
 
-std::string number(float value, int digits = 6) {
-    std::array<char, 48> text;
-    std::snprintf(text.data(), text.size(), "%.*g", digits, static_cast<double>(value));
-    return text.data();
+std::string number(float value, int digits) {
+    return significant(static_cast<double>(value), digits);
 }
 
 /// Digits that tell two numbers apart.
@@ -33,24 +33,15 @@ int digits_for(const glm::vec3& a, const glm::vec3& b) {
 }
 
 std::string triple(const glm::vec3& v, int digits) {
-    return "(" + number(v.x, digits) + ", " + number(v.y, digits) + ", " + number(v.z, digits) +
-           ")";
+    return fmt::format("({:.{}g}, {:.{}g}, {:.{}g})", v.x, digits, v.y, digits, v.z, digits);
 }
 
 std::string pixel_text(int column, int row) {
-    return std::string("pixel (")
-        .append(std::to_string(column))
-        .append(", ")
-        .append(std::to_string(row))
-        .append(")");
+    return fmt::format("pixel ({}, {})", column, row);
 }
 
 std::string numbered(std::string_view what, int index, int count) {
-    return std::string(what)
-        .append(" ")
-        .append(std::to_string(index + 1))
-        .append(" of ")
-        .append(std::to_string(count));
+    return fmt::format("{} {} of {}", what, index + 1, count);
 }
 
 std::string_view stage_name(const Frame& frame) {
@@ -79,38 +70,24 @@ std::string rejection_text(Rejection rejection) {
 /// The sentence for a moment that only one run has because the other stops before it.
 std::string stage_sentence(const Frame& a, const Frame& b, std::string_view what) {
     const bool only_a = a.settings.stage > b.settings.stage;
-    return std::string("only ")
-        .append(only_a ? "A" : "B")
-        .append(" has ")
-        .append(what)
-        .append(": its stage is ")
-        .append(stage_name(only_a ? a : b))
-        .append(", that of ")
-        .append(only_a ? "B " : "A ")
-        .append(stage_name(only_a ? b : a))
-        .append(".");
+    return only_a ? fmt::format("only A has {}: its stage is {}, that of B {}.", what,
+                                stage_name(a), stage_name(b))
+                  : fmt::format("only B has {}: its stage is {}, that of A {}.", what,
+                                stage_name(b), stage_name(a));
 }
 
 std::string mark_sentence(const Frame& a, const Frame& b, DivergenceKind kind) {
-    return std::string("only ")
-        .append(kind == DivergenceKind::missing ? "A" : "B")
-        .append(" puts a mark on the picture; stage ")
-        .append(stage_name(a))
-        .append(" against ")
-        .append(stage_name(b))
-        .append(".");
+    return fmt::format("only {} puts a mark on the picture; stage {} against {}.",
+                       kind == DivergenceKind::missing ? "A" : "B", stage_name(a), stage_name(b));
 }
 
 /// The sentence for a mark that only one run puts on the picture, though both come to it.
 std::string outside_sentence(DivergenceKind kind, const Fragment& in_a, const Fragment& in_b) {
     const bool only_a = kind == DivergenceKind::missing;
     const Fragment& other = only_a ? in_b : in_a;
-    return std::string("only ")
-        .append(only_a ? "A" : "B")
-        .append(" puts a mark on the picture: in ")
-        .append(only_a ? "B " : "A ")
-        .append(pixel_text(other.column, other.row))
-        .append(" lies outside the part that is drawn.");
+    return fmt::format("only {} puts a mark on the picture: in {} {} lies outside the part that is "
+                       "drawn.",
+                       only_a ? "A" : "B", only_a ? "B" : "A", pixel_text(other.column, other.row));
 }
 
 ShadedVertex shade(const Frame& frame, const Cursor& cursor) {
@@ -123,14 +100,10 @@ ShadedVertex shade(const Frame& frame, const Cursor& cursor) {
 std::string projection(const Frame& frame, const ShadedVertex& shaded, const Fragment& pixel,
                        int digits) {
     const bool from_middle = frame.scene->space == SceneSpace::world;
-    return std::string("projected to (")
-        .append(number(shaded.in("projected").x, digits))
-        .append(", ")
-        .append(number(shaded.in("projected").y, digits))
-        .append(from_middle ? ") from the middle, " : "), ")
-        .append(rounding_word(frame.settings.rounding))
-        .append(" to ")
-        .append(pixel_text(pixel.column, pixel.row));
+    const glm::vec3 projected = shaded.in("projected");
+    return fmt::format("projected to ({}, {}){}, {} to {}", number(projected.x, digits),
+                       number(projected.y, digits), from_middle ? " from the middle" : "",
+                       rounding_word(frame.settings.rounding), pixel_text(pixel.column, pixel.row));
 }
 
 /// The first varying carried by both runs that differs: "its light is (1, 1, 1) in A, ...".
@@ -147,66 +120,51 @@ std::string varying_text(const VertexDeed& a, const VertexDeed& b) {
         }
         if (!differs) continue;
         const auto values = [&](const Varyings& of) {
-            std::string text = "(";
+            std::string text;
             for (int i = 0; i < varying.count; ++i)
-                text.append(i > 0 ? ", " : "").append(number(varying.component(of, i), digits));
-            return text.append(")");
+                text += (i > 0 ? ", " : "") + number(varying.component(of, i), digits);
+            return text;
         };
-        return std::string("its ")
-            .append(varying.word)
-            .append(" is ")
-            .append(values(a.varyings))
-            .append(" in A, ")
-            .append(values(b.varyings))
-            .append(" in B.");
+        return fmt::format("its {} is ({}) in A, ({}) in B.", varying.word, values(a.varyings),
+                           values(b.varyings));
     }
     return "the runs differ.";
 }
 
 std::string vertex_text(const Frame& a, const Frame& b, const PairMoment& moment) {
     const auto corners = static_cast<int>(a.triangle_vertices(moment.cursor.triangle).size());
-    std::string text = numbered("vertex", moment.cursor.index, corners).append(": ");
+    const std::string vertex = numbered("vertex", moment.cursor.index, corners);
     const VertexDeed &in_a = *moment.a.vertex, &in_b = *moment.b.vertex;
     const bool differs = in_a.pixel.column != in_b.pixel.column || in_a.pixel.row != in_b.pixel.row;
     if (differs && (a.is_cut(moment.cursor.triangle) || b.is_cut(moment.cursor.triangle))) {
-        return text.append("in A ")
-            .append(pixel_text(in_a.pixel.column, in_a.pixel.row))
-            .append("; in B ")
-            .append(pixel_text(in_b.pixel.column, in_b.pixel.row))
-            .append(".");
+        return fmt::format("{}: in A {}; in B {}.", vertex,
+                           pixel_text(in_a.pixel.column, in_a.pixel.row),
+                           pixel_text(in_b.pixel.column, in_b.pixel.row));
     }
     if (differs) {
         const ShadedVertex p = shade(a, moment.cursor), q = shade(b, moment.cursor);
         const int digits = std::max(digits_for(p.in("projected").x, q.in("projected").x),
                                     digits_for(p.in("projected").y, q.in("projected").y));
-        return text.append("in A ")
-            .append(projection(a, p, in_a.pixel, digits))
-            .append("; in B ")
-            .append(projection(b, q, in_b.pixel, digits))
-            .append(".");
+        return fmt::format("{}: in A {}; in B {}.", vertex, projection(a, p, in_a.pixel, digits),
+                           projection(b, q, in_b.pixel, digits));
     }
     if (in_a.pixel.depth != in_b.pixel.depth) {
         const int digits = digits_for(in_a.pixel.depth, in_b.pixel.depth);
-        return text.append("1/z is ")
-            .append(number(in_a.pixel.depth, digits))
-            .append(" in A, ")
-            .append(number(in_b.pixel.depth, digits))
-            .append(" in B.");
+        return fmt::format("{}: 1/z is {} in A, {} in B.", vertex, number(in_a.pixel.depth, digits),
+                           number(in_b.pixel.depth, digits));
     }
-    return text.append(varying_text(in_a, in_b));
+    return fmt::format("{}: {}", vertex, varying_text(in_a, in_b));
 }
 
 /// One coordinate of a sample on its way to a pixel: "y = 0.999842 is cut to 0".
 std::string coordinate_text(const Frame& frame, char axis, float place, int pixel, int digits) {
-    std::string text = std::string(1, axis).append(" = ").append(number(place, digits));
-    if (static_cast<float>(pixel) == place) return text;
+    const std::string at = fmt::format("{} = {}", axis, number(place, digits));
+    if (static_cast<float>(pixel) == place) return at;
     // Walked without error, the place that is shown may itself be off by a rounding error.
     const bool by_fraction = frame.settings.line_walk == LineWalk::exact &&
                              to_pixel(place, frame.settings.rounding) != pixel;
-    return text.append(by_fraction ? ", without error " : " is ")
-        .append(by_fraction ? "" : rounding_word(frame.settings.rounding))
-        .append(by_fraction ? "" : " to ")
-        .append(std::to_string(pixel));
+    if (by_fraction) return fmt::format("{}, without error {}", at, pixel);
+    return fmt::format("{} is {} to {}", at, rounding_word(frame.settings.rounding), pixel);
 }
 
 std::string sample_side(const Frame& frame, const SampleEvent& event, bool with_x, bool with_y,
@@ -215,14 +173,14 @@ std::string sample_side(const Frame& frame, const SampleEvent& event, bool with_
     std::string text;
     if (with_x) text = coordinate_text(frame, 'x', sample.x, sample.fragment.column, digits);
     if (with_y) {
-        text.append(with_x ? ", " : "")
-            .append(coordinate_text(frame, 'y', sample.y, sample.fragment.row, digits));
+        text += (with_x ? ", " : "") +
+                coordinate_text(frame, 'y', sample.y, sample.fragment.row, digits);
     }
     if (sample.write.inside) return text;
     const TableRows rows = table_rows(frame, event.cursor.triangle);
     const bool above = sample.fragment.row < rows.first;
-    return text.append(above ? ", above the first row " : ", below the last row ")
-        .append(std::to_string(above ? rows.first : rows.last));
+    return above ? fmt::format("{}, above the first row {}", text, rows.first)
+                 : fmt::format("{}, below the last row {}", text, rows.last);
 }
 
 int sample_count(const Frame& frame, const Cursor& cursor) {
@@ -233,21 +191,18 @@ int sample_count(const Frame& frame, const Cursor& cursor) {
 
 std::string sample_text(const Frame& a, const Frame& b, const PairMoment& moment) {
     const Cursor& cursor = moment.cursor;
-    const std::string edge = "edge " + std::to_string(cursor.index + 1);
+    const int edge = cursor.index + 1;
     const int count_a = sample_count(a, cursor), count_b = sample_count(b, cursor);
     if (moment.a.sample == nullptr || moment.b.sample == nullptr) {
-        return edge + " has " + std::to_string(count_a) + " samples in A and " +
-               std::to_string(count_b) + " in B.";
+        return fmt::format("edge {} has {} samples in A and {} in B.", edge, count_a, count_b);
     }
     const EdgeSample &p = moment.a.sample->sample, &q = moment.b.sample->sample;
     const bool with_y = p.fragment.row != q.fragment.row || p.write.inside != q.write.inside;
     const bool with_x = p.fragment.column != q.fragment.column || !with_y;
     const int digits = std::max(digits_for(p.x, q.x), digits_for(p.y, q.y));
-    std::string text = edge + ", " + numbered("sample", cursor.step, count_a).append(". A: ");
-    return text.append(sample_side(a, *moment.a.sample, with_x, with_y, digits))
-        .append(". B: ")
-        .append(sample_side(b, *moment.b.sample, with_x, with_y, digits))
-        .append(".");
+    return fmt::format("edge {}, {}. A: {}. B: {}.", edge, numbered("sample", cursor.step, count_a),
+                       sample_side(a, *moment.a.sample, with_x, with_y, digits),
+                       sample_side(b, *moment.b.sample, with_x, with_y, digits));
 }
 
 /// What a run's row table has in the row of a moment: "the columns 12 to 40".
@@ -255,19 +210,20 @@ std::string row_ends(const Frame& frame, const Cursor& cursor) {
     PolygonRows rows;
     compute_rows(frame, cursor.triangle, rows);
     if (cursor.index >= rows.size()) {
-        return std::string("has only ").append(std::to_string(rows.size())).append(" rows");
+        return fmt::format("has only {} rows", rows.size());
     }
-    const std::string row = std::to_string(rows.first_row + cursor.index);
-    if (rows.is_empty_row(cursor.index)) return "has nothing in row " + row;
-    return "has row " + row + " from column " + std::to_string(rows.left[cursor.index].column) +
-           " to " + std::to_string(rows.right[cursor.index].column);
+    const int row = rows.first_row + cursor.index;
+    if (rows.is_empty_row(cursor.index)) return fmt::format("has nothing in row {}", row);
+    return fmt::format("has row {} from column {} to {}", row, rows.left[cursor.index].column,
+                       rows.right[cursor.index].column);
 }
 
 std::string fate_text(const Frame& frame, const FragmentEvent& event, int digits) {
-    std::string text = number(event.depth, digits);
-    if (depth_rule(frame.settings) == DepthTest::off) return text + " is written without a test";
-    return text.append(event.fate == Fate::written ? " is written over " : " is hidden by ")
-        .append(number(event.stored, digits));
+    const std::string depth = number(event.depth, digits);
+    if (depth_rule(frame.settings) == DepthTest::off) return depth + " is written without a test";
+    return fmt::format("{} is {} {}", depth,
+                       event.fate == Fate::written ? "written over" : "hidden by",
+                       number(event.stored, digits));
 }
 
 std::string colour_text(const FragmentEvent& p, const FragmentEvent& q) {
@@ -281,27 +237,17 @@ std::string colour_text(const FragmentEvent& p, const FragmentEvent& q) {
     }
     const int digits = digits_for(p.after, q.after);
     const int channel = static_cast<int>(worst);
-    return std::string("the colour is ")
-        .append(triple(p.after, digits))
-        .append(" in A, ")
-        .append(triple(q.after, digits))
-        .append(" in B; ")
-        .append(channels[worst])
-        .append(" differs by ")
-        .append(number(q.after[channel] - p.after[channel], 3));
+    return fmt::format("the colour is {} in A, {} in B; {} differs by {}", triple(p.after, digits),
+                       triple(q.after, digits), channels[worst],
+                       number(q.after[channel] - p.after[channel], 3));
 }
 
 /// The same colour, but what is brighter than 1 is shown in another way.
 std::string shown_text(const Frame& a, const Frame& b, const glm::vec3& colour) {
     const glm::vec3 in_a = shown_colour(colour, a.stages.visible_channel);
     const glm::vec3 in_b = shown_colour(colour, b.stages.visible_channel);
-    return std::string("the colour ")
-        .append(triple(colour, 6))
-        .append(" is shown as ")
-        .append(triple(in_a, 6))
-        .append(" in A, ")
-        .append(triple(in_b, 6))
-        .append(" in B.");
+    return fmt::format("the colour {} is shown as {} in A, {} in B.", triple(colour, 6),
+                       triple(in_a, 6), triple(in_b, 6));
 }
 
 /// For light per pixel: where in the room each run takes the fragment to be.
@@ -313,43 +259,32 @@ std::string place_text(const Frame& a, const Frame& b, const FragmentEvent& p,
     const float apart = glm::distance(in_a, in_b);
     if (!(apart > 0.0f)) return "";
     const int digits = digits_for(in_a, in_b);
-    return std::string("; its place in the room is ")
-        .append(triple(in_a, digits))
-        .append(" in A and ")
-        .append(triple(in_b, digits))
-        .append(" in B, ")
-        .append(number(apart, 3))
-        .append(" apart");
+    return fmt::format("; its place in the room is {} in A and {} in B, {} apart",
+                       triple(in_a, digits), triple(in_b, digits), number(apart, 3));
 }
 
 std::string fragment_text(const Frame& a, const Frame& b, const FragmentEvent& p,
                           const FragmentEvent& q) {
     if (p.fragment.column != q.fragment.column || p.fragment.row != q.fragment.row) {
-        return "A " + row_ends(a, p.cursor) + ", B " + row_ends(b, q.cursor) + ".";
+        return fmt::format("A {}, B {}.", row_ends(a, p.cursor), row_ends(b, q.cursor));
     }
-    std::string text = pixel_text(p.fragment.column, p.fragment.row).append(": ");
+    std::string text = pixel_text(p.fragment.column, p.fragment.row) + ": ";
     const int digits = std::max(digits_for(p.depth, q.depth), digits_for(p.stored, q.stored));
     if (p.fate != q.fate) {
-        return text.append("1/z = ")
-            .append(fate_text(a, p, digits))
-            .append(" in A; ")
-            .append(fate_text(b, q, digits))
-            .append(" in B.");
+        return text + fmt::format("1/z = {} in A; {} in B.", fate_text(a, p, digits),
+                                  fate_text(b, q, digits));
     }
     const bool colours_differ = p.fate == Fate::written && p.after != q.after;
     if (p.depth != q.depth) {
-        text.append("the depth value is ")
-            .append(number(p.depth, digits))
-            .append(" in A, ")
-            .append(number(q.depth, digits))
-            .append(colours_differ ? " in B; " : " in B.");
+        text += fmt::format("the depth value is {} in A, {} in B{}", number(p.depth, digits),
+                            number(q.depth, digits), colours_differ ? "; " : ".");
     }
     const bool shown_otherwise = a.stages.visible_channel != b.stages.visible_channel;
     if (!colours_differ && p.depth == q.depth && shown_otherwise) {
-        return text.append(shown_text(a, b, p.after));
+        return text + shown_text(a, b, p.after);
     }
     if (!colours_differ) return text;
-    return text.append(colour_text(p, q)).append(place_text(a, b, p, q)).append(".");
+    return text + colour_text(p, q) + place_text(a, b, p, q) + ".";
 }
 
 std::string row_text(const Frame& a, const Frame& b, const PairMoment& moment) {
@@ -363,10 +298,10 @@ std::string row_text(const Frame& a, const Frame& b, const PairMoment& moment) {
         const bool only_a = moment.a.fragments.size() > count;
         const FragmentEvent& one = (only_a ? moment.a : moment.b).fragments[count];
         const std::string ends_a = row_ends(a, moment.cursor), ends_b = row_ends(b, moment.cursor);
-        std::string text = "only " + std::string(only_a ? "A" : "B") + " draws " +
-                           pixel_text(one.fragment.column, one.fragment.row) + ": ";
+        const std::string text = fmt::format("only {} draws {}: ", only_a ? "A" : "B",
+                                             pixel_text(one.fragment.column, one.fragment.row));
         if (ends_a == ends_b) return text + "each " + ends_a + ", but not all of it is drawn.";
-        return text + "A " + ends_a + ", B " + ends_b + ".";
+        return fmt::format("{}A {}, B {}.", text, ends_a, ends_b);
     }
     // Both ends of a row are one moment: the first that differs is told.
     for (std::size_t i = 0; i + 1 < count; ++i) {
@@ -387,10 +322,8 @@ std::string divergence_text(const Frame& a, const Frame& b, const PairMoment& mo
     const bool drawn_in_a = a.is_drawn(cursor.triangle), drawn_in_b = b.is_drawn(cursor.triangle);
     if (drawn_in_a != drawn_in_b) {
         const Rejection rejection = (drawn_in_a ? b : a).rejection(cursor.triangle);
-        return std::string(drawn_in_a ? "B" : "A")
-            .append(" leaves the triangle out: ")
-            .append(rejection_text(rejection))
-            .append(".");
+        return fmt::format("{} leaves the triangle out: {}.", drawn_in_a ? "B" : "A",
+                           rejection_text(rejection));
     }
     const bool one_is_idle = moment.a.is_nothing() || moment.b.is_nothing();
     const Stage first = std::min(a.settings.stage, b.settings.stage);
