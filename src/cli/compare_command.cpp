@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <ostream>
 #include <string_view>
 
+#include <fmt/format.h>
+
+#include "base/numbers.h"
 #include "cli/json.h"
 #include "compare/compare.h"
 #include "picture/view_image.h"
@@ -42,9 +44,8 @@ struct RunTexts {
 RunTexts run_texts(const Settings& a, const Settings& b) {
     RunTexts texts;
     for (const RunDifference& difference : run_differences(a, b)) {
-        const std::string name = std::string(difference.setting).append("=");
-        texts.a.push_back(name + difference.a);
-        texts.b.push_back(name + difference.b);
+        texts.a.push_back(fmt::format("{}={}", difference.setting, difference.a));
+        texts.b.push_back(fmt::format("{}={}", difference.setting, difference.b));
     }
     return texts;
 }
@@ -88,10 +89,7 @@ void print_comparison(const Scene& scene, const RunTexts& runs, const Comparison
 }
 
 std::string joined(const std::vector<std::string>& texts) {
-    std::string text;
-    for (const std::string& one : texts)
-        text.append(text.empty() ? "" : "  ").append(one);
-    return text.empty() ? "as B" : text;
+    return texts.empty() ? "as B" : fmt::format("{}", fmt::join(texts, "  "));
 }
 
 /// More groups than this are left to --json.
@@ -99,18 +97,13 @@ constexpr std::size_t most_groups_printed = 20;
 
 void print_text(const Scene& scene, const RunTexts& runs, const Comparison& comparison,
                 std::ostream& out) {
-    const auto number = [](double value) {
-        std::array<char, 32> text;
-        std::snprintf(text.data(), text.size(), "%.6g", value);
-        return std::string(text.data());
-    };
     const PixelDifference& pixels = comparison.pixels;
     const DivergenceList& list = comparison.divergences;
     out << "A: " << joined(runs.a) << "\nB: " << (runs.b.empty() ? "as A" : joined(runs.b)) << '\n'
         << "different_pixels    " << pixels.different << " of " << pixels.pixels << '\n'
         << "shown_pixels        " << pixels.shown << '\n'
-        << "largest_difference  " << number(static_cast<double>(pixels.largest)) << '\n'
-        << "mean_difference     " << number(pixels.mean) << '\n'
+        << "largest_difference  " << significant(static_cast<double>(pixels.largest), 6) << '\n'
+        << "mean_difference     " << significant(pixels.mean, 6) << '\n'
         << "different_rows      " << comparison.different_rows << '\n'
         << "divergences         " << list.count << '\n'
         << "first_divergence    " << (list.first ? to_text(list.first->cursor) : "none") << '\n';
@@ -128,11 +121,9 @@ void print_text(const Scene& scene, const RunTexts& runs, const Comparison& comp
     out << '\n';
     for (std::size_t i = 0; i < std::min(list.groups.size(), most_groups_printed); ++i) {
         const DivergenceGroup& group = list.groups[i];
-        std::array<char, 128> line;
-        std::snprintf(line.data(), line.size(), "t%-4d %-9s %-13s %9lld  ", group.triangle,
-                      std::string(phase_name(group.phase)).c_str(), kind_text(group.kind).c_str(),
-                      static_cast<long long>(group.count));
-        out << line.data() << "first " << to_text(group.first) << '\n';
+        out << fmt::format("t{:<4} {:<9} {:<13} {:>9}  first {}\n", group.triangle,
+                           phase_name(group.phase), kind_text(group.kind), group.count,
+                           to_text(group.first));
     }
     if (list.groups.size() > most_groups_printed) {
         out << "... and " << list.groups.size() - most_groups_printed

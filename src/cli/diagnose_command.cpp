@@ -1,8 +1,8 @@
 #include "cli/diagnose_command.h"
 
-#include <array>
-#include <cstdio>
 #include <ostream>
+
+#include <fmt/format.h>
 
 #include "base/files.h"
 #include "base/image.h"
@@ -22,7 +22,7 @@ struct Finding {
 };
 
 std::string size_text(int width, int height) {
-    return std::to_string(width).append(" x ").append(std::to_string(height));
+    return fmt::format("{} x {}", width, height);
 }
 
 /// What is diagnosed: a file, or the standard input.
@@ -35,9 +35,8 @@ Finding diagnose_picture_file(const Result& result, const Session& session,
                               const std::vector<Bug>& bugs, std::ostream& err) {
     const Image picture = parse_image(result.bytes, result.name);
     if (picture.width > largest_diagnosed || picture.height > largest_diagnosed) {
-        throw InputError(result.name + ": a picture of " +
-                         size_text(picture.width, picture.height) +
-                         " pixels is too large to be diagnosed.");
+        throw InputError(fmt::format("{}: a picture of {} pixels is too large to be diagnosed.",
+                                     result.name, size_text(picture.width, picture.height)));
     }
     const Settings& view = session.a.settings;
     const Settings reference = fitted_to(view, picture, session.scene->space);
@@ -93,10 +92,7 @@ void print_text(const Finding& finding, std::ostream& out) {
     out << diagnosis.different << what << " differ from the reference.\n\n"
         << "explains  differ still  mistake\n";
     for (const Suspect& suspect : diagnosis.candidates) {
-        std::array<char, 48> numbers;
-        std::snprintf(numbers.data(), numbers.size(), "%6.1f %%  %12lld  ",
-                      100.0 * suspect.explained, static_cast<long long>(suspect.different));
-        out << numbers.data();
+        out << fmt::format("{:>6.1f} %  {:>12}  ", 100.0 * suspect.explained, suspect.different);
         for (std::size_t i = 0; i < suspect.ids.size(); ++i)
             out << (i > 0 ? " or " : "") << suspect.ids[i] << ": " << suspect.names[i];
         if (!suspect.remark.empty()) out << ", " << suspect.remark;

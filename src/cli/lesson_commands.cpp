@@ -5,6 +5,8 @@
 #include <ostream>
 #include <system_error>
 
+#include <fmt/format.h>
+
 #include "base/error.h"
 #include "cli/json.h"
 #include "facts/facts.h"
@@ -116,7 +118,7 @@ ExitCode check_command(const CheckOptions& options, std::ostream& out, std::ostr
     for (const std::string& file : files)
         faults += check_file(file, session, out);
     const auto counted = [](std::size_t count, const char* word) {
-        return std::to_string(count).append(" ").append(word).append(count == 1 ? "" : "s");
+        return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
     };
     const std::string sum =
         counted(static_cast<std::size_t>(faults), "fault") + " in " + counted(files.size(), "file");

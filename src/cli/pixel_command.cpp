@@ -1,11 +1,11 @@
 #include "cli/commands.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
-#include <cstdio>
 #include <optional>
 #include <ostream>
+
+#include <fmt/format.h>
 
 #include "base/error.h"
 #include "cli/json.h"
@@ -25,20 +25,19 @@ std::optional<int> parse_number(std::string_view text) {
 }
 
 glm::ivec2 parse_pixel(const std::string& text, Viewport size) {
-    const std::string range = "columns 0 to " + std::to_string(size.width - 1) + ", rows 0 to " +
-                              std::to_string(size.height - 1);
+    const std::string range =
+        fmt::format("columns 0 to {}, rows 0 to {}", size.width - 1, size.height - 1);
     const std::size_t comma = std::min(text.find(','), text.size());
     const std::optional<int> column = parse_number(std::string_view(text).substr(0, comma));
     const std::optional<int> row =
         parse_number(std::string_view(text).substr(std::min(comma + 1, text.size())));
     if (!column || !row) {
-        throw UsageError("'" + text +
-                         "' is not a pixel: it is written COLUMN,ROW; the picture has " + range +
-                         ".");
+        throw UsageError(fmt::format(
+            "'{}' is not a pixel: it is written COLUMN,ROW; the picture has {}.", text, range));
     }
     if (*column < 0 || *column >= size.width || *row < 0 || *row >= size.height) {
-        throw UsageError("there is no pixel " + std::to_string(*column) + "," +
-                         std::to_string(*row) + ": the picture has " + range + ".");
+        throw UsageError(
+            fmt::format("there is no pixel {},{}: the picture has {}.", *column, *row, range));
     }
     return {*column, *row};
 }
@@ -112,19 +111,15 @@ Json to_json(const Scene& scene, const PixelHistory& history, const Cursor& to) 
 std::string entry_line(const Scene& scene, const PixelHistory& history, std::size_t i,
                        const Cursor& to) {
     const PixelEntry& entry = history.entries[i];
-    const auto number = [](float value) { return static_cast<double>(value); };
     std::string name = part_name(scene, entry.cursor.triangle);
-    name.resize(std::max(name.size(), name_width), ' ');
-    std::array<char, 48> moment;
-    std::snprintf(moment.data(), moment.size(), "%3zu  %-15s  ", i + 1,
-                  to_text(entry.cursor).c_str());
-    std::array<char, 256> numbers;
-    std::snprintf(numbers.data(), numbers.size(),
-                  "  %9.6f  %9.6f  %+9.6f  %+9.6f  %-7s  %.4f %.4f %.4f", number(entry.zinv),
-                  number(entry.stored), number(entry.margin), number(entry.margin_to_winner),
-                  entry.fate == Fate::written ? "written" : "hidden", number(entry.colour_after.r),
-                  number(entry.colour_after.g), number(entry.colour_after.b));
-    std::string line = moment.data() + name + numbers.data();
+    name.resize(std::max(name.size(), name_width), ' '); // bytes
+    const glm::vec3& colour = entry.colour_after;
+    std::string line =
+        fmt::format("{:>3}  {:<15}  {}  {:>9.6f}  {:>9.6f}  {:>+9.6f}  {:>+9.6f}  {:<7}  {:.4f} "
+                    "{:.4f} {:.4f}",
+                    i + 1, to_text(entry.cursor), name, entry.zinv, entry.stored, entry.margin,
+                    entry.margin_to_winner, entry.fate == Fate::written ? "written" : "hidden",
+                    colour.r, colour.g, colour.b);
     if (static_cast<int>(i) == history.winner) line += "  stays";
     if (entry.cursor >= to) line += "  not drawn yet";
     return line + "\n";

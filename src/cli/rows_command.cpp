@@ -5,6 +5,8 @@
 #include <charconv>
 #include <ostream>
 
+#include <fmt/format.h>
+
 #include "base/error.h"
 #include "base/numbers.h"
 #include "cli/json.h"
@@ -20,8 +22,9 @@ namespace {
 
 [[noreturn]] void refuse_point(const std::string& text) {
     const int largest = static_cast<int>(largest_pixel_coordinate);
-    throw UsageError("'" + text + "' is not a point: it is written X,Y in whole numbers from -" +
-                     std::to_string(largest) + " to " + std::to_string(largest) + ".");
+    throw UsageError(
+        fmt::format("'{}' is not a point: it is written X,Y in whole numbers from -{} to {}.", text,
+                    largest, largest));
 }
 
 int parse_coordinate(std::string_view part, const std::string& whole) {
@@ -79,8 +82,8 @@ Fragment parse_point(const std::string& text) {
 
 void rows_command(const RowsOptions& options, std::ostream& out, std::ostream& err) {
     if (options.points.size() > max_polygon_vertices) {
-        throw UsageError("a polygon may have at most " + std::to_string(max_polygon_vertices) +
-                         " points.");
+        throw UsageError(
+            fmt::format("a polygon may have at most {} points.", max_polygon_vertices));
     }
     std::vector<Fragment> vertices;
     for (const std::string& point : options.points)
@@ -93,9 +96,10 @@ void rows_command(const RowsOptions& options, std::ostream& out, std::ostream& e
         out << rows_text(history.rows);
     }
     for (const OutsideSample& sample : history.outside) {
-        err << "rasterwalk: sample " << sample.sample << " of edge " << sample.edge << " at ("
-            << nine_digits(sample.x) << ", " << nine_digits(sample.y) << ") falls in row "
-            << sample.row << ", outside the table; it is not written.\n";
+        err << fmt::format("rasterwalk: sample {} of edge {} at ({}, {}) falls in row {}, outside "
+                           "the table; it is not written.\n",
+                           sample.sample, sample.edge, nine_digits(sample.x), nine_digits(sample.y),
+                           sample.row);
     }
 }
 

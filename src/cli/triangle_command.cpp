@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cstdio>
 #include <ostream>
 
+#include <fmt/format.h>
+
 #include "base/error.h"
+#include "base/numbers.h"
 #include "cli/json.h"
 #include "cli/row_json.h"
 #include "inspect/triangle_report.h"
@@ -18,10 +20,10 @@ namespace {
 
 int parse_triangle(const std::string& text, const Scene& scene) {
     const int count = static_cast<int>(scene.triangles.size());
-    const std::string range =
-        count == 0   ? "the scene has no triangles."
-        : count == 1 ? "the scene has only the triangle 0."
-                     : "the scene has the triangles 0 to " + std::to_string(count - 1) + ".";
+    const std::string range = count == 0 ? "the scene has no triangles."
+                              : count == 1
+                                  ? "the scene has only the triangle 0."
+                                  : fmt::format("the scene has the triangles 0 to {}.", count - 1);
     // A number may be quoted with blanks before it.
     const std::string number = text.substr(std::min(text.find_first_not_of(' '), text.size()));
     int triangle = 0;
@@ -30,19 +32,12 @@ int parse_triangle(const std::string& text, const Scene& scene) {
     const bool is_number = end == number.data() + number.size() && !number.empty() &&
                            fault != std::errc::invalid_argument;
     if (!is_number) {
-        throw UsageError("'" + number + "' is not the number of a triangle: " + range);
+        throw UsageError(fmt::format("'{}' is not the number of a triangle: {}", number, range));
     }
     if (fault != std::errc{} || triangle < 0 || triangle >= count) {
-        throw UsageError("there is no triangle " + number + ": " + range);
+        throw UsageError(fmt::format("there is no triangle {}: {}", number, range));
     }
     return triangle;
-}
-
-template <class... Values>
-std::string printed(const char* format, Values... values) {
-    std::array<char, 160> text;
-    std::snprintf(text.data(), text.size(), format, values...);
-    return text.data();
 }
 
 // JSON
@@ -109,16 +104,16 @@ template <class Value>
 void print_vertex_line(std::ostream& out, const char* space, const char* axis,
                        const TriangleReport& report, bool (*has)(const ShadedVertex&),
                        Value value) {
-    out << printed("  %-14s %-6s", space, axis);
+    out << fmt::format("  {:<14} {:<6}", space, axis);
     for (const ShadedVertex& vertex : report.vertices)
-        out << (has(vertex) ? value(vertex) : printed(" %13s", "-"));
+        out << fmt::format(" {:>13}", has(vertex) ? value(vertex) : "-");
     out << '\n';
 }
 
 void print_vertices(std::ostream& out, const TriangleReport& report, bool is_projected_scene) {
     const auto always = [](const ShadedVertex&) { return true; };
     const auto has_pixel = [](const ShadedVertex& v) { return v.rejection == Rejection::none; };
-    const auto number = [](float value) { return printed(" %13.4f", static_cast<double>(value)); };
+    const auto number = [](float value) { return decimals(static_cast<double>(value), 4); };
     const auto print_vector = [&](const char* space, std::string_view of) {
         const std::array<const char*, 3> axes{"x", "y", "z"};
         for (int i = 0; i < 3; ++i) {
@@ -126,9 +121,9 @@ void print_vertices(std::ostream& out, const TriangleReport& report, bool is_pro
                               always, [&](const ShadedVertex& v) { return number(v.in(of)[i]); });
         }
     };
-    out << printed("%-23s", "Vertices");
+    out << fmt::format("{:<23}", "Vertices");
     for (std::size_t v = 0; v < report.vertices.size(); ++v)
-        out << printed(" %13s", ("v" + std::to_string(v)).c_str());
+        out << fmt::format(" {:>13}", fmt::format("v{}", v));
     out << '\n';
     print_vector(is_projected_scene ? "world" : "given", "world");
     if (is_projected_scene) {
@@ -140,11 +135,11 @@ void print_vertices(std::ostream& out, const TriangleReport& report, bool is_pro
                           [&](const ShadedVertex& v) { return number(v.in("projected").y); });
     }
     print_vertex_line(out, "pixel", "column", report, has_pixel,
-                      [](const ShadedVertex& v) { return printed(" %13d", v.pixel.column); });
+                      [](const ShadedVertex& v) { return std::to_string(v.pixel.column); });
     print_vertex_line(out, "", "row", report, has_pixel,
-                      [](const ShadedVertex& v) { return printed(" %13d", v.pixel.row); });
+                      [](const ShadedVertex& v) { return std::to_string(v.pixel.row); });
     print_vertex_line(out, "", "1/z", report, has_pixel, [](const ShadedVertex& v) {
-        return printed(" %13.6f", static_cast<double>(v.pixel.inv_w));
+        return decimals(static_cast<double>(v.pixel.inv_w), 6);
     });
 }
 
@@ -152,32 +147,31 @@ void print_edges(std::ostream& out, const TriangleReport& report) {
     out << "\nEdges\n";
     for (std::size_t e = 0; e < report.edges.size(); ++e) {
         const EdgeReport& edge = report.edges[e];
-        out << "  e" << e << " from (" << edge.from.column << ',' << edge.from.row << ") to ("
-            << edge.to.column << ',' << edge.to.row << "): " << edge.count
-            << (edge.count == 1 ? " sample" : " samples");
+        out << fmt::format("  e{} from ({},{}) to ({},{}): {} sample{}", e, edge.from.column,
+                           edge.from.row, edge.to.column, edge.to.row, edge.count,
+                           edge.count == 1 ? "" : "s");
         if (static_cast<int>(edge.samples.size()) < edge.count)
-            out << ", " << edge.samples.size() << " of them so far";
+            out << fmt::format(", {} of them so far", edge.samples.size());
         out << '\n';
     }
     out << "\nSamples outside the row table: " << report.rows.outside.size() << '\n';
     for (const OutsideSample& sample : report.rows.outside) {
-        out << "  e" << sample.edge << "/s" << sample.sample << " at "
-            << printed("(%.9g, %.9g)", static_cast<double>(sample.x), static_cast<double>(sample.y))
-            << " falls in row " << sample.row << "; it is not written\n";
+        out << fmt::format("  e{}/s{} at ({}, {}) falls in row {}; it is not written\n",
+                           sample.edge, sample.sample, nine_digits(sample.x), nine_digits(sample.y),
+                           sample.row);
     }
 }
 
 /// "e1/s3", and how often someone else's sample had to go for it.
 std::string writer_text(const EndWriter& end) {
     if (!end.is_set()) return "-";
-    std::string text = printed("e%d/s%d", end.edge, end.sample);
-    if (end.replaced > 0) text += printed(" (%d replaced)", end.replaced);
-    return text;
+    if (end.replaced == 0) return fmt::format("e{}/s{}", end.edge, end.sample);
+    return fmt::format("e{}/s{} ({} replaced)", end.edge, end.sample, end.replaced);
 }
 
 void print_rows(std::ostream& out, const RowHistory& history) {
-    out << printed("\n%-6s %10s %10s %7s   %-22s %s\n", "Rows", "left", "right", "count", "left by",
-                   "right by");
+    out << fmt::format("\n{:<6} {:>10} {:>10} {:>7}   {:<22} {}\n", "Rows", "left", "right",
+                       "count", "left by", "right by");
     for (int i = 0; i < history.rows.size(); ++i) {
         const auto at = static_cast<std::size_t>(i);
         const bool is_empty = history.rows.left[at].column == empty_left &&
@@ -185,11 +179,11 @@ void print_rows(std::ostream& out, const RowHistory& history) {
         const auto end = [&](int column, const char* empty) {
             return is_empty ? std::string(empty) : std::to_string(column);
         };
-        out << printed("%6d %10s %10s %7d   %-22s %s\n", history.rows.left[at].row,
-                       end(history.rows.left[at].column, "+INT_MAX").c_str(),
-                       end(history.rows.right[at].column, "-INT_MAX").c_str(),
-                       history.rows.pixel_count(i), writer_text(history.left_by[at]).c_str(),
-                       writer_text(history.right_by[at]).c_str());
+        out << fmt::format("{:>6} {:>10} {:>10} {:>7}   {:<22} {}\n", history.rows.left[at].row,
+                           end(history.rows.left[at].column, "+INT_MAX"),
+                           end(history.rows.right[at].column, "-INT_MAX"),
+                           history.rows.pixel_count(i), writer_text(history.left_by[at]),
+                           writer_text(history.right_by[at]));
     }
 }
 
