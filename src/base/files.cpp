@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -75,8 +76,7 @@ std::string read_all(int descriptor, const std::string& name, std::size_t limit)
         if (count < 0) refuse("read", name, errno);
         if (count == 0) return bytes;
         if (bytes.size() + static_cast<std::size_t>(count) > limit) {
-            throw InputError(name + ": the file is larger than " + std::to_string(limit >> 20) +
-                             " MB.");
+            throw InputError(fmt::format("{}: the file is larger than {} MB.", name, limit >> 20));
         }
         bytes.append(block, 0, static_cast<std::size_t>(count));
     }

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include <fmt/format.h>
 #include <stb_image.h>
 
 #include "base/error.h"
@@ -46,8 +47,8 @@ struct PictureSize {
 };
 
 [[noreturn]] void refuse(const std::string& path, PictureSize size, const char* why) {
-    throw InputError(path + ": a picture of " + std::to_string(size.width) + " x " +
-                     std::to_string(size.height) + " pixels " + why);
+    throw InputError(
+        fmt::format("{}: a picture of {} x {} pixels {}", path, size.width, size.height, why));
 }
 
 void check_side(const std::string& path, PictureSize size, int side, int bits_per_channel) {

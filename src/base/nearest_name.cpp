@@ -4,6 +4,8 @@
 #include <numeric>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "base/quoted.h"
 
 namespace rasterwalk {
@@ -51,22 +53,13 @@ std::string_view nearest_name(std::string_view wanted, std::span<const std::stri
 std::string did_you_mean(std::string_view wanted, std::span<const std::string_view> names) {
     const std::string_view nearest = nearest_name(wanted, names);
     if (nearest.empty()) return {};
-    return std::string(" Did you mean '").append(nearest).append("'?");
+    return fmt::format(" Did you mean '{}'?", nearest);
 }
 
 std::string no_such_name(std::string_view what, std::string_view wanted,
                          std::span<const std::string_view> names) {
-    std::string known;
-    for (const std::string_view name : names)
-        known.append(known.empty() ? "" : ", ").append(name);
-    return std::string("there is no ")
-        .append(what)
-        .append(" ")
-        .append(in_quotes(wanted))
-        .append("; there are ")
-        .append(known)
-        .append(".")
-        .append(did_you_mean(wanted, names));
+    return fmt::format("there is no {} {}; there are {}.{}", what, in_quotes(wanted),
+                       fmt::join(names, ", "), did_you_mean(wanted, names));
 }
 
 } // namespace rasterwalk

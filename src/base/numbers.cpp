@@ -68,7 +68,7 @@ std::string shortest(double value) {
     return shortest_text(value);
 }
 
-std::string shortest_usual(float value) {
+std::string number_text(float value) {
     const float size = std::abs(value);
     const bool is_usual = size == 0.0f || (size >= 1e-4f && size < 1e7f);
     return shortest_text(value, is_usual ? std::chars_format::fixed : std::chars_format::general);
@@ -88,6 +88,10 @@ std::string decimals(double value, int digits) {
 
 std::string scientific(double value, int digits) {
     return fmt::format("{:.{}e}", value, digits);
+}
+
+std::string counted(std::int64_t count, std::string_view one, std::string_view many) {
+    return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
 } // namespace rasterwalk

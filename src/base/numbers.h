@@ -4,6 +4,7 @@
 // and made into text. Every text of a float on the screen, in a file or in an answer is made here
 // or by fmt; both know no locale.
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,9 +29,9 @@ std::optional<glm::vec2> parse_place(std::string_view text);
 std::string shortest(float value);
 std::string shortest(double value);
 
-/// The same in the usual notation where people read it, from 0.0001 to 9,999,999: "100000",
-/// "1e+07".
-std::string shortest_usual(float value);
+/// The same, in the usual notation where people read it, from 0.0001 to 9,999,999: "0.1", "100000",
+/// "1e+07". So settings, links and files are written.
+std::string number_text(float value);
 
 /// So many digits that count, without zeros at the end: "0.333333", "2", "1e-05".
 std::string significant(double value, int digits);
@@ -43,5 +44,8 @@ std::string decimals(double value, int digits);
 
 /// A digit, so many behind the point, and the power of ten: "4.62e-05".
 std::string scientific(double value, int digits);
+
+/// "1 edge", "3 edges".
+std::string counted(std::int64_t count, std::string_view one, std::string_view many);
 
 } // namespace rasterwalk

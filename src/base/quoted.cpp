@@ -1,9 +1,8 @@
 #include "base/quoted.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 
+#include <fmt/format.h>
 #include <utf8.h>
 
 namespace rasterwalk {
@@ -24,12 +23,6 @@ bool is_obeyed(char32_t letter) {
            letter == byte_order_mark;
 }
 
-std::string escaped(const char* format, unsigned value) {
-    std::array<char, 16> text;
-    std::snprintf(text.data(), text.size(), format, value);
-    return text.data();
-}
-
 } // namespace
 
 std::string visible(std::string_view text) {
@@ -42,12 +35,12 @@ std::string visible(std::string_view text) {
         try {
             letter = utf8::next(at, text.end());
         } catch (const utf8::exception&) {
-            result += escaped("\\x%02x", static_cast<unsigned char>(*begin));
+            result += fmt::format("\\x{:02x}", static_cast<unsigned char>(*begin));
             at = begin + 1;
             continue;
         }
         if (is_obeyed(letter)) {
-            result += escaped("\\u%04x", letter);
+            result += fmt::format("\\u{:04x}", static_cast<unsigned>(letter));
         } else {
             result.append(begin, at);
         }
@@ -76,7 +69,7 @@ std::string in_quotes(std::string_view text) {
     std::string line(text.substr(0, end));
     std::replace_if(
         line.begin(), line.end(), [](char c) { return c == '\n' || c == '\t' || c == '\r'; }, ' ');
-    return std::string("'").append(visible(line)).append(text.size() > end ? "...'" : "'");
+    return fmt::format("'{}{}'", visible(line), text.size() > end ? "..." : "");
 }
 
 std::string_view trimmed(std::string_view text) {

@@ -4,6 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "base/nearest_name.h"
 #include "base/numbers.h"
 #include "base/quoted.h"
@@ -42,8 +44,8 @@ std::string TomlBlock::text(const toml::node& node) const {
 int TomlBlock::whole(const toml::node& node, int smallest, int largest) const {
     const auto* number = node.as_integer();
     if (number == nullptr || number->get() < smallest || number->get() > largest) {
-        input_.fail(node, "a whole number between " + std::to_string(smallest) + " and " +
-                              std::to_string(largest) + " is needed here.");
+        input_.fail(node, fmt::format("a whole number between {} and {} is needed here.", smallest,
+                                      largest));
     }
     return static_cast<int>(number->get());
 }
@@ -68,7 +70,7 @@ void TomlBlock::for_each_text(const toml::node& node, std::size_t most,
     const toml::array* list = node.as_array();
     if (list == nullptr) input_.fail(node, "a list of texts is needed here: [\"...\"].");
     if (list->size() > most) {
-        input_.fail(node, "the list has more than " + std::to_string(most) + " entries.");
+        input_.fail(node, fmt::format("the list has more than {} entries.", most));
     }
     for (const toml::node& entry : *list)
         faults_.attempt(line_of(entry), [&] { use(text(entry)); });
@@ -82,13 +84,11 @@ const toml::table& TomlBlock::table(const toml::node& node) const {
 
 void TomlBlock::refuse_key(std::string_view key, const toml::node& node, const TomlKeys& keys) {
     std::vector<std::string_view> names;
-    std::string known;
-    for (const auto& [name, use] : keys) {
+    for (const auto& [name, use] : keys)
         names.push_back(name);
-        known.append(known.empty() ? "" : ", ").append(name);
-    }
-    faults_.add(line_of(node), input_.what() + " has no " + in_quotes(key) + "; it has: " + known +
-                                   "." + did_you_mean(key, names));
+    faults_.add(line_of(node),
+                fmt::format("{} has no {}; it has: {}.{}", input_.what(), in_quotes(key),
+                            fmt::join(names, ", "), did_you_mean(key, names)));
 }
 
 } // namespace rasterwalk

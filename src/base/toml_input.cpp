@@ -4,9 +4,11 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
-#include <sstream>
+
+#include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/toml_nesting.h"
 
 namespace rasterwalk {
@@ -14,13 +16,7 @@ namespace rasterwalk {
 namespace {
 
 std::string quoted(std::string_view text) {
-    return std::string("'").append(text).append("'");
-}
-
-std::string plain(float value) {
-    std::ostringstream text;
-    text << value;
-    return text.str();
+    return fmt::format("'{}'", text);
 }
 
 } // namespace
@@ -28,10 +24,9 @@ std::string plain(float value) {
 toml::table parse_toml(std::string_view text, const std::string& path) {
     if (const std::optional<int> line = line_nested_too_deeply(text)) {
         throw InputError(path, *line,
-                         "this is nested too deeply: a key has more than " +
-                             std::to_string(most_key_dots) + " dots, or more than " +
-                             std::to_string(most_nested_brackets) +
-                             " brackets stand within one another.");
+                         fmt::format("this is nested too deeply: a key has more than {} dots, or "
+                                     "more than {} brackets stand within one another.",
+                                     most_key_dots, most_nested_brackets));
     }
     try {
         return toml::parse(text, path);
@@ -105,7 +100,9 @@ float TomlInput::number(const toml::node& node, float smallest, float largest,
     if (!std::isfinite(value)) fail(node, what + " must be a finite number.");
     const float rounded = static_cast<float>(value);
     if (!(rounded >= smallest && rounded <= largest)) {
-        fail(node, what + " must lie between " + plain(smallest) + " and " + plain(largest) + ".");
+        fail(node, fmt::format("{} must lie between {} and {}.", what,
+                               significant(static_cast<double>(smallest), 6),
+                               significant(static_cast<double>(largest), 6)));
     }
     return rounded;
 }
@@ -132,8 +129,8 @@ void TomlInput::read(std::string_view key, int& value, int smallest, int largest
     if (node == nullptr) return;
     const auto* integer = node->as_integer();
     if (integer == nullptr || integer->get() < smallest || integer->get() > largest) {
-        fail(*node, quoted(key) + " of " + what_ + " must be a whole number between " +
-                        std::to_string(smallest) + " and " + std::to_string(largest) + ".");
+        fail(*node, fmt::format("'{}' of {} must be a whole number between {} and {}.", key, what_,
+                                smallest, largest));
     }
     value = static_cast<int>(integer->get());
 }

@@ -1,5 +1,7 @@
 #include "explain/vertex_report.h"
 
+#include <fmt/format.h>
+
 #include "explain/light_formulas.h"
 
 namespace rasterwalk {
@@ -18,9 +20,9 @@ struct Made {
 };
 
 std::string given_text(const Made& made) {
-    return "given by the scene: vertex " + std::to_string(made.report.vertex + 1) +
-           " of triangle " + std::to_string(made.report.triangle + 1) + ", " +
-           part_name(*made.frame.scene, made.report.triangle);
+    return fmt::format("given by the scene: vertex {} of triangle {}, {}", made.report.vertex + 1,
+                       made.report.triangle + 1,
+                       part_name(*made.frame.scene, made.report.triangle));
 }
 
 void add_given(Made& made, const std::string& space, const std::array<const char*, 3>& names,
@@ -57,11 +59,11 @@ void add_camera_space(Made& made) {
 }
 
 std::string rotation_id(int row, int column) {
-    return "R." + std::to_string(row + 1) + "." + std::to_string(column + 1);
+    return fmt::format("R.{}.{}", row + 1, column + 1);
 }
 std::string rotation_symbol(int row, int column) {
     static constexpr const char* digits[] = {"₁", "₂", "₃"};
-    return std::string("R") + digits[row] + digits[column];
+    return fmt::format("R{}{}", digits[row], digits[column]);
 }
 
 /// R of the camera for row vectors: row and column from 1, each a product of sines and cosines.

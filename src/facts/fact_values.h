@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 
+#include "base/numbers.h"
 #include "facts/value.h"
 #include "settings/setting_table.h"
 

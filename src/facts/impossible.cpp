@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/numbers.h"
 #include "facts/expression.h"
 #include "facts/facts.h"
 
@@ -152,11 +153,8 @@ struct Reckoner {
         };
         const auto pair = [&] { return text(here.left).append(", ").append(text(here.right)); };
         switch (here.kind) {
-        case Kind::number: {
-            char digits[40];
-            std::snprintf(digits, sizeof digits, "%.9g", here.number);
-            return digits;
-        }
+        case Kind::number:
+            return significant(here.number, 9);
         case Kind::negate:
             return std::string("-").append(inner(here.left, own));
         case Kind::absolute:
@@ -192,12 +190,6 @@ struct Reckoner {
     }
 };
 
-std::string bound(double value) {
-    char digits[40];
-    std::snprintf(digits, sizeof digits, "%.9g", value);
-    return digits;
-}
-
 } // namespace
 
 std::vector<std::string> impossible_parts(const Expression& condition) {
@@ -212,7 +204,7 @@ std::vector<std::string> impossible_parts(const Expression& condition) {
         const Reach reach = reckoner.reach(side);
         std::string sentence = "'" + reckoner.text(static_cast<int>(i)) +
                                "' can never hold: " + reckoner.text(side) + " lies between " +
-                               bound(reach.low) + " and " + bound(reach.high);
+                               significant(reach.low, 9) + " and " + significant(reach.high, 9);
         if (reach.is_whole) sentence += " and is whole";
         sentences.push_back(sentence + ".");
     }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include <fmt/format.h>
+
 namespace rasterwalk {
 
 namespace {
@@ -123,9 +125,8 @@ EdgeMicroscope microscope(const Fragment& a, const Fragment& b, const EdgeRules&
 }
 
 std::string to_text(const Fraction& fraction) {
-    std::string text = std::to_string(fraction.numerator);
-    if (fraction.denominator != 1) text.append("/").append(std::to_string(fraction.denominator));
-    return text;
+    if (fraction.denominator == 1) return fmt::format("{}", fraction.numerator);
+    return fmt::format("{}/{}", fraction.numerator, fraction.denominator);
 }
 
 } // namespace rasterwalk

@@ -2,6 +2,8 @@
 
 #include <functional>
 
+#include <fmt/format.h>
+
 namespace rasterwalk {
 
 namespace {
@@ -106,12 +108,11 @@ std::vector<EdgeSample> edge_samples(const Frame& frame, int triangle, const Cur
 }
 
 std::string rows_text(const PolygonRows& rows) {
-    const auto place = [](const Fragment& end) {
-        return "(" + std::to_string(end.column) + "," + std::to_string(end.row) + ")";
-    };
     std::string text;
     for (std::size_t i = 0; i < rows.left.size(); ++i) {
-        text += "Start: " + place(rows.left[i]) + ". End: " + place(rows.right[i]) + ".\n";
+        const Fragment &left = rows.left[i], &right = rows.right[i];
+        text += fmt::format("Start: ({},{}). End: ({},{}).\n", left.column, left.row, right.column,
+                            right.row);
     }
     return text;
 }

@@ -7,6 +7,10 @@
 #include <functional>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "base/numbers.h"
+
 namespace rasterwalk {
 
 namespace {
@@ -108,17 +112,14 @@ bool is_out_of_bounds(const Frame& frame, const glm::ivec2& pixel) {
     return pixel.x < area.left || pixel.y < area.top;
 }
 
-std::string counted(int count, const std::string& thing) {
-    return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
-}
-
 std::string column_direction(int columns) {
-    return counted(std::abs(columns), "column") +
-           (columns > 0 ? " to the right of" : " to the left of");
+    return fmt::format("{} to the {} of", counted(std::abs(columns), "column", "columns"),
+                       columns > 0 ? "right" : "left");
 }
 
 std::string row_direction(int rows) {
-    return counted(std::abs(rows), "row") + (rows > 0 ? " below" : " above");
+    return fmt::format("{} {}", counted(std::abs(rows), "row", "rows"),
+                       rows > 0 ? "below" : "above");
 }
 
 } // namespace
@@ -186,27 +187,29 @@ std::string uncovered_text(const Frame& frame, const glm::ivec2& pixel) {
 }
 
 std::string miss_text(const NearTriangle& near) {
-    const std::string row = std::to_string(near.row);
     if (near.rows_away != 0) {
-        std::string text = (near.rows_away > 0 ? "its first row is " : "its last row is ") + row +
-                           ", " + row_direction(near.rows_away);
+        const char* const which = near.rows_away > 0 ? "first" : "last";
+        const std::string text =
+            fmt::format("its {} row is {}, {}", which, near.row, row_direction(near.rows_away));
         if (near.columns_away == 0) return text + " the pixel";
-        return text + " and " + column_direction(near.columns_away) + " the pixel";
+        return fmt::format("{} and {} the pixel", text, column_direction(near.columns_away));
     }
-    if (near.is_passed_over) return "its row " + row + " is a single pixel, and passed over";
-    if (near.is_empty) return "no edge sample reached its row " + row;
+    if (near.is_passed_over)
+        return fmt::format("its row {} is a single pixel, and passed over", near.row);
+    if (near.is_empty) return fmt::format("no edge sample reached its row {}", near.row);
     const bool begins = near.columns_away > 0;
-    return "row " + row + (begins ? " begins" : " ends") + " at column " +
-           std::to_string(begins ? near.left : near.right) + ", " +
-           column_direction(near.columns_away) + " the pixel";
+    return fmt::format("row {} {} at column {}, {} the pixel", near.row, begins ? "begins" : "ends",
+                       begins ? near.left : near.right, column_direction(near.columns_away));
 }
 
 std::string rules_text(const NearTriangle& near, const glm::ivec2& pixel) {
     const auto outcome = [&](const OtherRule& rule) {
-        const std::string left = std::to_string(rule.left), right = std::to_string(rule.right);
-        if (near.rows_away == 0 && near.columns_away > 0) return "it begins at column " + left;
-        if (near.rows_away == 0 && near.columns_away < 0) return "it ends at column " + right;
-        return "its row " + std::to_string(pixel.y) + " goes from column " + left + " to " + right;
+        const bool is_beside = near.rows_away == 0;
+        if (is_beside && near.columns_away > 0)
+            return fmt::format("it begins at column {}", rule.left);
+        if (is_beside && near.columns_away < 0)
+            return fmt::format("it ends at column {}", rule.right);
+        return fmt::format("its row {} goes from column {} to {}", pixel.y, rule.left, rule.right);
     };
     std::string text, last_outcome;
     for (const OtherRule& rule : near.rules) {

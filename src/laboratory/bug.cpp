@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include <fmt/format.h>
+
 #include "base/error.h"
 #include "base/files.h"
 #include "base/nearest_name.h"
@@ -22,8 +24,7 @@ Assignments read_assignments(const TomlInput& input, std::string_view key) {
     for (const toml::node& node : input.list(key)) {
         const auto* text = node.as_string();
         if (text == nullptr) {
-            input.fail(node,
-                       std::string("each entry of '").append(key) + "' is text: \"name=value\".");
+            input.fail(node, fmt::format("each entry of '{}' is text: \"name=value\".", key));
         }
         const std::string& assignment = text->get();
         try {

@@ -2,6 +2,9 @@
 #include <array>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "base/numbers.h"
 #include "laboratory/bug_rule.h"
 #include "laboratory/diagnose.h"
 #include "laboratory/picture_trial.h"
@@ -20,7 +23,7 @@ void try_bases(PictureTrial& trial, const std::vector<Base>& bases) {
         const std::string stage(stage_list()[static_cast<std::size_t>(base.settings.stage)].name);
         std::string name = other_stage ? "Drawn at stage " + stage : "";
         if (other_power) {
-            name.append(name.empty() ? "Another" : " with another").append(" light power");
+            name += name.empty() ? "Another light power" : " with another light power";
         }
         trial.add({.id = other_power ? "light_power" : "stage",
                    .name = std::move(name),
@@ -54,10 +57,8 @@ void try_shifts(PictureTrial& trial, const std::vector<Base>& bases) {
                 const std::string where_x = across[static_cast<std::size_t>(dx + 1)];
                 const std::string where_y = along[static_cast<std::size_t>(dy + 1)];
                 const std::string both = where_x.empty() || where_y.empty() ? "" : " and a pixel ";
-                std::string name = "Shifted by a pixel ";
-                name.append(where_x).append(both).append(where_y);
                 trial.add({.id = "shifted",
-                           .name = std::move(name),
+                           .name = fmt::format("Shifted by a pixel {}{}{}", where_x, both, where_y),
                            .remark = base.remark,
                            .assumptions = base.assumptions + 1},
                           shifted(image, dx, dy));
@@ -139,7 +140,7 @@ void try_choices(PictureTrial& trial, const std::vector<Base>& bases) {
             for (const Base& base : bases) {
                 Settings settings = base.settings;
                 set_value(settings, setting, word);
-                std::string id = std::string(setting.name).append("=").append(word);
+                const std::string id = fmt::format("{}={}", setting.name, word);
                 Hypothesis hypothesis{.id = id,
                                       .name = "Drawn by " + id,
                                       .remark = base.remark,
@@ -156,8 +157,7 @@ void try_choices(PictureTrial& trial, const std::vector<Base>& bases) {
 
 Settings fitted_to(const Settings& settings, const Image& picture, SceneSpace space) {
     Settings fitted = settings;
-    const std::string size =
-        std::to_string(picture.width).append("x").append(std::to_string(picture.height));
+    const std::string size = fmt::format("{}x{}", picture.width, picture.height);
     if (settings.viewport == Viewport{picture.width, picture.height}) return fitted;
     set_value(fitted, *find_setting("viewport.size"), size);
     if (space == SceneSpace::pixels) return fitted;

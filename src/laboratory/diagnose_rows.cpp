@@ -3,6 +3,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "laboratory/bug_rule.h"
 #include "laboratory/diagnose.h"
 #include "pipeline/frame.h"
@@ -45,11 +47,7 @@ TablePolygon polygon_of(const std::vector<glm::ivec2>& points) {
         vertex.row = point.y;
         vertex.depth = vertex.inv_w = vertex.z = 1.0f;
         polygon.vertices.push_back(vertex);
-        polygon.about.append(" (")
-            .append(std::to_string(point.x))
-            .append(",")
-            .append(std::to_string(point.y))
-            .append(")");
+        polygon.about += fmt::format(" ({},{})", point.x, point.y);
     }
     return polygon;
 }
@@ -81,13 +79,7 @@ TablePolygon nearest_polygon(const Rows& rows, const Scene& scene, const Setting
     const int count = std::min(frame.triangle_count(), tried);
     for (int t = 0; t < count; ++t) {
         if (!frame.is_drawn(t)) continue;
-        const TablePolygon polygon{{},
-                                   t,
-                                   std::string("triangle ")
-                                       .append(std::to_string(t))
-                                       .append(" (")
-                                       .append(part_name(scene, t))
-                                       .append(")")};
+        const TablePolygon polygon{{}, t, fmt::format("triangle {} ({})", t, part_name(scene, t))};
         PolygonRows table;
         compute_rows(frame, t, table);
         const double distance = rows_distance(printed(table), rows).mean;
@@ -192,7 +184,7 @@ Diagnosis diagnose_rows(const std::vector<PrintedRow>& rows, const std::vector<g
             for (const std::string_view word : choice->words) {
                 Settings settings = reference;
                 set_value(settings, setting, word);
-                const std::string id = std::string(setting.name).append("=").append(word);
+                const std::string id = fmt::format("{}={}", setting.name, word);
                 add({.id = id, .name = "Made by " + id}, table_of(subject, scene, settings));
             }
         }

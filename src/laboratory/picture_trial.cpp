@@ -2,7 +2,10 @@
 
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "base/limits.h"
+#include "base/numbers.h"
 #include "picture/view_image.h"
 #include "pipeline/draw.h"
 #include "settings/setting_table.h"
@@ -98,9 +101,8 @@ Image PictureTrial::draw_again(const Settings& settings) const {
 }
 
 std::string power_remark(const std::string& remark, const Settings& settings) {
-    return (remark.empty() ? "with" : remark + " and")
-        .append(" light.power=")
-        .append(number_text(settings.light.power.x));
+    return fmt::format("{} light.power={}", remark.empty() ? "with" : remark + " and",
+                       number_text(settings.light.power.x));
 }
 
 std::optional<Settings> with_fitted_power(PictureTrial& trial, const Settings& settings) {
@@ -129,7 +131,7 @@ std::vector<Base> find_bases(PictureTrial& trial, const Settings& reference) {
     };
     const auto remark_of = [&](Stage stage) {
         return stage == reference.stage ? std::string()
-                                        : std::string("with stage=").append(stage_name(stage));
+                                        : fmt::format("with stage={}", stage_name(stage));
     };
     const Stage nearest = nearest_stage(trial, reference);
     add(at_stage(nearest), remark_of(nearest), 1);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 namespace rasterwalk {
 
 namespace {
@@ -26,24 +28,24 @@ std::string suspect_text(const Suspect& suspect) {
     std::string text;
     for (std::size_t i = 0; i < suspect.names.size(); ++i) {
         if (i > 0) text += i + 1 == suspect.names.size() ? " or " : ", ";
-        if (is_bug_id(suspect.ids[i])) text.append(suspect.ids[i]).append(" ");
+        if (is_bug_id(suspect.ids[i])) text += suspect.ids[i] + " ";
         text += suspect.names[i];
     }
-    if (!suspect.remark.empty()) text.append(" (").append(suspect.remark).append(")");
-    return text;
+    return suspect.remark.empty() ? text : fmt::format("{} ({})", text, suspect.remark);
 }
 
 std::string verdict_text(const Suspect& first, std::string_view same) {
     const std::string who = suspect_text(first);
     if (first.distance == 0.0) {
-        return who + (first.ids.size() > 1 ? " make " : " makes ") + std::string(same) + ".";
+        return fmt::format("{} {} {}.", who, first.ids.size() > 1 ? "make" : "makes", same);
     }
-    const std::string percent = std::to_string(std::lround(100.0 * first.explained)) + " %";
+    const long percent = std::lround(100.0 * first.explained);
     if (first.explained < explains_nothing) {
-        return "No known mistake explains the difference; the nearest, " + who + ", explains " +
-               percent + " of it.";
+        return fmt::format("No known mistake explains the difference; the nearest, {}, explains "
+                           "{} % of it.",
+                           who, percent);
     }
-    return "Most likely " + who + ", which explains " + percent + " of the difference.";
+    return fmt::format("Most likely {}, which explains {} % of the difference.", who, percent);
 }
 
 } // namespace

@@ -5,6 +5,8 @@
 #include <set>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/error.h"
 #include "base/faults.h"
 #include "base/files.h"
@@ -501,9 +503,8 @@ bool is_readable(const Lesson& lesson) {
 }
 
 std::string fault_text(const Lesson& lesson, const Fault& fault) {
-    std::string text = lesson.path;
-    if (fault.line > 0) text.append(":").append(std::to_string(fault.line));
-    return text.append(": ").append(fault.sentence);
+    if (fault.line <= 0) return fmt::format("{}: {}", lesson.path, fault.sentence);
+    return fmt::format("{}:{}: {}", lesson.path, fault.line, fault.sentence);
 }
 
 const LessonPrediction* find_prediction(const Lesson& lesson, std::string_view id) {

@@ -1,9 +1,7 @@
 #include "lessons/lesson_blocks.h"
 
-#include <array>
-#include <charconv>
-
 #include "base/limits.h"
+#include "base/numbers.h"
 #include "base/toml_block.h"
 #include "lessons/lesson_link.h"
 #include "view/view_table.h"
@@ -20,9 +18,7 @@ Expression condition(const TomlBlock& block, const toml::node& node) {
 Expression expression(const TomlBlock& block, const toml::node& node) {
     if (const std::optional<double> number = node.value<double>()) {
         // All digits of a double: a count may be larger than a float tells.
-        std::array<char, 64> digits;
-        const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), *number).ptr;
-        return parse_expression({digits.data(), end});
+        return parse_expression(shortest(*number));
     }
     return parse_expression(block.text(node));
 }

@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/numbers.h"
@@ -49,8 +51,9 @@ constexpr std::array<std::pair<std::string_view, LinkKind>, 14> kinds{{
     std::string known;
     for (const auto& [name, kind] : kinds)
         known.append(name).append(": ");
-    throw UsageError("the link " + in_quotes(target) + " leads nowhere: links begin with " + known +
-                     "or name another lesson, NN-name.md.");
+    throw UsageError(fmt::format("the link {} leads nowhere: links begin with {}or name another "
+                                 "lesson, NN-name.md.",
+                                 in_quotes(target), known));
 }
 
 /// `10-per-pixel.md`: two digits, a name, no folder.
@@ -74,24 +77,14 @@ std::vector<std::string> assignments_of(std::string_view argument) {
 
 void require(bool is_good, const LessonLink& link, const char* what) {
     if (is_good) return;
-    throw UsageError("the link cannot go to " + in_quotes(link.argument) + ": it takes " + what +
-                     ".");
+    throw UsageError(
+        fmt::format("the link cannot go to {}: it takes {}.", in_quotes(link.argument), what));
 }
 
 void require_word(const LessonLink& link, const char* what,
                   std::span<const std::string_view> words) {
     if (std::find(words.begin(), words.end(), link.argument) != words.end()) return;
-    std::string known;
-    for (const std::string_view word : words)
-        known.append(known.empty() ? "" : ", ").append(word);
-    throw UsageError(std::string("there is no ")
-                         .append(what)
-                         .append(" ")
-                         .append(in_quotes(link.argument))
-                         .append("; there are ")
-                         .append(known)
-                         .append(".")
-                         .append(did_you_mean(link.argument, words)));
+    throw UsageError(no_such_name(what, link.argument, words));
 }
 
 std::vector<std::string_view> overlay_words() {
@@ -152,13 +145,8 @@ void check_argument(const LessonLink& link) {
 int checked(const LessonLink& link, const char* what, int count) {
     const int number = parse_int(link.argument).value_or(-1);
     if (number >= 0 && number < count) return number;
-    throw UsageError(std::string("there is no ")
-                         .append(what)
-                         .append(" ")
-                         .append(in_quotes(link.argument))
-                         .append(": they are 0 to ")
-                         .append(std::to_string(count - 1))
-                         .append("."));
+    throw UsageError(fmt::format("there is no {} {}: they are 0 to {}.", what,
+                                 in_quotes(link.argument), count - 1));
 }
 
 /// The number that a link selects, or nothing.
@@ -172,9 +160,8 @@ void pick_pixel(Session& session, const LessonLink& link) {
     const Viewport& size = session.a.settings.viewport;
     if (pixel &&
         (pixel->x < 0 || pixel->y < 0 || pixel->x >= size.width || pixel->y >= size.height)) {
-        throw UsageError("the pixel " + in_quotes(link.argument) + " lies outside the picture of " +
-                         std::to_string(size.width) + " x " + std::to_string(size.height) +
-                         " pixels.");
+        throw UsageError(fmt::format("the pixel {} lies outside the picture of {} x {} pixels.",
+                                     in_quotes(link.argument), size.width, size.height));
     }
     session.selection.pixel = pixel;
 }

@@ -1,12 +1,13 @@
 #include "lessons/lesson_run.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 
+#include <fmt/format.h>
+
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/quoted.h"
 #include "session/content.h"
 
@@ -31,11 +32,7 @@ struct Trial {
 };
 
 std::string pixel_text(const glm::ivec2& pixel) {
-    return std::string("(")
-        .append(std::to_string(pixel.x))
-        .append(", ")
-        .append(std::to_string(pixel.y))
-        .append(")");
+    return fmt::format("({}, {})", pixel.x, pixel.y);
 }
 
 /// NaN if there is no number.
@@ -57,7 +54,7 @@ void judge_number(const LessonPrediction& prediction, const Facts& facts, double
     const double slack = std::abs(tolerance) + 1e-6 * std::max(1.0, std::abs(number));
     result.is_right = std::abs(given - number) <= slack;
     result.answer = answer_text(number);
-    if (!prediction.unit.empty()) result.answer.append(" ").append(prediction.unit);
+    if (!prediction.unit.empty()) result.answer += " " + prediction.unit;
 }
 
 void judge_choice(const LessonPrediction& prediction, const Facts& facts, int given,
@@ -155,30 +152,20 @@ std::optional<double> read_answer(std::string_view text) {
 }
 
 std::string answer_text(double number, int digits) {
-    std::array<char, 400> text;
-    const bool is_whole = number == std::floor(number) && std::abs(number) < 1e15;
-    if (digits < 0 && is_whole) {
-        std::snprintf(text.data(), text.size(), "%.0f", number + 0.0);
-    } else if (digits < 0) {
-        // Five figures that matter; of zeros in front of them at most four.
-        const double size = std::abs(number);
-        const int before = size >= 1.0 ? static_cast<int>(std::floor(std::log10(size))) + 1
-                                       : -static_cast<int>(std::floor(-std::log10(size)));
-        if (size >= 1e15 || before < -4) {
-            std::snprintf(text.data(), text.size(), "%.4e", number);
-            return text.data();
-        }
-        std::snprintf(text.data(), text.size(), "%.*f", std::clamp(5 - before, 0, 12), number);
-        std::string result = text.data();
-        if (result.find('.') != result.npos) {
-            result.erase(result.find_last_not_of('0') + 1);
-            if (result.ends_with('.')) result.pop_back();
-        }
-        return result == "-0" ? "0" : result;
-    } else {
-        std::snprintf(text.data(), text.size(), "%.*f", std::min(digits, 12), number);
+    if (digits >= 0) return decimals(number, std::min(digits, 12));
+    const double size = std::abs(number);
+    const bool is_whole = number == std::floor(number) && size < 1e15;
+    if (is_whole) return decimals(number + 0.0, 0);
+    // Five figures that matter; of zeros in front of them at most four.
+    const int before = size >= 1.0 ? static_cast<int>(std::floor(std::log10(size))) + 1
+                                   : -static_cast<int>(std::floor(-std::log10(size)));
+    if (size >= 1e15 || before < -4) return scientific(number, 4);
+    std::string text = decimals(number, std::clamp(5 - before, 0, 12));
+    if (text.find('.') != text.npos) {
+        text.erase(text.find_last_not_of('0') + 1);
+        if (text.ends_with('.')) text.pop_back();
     }
-    return text.data();
+    return text == "-0" ? "0" : text;
 }
 
 std::string fill_in(std::string_view text, std::string_view answer, std::optional<double> number,

@@ -4,6 +4,9 @@
 #include <bit>
 #include <cmath>
 
+#include <fmt/format.h>
+
+#include "base/numbers.h"
 #include "picture/colour_map.h"
 
 namespace rasterwalk {
@@ -201,16 +204,6 @@ const WireEdge* nearest_wire(const OverlayPicture& picture, glm::ivec2 pixel, do
     return nearest;
 }
 
-std::string decimals(double value, int digits) {
-    char text[64];
-    std::snprintf(text, sizeof text, "%.*f", digits, value);
-    return text;
-}
-
-std::string counted(std::int64_t count, std::string_view one, std::string_view many) {
-    return std::to_string(count).append(" ").append(count == 1 ? one : many);
-}
-
 } // namespace
 
 const std::array<OverlayInfo, overlay_count>& overlay_list() {
@@ -310,30 +303,31 @@ std::string overlay_total(Overlay overlay, const Frame& frame, const OverlayPict
     switch (overlay) {
     case Overlay::wireframe:
         if (totals.wires > most_wires) {
-            return "the first " + std::to_string(most_wires) + " of " +
-                   counted(totals.wires, "edge", "edges");
+            return fmt::format("the first {} of {}", most_wires,
+                               counted(totals.wires, "edge", "edges"));
         }
         return counted(totals.wires, "edge", "edges");
     case Overlay::owner:
-        return std::to_string(totals.visible_triangles) + " of " +
-               counted(frame.triangle_count(), "triangle", "triangles") + " to be seen";
+        return fmt::format("{} of {} to be seen", totals.visible_triangles,
+                           counted(frame.triangle_count(), "triangle", "triangles"));
     case Overlay::overdraw:
-        return counted(totals.fragments, "fragment", "fragments") + ", at most " +
-               std::to_string(totals.most_overdraw) + " on a pixel";
+        return fmt::format("{}, at most {} on a pixel",
+                           counted(totals.fragments, "fragment", "fragments"),
+                           totals.most_overdraw);
     case Overlay::drawn_twice:
         return counted(totals.drawn_twice, "pixel", "pixels");
     case Overlay::depth:
         if (picture.facts.depth.empty()) return "no depth test is in force";
-        return std::to_string(totals.failed_fragments) + " failed on " +
-               counted(totals.failed_pixels, "pixel", "pixels");
+        return fmt::format("{} failed on {}", totals.failed_fragments,
+                           counted(totals.failed_pixels, "pixel", "pixels"));
     case Overlay::uncovered:
-        return std::to_string(totals.uncovered) + " uncovered";
+        return fmt::format("{} uncovered", totals.uncovered);
     case Overlay::over_one:
-        return counted(totals.over_one, "pixel", "pixels") + ", the brightest " +
-               decimals(static_cast<double>(totals.brightest), 2);
+        return fmt::format("{}, the brightest {:.2f}", counted(totals.over_one, "pixel", "pixels"),
+                           totals.brightest);
     case Overlay::affine_error:
-        return "at most " + decimals(static_cast<double>(totals.largest_error), 3) + ", mean " +
-               decimals(totals.mean_error, 3) + " world units";
+        return fmt::format("at most {:.3f}, mean {:.3f} world units", totals.largest_error,
+                           totals.mean_error);
     }
     return {};
 }
@@ -354,24 +348,22 @@ std::string overlay_value(Overlay overlay, const Frame& frame, const Framebuffer
     case Overlay::wireframe: {
         const WireEdge* const wire = nearest_wire(picture, pixel, static_cast<double>(reach));
         if (wire == nullptr) return "no edge";
-        return "edge " + std::to_string(wire->edge + 1) + " of triangle " +
-               std::to_string(wire->triangle + 1);
+        return fmt::format("edge {} of triangle {}", wire->edge + 1, wire->triangle + 1);
     }
     case Overlay::owner:
         if (owner < 0) return "none";
-        return "triangle " + std::to_string(owner + 1) + ", " + part_name(*frame.scene, owner);
+        return fmt::format("triangle {}, {}", owner + 1, part_name(*frame.scene, owner));
     case Overlay::overdraw:
         return counted(framebuffer.overdraw[at], "fragment", "fragments");
     case Overlay::drawn_twice: {
         const DrawnTwice& twice = picture.facts.drawn_twice[at];
         if (!twice) return "no";
-        return "triangles " + std::to_string(twice.first + 1) + " and " +
-               std::to_string(twice.second + 1);
+        return fmt::format("triangles {} and {}", twice.first + 1, twice.second + 1);
     }
     case Overlay::depth:
         if (picture.facts.depth.empty()) return {};
-        return std::to_string(picture.facts.depth[at].passed) + " passed, " +
-               std::to_string(picture.facts.depth[at].failed) + " failed";
+        return fmt::format("{} passed, {} failed", picture.facts.depth[at].passed,
+                           picture.facts.depth[at].failed);
     case Overlay::uncovered:
         return framebuffer.overdraw[at] == 0 ? "uncovered" : "covered";
     case Overlay::over_one:

@@ -4,21 +4,23 @@
 #include <charconv>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "base/error.h"
+#include "base/limits.h"
 #include "base/numbers.h"
 #include "base/quoted.h"
-#include "settings/setting_table.h"
 
 namespace rasterwalk {
 
 namespace {
 
 [[noreturn]] void refuse(std::string_view text) {
-    throw UsageError("the vertices of a triangle are three places with slashes between them, as "
-                     "10,5/5,10/15,15 or, of triangle 3, 3:10,5/5,10/15,15, and no farther out "
-                     "than " +
-                     number_text(largest_pixel_coordinate) + " pixels; not " + in_quotes(text) +
-                     ".");
+    throw UsageError(
+        fmt::format("the vertices of a triangle are three places with slashes between them, as "
+                    "10,5/5,10/15,15 or, of triangle 3, 3:10,5/5,10/15,15, and no farther out "
+                    "than {} pixels; not {}.",
+                    number_text(largest_pixel_coordinate), in_quotes(text)));
 }
 
 /// Cuts off what stands before the separator.
@@ -65,15 +67,13 @@ void move_bench_vertex(Session& session, int triangle, int vertex, glm::ivec2 pi
 }
 
 std::string to_text(const PlacedTriangle& placed) {
-    std::string text;
-    if (placed.triangle != 0) text.append(std::to_string(placed.triangle)).append(":");
-    for (std::size_t v = 0; v < 3; ++v) {
+    const auto place = [&](std::size_t v) {
         const glm::vec3& position = placed.positions[v];
-        text.append(v > 0 ? "/" : "").append(number_text(position.x));
-        text.append(",").append(number_text(position.y));
-        if (position.z != 1.0f) text.append(",").append(number_text(position.z));
-    }
-    return text;
+        const std::string pixel = number_text(position.x) + "," + number_text(position.y);
+        return position.z == 1.0f ? pixel : pixel + "," + number_text(position.z);
+    };
+    const std::string places = fmt::format("{}/{}/{}", place(0), place(1), place(2));
+    return placed.triangle == 0 ? places : fmt::format("{}:{}", placed.triangle, places);
 }
 
 PlacedTriangle parse_placed_triangle(std::string_view text) {
@@ -95,15 +95,16 @@ PlacedTriangle parse_placed_triangle(std::string_view text) {
 
 void place_triangle(Session& session, const PlacedTriangle& placed) {
     if (!is_bench(*session.scene)) {
-        throw UsageError("only the vertices of a scene in pixels can be put elsewhere; " +
-                         in_quotes(session.scene->name) + " is none.");
+        throw UsageError(
+            fmt::format("only the vertices of a scene in pixels can be put elsewhere; {} is none.",
+                        in_quotes(session.scene->name)));
     }
     const auto count = session.scene->triangles.size();
     const auto index = static_cast<std::size_t>(placed.triangle);
     if (index >= count) {
-        throw UsageError("there is no triangle " + std::to_string(placed.triangle) +
-                         " to put elsewhere: the triangles are 0 to " + std::to_string(count - 1) +
-                         ".");
+        throw UsageError(
+            fmt::format("there is no triangle {} to put elsewhere: the triangles are 0 to {}.",
+                        placed.triangle, count - 1));
     }
     Scene scene = *session.scene;
     for (std::size_t v = 0; v < 3; ++v)

@@ -82,7 +82,7 @@ void set_near(Session& session, const DepthView& view, float value) {
 }
 
 std::string to_text(const DepthRange& range) {
-    return number_text(range.far).append(",").append(number_text(range.near));
+    return number_text(range.far) + "," + number_text(range.near);
 }
 
 std::optional<DepthRange> parse_depth_range(std::string_view text) {

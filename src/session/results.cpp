@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 namespace rasterwalk {
 
 namespace {
@@ -40,17 +42,15 @@ void update_history(const Session& session, Results& results, bool new_frame) {
 }
 
 std::string size_text(Viewport size) {
-    return std::to_string(size.width).append(" x ").append(std::to_string(size.height));
+    return fmt::format("{} x {}", size.width, size.height);
 }
 
 /// Why the two runs cannot be compared; empty if they can.
 std::string obstacle(const Settings& a, const Settings& b) {
     if (a.viewport == b.viewport) return "";
-    return std::string("Run B cannot be compared with run A: its picture has ")
-        .append(size_text(b.viewport))
-        .append(" pixels, that of A ")
-        .append(size_text(a.viewport))
-        .append(".");
+    return fmt::format("Run B cannot be compared with run A: its picture has {} pixels, that of A "
+                       "{}.",
+                       size_text(b.viewport), size_text(a.viewport));
 }
 
 /// The end of the scale: that of the whole frame's difference, so that it does not jump while time

@@ -1,8 +1,10 @@
 #include "session/run_results.h"
 
 #include <array>
-#include <string_view>
 
+#include <fmt/format.h>
+
+#include "base/numbers.h"
 #include "inspect/stats.h"
 #include "pipeline/draw.h"
 #include "pipeline/timeline.h"
@@ -10,10 +12,6 @@
 namespace rasterwalk {
 
 namespace {
-
-std::string counted(int count, std::string_view one, std::string_view many) {
-    return std::to_string(count).append(" ").append(count == 1 ? one : many);
-}
 
 std::optional<int> shown_triangle(const Session& session, const RunResults& results) {
     const int count = results.frame.triangle_count();
@@ -74,30 +72,29 @@ std::vector<std::string> describe_troubles(const Frame& frame, const DrawTally& 
     for (const RejectionWords& reason : rejection_list) {
         const int count = left_out.of(reason.rejection);
         if (count == 0) continue;
-        messages.push_back(counted(count, "triangle", "triangles").append(" left out: ") +
-                           std::string(reason.cause));
+        messages.push_back(
+            fmt::format("{} left out: {}", counted(count, "triangle", "triangles"), reason.cause));
     }
     const std::int64_t unset = tally.unset_rows;
     if (unset > 0) {
-        const int pixels = unset_row_pixels(frame);
-        messages.push_back(counted(static_cast<int>(unset), "row", "rows")
-                               .append(" that no edge sample reached: right − left + 1 is ")
-                               .append(std::to_string(pixels))
-                               .append(" there; nothing of it is in the picture"));
+        messages.push_back(
+            fmt::format("{} that no edge sample reached: right − left + 1 is {} there; nothing of "
+                        "it is in the picture",
+                        counted(unset, "row", "rows"), unset_row_pixels(frame)));
     }
     const Viewport size = frame.settings.viewport;
     if (frame.settings.depth_index == DepthIndex::transposed && size.width != size.height &&
         depth_rule(frame.settings) != DepthTest::off) {
-        messages.push_back("[x][y] lies outside the depth buffer for every pixel with x ≥ " +
-                           std::to_string(size.height) + " or y ≥ " + std::to_string(size.width) +
-                           ": not written there");
+        messages.push_back(
+            fmt::format("[x][y] lies outside the depth buffer for every pixel with x ≥ {} or y ≥ "
+                        "{}: not written there",
+                        size.height, size.width));
     }
     if (tally.samples_outside > 0) {
-        const int samples = static_cast<int>(tally.samples_outside);
-        messages.push_back(counted(samples, "edge sample", "edge samples")
-                               .append(" outside the row table of ")
-                               .append(counted(tally.triangles_outside, "triangle", "triangles"))
-                               .append("; not written"));
+        messages.push_back(
+            fmt::format("{} outside the row table of {}; not written",
+                        counted(tally.samples_outside, "edge sample", "edge samples"),
+                        counted(tally.triangles_outside, "triangle", "triangles")));
     }
     return messages;
 }

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/nearest_name.h"
+#include "base/numbers.h"
 #include "base/quoted.h"
 
 namespace rasterwalk {
@@ -369,17 +370,6 @@ const Setting* find_setting(std::string_view name) {
         if (setting.name == name) return &setting;
     }
     return nullptr;
-}
-
-std::string number_text(float value) {
-    const float size = std::abs(value);
-    // Between these the usual notation is the shorter one, or at least the one that people read.
-    const bool is_plain = size == 0.0f || (size >= 1e-4f && size < 1e7f);
-    std::array<char, 64> text;
-    const auto [end, fault] =
-        std::to_chars(text.data(), text.data() + text.size(), value,
-                      is_plain ? std::chars_format::fixed : std::chars_format::general);
-    return fault == std::errc{} ? std::string(text.data(), end) : std::string();
 }
 
 std::string value_text(const Setting& setting, const Settings& settings) {

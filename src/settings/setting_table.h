@@ -73,9 +73,6 @@ void copy_value(const Setting& setting, const Settings& from, Settings& to);
 /// Which values the setting takes: "truncate, floor or round", "a number from 1 to 100000".
 std::string allowed_text(const Setting& setting);
 
-/// A number as short as it can be and still be read back as the same bits: `0.1`, `-3.001`.
-std::string number_text(float value);
-
 /// Sets one setting from text. Throws UsageError with a sentence that names the setting, the value
 /// and what it would take: unknown word, no number, not finite, out of range.
 void set_value(Settings& settings, const Setting& setting, std::string_view value);

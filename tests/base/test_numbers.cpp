@@ -20,19 +20,19 @@ TEST_CASE("The shortest text of a number is read as the same number") {
     for (int i = 0; i < 10000; ++i) {
         const float value = std::ldexp(static_cast<float>(random()) - 2e9f, i % 100 - 70);
         CHECK(std::stof(shortest(value)) == value);
-        CHECK(std::stof(shortest_usual(value)) == value);
+        CHECK(std::stof(number_text(value)) == value);
         CHECK(std::stof(nine_digits(value)) == value);
     }
 }
 
 TEST_CASE("The usual notation is kept where people read it") {
-    CHECK(shortest_usual(0.0f) == "0");
-    CHECK(shortest_usual(100000.0f) == "100000");
-    CHECK(shortest_usual(9999999.0f) == "9999999");
-    CHECK(shortest_usual(1e7f) == "1e+07");
-    CHECK(shortest_usual(0.0001f) == "0.0001");
-    CHECK(shortest_usual(0.00005f) == "5e-05");
-    CHECK(shortest_usual(-2.5f) == "-2.5");
+    CHECK(number_text(0.0f) == "0");
+    CHECK(number_text(100000.0f) == "100000");
+    CHECK(number_text(9999999.0f) == "9999999");
+    CHECK(number_text(1e7f) == "1e+07");
+    CHECK(number_text(0.0001f) == "0.0001");
+    CHECK(number_text(0.00005f) == "5e-05");
+    CHECK(number_text(-2.5f) == "-2.5");
 }
 
 TEST_CASE("Digits are those of the C library, rounded to even where two are as near") {

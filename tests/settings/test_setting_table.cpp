@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/error.h"
+#include "base/numbers.h"
 
 using namespace rasterwalk;
 using Catch::Matchers::Contains;

@@ -1,5 +1,6 @@
-#include <cstdio>
 #include <string>
+
+#include <fmt/format.h>
 
 #include "ui/actions/compare.h"
 #include "ui/bars/bars.h"
@@ -16,16 +17,12 @@ std::string colours_of_both(const Ui& ui, std::size_t at) {
     const ComparisonResults& comparison = ui.results.comparison;
     const auto colour = [&](const char* run, const Framebuffer& picture) {
         const glm::vec3& c = picture.colour[at];
-        char text[96];
-        std::snprintf(text, sizeof text, "   %s %.3f %.3f %.3f", run, static_cast<double>(c.r),
-                      static_cast<double>(c.g), static_cast<double>(c.b));
-        return std::string(text);
+        return fmt::format("   {} {:.3f} {:.3f} {:.3f}", run, c.r, c.g, c.b);
     };
     const float difference = comparison.difference_values[at];
-    std::string words = colour("A", *ui.results.a.framebuffer) + colour("B", *b.framebuffer);
-    words += "   B − A ";
-    words += (difference > 0.0f ? "+" : "") + fixed(static_cast<double>(difference), 4);
-    return words;
+    return fmt::format("{}{}   B − A {}{}", colour("A", *ui.results.a.framebuffer),
+                       colour("B", *b.framebuffer), difference > 0.0f ? "+" : "",
+                       fixed(static_cast<double>(difference), 4));
 }
 
 /// All that is known of the pixel under the pointer, or else of the one picked.
@@ -34,27 +31,18 @@ std::string describe_pixel(const Ui& ui) {
     const Framebuffer& framebuffer = *ui.results.a.framebuffer;
     if (!pixel || !framebuffer.contains(pixel->x, pixel->y)) return "point at a pixel";
     const std::size_t at = framebuffer.at(pixel->x, pixel->y);
-    char text[160];
-    std::snprintf(text, sizeof text, "pixel (%d, %d)", pixel->x, pixel->y);
-    std::string words = text;
+    std::string words = fmt::format("pixel ({}, {})", pixel->x, pixel->y);
     if (ui.results.b) return words + colours_of_both(ui, at);
     const int owner = framebuffer.owner[at];
     if (owner < 0) return words + "   not drawn";
     const glm::vec3& c = framebuffer.colour[at];
-    std::snprintf(text, sizeof text, "   colour %.3f %.3f %.3f", static_cast<double>(c.r),
-                  static_cast<double>(c.g), static_cast<double>(c.b));
-    words += text;
+    words += fmt::format("   colour {:.3f} {:.3f} {:.3f}", c.r, c.g, c.b);
     const float depth = stored_depth(framebuffer, pixel->x, pixel->y);
     if (depth > 0.0f) {
-        std::snprintf(text, sizeof text, "   1/z %.4f   z %.4f", static_cast<double>(depth),
-                      1.0 / static_cast<double>(depth));
-        words += text;
+        words += fmt::format("   1/z {:.4f}   z {:.4f}", depth, 1.0 / static_cast<double>(depth));
     }
-    std::snprintf(text, sizeof text, "   triangle %d, ", owner + 1);
-    words += text + part_name(*ui.results.a.scene, owner);
-    const unsigned drawn = framebuffer.overdraw[at];
-    std::snprintf(text, sizeof text, "   drawn %ux", drawn);
-    return words + text;
+    return fmt::format("{}   triangle {}, {}   drawn {}x", words, owner + 1,
+                       part_name(*ui.results.a.scene, owner), framebuffer.overdraw[at]);
 }
 
 std::string trouble_text(const Ui& ui) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/numbers.h"
 #include "picture/view_image.h"
 #include "settings/setting_table.h"
 #include "ui/actions/actions.h"
@@ -173,9 +174,9 @@ void draw_view_selector(Ui& ui) {
 
 void draw_header(Ui& ui, float right_edge) {
     draw_view_selector(ui);
-    char zoom[32];
     const float scale = ui.picture_place.scale;
-    std::snprintf(zoom, sizeof zoom, scale == std::round(scale) ? "%.0fx" : "%.2fx", scale);
+    const std::string zoom =
+        decimals(static_cast<double>(scale), scale == std::round(scale) ? 0 : 2) + "x";
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const float buttons =
         button_width("fit") + button_width("grid") + button_width("triangle") + 2.0f * gap;

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <optional>
 #include <string>
 
+#include <fmt/format.h>
+
+#include "base/numbers.h"
 #include "picture/view_image.h"
 #include "session/results.h"
 #include "ui/actions/compare.h"
@@ -48,15 +50,14 @@ std::string difference_said(const Ui& ui) {
     const std::optional<float> value = difference_in_focus(ui);
     if (!value) return said;
     const auto& pixel = ui.hovered_pixel ? ui.hovered_pixel : ui.session.selection.pixel;
-    return said + " · at (" + std::to_string(pixel->x) + ", " + std::to_string(pixel->y) +
-           "): " + (*value > 0.0f ? "+" : "") + fixed(static_cast<double>(*value), 4);
+    return fmt::format("{} · at ({}, {}): {}{}", said, pixel->x, pixel->y, *value > 0.0f ? "+" : "",
+                       fixed(static_cast<double>(*value), 4));
 }
 
 /// The numbers at the left end, in the middle and at the right end of the scale.
 std::array<std::string, 3> difference_ends(float limit) {
-    char number[32];
-    std::snprintf(number, sizeof number, "%g", static_cast<double>(limit));
-    return {std::string("−").append(number), "0", std::string("+").append(number)};
+    const std::string number = significant(static_cast<double>(limit), 6);
+    return {"−" + number, "0", "+" + number};
 }
 
 /// The colours of the scale, and a mark at the number in focus.

@@ -3,6 +3,7 @@
 #include <initializer_list>
 #include <map>
 
+#include "base/numbers.h"
 #include "settings/setting_table.h"
 
 namespace rasterwalk {

@@ -5,9 +5,11 @@
 #include <new>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "base/error.h"
 #include "base/image.h"
+#include "base/numbers.h"
 #include "base/quoted.h"
 #include "opening/view_options.h"
 #include "session/content.h"
@@ -95,11 +97,9 @@ void read_window(const std::string& text, OffscreenOptions& options) {
 
 void check_range(const char* name, float value, float smallest, float largest) {
     if (value >= smallest && value <= largest) return;
-    char sentence[160];
-    std::snprintf(sentence, sizeof sentence, "%s is a number from %g to %g, not %g.", name,
-                  static_cast<double>(smallest), static_cast<double>(largest),
-                  static_cast<double>(value));
-    throw UsageError(sentence);
+    const auto number = [](float of) { return significant(static_cast<double>(of), 6); };
+    throw UsageError(fmt::format("{} is a number from {} to {}, not {}.", name, number(smallest),
+                                 number(largest), number(value)));
 }
 
 /// Makes options and session out of what was written. Throws Error.

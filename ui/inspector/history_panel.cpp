@@ -2,6 +2,9 @@
 #include <array>
 #include <string>
 
+#include <fmt/format.h>
+
+#include "base/numbers.h"
 #include "settings/setting_table.h"
 #include "ui/inspector/history_parts.h"
 #include "ui/inspector/panels.h"
@@ -63,7 +66,8 @@ std::array<std::string, 2> verdict(const Ui& ui, const PixelHistory& history) {
         return {text + ": it came before " + other + ", which is just as near.", ""};
     }
     return {text + ": its " + value + " is the " + most + ",",
-            printed("%.3g", static_cast<double>(ahead)) + " ahead of " + other + "."};
+            fmt::format("{} ahead of {}.",
+                        with_minus_signs(significant(static_cast<double>(ahead), 3)), other)};
 }
 
 void draw_title(Ui& ui, const PixelHistory& history) {

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <string>
 
+#include <fmt/format.h>
+
+#include "base/numbers.h"
 #include "picture/view_image.h"
 #include "session/moment_text.h"
 #include "session/walk.h"
@@ -83,7 +85,7 @@ Columns measure_columns(const Ui& ui, const PixelHistory& history, float room) {
 /// A margin with four digits; one that would read 0 then, by its power of ten.
 std::string margin_text(float value) {
     const bool is_tiny = value != 0.0f && std::abs(value) < 0.00005f;
-    if (is_tiny) return printed("%+.0e", static_cast<double>(value));
+    if (is_tiny) return with_minus_signs(fmt::format("{:+.0e}", value));
     return (value > 0.0f ? "+" : "") + fixed(static_cast<double>(value), 4);
 }
 
@@ -109,18 +111,13 @@ const char* place_header(Stage stage) {
 
 std::string tooltip(const Ui& ui, const PixelHistory& history, int index) {
     const PixelEntry& entry = history.entries[index];
-    const auto nine = [](float value) {
-        char text[32];
-        std::snprintf(text, sizeof text, "%.9g", static_cast<double>(value));
-        return std::string(text);
-    };
     std::string text = describe_moment(ui.results.a.frame, entry.cursor);
     if (history.depth_tested) {
-        text.append("\n").append(depth_value_words(ui)).append(" ");
-        text += nine(entry.depth) + ", stored before " + nine(entry.stored) + ", margin " +
-                nine(entry.margin);
+        text += fmt::format("\n{} {}, stored before {}, margin {}", depth_value_words(ui),
+                            nine_digits(entry.depth), nine_digits(entry.stored),
+                            nine_digits(entry.margin));
     } else if (has_fragments(ui.results.a.frame.settings.stage)) {
-        text += "\n1/z " + nine(entry.zinv) + "; no depth test asks for it";
+        text += fmt::format("\n1/z {}; no depth test asks for it", nine_digits(entry.zinv));
     }
     if (entry.fate == Fate::depth_failed) {
         const bool is_reversed = depth_rule(ui.results.a.frame.settings) == DepthTest::reversed;
@@ -131,10 +128,11 @@ std::string tooltip(const Ui& ui, const PixelHistory& history, int index) {
     } else {
         text += "\nWritten, and written over later.";
     }
-    text += "\ncolour " + nine(entry.colour_before.r) + " " + nine(entry.colour_before.g) + " " +
-            nine(entry.colour_before.b) + " → " + nine(entry.colour_after.r) + " " +
-            nine(entry.colour_after.g) + " " + nine(entry.colour_after.b);
-    return text + "\nClick: to the moment just after it.";
+    const auto colour = [](const glm::vec3& of) {
+        return fmt::format("{} {} {}", nine_digits(of.r), nine_digits(of.g), nine_digits(of.b));
+    };
+    return fmt::format("{}\ncolour {} → {}\nClick: to the moment just after it.", text,
+                       colour(entry.colour_before), colour(entry.colour_after));
 }
 
 void draw_fate(const Ui& ui, const PixelHistory& history, int index, float opacity) {

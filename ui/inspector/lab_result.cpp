@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <string>
 
+#include <fmt/format.h>
+
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -52,9 +54,7 @@ void draw_candidate(Ui& ui, const Suspect& suspect, int index) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushFont(ui.fonts.mono);
-    char share[16];
-    std::snprintf(share, sizeof share, "%.1f %%", 100.0 * suspect.explained);
-    right_aligned(share, p.text);
+    right_aligned(fmt::format("{:.1f} %", 100.0 * suspect.explained), p.text);
     ImGui::PopFont();
     const ImVec2 low = ImGui::GetItemRectMin();
     const float bottom = ImGui::GetItemRectMax().y + 2.0f * u;

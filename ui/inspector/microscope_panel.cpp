@@ -107,7 +107,7 @@ void draw_step(const Ui& ui, const char* axis, const Fraction& step, float float
     const bool is_exact = static_cast<double>(float_step) * static_cast<double>(step.denominator) ==
                           static_cast<double>(step.numerator);
     std::string text = std::string(axis) + ": step " + fraction_text(step);
-    text += is_exact ? ", exact in float" : ", in float " + nine_digits(float_step);
+    text += is_exact ? ", exact in float" : ", in float " + nine_digits_shown(float_step);
     const ImVec4& ink = palette(ui.options.theme).text;
     if (drift == 0.0) {
         text_in(ink, text);

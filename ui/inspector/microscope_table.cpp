@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "base/numbers.h"
 #include "ui/inspector/microscope_parts.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
@@ -21,9 +22,10 @@ int samples_walked(const Ui& ui) {
 }
 
 std::string coordinate_words(const char* axis, const char* pixel, const MicroscopeCoordinate& c) {
-    std::string text =
-        std::string(axis) + " = " + nine_digits(c.walked) + ", exactly " + fraction_text(c.exact);
-    if (c.exact.denominator != 1) text += " = " + printed("%.12g", c.exact.value());
+    std::string text = std::string(axis) + " = " + nine_digits_shown(c.walked) + ", exactly " +
+                       fraction_text(c.exact);
+    if (c.exact.denominator != 1)
+        text += " = " + with_minus_signs(significant(c.exact.value(), 12));
     text += "\n     " + std::string(pixel) + " " + whole_text(c.pixel);
     if (c.differs_from_exact()) text += ", where exact would be " + whole_text(c.exact_pixel);
     if (c.differs_from_reverse()) text += "; the other way: " + whole_text(c.reverse_pixel);

@@ -4,6 +4,9 @@
 #include <span>
 #include <string>
 
+#include <fmt/format.h>
+
+#include "base/numbers.h"
 #include "session/walk.h"
 #include "ui/inspector/panels.h"
 #include "ui/widgets/style.h"
@@ -162,13 +165,11 @@ void draw_outside(Ui& ui, const OutsideSample& sample, int number) {
     const bool pressed = ImGui::Selectable("##outside", false,
                                            ImGuiSelectableFlags_SpanAllColumns |
                                                ImGuiSelectableFlags_AllowItemOverlap);
-    char value[64];
-    std::snprintf(value, sizeof value, "%.9g", static_cast<double>(sample.y));
-    const std::string tooltip = "Edge " + std::to_string(sample.edge + 1) + ", sample " +
-                                std::to_string(sample.sample + 1) + ": y = " + value +
-                                " becomes row " + std::to_string(sample.row) +
-                                ", which the table does not have. A program without a guard writes "
-                                "outside its array here.";
+    const std::string value = "y = " + nine_digits(sample.y);
+    const std::string tooltip = fmt::format(
+        "Edge {}, sample {}: {} becomes row {}, which the table does not have. A program without a "
+        "guard writes outside its array here.",
+        sample.edge + 1, sample.sample + 1, value, sample.row);
     name_widget(ui, "rows.outside." + std::to_string(number), tooltip);
     ImGui::PopID();
     ImGui::SameLine(0.0f, 0.0f);
@@ -181,7 +182,7 @@ void draw_outside(Ui& ui, const OutsideSample& sample, int number) {
     const ImVec2 low = ImGui::GetWindowPos();
     ImGui::PushClipRect(low, {low.x + ImGui::GetWindowWidth(), low.y + ImGui::GetWindowHeight()},
                         false);
-    ImGui::GetWindowDrawList()->AddText(at, packed(red), (std::string("y = ") + value).c_str());
+    ImGui::GetWindowDrawList()->AddText(at, packed(red), value.c_str());
     ImGui::PopClipRect();
     if (!ui.shows_end_values) {
         ImGui::TableSetColumnIndex(5);
@@ -339,13 +340,12 @@ void draw_last_sample(Ui& ui) {
     ImGui::SameLine(0.0f, 0.0f);
     text_in(p.dim, ", sample " + std::to_string(last.sample + 1));
     ImGui::PushFont(ui.fonts.mono);
-    char text[96];
-    std::snprintf(text, sizeof text, "x = %.9g → %d", static_cast<double>(last.x),
-                  last.fragment.column);
-    ImGui::TextUnformatted(text);
-    std::snprintf(text, sizeof text, "y = %.9g → %d", static_cast<double>(last.y),
-                  last.fragment.row);
-    ImGui::TextUnformatted(text);
+    const auto show = [](const char* axis, float place, int pixel) {
+        const std::string line = fmt::format("{} = {} → {}", axis, nine_digits(place), pixel);
+        ImGui::TextUnformatted(line.c_str());
+    };
+    show("x", last.x, last.fragment.column);
+    show("y", last.y, last.fragment.row);
     ImGui::PopFont();
     std::string words = "row " + std::to_string(last.fragment.row) + ": ";
     if (!last.write.inside) {

@@ -1,8 +1,8 @@
 #include "ui/widgets/formula_view.h"
 
 #include <algorithm>
-#include <cstdio>
 
+#include "base/numbers.h"
 #include "session/walk.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -12,10 +12,8 @@ namespace rasterwalk {
 namespace {
 
 std::string exact_text(const Number& number) {
-    char text[48];
-    std::snprintf(text, sizeof text, number.is_whole ? "%.0f" : "%.9g",
-                  static_cast<double>(number.value));
-    return text;
+    return number.is_whole ? decimals(static_cast<double>(number.value), 0)
+                           : nine_digits(number.value);
 }
 
 std::string input_tooltip(const FormulaInput& input) {

@@ -1,43 +1,46 @@
 #include "ui/widgets/number_text.h"
 
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
+
+#include <fmt/format.h>
+
+#include "base/numbers.h"
 
 namespace rasterwalk {
 
-std::string printed(const char* format, double value) {
-    char buffer[48];
-    std::snprintf(buffer, sizeof buffer, format, value);
-    std::string text;
-    for (const char* c = buffer; *c != '\0'; ++c)
-        text += *c == '-' ? std::string("−") : std::string(1, *c);
-    return text;
+std::string with_minus_signs(std::string_view text) {
+    std::string shown;
+    for (const char c : text)
+        shown += c == '-' ? std::string("−") : std::string(1, c);
+    return shown;
 }
 
-std::string nine_digits(float value) {
-    return printed("%.9g", static_cast<double>(value));
+std::string nine_digits_shown(float value) {
+    return with_minus_signs(nine_digits(value));
 }
 
 std::string float_text(float value) {
     const bool is_leftover = value != 0.0f && std::abs(value) < 1e-4f;
-    return is_leftover ? printed("%.2e", static_cast<double>(value)) : nine_digits(value);
+    const double wide = static_cast<double>(value);
+    return with_minus_signs(is_leftover ? scientific(wide, 2) : nine_digits(value));
 }
 
 std::string drift_text(double drift) {
-    return drift == 0.0 ? "0" : printed("%.2e", drift);
+    return drift == 0.0 ? "0" : with_minus_signs(scientific(drift, 2));
 }
 
 std::string whole_text(std::int64_t value) {
-    return (value < 0 ? "−" : "") + std::to_string(std::abs(value));
+    return with_minus_signs(fmt::format("{}", value));
 }
 
 std::string mixed_text(const Fraction& f) {
     if (f.denominator == 1) return whole_text(f.numerator);
     const std::int64_t size = std::abs(f.numerator);
-    std::string text = f.numerator < 0 ? "−" : "";
-    if (size >= f.denominator) text.append(std::to_string(size / f.denominator)).append(" ");
-    return text + to_text(Fraction{size % f.denominator, f.denominator});
+    const char* const sign = f.numerator < 0 ? "−" : "";
+    const std::string part = to_text(Fraction{size % f.denominator, f.denominator});
+    if (size < f.denominator) return sign + part;
+    return fmt::format("{}{} {}", sign, size / f.denominator, part);
 }
 
 std::string fraction_text(const Fraction& f) {

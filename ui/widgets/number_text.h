@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "inspect/microscope.h"
 
@@ -9,11 +10,11 @@ namespace rasterwalk {
 
 // Numbers as the tables show them, with true minus signs.
 
-/// A number as the C library prints it.
-std::string printed(const char* format, double value);
+/// The text of a number, its hyphens made minus signs: "−2.5e−05".
+std::string with_minus_signs(std::string_view text);
 
 /// Nine digits tell every float from its neighbours.
-std::string nine_digits(float value);
+std::string nine_digits_shown(float value);
 
 /// The same for a narrow column: what is left over near zero gets three digits.
 std::string float_text(float value);

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include <imgui_internal.h>
+
+#include "base/numbers.h"
 
 namespace rasterwalk {
 
@@ -175,18 +176,14 @@ void end_card(Ui& ui) {
 }
 
 std::string fixed(double value, int digits) {
-    char text[64];
     if (!std::isfinite(value)) {
         return std::isnan(value) ? "not a number" : value > 0 ? "+∞" : "−∞";
     }
-    if (std::abs(value) >= 1e6) {
-        std::snprintf(text, sizeof text, "%.2e", std::abs(value));
-    } else {
-        std::snprintf(text, sizeof text, "%.*f", digits, std::abs(value));
-    }
+    const double size = std::abs(value);
+    const std::string text = size >= 1e6 ? scientific(size, 2) : decimals(size, digits);
     // A negative number that rounds to zero is shown without its sign.
-    const bool is_zero = std::string_view(text).find_first_not_of("0.") == std::string_view::npos;
-    return (value < 0 && !is_zero ? "−" : "") + std::string(text);
+    const bool is_zero = text.find_first_not_of("0.") == std::string::npos;
+    return (value < 0 && !is_zero ? "−" : "") + text;
 }
 
 std::string shortened(const std::string& text, float width) {
