@@ -53,7 +53,7 @@ Finding diagnose_rows_file(const DiagnoseOptions& options, const Result& result,
                            const Session& session, const std::vector<Bug>& bugs) {
     std::vector<glm::ivec2> polygon;
     for (const std::string& text : options.polygon) {
-        const Fragment point = parse_point(text);
+        const ScreenVertex point = parse_point(text);
         polygon.emplace_back(point.column, point.row);
     }
     const std::vector<PrintedRow> rows = parse_printed_rows(result.bytes, result.name);

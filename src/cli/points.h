@@ -2,11 +2,11 @@
 
 #include <string>
 
-#include "stages/fragment.h"
+#include "stages/screen_vertex.h"
 
 namespace rasterwalk {
 
 /// A vertex of a polygon in pixels, written X,Y, with z = 1. Throws UsageError.
-Fragment parse_point(const std::string& text);
+ScreenVertex parse_point(const std::string& text);
 
 } // namespace rasterwalk

@@ -18,7 +18,7 @@ Json rows_json(const RowHistory& history) {
                         {"left_by", writer_json(history.left_by[i])},
                         {"right", history.rows.right[i].column},
                         {"right_by", writer_json(history.right_by[i])},
-                        {"row", history.rows.left[i].row}});
+                        {"row", history.rows.first_row + static_cast<int>(i)}});
     }
     return rows;
 }

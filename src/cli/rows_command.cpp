@@ -67,13 +67,13 @@ Settings read_rules(const RowsOptions& options) {
 
 } // namespace
 
-Fragment parse_point(const std::string& text) {
+ScreenVertex parse_point(const std::string& text) {
     std::string_view rest = text;
     // A point may be quoted with blanks around it.
     rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
     const std::size_t comma = rest.find(',');
     if (comma == std::string_view::npos) refuse_point(text);
-    Fragment point;
+    ScreenVertex point;
     point.column = parse_coordinate(rest.substr(0, comma), text);
     point.row = parse_coordinate(rest.substr(comma + 1), text);
     point.depth = point.inv_w = point.z = 1.0f;
@@ -85,7 +85,7 @@ void rows_command(const RowsOptions& options, std::ostream& out, std::ostream& e
         throw UsageError(
             fmt::format("a polygon may have at most {} points.", max_polygon_vertices));
     }
-    std::vector<Fragment> vertices;
+    std::vector<ScreenVertex> vertices;
     for (const std::string& point : options.points)
         vertices.push_back(parse_point(point));
     const Settings settings = read_rules(options);

@@ -179,7 +179,7 @@ void print_rows(std::ostream& out, const RowHistory& history) {
         const auto end = [&](int column, const char* empty) {
             return is_empty ? std::string(empty) : std::to_string(column);
         };
-        out << fmt::format("{:>6} {:>10} {:>10} {:>7}   {:<22} {}\n", history.rows.left[at].row,
+        out << fmt::format("{:>6} {:>10} {:>10} {:>7}   {:<22} {}\n", history.rows.first_row + i,
                            end(history.rows.left[at].column, "+INT_MAX"),
                            end(history.rows.right[at].column, "-INT_MAX"),
                            history.rows.pixel_count(i), writer_text(history.left_by[at]),

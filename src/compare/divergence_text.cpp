@@ -82,9 +82,10 @@ std::string mark_sentence(const Frame& a, const Frame& b, DivergenceKind kind) {
 }
 
 /// The sentence for a mark that only one run puts on the picture, though both come to it.
-std::string outside_sentence(DivergenceKind kind, const Fragment& in_a, const Fragment& in_b) {
+template <class Pixel>
+std::string outside_sentence(DivergenceKind kind, const Pixel& in_a, const Pixel& in_b) {
     const bool only_a = kind == DivergenceKind::missing;
-    const Fragment& other = only_a ? in_b : in_a;
+    const Pixel& other = only_a ? in_b : in_a;
     return fmt::format("only {} puts a mark on the picture: in {} {} lies outside the part that is "
                        "drawn.",
                        only_a ? "A" : "B", only_a ? "B" : "A", pixel_text(other.column, other.row));
@@ -97,7 +98,7 @@ ShadedVertex shade(const Frame& frame, const Cursor& cursor) {
 }
 
 /// How a run comes from the projected place to the pixel.
-std::string projection(const Frame& frame, const ShadedVertex& shaded, const Fragment& pixel,
+std::string projection(const Frame& frame, const ShadedVertex& shaded, const ScreenVertex& pixel,
                        int digits) {
     const bool from_middle = frame.scene->space == SceneSpace::world;
     const glm::vec3 projected = shaded.in("projected");

@@ -14,9 +14,9 @@ namespace {
 constexpr int most_kept = 1 << 16;
 
 /// The varyings at a vertex as q, however the run carries them on.
-Varyings varyings_at(const Frame& frame, const Cursor& cursor, const Fragment& pixel) {
+Varyings varyings_at(const Frame& frame, const Cursor& cursor, const ScreenVertex& pixel) {
     if (frame.is_cut(cursor.triangle)) {
-        return recover_varyings(pixel, frame.stages);
+        return recover_varyings(mark_of(pixel), frame.stages);
     }
     const Vertex& vertex = frame.scene->triangles[cursor.triangle].vertices[cursor.index];
     const VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
@@ -72,9 +72,11 @@ void watch_moment(const Frame& frame, const Framebuffer& picture, const Cursor& 
 } // namespace
 
 TableRows table_rows(const Frame& frame, int triangle) {
-    const std::span<const Fragment> v = frame.triangle_vertices(triangle);
-    const auto [top, bottom] = std::minmax_element(
-        v.begin(), v.end(), [](const Fragment& a, const Fragment& b) { return a.row < b.row; });
+    const std::span<const ScreenVertex> v = frame.triangle_vertices(triangle);
+    const auto [top, bottom] =
+        std::minmax_element(v.begin(), v.end(), [](const ScreenVertex& a, const ScreenVertex& b) {
+            return a.row < b.row;
+        });
     return {top->row, bottom->row};
 }
 
@@ -85,7 +87,7 @@ void Deeds::clear() {
     vertex_ = sample_ = fragment_ = 0;
 }
 
-void Deeds::vertex(const Cursor& cursor, const Fragment& pixel) {
+void Deeds::vertex(const Cursor& cursor, const ScreenVertex& pixel) {
     VertexDeed deed{cursor, pixel, {}, {}};
     deed.compared = carried_varyings(frame_.stages, lighting_of(frame_.settings.stage));
     if (!(deed.compared == VaryingSet{})) deed.varyings = varyings_at(frame_, cursor, pixel);

@@ -23,7 +23,7 @@ TableRows table_rows(const Frame& frame, int triangle);
 /// A vertex in the moment in which it is projected.
 struct VertexDeed {
     Cursor cursor;
-    Fragment pixel;
+    ScreenVertex pixel;
     Varyings varyings;   ///< as q, however the run carries them on
     VaryingSet compared; ///< those that the run carries
 };
@@ -53,7 +53,7 @@ class Deeds : public Observer {
     explicit Deeds(const Frame& frame) : frame_(frame) {}
 
     void clear();
-    void vertex(const Cursor& cursor, const Fragment& pixel) override;
+    void vertex(const Cursor& cursor, const ScreenVertex& pixel) override;
     void edge_sample(const SampleEvent& event) override { samples_.push_back(event); }
     void fragment(const FragmentEvent& event) override { fragments_.push_back(event); }
     bool wants_edge_samples() const override { return true; }

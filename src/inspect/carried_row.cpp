@@ -49,10 +49,15 @@ std::vector<ShadedVertex> shade_triangle(const Frame& frame, int triangle,
     return shaded;
 }
 
+void CarriedRow::walk_from(Interpolation way, int first, std::span<LineSample> result) const {
+    const Row ends_of_row{under(way).left, under(way).right, row, count};
+    row_fragments(stages[static_cast<std::size_t>(way)], ends_of_row, first, VaryingSet::all(),
+                  result);
+}
+
 std::vector<Fragment> CarriedRow::fragments(Interpolation way) const {
     std::vector<LineSample> samples(static_cast<std::size_t>(count));
-    row_fragments(stages[static_cast<std::size_t>(way)], under(way).left, under(way).right, count,
-                  0, VaryingSet::all(), samples);
+    walk_from(way, 0, samples);
     std::vector<Fragment> fragments;
     fragments.reserve(samples.size());
     for (const LineSample& sample : samples)
@@ -62,8 +67,7 @@ std::vector<Fragment> CarriedRow::fragments(Interpolation way) const {
 
 Fragment CarriedRow::at(Interpolation way, int step) const {
     LineSample sample;
-    row_fragments(stages[static_cast<std::size_t>(way)], under(way).left, under(way).right, count,
-                  step, VaryingSet::all(), {&sample, 1});
+    walk_from(way, step, {&sample, 1});
     return sample.fragment;
 }
 
@@ -78,7 +82,7 @@ std::optional<CarriedRow> carried_row(const Frame& frame, int triangle, int inde
         Settings settings = frame.settings;
         settings.interpolation = way;
         settings.stage = Stage::vertex_light;
-        std::vector<Fragment> corners;
+        std::vector<ScreenVertex> corners;
         for (const ShadedVertex& vertex : shade_triangle(frame, triangle, settings))
             corners.push_back(vertex.pixel);
         PolygonRows rows;
@@ -88,7 +92,7 @@ std::optional<CarriedRow> carried_row(const Frame& frame, int triangle, int inde
         const auto i = static_cast<std::size_t>(index);
         row.stages[static_cast<std::size_t>(way)] = stages;
         row.ends[static_cast<std::size_t>(way)] = {rows.left[i], rows.right[i]};
-        row.row = rows.left[i].row;
+        row.row = rows.first_row + index;
         row.row_count = rows.size();
         row.count = row_span(stages, rows, index).count;
     }

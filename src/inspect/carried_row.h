@@ -62,7 +62,7 @@ std::vector<ShadedVertex> shade_triangle(const Frame& frame, int triangle,
 
 /// The ends of a row under one interpolation; light per vertex is carried in every stage.
 struct RowEnds {
-    Fragment left, right;
+    RowEnd left, right;
 };
 
 /// One row of a triangle's finished row table.
@@ -82,6 +82,8 @@ struct CarriedRow {
     std::vector<Fragment> fragments(Interpolation way) const;
     /// The fragment in this column of the row, counted from its left end.
     Fragment at(Interpolation way, int step) const;
+    /// The samples from `first` on, as many as `result` holds.
+    void walk_from(Interpolation way, int first, std::span<LineSample> result) const;
 };
 
 /// The row of this index of a triangle that is drawn; none if the table has no such row, or no edge

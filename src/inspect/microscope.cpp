@@ -69,9 +69,9 @@ Fraction reduced(std::int64_t numerator, std::int64_t denominator) {
     return {numerator / divisor, denominator / divisor};
 }
 
-bool EdgeMicroscope::shows(const Fragment& from, const Fragment& to, const EdgeRules& by,
+bool EdgeMicroscope::shows(const ScreenVertex& from, const ScreenVertex& to, const EdgeRules& by,
                            const Stages& with) const {
-    const auto same_place = [](const Fragment& p, const Fragment& q) {
+    const auto same_place = [](const ScreenVertex& p, const ScreenVertex& q) {
         return p.column == q.column && p.row == q.row;
     };
     return count > 0 && same_place(a, from) && same_place(b, to) && rules == by && stages == with;
@@ -88,7 +88,8 @@ MicroscopeSample EdgeMicroscope::at(int sample) const {
     const Place& walked = forward[static_cast<std::size_t>(sample)];
     const Place& other_way = reverse[static_cast<std::size_t>(opposite(sample))];
     LineSample without_error;
-    interpolate_exactly(a, b, {}, {count, sample, rules.rounding, {}}, {&without_error, 1});
+    interpolate_exactly(line_end(a), line_end(b), {}, {count, sample, rules.rounding, {}},
+                        {&without_error, 1});
     const Fragment& exact = without_error.fragment;
     return {sample,
             coordinate(walked.x, exact_place(a.column, b.column, sample, n), walked.column,
@@ -103,7 +104,7 @@ int EdgeMicroscope::next_difference(int sample) const {
     return next != differing.end() ? *next : differing.front();
 }
 
-EdgeMicroscope microscope(const Fragment& a, const Fragment& b, const EdgeRules& rules,
+EdgeMicroscope microscope(const ScreenVertex& a, const ScreenVertex& b, const EdgeRules& rules,
                           const Stages& stages) {
     EdgeMicroscope edge;
     edge.a = a;
@@ -115,7 +116,8 @@ EdgeMicroscope microscope(const Fragment& a, const Fragment& b, const EdgeRules&
     stages.compute_polygon_rows(std::array{a, b}, rules, stages, rows, &ways);
     edge.count = static_cast<int>(edge.forward.size());
     const int steps = std::max(edge.count - 1, 1);
-    const LineStep step = stages.line_step(a, b, {edge.count, 0, rules.rounding, rules.carried});
+    const LineStep step =
+        stages.line_step(line_end(a), line_end(b), {edge.count, 0, rules.rounding, rules.carried});
     edge.step_x = reduced(b.column - a.column, steps);
     edge.step_y = reduced(b.row - a.row, steps);
     edge.float_step_x = step.x;

@@ -62,7 +62,7 @@ struct MicroscopeSummary {
 
 /// An edge under the microscope. Holds what has to be walked for; works out the rest when asked.
 struct EdgeMicroscope {
-    Fragment a, b; ///< the two ends
+    ScreenVertex a, b; ///< the two ends
     EdgeRules rules;
     Stages stages;           ///< whose walk it is
     int count = 0;           ///< samples, both ends included
@@ -79,7 +79,7 @@ struct EdgeMicroscope {
     std::vector<int> differing; ///< samples that fall on another pixel than their exact place
 
     /// Is this the edge that was put under the microscope?
-    bool shows(const Fragment& from, const Fragment& to, const EdgeRules& by,
+    bool shows(const ScreenVertex& from, const ScreenVertex& to, const EdgeRules& by,
                const Stages& with) const;
 
     /// The sample of the other way that should be in the place of this one. Where the two ways have
@@ -95,7 +95,7 @@ struct EdgeMicroscope {
 
 /// Puts the edge from a to b under the microscope: listens to the coverage stage, which is given
 /// the polygon of these two vertices, and walks there and back.
-EdgeMicroscope microscope(const Fragment& a, const Fragment& b, const EdgeRules& rules,
+EdgeMicroscope microscope(const ScreenVertex& a, const ScreenVertex& b, const EdgeRules& rules,
                           const Stages& stages);
 
 /// "5189/104"; a whole number without its denominator. With an ASCII minus.

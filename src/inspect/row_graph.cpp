@@ -25,8 +25,7 @@ std::optional<int> widest_row(const Frame& frame, int triangle) {
     std::optional<int> widest;
     int most = 0;
     for (int r = 0; r < rows.size(); ++r) {
-        const auto i = static_cast<std::size_t>(r);
-        const int row = rows.left[i].row;
+        const int row = rows.first_row + r;
         if (row < area.top || row >= area.bottom || rows.is_empty_row(r)) continue;
         const RowSpan span = row_span(frame.stages, rows, r);
         const int count =

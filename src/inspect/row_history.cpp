@@ -50,11 +50,11 @@ class HistoryMaker : public SampleSink {
         }
         const auto row = static_cast<std::size_t>(sample.fragment.row - history_.rows.first_row);
         if (sample.write.left) {
-            history_.rows.left[row] = sample.fragment;
+            rasterwalk::enter(sample.fragment, VaryingSet::all(), history_.rows.left[row]);
             replace(history_.left_by[row], sample);
         }
         if (sample.write.right) {
-            history_.rows.right[row] = sample.fragment;
+            rasterwalk::enter(sample.fragment, VaryingSet::all(), history_.rows.right[row]);
             replace(history_.right_by[row], sample);
         }
     }
@@ -91,7 +91,7 @@ RowHistory row_history(const Frame& frame, int triangle, const Cursor& to) {
     return history;
 }
 
-RowHistory row_history(std::span<const Fragment> vertices, const EdgeRules& rules,
+RowHistory row_history(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
                        const Stages& stages, int samples) {
     RowHistory history;
     HistoryMaker maker(history, [&](const EdgeSample&) { return history.samples < samples; });
@@ -110,9 +110,9 @@ std::vector<EdgeSample> edge_samples(const Frame& frame, int triangle, const Cur
 std::string rows_text(const PolygonRows& rows) {
     std::string text;
     for (std::size_t i = 0; i < rows.left.size(); ++i) {
-        const Fragment &left = rows.left[i], &right = rows.right[i];
-        text += fmt::format("Start: ({},{}). End: ({},{}).\n", left.column, left.row, right.column,
-                            right.row);
+        const int row = rows.first_row + static_cast<int>(i);
+        text += fmt::format("Start: ({},{}). End: ({},{}).\n", rows.left[i].column, row,
+                            rows.right[i].column, row);
     }
     return text;
 }

@@ -52,7 +52,7 @@ RowHistory row_history(const Frame& frame, int triangle, const Cursor& to = curs
 
 /// The table of a polygon of at least one vertex, after the first `samples` of the samples of its
 /// edges, of all edges in order.
-RowHistory row_history(std::span<const Fragment> vertices, const EdgeRules& rules,
+RowHistory row_history(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
                        const Stages& stages, int samples = INT_MAX);
 
 /// The samples of a drawn triangle's edges that come before `to`, in order, and what each did.

@@ -11,7 +11,7 @@ namespace rasterwalk {
 
 /// One edge of a triangle with its samples.
 struct EdgeReport {
-    Fragment from, to;               ///< the two vertices as pixels
+    ScreenVertex from, to;           ///< the two vertices as pixels
     int count = 0;                   ///< samples of the whole edge
     std::vector<EdgeSample> samples; ///< those that come before the moment that was asked for
 };

@@ -33,7 +33,7 @@ std::uint64_t fingerprint(const Rows& rows) {
 
 /// A polygon that the table may belong to: its vertices, or a triangle of the scene.
 struct TablePolygon {
-    std::vector<Fragment> vertices;
+    std::vector<ScreenVertex> vertices;
     int triangle = -1;
     std::string about;
 };
@@ -42,7 +42,7 @@ TablePolygon polygon_of(const std::vector<glm::ivec2>& points) {
     TablePolygon polygon;
     polygon.about = "the polygon";
     for (const glm::ivec2& point : points) {
-        Fragment vertex;
+        ScreenVertex vertex;
         vertex.column = point.x;
         vertex.row = point.y;
         vertex.depth = vertex.inv_w = vertex.z = 1.0f;

@@ -74,8 +74,8 @@ std::vector<PrintedRow> printed(const PolygonRows& table) {
     std::vector<PrintedRow> rows;
     rows.reserve(table.left.size());
     for (std::size_t i = 0; i < table.left.size(); ++i) {
-        rows.push_back({{table.left[i].column, table.left[i].row},
-                        {table.right[i].column, table.right[i].row}});
+        const int row = table.first_row + static_cast<int>(i);
+        rows.push_back({{table.left[i].column, row}, {table.right[i].column, row}});
     }
     return rows;
 }

@@ -5,24 +5,24 @@
 
 namespace rasterwalk {
 
-int edge_sample_count_by_rows(const Fragment& a, const Fragment& b) {
+int edge_sample_count_by_rows(const ScreenVertex& a, const ScreenVertex& b) {
     return std::abs(a.row - b.row) + 1;
 }
 
-int edge_sample_count_shifted(const Fragment& a, const Fragment& b) {
+int edge_sample_count_shifted(const ScreenVertex& a, const ScreenVertex& b) {
     return std::max({std::abs(a.column - b.column + 1), std::abs(a.row - b.row + 1), 1});
 }
 
-void begin_rows_at_picture(std::span<const Fragment> vertices, const EdgeRules& rules,
+void begin_rows_at_picture(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
                            PolygonRows& rows) {
     begin_polygon_rows(vertices, rules, rows);
-    for (Fragment& end : rows.left)
+    for (RowEnd& end : rows.left)
         end.column = rules.picture_width;
-    for (Fragment& end : rows.right)
+    for (RowEnd& end : rows.right)
         end.column = 0;
 }
 
-Rectangle polygon_box_at_picture(std::span<const Fragment> vertices, const EdgeRules& rules) {
+Rectangle polygon_box_at_picture(std::span<const ScreenVertex> vertices, const EdgeRules& rules) {
     Rectangle box = polygon_box(vertices, rules);
     box.left = std::min(box.left, rules.picture_width);
     box.right = std::max(box.right, 1);
@@ -36,7 +36,7 @@ FoundRow find_row_among_all(int row, const PolygonRows& rows) {
         return found;
     }
     for (int i = 0; i < rows.size(); ++i) {
-        if (rows.left[static_cast<std::size_t>(i)].row == row) found.index = i;
+        if (rows.first_row + i == row) found.index = i;
     }
     return found;
 }

@@ -7,19 +7,19 @@
 namespace rasterwalk {
 
 /// B5, in the slot edge_sample_count: |dy| + 1, one sample a row; shallow edges become dots.
-int edge_sample_count_by_rows(const Fragment& a, const Fragment& b);
+int edge_sample_count_by_rows(const ScreenVertex& a, const ScreenVertex& b);
 
 /// B12, in the slot edge_sample_count: the + 1 stands inside the bars, max(|ax - bx + 1|,
 /// |ay - by + 1|). An edge keeps its first sample even where the mistake would leave it none.
-int edge_sample_count_shifted(const Fragment& a, const Fragment& b);
+int edge_sample_count_shifted(const ScreenVertex& a, const ScreenVertex& b);
 
 /// B6, in the slot begin_polygon_rows: the left ends start at the picture's width and the right
 /// ends at 0, which is not extreme enough: phantom pixels for polygons beside the picture.
-void begin_rows_at_picture(std::span<const Fragment> vertices, const EdgeRules& rules,
+void begin_rows_at_picture(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
                            PolygonRows& rows);
 
 /// The box that goes with begin_rows_at_picture: rows also reach to where their ends started.
-Rectangle polygon_box_at_picture(std::span<const Fragment> vertices, const EdgeRules& rules);
+Rectangle polygon_box_at_picture(std::span<const ScreenVertex> vertices, const EdgeRules& rules);
 
 /// B27, in the slot find_row: asks every row of the table whether it is the one. The answer is the
 /// same, the work is not. Under guard: a table is searched through until its samples have asked

@@ -4,10 +4,10 @@
 
 namespace rasterwalk {
 
-LineStep line_step_of_integers(const Fragment& a, const Fragment& b, const LinePart& part) {
+LineStep line_step_of_integers(const LineEnd& a, const LineEnd& b, const LinePart& part) {
     LineStep step = line_step(a, b, part);
     const int steps = std::max(part.count - 1, 1);
-    const int x = (b.column - a.column) / steps, y = (b.row - a.row) / steps;
+    const int x = static_cast<int>(b.x - a.x) / steps, y = static_cast<int>(b.y - a.y) / steps;
     step.x = static_cast<float>(x);
     step.y = static_cast<float>(y);
     return step;
@@ -17,8 +17,8 @@ float varying_weight_one(float) {
     return 1.0f;
 }
 
-Fragment span_end_times_zinv(const Fragment& end) {
-    Fragment again = end;
+RowEnd span_end_times_zinv(const RowEnd& end) {
+    RowEnd again = end;
     again.varyings = end.varyings * end.inv_w;
     return again;
 }

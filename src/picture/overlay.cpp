@@ -133,10 +133,10 @@ std::vector<WireEdge> find_wires(const Frame& frame) {
     std::vector<WireEdge> wires;
     for (int t = 0; t < frame.triangle_count(); ++t) {
         if (!frame.is_drawn(t)) continue;
-        const std::span<const Fragment> v = frame.triangle_vertices(t);
+        const std::span<const ScreenVertex> v = frame.triangle_vertices(t);
         for (std::size_t e = 0; e < v.size(); ++e) {
-            const Fragment& a = v[e];
-            const Fragment& b = v[(e + 1) % v.size()];
+            const ScreenVertex& a = v[e];
+            const ScreenVertex& b = v[(e + 1) % v.size()];
             wires.push_back({{a.column, a.row}, {b.column, b.row}, t, static_cast<int>(e)});
         }
     }

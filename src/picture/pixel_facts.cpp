@@ -42,7 +42,7 @@ Side side_of(const Scene& scene, int triangle, int from) {
 }
 
 /// On which side of the line from a to b does p lie in the picture? 0: on it.
-int side_of_line(const Fragment& a, const Fragment& b, const Fragment& p) {
+int side_of_line(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& p) {
     const std::int64_t area = static_cast<std::int64_t>(b.column - a.column) * (p.row - a.row) -
                               static_cast<std::int64_t>(b.row - a.row) * (p.column - a.column);
     return area > 0 ? 1 : area < 0 ? -1 : 0;
@@ -74,14 +74,14 @@ Neighbours find_neighbours(const Frame& frame) {
     std::vector<std::pair<int, int>> pairs; // later, earlier
     for (std::size_t i = 0; i < sides.size(); ++i) {
         const Side& later = sides[i];
-        const std::span<const Fragment> v = frame.triangle_vertices(later.triangle);
-        const Fragment& a = v[(later.opposite + 1) % triangle_corners];
-        const Fragment& b = v[(later.opposite + 2) % triangle_corners];
+        const std::span<const ScreenVertex> v = frame.triangle_vertices(later.triangle);
+        const ScreenVertex& a = v[(later.opposite + 1) % triangle_corners];
+        const ScreenVertex& b = v[(later.opposite + 2) % triangle_corners];
         const int on_side = side_of_line(a, b, v[later.opposite]);
         for (std::size_t j = i; j > 0 && i - j < most_on_an_edge; --j) {
             const Side& earlier = sides[j - 1];
             if (earlier.points != later.points) break;
-            const Fragment& p = frame.triangle_vertices(earlier.triangle)[earlier.opposite];
+            const ScreenVertex& p = frame.triangle_vertices(earlier.triangle)[earlier.opposite];
             if (earlier.triangle != later.triangle && on_side * side_of_line(a, b, p) < 0)
                 pairs.emplace_back(later.triangle, earlier.triangle);
         }

@@ -71,15 +71,18 @@ Range clamp_to_window(const DrawWindow& window, Cursor piece, int Cursor::*field
     return {begun_before(window.from), begun_before(window.to)};
 }
 
-bool is_in(const Rectangle& area, const Fragment& fragment) {
-    return fragment.column >= area.left && fragment.column < area.right &&
-           fragment.row >= area.top && fragment.row < area.bottom;
+bool is_in(const Rectangle& area, glm::ivec2 pixel) {
+    return pixel.x >= area.left && pixel.x < area.right && pixel.y >= area.top &&
+           pixel.y < area.bottom;
 }
 
 /// Points, edges and row ends are marks: one colour, no depth.
-void put_mark(Drawing& d, const Cursor& cursor, const Fragment& fragment, const glm::vec3& colour) {
-    if (!is_in(d.scissor, fragment)) return;
-    const std::size_t pixel = d.target.at(fragment.column, fragment.row);
+/// @param told gives the fragment that an observer is told of
+template <class Told>
+void put_mark(Drawing& d, const Cursor& cursor, glm::ivec2 place, const glm::vec3& colour,
+              Told told) {
+    if (!is_in(d.scissor, place)) return;
+    const std::size_t pixel = d.target.at(place.x, place.y);
     const float depth = d.target.rules.depth_clear, stored = d.target.depth[pixel];
     const glm::vec3 before = d.target.colour[pixel];
     ++d.tally.fragments;
@@ -88,7 +91,7 @@ void put_mark(Drawing& d, const Cursor& cursor, const Fragment& fragment, const 
     d.target.depth[pixel] = depth;
     d.target.owner[pixel] = cursor.triangle;
     if (d.observer == nullptr) return;
-    d.observer->fragment({cursor, fragment, Fate::written, depth, stored, before, colour});
+    d.observer->fragment({cursor, told(), Fate::written, depth, stored, before, colour});
 }
 
 glm::vec3 shade(Drawing& d, const Fragment& fragment, const Surface& surface) {
@@ -140,13 +143,15 @@ void draw_fragments(Drawing& d, Cursor cursor, std::span<const LineSample> fragm
 constexpr glm::vec3 white{1.0f};
 
 void draw_vertices(Drawing& d, int triangle) {
-    const std::span<const Fragment> vertices = d.frame.triangle_vertices(triangle);
+    const std::span<const ScreenVertex> vertices = d.frame.triangle_vertices(triangle);
     const Range range = clamp_to_window(d.window, {triangle, Phase::vertices, 0, 0}, &Cursor::index,
                                         static_cast<int>(vertices.size()));
     for (int v = range.first; v < range.last; ++v) {
         const Cursor cursor{triangle, Phase::vertices, v, 0};
         if (d.observer != nullptr) d.observer->vertex(cursor, vertices[v]);
-        if (d.frame.settings.stage == Stage::points) put_mark(d, cursor, vertices[v], white);
+        if (d.frame.settings.stage != Stage::points) continue;
+        put_mark(d, cursor, {vertices[v].column, vertices[v].row}, white,
+                 [&] { return mark_of(vertices[v]); });
     }
 }
 
@@ -167,7 +172,9 @@ class EdgeDrawing : public SampleSink {
         const Cursor cursor{triangle_, Phase::edges, sample.edge, sample.sample};
         if (cursor < d_.window.from || cursor >= d_.window.to) return;
         if (watched_) d_.observer->edge_sample({cursor, sample});
-        if (shown_) put_mark(d_, cursor, sample.fragment, white);
+        if (!shown_) return;
+        put_mark(d_, cursor, {sample.fragment.column, sample.fragment.row}, white,
+                 [&] { return sample.fragment; });
     }
 
   private:
@@ -210,8 +217,11 @@ void draw_row_ends(Drawing& d, int triangle) {
     for (int r = first; r < last; ++r) {
         if (d.rows.is_empty_row(r)) continue;
         const Cursor cursor{triangle, Phase::rows, r, 0};
-        put_mark(d, cursor, d.rows.left[r], left_end_colour);
-        put_mark(d, cursor, d.rows.right[r], right_end_colour);
+        const int row = d.rows.first_row + r;
+        for (const auto& [end, colour] : {std::pair{&d.rows.left[r], left_end_colour},
+                                          std::pair{&d.rows.right[r], right_end_colour}}) {
+            put_mark(d, cursor, {end->column, row}, colour, [&] { return mark_of(*end, row); });
+        }
     }
 }
 
@@ -243,8 +253,8 @@ void draw_polygon_rows(Drawing& d, int triangle) {
         if (columns.first >= columns.last) continue;
         const std::span<LineSample> fragments =
             samples_of(d.fragments, columns.last - columns.first);
-        row_fragments(d.stages, rows.left[r], rows.right[r], span.count, columns.first, d.carried,
-                      fragments);
+        const Row row{rows.left[r], rows.right[r], rows.first_row + r, span.count};
+        row_fragments(d.stages, row, columns.first, d.carried, fragments);
         const Cursor cursor{triangle, Phase::rows, r, columns.first};
         if (d.observer == nullptr)
             draw_fragments<false>(d, cursor, fragments, surface);

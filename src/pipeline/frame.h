@@ -17,10 +17,10 @@ using ReplaceStages = std::function<void(Stages&)>;
 struct Frame {
     const Scene* scene = nullptr;
     Settings settings;
-    ReplaceStages replace;          ///< functions beside those of the settings, or null
-    Stages stages;                  ///< the table by which it is drawn and inspected
-    std::vector<Fragment> vertices; ///< projected; the corners of the polygons, one after another
-    std::vector<Polygon> polygons;  ///< what has become of each triangle of the scene, in order
+    ReplaceStages replace;              ///< functions beside those of the settings, or null
+    Stages stages;                      ///< the table by which it is drawn and inspected
+    std::vector<ScreenVertex> vertices; ///< the corners of the polygons, one after another
+    std::vector<Polygon> polygons;      ///< what has become of each triangle of the scene, in order
 
     int triangle_count() const { return static_cast<int>(polygons.size()); }
     Rejection rejection(int triangle) const {
@@ -30,7 +30,7 @@ struct Frame {
     /// Are its corners no longer those that the scene gives the triangle?
     bool is_cut(int triangle) const { return polygons[static_cast<std::size_t>(triangle)].is_cut; }
     /// The corners of what is drawn of a triangle; of one that is not drawn, as far as known.
-    std::span<const Fragment> triangle_vertices(int triangle) const {
+    std::span<const ScreenVertex> triangle_vertices(int triangle) const {
         const Polygon& polygon = polygons[static_cast<std::size_t>(triangle)];
         return {vertices.data() + polygon.first, static_cast<std::size_t>(polygon.count)};
     }

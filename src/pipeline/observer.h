@@ -7,6 +7,7 @@
 #include "pipeline/cursor.h"
 #include "stages/fragment.h"
 #include "stages/polygon_rows.h"
+#include "stages/screen_vertex.h"
 
 namespace rasterwalk {
 
@@ -15,6 +16,14 @@ enum class Fate : std::uint8_t {
     written,      ///< now the pixel's colour
     depth_failed, ///< something nearer was there
 };
+
+/// Points and row ends that are put on the screen are told of as fragments.
+inline Fragment mark_of(const ScreenVertex& v) {
+    return {v.column, v.row, v.depth, v.inv_w, v.z, v.varyings};
+}
+inline Fragment mark_of(const RowEnd& end, int row) {
+    return {end.column, row, end.depth, end.inv_w, end.z, end.varyings};
+}
 
 /// One fragment, in the moment in which it is drawn. Points, edge samples and row ends that are
 /// put on the screen are fragments too.
@@ -38,7 +47,7 @@ struct SampleEvent {
 class Observer {
   public:
     virtual ~Observer() = default;
-    virtual void vertex(const Cursor&, const Fragment&) {}
+    virtual void vertex(const Cursor&, const ScreenVertex&) {}
     virtual void edge_sample(const SampleEvent&) {}
     virtual void fragment(const FragmentEvent&) {}
     /// False spares draw() the telling of edge samples.

@@ -24,9 +24,9 @@ struct Box {
     double area() const { return width() * height(); }
 };
 
-Box box_of(std::span<const Fragment> v) {
+Box box_of(std::span<const ScreenVertex> v) {
     Box box{1e9, 1e9, -1e9, -1e9};
-    for (const Fragment& vertex : v) {
+    for (const ScreenVertex& vertex : v) {
         box.left = std::min(box.left, static_cast<double>(vertex.column));
         box.right = std::max(box.right, vertex.column + 1.0);
         box.top = std::min(box.top, static_cast<double>(vertex.row));
@@ -42,7 +42,7 @@ Box in_picture(const Box& box, Viewport picture) {
 }
 
 /// Of a polygon without dents, as a fan of triangles about its first corner.
-double twice_the_area(std::span<const Fragment> v) {
+double twice_the_area(std::span<const ScreenVertex> v) {
     double area = 0.0;
     for (std::size_t i = 2; i < v.size(); ++i) {
         const glm::dvec2 p(v[i - 1].column - v[0].column, v[i - 1].row - v[0].row);
@@ -55,7 +55,7 @@ double twice_the_area(std::span<const Fragment> v) {
 /// The work of one triangle. Its box is taken to be filled evenly.
 double work_of(const Frame& frame, int triangle) {
     if (!frame.is_drawn(triangle)) return 0.0;
-    const std::span<const Fragment> v = frame.triangle_vertices(triangle);
+    const std::span<const ScreenVertex> v = frame.triangle_vertices(triangle);
     const Box box = box_of(v);
     const double samples = 2.0 * std::max(box.width(), box.height());
     double fragments = 0.0;

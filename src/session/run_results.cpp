@@ -60,7 +60,8 @@ void update_messages(const WorkLimit& limit, RunResults& results) {
 /// How many pixels the stages give to a row that no edge sample has reached.
 int unset_row_pixels(const Frame& frame) {
     PolygonRows rows;
-    frame.stages.begin_polygon_rows(std::array<Fragment, 1>{}, edge_rules(frame.settings), rows);
+    frame.stages.begin_polygon_rows(std::array<ScreenVertex, 1>{}, edge_rules(frame.settings),
+                                    rows);
     return row_span(frame.stages, rows, 0).count;
 }
 

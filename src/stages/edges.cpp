@@ -5,7 +5,7 @@
 
 namespace rasterwalk {
 
-int edge_sample_count(const Fragment& a, const Fragment& b) {
+int edge_sample_count(const ScreenVertex& a, const ScreenVertex& b) {
     return std::max(std::abs(a.column - b.column), std::abs(a.row - b.row)) + 1;
 }
 

@@ -15,11 +15,11 @@
 // Source: Foley, van Dam, Feiner, Hughes, Computer Graphics: Principles and Practice, 2nd edition,
 // section 3.2, scan converting lines.
 
-#include "stages/fragment.h"
+#include "stages/screen_vertex.h"
 
 namespace rasterwalk {
 
 /// Number of samples of the edge from a to b, both ends included: max(|dx|, |dy|) + 1.
-int edge_sample_count(const Fragment& a, const Fragment& b);
+int edge_sample_count(const ScreenVertex& a, const ScreenVertex& b);
 
 } // namespace rasterwalk

@@ -4,8 +4,8 @@
 
 namespace rasterwalk {
 
-/// A pixel-to-be: the lab's struct Pixel. A projected vertex, a sample of an edge, the end of a row
-/// and a fragment of a filled triangle all are one.
+/// A pixel-to-be: the lab's struct Pixel where it is shaded. The samples of a row are the fragments
+/// of a filled polygon; those of an edge become row ends.
 struct Fragment {
     int column = 0;
     int row = 0;

@@ -41,14 +41,9 @@ void put_sample(const LineStep& at, const LinePart& part, LineSample& sample) {
             [](auto& value, const auto& now, const auto&) { value = now; });
 }
 
-/// The values with which a walk begins, at their real place.
-LineStep values_at(const Fragment& end) {
-    return {static_cast<float>(end.column),
-            static_cast<float>(end.row),
-            end.depth,
-            end.inv_w,
-            end.z,
-            end.varyings};
+/// The values with which a walk begins.
+LineStep values_at(const LineEnd& end) {
+    return {end.x, end.y, end.depth, end.inv_w, end.z, end.varyings};
 }
 
 /// op(into, a, b) for the place and for every value that is carried.
@@ -77,27 +72,41 @@ int to_pixel(float value, Rounding rounding) {
     return 0;
 }
 
+LineEnd line_end(const ScreenVertex& vertex) {
+    return {static_cast<float>(vertex.column),
+            static_cast<float>(vertex.row),
+            vertex.depth,
+            vertex.inv_w,
+            vertex.z,
+            vertex.varyings};
+}
+
+LineEnd line_end(const RowEnd& end, int row) {
+    return {static_cast<float>(end.column),
+            static_cast<float>(row),
+            end.depth,
+            end.inv_w,
+            end.z,
+            end.varyings};
+}
+
 std::span<LineSample> samples_of(std::vector<LineSample>& buffer, int count) {
     const auto size = static_cast<std::size_t>(count);
     if (buffer.size() < size) buffer.resize(size);
     return {buffer.data(), size};
 }
 
-LineStep line_step(const Fragment& a, const Fragment& b, const LinePart& part) {
+LineStep line_step(const LineEnd& a, const LineEnd& b, const LinePart& part) {
     const float steps = static_cast<float>(std::max(part.count - 1, 1));
-    LineStep step{static_cast<float>(b.column - a.column) / steps,
-                  static_cast<float>(b.row - a.row) / steps,
-                  (b.depth - a.depth) / steps,
-                  (b.inv_w - a.inv_w) / steps,
-                  (b.z - a.z) / steps,
-                  {}};
+    LineStep step{(b.x - a.x) / steps,         (b.y - a.y) / steps, (b.depth - a.depth) / steps,
+                  (b.inv_w - a.inv_w) / steps, (b.z - a.z) / steps, {}};
     each_in(
         part.carried, step.varyings, a.varyings, b.varyings,
         [steps](auto& value, const auto& from, const auto& to) { value = (to - from) / steps; });
     return step;
 }
 
-void interpolate(const Fragment& a, const Fragment&, const LineStep& step, const LinePart& part,
+void interpolate(const LineEnd& a, const LineEnd&, const LineStep& step, const LinePart& part,
                  std::span<LineSample> result) {
     const auto add_up = [&](auto value, const auto& more, auto put) {
         for (int i = 0; i < part.first; ++i)
@@ -109,7 +118,7 @@ void interpolate(const Fragment& a, const Fragment&, const LineStep& step, const
     };
     // One after the other: then nothing has to be decided at each sample.
     if (part.has_places) {
-        const glm::vec2 start(a.column, a.row);
+        const glm::vec2 start(a.x, a.y);
         add_up(start, glm::vec2(step.x, step.y), [&](LineSample& sample, const glm::vec2& at) {
             sample.x = at.x;
             sample.y = at.y;
@@ -133,7 +142,7 @@ void interpolate(const Fragment& a, const Fragment&, const LineStep& step, const
     });
 }
 
-void interpolate_by_multiplying(const Fragment& a, const Fragment&, const LineStep& step,
+void interpolate_by_multiplying(const LineEnd& a, const LineEnd&, const LineStep& step,
                                 const LinePart& part, std::span<LineSample> result) {
     const LineStep start = values_at(a);
     LineStep current = start;
@@ -151,10 +160,11 @@ void interpolate_by_multiplying(const Fragment& a, const Fragment&, const LineSt
     }
 }
 
-void interpolate_exactly(const Fragment& a, const Fragment& b, const LineStep&,
-                         const LinePart& part, std::span<LineSample> result) {
+void interpolate_exactly(const LineEnd& a, const LineEnd& b, const LineStep&, const LinePart& part,
+                         std::span<LineSample> result) {
     const int steps = part.count - 1;
     const LineStep start = values_at(a), end = values_at(b);
+    const glm::ivec2 from(a.x, a.y), to(b.x, b.y);
     LineStep current = start;
     int index = part.first;
     for (LineSample& sample : result) {
@@ -167,8 +177,8 @@ void interpolate_exactly(const Fragment& a, const Fragment& b, const LineStep&,
                        });
         }
         put_sample(current, part, sample);
-        sample.fragment.column = exact_pixel(a.column, b.column, index, steps, part.rounding);
-        sample.fragment.row = exact_pixel(a.row, b.row, index, steps, part.rounding);
+        sample.fragment.column = exact_pixel(from.x, to.x, index, steps, part.rounding);
+        sample.fragment.row = exact_pixel(from.y, to.y, index, steps, part.rounding);
         ++index;
     }
 }

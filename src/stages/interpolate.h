@@ -21,6 +21,8 @@
 #include <vector>
 
 #include "stages/fragment.h"
+#include "stages/row_end.h"
+#include "stages/screen_vertex.h"
 
 namespace rasterwalk {
 
@@ -33,6 +35,19 @@ enum class Rounding : std::uint8_t {
 
 /// A whole pixel from a real coordinate; |value| must be below 2^31.
 int to_pixel(float value, Rounding rounding);
+
+/// Where a line begins or ends: a real place, and the values that are walked from there to the
+/// other end. Edges go from vertex to vertex, rows from their left to their right end.
+struct LineEnd {
+    float x = 0.0f, y = 0.0f; ///< pixels; parts of a pixel are possible
+    float depth = 0.0f, inv_w = 0.0f, z = 0.0f;
+    Varyings varyings;
+};
+
+/// A vertex as the end of an edge: the lab's edges end on whole pixels.
+LineEnd line_end(const ScreenVertex& vertex);
+/// The end of a row of the picture.
+LineEnd line_end(const RowEnd& end, int row);
 
 /// One sample of a line.
 struct LineSample {
@@ -61,21 +76,21 @@ struct LinePart {
 std::span<LineSample> samples_of(std::vector<LineSample>& buffer, int count);
 
 /// (b - a) / (count - 1) for the place and for every value that is carried.
-LineStep line_step(const Fragment& a, const Fragment& b, const LinePart& part);
+LineStep line_step(const LineEnd& a, const LineEnd& b, const LinePart& part);
 
 /// The lab's Interpolate. Fills `result` with samples `first`, `first` + 1, ... of the line from a
 /// to b: a running value, to which the step is added in float. Samples before `first` are added
 /// up too: skipping must not change the bits.
-void interpolate(const Fragment& a, const Fragment& b, const LineStep& step, const LinePart& part,
+void interpolate(const LineEnd& a, const LineEnd& b, const LineStep& step, const LinePart& part,
                  std::span<LineSample> result);
 
 /// The same samples as a + i * step: one rounding error instead of i of them.
-void interpolate_by_multiplying(const Fragment& a, const Fragment& b, const LineStep& step,
+void interpolate_by_multiplying(const LineEnd& a, const LineEnd& b, const LineStep& step,
                                 const LinePart& part, std::span<LineSample> result);
 
 /// The same samples with pixels by fractions of whole numbers, without any error, as Bresenham's
-/// algorithm finds them; the values as a (1 - t) + b t.
-void interpolate_exactly(const Fragment& a, const Fragment& b, const LineStep& step,
+/// algorithm finds them; the values as a (1 - t) + b t. For lines that end on whole pixels.
+void interpolate_exactly(const LineEnd& a, const LineEnd& b, const LineStep& step,
                          const LinePart& part, std::span<LineSample> result);
 
 } // namespace rasterwalk

@@ -6,9 +6,9 @@
 
 namespace rasterwalk {
 
-Rectangle polygon_box(std::span<const Fragment> vertices, const EdgeRules&) {
+Rectangle polygon_box(std::span<const ScreenVertex> vertices, const EdgeRules&) {
     Rectangle box{vertices[0].column, vertices[0].row, vertices[0].column + 1, vertices[0].row + 1};
-    for (const Fragment& vertex : vertices.subspan(1)) {
+    for (const ScreenVertex& vertex : vertices.subspan(1)) {
         box.left = std::min(box.left, vertex.column);
         box.right = std::max(box.right, vertex.column + 1);
         box.top = std::min(box.top, vertex.row);
@@ -17,22 +17,20 @@ Rectangle polygon_box(std::span<const Fragment> vertices, const EdgeRules&) {
     return box;
 }
 
-void begin_polygon_rows(std::span<const Fragment> vertices, const EdgeRules&, PolygonRows& rows) {
-    const auto [top, bottom] =
-        std::minmax_element(vertices.begin(), vertices.end(),
-                            [](const Fragment& a, const Fragment& b) { return a.row < b.row; });
+void begin_polygon_rows(std::span<const ScreenVertex> vertices, const EdgeRules&,
+                        PolygonRows& rows) {
+    const auto [top, bottom] = std::minmax_element(
+        vertices.begin(), vertices.end(),
+        [](const ScreenVertex& a, const ScreenVertex& b) { return a.row < b.row; });
     rows.first_row = top->row;
     rows.outside = 0;
     rows.looked_at = 0;
     const auto count = static_cast<std::size_t>(bottom->row - top->row + 1);
-    Fragment empty;
+    RowEnd empty;
     empty.column = empty_left;
     rows.left.assign(count, empty);
     empty.column = empty_right;
     rows.right.assign(count, empty);
-    for (std::size_t i = 0; i < count; ++i) {
-        rows.left[i].row = rows.right[i].row = rows.first_row + static_cast<int>(i);
-    }
 }
 
 FoundRow find_row(int row, const PolygonRows& rows) {
@@ -40,7 +38,8 @@ FoundRow find_row(int row, const PolygonRows& rows) {
     return {index >= 0 && index < rows.size() ? index : -1, 1};
 }
 
-RowWrite add_edge_sample(const Fragment& sample, const Stages& stages, PolygonRows& rows) {
+RowWrite add_edge_sample(const Fragment& sample, VaryingSet carried, const Stages& stages,
+                         PolygonRows& rows) {
     const FoundRow row = stages.find_row(sample.row, rows);
     rows.looked_at += row.looked_at;
     if (row.index < 0) {
@@ -50,30 +49,31 @@ RowWrite add_edge_sample(const Fragment& sample, const Stages& stages, PolygonRo
     RowWrite write{true, false, false};
     const auto index = static_cast<std::size_t>(row.index);
     if (sample.column < rows.left[index].column) {
-        rows.left[index] = sample;
+        enter(sample, carried, rows.left[index]);
         write.left = true;
     }
     if (sample.column > rows.right[index].column) {
-        rows.right[index] = sample;
+        enter(sample, carried, rows.right[index]);
         write.right = true;
     }
     return write;
 }
 
-void compute_polygon_rows(std::span<const Fragment> vertices, const EdgeRules& rules,
+void compute_polygon_rows(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
                           const Stages& stages, PolygonRows& rows, SampleSink* sink) {
     stages.begin_polygon_rows(vertices, rules, rows);
     if (sink != nullptr) sink->begin_rows(rows);
     for (std::size_t i = 0; i < vertices.size(); ++i) {
-        const Fragment& a = vertices[i];
-        const Fragment& b = vertices[(i + 1) % vertices.size()];
-        const int count = stages.edge_sample_count(a, b);
+        const ScreenVertex& from = vertices[i];
+        const ScreenVertex& to = vertices[(i + 1) % vertices.size()];
+        const LineEnd a = line_end(from), b = line_end(to);
+        const int count = stages.edge_sample_count(from, to);
         const std::span<LineSample> line = samples_of(rows.line, count);
         const LinePart part{count, 0, rules.rounding, rules.carried};
         stages.interpolate(a, b, stages.line_step(a, b, part), part, line);
         for (int s = 0; s < count; ++s) {
             const LineSample& sample = line[static_cast<std::size_t>(s)];
-            const RowWrite write = add_edge_sample(sample.fragment, stages, rows);
+            const RowWrite write = add_edge_sample(sample.fragment, rules.carried, stages, rows);
             if (sink == nullptr) continue;
             sink->edge_sample({static_cast<int>(i), s, sample.x, sample.y, sample.fragment, write});
         }

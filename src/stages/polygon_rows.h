@@ -24,6 +24,8 @@
 
 #include "stages/interpolate.h"
 #include "stages/rectangle.h"
+#include "stages/row_end.h"
+#include "stages/screen_vertex.h"
 
 namespace rasterwalk {
 
@@ -35,9 +37,9 @@ inline constexpr int empty_right = -INT_MAX;
 
 /// One row of pixels for every row that the polygon's vertices span.
 struct PolygonRows {
-    int first_row = 0;            ///< row of the picture that left[0] and right[0] belong to
-    std::vector<Fragment> left;   ///< the lab's leftPixels
-    std::vector<Fragment> right;  ///< the lab's rightPixels
+    int first_row = 0;            ///< row of the picture that left[0] and right[0] are
+    std::vector<RowEnd> left;     ///< the lab's leftPixels
+    std::vector<RowEnd> right;    ///< the lab's rightPixels
     int outside = 0;              ///< samples that fell above or below the table; never written
     std::int64_t looked_at = 0;   ///< rows that were asked on the samples' way to their own
     std::vector<LineSample> line; ///< room for the samples of an edge; kept to save allocations
@@ -93,24 +95,26 @@ struct FoundRow {
 };
 
 /// All pixels that the rows of a polygon can reach, but for the rounding errors of the walk.
-Rectangle polygon_box(std::span<const Fragment> vertices, const EdgeRules& rules);
+Rectangle polygon_box(std::span<const ScreenVertex> vertices, const EdgeRules& rules);
 
 /// Empties the table and gives it one row for every row between the highest and the lowest vertex.
-void begin_polygon_rows(std::span<const Fragment> vertices, const EdgeRules& rules,
+void begin_polygon_rows(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
                         PolygonRows& rows);
 
 /// Finds a row of the picture in the table: by its own number, row - first_row.
 FoundRow find_row(int row, const PolygonRows& rows);
 
 /// Enters one edge sample: lowers the left end of its row, or raises the right end, or both.
-RowWrite add_edge_sample(const Fragment& sample, const Stages& stages, PolygonRows& rows);
+/// @param carried the varyings that the sample brings along
+RowWrite add_edge_sample(const Fragment& sample, VaryingSet carried, const Stages& stages,
+                         PolygonRows& rows);
 
 /// The lab's ComputePolygonRows: all samples of all edges, in order; edge i goes from vertex i to
 /// vertex i + 1, the last back to the first. `rows` is reused to save allocations.
 /// @param vertices at least one
 /// @param stages   the table whose functions walk the edges and find the rows
 /// @param sink     is told of every sample, or null
-void compute_polygon_rows(std::span<const Fragment> vertices, const EdgeRules& rules,
+void compute_polygon_rows(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
                           const Stages& stages, PolygonRows& rows, SampleSink* sink);
 
 } // namespace rasterwalk

@@ -47,6 +47,7 @@ ProjectedVertex project(const ClipVertex& vertex, const VertexRules& rules, cons
     const glm::ivec2 pixel = stages.snap_to_pixel(projected, rules);
     ProjectedVertex result;
     result.has_pixel = true;
+    result.pixel.position = projected + glm::vec2(viewport_middle(rules));
     result.pixel.column = pixel.x;
     result.pixel.row = pixel.y;
     result.pixel.depth = clip.z * inv_w;

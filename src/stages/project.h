@@ -19,6 +19,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "stages/screen_vertex.h"
 #include "stages/vertex_shader.h"
 
 namespace rasterwalk {
@@ -29,7 +30,7 @@ inline constexpr float max_pixel_distance = 16384.0f;
 
 /// What project() makes of a vertex.
 struct ProjectedVertex {
-    Fragment pixel;                        ///< valid if has_pixel
+    ScreenVertex pixel;                    ///< valid if has_pixel
     Rejection rejection = Rejection::none; ///< why its triangles are not drawn
     bool has_pixel = false;                ///< a vertex can be rejected though it has one
 };
@@ -63,7 +64,7 @@ ProjectedVertex project(const ClipVertex& vertex, const VertexRules& rules, cons
 /// A vertex through all its spaces, for reports.
 struct ShadedVertex {
     VertexSpaces spaces;
-    Fragment pixel;                        ///< valid if has_pixel
+    ScreenVertex pixel;                    ///< valid if has_pixel
     Rejection rejection = Rejection::none; ///< why its triangles are not drawn
     bool has_pixel = false;
 

@@ -14,7 +14,7 @@
 // Source: Foley, van Dam, Feiner, Hughes, Computer Graphics: Principles and Practice, 2nd edition,
 // section 3.6.3, on spans and which of their ends belong to them.
 
-#include "stages/fragment.h"
+#include "stages/row_end.h"
 
 namespace rasterwalk {
 
@@ -30,7 +30,7 @@ constexpr int drawn_pixels(int pixel_count) {
 }
 
 /// An end of a row as the walk along the row is given it: as the table has it.
-inline Fragment span_end(const Fragment& end) {
+inline RowEnd span_end(const RowEnd& end) {
     return end;
 }
 

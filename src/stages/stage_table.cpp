@@ -13,14 +13,15 @@ RowSpan row_span(const Stages& stages, const PolygonRows& rows, int index) {
     return {left, count, stages.drawn_pixels(count)};
 }
 
-void row_fragments(const Stages& stages, const Fragment& left, const Fragment& right, int count,
-                   int first, VaryingSet carried, std::span<LineSample> result) {
-    const Fragment a = stages.span_end(left), b = stages.span_end(right);
-    const LinePart part{count, first, Rounding::truncate, carried, false};
+void row_fragments(const Stages& stages, const Row& row, int first, VaryingSet carried,
+                   std::span<LineSample> result) {
+    const LineEnd a = line_end(stages.span_end(row.left), row.row);
+    const LineEnd b = line_end(stages.span_end(row.right), row.row);
+    const LinePart part{row.count, first, Rounding::truncate, carried, false};
     stages.interpolate(a, b, stages.line_step(a, b, part), part, result);
     for (LineSample& sample : result) {
-        sample.fragment.column = left.column + first++;
-        sample.fragment.row = left.row;
+        sample.fragment.column = row.left.column + first++;
+        sample.fragment.row = row.row;
     }
 }
 

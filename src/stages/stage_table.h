@@ -47,7 +47,7 @@ struct Stages {
     // Interpolate: along edges and along rows.
     decltype(&rasterwalk::line_step) line_step = rasterwalk::line_step;
     decltype(&rasterwalk::interpolate) interpolate = rasterwalk::interpolate;
-    Fragment (*span_end)(const Fragment& end) = rasterwalk::span_end;
+    RowEnd (*span_end)(const RowEnd& end) = rasterwalk::span_end;
     float (*varying_weight)(float zinv) = rasterwalk::varying_weight;
 
     decltype(&rasterwalk::depth_test) depth_test = rasterwalk::depth_test;
@@ -97,9 +97,17 @@ struct RowSpan {
 /// How the stages draw a row of a table, 0 <= index < rows.size().
 RowSpan row_span(const Stages& stages, const PolygonRows& rows, int index);
 
-/// The fragments `first`, `first` + 1, ... of a row of `count` pixels, counted from its left end:
-/// as many as `result` holds. They stand in the row's own columns.
-void row_fragments(const Stages& stages, const Fragment& left, const Fragment& right, int count,
-                   int first, VaryingSet carried, std::span<LineSample> result);
+/// A row of the picture, from end to end.
+struct Row {
+    const RowEnd& left;
+    const RowEnd& right;
+    int row = 0;   ///< of the picture
+    int count = 0; ///< pixels from end to end
+};
+
+/// The fragments `first`, `first` + 1, ... of a row, counted from its left end: as many as `result`
+/// holds. They stand in the row's own columns.
+void row_fragments(const Stages& stages, const Row& row, int first, VaryingSet carried,
+                   std::span<LineSample> result);
 
 } // namespace rasterwalk

@@ -23,10 +23,10 @@
 #include <glm/vec4.hpp>
 
 #include "scene/scene.h"
-#include "stages/fragment.h"
 #include "stages/interpolate.h"
 #include "stages/light.h"
 #include "stages/rejection.h"
+#include "stages/varyings.h"
 
 namespace rasterwalk {
 

@@ -51,7 +51,7 @@ std::map<Cursor, Seen> everything(const Frame& frame, bool with_light, bool as_s
         std::vector<std::uint32_t>& work = all[event.cursor].work;
         const Vertex& vertex =
             frame.scene->triangles[event.cursor.triangle].vertices[event.cursor.index];
-        work = {bits(event.fragment.column), bits(event.fragment.row), bits(event.fragment.inv_w)};
+        work = {bits(event.vertex.column), bits(event.vertex.row), bits(event.vertex.inv_w)};
         if (with_light) {
             add(work, reflected_light(vertex.position, vertex.normal, vertex.reflectance,
                                       frame.settings.light, frame.settings.light_rules)

@@ -160,7 +160,7 @@ TEST_CASE("Every number of every vertex of the room follows from what its formul
                                                         std::to_string(t) + "/v" +
                                                         std::to_string(v));
                     if (report.shaded.rejection != Rejection::none) continue;
-                    const Fragment& drawn = frame.vertices[static_cast<std::size_t>(3 * t + v)];
+                    const ScreenVertex& drawn = frame.vertices[static_cast<std::size_t>(3 * t + v)];
                     const auto shows = [&](const char* id, float number) {
                         const Formula* const f = find_formula(report.formulas, id);
                         return f != nullptr && same_bits(f->result.value, number);
@@ -207,7 +207,7 @@ TEST_CASE("Other roundings and the other convention are what drawing by them wou
             Settings other = settings;
             other.rounding = rounding;
             const Frame drawn = prepare_frame(room, other);
-            const Fragment& pixel = drawn.vertices[static_cast<std::size_t>(3 * t)];
+            const ScreenVertex& pixel = drawn.vertices[static_cast<std::size_t>(3 * t)];
             const ShadedVertex& shaded = report.by_rounding[static_cast<std::size_t>(rounding)];
             CHECK(shaded.pixel.column == pixel.column);
             CHECK(vertex_number(shaded, "pixel.row").value == static_cast<float>(pixel.row));

@@ -77,7 +77,7 @@ bool setting_has(const Settings& settings, const std::string& name, float value)
 /// The end of the row as the drawing's own row table has it, if the drawing interpolates this way.
 void check_row_end(const FragmentReport& report, const PolygonRows& rows, const std::string& id,
                    const FormulaInput& input, const std::string& where) {
-    const Fragment& end =
+    const RowEnd& end =
         input.source.is_right ? rows.right[report.cursor.index] : rows.left[report.cursor.index];
     constexpr std::array<const char*, interpolation_count> in_force{".carried", ".affine",
                                                                     ".carried_twice"};
@@ -92,7 +92,8 @@ void check_row_end(const FragmentReport& report, const PolygonRows& rows, const 
         }
     }
     if (input.symbol == "zl" || input.symbol == "zr") expected = end.inv_w;
-    if (input.source.row != end.row) FAIL(where << id << " names row " << input.source.row);
+    if (input.source.row != rows.first_row + report.cursor.index)
+        FAIL(where << id << " names row " << input.source.row);
     if (expected && !same_bits(*expected, input.number.value)) {
         FAIL(where << id << ": " << input.symbol << " is " << input.number.value
                    << " and the row table has " << *expected);

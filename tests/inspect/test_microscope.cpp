@@ -16,11 +16,11 @@ using namespace rasterwalk::test;
 
 namespace {
 
-Fragment at(int column, int row) {
-    Fragment fragment;
-    fragment.column = column;
-    fragment.row = row;
-    return fragment;
+ScreenVertex at(int column, int row) {
+    ScreenVertex vertex;
+    vertex.column = column;
+    vertex.row = row;
+    return vertex;
 }
 
 std::vector<WalkRules> all_rules() {
@@ -87,8 +87,8 @@ TEST_CASE("Every number under the microscope is the one found another way") {
     Random random(50);
     for (const WalkRules& rules : all_rules()) {
         for (int round = 0; round < 120; ++round) {
-            const Fragment a = at(random.integer(-60, 500), random.integer(-60, 500));
-            const Fragment b = at(random.integer(-60, 500), random.integer(-60, 500));
+            const ScreenVertex a = at(random.integer(-60, 500), random.integer(-60, 500));
+            const ScreenVertex b = at(random.integer(-60, 500), random.integer(-60, 500));
             CAPTURE(a.column, a.row, b.column, b.row, static_cast<int>(rules.line.walk),
                     static_cast<int>(rules.line.rounding), static_cast<int>(rules.samples));
             const EdgeMicroscope edge = microscope(a, b, rules);
@@ -132,8 +132,8 @@ TEST_CASE("An edge walked by fractions is the same there and back, and meets its
     WalkRules rules;
     rules.line.walk = LineWalk::exact;
     for (int round = 0; round < 300; ++round) {
-        const Fragment a = at(random.integer(-60, 500), random.integer(-60, 500));
-        const Fragment b = at(random.integer(-60, 500), random.integer(-60, 500));
+        const ScreenVertex a = at(random.integer(-60, 500), random.integer(-60, 500));
+        const ScreenVertex b = at(random.integer(-60, 500), random.integer(-60, 500));
         CAPTURE(a.column, a.row, b.column, b.row);
         const EdgeMicroscope edge = microscope(a, b, rules);
         CHECK(edge.differing.empty());
@@ -184,7 +184,7 @@ TEST_CASE("The longest edge there can be is put under the microscope whole") {
 }
 
 TEST_CASE("A microscope knows the edge it shows by its ends and rules") {
-    const Fragment a = at(1, 2), b = at(8, 5);
+    const ScreenVertex a = at(1, 2), b = at(8, 5);
     const EdgeMicroscope edge = microscope(a, b, {});
     CHECK(shows(edge, a, b, {}));
     CHECK_FALSE(shows(edge, b, a, {}));

@@ -69,21 +69,21 @@ LightTerms green_light(const glm::vec3& place, const glm::vec3& normal, const gl
     terms.reflected = {0.0f, 0.5f, 0.0f};
     return terms;
 }
-void rows_from_column_three(std::span<const Fragment> vertices, const EdgeRules& rules,
+void rows_from_column_three(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
                             PolygonRows& rows) {
     begin_polygon_rows(vertices, rules, rows);
-    for (Fragment& end : rows.left)
+    for (RowEnd& end : rows.left)
         end.column = 3;
 }
-Rectangle everywhere(std::span<const Fragment>, const EdgeRules&) {
+Rectangle everywhere(std::span<const ScreenVertex>, const EdgeRules&) {
     return {-9999, -9999, 9999, 9999};
 }
 FoundRow all_but_the_first(int row, const PolygonRows& rows) {
     const FoundRow found = find_row(row, rows);
     return {found.index == 0 ? -1 : found.index, 2};
 }
-void rows_by_rows(std::span<const Fragment> vertices, const EdgeRules& rules, const Stages& stages,
-                  PolygonRows& rows, SampleSink* sink) {
+void rows_by_rows(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
+                  const Stages& stages, PolygonRows& rows, SampleSink* sink) {
     Stages other = stages;
     other.edge_sample_count = edge_sample_count_by_rows;
     compute_polygon_rows(vertices, rules, other, rows, sink);
@@ -94,7 +94,7 @@ int at_most_four(int left, int right) {
 int no_more_than_three(int count) {
     return std::min(count, 3);
 }
-void line_backwards(const Fragment& a, const Fragment& b, const LineStep&, const LinePart& part,
+void line_backwards(const LineEnd& a, const LineEnd& b, const LineStep&, const LinePart& part,
                     std::span<LineSample> result) {
     for (std::size_t i = 0; i < result.size(); ++i) {
         const int behind = part.count - 1 - part.first - static_cast<int>(i);
@@ -102,8 +102,8 @@ void line_backwards(const Fragment& a, const Fragment& b, const LineStep&, const
         interpolate(b, a, line_step(b, a, part), one, {&result[i], 1});
     }
 }
-Fragment nearer_end(const Fragment& end) {
-    Fragment near = end;
+RowEnd nearer_end(const RowEnd& end) {
+    RowEnd near = end;
     near.depth = near.inv_w = 2.0f * end.inv_w;
     return near;
 }
@@ -239,7 +239,7 @@ void check_tables(const Frame& frame, const Story& story, int triangle) {
 }
 
 void check_microscope(const Frame& frame, const Story& story, int triangle) {
-    const std::span<const Fragment> v = frame.triangle_vertices(triangle);
+    const std::span<const ScreenVertex> v = frame.triangle_vertices(triangle);
     const std::vector<EdgeSample> told = told_samples(story, triangle);
     for (int e = 0; e < 3; ++e) {
         const EdgeMicroscope edge =

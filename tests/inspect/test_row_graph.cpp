@@ -92,7 +92,7 @@ TEST_CASE("The widest row is the one with the most pixels in the picture") {
         int most = 0;
         for (std::size_t r = 0; r < seen.size(); ++r) {
             for (int c = rows.left[r].column; c <= rows.right[r].column; ++c) {
-                const int y = rows.left[r].row;
+                const int y = rows.first_row + static_cast<int>(r);
                 if (c >= 0 && c < 300 && y >= 0 && y < 280) ++seen[r];
             }
             most = std::max(most, seen[r]);

@@ -17,14 +17,14 @@ using namespace rasterwalk::test;
 
 namespace {
 
-using Triangle3 = std::vector<Fragment>;
+using Triangle3 = std::vector<ScreenVertex>;
 
-Fragment at(int column, int row) {
-    Fragment fragment;
-    fragment.column = column;
-    fragment.row = row;
-    fragment.depth = fragment.inv_w = fragment.z = 1.0f;
-    return fragment;
+ScreenVertex at(int column, int row) {
+    ScreenVertex vertex;
+    vertex.column = column;
+    vertex.row = row;
+    vertex.depth = vertex.inv_w = vertex.z = 1.0f;
+    return vertex;
 }
 
 Triangle3 random_triangle(std::mt19937& random) {
@@ -48,19 +48,19 @@ std::vector<WalkRules> all_rules() {
 
 std::string describe(const Triangle3& t, const WalkRules& rules) {
     std::ostringstream text;
-    for (const Fragment& v : t)
+    for (const ScreenVertex& v : t)
         text << '(' << v.column << ',' << v.row << ") ";
     text << "walk " << static_cast<int>(rules.line.walk) << " rounding "
          << static_cast<int>(rules.line.rounding) << " samples " << static_cast<int>(rules.samples);
     return text.str();
 }
 
-/// The sample that a writer names, walked to anew.
-Fragment sample_of(const Triangle3& t, const WalkRules& rules, const EndWriter& by) {
+/// What the sample that a writer names leaves, walked to anew.
+RowEnd end_of(const Triangle3& t, const WalkRules& rules, const EndWriter& by) {
     const auto edge = static_cast<std::size_t>(by.edge);
     LineWalker walker = walk_edge(t[edge], t[(edge + 1) % t.size()], rules);
     walker.advance_to(by.sample);
-    return walker.sample();
+    return end_at(walker.sample());
 }
 
 } // namespace
@@ -113,11 +113,11 @@ TEST_CASE("Whoever is said to have written an end is the sample that stands ther
         const RowHistory history = row_history(triangle, rule);
         for (std::size_t r = 0; r < history.left_by.size(); ++r) {
             if (history.left_by[r].is_set() &&
-                !(sample_of(triangle, rule, history.left_by[r]) == history.rows.left[r])) {
+                !(end_of(triangle, rule, history.left_by[r]) == history.rows.left[r])) {
                 FAIL(describe(triangle, rule) << " left end of row " << r);
             }
             if (history.right_by[r].is_set() &&
-                !(sample_of(triangle, rule, history.right_by[r]) == history.rows.right[r])) {
+                !(end_of(triangle, rule, history.right_by[r]) == history.rows.right[r])) {
                 FAIL(describe(triangle, rule) << " right end of row " << r);
             }
             if (history.left_by[r].is_set() == history.rows.is_empty_row(static_cast<int>(r))) {

@@ -269,8 +269,10 @@ TEST_CASE("B5: edges by rows lose columns, and pass the lab's printed table") {
     const Runs runs("B5");
     CHECK(runs.different_pixels() == 7);
     CHECK(runs.wrong_stats.fragments < runs.correct_stats.fragments);
-    const auto at = [](int column, int row) { return Fragment{column, row, 1.0f, 1.0f, 1.0f, {}}; };
-    const std::vector<Fragment> printed{at(10, 5), at(5, 10), at(15, 15)};
+    const auto at = [](int column, int row) {
+        return ScreenVertex{{}, column, row, 1.0f, 1.0f, 1.0f, {}};
+    };
+    const std::vector<ScreenVertex> printed{at(10, 5), at(5, 10), at(15, 15)};
     PolygonRows by_rows, by_axis;
     compute_polygon_rows(printed, runs.wrong.settings, by_rows);
     compute_polygon_rows(printed, runs.correct.settings, by_axis);
@@ -359,11 +361,11 @@ TEST_CASE("B10: the first row and the first column are black, and nothing else")
 
 TEST_CASE("B11: an int step runs level, upright or at 45 degrees") {
     const Runs runs("B11");
-    const std::span<const Fragment> v = runs.wrong.triangle_vertices(0);
+    const std::span<const ScreenVertex> v = runs.wrong.triangle_vertices(0);
     for (int e = 0; e < 3; ++e) {
-        const Fragment &a = v[e], &b = v[(e + 1) % 3];
-        const LineStep line =
-            runs.wrong.stages.line_step(a, b, {runs.wrong.stages.edge_sample_count(a, b)});
+        const ScreenVertex &a = v[e], &b = v[(e + 1) % 3];
+        const LineStep line = runs.wrong.stages.line_step(
+            line_end(a), line_end(b), {runs.wrong.stages.edge_sample_count(a, b)});
         for (const float step : {line.x, line.y})
             CHECK((step == 0.0f || std::abs(step) == 1.0f));
     }
@@ -372,7 +374,9 @@ TEST_CASE("B11: an int step runs level, upright or at 45 degrees") {
 }
 
 TEST_CASE("B12: edges to the right or down lack two samples, the others none") {
-    const auto at = [](int column, int row) { return Fragment{column, row, 1.0f, 1.0f, 1.0f, {}}; };
+    const auto at = [](int column, int row) {
+        return ScreenVertex{{}, column, row, 1.0f, 1.0f, 1.0f, {}};
+    };
     for (int d = 1; d < 9; ++d) {
         const int right = d + 1, wrong = std::max(d - 1, 1);
         CHECK(edge_sample_count(at(0, 0), at(d, 0), EdgeSamples::shifted) == wrong);
@@ -392,7 +396,7 @@ TEST_CASE("B13: what reaches behind the camera is drawn, mirrored, and within bo
     CHECK(runs.wrong_stats.left_out.total() == 0);
     int mirrored = 0;
     for (int t = 0; t < runs.wrong.triangle_count(); ++t) {
-        for (const Fragment& vertex : runs.wrong.triangle_vertices(t)) {
+        for (const ScreenVertex& vertex : runs.wrong.triangle_vertices(t)) {
             mirrored += vertex.inv_w < 0.0f ? 1 : 0;
             CHECK(std::abs(vertex.column) < 17000);
         }
@@ -413,7 +417,7 @@ TEST_CASE("B14: the triangle with a vertex in column -1 is missing, and no other
     CHECK(runs.wrong_stats.left_out.of(Rejection::taken_for_behind) == 1);
     for (int t = 0; t < 4; ++t) {
         int in_column = 0;
-        for (const Fragment& vertex : runs.correct.triangle_vertices(t))
+        for (const ScreenVertex& vertex : runs.correct.triangle_vertices(t))
             in_column += vertex.column == -1 ? 1 : 0;
         CHECK(runs.wrong.is_drawn(t) == (in_column == 0));
     }
@@ -424,7 +428,7 @@ TEST_CASE("B15: vertices are moved to the border, and the wall is bent") {
     const Runs runs("B15");
     int moved = 0;
     for (std::size_t v = 0; v < runs.wrong.vertices.size(); ++v) {
-        const Fragment &wrong = runs.wrong.vertices[v], &correct = runs.correct.vertices[v];
+        const ScreenVertex &wrong = runs.wrong.vertices[v], &correct = runs.correct.vertices[v];
         CHECK(wrong.column == std::clamp(correct.column, 0, 199));
         CHECK(wrong.row == std::clamp(correct.row, 0, 159));
         CHECK(wrong.inv_w == correct.inv_w);
@@ -617,7 +621,7 @@ TEST_CASE("B24: the camera turns by as much to the other side") {
 TEST_CASE("B25: every vertex is turned about the middle of the picture") {
     const Runs runs("B25");
     for (std::size_t v = 0; v < runs.wrong.vertices.size(); ++v) {
-        const Fragment &wrong = runs.wrong.vertices[v], &correct = runs.correct.vertices[v];
+        const ScreenVertex &wrong = runs.wrong.vertices[v], &correct = runs.correct.vertices[v];
         CHECK(wrong.column - 250 == 250 - correct.column);
         CHECK(wrong.row - 250 == 250 - correct.row);
         CHECK(wrong.inv_w == correct.inv_w);
@@ -630,7 +634,7 @@ TEST_CASE("B27: the same picture to the last bit, and rows times samples looked 
     std::int64_t samples = 0, comparisons = 0;
     const std::vector<PolygonRows> tables = tables_of(runs.correct);
     for (int t = 0; t < runs.correct.triangle_count(); ++t) {
-        const std::span<const Fragment> v = runs.correct.triangle_vertices(t);
+        const std::span<const ScreenVertex> v = runs.correct.triangle_vertices(t);
         for (int e = 0; e < 3; ++e) {
             const int count = edge_sample_count(v[e], v[(e + 1) % 3], EdgeSamples::longest_axis);
             samples += count;

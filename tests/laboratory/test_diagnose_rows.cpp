@@ -15,15 +15,15 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-Fragment place(int column, int row) {
-    Fragment fragment;
-    fragment.column = column;
-    fragment.row = row;
-    fragment.depth = fragment.inv_w = fragment.z = 1.0f;
-    return fragment;
+ScreenVertex place(int column, int row) {
+    ScreenVertex vertex;
+    vertex.column = column;
+    vertex.row = row;
+    vertex.depth = vertex.inv_w = vertex.z = 1.0f;
+    return vertex;
 }
 
-std::string table_text(const std::vector<Fragment>& vertices, const Settings& settings) {
+std::string table_text(const std::vector<ScreenVertex>& vertices, const Settings& settings) {
     PolygonRows rows;
     compute_polygon_rows(vertices, settings, rows);
     return rows_text(rows);
@@ -39,8 +39,8 @@ Diagnosis diagnose(const std::string& text, const std::vector<glm::ivec2>& polyg
     return diagnosis;
 }
 
-const std::vector<Fragment> lab{place(10, 5), place(5, 10), place(15, 15)};
-const std::vector<Fragment> shallow{place(2, 3), place(30, 8), place(11, 19)};
+const std::vector<ScreenVertex> lab{place(10, 5), place(5, 10), place(15, 15)};
+const std::vector<ScreenVertex> shallow{place(2, 3), place(30, 8), place(11, 19)};
 const std::vector<glm::ivec2> shallow_points{{2, 3}, {30, 8}, {11, 19}};
 
 } // namespace
@@ -69,7 +69,7 @@ TEST_CASE("The right table has no difference, and its polygon is found") {
     CHECK(about == "the polygon (10,5) (5,10) (15,15)");
     const Scene scene = lab_room();
     const Frame frame = prepare_frame(scene, default_settings(scene));
-    const std::span<const Fragment> vertices = frame.triangle_vertices(14);
+    const std::span<const ScreenVertex> vertices = frame.triangle_vertices(14);
     const std::string text = table_text({vertices.begin(), vertices.end()}, handout);
     CHECK(diagnose(text, {}, &about).is_same());
     CHECK(about == "triangle 14 (short block)");

@@ -126,11 +126,11 @@ std::array<int, 2> lab_pixel(const Place3& p) {
     return {place(p.x), place(p.y)};
 }
 
-Fragment at(int column, int row) {
-    Fragment fragment;
-    fragment.column = column;
-    fragment.row = row;
-    return fragment;
+ScreenVertex at(int column, int row) {
+    ScreenVertex vertex;
+    vertex.column = column;
+    vertex.row = row;
+    return vertex;
 }
 
 // --- row tables by definition
@@ -139,9 +139,9 @@ using Pixels = std::array<std::array<int, 2>, 3>;
 using Table = std::map<int, rasterwalk::test::RowEnds>;
 
 Table table_of(const Pixels& triangle, EdgeSamples samples = EdgeSamples::longest_axis) {
-    const std::array<Fragment, 3> vertices{at(triangle[0][0], triangle[0][1]),
-                                           at(triangle[1][0], triangle[1][1]),
-                                           at(triangle[2][0], triangle[2][1])};
+    const std::array<ScreenVertex, 3> vertices{at(triangle[0][0], triangle[0][1]),
+                                               at(triangle[1][0], triangle[1][1]),
+                                               at(triangle[2][0], triangle[2][1])};
     rasterwalk::test::WalkRules rules;
     rules.samples = samples;
     int outside = 0;

@@ -246,7 +246,7 @@ TEST_CASE("Each overlay says of a pixel what is so") {
     }
     CHECK(twice > 50);
     CHECK(value(Overlay::wireframe, results, 200, 60) == "no edge");
-    const Fragment corner = results.a.frame.triangle_vertices(8)[0];
+    const ScreenVertex corner = results.a.frame.triangle_vertices(8)[0];
     CHECK(value(Overlay::wireframe, results, corner.column, corner.row) != "no edge");
     CHECK(value(Overlay::over_one, results, 0, 0) == "none");
     CHECK(value(Overlay::affine_error, results, 700, 700).empty());

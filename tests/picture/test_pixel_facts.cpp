@@ -55,7 +55,7 @@ bool are_neighbours(const Frame& frame, int s, int t) {
                     continue;
                 const auto v = frame.triangle_vertices(s);
                 const auto w = frame.triangle_vertices(t);
-                const auto height = [&](const Fragment& f) {
+                const auto height = [&](const ScreenVertex& f) {
                     return static_cast<double>(v[(i + 1) % 3].column - v[i].column) *
                                (f.row - v[i].row) -
                            static_cast<double>(v[(i + 1) % 3].row - v[i].row) *

@@ -104,7 +104,7 @@ void check_bounds(const Frame& frame) {
     const bool may_be_behind = frame.settings.behind_camera == BehindCamera::drawn;
     for (int t = 0; t < frame.triangle_count(); ++t) {
         if (!frame.is_drawn(t)) continue;
-        for (const Fragment& vertex : frame.triangle_vertices(t)) {
+        for (const ScreenVertex& vertex : frame.triangle_vertices(t)) {
             if (std::abs(vertex.column) > limit || std::abs(vertex.row) > limit ||
                 !std::isfinite(vertex.inv_w) || !(vertex.inv_w > 0.0f || may_be_behind))
                 FAIL("triangle " << t << " has a vertex out of bounds");

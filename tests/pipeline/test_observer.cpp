@@ -147,10 +147,11 @@ struct ReplayedRows {
     int first_difference(const PolygonRows& table) const {
         for (int r = 0; r < table.size(); ++r) {
             const auto found = rows.find(r);
-            const bool same = found == rows.end()
-                                  ? table.is_empty_row(r)
-                                  : same_bits(found->second.left_sample, table.left[r]) &&
-                                        same_bits(found->second.right_sample, table.right[r]);
+            const bool same =
+                found == rows.end()
+                    ? table.is_empty_row(r)
+                    : same_bits(end_at(found->second.left_sample), table.left[r]) &&
+                          same_bits(end_at(found->second.right_sample), table.right[r]);
             if (!same) return r;
         }
         return -1;

@@ -29,7 +29,7 @@ Frame pentagon(const Scene& scene, Stage stage) {
     settings.line_walk = LineWalk::exact; // so that no sample strays
     Frame frame = prepare_frame(scene, settings);
     const glm::ivec2 places[corner_count] = {{12, 1}, {22, 8}, {18, 19}, {5, 17}, {2, 7}};
-    const Fragment from = frame.vertices[0];
+    const ScreenVertex from = frame.vertices[0];
     frame.vertices.clear();
     for (const glm::ivec2& place : places) {
         frame.vertices.push_back(from);

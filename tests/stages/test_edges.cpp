@@ -10,11 +10,11 @@ using namespace rasterwalk::test;
 
 namespace {
 
-Fragment at(int column, int row) {
-    Fragment fragment;
-    fragment.column = column;
-    fragment.row = row;
-    return fragment;
+ScreenVertex at(int column, int row) {
+    ScreenVertex vertex;
+    vertex.column = column;
+    vertex.row = row;
+    return vertex;
 }
 
 } // namespace
@@ -36,11 +36,11 @@ TEST_CASE("Mistake B5 gives an edge a sample for every row") {
 TEST_CASE("The lab's edges have no holes: no step is longer than one pixel along either axis") {
     test::Random random(6);
     for (int i = 0; i < 3000; ++i) {
-        const Fragment a = at(random.integer(-90, 300), random.integer(-90, 300));
-        const Fragment b = at(random.integer(-90, 300), random.integer(-90, 300));
+        const ScreenVertex a = at(random.integer(-90, 300), random.integer(-90, 300));
+        const ScreenVertex b = at(random.integer(-90, 300), random.integer(-90, 300));
         for (const LineWalk walk : {LineWalk::multiply, LineWalk::exact}) {
             LineWalker edge = walk_edge(a, b, {{walk, Rounding::floor}, EdgeSamples::longest_axis});
-            CHECK(edge.sample() == a);
+            CHECK(edge.sample() == mark_of(a));
             Fragment before = edge.sample();
             int samples = 0;
             for (; !edge.done(); edge.advance(), ++samples) {
@@ -65,8 +65,8 @@ TEST_CASE("Walking an edge backwards nearly always meets other pixels under the 
     int different = 0;
     constexpr int edges = 2000;
     for (int i = 0; i < edges; ++i) {
-        const Fragment a = at(random.integer(0, 499), random.integer(0, 499));
-        const Fragment b = at(random.integer(0, 499), random.integer(0, 499));
+        const ScreenVertex a = at(random.integer(0, 499), random.integer(0, 499));
+        const ScreenVertex b = at(random.integer(0, 499), random.integer(0, 499));
         const int count = edge_sample_count(a, b, EdgeSamples::longest_axis);
         std::vector<Fragment> there(static_cast<std::size_t>(count)), back(there);
         interpolate(a, b, {}, there);

@@ -17,26 +17,31 @@ namespace {
 constexpr Rounding all_roundings[] = {Rounding::truncate, Rounding::floor, Rounding::round};
 constexpr LineWalk all_walks[] = {LineWalk::accumulate, LineWalk::multiply, LineWalk::exact};
 
-Fragment at(int column, int row) {
-    Fragment fragment;
-    fragment.column = column;
-    fragment.row = row;
-    return fragment;
+ScreenVertex at(int column, int row) {
+    ScreenVertex vertex;
+    vertex.column = column;
+    vertex.row = row;
+    return vertex;
 }
 
-Fragment random_fragment(Random& random, int reach) {
-    Fragment fragment = at(random.integer(-reach, reach), random.integer(-reach, reach));
-    fragment.depth = random.number(0.1, 4.0);
-    fragment.inv_w = random.number(0.1, 4.0);
-    fragment.z = random.number(0.1, 9.0);
+/// The sample that such a vertex is.
+Fragment pixel(int column, int row) {
+    return mark_of(at(column, row));
+}
+
+ScreenVertex random_vertex(Random& random, int reach) {
+    ScreenVertex vertex = at(random.integer(-reach, reach), random.integer(-reach, reach));
+    vertex.depth = random.number(0.1, 4.0);
+    vertex.inv_w = random.number(0.1, 4.0);
+    vertex.z = random.number(0.1, 9.0);
     for (int c = 0; c < 3; ++c) {
-        fragment.varyings.position_world[c] = random.number(-3.0, 3.0);
-        fragment.varyings.illumination[c] = random.number(0.0, 2.0);
+        vertex.varyings.position_world[c] = random.number(-3.0, 3.0);
+        vertex.varyings.illumination[c] = random.number(0.0, 2.0);
     }
-    return fragment;
+    return vertex;
 }
 
-std::vector<Fragment> line(const Fragment& a, const Fragment& b, int count,
+std::vector<Fragment> line(const ScreenVertex& a, const ScreenVertex& b, int count,
                            const LineRules& rules) {
     std::vector<Fragment> samples(static_cast<std::size_t>(count));
     interpolate(a, b, rules, samples);
@@ -49,10 +54,10 @@ TEST_CASE("interpolate answers the lab's example in every walk") {
     for (const LineWalk walk : all_walks) {
         const std::vector<Fragment> samples = line(at(4, 2), at(1, 8), 4, {walk, {}});
         CAPTURE(static_cast<int>(walk));
-        CHECK(samples[0] == at(4, 2));
-        CHECK(samples[1] == at(3, 4));
-        CHECK(samples[2] == at(2, 6));
-        CHECK(samples[3] == at(1, 8));
+        CHECK(samples[0] == pixel(4, 2));
+        CHECK(samples[1] == pixel(3, 4));
+        CHECK(samples[2] == pixel(2, 6));
+        CHECK(samples[3] == pixel(1, 8));
     }
 }
 
@@ -76,7 +81,7 @@ TEST_CASE("Every smaller line than (0,2)-(3,1) keeps its end point") {
                 LineWalker walker(at(0, row), at(dx, row - dy), dx + 1, {});
                 walker.advance_to(dx);
                 CAPTURE(dx, dy, row);
-                CHECK(walker.sample() == at(dx, row - dy));
+                CHECK(walker.sample() == pixel(dx, row - dy));
             }
         }
     }
@@ -85,7 +90,7 @@ TEST_CASE("Every smaller line than (0,2)-(3,1) keeps its end point") {
 TEST_CASE("A line of one sample is its beginning") {
     for (const LineWalk walk : all_walks) {
         const std::vector<Fragment> samples = line(at(7, -3), at(9, 9), 1, {walk, {}});
-        CHECK(samples[0] == at(7, -3));
+        CHECK(samples[0] == pixel(7, -3));
     }
 }
 
@@ -118,8 +123,8 @@ TEST_CASE("Every pixel of random lines agrees with fractions and floats worked o
     Random random(2);
     for (int i = 0; i < 4000; ++i) {
         const int reach = i % 4 == 0 ? 16000 : 1 + i / 20;
-        const Fragment a = random_fragment(random, reach);
-        const Fragment b = random_fragment(random, reach);
+        const ScreenVertex a = random_vertex(random, reach);
+        const ScreenVertex b = random_vertex(random, reach);
         const auto longest = edge_sample_count(a, b, EdgeSamples::longest_axis);
         // Long lines are looked at in part: the oracle takes the square of their length.
         const int count = longest > 300 ? random.integer(1, 300) : longest;
@@ -144,8 +149,8 @@ TEST_CASE("Every pixel of random lines agrees with fractions and floats worked o
 TEST_CASE("Numbers beside the place take the same way as the place, and exact ones end in b") {
     Random random(3);
     for (int i = 0; i < 500; ++i) {
-        const Fragment a = random_fragment(random, 60);
-        const Fragment b = random_fragment(random, 60);
+        const ScreenVertex a = random_vertex(random, 60);
+        const ScreenVertex b = random_vertex(random, 60);
         const int count = edge_sample_count(a, b, EdgeSamples::longest_axis);
         for (const LineWalk walk : {LineWalk::accumulate, LineWalk::multiply}) {
             LineWalker walker(a, b, count, {walk, Rounding::truncate});
@@ -168,17 +173,17 @@ TEST_CASE("Numbers beside the place take the same way as the place, and exact on
             }
         }
         LineWalker exact(a, b, count, {LineWalk::exact, Rounding::floor});
-        CHECK(same_bits(exact.sample(), a));
+        CHECK(same_bits(exact.sample(), mark_of(a)));
         exact.advance_to(count - 1);
-        if (count > 1) CHECK(same_bits(exact.sample(), b));
+        if (count > 1) CHECK(same_bits(exact.sample(), mark_of(b)));
     }
 }
 
 TEST_CASE("Skipping to a sample gives the same bits as walking to it") {
     Random random(4);
     for (int i = 0; i < 300; ++i) {
-        const Fragment a = random_fragment(random, 90);
-        const Fragment b = random_fragment(random, 90);
+        const ScreenVertex a = random_vertex(random, 90);
+        const ScreenVertex b = random_vertex(random, 90);
         const int count = edge_sample_count(a, b, EdgeSamples::longest_axis);
         for (const LineWalk walk : all_walks) {
             const LineRules rules{walk, Rounding::truncate};
@@ -197,8 +202,8 @@ TEST_CASE("About half of all random lines of the lab end one pixel short, and ex
     int short_of_end = 0, outside = 0;
     constexpr int lines = 20000;
     for (int i = 0; i < lines; ++i) {
-        const Fragment a = at(random.integer(0, 499), random.integer(0, 499));
-        const Fragment b = at(random.integer(0, 499), random.integer(0, 499));
+        const ScreenVertex a = at(random.integer(0, 499), random.integer(0, 499));
+        const ScreenVertex b = at(random.integer(0, 499), random.integer(0, 499));
         const int count = edge_sample_count(a, b, EdgeSamples::longest_axis);
         LineWalker lab(a, b, count, {});
         lab.advance_to(count - 1);

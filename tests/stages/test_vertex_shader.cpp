@@ -271,7 +271,7 @@ TEST_CASE("A vertex sets out with its place and, for light per vertex, its light
     for (const Lighting lighting : {Lighting::none, Lighting::per_vertex, Lighting::per_pixel}) {
         rules.lighting = lighting;
         const Varyings affine = shade_vertex(vertex, rotation, rules, wrong).pixel.varyings;
-        const Fragment pixel = shade_vertex(vertex, rotation, rules, right).pixel;
+        const ScreenVertex pixel = shade_vertex(vertex, rotation, rules, right).pixel;
         // Before the division there is no weight yet, whichever way the varyings will be carried.
         const ClipVertex clip = vertex_shader(vertex, rotation, rules, right, nullptr);
         CHECK(same_bits(clip.varyings.illumination, affine.illumination));

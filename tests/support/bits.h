@@ -30,6 +30,16 @@ inline bool same_bits(const Fragment& a, const Fragment& b) {
            same_bits(a.inv_w, b.inv_w) && same_bits(a.z, b.z) && same_bits(a.varyings, b.varyings);
 }
 
+inline bool same_bits(const RowEnd& a, const RowEnd& b) {
+    return a.column == b.column && same_bits(a.depth, b.depth) && same_bits(a.inv_w, b.inv_w) &&
+           same_bits(a.z, b.z) && same_bits(a.varyings, b.varyings);
+}
+inline bool same_bits(const ScreenVertex& a, const ScreenVertex& b) {
+    return same_bits(a.position, b.position) && a.column == b.column && a.row == b.row &&
+           same_bits(a.depth, b.depth) && same_bits(a.inv_w, b.inv_w) && same_bits(a.z, b.z) &&
+           same_bits(a.varyings, b.varyings);
+}
+
 /// The first pixel and plane in which two framebuffers differ, with both values; empty if they are
 /// the same bits.
 inline std::string first_difference(const Framebuffer& a, const Framebuffer& b) {

@@ -18,7 +18,7 @@ inline std::vector<Cursor> all_moments(const Frame& frame) {
     const int first = settings.bounds == Bounds::excludes_zero ? 1 : 0;
     for (int t = 0; t < frame.triangle_count(); ++t) {
         if (!frame.is_drawn(t)) continue;
-        const std::span<const Fragment> vertices = frame.triangle_vertices(t);
+        const std::span<const ScreenVertex> vertices = frame.triangle_vertices(t);
         const int corners = static_cast<int>(vertices.size());
         for (int v = 0; v < corners; ++v)
             moments.push_back({t, Phase::vertices, v, 0});

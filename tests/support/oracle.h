@@ -82,7 +82,7 @@ struct Place {
 };
 
 /// The pixels of a line of `count` samples.
-inline std::vector<Place> line_places(const Fragment& a, const Fragment& b, int count,
+inline std::vector<Place> line_places(const ScreenVertex& a, const ScreenVertex& b, int count,
                                       const LineRules& rules) {
     std::vector<Place> places;
     const std::int64_t n = count > 1 ? count - 1 : 1;
@@ -112,11 +112,11 @@ struct RowEnds {
 };
 
 /// The row table of a polygon by its definition; `outside` counts samples beyond its rows.
-inline std::map<int, RowEnds> row_table(std::span<const Fragment> vertices, const WalkRules& rules,
-                                        int& outside) {
+inline std::map<int, RowEnds> row_table(std::span<const ScreenVertex> vertices,
+                                        const WalkRules& rules, int& outside) {
     std::map<int, RowEnds> rows;
     int top = INT_MAX, bottom = INT_MIN;
-    for (const Fragment& vertex : vertices) {
+    for (const ScreenVertex& vertex : vertices) {
         top = vertex.row < top ? vertex.row : top;
         bottom = vertex.row > bottom ? vertex.row : bottom;
     }
@@ -124,8 +124,8 @@ inline std::map<int, RowEnds> row_table(std::span<const Fragment> vertices, cons
         rows[row] = {};
     outside = 0;
     for (std::size_t e = 0; e < vertices.size(); ++e) {
-        const Fragment& a = vertices[e];
-        const Fragment& b = vertices[(e + 1) % vertices.size()];
+        const ScreenVertex& a = vertices[e];
+        const ScreenVertex& b = vertices[(e + 1) % vertices.size()];
         const int dx = std::abs(b.column - a.column), dy = std::abs(b.row - a.row);
         const int count = 1 + (rules.samples == EdgeSamples::rows || dy > dx ? dy : dx);
         const std::vector<Place> places = line_places(a, b, count, rules.line);

@@ -12,15 +12,15 @@ struct Recorder : Observer {
 
     struct VertexEvent {
         Cursor cursor;
-        Fragment fragment;
+        ScreenVertex vertex;
     };
     bool with_samples;
     std::vector<VertexEvent> vertices;
     std::vector<SampleEvent> samples;
     std::vector<FragmentEvent> fragments;
 
-    void vertex(const Cursor& cursor, const Fragment& fragment) override {
-        vertices.push_back({cursor, fragment});
+    void vertex(const Cursor& cursor, const ScreenVertex& vertex) override {
+        vertices.push_back({cursor, vertex});
     }
     void edge_sample(const SampleEvent& event) override { samples.push_back(event); }
     void fragment(const FragmentEvent& event) override { fragments.push_back(event); }

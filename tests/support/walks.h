@@ -9,6 +9,7 @@
 
 #include "inspect/microscope.h"
 #include "inspect/row_history.h"
+#include "pipeline/observer.h"
 #include "settings/choose_stages.h"
 
 namespace rasterwalk::test {
@@ -36,8 +37,8 @@ inline Settings settings_of(const WalkRules& rules) {
 /// Stands on one sample of a line after the other; asks the stage for each by itself.
 class LineWalker {
   public:
-    LineWalker(const Fragment& a, const Fragment& b, int count, const LineRules& rules)
-        : a_(a), b_(b), count_(count), rounding_(rules.rounding),
+    LineWalker(const ScreenVertex& a, const ScreenVertex& b, int count, const LineRules& rules)
+        : a_(line_end(a)), b_(line_end(b)), count_(count), rounding_(rules.rounding),
           stages_(choose_stages(settings_of({rules, {}}))) {
         advance_to(0);
     }
@@ -54,7 +55,7 @@ class LineWalker {
     }
 
   private:
-    Fragment a_, b_;
+    LineEnd a_, b_;
     int count_;
     int index_ = 0;
     Rounding rounding_;
@@ -62,52 +63,61 @@ class LineWalker {
     LineSample sample_;
 };
 
-inline void interpolate(const Fragment& a, const Fragment& b, const LineRules& rules,
+inline void interpolate(const ScreenVertex& a, const ScreenVertex& b, const LineRules& rules,
                         std::span<Fragment> result) {
     const Stages stages = choose_stages(settings_of({rules, {}}));
     const int count = static_cast<int>(result.size());
     std::vector<LineSample> samples(result.size());
     const LinePart part{count, 0, rules.rounding, VaryingSet::all()};
-    stages.interpolate(a, b, stages.line_step(a, b, part), part, samples);
+    const LineEnd from = line_end(a), to = line_end(b);
+    stages.interpolate(from, to, stages.line_step(from, to, part), part, samples);
     for (std::size_t i = 0; i < samples.size(); ++i)
         result[i] = samples[i].fragment;
 }
 
-inline int edge_sample_count(const Fragment& a, const Fragment& b, EdgeSamples samples) {
+inline int edge_sample_count(const ScreenVertex& a, const ScreenVertex& b, EdgeSamples samples) {
     return choose_stages(settings_of({{}, samples})).edge_sample_count(a, b);
 }
 
-inline LineWalker walk_edge(const Fragment& a, const Fragment& b, const WalkRules& rules) {
+inline LineWalker walk_edge(const ScreenVertex& a, const ScreenVertex& b, const WalkRules& rules) {
     return {a, b, edge_sample_count(a, b, rules.samples), rules.line};
 }
 
-inline RowWrite add_edge_sample(const Fragment& sample, PolygonRows& rows) {
-    return rasterwalk::add_edge_sample(sample, Stages{}, rows);
+/// What stands at the end of a row once this sample has been entered.
+inline RowEnd end_at(const Fragment& sample) {
+    RowEnd end;
+    enter(sample, VaryingSet::all(), end);
+    return end;
 }
 
-inline void compute_polygon_rows(std::span<const Fragment> vertices, const Settings& settings,
+inline RowWrite add_edge_sample(const Fragment& sample, PolygonRows& rows) {
+    return rasterwalk::add_edge_sample(sample, VaryingSet::all(), Stages{}, rows);
+}
+
+inline void compute_polygon_rows(std::span<const ScreenVertex> vertices, const Settings& settings,
                                  PolygonRows& rows) {
     const Stages stages = choose_stages(settings);
     stages.compute_polygon_rows(vertices, edge_rules(settings), stages, rows, nullptr);
 }
-inline void compute_polygon_rows(std::span<const Fragment> vertices, const WalkRules& rules,
+inline void compute_polygon_rows(std::span<const ScreenVertex> vertices, const WalkRules& rules,
                                  PolygonRows& rows) {
     compute_polygon_rows(vertices, settings_of(rules), rows);
 }
 
-inline RowHistory row_history(std::span<const Fragment> vertices, const WalkRules& rules,
+inline RowHistory row_history(std::span<const ScreenVertex> vertices, const WalkRules& rules,
                               int samples = INT_MAX) {
     const Settings settings = settings_of(rules);
     return rasterwalk::row_history(vertices, edge_rules(settings), choose_stages(settings),
                                    samples);
 }
 
-inline EdgeMicroscope microscope(const Fragment& a, const Fragment& b, const WalkRules& rules) {
+inline EdgeMicroscope microscope(const ScreenVertex& a, const ScreenVertex& b,
+                                 const WalkRules& rules) {
     const Settings settings = settings_of(rules);
     return rasterwalk::microscope(a, b, edge_rules(settings), choose_stages(settings));
 }
 
-inline bool shows(const EdgeMicroscope& edge, const Fragment& a, const Fragment& b,
+inline bool shows(const EdgeMicroscope& edge, const ScreenVertex& a, const ScreenVertex& b,
                   const WalkRules& rules) {
     const Settings settings = settings_of(rules);
     return edge.shows(a, b, edge_rules(settings), choose_stages(settings));

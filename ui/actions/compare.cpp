@@ -49,8 +49,8 @@ std::optional<glm::ivec2> pixel_of(const Frame& frame, const Cursor& cursor) {
     if (cursor.phase != Phase::rows || !has_fragments(frame.settings.stage)) return std::nullopt;
     const Timeline timeline(frame);
     if (!timeline.exists(cursor)) return std::nullopt;
-    const Fragment& left = timeline.moments(cursor.triangle).rows.left[cursor.index];
-    return glm::ivec2(left.column + cursor.step, left.row);
+    const PolygonRows& rows = timeline.moments(cursor.triangle).rows;
+    return glm::ivec2(rows.left[cursor.index].column + cursor.step, rows.first_row + cursor.index);
 }
 
 } // namespace

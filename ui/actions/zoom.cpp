@@ -14,7 +14,8 @@ void zoom_to_triangle(Ui& ui) {
     if (!ui.results.a.triangle || widget == ui.widgets.end()) return;
     if (!ui.results.a.frame.is_drawn(*ui.results.a.triangle)) return;
     int left = INT_MAX, right = INT_MIN, top = INT_MAX, bottom = INT_MIN;
-    for (const Fragment& vertex : ui.results.a.frame.triangle_vertices(*ui.results.a.triangle)) {
+    for (const ScreenVertex& vertex :
+         ui.results.a.frame.triangle_vertices(*ui.results.a.triangle)) {
         left = std::min(left, vertex.column);
         right = std::max(right, vertex.column);
         top = std::min(top, vertex.row);

@@ -34,8 +34,9 @@ struct Marks {
         const PicturePlace& place = run.place;
         return {place.origin.x + scale * (x + 0.5f), place.origin.y + scale * (y + 0.5f)};
     }
-    ImVec2 at(const Fragment& f) const {
-        return at(static_cast<float>(f.column), static_cast<float>(f.row));
+    /// The middle of the pixel that a vertex is snapped to.
+    ImVec2 at(const ScreenVertex& v) const {
+        return at(static_cast<float>(v.column), static_cast<float>(v.row));
     }
     bool is_visible(ImVec2 p) const {
         return p.x > low.x - scale && p.x < high.x + scale && p.y > low.y - scale &&
@@ -123,7 +124,7 @@ std::vector<std::pair<int, int>> visible_points(const Marks& m) {
     for (int t = 0; t < frame.triangle_count(); ++t) {
         if (!frame.is_drawn(t)) continue;
         int v = 0;
-        for (const Fragment& vertex : frame.triangle_vertices(t)) {
+        for (const ScreenVertex& vertex : frame.triangle_vertices(t)) {
             if (Cursor{t, Phase::vertices, v++, 0} >= m.run.cursor) break;
             if (m.is_visible(m.at(vertex))) points.emplace_back(vertex.row, vertex.column);
         }
@@ -148,7 +149,7 @@ void draw_point_rings(const Marks& m) {
 }
 
 /// The true edges: straight lines between the vertices, those still to come dashed.
-void draw_true_edges(const Marks& m, std::span<const Fragment> vertices) {
+void draw_true_edges(const Marks& m, std::span<const ScreenVertex> vertices) {
     const RowHistory& history = m.run.rows;
     const int edges = static_cast<int>(vertices.size());
     for (int e = 0; e < edges; ++e) {
@@ -178,24 +179,23 @@ void draw_row_ends(const Marks& m) {
     const float h = 0.5f * m.scale;
     const float bar = std::max(0.09f * m.scale, 2.0f * m.u);
     for (int i = 0; i < history.rows.size(); ++i) {
-        const Fragment& left = history.rows.left[i];
-        const Fragment& right = history.rows.right[i];
-        const ImVec2 row_at = m.at(0.0f, static_cast<float>(history.rows.first_row + i));
+        const int row = history.rows.first_row + i;
+        const int left = history.rows.left[i].column, right = history.rows.right[i].column;
+        const ImVec2 row_at = m.at(0.0f, static_cast<float>(row));
         if (!history.left_by[i].is_set() || row_at.y < m.low.y - m.scale ||
             row_at.y > m.high.y + m.scale || !m.has_room()) {
             continue;
         }
         if (is_painted) {
-            fill_pixel(m, left.column, left.row, IM_COL32(12, 13, 16, 255));
-            fill_pixel(m, right.column, right.row, IM_COL32(12, 13, 16, 255));
+            fill_pixel(m, left, row, IM_COL32(12, 13, 16, 255));
+            fill_pixel(m, right, row, IM_COL32(12, 13, 16, 255));
         }
-        fill_pixel(m, left.column, left.row,
-                   m.colour(edge_meaning(history.left_by[i].edge), 0.45f));
-        if (right.column != left.column) {
-            fill_pixel(m, right.column, right.row,
-                       m.colour(edge_meaning(history.right_by[i].edge), 0.45f));
+        fill_pixel(m, left, row, m.colour(edge_meaning(history.left_by[i].edge), 0.45f));
+        if (right != left) {
+            fill_pixel(m, right, row, m.colour(edge_meaning(history.right_by[i].edge), 0.45f));
         }
-        const ImVec2 l = m.at(left), r = m.at(right);
+        const ImVec2 l = m.at(static_cast<float>(left), static_cast<float>(row));
+        const ImVec2 r = m.at(static_cast<float>(right), static_cast<float>(row));
         m.list->AddRectFilled({l.x - h, l.y - h}, {l.x - h + bar, l.y + h},
                               m.colour(Meaning::left_end));
         m.list->AddRectFilled({r.x + h - bar, r.y - h}, {r.x + h, r.y + h},
@@ -214,7 +214,7 @@ void draw_samples(const Marks& m, int triangle) {
 }
 
 /// Where each vertex fell before it was rounded, joined to the pixel it became.
-void draw_vertices(const Marks& m, int triangle, std::span<const Fragment> vertices) {
+void draw_vertices(const Marks& m, int triangle, std::span<const ScreenVertex> vertices) {
     const Frame& frame = m.run.frame;
     const glm::mat3 rotation = camera_rotation(frame.settings.camera);
     const VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
@@ -252,7 +252,7 @@ void draw_current(const Marks& m) {
     const Frame& frame = m.run.frame;
     const Cursor done = *m.run.done;
     const Timeline timeline(frame);
-    const std::span<const Fragment> vertices = frame.triangle_vertices(done.triangle);
+    const std::span<const ScreenVertex> vertices = frame.triangle_vertices(done.triangle);
     const ImU32 white = m.colour(Meaning::current);
     switch (done.phase) {
     case Phase::vertices:
@@ -265,10 +265,10 @@ void draw_current(const Marks& m) {
     }
     case Phase::rows: {
         const PolygonRows& rows = timeline.moments(done.triangle).rows;
-        const Fragment& left = rows.left[done.index];
-        frame_pixel(m, left.column + done.step, left.row, white, 2.5f * m.u);
+        const int row = rows.first_row + done.index;
+        frame_pixel(m, rows.left[done.index].column + done.step, row, white, 2.5f * m.u);
         if (!has_fragments(frame.settings.stage)) {
-            frame_pixel(m, rows.right[done.index].column, left.row, white, 2.5f * m.u);
+            frame_pixel(m, rows.right[done.index].column, row, white, 2.5f * m.u);
         }
         break;
     }
@@ -306,7 +306,8 @@ void draw_canvas_marks(const Ui& ui, const ShownRun& run, ImDrawList* list, ImVe
     const bool is_picked = ui.session.selection.triangle.has_value();
     const bool is_walking = run.cursor != cursor_end;
     if (has_triangle && (m.is_large() || is_picked || is_walking)) {
-        const std::span<const Fragment> vertices = frame.triangle_vertices(*ui.results.a.triangle);
+        const std::span<const ScreenVertex> vertices =
+            frame.triangle_vertices(*ui.results.a.triangle);
         if (m.is_large() && frame.settings.stage >= Stage::edges) draw_row_ends(m);
         draw_true_edges(m, vertices);
         if (m.is_large()) {

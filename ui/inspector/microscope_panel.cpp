@@ -30,11 +30,11 @@ void look_at_edge(Ui& ui) {
         view.edge = done->index;
     }
     const Frame& frame = ui.results.a.frame;
-    const std::span<const Fragment> v = frame.triangle_vertices(*ui.results.a.triangle);
+    const std::span<const ScreenVertex> v = frame.triangle_vertices(*ui.results.a.triangle);
     view.edge = std::min(view.edge, static_cast<int>(v.size()) - 1);
     const auto edge_of = static_cast<std::size_t>(view.edge);
-    const Fragment& a = v[edge_of];
-    const Fragment& b = v[(edge_of + 1) % v.size()];
+    const ScreenVertex& a = v[edge_of];
+    const ScreenVertex& b = v[(edge_of + 1) % v.size()];
     const EdgeRules rules = edge_rules(frame.settings);
     if (!view.shown.shows(a, b, rules, frame.stages)) {
         view.shown = microscope(a, b, rules, frame.stages);

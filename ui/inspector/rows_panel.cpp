@@ -41,7 +41,7 @@ void go_to_sample(Ui& ui, int edge, int sample) {
 }
 
 /// One end of a row: its column, lit if it was written just now, in the colour of who wrote it.
-void draw_end_cell(Ui& ui, const std::string& name, const Fragment& end, const EndWriter& writer,
+void draw_end_cell(Ui& ui, const std::string& name, const RowEnd& end, const EndWriter& writer,
                    bool is_left, bool just_written) {
     const Palette& p = palette(ui.options.theme);
     if (just_written) {
@@ -85,7 +85,7 @@ const VaryingInfo& shown_varying(const Frame& frame) {
     return varying_list.front();
 }
 
-void draw_values(Ui& ui, const Fragment& end, bool is_set) {
+void draw_values(Ui& ui, const RowEnd& end, bool is_set) {
     const Palette& p = palette(ui.options.theme);
     const VaryingInfo& varying = shown_varying(ui.results.a.frame);
     const auto draw = [&](bool has_number, float number) {

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include "stages/varyings.h"
+
+namespace rasterwalk {
+
+/// A vertex on the screen, as project() leaves it: a corner of the polygon that is drawn.
+struct ScreenVertex {
+    /// Where it falls, not rounded: pixels from the left and from the top of the picture. For
+    /// coverage that keeps parts of a pixel; the lab's begins at the whole one.
+    glm::vec2 position{0.0f};
+    int column = 0; ///< the whole pixel that it is snapped to
+    int row = 0;
+    float depth = 0.0f; ///< for the depth buffer: larger is nearer; in the lab 1/z
+    float inv_w = 0.0f; ///< 1/w of clip space, by which varyings are weighed; in the lab 1/z
+    float z = 0.0f;     ///< z in camera space
+    Varyings varyings;  ///< divided by z already, where they are carried so
+
+    friend bool operator==(const ScreenVertex&, const ScreenVertex&) = default;
+};
+
+} // namespace rasterwalk
