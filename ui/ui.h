@@ -15,7 +15,7 @@
 
 #include "inspect/microscope.h"
 #include "laboratory/bug.h"
-#include "laboratory/suspect.h"
+#include "laboratory/candidate.h"
 #include "lessons/lesson_list.h"
 #include "lessons/lesson_run.h"
 #include "lessons/lesson_search.h"

@@ -68,13 +68,13 @@ Finding diagnose_rows_file(const DiagnoseOptions& options, const Result& result,
 Json to_json(const Finding& finding) {
     const Diagnosis& diagnosis = finding.diagnosis;
     Json candidates = Json::array();
-    for (const Suspect& suspect : diagnosis.candidates) {
-        candidates.push_back({{"different", suspect.different},
-                              {"distance", suspect.distance},
-                              {"explained", suspect.explained},
-                              {"ids", texts_to_json(suspect.ids)},
-                              {"names", texts_to_json(suspect.names)},
-                              {"remark", suspect.remark}});
+    for (const Candidate& candidate : diagnosis.candidates) {
+        candidates.push_back({{"different", candidate.different},
+                              {"distance", candidate.distance},
+                              {"explained", candidate.explained},
+                              {"ids", texts_to_json(candidate.ids)},
+                              {"names", texts_to_json(candidate.names)},
+                              {"remark", candidate.remark}});
     }
     return {{"candidates", std::move(candidates)},
             {"different", diagnosis.different},
@@ -91,11 +91,11 @@ void print_text(const Finding& finding, std::ostream& out) {
     if (diagnosis.is_same()) return;
     out << diagnosis.different << what << " differ from the reference.\n\n"
         << "explains  differ still  mistake\n";
-    for (const Suspect& suspect : diagnosis.candidates) {
-        out << fmt::format("{:>6.1f} %  {:>12}  ", 100.0 * suspect.explained, suspect.different);
-        for (std::size_t i = 0; i < suspect.ids.size(); ++i)
-            out << (i > 0 ? " or " : "") << suspect.ids[i] << ": " << suspect.names[i];
-        if (!suspect.remark.empty()) out << ", " << suspect.remark;
+    for (const Candidate& candidate : diagnosis.candidates) {
+        out << fmt::format("{:>6.1f} %  {:>12}  ", 100.0 * candidate.explained, candidate.different);
+        for (std::size_t i = 0; i < candidate.ids.size(); ++i)
+            out << (i > 0 ? " or " : "") << candidate.ids[i] << ": " << candidate.names[i];
+        if (!candidate.remark.empty()) out << ", " << candidate.remark;
         out << '\n';
     }
 }

@@ -37,7 +37,7 @@ Apart colours_apart(const glm::vec3& a, const glm::vec3& b) {
 }
 
 /// Of the varyings that both runs carry.
-Apart varyings_apart(const VertexDeed& a, const VertexDeed& b) {
+Apart varyings_apart(const VertexEvent& a, const VertexEvent& b) {
     Apart most = Apart::not_at_all;
     const VaryingSet compared = a.compared & b.compared;
     for (int v = 0; v < varying_count; ++v) {
@@ -52,7 +52,7 @@ Apart varyings_apart(const VertexDeed& a, const VertexDeed& b) {
     return most;
 }
 
-Apart vertices_apart(const VertexDeed& a, const VertexDeed& b) {
+Apart vertices_apart(const VertexEvent& a, const VertexEvent& b) {
     if (a.pixel.column != b.pixel.column || a.pixel.row != b.pixel.row) return Apart::clearly;
     return std::max(lengths_apart(a.pixel.depth, b.pixel.depth), varyings_apart(a, b));
 }
@@ -90,7 +90,8 @@ struct Difference {
 };
 
 /// How the two runs differ at a moment; nothing if they do not.
-std::optional<Difference> difference_at(const Deed& a, const Deed& b, const SightRules& rules) {
+std::optional<Difference> difference_at(const MomentEvents& a, const MomentEvents& b,
+                                        const SightRules& rules) {
     if (b.is_nothing()) return Difference{DivergenceKind::missing, false};
     if (a.is_nothing()) return Difference{DivergenceKind::extra, false};
     // A mark that only one of them puts on the picture.
@@ -197,10 +198,10 @@ std::optional<Divergence> previous_divergence(const Frame& a, const Frame& b, co
 
 std::optional<Divergence> divergence_at(const Frame& a, const Framebuffer& picture_a,
                                         const Frame& b, const Framebuffer& picture_b,
-                                        const Cursor& cursor) {
+                                        const Cursor& cursor, Framebuffer& scratch) {
     std::optional<Divergence> found;
     const SightRules rules = sight_rules(a, b);
-    visit_moment(a, picture_a, b, picture_b, cursor, [&](const PairMoment& moment) {
+    visit_moment(a, picture_a, b, picture_b, cursor, scratch, [&](const PairMoment& moment) {
         const std::optional<Difference> difference = difference_at(moment.a, moment.b, rules);
         if (difference) found = divergence_of(a, b, moment, *difference);
         return false;

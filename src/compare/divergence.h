@@ -5,7 +5,7 @@
 // Compared is what can be seen of a run: vertices with their pixel, 1/z and light; edge samples
 // with their pixel and whether they fall in the row table; fragments and marks with their pixel,
 // fate, depth and colour. Row ends show through the samples that make them and the fragments
-// between them. How varyings are carried (q or q/z) is a way to reckon, not a difference.
+// between them. How varyings are carried (q or q/z) is a way to calculate, not a difference.
 
 #include <array>
 #include <cstdint>
@@ -78,9 +78,10 @@ class DivergenceCollector {
 
 /// The divergence at this very moment, if there is one. The pictures are those of both runs with
 /// everything before it drawn. Costs no more than the triangle's edges.
+/// @param scratch room for what the moment draws; kept by the caller to save allocations
 std::optional<Divergence> divergence_at(const Frame& a, const Framebuffer& picture_a,
                                         const Frame& b, const Framebuffer& picture_b,
-                                        const Cursor& cursor);
+                                        const Cursor& cursor, Framebuffer& scratch);
 
 /// The first divergence that is not before `from`; none if there is none. Costs both frames'
 /// drawing up to there.

@@ -108,7 +108,7 @@ std::string projection(const Frame& frame, const ShadedVertex& shaded, const Scr
 }
 
 /// The first varying carried by both runs that differs: "its light is (1, 1, 1) in A, ...".
-std::string varying_text(const VertexDeed& a, const VertexDeed& b) {
+std::string varying_text(const VertexEvent& a, const VertexEvent& b) {
     const VaryingSet compared = a.compared & b.compared;
     for (int v = 0; v < varying_count; ++v) {
         const VaryingInfo& varying = varying_list[static_cast<std::size_t>(v)];
@@ -135,7 +135,7 @@ std::string varying_text(const VertexDeed& a, const VertexDeed& b) {
 std::string vertex_text(const Frame& a, const Frame& b, const PairMoment& moment) {
     const auto corners = static_cast<int>(a.triangle_vertices(moment.cursor.triangle).size());
     const std::string vertex = numbered("vertex", moment.cursor.index, corners);
-    const VertexDeed &in_a = *moment.a.vertex, &in_b = *moment.b.vertex;
+    const VertexEvent &in_a = *moment.a.vertex, &in_b = *moment.b.vertex;
     const bool differs = in_a.pixel.column != in_b.pixel.column || in_a.pixel.row != in_b.pixel.row;
     if (differs && (a.is_cut(moment.cursor.triangle) || b.is_cut(moment.cursor.triangle))) {
         return fmt::format("{}: in A {}; in B {}.", vertex,

@@ -62,11 +62,11 @@ void copy_row(const Frame& frame, const Framebuffer& picture, const Cursor& curs
 }
 
 void watch_moment(const Frame& frame, const Framebuffer& picture, const Cursor& cursor,
-                  Framebuffer& scratch, Deeds& deeds) {
+                  Framebuffer& scratch, EventRecorder& recorder) {
     if (cursor.triangle < 0 || cursor.triangle >= frame.triangle_count()) return;
     if (!frame.is_drawn(cursor.triangle)) return;
     copy_row(frame, picture, cursor, scratch);
-    draw(frame, {cursor, behind(cursor), {}}, scratch, &deeds);
+    draw(frame, {cursor, behind(cursor), {}}, scratch, &recorder);
 }
 
 } // namespace
@@ -80,21 +80,21 @@ TableRows table_rows(const Frame& frame, int triangle) {
     return {top->row, bottom->row};
 }
 
-void Deeds::clear() {
+void EventRecorder::clear() {
     vertices_.clear();
     samples_.clear();
     fragments_.clear();
     vertex_ = sample_ = fragment_ = 0;
 }
 
-void Deeds::vertex(const Cursor& cursor, const ScreenVertex& pixel) {
-    VertexDeed deed{cursor, pixel, {}, {}};
-    deed.compared = carried_varyings(frame_.stages, lighting_of(frame_.settings.stage));
-    if (!(deed.compared == VaryingSet{})) deed.varyings = varyings_at(frame_, cursor, pixel);
-    vertices_.push_back(deed);
+void EventRecorder::vertex(const Cursor& cursor, const ScreenVertex& pixel) {
+    VertexEvent event{cursor, pixel, {}, {}};
+    event.compared = carried_varyings(frame_.stages, lighting_of(frame_.settings.stage));
+    if (!(event.compared == VaryingSet{})) event.varyings = varyings_at(frame_, cursor, pixel);
+    vertices_.push_back(event);
 }
 
-Cursor Deeds::next() const {
+Cursor EventRecorder::next() const {
     Cursor cursor = cursor_end;
     if (vertex_ < vertices_.size()) cursor = std::min(cursor, vertices_[vertex_].cursor);
     if (sample_ < samples_.size()) cursor = std::min(cursor, samples_[sample_].cursor);
@@ -102,25 +102,25 @@ Cursor Deeds::next() const {
     return cursor;
 }
 
-Deed Deeds::take(const Cursor& cursor) {
-    Deed deed;
+MomentEvents EventRecorder::take(const Cursor& cursor) {
+    MomentEvents events;
     if (vertex_ < vertices_.size() && vertices_[vertex_].cursor == cursor) {
-        deed.vertex = &vertices_[vertex_++];
+        events.vertex = &vertices_[vertex_++];
     }
     if (sample_ < samples_.size() && samples_[sample_].cursor == cursor) {
-        deed.sample = &samples_[sample_++];
+        events.sample = &samples_[sample_++];
     }
     const std::size_t first = fragment_;
     while (fragment_ < fragments_.size() && fragments_[fragment_].cursor == cursor)
         ++fragment_;
-    deed.fragments = std::span(fragments_).subspan(first, fragment_ - first);
-    return deed;
+    events.fragments = std::span(fragments_).subspan(first, fragment_ - first);
+    return events;
 }
 
 namespace {
 
 /// Tells of the moments of both runs in order. False if the visitor has ended the walk.
-bool merge(Deeds& a, Deeds& b, const PairVisitor& visit) {
+bool merge(EventRecorder& a, EventRecorder& b, const PairVisitor& visit) {
     while (true) {
         const Cursor cursor = std::min(a.next(), b.next());
         if (cursor == cursor_end) return true;
@@ -131,7 +131,7 @@ bool merge(Deeds& a, Deeds& b, const PairVisitor& visit) {
 } // namespace
 
 RunWalk::RunWalk(const Frame& a, const Frame& b, const Cursor& to)
-    : a_(a), b_(b), to_(to), deeds_a_(a), deeds_b_(b) {
+    : a_(a), b_(b), to_(to), recorder_a_(a), recorder_b_(b) {
     clear(picture_a_, a);
     clear(picture_b_, b);
 }
@@ -172,21 +172,21 @@ bool RunWalk::walk_part(const PairVisitor& visit) {
     next_ = is_drawn ? part_end() : Cursor{from.triangle + 1, Phase::vertices, 0, 0};
     if (!is_drawn) return true;
     const Cursor end = std::min(next_, to_);
-    deeds_a_.clear();
-    deeds_b_.clear();
-    draw(a_, {from, end, {}}, picture_a_, &deeds_a_);
-    draw(b_, {from, end, {}}, picture_b_, &deeds_b_);
-    events_ += static_cast<std::int64_t>(deeds_a_.count() + deeds_b_.count());
-    return merge(deeds_a_, deeds_b_, visit);
+    recorder_a_.clear();
+    recorder_b_.clear();
+    draw(a_, {from, end, {}}, picture_a_, &recorder_a_);
+    draw(b_, {from, end, {}}, picture_b_, &recorder_b_);
+    events_ += static_cast<std::int64_t>(recorder_a_.count() + recorder_b_.count());
+    return merge(recorder_a_, recorder_b_, visit);
 }
 
 void visit_moment(const Frame& a, const Framebuffer& picture_a, const Frame& b,
-                  const Framebuffer& picture_b, const Cursor& cursor, const PairVisitor& visit) {
-    static thread_local Framebuffer scratch;
-    Deeds deeds_a(a), deeds_b(b);
-    watch_moment(a, picture_a, cursor, scratch, deeds_a);
-    watch_moment(b, picture_b, cursor, scratch, deeds_b);
-    merge(deeds_a, deeds_b, visit);
+                  const Framebuffer& picture_b, const Cursor& cursor, Framebuffer& scratch,
+                  const PairVisitor& visit) {
+    EventRecorder of_a(a), of_b(b);
+    watch_moment(a, picture_a, cursor, scratch, of_a);
+    watch_moment(b, picture_b, cursor, scratch, of_b);
+    merge(of_a, of_b, visit);
 }
 
 } // namespace rasterwalk

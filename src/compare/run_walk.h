@@ -21,7 +21,7 @@ struct TableRows {
 TableRows table_rows(const Frame& frame, int triangle);
 
 /// A vertex in the moment in which it is projected.
-struct VertexDeed {
+struct VertexEvent {
     Cursor cursor;
     ScreenVertex pixel;
     Varyings varyings;   ///< as q, however the run carries them on
@@ -29,8 +29,8 @@ struct VertexDeed {
 };
 
 /// What one run does at one moment; what it does not do is null or empty.
-struct Deed {
-    const VertexDeed* vertex = nullptr;
+struct MomentEvents {
+    const VertexEvent* vertex = nullptr;
     const SampleEvent* sample = nullptr;
     std::span<const FragmentEvent> fragments; ///< and marks; both ends of a row are one moment
 
@@ -40,17 +40,17 @@ struct Deed {
 /// A moment at which at least one of the runs does something.
 struct PairMoment {
     Cursor cursor;
-    Deed a, b;
+    MomentEvents a, b;
 };
 
 /// Is told of every moment, in order; false ends the walk.
 using PairVisitor = std::function<bool(const PairMoment&)>;
 
 /// Everything that a run does in a part of a frame, in order.
-class Deeds : public Observer {
+class EventRecorder : public Observer {
   public:
     /// @param frame must live as long
-    explicit Deeds(const Frame& frame) : frame_(frame) {}
+    explicit EventRecorder(const Frame& frame) : frame_(frame) {}
 
     void clear();
     void vertex(const Cursor& cursor, const ScreenVertex& pixel) override;
@@ -64,11 +64,11 @@ class Deeds : public Observer {
     /// The next moment that has not been taken; the end if all have been.
     Cursor next() const;
     /// What is done at that moment, which must not be before next().
-    Deed take(const Cursor& cursor);
+    MomentEvents take(const Cursor& cursor);
 
   private:
     const Frame& frame_;
-    std::vector<VertexDeed> vertices_;
+    std::vector<VertexEvent> vertices_;
     std::vector<SampleEvent> samples_;
     std::vector<FragmentEvent> fragments_;
     std::size_t vertex_ = 0, sample_ = 0, fragment_ = 0; ///< the next of each
@@ -109,12 +109,14 @@ class RunWalk {
     Cursor next_ = cursor_begin; ///< where the next part begins
     std::int64_t events_ = 0;
     Framebuffer picture_a_, picture_b_;
-    Deeds deeds_a_, deeds_b_;
+    EventRecorder recorder_a_, recorder_b_;
 };
 
 /// What both runs do at one moment, told without drawing what lies before it: the pictures stand
 /// there already. Calls the visitor unless neither does anything.
+/// @param scratch room for what the moment draws; kept by the caller to save allocations
 void visit_moment(const Frame& a, const Framebuffer& picture_a, const Frame& b,
-                  const Framebuffer& picture_b, const Cursor& cursor, const PairVisitor& visit);
+                  const Framebuffer& picture_b, const Cursor& cursor, Framebuffer& scratch,
+                  const PairVisitor& visit);
 
 } // namespace rasterwalk

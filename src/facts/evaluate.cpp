@@ -27,7 +27,7 @@ bool compare(Kind kind, const T& a, const T& b) {
     }
 }
 
-double reckon(Kind kind, double a, double b) {
+double calculate(Kind kind, double a, double b) {
     switch (kind) {
     case Kind::add:
         return a + b;
@@ -98,7 +98,7 @@ struct Evaluator {
         const Value right = value(here.right);
         const double* const b = std::get_if<double>(&right);
         if (b == nullptr) return {};
-        const double result = reckon(here.kind, *a, *b);
+        const double result = calculate(here.kind, *a, *b);
         return std::isfinite(result) ? Value(result) : Value();
     }
 

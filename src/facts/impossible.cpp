@@ -34,7 +34,7 @@ Reach product(const Reach& a, const Reach& b) {
     return {*low, *high, a.is_whole && b.is_whole};
 }
 
-struct Reckoner {
+struct Ranges {
     const Expression& expression;
 
     const ExpressionNode& node(int index) const {
@@ -193,17 +193,17 @@ struct Reckoner {
 } // namespace
 
 std::vector<std::string> impossible_parts(const Expression& condition) {
-    const Reckoner reckoner{condition};
+    const Ranges ranges{condition};
     std::vector<std::string> sentences;
     for (std::size_t i = 0; i < condition.nodes.size(); ++i) {
         const ExpressionNode& node = condition.nodes[i];
-        if (!reckoner.is_impossible(node)) continue;
+        if (!ranges.is_impossible(node)) continue;
         // The side that is no plain number is the one to speak of.
-        const Reach left = reckoner.reach(node.left);
+        const Reach left = ranges.reach(node.left);
         const int side = left.low == left.high ? node.right : node.left;
-        const Reach reach = reckoner.reach(side);
-        std::string sentence = "'" + reckoner.text(static_cast<int>(i)) +
-                               "' can never hold: " + reckoner.text(side) + " lies between " +
+        const Reach reach = ranges.reach(side);
+        std::string sentence = "'" + ranges.text(static_cast<int>(i)) +
+                               "' can never hold: " + ranges.text(side) + " lies between " +
                                significant(reach.low, 9) + " and " + significant(reach.high, 9);
         if (reach.is_whole) sentence += " and is whole";
         sentences.push_back(sentence + ".");

@@ -1,6 +1,6 @@
 #pragma once
 
-// What conditions and predictions in lessons reckon with.
+// What conditions and predictions in lessons calculate with.
 
 #include <cstdint>
 #include <limits>

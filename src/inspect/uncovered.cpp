@@ -70,7 +70,7 @@ NearTriangle look_at(const Frame& frame, int triangle, const glm::ivec2& pixel, 
     const bool is_unset = rows.is_empty_row(index);
     const int drawn = is_unset ? 0 : row_span(frame.stages, rows, index).drawn;
     near.is_empty = drawn == 0;
-    near.is_passed_over = drawn == 0 && !is_unset;
+    near.is_left_out = drawn == 0 && !is_unset;
     if (near.is_empty) {
         near.columns_away = way_to_box(frame, triangle, pixel).x;
         return near;
@@ -194,7 +194,7 @@ std::string miss_text(const NearTriangle& near) {
         if (near.columns_away == 0) return text + " the pixel";
         return fmt::format("{} and {} the pixel", text, column_direction(near.columns_away));
     }
-    if (near.is_passed_over)
+    if (near.is_left_out)
         return fmt::format("its row {} is a single pixel, and passed over", near.row);
     if (near.is_empty) return fmt::format("no edge sample reached its row {}", near.row);
     const bool begins = near.columns_away > 0;

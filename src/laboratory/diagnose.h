@@ -11,8 +11,8 @@
 
 #include "base/image.h"
 #include "laboratory/bug.h"
+#include "laboratory/candidate.h"
 #include "laboratory/printed_rows.h"
-#include "laboratory/suspect.h"
 #include "scene/scene.h"
 #include "settings/settings.h"
 

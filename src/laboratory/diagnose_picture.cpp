@@ -190,7 +190,7 @@ Diagnosis diagnose_picture(const Image& picture, const Scene& scene, const Setti
             try_shifts(trial, bases);
         }
     }
-    rank_suspects(std::move(trial.hypotheses), "this very picture", diagnosis);
+    rank_candidates(std::move(trial.hypotheses), "this very picture", diagnosis);
     return diagnosis;
 }
 

@@ -194,7 +194,7 @@ Diagnosis diagnose_rows(const std::vector<PrintedRow>& rows, const std::vector<g
             add({.id = edit.id, .name = edit.name}, edited);
         }
     }
-    rank_suspects(std::move(hypotheses), "this very table", diagnosis);
+    rank_candidates(std::move(hypotheses), "this very table", diagnosis);
     return diagnosis;
 }
 

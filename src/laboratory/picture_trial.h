@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/image.h"
+#include "laboratory/candidate.h"
 #include "laboratory/image_variant.h"
-#include "laboratory/suspect.h"
 #include "scene/scene.h"
 #include "settings/settings.h"
 

@@ -19,7 +19,7 @@ struct PrintedRow {
 };
 
 /// Reads lines of the form `Start: (10,5). End: (10,5).`; other lines that do not begin with Start
-/// are passed over. Throws InputError with file:line, also if there is no such line at all.
+/// are skipped. Throws InputError with file:line, also if there is no such line at all.
 std::vector<PrintedRow> parse_printed_rows(std::string_view text, const std::string& path);
 
 /// A row table as the lab prints it.

@@ -1,7 +1,7 @@
 #pragma once
 
 // What is written inside the lines of a lesson's text: links, pictures, formulas, footnotes. Code
-// is passed over.
+// is skipped.
 
 #include <string>
 #include <string_view>

@@ -18,7 +18,7 @@ struct DrawWindow {
     std::optional<Rectangle> scissor;
 };
 
-/// What draw() did with the triangles that it did not pass over. What is told of row tables is told
+/// What draw() did with the triangles that it did not skip. What is told of row tables is told
 /// of the triangles that begin in the window, so that tallies of windows that follow each other can
 /// be added.
 struct DrawTally {
@@ -45,7 +45,7 @@ void clear(Framebuffer& framebuffer, const Frame& frame, Viewport size, glm::ive
 /// holds the whole picture or a window of it. The driver of the whole pipeline: read it first.
 ///
 /// Where less than the whole picture is drawn, by the framebuffer or the scissor, triangles that
-/// cannot reach it are passed over: neither the tally nor the observer hears of them.
+/// cannot reach it are skipped: neither the tally nor the observer hears of them.
 DrawTally draw(const Frame& frame, const DrawWindow& window, Framebuffer& framebuffer,
                Observer* observer = nullptr);
 

@@ -73,7 +73,8 @@ void compare_pictures(const RunResults& a, const RunResults& b, View view,
     comparison.here = std::nullopt;
     if (!a.is_drawn() || !b.is_drawn()) return;
     const Cursor& next = std::min(a.cursor, b.cursor);
-    comparison.here = divergence_at(a.frame, *a.framebuffer, b.frame, *b.framebuffer, next);
+    comparison.here =
+        divergence_at(a.frame, *a.framebuffer, b.frame, *b.framebuffer, next, comparison.scratch);
 }
 
 void update_second_run(const Session& session, const RunChanges& a, const WorkLimit& limit,

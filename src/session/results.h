@@ -25,6 +25,7 @@ struct ComparisonResults {
     PixelDifference pixels;               ///< at the cursor
     ComparisonWork work;                  ///< compares the whole frames, in parts if that is much
     std::optional<Divergence> here; ///< if the runs differ in the piece of work that comes next
+    Framebuffer scratch;            ///< room for looking at that piece of work
 
     /// What is found of the whole frames, so far.
     const Comparison& whole() const { return work.found(); }

@@ -1,6 +1,7 @@
 #include "session/run_results.h"
 
 #include <array>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -25,10 +26,13 @@ std::optional<int> shown_triangle(const Session& session, const RunResults& resu
 /// Projects the scene, if it or the run is another one.
 bool update_frame(const std::shared_ptr<const Scene>& scene, const Run& run, RunResults& results) {
     if (results.scene == scene && results.run == run) return false;
+    // Noted as done only when it is: what throws is prepared again next time.
+    results.run = std::nullopt;
+    Frame frame = prepare_frame(*scene, run.settings);
+    results.frame = std::move(frame);
     results.scene = scene;
-    results.run = run;
-    results.frame = prepare_frame(*scene, run.settings);
     results.replay.begin(results.frame);
+    results.run = run;
     return true;
 }
 

@@ -7,7 +7,7 @@
 // Picture: a row of bricks from the left end to the right one, both included: right - left + 1.
 //
 // The classic mistakes: `<` for `<=`, which leaves out the last column and opens gaps between
-// neighbours; to pass over rows of a single pixel, which takes off the tips; to draw rows that no
+// neighbours; to leave out rows of a single pixel, which takes off the tips; to draw rows that no
 // sample has reached, where right - left + 1 does not fit an int; and to multiply the varyings by
 // 1/z a second time here, although the vertices did it already.
 //

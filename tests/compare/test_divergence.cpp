@@ -264,7 +264,7 @@ TEST_CASE("At a moment it is told whether the runs differ there") {
                 moments.insert(cursor);
             for (const auto& [cursor, seen] : everything(b, false))
                 moments.insert(cursor);
-            Framebuffer picture_a, picture_b;
+            Framebuffer picture_a, picture_b, scratch;
             clear(picture_a, a);
             clear(picture_b, b);
             Cursor before = cursor_begin;
@@ -273,7 +273,7 @@ TEST_CASE("At a moment it is told whether the runs differ there") {
                 draw(b, {before, cursor, {}}, picture_b);
                 before = cursor;
                 const std::optional<Divergence> here =
-                    divergence_at(a, picture_a, b, picture_b, cursor);
+                    divergence_at(a, picture_a, b, picture_b, cursor, scratch);
                 const auto expected = all.find(cursor);
                 REQUIRE(here.has_value() == (expected != all.end()));
                 if (!here) continue;

@@ -206,7 +206,7 @@ TEST_CASE("A window of the picture is drawn with the bits that the whole picture
     }
 }
 
-TEST_CASE("A triangle is not passed over whose long edge strays into the window") {
+TEST_CASE("A triangle is not skipped whose long edge strays into the window") {
     // Edges come from far off and end just below the window; where the sum of the steps is a little
     // too small at the end, a sample falls into it. Mirrored in the diagonal, columns are meant.
     test::Random random(31);

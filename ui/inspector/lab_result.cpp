@@ -37,29 +37,29 @@ void draw_file(Ui& ui) {
 }
 
 /// One candidate: how much of the difference it explains, as a bar and a number, and its name.
-void draw_candidate(Ui& ui, const Suspect& suspect, int index) {
+void draw_candidate(Ui& ui, const Candidate& candidate, int index) {
     const Palette& p = palette(ui.options.theme);
     const float u = ui.options.text_scale;
     std::string names;
     const Bug* bug = nullptr;
-    for (std::size_t i = 0; i < suspect.ids.size(); ++i) {
-        const bool is_bug = suspect.ids[i].starts_with('B');
-        names += (i > 0 ? " or " : "") + (is_bug ? suspect.ids[i] + " " : std::string()) +
-                 suspect.names[i];
+    for (std::size_t i = 0; i < candidate.ids.size(); ++i) {
+        const bool is_bug = candidate.ids[i].starts_with('B');
+        names += (i > 0 ? " or " : "") + (is_bug ? candidate.ids[i] + " " : std::string()) +
+                 candidate.names[i];
         for (const Bug& known : lab_bugs(ui)) {
-            if (bug == nullptr && known.id == suspect.ids[i]) bug = &known;
+            if (bug == nullptr && known.id == candidate.ids[i]) bug = &known;
         }
     }
-    if (!suspect.remark.empty()) names += ", " + suspect.remark;
+    if (!candidate.remark.empty()) names += ", " + candidate.remark;
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushFont(ui.fonts.mono);
-    right_aligned(fmt::format("{:.1f} %", 100.0 * suspect.explained), p.text);
+    right_aligned(fmt::format("{:.1f} %", 100.0 * candidate.explained), p.text);
     ImGui::PopFont();
     const ImVec2 low = ImGui::GetItemRectMin();
     const float bottom = ImGui::GetItemRectMax().y + 2.0f * u;
     const float full = ImGui::GetItemRectSize().x;
-    const auto part = static_cast<float>(std::clamp(suspect.explained, 0.0, 1.0));
+    const auto part = static_cast<float>(std::clamp(candidate.explained, 0.0, 1.0));
     ImGui::GetWindowDrawList()->AddRectFilled({low.x, bottom},
                                               {low.x + part * full, bottom + 2.0f * u},
                                               packed(colour_of(Meaning::pass, ui.options.theme)));
@@ -67,10 +67,10 @@ void draw_candidate(Ui& ui, const Suspect& suspect, int index) {
     wrapped_text(names);
     const std::string name = "lab.candidate." + std::to_string(index);
     name_widget(ui, name,
-                "With this " + grouped(suspect.different) +
-                    " still differ from your result; mean distance " + fixed(suspect.distance, 3) +
-                    " steps of 255.");
-    note_text(ui, name, suspect.ids.front());
+                "With this " + grouped(candidate.different) +
+                    " still differ from your result; mean distance " +
+                    fixed(candidate.distance, 3) + " steps of 255.");
+    note_text(ui, name, candidate.ids.front());
     ImGui::TableNextColumn();
     if (bug == nullptr) return;
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(4.0f * u, 0.0f));

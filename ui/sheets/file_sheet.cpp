@@ -176,9 +176,9 @@ float message_height(const std::string& message) {
 bool draw_buttons(Ui& ui) {
     FileSheet& sheet = ui.files;
     const bool replaces = !sheet.asked.empty();
-    const char* const deed = replaces ? "Replace" : is_saving(sheet) ? "Save" : "Open";
+    const char* const action = replaces ? "Replace" : is_saving(sheet) ? "Save" : "Open";
     const float gap = ImGui::GetStyle().ItemSpacing.x;
-    const float width = button_width("Cancel") + button_width(deed) + gap;
+    const float width = button_width("Cancel") + button_width(action) + gap;
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() +
                          std::max(ImGui::GetContentRegionAvail().x - width, 0.0f));
     if (button(ui, "files.cancel", "Cancel", Look::plain,
@@ -187,7 +187,7 @@ bool draw_buttons(Ui& ui) {
     }
     ImGui::SameLine();
     ImGui::BeginDisabled(sheet.path.empty());
-    const bool pressed = button(ui, "files.do", deed, Look::chosen,
+    const bool pressed = button(ui, "files.do", action, Look::chosen,
                                 replaces           ? "Overwrites the file. Key: Enter"
                                 : is_saving(sheet) ? "Writes the file. Key: Enter"
                                                    : "Opens the file. Key: Enter");

@@ -1,4 +1,4 @@
-#include "laboratory/suspect.h"
+#include "laboratory/candidate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,18 +24,18 @@ bool is_bug_id(const std::string& id) {
     return id.size() > 1 && id[0] == 'B' && id[1] >= '0' && id[1] <= '9';
 }
 
-std::string suspect_text(const Suspect& suspect) {
+std::string candidate_text(const Candidate& candidate) {
     std::string text;
-    for (std::size_t i = 0; i < suspect.names.size(); ++i) {
-        if (i > 0) text += i + 1 == suspect.names.size() ? " or " : ", ";
-        if (is_bug_id(suspect.ids[i])) text += suspect.ids[i] + " ";
-        text += suspect.names[i];
+    for (std::size_t i = 0; i < candidate.names.size(); ++i) {
+        if (i > 0) text += i + 1 == candidate.names.size() ? " or " : ", ";
+        if (is_bug_id(candidate.ids[i])) text += candidate.ids[i] + " ";
+        text += candidate.names[i];
     }
-    return suspect.remark.empty() ? text : fmt::format("{} ({})", text, suspect.remark);
+    return candidate.remark.empty() ? text : fmt::format("{} ({})", text, candidate.remark);
 }
 
-std::string verdict_text(const Suspect& first, std::string_view same) {
-    const std::string who = suspect_text(first);
+std::string verdict_text(const Candidate& first, std::string_view same) {
+    const std::string who = candidate_text(first);
     if (first.distance == 0.0) {
         return fmt::format("{} {} {}.", who, first.ids.size() > 1 ? "make" : "makes", same);
     }
@@ -50,15 +50,15 @@ std::string verdict_text(const Suspect& first, std::string_view same) {
 
 } // namespace
 
-void rank_suspects(std::vector<Hypothesis> hypotheses, std::string_view same,
-                   Diagnosis& diagnosis) {
+void rank_candidates(std::vector<Hypothesis> hypotheses, std::string_view same,
+                     Diagnosis& diagnosis) {
     std::stable_sort(hypotheses.begin(), hypotheses.end(),
                      [](const Hypothesis& a, const Hypothesis& b) {
                          if (price(a) != price(b)) return price(a) < price(b);
                          if (a.assumptions != b.assumptions) return a.assumptions < b.assumptions;
                          return a.is_bug && !b.is_bug;
                      });
-    std::vector<const Hypothesis*> leaders; // of each suspect
+    std::vector<const Hypothesis*> leaders; // of each candidate
     for (const Hypothesis& h : hypotheses) {
         const auto leader = std::find_if(leaders.begin(), leaders.end(), [&](const Hypothesis* l) {
             return l->result == h.result && l->distance == h.distance;
@@ -66,24 +66,26 @@ void rank_suspects(std::vector<Hypothesis> hypotheses, std::string_view same,
         if (leader != leaders.end()) {
             // What needs more assumptions, or is only another name of a bug's setting, adds
             // nothing.
-            Suspect& suspect =
+            Candidate& candidate =
                 diagnosis.candidates[static_cast<std::size_t>(leader - leaders.begin())];
             const bool is_equal =
                 h.is_bug == (*leader)->is_bug && h.assumptions == (*leader)->assumptions;
             const bool is_new =
-                std::find(suspect.ids.begin(), suspect.ids.end(), h.id) == suspect.ids.end();
+                std::find(candidate.ids.begin(), candidate.ids.end(), h.id) == candidate.ids.end();
             if (is_equal && is_new) {
-                suspect.ids.push_back(h.id);
-                suspect.names.push_back(h.name);
+                candidate.ids.push_back(h.id);
+                candidate.names.push_back(h.name);
             }
             continue;
         }
         // The same mistake with other assumptions is worse than what is listed already.
-        const bool is_listed = std::any_of(
-            diagnosis.candidates.begin(), diagnosis.candidates.end(), [&](const Suspect& suspect) {
-                return std::find(suspect.ids.begin(), suspect.ids.end(), h.id) != suspect.ids.end();
-            });
-        if (is_listed || diagnosis.candidates.size() == most_suspects) continue;
+        const bool is_listed =
+            std::any_of(diagnosis.candidates.begin(), diagnosis.candidates.end(),
+                        [&](const Candidate& candidate) {
+                            return std::find(candidate.ids.begin(), candidate.ids.end(), h.id) !=
+                                   candidate.ids.end();
+                        });
+        if (is_listed || diagnosis.candidates.size() == most_candidates) continue;
         const double explained =
             diagnosis.distance > 0.0 ? 1.0 - h.distance / diagnosis.distance : 0.0;
         // What brings nothing nearer is not worth naming, unless there is nothing else.

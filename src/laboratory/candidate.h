@@ -6,8 +6,9 @@
 
 namespace rasterwalk {
 
-/// A mistake that may have made a result. Mistakes that make the very same result are one suspect.
-struct Suspect {
+/// A mistake that may have made a result. Mistakes that make the very same result are one
+/// candidate.
+struct Candidate {
     std::vector<std::string> ids;   ///< of bugs: "B9"; of others a word: "upside_down"
     std::vector<std::string> names; ///< what they are, in the same order
     std::string remark;         ///< what it is assumed with: "with light.power=14"; may be empty
@@ -18,15 +19,15 @@ struct Suspect {
 
 /// What may be wrong with a result that was compared with the reference.
 struct Diagnosis {
-    std::string verdict;             ///< a sentence; "no difference"
-    double distance = 0.0;           ///< of the reference from the result
-    std::int64_t different = 0;      ///< pixels or rows that differ from the reference
-    std::vector<Suspect> candidates; ///< most likely first
+    std::string verdict;               ///< a sentence; "no difference"
+    double distance = 0.0;             ///< of the reference from the result
+    std::int64_t different = 0;        ///< pixels or rows that differ from the reference
+    std::vector<Candidate> candidates; ///< most likely first
 
     bool is_same() const { return different == 0; }
 };
 
-/// A suspect before it is known which others come to the same.
+/// A candidate before it is known which others come to the same.
 struct Hypothesis {
     std::string id{}, name{}, remark{};
     int assumptions = 1; ///< how many things differ from the reference
@@ -37,10 +38,11 @@ struct Hypothesis {
 };
 
 /// Ranks the hypotheses, names those of the same result together, and says the verdict.
-/// @param same what a suspect of distance 0 makes: "this very picture"
-void rank_suspects(std::vector<Hypothesis> hypotheses, std::string_view same, Diagnosis& diagnosis);
+/// @param same what a candidate of distance 0 makes: "this very picture"
+void rank_candidates(std::vector<Hypothesis> hypotheses, std::string_view same,
+                     Diagnosis& diagnosis);
 
-/// So many suspects are named at most.
-inline constexpr std::size_t most_suspects = 10;
+/// So many candidates are named at most.
+inline constexpr std::size_t most_candidates = 10;
 
 } // namespace rasterwalk
