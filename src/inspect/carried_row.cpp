@@ -37,18 +37,6 @@ float part_of(const Varyings& varyings, Quantity quantity) {
     return varying_list[static_cast<std::size_t>(info.varying)].component(varyings, info.component);
 }
 
-std::vector<ShadedVertex> shade_triangle(const Frame& frame, int triangle,
-                                         const Settings& settings) {
-    const glm::mat3 rotation = camera_rotation(settings.camera);
-    const VertexRules rules = vertex_rules(settings, frame.scene->space);
-    const Triangle& corners = frame.scene->triangles[static_cast<std::size_t>(triangle)];
-    const Stages stages = stages_for(settings, frame.replace);
-    std::vector<ShadedVertex> shaded;
-    for (const Vertex& corner : corners.vertices)
-        shaded.push_back(shade_vertex(corner, rotation, rules, stages));
-    return shaded;
-}
-
 void CarriedRow::walk_from(Interpolation way, int first, std::span<LineSample> result) const {
     const Row ends_of_row{under(way).left, under(way).right, row, count};
     row_fragments(stages[static_cast<std::size_t>(way)], ends_of_row, first, VaryingSet::all(),
@@ -82,12 +70,10 @@ std::optional<CarriedRow> carried_row(const Frame& frame, int triangle, int inde
         Settings settings = frame.settings;
         settings.interpolation = way;
         settings.stage = Stage::vertex_light;
-        std::vector<ScreenVertex> corners;
-        for (const ShadedVertex& vertex : shade_triangle(frame, triangle, settings))
-            corners.push_back(vertex.pixel);
         PolygonRows rows;
         const Stages stages = stages_for(settings, frame.replace);
-        stages.compute_polygon_rows(corners, edges, stages, rows, nullptr);
+        stages.compute_polygon_rows(polygon_under(frame, triangle, settings), edges, stages, rows,
+                                    nullptr);
         if (index < 0 || index >= rows.size() || rows.is_empty_row(index)) return std::nullopt;
         const auto i = static_cast<std::size_t>(index);
         row.stages[static_cast<std::size_t>(way)] = stages;

@@ -56,10 +56,6 @@ constexpr bool is_varying(Quantity quantity) {
 /// The part of the varyings that a quantity means; it must be a varying.
 float part_of(const Varyings& varyings, Quantity quantity);
 
-/// The corners of one triangle of the frame, as the vertex shader gives them under these settings.
-std::vector<ShadedVertex> shade_triangle(const Frame& frame, int triangle,
-                                         const Settings& settings);
-
 /// The ends of a row under one interpolation; light per vertex is carried in every stage.
 struct RowEnds {
     RowEnd left, right;

@@ -39,10 +39,14 @@ struct Frame {
 /// The table for a frame: what the settings choose, and what is put in its place.
 Stages stages_for(const Settings& settings, const ReplaceStages& replace);
 
-/// Runs the vertex shader over the scene. A triangle with one vertex that is rejected is left out
-/// whole, for the reason of the first such vertex.
+/// Takes each triangle of the scene through vertex shader, clip, cull and project. A polygon with
+/// one vertex that is rejected is left out whole, for the reason of the first such vertex.
 Frame prepare_frame(const Scene& scene, const Settings& settings,
                     const ReplaceStages& replace = nullptr);
+
+/// The corners of one triangle as they would be under other settings, with the functions that were
+/// put in slots of the frame.
+std::vector<ScreenVertex> polygon_under(const Frame& frame, int triangle, const Settings& settings);
 
 /// The row table of a drawn triangle.
 /// @param sink    is told of each edge sample, or null

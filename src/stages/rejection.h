@@ -74,7 +74,8 @@ constexpr const RejectionWords& words(Rejection rejection) {
 }
 
 /// What has become of a triangle on its way to the picture: its corners in a list of vertices.
-/// Clipping can leave any number of them.
+/// Clipping can leave any number of them; of a triangle that it rejects they are those of the
+/// scene.
 struct Polygon {
     int first = 0; ///< its first corner in the list
     int count = 0; ///< corners; the edges go from each to the next and from the last to the first

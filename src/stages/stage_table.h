@@ -5,6 +5,8 @@
 // the laboratory are such functions, in src/mistakes; which of them stand in the table follows from
 // the settings, in settings/choose_stages.h.
 
+#include "stages/clip.h"
+#include "stages/cull.h"
 #include "stages/depth_test.h"
 #include "stages/edges.h"
 #include "stages/interpolate.h"
@@ -23,6 +25,9 @@ struct Stages {
     decltype(&rasterwalk::vertex_shader) vertex_shader = rasterwalk::vertex_shader;
     decltype(&rasterwalk::rotate_to_camera) rotate_to_camera = rasterwalk::rotate_to_camera;
     decltype(&rasterwalk::to_clip_space) to_clip_space = rasterwalk::to_clip_space;
+
+    decltype(&clip_nothing) clip = clip_nothing;
+    decltype(&cull_nothing) cull = cull_nothing;
 
     // Project: division, viewport transform and snap.
     decltype(&rasterwalk::project) project = rasterwalk::project;

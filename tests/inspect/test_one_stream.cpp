@@ -63,6 +63,42 @@ glm::ivec2 even_columns(const glm::vec2& projected, const VertexRules& rules) {
     const glm::ivec2 pixel = snap_to_pixel(projected, rules);
     return {pixel.x - pixel.x % 2, pixel.y};
 }
+ClipVertex between(const ClipVertex& a, const ClipVertex& b, float t) {
+    return {a.position_clip + (b.position_clip - a.position_clip) * t,
+            a.varyings + (b.varyings - a.varyings) * t};
+}
+/// Sutherland-Hodgman against one plane, w = near: triangles become quadrilaterals, or nothing.
+Clipped clip_at_near_plane(std::vector<ClipVertex>& corners, const VertexRules&) {
+    constexpr float near = 1.5f;
+    std::vector<ClipVertex> left;
+    bool is_cut = false;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const ClipVertex &a = corners[i], &b = corners[(i + 1) % corners.size()];
+        const float da = a.position_clip.w - near, db = b.position_clip.w - near;
+        if (da >= 0.0f) left.push_back(a);
+        if ((da >= 0.0f) != (db >= 0.0f)) left.push_back(between(a, b, da / (da - db)));
+        is_cut = is_cut || !(da >= 0.0f);
+    }
+    corners = left;
+    return {left.empty() ? Rejection::clipped_away : Rejection::none, is_cut};
+}
+/// Twice the area on the screen, with a sign: which way round the corners go.
+float signed_area(std::span<const ClipVertex> corners) {
+    float area = 0.0f;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const glm::vec4 a = corners[i].position_clip;
+        const glm::vec4 b = corners[(i + 1) % corners.size()].position_clip;
+        area += (a.x * b.y - b.x * a.y) / (a.w * b.w);
+    }
+    return area;
+}
+Rejection cull_back_faces(std::span<const ClipVertex> corners, const VertexRules&) {
+    return signed_area(corners) < 0.0f ? Rejection::back_facing : Rejection::none;
+}
+void clip_and_cull(Stages& stages) {
+    stages.clip = clip_at_near_plane;
+    stages.cull = cull_back_faces;
+}
 LightTerms green_light(const glm::vec3& place, const glm::vec3& normal, const glm::vec3& colour,
                        const Light& light) {
     LightTerms terms = reflected_light(place, normal, colour, light);
@@ -134,6 +170,9 @@ const std::vector<Replacement>& replacements() {
         {"vertex_shader", [](Stages& s) { s.vertex_shader = shader_to_the_right; }},
         {"rotate_to_camera", [](Stages& s) { s.rotate_to_camera = tilted; }, true},
         {"to_clip_space", [](Stages& s) { s.to_clip_space = half_as_long; }, true},
+        {"clip", [](Stages& s) { s.clip = clip_at_near_plane; }, true},
+        {"cull", [](Stages& s) { s.cull = cull_back_faces; }, true},
+        {"clip and cull", clip_and_cull, true},
         {"project", [](Stages& s) { s.project = project_two_right; }},
         {"is_in_front", [](Stages& s) { s.is_in_front = is_between; }},
         {"perspective_divide", [](Stages& s) { s.perspective_divide = two_columns_left; }, true},
@@ -241,13 +280,12 @@ void check_tables(const Frame& frame, const Story& story, int triangle) {
 void check_microscope(const Frame& frame, const Story& story, int triangle) {
     const std::span<const ScreenVertex> v = frame.triangle_vertices(triangle);
     const std::vector<EdgeSample> told = told_samples(story, triangle);
-    for (int e = 0; e < 3; ++e) {
+    for (std::size_t e = 0; e < v.size(); ++e) {
         const EdgeMicroscope edge =
-            microscope(v[static_cast<std::size_t>(e)], v[static_cast<std::size_t>((e + 1) % 3)],
-                       edge_rules(frame.settings), frame.stages);
+            microscope(v[e], v[(e + 1) % v.size()], edge_rules(frame.settings), frame.stages);
         std::size_t i = 0;
         for (const EdgeSample& sample : told) {
-            if (sample.edge != e) continue;
+            if (sample.edge != static_cast<int>(e)) continue;
             REQUIRE(i < edge.forward.size());
             CHECK(same_bits(edge.forward[i].x, sample.x));
             CHECK(edge.forward[i].column == sample.fragment.column);
@@ -362,6 +400,52 @@ TEST_CASE("With another function in any slot all that is shown tells the same, n
         check_pixels(frame, story);
         check_stats(frame, story);
     }
+}
+
+TEST_CASE("Clipping and culling show in polygons, reports and counts") {
+    const Scene scene = small_world();
+    const Settings settings = settings_of_story(scene);
+    const Frame usual = prepare_frame(scene, settings);
+    const Frame frame = prepare_frame(scene, settings, clip_and_cull);
+    LeftOut expected;
+    int quadrilaterals = 0;
+    for (int t = 0; t < frame.triangle_count(); ++t) {
+        const Triangle& triangle = scene.triangles[static_cast<std::size_t>(t)];
+        std::vector<ClipVertex> corners;
+        for (const Vertex& vertex : triangle.vertices) {
+            corners.push_back(vertex_shader(vertex, camera_rotation(settings.camera),
+                                            vertex_rules(settings, scene.space), {}, nullptr));
+        }
+        const Clipped clipped = clip_at_near_plane(corners, {});
+        Rejection rejection = clipped.rejection;
+        if (rejection == Rejection::none) rejection = cull_back_faces(corners, {});
+        CAPTURE(t);
+        CHECK(frame.rejection(t) == rejection);
+        CHECK(triangle_report(frame, t).rejection == rejection);
+        if (rejection != Rejection::none) {
+            ++expected.counts[static_cast<std::size_t>(rejection)];
+        } else {
+            CHECK(frame.is_cut(t) == clipped.is_cut);
+            CHECK(frame.triangle_vertices(t).size() == corners.size());
+            CHECK(triangle_report(frame, t).edges.size() == corners.size());
+            quadrilaterals += corners.size() == 4 ? 1 : 0;
+        }
+        // What is clipped away is shown as the scene has it.
+        if (rejection == Rejection::clipped_away) {
+            CHECK_FALSE(frame.is_cut(t));
+            const std::span<const ScreenVertex> as_given = usual.triangle_vertices(t);
+            const std::span<const ScreenVertex> shown = frame.triangle_vertices(t);
+            CHECK(std::equal(shown.begin(), shown.end(), as_given.begin(), as_given.end()));
+        }
+    }
+    CHECK(count_left_out(frame).counts == expected.counts);
+    CHECK(frame_stats(frame).left_out.counts == expected.counts);
+    CHECK(expected.of(Rejection::clipped_away) > 0);
+    CHECK(expected.of(Rejection::back_facing) > 0);
+    CHECK(quadrilaterals > 0);
+    // A triangle that reaches behind the camera is left out whole where nothing is clipped.
+    CHECK(count_left_out(usual).of(Rejection::behind_camera) == 1);
+    CHECK(count_left_out(frame).of(Rejection::behind_camera) == 0);
 }
 
 TEST_CASE("What is said to be another setting's keeps the functions that were put in") {

@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -42,6 +44,28 @@ int corners_around(const std::vector<ImVec2>& corners, PicturePlace place, float
     return count;
 }
 
+/// Cuts off the right end: of a triangle with one corner there four corners are left.
+Clipped cut_off_right(std::vector<ClipVertex>& corners, const VertexRules&) {
+    float low = corners[0].position_clip.x, high = low;
+    for (const ClipVertex& corner : corners) {
+        low = std::min(low, corner.position_clip.x);
+        high = std::max(high, corner.position_clip.x);
+    }
+    const float border = low + 0.7f * (high - low);
+    std::vector<ClipVertex> left;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const ClipVertex &a = corners[i], &b = corners[(i + 1) % corners.size()];
+        const float da = border - a.position_clip.x, db = border - b.position_clip.x;
+        if (da >= 0.0f) left.push_back(a);
+        if ((da >= 0.0f) == (db >= 0.0f)) continue;
+        const float t = da / (da - db);
+        left.push_back({a.position_clip + (b.position_clip - a.position_clip) * t,
+                        a.varyings + (b.varyings - a.varyings) * t});
+    }
+    corners = left;
+    return {Rejection::none, true};
+}
+
 } // namespace
 
 TEST_CASE("With another walk along the edges the marks are where its samples are") {
@@ -75,6 +99,34 @@ TEST_CASE("With another walk along the edges the marks are where its samples are
     const float corner = std::hypot(0.5f * place.scale, 0.5f * place.scale);
     CHECK(corners_around(framed, place, static_cast<float>(last.fragment.column),
                          static_cast<float>(last.fragment.row), corner) >= 4);
+}
+
+TEST_CASE("Of a clipped triangle the marks are at the corners and samples of what is left") {
+    Driver driver("one-triangle.toml");
+    Settings settings = driver.ui.session.a.settings;
+    settings.stage = Stage::fill;
+    driver.ui.results.a.triangle = 0;
+    const Frame frame = prepare_frame(*driver.ui.session.scene, settings,
+                                      [](Stages& s) { s.clip = cut_off_right; });
+    PicturePlace place = driver.ui.picture_place;
+    place.scale = 40.0f;
+    const std::vector<ImVec2> marks = corners_of_marks(driver, frame, cursor_end, {}, place);
+    const std::span<const ScreenVertex> corners = frame.triangle_vertices(0);
+    REQUIRE(corners.size() == 4);
+    for (const ScreenVertex& corner : corners) {
+        CAPTURE(corner.column, corner.row);
+        CHECK(corners_around(marks, place, static_cast<float>(corner.column),
+                             static_cast<float>(corner.row),
+                             5.5f * driver.ui.options.text_scale) >= 6);
+    }
+    std::array<int, 4> samples{};
+    for (const EdgeSample& sample : edge_samples(frame, 0)) {
+        ++samples[static_cast<std::size_t>(sample.edge)];
+        CAPTURE(sample.edge, sample.sample);
+        CHECK(corners_around(marks, place, sample.x, sample.y, 0.09f * place.scale) >= 6);
+    }
+    for (const int count : samples)
+        CHECK(count > 0);
 }
 
 } // namespace rasterwalk
