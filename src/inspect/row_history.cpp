@@ -50,11 +50,11 @@ class HistoryMaker : public SampleSink {
         }
         const auto row = static_cast<std::size_t>(sample.fragment.row - history_.rows.first_row);
         if (sample.write.left) {
-            rasterwalk::enter(sample.fragment, VaryingSet::all(), history_.rows.left[row]);
+            history_.rows.left[row] = row_end(sample.fragment);
             replace(history_.left_by[row], sample);
         }
         if (sample.write.right) {
-            rasterwalk::enter(sample.fragment, VaryingSet::all(), history_.rows.right[row]);
+            history_.rows.right[row] = row_end(sample.fragment);
             replace(history_.right_by[row], sample);
         }
     }

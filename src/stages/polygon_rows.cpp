@@ -6,6 +6,18 @@
 
 namespace rasterwalk {
 
+namespace {
+
+/// What is told of a sample; it is not made anew for each, since varyings take long to copy.
+void note(const LineSample& sample, bool has_varyings, EdgeSample& told) {
+    told.x = sample.x;
+    told.y = sample.y;
+    told.fragment.row = sample.fragment.row;
+    enter(sample.fragment, has_varyings, told.fragment);
+}
+
+} // namespace
+
 Rectangle polygon_box(std::span<const ScreenVertex> vertices, const EdgeRules&) {
     Rectangle box{vertices[0].column, vertices[0].row, vertices[0].column + 1, vertices[0].row + 1};
     for (const ScreenVertex& vertex : vertices.subspan(1)) {
@@ -33,27 +45,23 @@ void begin_polygon_rows(std::span<const ScreenVertex> vertices, const EdgeRules&
     rows.right.assign(count, empty);
 }
 
-FoundRow find_row(int row, const PolygonRows& rows) {
-    const int index = row - rows.first_row;
-    return {index >= 0 && index < rows.size() ? index : -1, 1};
-}
-
 RowWrite add_edge_sample(const Fragment& sample, VaryingSet carried, const Stages& stages,
                          PolygonRows& rows) {
-    const FoundRow row = stages.find_row(sample.row, rows);
+    const FoundRow row = call<find_row>(stages.find_row, sample.row, rows);
     rows.looked_at += row.looked_at;
     if (row.index < 0) {
         ++rows.outside;
         return {};
     }
     RowWrite write{true, false, false};
+    const bool has_varyings = !(carried == VaryingSet{});
     const auto index = static_cast<std::size_t>(row.index);
     if (sample.column < rows.left[index].column) {
-        enter(sample, carried, rows.left[index]);
+        enter(sample, has_varyings, rows.left[index]);
         write.left = true;
     }
     if (sample.column > rows.right[index].column) {
-        enter(sample, carried, rows.right[index]);
+        enter(sample, has_varyings, rows.right[index]);
         write.right = true;
     }
     return write;
@@ -63,6 +71,8 @@ void compute_polygon_rows(std::span<const ScreenVertex> vertices, const EdgeRule
                           const Stages& stages, PolygonRows& rows, SampleSink* sink) {
     stages.begin_polygon_rows(vertices, rules, rows);
     if (sink != nullptr) sink->begin_rows(rows);
+    const bool has_varyings = !(rules.carried == VaryingSet{});
+    EdgeSample told;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const ScreenVertex& from = vertices[i];
         const ScreenVertex& to = vertices[(i + 1) % vertices.size()];
@@ -75,7 +85,11 @@ void compute_polygon_rows(std::span<const ScreenVertex> vertices, const EdgeRule
             const LineSample& sample = line[static_cast<std::size_t>(s)];
             const RowWrite write = add_edge_sample(sample.fragment, rules.carried, stages, rows);
             if (sink == nullptr) continue;
-            sink->edge_sample({static_cast<int>(i), s, sample.x, sample.y, sample.fragment, write});
+            told.edge = static_cast<int>(i);
+            told.sample = s;
+            told.write = write;
+            note(sample, has_varyings, told);
+            sink->edge_sample(told);
         }
     }
 }

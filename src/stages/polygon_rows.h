@@ -102,7 +102,10 @@ void begin_polygon_rows(std::span<const ScreenVertex> vertices, const EdgeRules&
                         PolygonRows& rows);
 
 /// Finds a row of the picture in the table: by its own number, row - first_row.
-FoundRow find_row(int row, const PolygonRows& rows);
+inline FoundRow find_row(int row, const PolygonRows& rows) {
+    const int index = row - rows.first_row;
+    return {index >= 0 && index < rows.size() ? index : -1, 1};
+}
 
 /// Enters one edge sample: lowers the left end of its row, or raises the right end, or both.
 /// @param carried the varyings that the sample brings along

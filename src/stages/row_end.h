@@ -15,15 +15,20 @@ struct RowEnd {
     friend bool operator==(const RowEnd&, const RowEnd&) = default;
 };
 
-/// What becomes of a row's end when this sample of an edge is entered; varyings that are not
-/// carried stay as they were.
-inline void enter(const Fragment& sample, VaryingSet carried, RowEnd& end) {
+/// Puts a sample of an edge at the end of a row, or where it is told of.
+/// @param has_varyings false: none are carried, and what is there of them stays as it was
+template <class End>
+void enter(const Fragment& sample, bool has_varyings, End& end) {
     end.column = sample.column;
     end.depth = sample.depth;
     end.inv_w = sample.inv_w;
     end.z = sample.z;
-    each_in(carried, end.varyings, sample.varyings, sample.varyings,
-            [](auto& value, const auto& of_sample, const auto&) { value = of_sample; });
+    if (has_varyings) end.varyings = sample.varyings;
+}
+
+/// The end of a row at this sample of an edge.
+inline RowEnd row_end(const Fragment& sample) {
+    return {sample.column, sample.depth, sample.inv_w, sample.z, sample.varyings};
 }
 
 } // namespace rasterwalk

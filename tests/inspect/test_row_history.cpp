@@ -60,7 +60,7 @@ RowEnd end_of(const Triangle3& t, const WalkRules& rules, const EndWriter& by) {
     const auto edge = static_cast<std::size_t>(by.edge);
     LineWalker walker = walk_edge(t[edge], t[(edge + 1) % t.size()], rules);
     walker.advance_to(by.sample);
-    return end_at(walker.sample());
+    return row_end(walker.sample());
 }
 
 } // namespace

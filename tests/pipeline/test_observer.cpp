@@ -150,8 +150,8 @@ struct ReplayedRows {
             const bool same =
                 found == rows.end()
                     ? table.is_empty_row(r)
-                    : same_bits(end_at(found->second.left_sample), table.left[r]) &&
-                          same_bits(end_at(found->second.right_sample), table.right[r]);
+                    : same_bits(row_end(found->second.left_sample), table.left[r]) &&
+                          same_bits(row_end(found->second.right_sample), table.right[r]);
             if (!same) return r;
         }
         return -1;

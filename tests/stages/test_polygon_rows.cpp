@@ -119,8 +119,8 @@ TEST_CASE("A sample becomes the left end, the right end, both or neither") {
     CHECK(add_edge_sample(sample(3, 0, 3.0f), rows) == RowWrite{true, true, false});
     CHECK(add_edge_sample(sample(8, 0, 4.0f), rows) == RowWrite{true, false, true});
     CHECK(add_edge_sample(sample(4, 0, 5.0f), rows) == RowWrite{true, false, false});
-    CHECK(rows.left[0] == end_at(sample(3, 0, 3.0f)));
-    CHECK(rows.right[0] == end_at(sample(8, 0, 4.0f)));
+    CHECK(rows.left[0] == row_end(sample(3, 0, 3.0f)));
+    CHECK(rows.right[0] == row_end(sample(8, 0, 4.0f)));
     CHECK(rows.pixel_count(0) == 6);
 }
 
@@ -149,7 +149,7 @@ TEST_CASE("The rows of random polygons are those of the definition, under every 
             const ScreenVertex& b = vertices[static_cast<std::size_t>(edge + 1) % vertices.size()];
             LineWalker walker = walk_edge(a, b, rule);
             walker.advance_to(index);
-            return end_at(walker.sample());
+            return row_end(walker.sample());
         };
         for (const auto& [row, ends] : expected) {
             const int r = row - rows.first_row;

@@ -83,13 +83,6 @@ inline LineWalker walk_edge(const ScreenVertex& a, const ScreenVertex& b, const 
     return {a, b, edge_sample_count(a, b, rules.samples), rules.line};
 }
 
-/// What stands at the end of a row once this sample has been entered.
-inline RowEnd end_at(const Fragment& sample) {
-    RowEnd end;
-    enter(sample, VaryingSet::all(), end);
-    return end;
-}
-
 inline RowWrite add_edge_sample(const Fragment& sample, PolygonRows& rows) {
     return rasterwalk::add_edge_sample(sample, VaryingSet::all(), Stages{}, rows);
 }
