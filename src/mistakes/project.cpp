@@ -14,9 +14,10 @@ ProjectedVertex project_marking_column(const ClipVertex& vertex, const VertexRul
     return result;
 }
 
-glm::ivec2 snap_into_picture(const glm::vec2& projected, const VertexRules& rules) {
+glm::ivec2 snap_into_picture(const glm::vec2& projected, glm::ivec2 middle,
+                             const VertexRules& rules) {
     const glm::ivec2 last(rules.viewport.width - 1, rules.viewport.height - 1);
-    return glm::clamp(snap_to_pixel(projected, rules), glm::ivec2(0), last);
+    return glm::clamp(snap_to_pixel(projected, middle, rules), glm::ivec2(0), last);
 }
 
 } // namespace rasterwalk

@@ -19,6 +19,7 @@ ProjectedVertex project_marking_column(const ClipVertex& vertex, const VertexRul
 
 /// B15, in the slot snap_to_pixel: a vertex outside the picture is moved to its border, which bends
 /// the edges that end in it.
-glm::ivec2 snap_into_picture(const glm::vec2& projected, const VertexRules& rules);
+glm::ivec2 snap_into_picture(const glm::vec2& projected, glm::ivec2 middle,
+                             const VertexRules& rules);
 
 } // namespace rasterwalk

@@ -1,3 +1,15 @@
+// The pipeline from the polygons on the screen to the picture; what comes before, prepare_frame()
+// has done. For each polygon, in this order:
+//
+//   show_vertices    stage `points`: a mark for each corner
+//   cover            the row table; stage `edges` shows the samples that make it
+//   show_row_ends    stage `rows`: both ends of each row
+//   fill_rows        for each row:
+//     interpolate_row    its fragments, from the left to the right end
+//     test_depth         is the fragment nearer than what its pixel shows?
+//     shade              the pixel shader: its colour
+//     put_pixel          into the planes
+
 #include "pipeline/draw.h"
 
 #include <algorithm>
@@ -94,9 +106,26 @@ void put_mark(Drawing& d, const Cursor& cursor, glm::ivec2 place, const glm::vec
     d.observer->fragment({cursor, told(), Fate::written, depth, stored, before, colour});
 }
 
+DepthResult test_depth(Drawing& d, const Fragment& fragment, std::size_t pixel) {
+    return call<depth_test, no_depth_test>(d.stages.depth_test, fragment, d.target.depth[pixel]);
+}
+
 glm::vec3 shade(Drawing& d, const Fragment& fragment, const Surface& surface) {
     ++d.tally.shaded;
     return d.stages.pixel_shader(fragment, surface, d.pixels, d.stages);
+}
+
+/// Has the fragment's pixel a place in the depth buffer? Counts those tested without.
+bool has_cell(Drawing& d, const Fragment& fragment) {
+    const bool has_one = d.all_have_cells || has_depth_cell(d.stages, fragment.column, fragment.row,
+                                                            d.frame.settings.viewport);
+    if (!has_one && d.is_depth_tested) ++d.tally.depth_outside;
+    return has_one;
+}
+
+void put_pixel(Drawing& d, std::size_t pixel, int triangle, const glm::vec3& colour) {
+    d.target.colour[pixel] = colour;
+    d.target.owner[pixel] = triangle;
 }
 
 /// Depth test, pixel shader, put pixel.
@@ -108,16 +137,13 @@ void draw_fragment(Drawing& d, const Cursor& cursor, const Fragment& fragment, s
     const glm::vec3 before = d.target.colour[pixel];
     glm::vec3 colour(0.0f);
     if (d.shades_first) colour = shade(d, fragment, surface);
-    const bool has_cell =
-        d.all_have_cells ||
-        has_depth_cell(d.stages, fragment.column, fragment.row, d.frame.settings.viewport);
-    if (!has_cell && d.is_depth_tested) ++d.tally.depth_outside;
-    const DepthResult test = call<depth_test, no_depth_test>(d.stages.depth_test, fragment, stored);
+    const bool is_stored = has_cell(d, fragment);
+    const DepthResult test = test_depth(d, fragment, pixel);
     ++d.target.overdraw[pixel];
     if (test.passed) {
-        d.target.colour[pixel] = d.shades_first ? colour : shade(d, fragment, surface);
-        if (has_cell) d.target.depth[pixel] = test.depth;
-        d.target.owner[pixel] = cursor.triangle;
+        if (!d.shades_first) colour = shade(d, fragment, surface);
+        if (is_stored) d.target.depth[pixel] = test.depth;
+        put_pixel(d, pixel, cursor.triangle, colour);
     }
     if constexpr (is_watched) {
         const Fate fate = test.passed ? Fate::written : Fate::depth_failed;
@@ -142,7 +168,7 @@ void draw_fragments(Drawing& d, Cursor cursor, std::span<const LineSample> fragm
 
 constexpr glm::vec3 white{1.0f};
 
-void draw_vertices(Drawing& d, int triangle) {
+void show_vertices(Drawing& d, int triangle) {
     const std::span<const ScreenVertex> vertices = d.frame.triangle_vertices(triangle);
     const Range range = clamp_to_window(d.window, {triangle, Phase::vertices, 0, 0}, &Cursor::index,
                                         static_cast<int>(vertices.size()));
@@ -209,7 +235,7 @@ void cover(Drawing& d, int triangle) {
 }
 
 /// Stage `rows`: both ends of each row, the left one first.
-void draw_row_ends(Drawing& d, int triangle) {
+void show_row_ends(Drawing& d, int triangle) {
     const Range range =
         clamp_to_window(d.window, {triangle, Phase::rows, 0, 0}, &Cursor::index, d.rows.size());
     const int first = std::max(range.first, d.scissor.top - d.rows.first_row);
@@ -237,8 +263,18 @@ Range columns_in_window(const Drawing& d, const Cursor& row, const RowSpan& span
     return {static_cast<int>(first), static_cast<int>(last)};
 }
 
+/// The fragments of a row of the table that stand in these of its columns.
+std::span<const LineSample> interpolate_row(Drawing& d, int index, const RowSpan& span,
+                                            const Range& columns) {
+    const auto i = static_cast<std::size_t>(index);
+    const Row row{d.rows.left[i], d.rows.right[i], d.rows.first_row + index, span.count};
+    const std::span<LineSample> fragments = samples_of(d.fragments, columns.last - columns.first);
+    row_fragments(d.stages, row, columns.first, d.carried, fragments);
+    return fragments;
+}
+
 /// The lab's DrawPolygonRows: every row from its left to its right end, both included.
-void draw_polygon_rows(Drawing& d, int triangle) {
+void fill_rows(Drawing& d, int triangle) {
     const PolygonRows& rows = d.rows;
     const Vertex& corner = d.frame.scene->triangles[triangle].vertices[0];
     const Surface surface{corner.normal, corner.reflectance};
@@ -251,10 +287,7 @@ void draw_polygon_rows(Drawing& d, int triangle) {
         const RowSpan span = row_span(d.stages, rows, r);
         const Range columns = columns_in_window(d, {triangle, Phase::rows, r, 0}, span);
         if (columns.first >= columns.last) continue;
-        const std::span<LineSample> fragments =
-            samples_of(d.fragments, columns.last - columns.first);
-        const Row row{rows.left[r], rows.right[r], rows.first_row + r, span.count};
-        row_fragments(d.stages, row, columns.first, d.carried, fragments);
+        const std::span<const LineSample> fragments = interpolate_row(d, r, span, columns);
         const Cursor cursor{triangle, Phase::rows, r, columns.first};
         if (d.observer == nullptr)
             draw_fragments<false>(d, cursor, fragments, surface);
@@ -263,14 +296,13 @@ void draw_polygon_rows(Drawing& d, int triangle) {
     }
 }
 
-/// The pipeline from the projected vertices on; what comes before, prepare_frame() has done.
-void draw_triangle(Drawing& d, int triangle) {
+void draw_polygon(Drawing& d, int triangle) {
     const Stage stage = d.frame.settings.stage;
-    draw_vertices(d, triangle);
+    show_vertices(d, triangle);
     if (stage == Stage::points) return;
     cover(d, triangle);
-    if (stage == Stage::rows) draw_row_ends(d, triangle);
-    if (has_fragments(stage)) draw_polygon_rows(d, triangle);
+    if (stage == Stage::rows) show_row_ends(d, triangle);
+    if (has_fragments(stage)) fill_rows(d, triangle);
 }
 
 } // namespace
@@ -337,7 +369,7 @@ DrawTally draw(const Frame& frame, const DrawWindow& window, Framebuffer& frameb
     const int count = frame.triangle_count();
     const int last = std::min(window.to.triangle, count - 1);
     for (int t = std::max(window.from.triangle, 0); t <= last; ++t) {
-        if (frame.is_drawn(t) && (!draws_part || can_reach(d, t))) draw_triangle(d, t);
+        if (frame.is_drawn(t) && (!draws_part || can_reach(d, t))) draw_polygon(d, t);
     }
     return d.tally;
 }

@@ -27,10 +27,10 @@ glm::ivec2 viewport_middle(const VertexRules& rules) {
     return {rules.viewport.width / 2, rules.viewport.height / 2};
 }
 
-glm::ivec2 snap_to_pixel(const glm::vec2& projected, const VertexRules& rules) {
+glm::ivec2 snap_to_pixel(const glm::vec2& projected, glm::ivec2 middle, const VertexRules& rules) {
     return glm::ivec2(to_pixel(projected.x, rules.rounding),
                       to_pixel(projected.y, rules.rounding)) +
-           viewport_middle(rules);
+           middle;
 }
 
 ProjectedVertex project(const ClipVertex& vertex, const VertexRules& rules, const Stages& stages,
@@ -44,10 +44,11 @@ ProjectedVertex project(const ClipVertex& vertex, const VertexRules& rules, cons
                                     : glm::vec2(clip.x, clip.y);
     if (spaces != nullptr) spaces->add("projected", {projected, 0.0f});
     if (is_too_far_out(projected, inv_w)) return rejected(Rejection::too_far_out);
-    const glm::ivec2 pixel = stages.snap_to_pixel(projected, rules);
+    const glm::ivec2 middle = stages.viewport_middle(rules);
+    const glm::ivec2 pixel = stages.snap_to_pixel(projected, middle, rules);
     ProjectedVertex result;
     result.has_pixel = true;
-    result.pixel.position = projected + glm::vec2(viewport_middle(rules));
+    result.pixel.position = projected + glm::vec2(middle);
     result.pixel.column = pixel.x;
     result.pixel.row = pixel.y;
     result.pixel.depth = clip.z * inv_w;

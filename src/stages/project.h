@@ -52,8 +52,9 @@ glm::ivec2 viewport_middle(const VertexRules& rules);
 
 /// The snap to whole pixels. The lab rounds first and moves to the middle then, int(f x / z) + W/2.
 /// @param projected pixels from the middle
+/// @param middle    of the viewport transform
 /// @return column and row
-glm::ivec2 snap_to_pixel(const glm::vec2& projected, const VertexRules& rules);
+glm::ivec2 snap_to_pixel(const glm::vec2& projected, glm::ivec2 middle, const VertexRules& rules);
 
 /// Perspective division, viewport transform and snap to a whole pixel, by the functions of the
 /// table, which weighs the varyings too.

@@ -33,6 +33,7 @@ struct Stages {
     decltype(&rasterwalk::project) project = rasterwalk::project;
     bool (*is_in_front)(float w) = rasterwalk::is_in_front;
     decltype(&rasterwalk::perspective_divide) perspective_divide = rasterwalk::perspective_divide;
+    decltype(&rasterwalk::viewport_middle) viewport_middle = rasterwalk::viewport_middle;
     decltype(&rasterwalk::snap_to_pixel) snap_to_pixel = rasterwalk::snap_to_pixel;
 
     // Light, at vertices or at pixels.

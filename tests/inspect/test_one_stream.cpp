@@ -59,8 +59,11 @@ bool is_between(float w) {
 glm::vec2 two_columns_left(const glm::vec4& clip, float inv_w) {
     return perspective_divide(clip, inv_w) - glm::vec2(2.0f, 0.0f);
 }
-glm::ivec2 even_columns(const glm::vec2& projected, const VertexRules& rules) {
-    const glm::ivec2 pixel = snap_to_pixel(projected, rules);
+glm::ivec2 below_the_middle(const VertexRules& rules) {
+    return viewport_middle(rules) + glm::ivec2(0, 2);
+}
+glm::ivec2 even_columns(const glm::vec2& projected, glm::ivec2 middle, const VertexRules& rules) {
+    const glm::ivec2 pixel = snap_to_pixel(projected, middle, rules);
     return {pixel.x - pixel.x % 2, pixel.y};
 }
 ClipVertex between(const ClipVertex& a, const ClipVertex& b, float t) {
@@ -176,6 +179,7 @@ const std::vector<Replacement>& replacements() {
         {"project", [](Stages& s) { s.project = project_two_right; }},
         {"is_in_front", [](Stages& s) { s.is_in_front = is_between; }},
         {"perspective_divide", [](Stages& s) { s.perspective_divide = two_columns_left; }, true},
+        {"viewport_middle", [](Stages& s) { s.viewport_middle = below_the_middle; }},
         {"snap_to_pixel", [](Stages& s) { s.snap_to_pixel = even_columns; }},
         {"reflected_light", [](Stages& s) { s.reflected_light = green_light; }},
         {"begin_polygon_rows and polygon_box",
