@@ -164,7 +164,7 @@ void interpolate_exactly(const LineEnd& a, const LineEnd& b, const LineStep&, co
                          std::span<LineSample> result) {
     const int steps = part.count - 1;
     const LineStep start = values_at(a), end = values_at(b);
-    const glm::ivec2 from(a.x, a.y), to(b.x, b.y);
+    const glm::ivec2 first(a.x, a.y), last(b.x, b.y);
     LineStep current = start;
     int index = part.first;
     for (LineSample& sample : result) {
@@ -177,8 +177,8 @@ void interpolate_exactly(const LineEnd& a, const LineEnd& b, const LineStep&, co
                        });
         }
         put_sample(current, part, sample);
-        sample.fragment.column = exact_pixel(from.x, to.x, index, steps, part.rounding);
-        sample.fragment.row = exact_pixel(from.y, to.y, index, steps, part.rounding);
+        sample.fragment.column = exact_pixel(first.x, last.x, index, steps, part.rounding);
+        sample.fragment.row = exact_pixel(first.y, last.y, index, steps, part.rounding);
         ++index;
     }
 }

@@ -369,6 +369,9 @@ Scene small_world() {
             vertex.position.y = (p.y - middle.y) * p.z / scene.camera.focal_length;
         }
     }
+    // Of these the corners go round the other way.
+    for (const std::size_t turned : {1U, 7U})
+        std::swap(scene.triangles[turned].vertices[1], scene.triangles[turned].vertices[2]);
     return scene;
 }
 

@@ -31,10 +31,10 @@ struct Arguments {
     OffscreenOptions options;
 };
 
-using DeedOptions =
+using ActionOptions =
     std::map<const CLI::Option*, std::pair<HandAction::Kind, std::vector<std::string>*>>;
 
-DeedOptions describe(CLI::App& app, Arguments& a) {
+ActionOptions describe(CLI::App& app, Arguments& a) {
     app.set_version_flag("--version", "rasterwalk-offscreen " + version_text());
     app.footer(
         "--click, --hover, --pick and --press are carried out in the order in which they "
@@ -55,7 +55,7 @@ DeedOptions describe(CLI::App& app, Arguments& a) {
     text("--report-widgets", a.options.report_path,
          "Write names and places of all widgets to this file; - for standard output", "FILE");
 
-    DeedOptions actions;
+    ActionOptions actions;
     const auto action = [&](const char* name, std::vector<std::string>& values,
                             HandAction::Kind kind, const char* help, const char* type) {
         CLI::Option* const option = app.add_option(name, values, help);
@@ -72,7 +72,7 @@ DeedOptions describe(CLI::App& app, Arguments& a) {
 }
 
 /// The actions of all kinds in the order in which they were written.
-std::vector<HandAction> in_order(const CLI::App& app, const DeedOptions& options) {
+std::vector<HandAction> in_order(const CLI::App& app, const ActionOptions& options) {
     std::map<const CLI::Option*, std::size_t> taken;
     std::vector<HandAction> actions;
     for (const CLI::Option* option : app.parse_order()) {
@@ -122,7 +122,7 @@ int run(int argc, const char* const* argv) {
     CLI::App app{"Draws the window of Rasterwalk as a picture, without a display.",
                  "rasterwalk-offscreen"};
     Arguments arguments;
-    const DeedOptions actions = describe(app, arguments);
+    const ActionOptions actions = describe(app, arguments);
     std::vector<std::string> words = command_arguments(argc, argv);
     std::reverse(words.begin(), words.end()); // as CLI11 wants them
     try {
