@@ -234,6 +234,11 @@ void cover(Drawing& d, int triangle) {
     }
 }
 
+void show_row_end(Drawing& d, const Cursor& cursor, const RowEnd& end, const glm::vec3& colour) {
+    const int row = d.rows.first_row + cursor.index;
+    put_mark(d, cursor, {end.column, row}, colour, [&] { return mark_of(end, row); });
+}
+
 /// Stage `rows`: both ends of each row, the left one first.
 void show_row_ends(Drawing& d, int triangle) {
     const Range range =
@@ -243,11 +248,8 @@ void show_row_ends(Drawing& d, int triangle) {
     for (int r = first; r < last; ++r) {
         if (d.rows.is_empty_row(r)) continue;
         const Cursor cursor{triangle, Phase::rows, r, 0};
-        const int row = d.rows.first_row + r;
-        for (const auto& [end, colour] : {std::pair{&d.rows.left[r], left_end_colour},
-                                          std::pair{&d.rows.right[r], right_end_colour}}) {
-            put_mark(d, cursor, {end->column, row}, colour, [&] { return mark_of(*end, row); });
-        }
+        show_row_end(d, cursor, d.rows.left[r], left_end_colour);
+        show_row_end(d, cursor, d.rows.right[r], right_end_colour);
     }
 }
 
