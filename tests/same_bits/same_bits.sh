@@ -11,11 +11,12 @@ levels=("-O0" "-O2" "-O3 -march=native")
 cd "$root" || exit 2
 mkdir -p "$folder" || exit 2
 
-sources=(tests/same_bits/hash_pictures.cpp src/base/{files,toml_input,toml_nesting}.cpp src/scene/*.cpp src/stages/*.cpp
+sources=(tests/same_bits/hash_pictures.cpp src/base/{files,numbers,quoted,toml_input,toml_nesting}.cpp
+    src/scene/*.cpp src/stages/*.cpp
     src/mistakes/*.cpp src/settings/{choose_stages,settings}.cpp src/pipeline/{draw,frame,framebuffer}.cpp
     src/picture/{colour_map,view_image}.cpp)
 launcher=$(command -v ccache || true)
-libraries=$(pkg-config --libs tomlplusplus) || exit 2
+libraries=$(pkg-config --libs tomlplusplus fmt) || exit 2
 common="-std=c++20 $keeps_bits -Isrc $(pkg-config --cflags tomlplusplus)"
 
 for compiler in "${compilers[@]}"; do
