@@ -22,6 +22,7 @@ void print_settings(const Settings& settings, const Settings& defaults, std::ost
         }
         const std::string value = value_text(setting, settings);
         const std::string usual = value_text(setting, defaults);
+        if (value.empty()) continue; // its parts follow
         out << "  " << setting.name << '=' << value;
         if (value != usual) out << "   (default: " << usual << ')';
         out << "\n      " << setting.help << "\n      Takes " << allowed_text(setting);
@@ -33,6 +34,7 @@ void print_settings(const Settings& settings, const Settings& defaults, std::ost
 Json to_json(const Settings& settings, const Settings& defaults) {
     Json list = Json::array();
     for (const Setting& setting : setting_table()) {
+        if (value_text(setting, settings).empty()) continue; // its parts follow
         list.push_back({{"default", value_text(setting, defaults)},
                         {"group", setting.group},
                         {"help", setting.help},

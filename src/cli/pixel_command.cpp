@@ -130,7 +130,7 @@ void print_text(const Frame& frame, const PixelHistory& history, const Cursor& t
     const Scene& scene = *frame.scene;
     const Stage stage = frame.settings.stage;
     out << "pixel " << history.pixel.x << ',' << history.pixel.y << ", stage "
-        << stage_list()[static_cast<std::size_t>(stage)].name << ": ";
+        << stage_info(frame.settings).name << ": ";
     if (history.entries.empty()) {
         out << "nothing falls on it.\n" << uncovered_text(frame, history.pixel) << '\n';
         for (const NearTriangle& near : history.nearest) {

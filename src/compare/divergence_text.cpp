@@ -45,7 +45,7 @@ std::string numbered(std::string_view what, int index, int count) {
 }
 
 std::string_view stage_name(const Frame& frame) {
-    return stage_list()[static_cast<std::size_t>(frame.settings.stage)].name;
+    return stage_info(frame.settings).name;
 }
 
 std::string_view rounding_word(Rounding rounding) {
@@ -58,6 +58,11 @@ std::string_view rounding_word(Rounding rounding) {
         return "rounded";
     }
     return "rounded";
+}
+
+std::string_view rounding_word(VertexRounding rounding) {
+    if (rounding == VertexRounding::truncate_sum) return "counted from the border and cut";
+    return rounding_word(static_cast<Rounding>(rounding));
 }
 
 /// Why a triangle is not drawn, with the minus sign of a printed text.
@@ -104,7 +109,8 @@ std::string projection(const Frame& frame, const ShadedVertex& shaded, const Scr
     const glm::vec3 projected = shaded.in("projected");
     return fmt::format("projected to ({}, {}){}, {} to {}", number(projected.x, digits),
                        number(projected.y, digits), from_middle ? " from the middle" : "",
-                       rounding_word(frame.settings.rounding), pixel_text(pixel.column, pixel.row));
+                       rounding_word(frame.settings.vertex_rounding),
+                       pixel_text(pixel.column, pixel.row));
 }
 
 /// The first varying carried by both runs that differs: "its light is (1, 1, 1) in A, ...".
@@ -163,9 +169,9 @@ std::string coordinate_text(const Frame& frame, char axis, float place, int pixe
     if (static_cast<float>(pixel) == place) return at;
     // Walked without error, the place that is shown may itself be off by a rounding error.
     const bool by_fraction = frame.settings.line_walk == LineWalk::exact &&
-                             to_pixel(place, frame.settings.rounding) != pixel;
+                             to_pixel(place, frame.settings.line_rounding) != pixel;
     if (by_fraction) return fmt::format("{}, without error {}", at, pixel);
-    return fmt::format("{} is {} to {}", at, rounding_word(frame.settings.rounding), pixel);
+    return fmt::format("{} is {} to {}", at, rounding_word(frame.settings.line_rounding), pixel);
 }
 
 std::string sample_side(const Frame& frame, const SampleEvent& event, bool with_x, bool with_y,
@@ -254,7 +260,8 @@ std::string shown_text(const Frame& a, const Frame& b, const glm::vec3& colour) 
 /// For light per pixel: where in the room each run takes the fragment to be.
 std::string place_text(const Frame& a, const Frame& b, const FragmentEvent& p,
                        const FragmentEvent& q) {
-    if (a.settings.stage != Stage::pixel_light || b.settings.stage != Stage::pixel_light) return "";
+    if (shading_rule(a.settings) != Shading::phong || shading_rule(b.settings) != Shading::phong)
+        return "";
     const glm::vec3 in_a = recover_varyings(p.fragment, a.stages).position_world;
     const glm::vec3 in_b = recover_varyings(q.fragment, b.stages).position_world;
     const float apart = glm::distance(in_a, in_b);
@@ -331,7 +338,7 @@ std::string divergence_text(const Frame& a, const Frame& b, const PairMoment& mo
     switch (cursor.phase) {
     case Phase::vertices:
         if (moment.a.fragments.size() != moment.b.fragments.size()) {
-            if (a.settings.stage != b.settings.stage || one_is_idle) {
+            if (step_of(a.settings) != step_of(b.settings) || one_is_idle) {
                 return mark_sentence(a, b, kind);
             }
             return outside_sentence(kind, moment.a.vertex->pixel, moment.b.vertex->pixel);
@@ -342,7 +349,7 @@ std::string divergence_text(const Frame& a, const Frame& b, const PairMoment& mo
         if (!one_is_idle && moment.a.fragments.size() != moment.b.fragments.size() &&
             moment.a.sample->sample.fragment.column == moment.b.sample->sample.fragment.column &&
             moment.a.sample->sample.fragment.row == moment.b.sample->sample.fragment.row) {
-            return a.settings.stage != b.settings.stage
+            return step_of(a.settings) != step_of(b.settings)
                        ? mark_sentence(a, b, kind)
                        : outside_sentence(kind, moment.a.sample->sample.fragment,
                                           moment.b.sample->sample.fragment);

@@ -89,7 +89,7 @@ void EventRecorder::clear() {
 
 void EventRecorder::vertex(const Cursor& cursor, const ScreenVertex& pixel) {
     VertexEvent event{cursor, pixel, {}, {}};
-    event.compared = carried_varyings(frame_.stages, lighting_of(frame_.settings.stage));
+    event.compared = carried_varyings(frame_.stages, shading_rule(frame_.settings));
     if (!(event.compared == VaryingSet{})) event.varyings = varyings_at(frame_, cursor, pixel);
     vertices_.push_back(event);
 }

@@ -324,7 +324,7 @@ std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& 
 
     const PixelRules rules = pixel_rules(frame.settings);
     report.interpolation = frame.settings.interpolation;
-    report.lighting = rules.lighting;
+    report.shading = rules.shading;
     report.depth_test = depth_rule(frame.settings);
     const Vertex& corner =
         frame.scene->triangles[static_cast<std::size_t>(cursor.triangle)].vertices[0];

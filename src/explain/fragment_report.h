@@ -38,7 +38,7 @@ struct FragmentReport {
     int step = 0; ///< column in the row, from its left end
 
     Interpolation interpolation = Interpolation::perspective; ///< in force
-    Lighting lighting = Lighting::none;                       ///< in force
+    Shading shading = Shading::unlit;                         ///< in force
     DepthTest depth_test = DepthTest::off;                    ///< in force
 
     Fragment fragment;                                  ///< as draw() had it

@@ -133,7 +133,7 @@ void add_projected(Made& made, int i) {
     const ShadedVertex& shaded = made.report.shaded;
     const Settings& settings = made.frame.settings;
     const std::string axis = axis_names[i];
-    const std::string word(rounding_function(settings.rounding));
+    const std::string word(rounding_function(settings.vertex_rounding));
     const bool is_bench = made.is_bench();
     Formula projected{
         "projected." + axis,
@@ -162,7 +162,12 @@ void add_projected(Made& made, int i) {
         const int side = i == 0 ? settings.viewport.width : settings.viewport.height;
         const int middle = side / 2;
         const std::string half = i == 0 ? "W/2" : "H/2";
-        pixel.expression += " + " + half;
+        if (settings.vertex_rounding == VertexRounding::truncate_sum) {
+            pixel.help = "Moved to the middle of the picture and made a whole number.";
+            pixel.expression.insert(pixel.expression.size() - 1, " + " + half);
+        } else {
+            pixel.expression += " + " + half;
+        }
         pixel.inputs.push_back(
             {half, {static_cast<float>(middle), true}, from_setting("viewport.size")});
     }
@@ -209,7 +214,7 @@ VertexReport vertex_report(const Frame& frame, int triangle, int vertex) {
     report.transposed = shade_vertex(given, glm::transpose(rotation), rules, frame.stages);
     for (std::size_t i = 0; i < report.by_rounding.size(); ++i) {
         VertexRules other = rules;
-        other.rounding = static_cast<Rounding>(i);
+        other.rounding = static_cast<VertexRounding>(i);
         report.by_rounding[i] = shade_vertex(given, rotation, other, frame.stages);
     }
     report.light =
@@ -258,13 +263,14 @@ bool depends_on_rotation(std::string_view id) {
            id.starts_with("pixel.");
 }
 
-std::string_view rounding_function(Rounding rounding) {
+std::string_view rounding_function(VertexRounding rounding) {
     switch (rounding) {
-    case Rounding::truncate:
+    case VertexRounding::truncate:
+    case VertexRounding::truncate_sum:
         return "int";
-    case Rounding::floor:
+    case VertexRounding::floor:
         return "floor";
-    case Rounding::round:
+    case VertexRounding::round:
         return "round";
     }
     return {};

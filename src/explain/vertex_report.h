@@ -24,7 +24,8 @@ struct VertexReport {
     int vertex = -1; ///< 0..2
     ShadedVertex shaded;
     ShadedVertex transposed; ///< with R v in place of v R, mistake B24, or v R again
-    std::array<ShadedVertex, 3> by_rounding; ///< indexed by Rounding
+    std::array<ShadedVertex, enum_words<VertexRounding>.size()>
+        by_rounding; ///< indexed by VertexRounding
     LightTerms light;
     std::vector<Formula> formulas;
 };
@@ -40,6 +41,6 @@ Number vertex_number(const ShadedVertex& vertex, std::string_view id);
 bool depends_on_rotation(std::string_view id);
 
 /// The rounding as C++ and the lab write it: int, floor, round.
-std::string_view rounding_function(Rounding rounding);
+std::string_view rounding_function(VertexRounding rounding);
 
 } // namespace rasterwalk

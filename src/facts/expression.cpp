@@ -218,6 +218,7 @@ class Parser {
         const bool may_be_word = word.kind == Kind::word || word.kind == Kind::name ||
                                  (word.kind == Kind::moment && word.text == "end");
         if (!may_be_word) return;
+        node(index).text = meant_name(node(index).text, word.text);
         const ValueRange range = find_name(node(index).text).value_or(ValueRange{});
         const auto found = std::find(range.words.begin(), range.words.end(), word.text);
         if (found != range.words.end()) {

@@ -70,7 +70,9 @@ struct SettingValue {
     int part;
 
     Value operator()(const ChoiceSetting& kind) {
-        return std::string(kind.words[static_cast<std::size_t>(kind.read(settings))]);
+        const int word = kind.read(settings);
+        if (word == no_word) return {};
+        return std::string(kind.words[static_cast<std::size_t>(word)]);
     }
     Value operator()(const NumberSetting& kind) { return number(kind.value(settings)); }
     Value operator()(const VectorSetting& kind) {
@@ -98,6 +100,11 @@ std::optional<ValueRange> find_name(std::string_view name) {
     const SettingName found = find_setting_name(name);
     if (found.setting == nullptr) return std::nullopt;
     return std::visit(SettingRange{}, found.setting->kind);
+}
+
+std::string meant_name(std::string_view name, std::string_view word) {
+    const Setting* const setting = find_setting(name);
+    return std::string(setting == nullptr ? name : meant_setting(*setting, word).name);
 }
 
 Value Facts::operator()(std::string_view name) const {

@@ -19,7 +19,7 @@ double largest_part(const glm::vec3& v) {
 /// The light at a fragment that came one way: from the vertices in stage vertex_light, else from
 /// its own place.
 glm::vec3 light_of(const Frame& frame, const Varyings& varyings, int triangle) {
-    if (frame.settings.stage == Stage::vertex_light) return varyings.illumination;
+    if (shading_rule(frame.settings) == Shading::gouraud) return varyings.illumination;
     const Vertex& corner = frame.scene->triangles[static_cast<std::size_t>(triangle)].vertices[0];
     return reflected_light(varyings.position_world, corner.normal, corner.reflectance,
                            frame.settings.light)

@@ -86,6 +86,10 @@ std::span<const Fact> fact_table();
 /// numbers have parts: `camera.position.z`, `light.power.red`, `viewport.width`.
 std::optional<ValueRange> find_name(std::string_view name);
 
+/// The name that is meant where one is compared with a word: another setting's if the word has
+/// moved there, or the same.
+std::string meant_name(std::string_view name, std::string_view word);
+
 /// The names of all facts and settings: for messages.
 std::vector<std::string> all_names();
 

@@ -23,7 +23,7 @@ std::span<const QuantityInfo> quantity_list() {
 }
 
 std::vector<QuantityInfo> shown_quantities(const Frame& frame) {
-    const VaryingSet shown = carried_varyings(frame.stages, lighting_of(frame.settings.stage)) |
+    const VaryingSet shown = carried_varyings(frame.stages, shading_rule(frame.settings)) |
                              varyings_with(VaryingUse::listed);
     std::vector<QuantityInfo> list;
     for (const QuantityInfo& info : quantity_list()) {
@@ -69,7 +69,7 @@ std::optional<CarriedRow> carried_row(const Frame& frame, int triangle, int inde
          {Interpolation::perspective, Interpolation::affine, Interpolation::zinv_twice}) {
         Settings settings = frame.settings;
         settings.interpolation = way;
-        settings.stage = Stage::vertex_light;
+        set_step(settings, StripStep::vertex_light);
         PolygonRows rows;
         const Stages stages = stages_for(settings, frame.replace);
         stages.compute_polygon_rows(polygon_under(frame, triangle, settings), edges, stages, rows,

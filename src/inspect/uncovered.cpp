@@ -22,9 +22,9 @@ struct CoverageRule {
 };
 
 constexpr std::array<CoverageRule, 12> coverage_rules{{
-    {"rounding=truncate", [](Settings& s) { s.rounding = Rounding::truncate; }},
-    {"rounding=floor", [](Settings& s) { s.rounding = Rounding::floor; }},
-    {"rounding=round", [](Settings& s) { s.rounding = Rounding::round; }},
+    {"rounding=truncate", [](Settings& s) { set_rounding(s, Rounding::truncate); }},
+    {"rounding=floor", [](Settings& s) { set_rounding(s, Rounding::floor); }},
+    {"rounding=round", [](Settings& s) { set_rounding(s, Rounding::round); }},
     {"line_walk=accumulate", [](Settings& s) { s.line_walk = LineWalk::accumulate; }},
     {"line_walk=multiply", [](Settings& s) { s.line_walk = LineWalk::multiply; }},
     {"line_walk=exact", [](Settings& s) { s.line_walk = LineWalk::exact; }},

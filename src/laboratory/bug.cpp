@@ -36,7 +36,8 @@ Assignments read_assignments(const TomlInput& input, std::string_view key) {
         const std::size_t place = assignment.find('=');
         // By its name in the table, whatever blanks stand around it.
         const std::string_view name = trimmed(std::string_view(assignment).substr(0, place));
-        values.emplace_back(find_setting(name)->name, assignment.substr(place + 1));
+        const std::string value = assignment.substr(place + 1);
+        values.emplace_back(meant_setting(*find_setting(name), value).name, value);
     }
     return values;
 }
@@ -152,7 +153,7 @@ Settings wrong_run(const Bug& bug, const Settings& base) {
 
 Settings with_handout_rules(const Settings& settings) {
     Settings rules;
-    rules.stage = settings.stage;
+    set_step(rules, step_of(settings));
     rules.camera = settings.camera;
     rules.light = settings.light;
     rules.viewport = settings.viewport;

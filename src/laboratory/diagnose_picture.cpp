@@ -18,9 +18,9 @@ void try_bases(PictureTrial& trial, const std::vector<Base>& bases) {
     for (const Base& base : bases) {
         if (base.assumptions == 0) continue;
         const Settings& first = bases.front().settings;
-        const bool other_stage = base.settings.stage != first.stage;
+        const bool other_stage = step_of(base.settings) != step_of(first);
         const bool other_power = !(base.settings.light == first.light);
-        const std::string stage(stage_list()[static_cast<std::size_t>(base.settings.stage)].name);
+        const std::string stage(stage_info(base.settings).name);
         std::string name = other_stage ? "Drawn at stage " + stage : "";
         if (other_power) {
             name += name.empty() ? "Another light power" : " with another light power";
@@ -135,7 +135,8 @@ void try_powers_again(PictureTrial& trial) {
 void try_choices(PictureTrial& trial, const std::vector<Base>& bases) {
     for (const Setting& setting : setting_table()) {
         const auto* const choice = std::get_if<ChoiceSetting>(&setting.kind);
-        if (choice == nullptr || setting.name == "stage") continue;
+        // A part is tried by its whole.
+        if (choice == nullptr || setting.name == "stage" || !setting.part_of.empty()) continue;
         for (const std::string_view word : choice->words) {
             for (const Base& base : bases) {
                 Settings settings = base.settings;

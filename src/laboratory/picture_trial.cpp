@@ -14,15 +14,11 @@ namespace rasterwalk {
 
 namespace {
 
-std::string_view stage_name(Stage stage) {
-    return stage_list()[static_cast<std::size_t>(stage)].name;
-}
-
 /// The lamp's power with which the picture comes nearest, all else as it is; none if it does not
 /// show. Light is the sum of a part without the lamp and one that grows with its power, so two
 /// pictures tell it.
 std::optional<float> fitted_power(const PictureTrial& trial, Settings settings) {
-    if (lighting_of(settings.stage) == Lighting::none) return std::nullopt;
+    if (shading_rule(settings) == Shading::unlit) return std::nullopt;
     const auto light = [&](float power) {
         settings.light.power = glm::vec3(power);
         return draw_frame(prepare_frame(trial.scene(), settings));
@@ -69,16 +65,16 @@ float rounded_power(PictureTrial& trial, Settings settings, float power) {
     return best;
 }
 
-/// The stage at which the picture comes nearest to having been drawn.
-Stage nearest_stage(PictureTrial& trial, const Settings& reference) {
+/// The step at which the picture comes nearest to having been drawn.
+StripStep nearest_step(PictureTrial& trial, const Settings& reference) {
     Settings settings = reference;
-    Stage nearest = reference.stage;
+    StripStep nearest = step_of(reference);
     double smallest = trial.drawn(reference).distance.mean;
     for (const StageInfo& info : stage_list()) {
-        settings.stage = info.stage;
+        set_step(settings, info.step);
         const double distance = trial.drawn(settings).distance.mean;
         if (distance < smallest) {
-            nearest = info.stage;
+            nearest = info.step;
             smallest = distance;
         }
     }
@@ -124,21 +120,22 @@ std::vector<Base> find_bases(PictureTrial& trial, const Settings& reference) {
         }
         bases.push_back({settings, remark, assumptions});
     };
-    const auto at_stage = [&](Stage stage) {
+    const auto at_step = [&](const StripStep& step) {
         Settings settings = reference;
-        settings.stage = stage;
+        set_step(settings, step);
         return settings;
     };
-    const auto remark_of = [&](Stage stage) {
-        return stage == reference.stage ? std::string()
-                                        : fmt::format("with stage={}", stage_name(stage));
+    const auto remark_of = [&](const StripStep& step) {
+        if (step == step_of(reference)) return std::string();
+        return fmt::format("with stage={}",
+                           stage_list()[static_cast<std::size_t>(strip_place(step))].name);
     };
-    const Stage nearest = nearest_stage(trial, reference);
-    add(at_stage(nearest), remark_of(nearest), 1);
-    for (const Stage stage : {Stage::vertex_light, Stage::pixel_light}) {
-        const std::optional<Settings> lit = with_fitted_power(trial, at_stage(stage));
+    const StripStep nearest = nearest_step(trial, reference);
+    add(at_step(nearest), remark_of(nearest), 1);
+    for (const StripStep& step : {StripStep::vertex_light, StripStep::pixel_light}) {
+        const std::optional<Settings> lit = with_fitted_power(trial, at_step(step));
         if (!lit) continue;
-        const std::string remark = remark_of(stage);
+        const std::string remark = remark_of(step);
         add(*lit, power_remark(remark, *lit), remark.empty() ? 1 : 2);
     }
     return bases;

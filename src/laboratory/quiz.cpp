@@ -45,7 +45,7 @@ std::uint64_t print_of(const Scene& scene, const Settings& settings) {
 /// The settings that a quiz begins with, before any mistake is made.
 Settings quiz_settings(const Session& session) {
     Settings settings = with_handout_rules(session.a.settings);
-    settings.stage = Stage::pixel_light;
+    set_step(settings, StripStep::pixel_light);
     settings.light.power = glm::max(settings.light.power, glm::vec3(visible_power));
     return settings;
 }
@@ -94,7 +94,7 @@ Shown bugs_that_show(const Session& session, const std::vector<Bug>& bugs) {
 std::string first_stage(const Scene& scene, const Settings& right, const Bug& bug) {
     for (const StageInfo& info : stage_list()) {
         Settings settings = right;
-        settings.stage = info.stage;
+        set_step(settings, info.step);
         if (print_of(scene, settings) != print_of(scene, with_bug(settings, bug))) {
             return std::string(info.name);
         }

@@ -31,7 +31,7 @@ FileState state_of(const std::string& path) {
 
 std::string note_name(const Session& session) {
     if (session.scene && is_bench(*session.scene)) return "bench";
-    return std::string(stage_list()[static_cast<std::size_t>(session.a.settings.stage)].name);
+    return std::string(stage_info(session.a.settings).name);
 }
 
 StageNote read_stage_note(const std::string& folder, std::string_view name) {

@@ -350,7 +350,7 @@ DrawTally draw(const Frame& frame, const DrawWindow& window, Framebuffer& frameb
     // Whoever watches sees every varying; otherwise only those are walked that the shader reads.
     const VaryingSet carried = observer != nullptr
                                    ? VaryingSet::all()
-                                   : carried_varyings(frame.stages, lighting_of(settings.stage));
+                                   : carried_varyings(frame.stages, shading_rule(settings));
     Drawing d{.frame = frame,
               .stages = frame.stages,
               .window = window,
@@ -359,7 +359,7 @@ DrawTally draw(const Frame& frame, const DrawWindow& window, Framebuffer& frameb
               .carried = carried,
               .is_depth_tested = depth_rule(settings) != DepthTest::off,
               .all_have_cells = frame.stages.depth_cell == depth_cell,
-              .shades_first = settings.shading == Shading::before_depth_test,
+              .shades_first = settings.depth_order == DepthOrder::before_depth_test,
               .draws_unset = draws_unset_rows(frame),
               .target = framebuffer,
               .observer = observer,

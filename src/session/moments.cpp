@@ -21,7 +21,7 @@ std::string pieces(const std::string& word, int first, int last) {
 }
 
 std::string stage_name(const Frame& frame) {
-    return std::string(stage_list()[static_cast<std::size_t>(frame.settings.stage)].name);
+    return std::string(stage_info(frame.settings).name);
 }
 
 std::string edge_sentence(const Frame& frame, const Cursor& cursor, const std::string& triangle) {

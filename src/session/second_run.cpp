@@ -105,7 +105,7 @@ void carry_changes_to_b(Session& session) {
         const Settings& before = session.runs_before->a.settings;
         Settings& b = session.b->settings;
         for (const Setting& setting : setting_table()) {
-            const bool is_new = !has_same_value(setting, session.a.settings, before);
+            const bool is_new = must_be_said(setting, before, session.a.settings);
             if (is_new && has_same_value(setting, before, b)) {
                 copy_value(setting, session.a.settings, b);
             }
@@ -117,9 +117,8 @@ void carry_changes_to_b(Session& session) {
 std::vector<RunDifference> run_differences(const Settings& a, const Settings& b) {
     std::vector<RunDifference> differences;
     for (const Setting& setting : setting_table()) {
-        std::string in_a = value_text(setting, a), in_b = value_text(setting, b);
-        if (in_a == in_b) continue;
-        differences.push_back({setting.name, std::move(in_a), std::move(in_b)});
+        if (!must_be_said(setting, a, b)) continue;
+        differences.push_back({setting.name, value_text(setting, a), value_text(setting, b)});
     }
     return differences;
 }
@@ -133,18 +132,28 @@ std::span<const ComparePair> compare_pairs() {
     static constexpr ComparePair pairs[] = {
         {"affine", "affine", "perspective",
          "Values carried straight across the picture, against values divided by z on the way.",
-         Stage::vertex_light, Stage::pixel_light, affine, perspective},
+         StripStep::vertex_light, StripStep::pixel_light, affine, perspective},
         {"light", "per vertex", "per pixel",
          "Light worked out at the corners and spread over the triangle, against light worked out "
          "at every pixel.",
-         Stage::vertex_light, Stage::pixel_light, per_vertex, per_pixel},
-        {"depth", "no depth", "depth",
-         "The last triangle drawn stays on top, against the nearest one.", Stage::depth,
-         Stage::pixel_light, no_depth, with_depth},
-        {"exact", "handout", "exact",
+         StripStep::vertex_light, StripStep::pixel_light, per_vertex, per_pixel},
+        {"depth",
+         "no depth",
+         "depth",
+         "The last triangle drawn stays on top, against the nearest one.",
+         {Stage::depth},
+         StripStep::pixel_light,
+         no_depth,
+         with_depth},
+        {"exact",
+         "handout",
+         "exact",
          "Coordinates cut toward zero and steps added up, against coordinates rounded down and "
          "lines walked without error.",
-         Stage::points, Stage::pixel_light, handout, exact},
+         {Stage::points},
+         StripStep::pixel_light,
+         handout,
+         exact},
     };
     return pairs;
 }
@@ -153,8 +162,8 @@ void start_pair(Session& session, const ComparePair& pair) {
     end_comparison(session);
     Settings& a = session.a.settings;
     const Run before = session.a;
-    if (a.stage < pair.first_stage) a.stage = pair.first_stage;
-    if (a.stage > pair.last_stage) a.stage = pair.last_stage;
+    if (step_of(a) < pair.first_step) set_step(a, pair.first_step);
+    if (step_of(a) > pair.last_step) set_step(a, pair.last_step);
     Run b = session.a;
     apply(pair.a, a);
     apply(pair.b, b.settings);

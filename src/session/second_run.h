@@ -93,11 +93,11 @@ std::vector<RunDifference> run_differences(const Session& session);
 
 /// Two runs that are often compared: a button each.
 struct ComparePair {
-    std::string_view name;         ///< for tests and links: `affine`
-    std::string_view left, right;  ///< on the button: "affine", "perspective"
-    std::string_view help;         ///< one sentence
-    Stage first_stage, last_stage; ///< stages in which the pair shows; from others one of them is
-                                   ///< taken
+    std::string_view name;           ///< for tests and links: `affine`
+    std::string_view left, right;    ///< on the button: "affine", "perspective"
+    std::string_view help;           ///< one sentence
+    StripStep first_step, last_step; ///< steps in which the pair shows; from others one of them is
+                                     ///< taken
     std::span<const std::string_view> a, b; ///< what each run sets, name=value
 };
 

@@ -26,8 +26,8 @@ void set_scene(Session& session, Scene scene) {
     if (session.b) {
         Settings& b = session.b->settings;
         take_view(b);
-        const bool same_stage = b.stage == session.a.settings.stage;
-        if (same_stage && !scene.stage.empty()) b.stage = fresh.stage;
+        const bool same_step = step_of(b) == step_of(session.a.settings);
+        if (same_step && !scene.stage.empty()) set_step(b, step_of(fresh));
     }
     if (session.replaced) {
         // It can bring back what it set, but neither the scene nor the view of it.
@@ -36,7 +36,7 @@ void set_scene(Session& session, Scene scene) {
         take_view(session.replaced->after.settings);
     }
     take_view(session.a.settings);
-    if (!scene.stage.empty()) session.a.settings.stage = fresh.stage;
+    if (!scene.stage.empty()) set_step(session.a.settings, step_of(fresh));
     session.runs_before = std::nullopt;
     // The same scene again is no change that undo could take back.
     const bool is_same = session.scene != nullptr && *session.scene == scene;

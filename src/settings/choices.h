@@ -1,9 +1,11 @@
 #pragma once
 
 // The words of those settings that choose a function for a slot of the table of stages, the right
-// one or a mistake. Which function a word means is in choose_stages.cpp.
+// one or a mistake, each with its words. Which function a word means is in choose_stages.cpp.
 
 #include <cstdint>
+
+#include "base/enum_words.h"
 
 namespace rasterwalk {
 
@@ -13,24 +15,36 @@ enum class BehindCamera : std::uint8_t {
     drawn,          ///< divided by z all the same, which mirrors it: mistake B13
     mark_minus_one, ///< as left_out, but marked by the column -1, which others have too: B14
 };
+template <>
+inline constexpr auto enum_words<BehindCamera> = word_list("left_out", "drawn", "mark_minus_one");
+static_assert(words_match<BehindCamera>);
 
 /// What becomes of a vertex whose pixel lies outside the picture.
 enum class OutsidePicture : std::uint8_t {
     kept,    ///< it stays where it is
     clamped, ///< it is moved to the picture's border: mistake B15
 };
+template <>
+inline constexpr auto enum_words<OutsidePicture> = word_list("kept", "clamped");
+static_assert(words_match<OutsidePicture>);
 
 /// How the camera's rotation is applied.
 enum class Rotation : std::uint8_t {
     row_vector, ///< v R
     transposed, ///< R v, the turn the other way round: mistake B24
 };
+template <>
+inline constexpr auto enum_words<Rotation> = word_list("row_vector", "transposed");
+static_assert(words_match<Rotation>);
 
 /// The sign of the focal length.
 enum class ImageAxes : std::uint8_t {
     right_way, ///< f: x right, y down
     mirrored,  ///< -f: the picture turned by half a turn: mistake B25
 };
+template <>
+inline constexpr auto enum_words<ImageAxes> = word_list("right_way", "mirrored");
+static_assert(words_match<ImageAxes>);
 
 /// How the value of sample i of a line is obtained from the two ends.
 enum class LineWalk : std::uint8_t {
@@ -39,6 +53,10 @@ enum class LineWalk : std::uint8_t {
     exact,        ///< place by integer fractions, without error; the others by a (1 - t) + b t
     integer_step, ///< the place's step divided as int by int; the others accumulated: mistake B11
 };
+template <>
+inline constexpr auto enum_words<LineWalk> = word_list("accumulate", "multiply", "exact",
+                                                       "integer_step");
+static_assert(words_match<LineWalk>);
 
 /// How many samples an edge has.
 enum class EdgeSamples : std::uint8_t {
@@ -46,24 +64,36 @@ enum class EdgeSamples : std::uint8_t {
     rows,         ///< |dy| + 1: mistake B5, shallow edges get one sample a row
     shifted,      ///< max(|ax - bx + 1|, |ay - by + 1|): mistake B12
 };
+template <>
+inline constexpr auto enum_words<EdgeSamples> = word_list("longest_axis", "rows", "shifted");
+static_assert(words_match<EdgeSamples>);
 
 /// Where the two ends of a row stand in the table before its first sample.
 enum class RowStart : std::uint8_t {
     extreme, ///< left at +INT_MAX, right at -INT_MAX: the lab
     window,  ///< left at the picture's width, right at 0: mistake B6, phantom pixels beside it
 };
+template <>
+inline constexpr auto enum_words<RowStart> = word_list("extreme", "window");
+static_assert(words_match<RowStart>);
 
 /// How an edge sample finds its row in the table. The picture is the same, the work is not.
 enum class RowSearch : std::uint8_t {
     indexed,  ///< by its own number: row - first_row
     all_rows, ///< by asking every row of the table: mistake B27
 };
+template <>
+inline constexpr auto enum_words<RowSearch> = word_list("indexed", "all_rows");
+static_assert(words_match<RowSearch>);
 
 /// What becomes of a row of the table that no edge sample has reached.
 enum class EmptyRows : std::uint8_t {
     skipped,  ///< nothing
     overflow, ///< it is drawn like any other: mistake B7
 };
+template <>
+inline constexpr auto enum_words<EmptyRows> = word_list("skipped", "overflow");
+static_assert(words_match<EmptyRows>);
 
 /// Which fragments of a row are drawn.
 enum class Spans : std::uint8_t {
@@ -71,6 +101,9 @@ enum class Spans : std::uint8_t {
     single_skipped, ///< none where both ends are the same pixel: mistake B8
     last_dropped,   ///< all but the last: mistake B9
 };
+template <>
+inline constexpr auto enum_words<Spans> = word_list("inclusive", "single_skipped", "last_dropped");
+static_assert(words_match<Spans>);
 
 /// How varyings are carried between vertices.
 enum class Interpolation : std::uint8_t {
@@ -78,14 +111,21 @@ enum class Interpolation : std::uint8_t {
     affine,      ///< q is interpolated as it is: wrong except at the vertices; mistake B3
     zinv_twice,  ///< q/z is multiplied by 1/z again at the ends of a row, divided once: mistake B4
 };
+template <>
+inline constexpr auto enum_words<Interpolation> = word_list("perspective", "affine", "zinv_twice");
+static_assert(words_match<Interpolation>);
 
-inline constexpr int interpolation_count = 3;
+inline constexpr std::size_t interpolation_count = enum_words<Interpolation>.size();
 
-/// When the colour of a fragment is worked out. The picture is the same, the work is not.
-enum class Shading : std::uint8_t {
-    after_depth_test,  ///< only for fragments that are drawn
+/// Which comes first, the depth test or the colour of a fragment. The picture is the same, the work
+/// is not.
+enum class DepthOrder : std::uint8_t {
+    after_depth_test,  ///< a colour is worked out only for fragments that are drawn
     before_depth_test, ///< for every fragment: mistake B18
 };
+template <>
+inline constexpr auto enum_words<DepthOrder> = word_list("after_depth_test", "before_depth_test");
+static_assert(words_match<DepthOrder>);
 
 /// The vector of whose slant the cosine is taken.
 enum class LightDirection : std::uint8_t {
@@ -93,6 +133,10 @@ enum class LightDirection : std::uint8_t {
     from_light,     ///< from the lamp to the point: mistake B20
     not_normalized, ///< to the lamp, but as long as the way there: mistake B20
 };
+template <>
+inline constexpr auto enum_words<LightDirection> = word_list("to_light", "from_light",
+                                                             "not_normalized");
+static_assert(words_match<LightDirection>);
 
 /// Over what the lamp's power is spread.
 enum class LightFalloff : std::uint8_t {
@@ -100,12 +144,18 @@ enum class LightFalloff : std::uint8_t {
     no_4pi, ///< r^2: mistake B20
     cubed,  ///< 4 pi r^3: mistake B20
 };
+template <>
+inline constexpr auto enum_words<LightFalloff> = word_list("sphere", "no_4pi", "cubed");
+static_assert(words_match<LightFalloff>);
 
 /// How direct light, indirect light and reflectance are put together.
 enum class LightSum : std::uint8_t {
     reflectance_times, ///< reflectance * (D + N)
     reflectance_plus,  ///< D + reflectance: mistake B21
 };
+template <>
+inline constexpr auto enum_words<LightSum> = word_list("reflectance_times", "reflectance_plus");
+static_assert(words_match<LightSum>);
 
 /// The rules by which light is computed; as they stand, the lab's.
 struct LightRules {
@@ -123,23 +173,35 @@ enum class DepthTest : std::uint8_t {
     off,       ///< the last one drawn wins
     reversed,  ///< smaller 1/z wins: mistake B17a
 };
+template <>
+inline constexpr auto enum_words<DepthTest> = word_list("inverse_z", "linear_z", "off", "reversed");
+static_assert(words_match<DepthTest>);
 
 /// Which cell of the depth buffer belongs to the pixel (x, y).
 enum class DepthIndex : std::uint8_t {
     row_major,  ///< [y][x]: row y, column x
     transposed, ///< [x][y]: mistake B17c; where the picture is not square some pixels have no cell
 };
+template <>
+inline constexpr auto enum_words<DepthIndex> = word_list("row_major", "transposed");
+static_assert(words_match<DepthIndex>);
 
 /// Which places lie in the picture.
 enum class Bounds : std::uint8_t {
     inside,        ///< 0 <= x < W and 0 <= y < H
     excludes_zero, ///< 0 < x < W and 0 < y < H: mistake B10
 };
+template <>
+inline constexpr auto enum_words<Bounds> = word_list("inside", "excludes_zero");
+static_assert(words_match<Bounds>);
 
 /// What a channel above 1 is shown as.
 enum class ColourOverOne : std::uint8_t {
     clamp, ///< as 1
     wrap,  ///< as the lowest 8 bits of 255 c: mistake B22
 };
+template <>
+inline constexpr auto enum_words<ColourOverOne> = word_list("clamp", "wrap");
+static_assert(words_match<ColourOverOne>);
 
 } // namespace rasterwalk

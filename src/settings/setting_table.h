@@ -16,10 +16,13 @@
 
 namespace rasterwalk {
 
+/// Read from a setting whose parts have no word in common.
+inline constexpr int no_word = -1;
+
 /// One of a few words.
 struct ChoiceSetting {
     std::span<const std::string_view> words;
-    int (*read)(const Settings&);
+    int (*read)(const Settings&); ///< index of the word, or no_word
     void (*write)(Settings&, int index);
 };
 
@@ -52,6 +55,12 @@ struct Setting {
     std::string_view section; ///< section of the lab
     std::string_view unit;    ///< "pixels", "radians" ...; empty for words
     std::variant<ChoiceSetting, NumberSetting, VectorSetting, SizeSetting> kind;
+    /// The setting that says this one as well: `rounding` says `vertex_rounding` and
+    /// `line_rounding`. It stands before its parts. Empty: none does.
+    std::string_view part_of{};
+    /// The setting that has the words which this one took once; given here, they set it. Empty: no
+    /// such words.
+    std::string_view words_moved_to{};
 };
 
 /// Every setting, in the order of the settings panel.
@@ -61,13 +70,23 @@ std::span<const Setting> setting_table();
 const Setting* find_setting(std::string_view name);
 
 /// A setting's value in the text form that set_value reads; numbers as short as they can be and
-/// still be read back as the same bits.
+/// still be read back as the same bits. Empty if its parts have no word in common.
 std::string value_text(const Setting& setting, const Settings& settings);
 
 /// Has the setting the same value in both?
 bool has_same_value(const Setting& setting, const Settings& a, const Settings& b);
 
-/// Gives the setting in `to` the value that it has in `from`.
+/// Is the setting a part, and has it the value that its whole says?
+bool is_said_by_whole(const Setting& part, const Settings& settings);
+
+/// Must a list of what is otherwise in b name this setting? Not if its whole is in the list and
+/// says it too. Setting what is listed, in the order of the table, makes b of a.
+bool must_be_said(const Setting& setting, const Settings& a, const Settings& b);
+
+/// The setting that is meant by this one and a value: another one where the word has moved.
+const Setting& meant_setting(const Setting& setting, std::string_view value);
+
+/// Gives the setting in `to` the value that it has in `from`, if it has one.
 void copy_value(const Setting& setting, const Settings& from, Settings& to);
 
 /// Which values the setting takes: "truncate, floor or round", "a number from 1 to 100000".

@@ -7,10 +7,36 @@ Settings default_settings(const Scene& scene) {
     settings.camera = scene.camera;
     settings.light = scene.light;
     settings.viewport = scene.viewport;
-    for (const StageInfo& info : stage_list()) {
-        if (info.name == scene.stage) settings.stage = info.stage;
-    }
+    if (const StageInfo* info = find_stage(scene.stage)) set_step(settings, info->step);
     return settings;
+}
+
+const StageInfo& stage_info(const Settings& settings) {
+    const int place = strip_place({settings.stage, settings.shading});
+    return stage_list()[static_cast<std::size_t>(place)];
+}
+
+StripStep step_of(const Settings& settings) {
+    return stage_info(settings).step;
+}
+
+void set_step(Settings& settings, const StripStep& step) {
+    settings.stage = step.stage;
+    settings.shading = step.shading;
+}
+
+std::optional<Rounding> common_rounding(const Settings& settings) {
+    const std::string_view word = word_of(settings.line_rounding);
+    if (word_of(settings.vertex_rounding) != word) return std::nullopt;
+    return settings.line_rounding;
+}
+
+void set_rounding(Settings& settings, Rounding rounding) {
+    static_assert(enum_words<VertexRounding>[0] == enum_words<Rounding>[0] &&
+                  enum_words<VertexRounding>[1] == enum_words<Rounding>[1] &&
+                  enum_words<VertexRounding>[2] == enum_words<Rounding>[2]);
+    settings.vertex_rounding = static_cast<VertexRounding>(rounding);
+    settings.line_rounding = rounding;
 }
 
 VertexRules vertex_rules(const Settings& settings, SceneSpace space) {
@@ -18,18 +44,22 @@ VertexRules vertex_rules(const Settings& settings, SceneSpace space) {
             .light = settings.light,
             .viewport = settings.viewport,
             .space = space,
-            .rounding = settings.rounding,
-            .lighting = lighting_of(settings.stage)};
+            .rounding = settings.vertex_rounding,
+            .shading = shading_rule(settings)};
 }
 
 EdgeRules edge_rules(const Settings& settings, VaryingSet carried) {
-    return {.rounding = settings.rounding,
+    return {.rounding = settings.line_rounding,
             .picture_width = settings.viewport.width,
             .carried = carried};
 }
 
 PixelRules pixel_rules(const Settings& settings) {
-    return {.light = settings.light, .lighting = lighting_of(settings.stage)};
+    return {.light = settings.light, .shading = shading_rule(settings)};
+}
+
+Shading shading_rule(const Settings& settings) {
+    return settings.stage >= Stage::shade ? settings.shading : Shading::unlit;
 }
 
 DepthTest depth_rule(const Settings& settings) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "scene/scene.h"
 #include "settings/choices.h"
 #include "stages/pixel_shader.h"
@@ -11,8 +13,10 @@ namespace rasterwalk {
 /// Every choice that changes the picture, or the work that it takes. The defaults are the lab's
 /// rules (preset `handout`); camera, light and viewport come from the scene.
 struct Settings {
-    Stage stage = Stage::pixel_light;
-    Rounding rounding = Rounding::truncate;
+    Stage stage = Stage::shade;
+    Shading shading = Shading::phong; ///< of stage `shade`
+    VertexRounding vertex_rounding = VertexRounding::truncate;
+    Rounding line_rounding = Rounding::truncate; ///< of the samples of edges and rows
     LineWalk line_walk = LineWalk::accumulate;
     EdgeSamples edge_samples = EdgeSamples::longest_axis;
     RowStart row_start = RowStart::extreme;
@@ -24,7 +28,7 @@ struct Settings {
     float depth_clear = 0.0f; ///< 1/z that the depth buffer starts with
     DepthIndex depth_index = DepthIndex::row_major;
     Interpolation interpolation = Interpolation::perspective;
-    Shading shading = Shading::after_depth_test;
+    DepthOrder depth_order = DepthOrder::after_depth_test;
     Camera camera;
     Rotation rotation = Rotation::row_vector;
     ImageAxes image_axes = ImageAxes::right_way;
@@ -41,11 +45,23 @@ struct Settings {
 /// The lab's rules with the scene's own camera, light, viewport and stage.
 Settings default_settings(const Scene& scene);
 
+/// The step of the strip on which the settings stand.
+const StageInfo& stage_info(const Settings& settings);
+StripStep step_of(const Settings& settings);
+void set_step(Settings& settings, const StripStep& step);
+
+/// The rounding of vertices and of lines; none if they are rounded differently.
+std::optional<Rounding> common_rounding(const Settings& settings);
+void set_rounding(Settings& settings, Rounding rounding);
+
 /// The part of the settings that each stage of the pipeline is told.
 VertexRules vertex_rules(const Settings& settings, SceneSpace space);
 /// @param carried the varyings that are wanted; where only places count, none
 EdgeRules edge_rules(const Settings& settings, VaryingSet carried = VaryingSet::all());
 PixelRules pixel_rules(const Settings& settings);
+
+/// The shading in force: none before stage `shade`, whatever the setting says.
+Shading shading_rule(const Settings& settings);
 
 /// The depth test in force: none before stage `depth`, whatever the setting says.
 DepthTest depth_rule(const Settings& settings);

@@ -20,6 +20,7 @@
 #include <span>
 #include <vector>
 
+#include "base/enum_words.h"
 #include "stages/fragment.h"
 #include "stages/row_end.h"
 #include "stages/screen_vertex.h"
@@ -32,6 +33,9 @@ enum class Rounding : std::uint8_t {
     floor,    ///< toward minus infinity
     round,    ///< to the nearest, halves upward: floor(x + 0.5)
 };
+template <>
+inline constexpr auto enum_words<Rounding> = word_list("truncate", "floor", "round");
+static_assert(words_match<Rounding>);
 
 /// A whole pixel from a real coordinate; |value| must be below 2^31.
 int to_pixel(float value, Rounding rounding);

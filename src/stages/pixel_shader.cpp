@@ -19,12 +19,12 @@ Varyings recover_varyings(const Fragment& fragment, const Stages& stages) {
 glm::vec3 pixel_shader(const Fragment& fragment, const Surface& surface, const PixelRules& rules,
                        const Stages& stages) {
     // Only what is read is divided: the pixel shader pays for no other varying.
-    switch (rules.lighting) {
-    case Lighting::none:
+    switch (rules.shading) {
+    case Shading::unlit:
         break;
-    case Lighting::per_vertex:
+    case Shading::gouraud:
         return fragment.varyings.illumination / weight_of(fragment, stages);
-    case Lighting::per_pixel:
+    case Shading::phong:
         return call<reflected_light>(stages.reflected_light,
                                      fragment.varyings.position_world / weight_of(fragment, stages),
                                      surface.normal, surface.reflectance, rules.light)

@@ -35,17 +35,17 @@ struct Surface {
 /// The rules by which a fragment is coloured.
 struct PixelRules {
     Light light;
-    Lighting lighting = Lighting::none;
+    Shading shading = Shading::unlit;
 };
 
 /// The varyings that the pixel shader reads.
-constexpr VaryingSet varyings_read(Lighting lighting) {
-    switch (lighting) {
-    case Lighting::none:
+constexpr VaryingSet varyings_read(Shading shading) {
+    switch (shading) {
+    case Shading::unlit:
         break;
-    case Lighting::per_vertex:
+    case Shading::gouraud:
         return VaryingSet::of(&Varyings::illumination);
-    case Lighting::per_pixel:
+    case Shading::phong:
         return VaryingSet::of(&Varyings::position_world);
     }
     return {};

@@ -20,6 +20,22 @@ bool is_too_far_out(const glm::vec2& projected, float inv_w) {
              std::abs(projected.y) <= max_pixel_distance && std::isfinite(inv_w));
 }
 
+/// One coordinate as a whole pixel, counted from the picture's border.
+/// @param projected pixels from the middle of the picture
+int snap(float projected, int middle, VertexRounding rounding) {
+    switch (rounding) {
+    case VertexRounding::truncate:
+        return to_pixel(projected, Rounding::truncate) + middle;
+    case VertexRounding::floor:
+        return to_pixel(projected, Rounding::floor) + middle;
+    case VertexRounding::round:
+        return to_pixel(projected, Rounding::round) + middle;
+    case VertexRounding::truncate_sum:
+        return to_pixel(projected + static_cast<float>(middle), Rounding::truncate);
+    }
+    return middle;
+}
+
 } // namespace
 
 glm::ivec2 viewport_middle(const VertexRules& rules) {
@@ -28,9 +44,8 @@ glm::ivec2 viewport_middle(const VertexRules& rules) {
 }
 
 glm::ivec2 snap_to_pixel(const glm::vec2& projected, glm::ivec2 middle, const VertexRules& rules) {
-    return glm::ivec2(to_pixel(projected.x, rules.rounding),
-                      to_pixel(projected.y, rules.rounding)) +
-           middle;
+    return {snap(projected.x, middle.x, rules.rounding),
+            snap(projected.y, middle.y, rules.rounding)};
 }
 
 ProjectedVertex project(const ClipVertex& vertex, const VertexRules& rules, const Stages& stages,

@@ -50,7 +50,8 @@ inline glm::vec2 perspective_divide(const glm::vec4& clip, float inv_w) {
 /// places count from its corner already.
 glm::ivec2 viewport_middle(const VertexRules& rules);
 
-/// The snap to whole pixels. The lab rounds first and moves to the middle then, int(f x / z) + W/2.
+/// The snap to whole pixels. The lab rounds first and moves to the middle then, int(f x / z) + W/2;
+/// the other ways are those of VertexRounding.
 /// @param projected pixels from the middle
 /// @param middle    of the viewport transform
 /// @return column and row

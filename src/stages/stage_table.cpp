@@ -2,8 +2,8 @@
 
 namespace rasterwalk {
 
-VaryingSet carried_varyings(const Stages& stages, Lighting lighting) {
-    return stages.varyings_read(lighting) | varyings_with(VaryingUse::always);
+VaryingSet carried_varyings(const Stages& stages, Shading shading) {
+    return stages.varyings_read(shading) | varyings_with(VaryingUse::always);
 }
 
 RowSpan row_span(const Stages& stages, const PolygonRows& rows, int index) {

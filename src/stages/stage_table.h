@@ -61,7 +61,7 @@ struct Stages {
 
     // Who replaces the pixel shader by one that reads other varyings replaces varyings_read too.
     decltype(&rasterwalk::pixel_shader) pixel_shader = rasterwalk::pixel_shader;
-    VaryingSet (*varyings_read)(Lighting lighting) = rasterwalk::varyings_read;
+    VaryingSet (*varyings_read)(Shading shading) = rasterwalk::varyings_read;
 
     // Put pixel: which pixels there are, and what a channel becomes.
     decltype(&rasterwalk::drawn_area) drawn_area = rasterwalk::drawn_area;
@@ -84,7 +84,7 @@ auto call(decltype(likely) slot, const Arguments&... arguments) {
 
 /// The varyings that edges and rows carry in a frame: what the pixel shader reads, and those that
 /// are always carried.
-VaryingSet carried_varyings(const Stages& stages, Lighting lighting);
+VaryingSet carried_varyings(const Stages& stages, Shading shading);
 
 /// Has the pixel a cell in a depth buffer of the picture's size? What would be read and written
 /// outside of it is under guard: nothing is stored there, and everything is nearer.

@@ -1,8 +1,9 @@
 #pragma once
 
-// The stages of the lab, in order.
+// The stages of the lab, in order, and the steps of the strip that leads through them.
 
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <string_view>
 
@@ -11,31 +12,46 @@
 namespace rasterwalk {
 
 /// How far along the pipeline a picture is drawn.
-enum class Stage : std::uint8_t { points, edges, rows, fill, depth, vertex_light, pixel_light };
+enum class Stage : std::uint8_t { points, edges, rows, fill, depth, shade };
 
-inline constexpr int stage_count = 7;
+/// A step of the strip: how far, and with which shading. In the order of the strip.
+struct StripStep {
+    Stage stage = Stage::points;
+    /// What stage `shade` computes. Before it no light is computed, and a step has the usual one.
+    Shading shading = Shading::phong;
 
-/// What the interface says of a stage.
+    static const StripStep vertex_light, pixel_light;
+
+    friend auto operator<=>(const StripStep&, const StripStep&) = default;
+};
+
+inline constexpr StripStep StripStep::vertex_light{Stage::shade, Shading::gouraud};
+inline constexpr StripStep StripStep::pixel_light{Stage::shade, Shading::phong};
+
+/// What the interface says of a step of the strip.
 struct StageInfo {
-    Stage stage;
-    std::string_view name;    ///< as in settings and on the command line
+    StripStep step;
+    std::string_view name;    ///< as in settings and on the command line: "vertex_light"
     std::string_view title;   ///< on the button
     std::string_view summary; ///< one sentence
     std::string_view section; ///< where the lab treats it
 };
 
-/// All stages, in the order of the pipeline; indexed by Stage.
+inline constexpr int stage_count = 7;
+
+/// The steps of the strip in its order; each has another step.
 const std::array<StageInfo, stage_count>& stage_list();
+
+/// The place of a step in the list, from 0; for a shading that has no step of its own that of the
+/// last step of its stage.
+int strip_place(const StripStep& step);
+
+/// The same by its name; null if there is no such step.
+const StageInfo* find_stage(std::string_view name);
 
 /// Does the stage fill triangles, so that there are fragments?
 constexpr bool has_fragments(Stage stage) {
     return stage >= Stage::fill;
-}
-
-/// Where the stage computes light.
-constexpr Lighting lighting_of(Stage stage) {
-    if (stage == Stage::vertex_light) return Lighting::per_vertex;
-    return stage == Stage::pixel_light ? Lighting::per_pixel : Lighting::none;
 }
 
 } // namespace rasterwalk

@@ -33,7 +33,30 @@ namespace rasterwalk {
 struct Stages;
 
 /// Where light is computed.
-enum class Lighting : std::uint8_t { none, per_vertex, per_pixel };
+enum class Shading : std::uint8_t {
+    unlit,   ///< nowhere: a surface shows its own colour
+    gouraud, ///< at the vertices, and interpolated between them
+    phong,   ///< at every pixel, from interpolated places
+};
+template <>
+inline constexpr auto enum_words<Shading> = word_list("unlit", "gouraud", "phong");
+static_assert(words_match<Shading>);
+
+/// How a projected vertex becomes a pixel. The first three are those of Rounding: they work on the
+/// place as it is counted from the middle of the picture, and then the middle is added.
+enum class VertexRounding : std::uint8_t {
+    truncate, ///< int(f x/z) + W/2: toward the middle, so that the left and top borders stay empty
+    floor,    ///< floor(f x/z) + W/2
+    round,    ///< floor(f x/z + 0.5) + W/2
+    /// int(f x/z + W/2): where the sum is not negative the same as floor. Places up to a pixel
+    /// beyond the left or top border are cut to column or row 0, which thus takes in two pixels'
+    /// width.
+    truncate_sum,
+};
+template <>
+inline constexpr auto enum_words<VertexRounding> = word_list("truncate", "floor", "round",
+                                                             "truncate_sum");
+static_assert(words_match<VertexRounding>);
 
 /// What the vertex shader needs beside the vertex.
 struct VertexRules {
@@ -41,8 +64,8 @@ struct VertexRules {
     Light light;
     Viewport viewport;
     SceneSpace space = SceneSpace::world;
-    Rounding rounding = Rounding::truncate;
-    Lighting lighting = Lighting::none;
+    VertexRounding rounding = VertexRounding::truncate;
+    Shading shading = Shading::unlit;
 };
 
 /// A vertex in clip space: before the division that makes perspective.

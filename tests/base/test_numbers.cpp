@@ -58,3 +58,12 @@ TEST_CASE("Digits are those of the C library, rounded to even where two are as n
         CHECK(scientific(value, digits) == text);
     }
 }
+
+TEST_CASE("Numbers are written as people write them") {
+    CHECK(number_text(0.1f) == "0.1");
+    CHECK(number_text(-3.001f) == "-3.001");
+    CHECK(number_text(100000.0f) == "100000");
+    CHECK(number_text(0.0f) == "0");
+    CHECK(number_text(0.0001f) == "0.0001");
+    CHECK(number_text(1e-10f) == "1e-10");
+}

@@ -77,7 +77,7 @@ void measure_stages(Measurements& measurements, const Scene& scene) {
     Framebuffer framebuffer;
     for (const StageInfo& stage : stage_list()) {
         Settings settings = default_settings(scene);
-        settings.stage = stage.stage;
+        set_step(settings, stage.step);
         const Frame frame = prepare_frame(scene, settings);
         measure(measurements, stage_name(stage), [&] {
             clear(framebuffer, settings.viewport);

@@ -100,7 +100,7 @@ TEST_CASE("The view options set the session, and the more exact one wins") {
     CHECK(result.request.open_window);
     const Settings& settings = result.request.session.a.settings;
     CHECK(settings.light.power == glm::vec3(14.0f));
-    CHECK(settings.rounding == Rounding::round);
+    CHECK(common_rounding(settings) == Rounding::round);
     CHECK(settings.line_walk == LineWalk::exact);
     CHECK(settings.stage == Stage::depth);
     CHECK(result.request.session.cursor == Cursor{3, Phase::edges, 1, 2});

@@ -78,8 +78,8 @@ std::map<Cursor, Seen> everything(const Frame& frame, bool with_light, bool as_s
 using Differences = std::map<Cursor, DivergenceKind>;
 
 Differences differences(const Frame& a, const Frame& b) {
-    const bool with_light =
-        a.settings.stage == Stage::vertex_light && b.settings.stage == Stage::vertex_light;
+    const bool with_light = step_of(a.settings) == StripStep::vertex_light &&
+                            step_of(b.settings) == StripStep::vertex_light;
     const bool as_shown = a.settings.colour_over_one != b.settings.colour_over_one;
     const std::map<Cursor, Seen> in_a = everything(a, with_light, as_shown);
     const std::map<Cursor, Seen> in_b = everything(b, with_light, as_shown);
@@ -139,7 +139,7 @@ void for_each_pair(const Scene& scene, const std::function<void(const Frame&, co
         for (int stage = 0; stage < stage_count; ++stage) {
             if (setting.name == "stage" && stage > 0) break;
             Settings settings = default_settings(scene);
-            settings.stage = static_cast<Stage>(stage);
+            set_step(settings, stage_list()[static_cast<std::size_t>(stage)].step);
             std::vector<Frame> frames;
             for (const std::string_view word : choice->words) {
                 set_value(settings, setting, word);
@@ -178,9 +178,10 @@ TEST_CASE("For every two values of a choice the divergences are those of a plain
 
 TEST_CASE("For cameras and lamps that differ the divergences are those of a plain walk") {
     const Scene scene = small_room();
-    for (const Stage stage : {Stage::rows, Stage::vertex_light, Stage::pixel_light}) {
+    for (const StripStep& stage :
+         {StripStep{Stage::rows}, StripStep::vertex_light, StripStep::pixel_light}) {
         Settings settings = default_settings(scene);
-        settings.stage = stage;
+        set_step(settings, stage);
         const Frame a = prepare_frame(scene, settings);
         settings.camera.position.z = -0.6f; // some triangles are behind it
         require_true_divergences(a, prepare_frame(scene, settings));
@@ -209,7 +210,9 @@ TEST_CASE("Wild cameras, lamps and lenses are compared without harm") {
     for (int i = 0; i < rounds(60, 6); ++i) {
         const auto wild = [&] {
             Settings settings = default_settings(scene);
-            settings.stage = static_cast<Stage>(random.integer(0, stage_count - 1));
+            set_step(
+                settings,
+                stage_list()[static_cast<std::size_t>(random.integer(0, stage_count - 1))].step);
             settings.camera.position = {random.real(-2.0, 2.0), random.real(-2.0, 2.0),
                                         random.real(-4.0, 1.0)};
             settings.camera.yaw = static_cast<float>(random.real(-4.0, 4.0));
@@ -232,10 +235,11 @@ TEST_CASE("From any moment to the next divergence and to the one before") {
     const Scene scene = small_scene();
     Random random(7);
     for (const Variant& variant : rule_variants()) {
-        for (const Stage stage : {Stage::edges, Stage::rows, Stage::pixel_light}) {
+        for (const StripStep& stage :
+             {StripStep{Stage::edges}, StripStep{Stage::rows}, StripStep::pixel_light}) {
             const Frame a = frame_of(scene, stage, rule_variants().front());
             const Frame b = frame_of(scene, stage, variant);
-            CAPTURE(variant.name, static_cast<int>(stage));
+            CAPTURE(variant.name, strip_place(stage));
             const Differences all = differences(a, b);
             for (int i = 0; i < 12; ++i) {
                 const Cursor cursor = i == 0 ? cursor_end : any_cursor(random, 9);
@@ -254,10 +258,11 @@ TEST_CASE("From any moment to the next divergence and to the one before") {
 TEST_CASE("At a moment it is told whether the runs differ there") {
     const Scene scene = small_scene();
     for (const Variant& variant : rule_variants()) {
-        for (const Stage stage : {Stage::points, Stage::edges, Stage::rows, Stage::pixel_light}) {
+        for (const StripStep& stage : {StripStep{Stage::points}, StripStep{Stage::edges},
+                                       StripStep{Stage::rows}, StripStep::pixel_light}) {
             const Frame a = frame_of(scene, stage, rule_variants().front());
             const Frame b = frame_of(scene, stage, variant);
-            CAPTURE(variant.name, static_cast<int>(stage));
+            CAPTURE(variant.name, strip_place(stage));
             const Differences all = differences(a, b);
             std::set<Cursor> moments;
             for (const auto& [cursor, seen] : everything(a, false))
@@ -289,8 +294,8 @@ TEST_CASE("At a moment it is told whether the runs differ there") {
 
 TEST_CASE("A frame compared up to a moment") {
     const Scene scene = small_room();
-    const Frame a = frame_of(scene, Stage::pixel_light, rule_variants().front());
-    const Frame b = frame_of(scene, Stage::pixel_light, rule_variants()[1]);
+    const Frame a = frame_of(scene, StripStep::pixel_light, rule_variants().front());
+    const Frame b = frame_of(scene, StripStep::pixel_light, rule_variants()[1]);
     const Differences all = differences(a, b);
     REQUIRE(all.size() > 20);
     const Cursor middle = std::next(all.begin(), 15)->first;
@@ -317,8 +322,8 @@ TEST_CASE("A difference no larger than rounding errors is told from a real one")
     CHECK(rounding.first->only_rounding);
     CHECK_FALSE(rounding.first_beyond_rounding);
     const Variant affine{"", [](Settings& s) { s.interpolation = Interpolation::affine; }};
-    const DivergenceList real = compare_runs(frame_of(scene, Stage::pixel_light, handout),
-                                             frame_of(scene, Stage::pixel_light, affine))
+    const DivergenceList real = compare_runs(frame_of(scene, StripStep::pixel_light, handout),
+                                             frame_of(scene, StripStep::pixel_light, affine))
                                     .divergences;
     REQUIRE(real.first_beyond_rounding);
     CHECK_FALSE(real.first_beyond_rounding->only_rounding);
@@ -327,11 +332,11 @@ TEST_CASE("A difference no larger than rounding errors is told from a real one")
 namespace {
 
 /// The cause of the first divergence of two runs of the room.
-std::string cause(const Scene& scene, Stage stage, const std::string& set_in_b,
+std::string cause(const Scene& scene, const StripStep& stage, const std::string& set_in_b,
                   const std::string& in_both = "stage=fill") {
     Settings settings = default_settings(scene);
     set_from_text(settings, in_both);
-    settings.stage = stage;
+    set_step(settings, stage);
     const Frame a = prepare_frame(scene, settings);
     set_from_text(settings, set_in_b);
     const Frame b = prepare_frame(scene, settings);
@@ -343,33 +348,33 @@ std::string cause(const Scene& scene, Stage stage, const std::string& set_in_b,
 
 TEST_CASE("The cause is told in words and numbers") {
     const Scene steep = pixel_scene({{{{0, 2, 1}, {3, 1, 1}, {6, 2, 1}}}}, {10, 6});
-    CHECK(cause(steep, Stage::fill, "line_walk=exact") ==
+    CHECK(cause(steep, {Stage::fill}, "line_walk=exact") ==
           "t0/e0/s3: edge 1, sample 4 of 4. A: y = 0.9999999 is cut to 0, above the first row 1. "
           "B: y = 1.");
-    CHECK(cause(steep, Stage::fill, "edge_samples=rows") ==
+    CHECK(cause(steep, {Stage::fill}, "edge_samples=rows") ==
           "t0/e0/s1: edge 1, sample 2 of 4. A: x = 1. B: x = 3.");
     const Scene room = lab_room();
-    CHECK(cause(room, Stage::depth, "depth_test=off") ==
+    CHECK(cause(room, {Stage::depth}, "depth_test=off") ==
           "t1/r0/c0: pixel (126, 374): 1/z = 0.249938 is hidden by 0.249938 in A; 0.249938 is "
           "written without a test in B.");
-    CHECK(cause(room, Stage::fill, "line_walk=exact") ==
+    CHECK(cause(room, {Stage::fill}, "line_walk=exact") ==
           "t0/e0/s373: edge 1, sample 374 of 374. A: y = 498.997 is cut to 498. B: y = 499.");
-    CHECK(cause(room, Stage::edges, "rounding=floor") ==
+    CHECK(cause(room, {Stage::edges}, "rounding=floor") ==
           "t0/v0: vertex 1 of 3: in A projected to (-124.969, 124.969) from the middle, cut to "
           "pixel (126, 374); in B projected to (-124.969, 124.969) from the middle, rounded down "
           "to pixel (125, 374).");
-    CHECK(cause(room, Stage::depth, "depth_test=linear_z") ==
+    CHECK(cause(room, {Stage::depth}, "depth_test=linear_z") ==
           "t0/r0/c1: pixel (127, 374): the depth value is 0.250607 in A, 0.250273 in B.");
-    CHECK(cause(room, Stage::points, "camera.position=0,0,-0.5") ==
+    CHECK(cause(room, {Stage::points}, "camera.position=0,0,-0.5") ==
           "t0/v0: B leaves the triangle out: a vertex lies on or behind the camera plane.");
-    CHECK(cause(room, Stage::points, "stage=edges") ==
+    CHECK(cause(room, {Stage::points}, "stage=edges") ==
           "t0/v0: only A puts a mark on the picture; stage points against edges.");
-    CHECK(cause(room, Stage::edges, "stage=fill") ==
+    CHECK(cause(room, {Stage::edges}, "stage=fill") ==
           "t0/e0/s0: only A puts a mark on the picture; stage edges against fill.");
-    CHECK(cause(room, Stage::vertex_light, "light.power=2.2") ==
+    CHECK(cause(room, StripStep::vertex_light, "light.power=2.2") ==
           "t0/v0: vertex 1 of 3: its light is (0.0762945, 0.381473, 0.0762945) in A, (0.0775891, "
           "0.387945, 0.0775891) in B.");
-    CHECK(cause(room, Stage::pixel_light, "light.power=2.2") ==
+    CHECK(cause(room, StripStep::pixel_light, "light.power=2.2") ==
           "t0/r0/c0: pixel (126, 374): the colour is (0.0762945, 0.381473, 0.0762945) in A, "
           "(0.0775891, 0.387945, 0.0775891) in B; green differs by 0.00647.");
 }

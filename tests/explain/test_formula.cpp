@@ -178,7 +178,7 @@ TEST_CASE("Every number of every vertex of the room follows from what its formul
 TEST_CASE("The light that a vertex reports is the light that it carries") {
     const Scene room = test::lab_room();
     Settings settings = default_settings(room);
-    settings.stage = Stage::vertex_light;
+    set_step(settings, StripStep::vertex_light);
     settings.interpolation = Interpolation::affine;
     const Frame frame = prepare_frame(room, settings);
     for (int t = 0; t < frame.triangle_count(); ++t) {
@@ -205,7 +205,7 @@ TEST_CASE("Other roundings and the other convention are what drawing by them wou
         const VertexReport report = vertex_report(frame, t, 0);
         for (const Rounding rounding : {Rounding::truncate, Rounding::floor, Rounding::round}) {
             Settings other = settings;
-            other.rounding = rounding;
+            set_rounding(other, rounding);
             const Frame drawn = prepare_frame(room, other);
             const ScreenVertex& pixel = drawn.vertices[static_cast<std::size_t>(3 * t)];
             const ShadedVertex& shaded = report.by_rounding[static_cast<std::size_t>(rounding)];

@@ -167,9 +167,9 @@ void check_against_event(const FragmentReport& report, const FragmentEvent& even
         expect("after", report.after[c], event.after[c]);
         const std::string name = std::string(quantity_info(colours[c]).words.id);
         std::string id = "pixel_light.R." + name;
-        if (report.lighting == Lighting::per_vertex) {
+        if (report.shading == Shading::gouraud) {
             id = formula_id(colours[c], report.interpolation);
-        } else if (report.lighting == Lighting::none) {
+        } else if (report.shading == Shading::unlit) {
             expect("colour", report.colour[c],
                    event.fate == Fate::written ? event.after[c] : report.colour[c]);
             continue;
@@ -188,15 +188,16 @@ std::vector<Case> cases_of(const Scene& scene) {
     std::vector<Case> cases;
     for (const test::Variant& variant : test::rule_variants()) {
         for (const test::Pose& pose : test::room_poses()) {
-            for (const Stage stage : {Stage::fill, Stage::vertex_light, Stage::pixel_light}) {
+            for (const StripStep& stage :
+                 {StripStep{Stage::fill}, StripStep::vertex_light, StripStep::pixel_light}) {
                 Settings settings = default_settings(scene);
                 variant.apply(settings);
-                settings.stage = stage;
+                set_step(settings, stage);
                 settings.camera = pose.camera;
                 settings.viewport = pose.viewport;
                 settings.light.power = glm::vec3(14.0f);
                 cases.push_back({variant.name + ", " + pose.name + ", stage " +
-                                     std::to_string(static_cast<int>(stage)) + ": ",
+                                     std::to_string(strip_place(stage)) + ": ",
                                  settings});
             }
         }
@@ -303,7 +304,7 @@ TEST_CASE("Thousands of fragments of the room report what draw used, and follow 
 TEST_CASE("The other interpolation is what drawing with that setting gives") {
     const Scene room = test::lab_room();
     Settings settings = default_settings(room);
-    settings.stage = Stage::vertex_light;
+    set_step(settings, StripStep::vertex_light);
     const Frame frame = prepare_frame(room, settings);
     settings.interpolation = Interpolation::affine;
     const Frame other = prepare_frame(room, settings);
@@ -322,9 +323,9 @@ TEST_CASE("The other interpolation is what drawing with that setting gives") {
 TEST_CASE("The other lighting is what drawing with that stage gives") {
     const Scene room = test::lab_room();
     Settings settings = default_settings(room);
-    settings.stage = Stage::vertex_light;
+    set_step(settings, StripStep::vertex_light);
     const Frame by_vertex = prepare_frame(room, settings);
-    settings.stage = Stage::pixel_light;
+    set_step(settings, StripStep::pixel_light);
     const Frame by_pixel = prepare_frame(room, settings);
     int written = 0;
     const auto check = [&](const Frame& drawn, const Frame& reported, bool per_vertex) {
@@ -349,7 +350,7 @@ TEST_CASE(
     "The perspective-correct place is where a ray meets the triangle; the affine one is not") {
     const Scene room = test::lab_room();
     Settings settings = default_settings(room);
-    settings.rounding = Rounding::round;
+    set_rounding(settings, Rounding::round);
     settings.line_walk = LineWalk::exact;
     const Frame frame = prepare_frame(room, settings);
     const RayCaster rays(room, settings);

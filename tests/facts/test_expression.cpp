@@ -167,3 +167,16 @@ TEST_CASE("A comparison that can never hold is found") {
     CHECK(impossible_parts(parse_condition("vertex == 3")).front() ==
           "'vertex == 3' can never hold: vertex lies between 0 and 2 and is whole.");
 }
+
+TEST_CASE("A word that has moved to another setting is still compared with that setting") {
+    const auto depth_order = [](std::string_view name) {
+        return name == "depth_order" ? Value(std::string("before_depth_test")) : Value();
+    };
+    const auto is_so = [&](const char* text) {
+        return rasterwalk::holds(parse_condition(text), depth_order);
+    };
+    CHECK(is_so("shading == before_depth_test"));
+    CHECK(is_so("before_depth_test == shading"));
+    CHECK(is_so("shading != after_depth_test"));
+    CHECK(refusal("shading == flat").find("shading is never 'flat'") == 0);
+}

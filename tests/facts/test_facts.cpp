@@ -134,7 +134,7 @@ TEST_CASE("A pixel's facts are those of the fragment that stays") {
     CHECK(room.number("pixel.losers") >= 1);
     CHECK(room.number("pixel.red") == 0.75);
     // The same as the report on that fragment has it.
-    room.session.a.settings.stage = Stage::pixel_light;
+    set_step(room.session.a.settings, StripStep::pixel_light);
     const double error = room.number("pixel.position_error");
     const auto at = fragment_on_pixel(room.results.a.frame, {250, 400}, cursor_end);
     REQUIRE(at);

@@ -377,7 +377,7 @@ Scene small_world() {
 
 Settings settings_of_story(const Scene& scene) {
     Settings settings = default_settings(scene);
-    settings.stage = Stage::pixel_light;
+    set_step(settings, StripStep::pixel_light);
     return settings;
 }
 

@@ -70,8 +70,8 @@ std::string first_fault(const Frame& frame, const Framebuffer& picture, const gl
     return {};
 }
 
-Settings with_stage(Settings settings, Stage stage) {
-    settings.stage = stage;
+Settings with_step(Settings settings, const StripStep& step) {
+    set_step(settings, step);
     return settings;
 }
 
@@ -87,7 +87,7 @@ TEST_CASE("Every pixel of a small scene, in every stage and under every rule, ha
     const Scene scene = test::small_scene();
     for (const test::Variant& variant : test::rule_variants()) {
         for (const StageInfo& stage : stage_list()) {
-            Settings settings = with_stage(default_settings(scene), stage.stage);
+            Settings settings = with_step(default_settings(scene), stage.step);
             variant.apply(settings);
             const Frame frame = prepare_frame(scene, settings);
             const Framebuffer picture = draw_frame(frame);
@@ -108,7 +108,7 @@ TEST_CASE("Pixels of the room have histories that lead to their colours, from ev
     test::Random random(4);
     for (const test::Pose& pose : test::room_poses()) {
         for (const StageInfo& stage : stage_list()) {
-            Settings settings = with_stage(default_settings(scene), stage.stage);
+            Settings settings = with_step(default_settings(scene), stage.step);
             settings.camera = pose.camera;
             settings.viewport = pose.viewport;
             const Frame frame = prepare_frame(scene, settings);
@@ -157,7 +157,7 @@ TEST_CASE("Row and column of an entry count from the row table and from the row'
         CHECK(history.entries[0].cursor == Cursor{0, Phase::rows, 2, 2});
     }
     SECTION("the right end of a row, in the stage that shows only the ends") {
-        const Frame frame = prepare_frame(scene, with_stage(default_settings(scene), Stage::rows));
+        const Frame frame = prepare_frame(scene, with_step(default_settings(scene), {Stage::rows}));
         const PixelHistory history = pixel_history(frame, {12, 2});
         REQUIRE(history.entries.size() == 1);
         CHECK(history.entries[0].row == 0);
@@ -165,14 +165,15 @@ TEST_CASE("Row and column of an entry count from the row table and from the row'
         CHECK(history.entries[0].colour_after == right_end_colour);
     }
     SECTION("both ends in one pixel") {
-        const Frame frame = prepare_frame(scene, with_stage(default_settings(scene), Stage::rows));
+        const Frame frame = prepare_frame(scene, with_step(default_settings(scene), {Stage::rows}));
         const PixelHistory history = pixel_history(frame, {3, 9});
         REQUIRE(history.entries.size() == 2);
         CHECK(history.entries[0].cursor == history.entries[1].cursor);
         CHECK(history.winner == 1);
     }
     SECTION("an edge sample has neither") {
-        const Frame frame = prepare_frame(scene, with_stage(default_settings(scene), Stage::edges));
+        const Frame frame =
+            prepare_frame(scene, with_step(default_settings(scene), {Stage::edges}));
         const PixelHistory history = pixel_history(frame, {5, 2});
         REQUIRE(history.entries.size() == 1);
         CHECK(history.entries[0].row == -1);
@@ -222,7 +223,8 @@ TEST_CASE("A triangle is not skipped whose long edge strays into the window") {
             if (is_mirrored) std::swap(corner.x, corner.y);
         }
         const Scene scene = test::pixel_scene({corners}, size);
-        const Frame frame = prepare_frame(scene, with_stage(default_settings(scene), Stage::edges));
+        const Frame frame =
+            prepare_frame(scene, with_step(default_settings(scene), {Stage::edges}));
         const Viewport window = is_mirrored ? Viewport{12, 24} : Viewport{24, 12};
         Framebuffer part;
         clear(part, window);
@@ -248,7 +250,7 @@ TEST_CASE("Samples outside their row tables are counted alike with and without a
     for (const Scene* scene : {&room, &small}) {
         for (const StageInfo& stage : stage_list()) {
             const Frame frame =
-                prepare_frame(*scene, with_stage(default_settings(*scene), stage.stage));
+                prepare_frame(*scene, with_step(default_settings(*scene), stage.step));
             const FrameStats stats = frame_stats(frame);
             INFO(stage.name);
             const DrawTally rows = tally_rows(frame, 0);
@@ -391,14 +393,13 @@ TEST_CASE("The nearest triangles are nearer than all others, and stand in order"
 TEST_CASE("Where a stage has no fragments, or the scene no triangles, nothing comes near") {
     const Scene room = test::lab_room();
     for (const Stage stage : {Stage::points, Stage::edges, Stage::rows}) {
-        const Frame frame = prepare_frame(room, with_stage(default_settings(room), stage));
+        const Frame frame = prepare_frame(room, with_step(default_settings(room), {stage}));
         const PixelHistory history = pixel_history(frame, {0, 250});
         CHECK(history.entries.empty());
         CHECK(history.nearest.empty());
-        CHECK_THAT(uncovered_text(frame, {1, 1}),
-                   Catch::StartsWith(
-                       "Stage " + std::string(stage_list()[static_cast<std::size_t>(stage)].name) +
-                       " draws"));
+        CHECK_THAT(
+            uncovered_text(frame, {1, 1}),
+            Catch::StartsWith("Stage " + std::string(stage_info(frame.settings).name) + " draws"));
     }
     const Scene empty = test::pixel_scene({}, {8, 8});
     const Frame frame = prepare_frame(empty, default_settings(empty));

@@ -19,7 +19,7 @@ TEST_CASE("Along a row the graph has the numbers that are drawn, under either in
     int fragments = 0;
     for (const test::Variant& variant : test::rule_variants()) {
         Settings settings = default_settings(room);
-        settings.stage = Stage::vertex_light;
+        set_step(settings, StripStep::vertex_light);
         variant.apply(settings);
         const Frame frame = prepare_frame(room, settings);
         const auto t = static_cast<int>(&variant - test::rule_variants().data()) % 30;

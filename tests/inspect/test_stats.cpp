@@ -31,7 +31,7 @@ TEST_CASE("The lab's room comes to the numbers that were found independently of 
 TEST_CASE("Done exactly, no sample of the room leaves its table and no pixel stays uncovered") {
     const Scene scene = room();
     Settings settings = default_settings(scene);
-    settings.rounding = Rounding::floor;
+    set_rounding(settings, Rounding::floor);
     settings.line_walk = LineWalk::exact;
     const FrameStats stats = frame_stats(prepare_frame(scene, settings));
     CHECK(stats.rows_outside == 0);

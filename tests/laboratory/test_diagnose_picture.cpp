@@ -108,7 +108,7 @@ TEST_CASE("A bug is told from a view with another lamp, at another stage") {
     const std::vector<Bug> bugs = read_bugs();
     const Settings reference = default_settings(scene);
     Settings wrong = reference;
-    wrong.stage = Stage::vertex_light;
+    set_step(wrong, StripStep::vertex_light);
     wrong.light.power = glm::vec3(12.5f);
     wrong.interpolation = Interpolation::affine;
     Diagnosis diagnosis = diagnose_picture(picture_of(scene, wrong), scene, reference, bugs);

@@ -124,7 +124,7 @@ TEST_CASE("Another scene ends the quiz and keeps its own view") {
     set_scene(session, read_scene_file(lessons_folder() + "/scenes/one-triangle.toml"));
     CHECK_FALSE(session.quiz);
     CHECK(session.a.settings.viewport == Viewport{20, 20});
-    CHECK(session.a.settings.rounding == before.rounding);
+    CHECK(common_rounding(session.a.settings) == common_rounding(before));
     CHECK_FALSE(session.b);
 }
 

@@ -40,7 +40,8 @@ TEST_CASE("Each stage has its note, and a bench has one for all stages") {
     Session bench = open_session(lessons_folder() + "/scenes/one-triangle.toml");
     for (const StageInfo& info : stage_list()) {
         INFO(info.name);
-        session.a.settings.stage = bench.a.settings.stage = info.stage;
+        set_step(session.a.settings, info.step);
+        set_step(bench.a.settings, info.step);
         CHECK(note_name(session) == info.name);
         CHECK(note_name(bench) == "bench");
     }

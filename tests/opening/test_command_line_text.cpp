@@ -74,7 +74,7 @@ TEST_CASE("A command line says only what differs") {
     const Lesson lesson = read_lesson(lessons_folder() + "/05-row-table.md");
     REQUIRE(open_step(session, lesson, 3).empty());
     CHECK(command_line_text(session) == "rasterwalk --lesson 05-row-table --step 3");
-    session.a.settings.rounding = Rounding::floor;
+    set_rounding(session.a.settings, Rounding::floor);
     CHECK(command_line_text(session) ==
           "rasterwalk --lesson 05-row-table --step 3 --set rounding=floor");
 }

@@ -92,7 +92,7 @@ TEST_CASE("What is said beside a lesson wins") {
     };
     const Session plain = opened(lesson);
     CHECK(with({"--to", "t0/e2/s1"}).cursor == Cursor{0, Phase::edges, 2, 1});
-    CHECK(with({"--set", "rounding=floor"}).a.settings.rounding == Rounding::floor);
+    CHECK(common_rounding(with({"--set", "rounding=floor"}).a.settings) == Rounding::floor);
     CHECK(with({"--set", "rounding=floor"}).a.settings.stage == plain.a.settings.stage);
     CHECK(with({"--tab", "graph"}).tab == "graph");
     CHECK(with({"--view", "depth"}).view == View::depth);
@@ -224,13 +224,13 @@ TEST_CASE("A saved view is opened, and what is said beside it wins") {
                                                          "row = 9\n"
                                                          "compare = [\"rounding=truncate\"]\n");
     const Session plain = opened({path});
-    CHECK(plain.a.settings.rounding == Rounding::floor);
+    CHECK(common_rounding(plain.a.settings) == Rounding::floor);
     CHECK(plain.cursor == Cursor{0, Phase::edges, 1, 5});
     REQUIRE(plain.b);
-    CHECK(plain.b->settings.rounding == Rounding::truncate);
+    CHECK(common_rounding(plain.b->settings) == Rounding::truncate);
     const Session changed =
         opened({path, "--to", "end", "--row", "none", "--b", "none", "--stage", "fill"});
-    CHECK(changed.a.settings.rounding == Rounding::floor);
+    CHECK(common_rounding(changed.a.settings) == Rounding::floor);
     CHECK(changed.a.settings.stage == Stage::fill);
     CHECK(changed.cursor == cursor_end);
     CHECK_FALSE(changed.selection.row);

@@ -140,7 +140,8 @@ TEST_CASE("A triangle folded over its neighbour covers it rightly") {
 
 TEST_CASE("Passed and failed fragments are those of the drawing, light or not, at any moment") {
     const Scene room = lab_room();
-    for (const Stage stage : {Stage::depth, Stage::vertex_light, Stage::pixel_light}) {
+    for (const StripStep& stage :
+         {StripStep{Stage::depth}, StripStep::vertex_light, StripStep::pixel_light}) {
         for (const Variant& variant : some_of(rule_variants(), 4)) {
             const Frame frame = frame_of(room, stage, variant);
             if (frame.settings.depth_test == DepthTest::off) continue;
@@ -180,10 +181,11 @@ TEST_CASE("Without a depth test there is nothing to tell of it") {
 TEST_CASE("The affine error is the distance between the two places the visible point is given") {
     const Scene room = lab_room();
     float largest = 0.0f;
-    for (const Stage stage : {Stage::fill, Stage::vertex_light, Stage::pixel_light}) {
+    for (const StripStep& stage :
+         {StripStep{Stage::fill}, StripStep::vertex_light, StripStep::pixel_light}) {
         for (const Interpolation in_force : {Interpolation::perspective, Interpolation::affine}) {
             Settings settings = default_settings(room);
-            settings.stage = stage;
+            set_step(settings, stage);
             settings.interpolation = in_force;
             const Frame frame = prepare_frame(room, settings);
             std::vector<glm::vec3> places[2];

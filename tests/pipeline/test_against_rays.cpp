@@ -117,11 +117,11 @@ struct Verdict {
     }
 };
 
-void compare_light(Verdict& verdict, const RayPicture& picture, Stage stage, int triangle,
-                   int column, int row, const glm::vec3& colour) {
+void compare_light(Verdict& verdict, const RayPicture& picture, const StripStep& stage,
+                   int triangle, int column, int row, const glm::vec3& colour) {
     const RayCaster& rays = picture.rays;
     const glm::dvec2 place = picture.place(column, row);
-    const bool at_vertices = stage == Stage::vertex_light;
+    const bool at_vertices = stage == StripStep::vertex_light;
     for (int c = 0; c < 3; ++c) {
         const auto light = [&](const RayHit& hit) {
             return at_vertices ? rays.light_from_vertices(hit)[c] : rays.light_at_point(hit)[c];
@@ -138,7 +138,7 @@ void compare_light(Verdict& verdict, const RayPicture& picture, Stage stage, int
 
 Verdict compare(const Frame& frame, const RayPicture& picture) {
     const Framebuffer drawn = draw_frame(frame);
-    const Stage stage = frame.settings.stage;
+    const StripStep stage = step_of(frame.settings);
     Verdict verdict;
     for (int row = 0; row < drawn.size.height; ++row) {
         for (int column = 0; column < drawn.size.width; ++column) {
@@ -156,14 +156,15 @@ Verdict compare(const Frame& frame, const RayPicture& picture) {
                                           [](const RayHit& hit) { return hit.zinv; });
             verdict.add(depth.strain(drawn.depth[pixel]), column, row, "1/z", drawn.depth[pixel],
                         depth.low, depth.high);
-            if (stage != Stage::depth)
+            if (stage.stage != Stage::depth)
                 compare_light(verdict, picture, stage, expected, column, row, drawn.colour[pixel]);
         }
     }
     return verdict;
 }
 
-constexpr Stage lit_stages[] = {Stage::depth, Stage::vertex_light, Stage::pixel_light};
+constexpr StripStep lit_stages[] = {
+    {Stage::depth}, StripStep::vertex_light, StripStep::pixel_light};
 
 Settings pose_settings(const Scene& scene, const Pose& pose) {
     Settings settings = default_settings(scene);
@@ -177,7 +178,7 @@ void require_agreement(const Scene& scene, const Settings& settings, const RayPi
     for (int t = 0; t < frame.triangle_count(); ++t)
         REQUIRE(frame.is_drawn(t));
     const Verdict verdict = compare(frame, picture);
-    CAPTURE(static_cast<int>(settings.stage), static_cast<int>(settings.line_walk), verdict.pixels,
+    CAPTURE(strip_place(step_of(settings)), static_cast<int>(settings.line_walk), verdict.pixels,
             verdict.worst, verdict.wrong);
     if (verdict.wrong > 0) FAIL(verdict.text);
     // Most of the picture is compared, or the test would say little.
@@ -192,8 +193,8 @@ TEST_CASE("Coverage, 1/z and light of the handout's picture are those that rays 
         Settings settings = pose_settings(room, room_poses().front());
         settings.light.power = glm::vec3(power);
         const RayPicture picture(room, settings);
-        for (const Stage stage : lit_stages) {
-            settings.stage = stage;
+        for (const StripStep& stage : lit_stages) {
+            set_step(settings, stage);
             CAPTURE(power);
             require_agreement(room, settings, picture);
         }
@@ -207,12 +208,12 @@ TEST_CASE("From other cameras and in other light, exact or not, the picture is w
         settings.light = {{-0.3f, 0.1f, -0.6f}, {14.0f, 9.0f, 5.0f}, {0.2f, 0.3f, 0.4f}};
         const RayPicture picture(room, settings);
         CAPTURE(pose.name);
-        for (const Stage stage : lit_stages) {
-            settings.stage = stage;
-            settings.rounding = Rounding::truncate;
+        for (const StripStep& stage : lit_stages) {
+            set_step(settings, stage);
+            set_rounding(settings, Rounding::truncate);
             settings.line_walk = LineWalk::accumulate;
             require_agreement(room, settings, picture);
-            settings.rounding = Rounding::floor;
+            set_rounding(settings, Rounding::floor);
             settings.line_walk = LineWalk::exact;
             require_agreement(room, settings, picture);
         }
@@ -225,8 +226,8 @@ TEST_CASE("Affine interpolation does not agree with rays") {
     settings.light.power = glm::vec3(14.0f);
     settings.interpolation = Interpolation::affine;
     const RayPicture picture(room, settings, 7);
-    for (const Stage stage : {Stage::vertex_light, Stage::pixel_light}) {
-        settings.stage = stage;
+    for (const StripStep& stage : {StripStep::vertex_light, StripStep::pixel_light}) {
+        set_step(settings, stage);
         const Verdict verdict = compare(prepare_frame(room, settings), picture);
         // Measured: two thirds of the light is wrong, the worst by 30 times what rays allow.
         CHECK(verdict.wrong > verdict.pixels);

@@ -12,7 +12,7 @@ using namespace rasterwalk::test;
 TEST_CASE("A frame holds what the vertex shader says of each vertex, three for each triangle") {
     const Scene room = lab_room();
     Settings settings = default_settings(room);
-    settings.stage = Stage::vertex_light;
+    set_step(settings, StripStep::vertex_light);
     const Frame frame = prepare_frame(room, settings);
     REQUIRE(frame.triangle_count() == 30);
     REQUIRE(frame.vertices.size() == 90);
@@ -62,7 +62,7 @@ TEST_CASE("The default settings are the handout's, with the scene's own view and
     CHECK(settings.viewport == Viewport{12, 34});
     CHECK(settings.camera == scene.camera);
     CHECK(settings.light == scene.light);
-    CHECK(settings.rounding == Rounding::truncate);
+    CHECK(common_rounding(settings) == Rounding::truncate);
     CHECK(settings.line_walk == LineWalk::accumulate);
     CHECK(settings.edge_samples == EdgeSamples::longest_axis);
     CHECK(settings.depth_test == DepthTest::inverse_z);
@@ -72,23 +72,25 @@ TEST_CASE("The default settings are the handout's, with the scene's own view and
 TEST_CASE("There is no depth test before stage depth, and light only in its two stages") {
     Settings settings;
     for (const StageInfo& info : stage_list()) {
-        settings.stage = info.stage;
+        set_step(settings, info.step);
         CAPTURE(std::string(info.name));
         for (const DepthTest test : {DepthTest::inverse_z, DepthTest::linear_z, DepthTest::off}) {
             settings.depth_test = test;
-            CHECK(depth_rule(settings) == (info.stage >= Stage::depth ? test : DepthTest::off));
+            CHECK(depth_rule(settings) ==
+                  (info.step.stage >= Stage::depth ? test : DepthTest::off));
         }
-        const Lighting expected = info.stage == Stage::vertex_light  ? Lighting::per_vertex
-                                  : info.stage == Stage::pixel_light ? Lighting::per_pixel
-                                                                     : Lighting::none;
-        CHECK(vertex_rules(settings, SceneSpace::world).lighting == expected);
-        CHECK(pixel_rules(settings).lighting == expected);
+        const Shading expected = info.step == StripStep::vertex_light  ? Shading::gouraud
+                                 : info.step == StripStep::pixel_light ? Shading::phong
+                                                                       : Shading::unlit;
+        CHECK(vertex_rules(settings, SceneSpace::world).shading == expected);
+        CHECK(pixel_rules(settings).shading == expected);
     }
 }
 
 TEST_CASE("Stages are listed in their own order, each with its name and words") {
     for (std::size_t i = 0; i < stage_list().size(); ++i) {
-        CHECK(static_cast<std::size_t>(stage_list()[i].stage) == i);
+        CHECK(static_cast<std::size_t>(strip_place(stage_list()[i].step)) == i);
+        CHECK((i == 0 || stage_list()[i - 1].step < stage_list()[i].step));
         CHECK_FALSE(stage_list()[i].name.empty());
         CHECK_FALSE(stage_list()[i].summary.empty());
     }

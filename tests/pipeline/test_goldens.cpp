@@ -48,8 +48,8 @@ std::string golden_line(const std::string& name, const Frame& frame) {
     return line.str();
 }
 
-std::string stage_name(Stage stage) {
-    return std::string(stage_list()[static_cast<std::size_t>(stage)].name);
+std::string stage_name(const StripStep& step) {
+    return std::string(stage_list()[static_cast<std::size_t>(strip_place(step))].name);
 }
 
 /// A line for every stage under the handout's rules, under the exact ones and in a light that is
@@ -60,7 +60,7 @@ std::vector<std::string> golden_lines() {
         {"handout", [](Settings&) {}},
         {"exact",
          [](Settings& s) {
-             s.rounding = Rounding::floor;
+             set_rounding(s, Rounding::floor);
              s.line_walk = LineWalk::exact;
          }},
         {"visible light", [](Settings& s) { s.light.power = glm::vec3(14.0f); }},
@@ -68,13 +68,14 @@ std::vector<std::string> golden_lines() {
     std::vector<std::string> lines;
     for (const Variant& preset : presets) {
         for (const StageInfo& info : stage_list()) {
-            lines.push_back(golden_line(preset.name + ", " + stage_name(info.stage),
-                                        frame_of(room, info.stage, preset)));
+            lines.push_back(golden_line(preset.name + ", " + std::string(info.name),
+                                        frame_of(room, info.step, preset)));
         }
     }
     for (const Variant& variant : rule_variants()) {
         if (variant.name == "handout") continue;
-        for (const Stage stage : {Stage::rows, Stage::vertex_light, Stage::pixel_light}) {
+        for (const StripStep& stage :
+             {StripStep{Stage::rows}, StripStep::vertex_light, StripStep::pixel_light}) {
             lines.push_back(golden_line(variant.name + ", " + stage_name(stage),
                                         frame_of(room, stage, variant)));
         }
@@ -85,7 +86,7 @@ std::vector<std::string> golden_lines() {
                                s.camera = pose.camera;
                                s.viewport = pose.viewport;
                            }};
-        lines.push_back(golden_line(view.name, frame_of(room, Stage::pixel_light, view)));
+        lines.push_back(golden_line(view.name, frame_of(room, StripStep::pixel_light, view)));
     }
     return lines;
 }
@@ -95,7 +96,8 @@ std::vector<std::string> golden_lines() {
 TEST_CASE("The room has the handout's numbers at every stage that fills") {
     const Scene room = lab_room();
     CHECK(room.triangles.size() == 30);
-    for (const Stage stage : {Stage::fill, Stage::depth, Stage::vertex_light, Stage::pixel_light}) {
+    for (const StripStep& stage : {StripStep{Stage::fill}, StripStep{Stage::depth},
+                                   StripStep::vertex_light, StripStep::pixel_light}) {
         const Counts counts = draw_counted(frame_of(room, stage, rule_variants().front()));
         CAPTURE(stage_name(stage));
         CHECK(counts.tally.fragments == 328'789);

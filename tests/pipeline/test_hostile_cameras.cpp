@@ -70,7 +70,7 @@ Camera hostile_camera(const Scene& room, Random& random) {
 
 Settings hostile_settings(const Scene& room, int stage, Random& random) {
     Settings settings = default_settings(room);
-    settings.stage = static_cast<Stage>(stage);
+    set_step(settings, stage_list()[static_cast<std::size_t>(stage)].step);
     settings.camera = hostile_camera(room, random);
     settings.viewport = {random.integer(1, 24), random.integer(1, 18)};
     // A few rules and mistakes at once, now and then all of them.

@@ -23,9 +23,9 @@ constexpr int corner_count = 5;
 
 /// A polygon of five corner_count in the place of the scene's only triangle, as clipping would
 /// leave it.
-Frame pentagon(const Scene& scene, Stage stage) {
+Frame pentagon(const Scene& scene, const StripStep& step) {
     Settings settings = default_settings(scene);
-    settings.stage = stage;
+    set_step(settings, step);
     settings.line_walk = LineWalk::exact; // so that no sample strays
     Frame frame = prepare_frame(scene, settings);
     const glm::ivec2 places[corner_count] = {{12, 1}, {22, 8}, {18, 19}, {5, 17}, {2, 7}};
@@ -49,7 +49,7 @@ Scene one_triangle() {
 
 TEST_CASE("A polygon of five corner_count has the rows that its five edges make") {
     const Scene scene = one_triangle();
-    const Frame frame = pentagon(scene, Stage::depth);
+    const Frame frame = pentagon(scene, {Stage::depth});
     int outside = 0;
     const std::map<int, RowEnds> expected =
         row_table(frame.triangle_vertices(0), {{LineWalk::exact, Rounding::truncate}}, outside);
@@ -76,7 +76,7 @@ TEST_CASE(
     "The moments of a polygon of five corner_count are all there, in order, and each is drawn") {
     const Scene scene = one_triangle();
     for (const StageInfo& info : stage_list()) {
-        const Frame frame = pentagon(scene, info.stage);
+        const Frame frame = pentagon(scene, info.step);
         CAPTURE(std::string(info.name));
         const std::vector<Cursor> moments = all_moments(frame);
         const Timeline timeline(frame);
@@ -93,7 +93,7 @@ TEST_CASE(
         CHECK_FALSE(timeline.exists({0, Phase::vertices, corner_count, 0}));
         const Cursor after_vertices = timeline.next(timeline.first(), Granularity::line);
         CHECK(after_vertices ==
-              (info.stage == Stage::points ? cursor_end : Cursor{0, Phase::edges, 0, 0}));
+              (info.step.stage == Stage::points ? cursor_end : Cursor{0, Phase::edges, 0, 0}));
 
         // Replay forwards and backwards shows what drawing up to there shows.
         Replay replay;
@@ -110,7 +110,7 @@ TEST_CASE(
 
 TEST_CASE("Observer, report and wires tell of all five corner_count and edges") {
     const Scene scene = one_triangle();
-    const Frame frame = pentagon(scene, Stage::fill);
+    const Frame frame = pentagon(scene, {Stage::fill});
     Framebuffer picture;
     clear(picture, frame);
     Recorder recorder(true);
@@ -139,7 +139,7 @@ TEST_CASE("Observer, report and wires tell of all five corner_count and edges") 
 
 TEST_CASE("A rejected triangle keeps its entry, even without any corner") {
     const Scene scene = one_triangle();
-    Frame frame = pentagon(scene, Stage::depth);
+    Frame frame = pentagon(scene, {Stage::depth});
     for (const Rejection reason :
          {Rejection::outside, Rejection::clipped_away, Rejection::back_facing}) {
         frame.polygons = {{.first = 0, .count = 0, .rejection = reason, .is_cut = true}};

@@ -45,7 +45,7 @@ TEST_CASE("Every moment reached forwards, backwards or at random is as if drawn 
     for (const Variant& variant : rule_variants()) {
         for (int stage = 0; stage < stage_count; ++stage) {
             Settings settings = default_settings(scene);
-            settings.stage = static_cast<Stage>(stage);
+            set_step(settings, stage_list()[static_cast<std::size_t>(stage)].step);
             variant.apply(settings);
             const Frame frame = prepare_frame(scene, settings);
             CAPTURE(variant.name, stage);
@@ -72,9 +72,10 @@ TEST_CASE("Every moment reached forwards, backwards or at random is as if drawn 
 
 TEST_CASE("Keyframes never take more than their budget, and never change a picture") {
     const Scene scene = crowded_scene(1500);
-    for (const Stage stage : {Stage::edges, Stage::rows, Stage::pixel_light}) {
+    for (const StripStep& stage :
+         {StripStep{Stage::edges}, StripStep{Stage::rows}, StripStep::pixel_light}) {
         Settings settings = default_settings(scene);
-        settings.stage = stage;
+        set_step(settings, stage);
         const Frame frame = prepare_frame(scene, settings);
         Framebuffer one;
         clear(one, settings.viewport);
@@ -94,13 +95,13 @@ TEST_CASE("Keyframes never take more than their budget, and never change a pictu
             replay.begin(frame);
             std::size_t most = 0;
             for (std::size_t i = 0; i < cursors.size(); ++i) {
-                CAPTURE(static_cast<int>(stage), budget, i);
+                CAPTURE(strip_place(stage), budget, i);
                 require_at(replay, cursors[i], expected[i]);
                 REQUIRE(replay.keyframe_bytes() <= budget);
                 REQUIRE(replay.keyframe_bytes() == replay.keyframe_count() * bytes);
                 most = std::max(most, replay.keyframe_count());
             }
-            if (stage == Stage::pixel_light) CHECK((most > 0) == (budget >= bytes));
+            if (stage == StripStep::pixel_light) CHECK((most > 0) == (budget >= bytes));
         }
     }
 }
@@ -137,14 +138,15 @@ TEST_CASE("A frame without triangles is black at every moment") {
 
 TEST_CASE("A frame drawn in parts comes to the same picture, and no part is much work") {
     const Scene scene = crowded_scene(1500);
-    for (const Stage stage : {Stage::edges, Stage::rows, Stage::pixel_light}) {
+    for (const StripStep& stage :
+         {StripStep{Stage::edges}, StripStep{Stage::rows}, StripStep::pixel_light}) {
         Settings settings = default_settings(scene);
-        settings.stage = stage;
+        set_step(settings, stage);
         const Frame frame = prepare_frame(scene, settings);
         const WorkLimit limit{5'000.0, 2'000.0};
         Replay replay;
         replay.begin(frame);
-        CAPTURE(static_cast<int>(stage), replay.work().total());
+        CAPTURE(strip_place(stage), replay.work().total());
         int parts = 0;
         for (; replay.drawn() != cursor_end; ++parts) {
             const double before = replay.work().before(replay.drawn());
@@ -168,9 +170,10 @@ TEST_CASE("A frame drawn in parts comes to the same picture, and no part is much
 
 TEST_CASE("The tally has every fragment and every row table once, whichever way one goes") {
     const Scene scene = crowded_scene(300);
-    for (const Stage stage : {Stage::edges, Stage::rows, Stage::pixel_light}) {
+    for (const StripStep& stage :
+         {StripStep{Stage::edges}, StripStep{Stage::rows}, StripStep::pixel_light}) {
         Settings settings = default_settings(scene);
-        settings.stage = stage;
+        set_step(settings, stage);
         const Frame frame = prepare_frame(scene, settings);
         Framebuffer framebuffer;
         clear(framebuffer, frame);
@@ -185,7 +188,7 @@ TEST_CASE("The tally has every fragment and every row table once, whichever way 
             replay.toward(to, {1'000.0, 500.0});
         }
         replay.at(cursor_end);
-        CAPTURE(static_cast<int>(stage));
+        CAPTURE(strip_place(stage));
         CHECK(replay.tally().fragments == whole.fragments);
         CHECK(replay.tally().shaded == whole.shaded);
         CHECK(replay.tally().samples_outside == whole.samples_outside);

@@ -49,7 +49,7 @@ TEST_CASE("The room after any walk through time is as if drawn from the start") 
     const Scene scene = lab_room();
     for (int stage = 0; stage < stage_count; ++stage) {
         Settings settings = default_settings(scene);
-        settings.stage = static_cast<Stage>(stage);
+        set_step(settings, stage_list()[static_cast<std::size_t>(stage)].step);
         const Frame frame = prepare_frame(scene, settings);
         Replay replay;
         replay.begin(frame);

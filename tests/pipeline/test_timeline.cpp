@@ -103,7 +103,8 @@ TEST_CASE("Every step from every moment is the one that plain loops find") {
     Random random(22);
     for (const Variant& variant : rule_variants()) {
         for (int s = 0; s < stage_count; ++s) {
-            const Frame frame = frame_of(scene, static_cast<Stage>(s), variant);
+            const Frame frame =
+                frame_of(scene, stage_list()[static_cast<std::size_t>(s)].step, variant);
             const Timeline timeline(frame);
             const NaiveTimeline naive(frame);
             CAPTURE(variant.name, s);
@@ -120,7 +121,8 @@ TEST_CASE("Every step from every moment is the one that plain loops find") {
 TEST_CASE("Numbers and places of moments lead back to them, and grow with time") {
     const Scene scene = small_scene();
     for (int s = 0; s < stage_count; ++s) {
-        const Frame frame = frame_of(scene, static_cast<Stage>(s), rule_variants().front());
+        const Frame frame = frame_of(scene, stage_list()[static_cast<std::size_t>(s)].step,
+                                     rule_variants().front());
         const Timeline timeline(frame);
         const std::vector<Cursor> moments = all_moments(frame);
         double last_place = -1.0;

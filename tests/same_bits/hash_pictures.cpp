@@ -48,12 +48,12 @@ constexpr std::array<Rules, 4> all_rules{{
     {"handout", [](Settings&) {}},
     {"exact",
      [](Settings& settings) {
-         settings.rounding = Rounding::floor;
+         set_rounding(settings, Rounding::floor);
          settings.line_walk = LineWalk::exact;
      }},
     {"multiply-affine",
      [](Settings& settings) {
-         settings.rounding = Rounding::round;
+         set_rounding(settings, Rounding::round);
          settings.line_walk = LineWalk::multiply;
          settings.interpolation = Interpolation::affine;
      }},
@@ -74,7 +74,7 @@ constexpr std::array<Pose, 4> all_poses{{
 
 void print_hash(const Scene& scene, const Rules& rules, const Pose& pose, const StageInfo& stage) {
     Settings settings = default_settings(scene);
-    settings.stage = stage.stage;
+    set_step(settings, stage.step);
     settings.viewport = {pose.size, pose.size};
     settings.camera = {pose.position, pose.yaw, pose.pitch, static_cast<float>(pose.size)};
     rules.change(settings);

@@ -40,11 +40,11 @@ TEST_CASE("Each pair sets what it says, in a stage in which it shows") {
     for (const ComparePair& pair : compare_pairs()) {
         for (int stage = 0; stage < stage_count; ++stage) {
             Session session = room();
-            session.a.settings.stage = static_cast<Stage>(stage);
+            set_step(session.a.settings, stage_list()[static_cast<std::size_t>(stage)].step);
             start_pair(session, pair);
             CHECK(settings_of(session) == expected[i]);
-            CHECK(session.a.settings.stage >= pair.first_stage);
-            CHECK(session.a.settings.stage <= pair.last_stage);
+            CHECK(step_of(session.a.settings) >= pair.first_step);
+            CHECK(step_of(session.a.settings) <= pair.last_step);
         }
         ++i;
     }
@@ -124,7 +124,7 @@ TEST_CASE("The end of a pair takes back what it has set in A, where it still sta
     end_comparison(session);
     Settings expected = before;
     expected.camera.yaw = 0.25f;
-    expected.stage = session.a.settings.stage;
+    set_step(expected, step_of(session.a.settings));
     CHECK(session.a.settings == expected);
     CHECK_FALSE(session.b);
     CHECK_FALSE(session.replaced);

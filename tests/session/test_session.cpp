@@ -46,20 +46,20 @@ TEST_CASE("A session opens at the end of the scene, with the scene's view and th
     CHECK(session.scene->triangles.size() == 30);
     CHECK(session.presets.size() == 3);
     CHECK(session.cursor == cursor_end);
-    CHECK(session.a.settings.stage == Stage::pixel_light);
+    CHECK(step_of(session.a.settings) == StripStep::pixel_light);
     CHECK(session.a.settings.camera.position == glm::vec3(0.0f, 0.0f, -3.001f));
 }
 
 TEST_CASE("Another scene brings its camera, light, viewport and stage; the rules stay") {
     Session session = open_session(room_file);
-    session.a.settings.rounding = Rounding::floor;
+    set_rounding(session.a.settings, Rounding::floor);
     session.a.settings.camera.yaw = 1.0f;
     session.selection.triangle = 29;
     session.selection.pixel = glm::ivec2(400, 400);
     session.cursor = {20, Phase::edges, 1, 7};
     session.play.running = true;
     set_scene(session, read_scene(bench));
-    CHECK(session.a.settings.rounding == Rounding::floor);
+    CHECK(common_rounding(session.a.settings) == Rounding::floor);
     CHECK(session.a.settings.camera.yaw == 0.0f);
     CHECK(session.a.settings.viewport == Viewport{20, 20});
     CHECK(session.a.settings.stage == Stage::rows);

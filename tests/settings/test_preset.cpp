@@ -57,12 +57,12 @@ TEST_CASE("A preset changes what it names and leaves everything else") {
     Settings settings;
     settings.interpolation = Interpolation::affine;
     apply_preset(find_preset(presets, "exact"), settings);
-    CHECK(settings.rounding == Rounding::floor);
+    CHECK(common_rounding(settings) == Rounding::floor);
     CHECK(settings.line_walk == LineWalk::exact);
     CHECK(settings.interpolation == Interpolation::affine);
     apply_preset(find_preset(presets, "visible light"), settings);
     CHECK(settings.light.power == glm::vec3(14.0f));
-    CHECK(settings.rounding == Rounding::floor);
+    CHECK(common_rounding(settings) == Rounding::floor);
 }
 
 TEST_CASE("An unknown preset is refused with the presets that there are") {
@@ -86,4 +86,16 @@ TEST_CASE("A broken file of presets is refused with file and line") {
           "p.toml:5: there are two presets named 'a'.");
     CHECK(refusal("x = 1\n") == "p.toml:1: the file of presets has no 'x'; it has: preset.");
     CHECK(refusal("[[preset]\n").substr(0, 9) == "p.toml:1:");
+}
+
+TEST_CASE("A preset may use names of settings and words as they were once") {
+    const std::vector<Preset> presets = parse_presets(
+        "[[preset]]\nname = \"a\"\nabout = \"b\"\n"
+        "set = [\"stage=vertex_light\", \"rounding=round\", \"shading=before_depth_test\"]\n",
+        "p.toml");
+    Settings settings;
+    apply_preset(presets[0], settings);
+    CHECK(step_of(settings) == StripStep::vertex_light);
+    CHECK(common_rounding(settings) == Rounding::round);
+    CHECK(settings.depth_order == DepthOrder::before_depth_test);
 }

@@ -40,7 +40,7 @@ Fragment carried(const glm::vec3& position, const glm::vec3& illumination, float
 
 TEST_CASE("Without light a fragment has the colour of its surface") {
     PixelRules rules;
-    rules.lighting = Lighting::none;
+    rules.shading = Shading::unlit;
     const Fragment fragment = carried({1, 2, 3}, {9, 9, 9}, 2.0f, Interpolation::perspective);
     CHECK(pixel_shader(fragment, red_wall(), rules, {}) == red_wall().reflectance);
 }
@@ -64,7 +64,7 @@ TEST_CASE("Varyings are recovered by 1/z if they were carried as q/z, and kept i
 
 TEST_CASE("Light per vertex is what the vertices brought along, whatever the surface and lamp") {
     PixelRules rules;
-    rules.lighting = Lighting::per_vertex;
+    rules.shading = Shading::gouraud;
     for (const Interpolation way : {Interpolation::perspective, Interpolation::affine}) {
         // z = 4: dividing and multiplying by it loses nothing.
         const Fragment fragment = carried({1, 2, 3}, {0.25f, 0.5f, 2.0f}, 4.0f, way);
@@ -75,7 +75,7 @@ TEST_CASE("Light per vertex is what the vertices brought along, whatever the sur
 
 TEST_CASE("Light per pixel is worked out at the fragment's own place, and is not clamped") {
     PixelRules rules;
-    rules.lighting = Lighting::per_pixel;
+    rules.shading = Shading::phong;
     rules.light.power = glm::vec3(200.0f);
     const glm::vec3 place{0.25f, -0.25f, 0.5f};
     const Surface wall = red_wall();

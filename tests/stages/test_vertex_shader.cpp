@@ -66,7 +66,8 @@ TEST_CASE("A vertex passes through every space as double precision has it") {
                         random.number(-1.6, 1.6),
                         random.number(50, 900)};
         rules.viewport = {random.integer(1, 900), random.integer(1, 900)};
-        rules.rounding = static_cast<Rounding>(i % 3);
+        const auto rounding = static_cast<Rounding>(i % 3);
+        rules.rounding = static_cast<VertexRounding>(rounding);
         const glm::vec3 world{random.number(-1, 1), random.number(-1, 1), random.number(-1, 1)};
         const ShadedVertex shaded = shade(world, rules);
         const glm::dvec3 moved = glm::dvec3(world) - glm::dvec3(rules.camera.position);
@@ -96,9 +97,9 @@ TEST_CASE("A vertex passes through every space as double precision has it") {
         CHECK(std::abs(shaded.in("projected").x - x) < tolerance);
         CHECK(std::abs(shaded.in("projected").y - y) < tolerance);
         CHECK(shaded.pixel.column ==
-              round_float(shaded.in("projected").x, rules.rounding) + rules.viewport.width / 2);
+              round_float(shaded.in("projected").x, rounding) + rules.viewport.width / 2);
         CHECK(shaded.pixel.row ==
-              round_float(shaded.in("projected").y, rules.rounding) + rules.viewport.height / 2);
+              round_float(shaded.in("projected").y, rounding) + rules.viewport.height / 2);
         CHECK(same_bits(shaded.pixel.z, shaded.in("rotated").z));
         CHECK(same_bits(shaded.pixel.inv_w, 1.0f / shaded.in("rotated").z));
     }
@@ -162,22 +163,40 @@ TEST_CASE("What the camera looks at is in the middle; turning right moves the wo
 TEST_CASE("Truncation toward zero doubles the middle and loses the far left, floor does neither") {
     VertexRules rules = plain_rules(1.0f);
     rules.viewport = {10, 10};
-    const auto column = [&](float x, Rounding rounding) {
+    const auto column = [&](float x, VertexRounding rounding) {
         rules.rounding = rounding;
         return shade({x, 0.0f, 1.0f}, rules).pixel.column;
     };
-    CHECK(column(-0.9f, Rounding::truncate) == 5);
-    CHECK(column(0.9f, Rounding::truncate) == 5);
-    CHECK(column(-4.9f, Rounding::truncate) == 1);
-    CHECK(column(-0.9f, Rounding::floor) == 4);
-    CHECK(column(0.9f, Rounding::floor) == 5);
-    CHECK(column(-4.9f, Rounding::floor) == 0);
-    CHECK(column(-0.5f, Rounding::round) == 5);
-    CHECK(column(-0.51f, Rounding::round) == 4);
-    CHECK(column(0.5f, Rounding::round) == 6);
-    CHECK(column(-3.0f, Rounding::truncate) == 2);
-    CHECK(column(-3.0f, Rounding::floor) == 2);
-    CHECK(column(-3.0f, Rounding::round) == 2);
+    CHECK(column(-0.9f, VertexRounding::truncate) == 5);
+    CHECK(column(0.9f, VertexRounding::truncate) == 5);
+    CHECK(column(-4.9f, VertexRounding::truncate) == 1);
+    CHECK(column(-0.9f, VertexRounding::floor) == 4);
+    CHECK(column(0.9f, VertexRounding::floor) == 5);
+    CHECK(column(-4.9f, VertexRounding::floor) == 0);
+    CHECK(column(-0.5f, VertexRounding::round) == 5);
+    CHECK(column(-0.51f, VertexRounding::round) == 4);
+    CHECK(column(0.5f, VertexRounding::round) == 6);
+    CHECK(column(-3.0f, VertexRounding::truncate) == 2);
+    CHECK(column(-3.0f, VertexRounding::floor) == 2);
+    CHECK(column(-3.0f, VertexRounding::round) == 2);
+}
+
+TEST_CASE("Cut after the middle was added, only the first column and row are twice as wide") {
+    VertexRules rules = plain_rules(1.0f);
+    rules.viewport = {10, 7};
+    rules.rounding = VertexRounding::truncate_sum;
+    const auto pixel = [&](float x, float y) {
+        const Fragment& at = shade({x, y, 1.0f}, rules).pixel;
+        return glm::ivec2(at.column, at.row);
+    };
+    // The middle is where floor has it: column 5, and row 7 / 2 = 3.
+    CHECK(pixel(-0.9f, -0.9f) == glm::ivec2(4, 2));
+    CHECK(pixel(0.9f, 0.9f) == glm::ivec2(5, 3));
+    CHECK(pixel(-4.9f, -2.9f) == glm::ivec2(0, 0));
+    // Up to a pixel beyond the border is cut onto it, where floor leaves the picture.
+    CHECK(pixel(-5.9f, -3.9f) == glm::ivec2(0, 0));
+    CHECK(pixel(-6.0f, -4.0f) == glm::ivec2(-1, -1));
+    CHECK(pixel(4.9f, 3.9f) == glm::ivec2(9, 6));
 }
 
 TEST_CASE("The middle of an odd picture is its width halved and cut") {
@@ -268,15 +287,15 @@ TEST_CASE("A vertex sets out with its place and, for light per vertex, its light
 
     const Stages right = test::stages_under(Interpolation::perspective);
     const Stages wrong = test::stages_under(Interpolation::affine);
-    for (const Lighting lighting : {Lighting::none, Lighting::per_vertex, Lighting::per_pixel}) {
-        rules.lighting = lighting;
+    for (const Shading shading : {Shading::unlit, Shading::gouraud, Shading::phong}) {
+        rules.shading = shading;
         const Varyings affine = shade_vertex(vertex, rotation, rules, wrong).pixel.varyings;
         const ScreenVertex pixel = shade_vertex(vertex, rotation, rules, right).pixel;
         // Before the division there is no weight yet, whichever way the varyings will be carried.
         const ClipVertex clip = vertex_shader(vertex, rotation, rules, right, nullptr);
         CHECK(same_bits(clip.varyings.illumination, affine.illumination));
         CHECK(same_bits(pixel.inv_w, 1.0f / clip.position_clip.w));
-        const bool lit = lighting == Lighting::per_vertex;
+        const bool lit = shading == Shading::gouraud;
         CHECK(same_bits(affine.position_world, vertex.position));
         CHECK(same_bits(affine.illumination, lit ? light : glm::vec3(0.0f)));
         CHECK(same_bits(pixel.varyings.position_world, vertex.position * pixel.inv_w));

@@ -10,12 +10,15 @@
 
 namespace rasterwalk::test {
 
-/// The frame of a stage with the scene's own view.
-inline Frame frame_of(const Scene& scene, Stage stage, const Variant& variant) {
+/// The frame of a step of the strip with the scene's own view.
+inline Frame frame_of(const Scene& scene, const StripStep& step, const Variant& variant) {
     Settings settings = default_settings(scene);
-    settings.stage = stage;
+    set_step(settings, step);
     variant.apply(settings);
     return prepare_frame(scene, settings);
+}
+inline Frame frame_of(const Scene& scene, Stage stage, const Variant& variant) {
+    return frame_of(scene, StripStep{stage}, variant);
 }
 
 /// Fails with the first wrong pixel.
@@ -28,9 +31,9 @@ inline void require_same(const Framebuffer& a, const Framebuffer& b) {
 template <class Function>
 void for_each_frame(const Scene& scene, Function function) {
     for (const Variant& variant : rule_variants()) {
-        for (int stage = 0; stage < stage_count; ++stage) {
-            CAPTURE(variant.name, stage);
-            function(frame_of(scene, static_cast<Stage>(stage), variant));
+        for (const StageInfo& info : stage_list()) {
+            CAPTURE(variant.name, std::string(info.name));
+            function(frame_of(scene, info.step, variant));
         }
     }
 }

@@ -29,7 +29,7 @@ struct WalkRules {
 inline Settings settings_of(const WalkRules& rules) {
     Settings settings;
     settings.line_walk = rules.line.walk;
-    settings.rounding = rules.line.rounding;
+    set_rounding(settings, rules.line.rounding);
     settings.edge_samples = rules.samples;
     return settings;
 }

@@ -66,7 +66,7 @@ TEST_CASE("A view that is saved and opened again is the same, for many sessions"
 TEST_CASE("A saved view reads well") {
     Session session = open_session(scene_of_program("one-triangle.toml"));
     session.cursor = Cursor{0, Phase::edges, 1, 5};
-    session.a.settings.rounding = Rounding::floor;
+    set_rounding(session.a.settings, Rounding::floor);
     session.selection.row = 9;
     session.canvas = {16.0f, {8.5f, 10.0f}, true};
     session.overlays.set(Overlay::wireframe, true);

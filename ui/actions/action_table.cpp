@@ -18,9 +18,9 @@ namespace rasterwalk {
 
 namespace {
 
-template <Stage stage>
+template <StripStep step>
 void set_stage(Ui& ui) {
-    ui.session.a.settings.stage = stage;
+    set_step(ui.session.a.settings, step);
 }
 
 template <View view>
@@ -224,49 +224,49 @@ const Action table[] = {
      "Points",
      "Every vertex, projected to one pixel.",
      {'1'},
-     set_stage<Stage::points>,
+     set_stage<StripStep{Stage::points}>,
      nullptr},
     {"stage.edges",
      "Stage",
      "Edges",
      "The outline of every triangle.",
      {'2'},
-     set_stage<Stage::edges>,
+     set_stage<StripStep{Stage::edges}>,
      nullptr},
     {"stage.rows",
      "Stage",
      "Rows",
      "Where every row of every triangle begins and ends.",
      {'3'},
-     set_stage<Stage::rows>,
+     set_stage<StripStep{Stage::rows}>,
      nullptr},
     {"stage.fill",
      "Stage",
      "Fill",
      "Every row filled; the last one drawn covers the rest.",
      {'4'},
-     set_stage<Stage::fill>,
+     set_stage<StripStep{Stage::fill}>,
      nullptr},
     {"stage.depth",
      "Stage",
      "Depth",
      "A fragment is drawn only if it is nearer.",
      {'5'},
-     set_stage<Stage::depth>,
+     set_stage<StripStep{Stage::depth}>,
      nullptr},
     {"stage.vertex_light",
      "Stage",
      "Vertex light",
      "Light at the vertices, interpolated between them.",
      {'6'},
-     set_stage<Stage::vertex_light>,
+     set_stage<StripStep::vertex_light>,
      nullptr},
     {"stage.pixel_light",
      "Stage",
      "Pixel light",
      "Light computed anew at every pixel.",
      {'7'},
-     set_stage<Stage::pixel_light>,
+     set_stage<StripStep::pixel_light>,
      nullptr},
     {"switch.perspective",
      "Stage",

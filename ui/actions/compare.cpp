@@ -36,10 +36,10 @@ bool names(std::span<const std::string_view> assignments, std::string_view setti
     });
 }
 
-const ComparePair& pair_for(Stage stage) {
+const ComparePair& pair_for(const StripStep& step) {
     const std::span<const ComparePair> pairs = compare_pairs();
     const auto found = std::find_if(pairs.begin(), pairs.end(), [&](const ComparePair& pair) {
-        return pair.first_stage <= stage && stage <= pair.last_stage;
+        return pair.first_step <= step && step <= pair.last_step;
     });
     return found == pairs.end() ? pairs.front() : *found;
 }
@@ -77,7 +77,7 @@ void toggle_compare(Ui& ui) {
     } else if (ui.session.quiz) {
         compare_with(ui.session, quiz_reference(ui.session));
     } else {
-        start_pair(ui.session, pair_for(ui.session.a.settings.stage));
+        start_pair(ui.session, pair_for(step_of(ui.session.a.settings)));
     }
 }
 

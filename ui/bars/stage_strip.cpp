@@ -40,14 +40,15 @@ enum class Form : std::uint8_t {
 std::vector<StripItem> strip_items(const Ui& ui, Form form) {
     std::vector<StripItem> items;
     const Settings& settings = ui.session.a.settings;
+    const StripStep here = step_of(settings);
     for (const StageInfo& info : stage_list()) {
         items.push_back({.name = "stage." + std::string(info.name),
-                         .first = std::to_string(static_cast<int>(info.stage) + 1),
-                         .second = form == Form::few_names && settings.stage != info.stage
+                         .first = std::to_string(strip_place(info.step) + 1),
+                         .second = form == Form::few_names && info.step != here
                                        ? std::string()
                                        : std::string(info.title),
                          .first_is_main = false,
-                         .chosen = settings.stage == info.stage});
+                         .chosen = info.step == here});
     }
     const bool perspective = settings.interpolation == Interpolation::perspective;
     items.push_back({.name = "switch.perspective",

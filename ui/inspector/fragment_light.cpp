@@ -81,16 +81,16 @@ void draw_vertex_light(Ui& ui) {
 } // namespace
 
 bool shows_vertex_light(const Ui& ui) {
-    const Lighting lighting = report_of(ui).lighting;
-    if (lighting == Lighting::none) return false;
-    return (lighting == Lighting::per_vertex) != ui.inspect.shows_other_light;
+    const Shading shading = report_of(ui).shading;
+    if (shading == Shading::unlit) return false;
+    return (shading == Shading::gouraud) != ui.inspect.shows_other_light;
 }
 
 void draw_fragment_light(Ui& ui) {
     const FragmentReport& report = report_of(ui);
     const Palette& p = palette(ui.options.theme);
-    if (report.lighting == Lighting::none) return;
-    const bool in_force_is_vertex = report.lighting == Lighting::per_vertex;
+    if (report.shading == Shading::unlit) return;
+    const bool in_force_is_vertex = report.shading == Shading::gouraud;
     const bool shows_vertex = shows_vertex_light(ui);
     begin_card(ui);
     ImGui::PushFont(ui.fonts.small);

@@ -288,7 +288,7 @@ void draw_no_fragment(Ui& ui) {
     if (!has_fragments(frame.settings.stage) &&
         button(ui, "fragment.fill", "to stage Fill", Look::plain,
                "Draws the picture as far as filled triangles.")) {
-        ui.session.a.settings.stage = Stage::fill;
+        set_step(ui.session.a.settings, {Stage::fill});
     }
 }
 

@@ -245,7 +245,7 @@ void draw_no_row(Ui& ui) {
     if (frame.settings.stage < Stage::rows &&
         button(ui, "graph.rows", "to stage Rows", Look::plain,
                "Draws the picture as far as the rows of filled triangles.")) {
-        ui.session.a.settings.stage = Stage::rows;
+        set_step(ui.session.a.settings, {Stage::rows});
     }
 }
 

@@ -78,7 +78,7 @@ void draw_writer_cell(Ui& ui, const std::string& name, const EndWriter& writer) 
 
 /// The varying that the stage uses; where it uses none, the first: the place in the room.
 const VaryingInfo& shown_varying(const Frame& frame) {
-    const VaryingSet read = frame.stages.varyings_read(lighting_of(frame.settings.stage));
+    const VaryingSet read = frame.stages.varyings_read(shading_rule(frame.settings));
     for (int i = 0; i < varying_count; ++i) {
         if (read.has(i)) return varying_list[static_cast<std::size_t>(i)];
     }

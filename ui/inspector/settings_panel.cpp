@@ -31,7 +31,8 @@ bool is_wanted(const Setting& setting, const std::string& search) {
 void edit_choice(Ui& ui, Settings& settings, const std::string& name, const std::string& help,
                  const ChoiceSetting& choice) {
     const int now = choice.read(settings);
-    const bool open = ImGui::BeginCombo("##value", std::string(choice.words[now]).c_str());
+    const std::string shown(now == no_word ? std::string_view("not one word") : choice.words[now]);
+    const bool open = ImGui::BeginCombo("##value", shown.c_str());
     name_widget(ui, name, help);
     if (!open) return;
     for (int i = 0; i < static_cast<int>(choice.words.size()); ++i) {

@@ -126,7 +126,7 @@ void draw_cell(Ui& ui, const Line& line, int v, int chosen) {
 }
 
 void draw_table(Ui& ui, int chosen) {
-    const bool lights = lighting_of(ui.results.a.frame.settings.stage) != Lighting::none;
+    const bool lights = shading_rule(ui.results.a.frame.settings) != Shading::unlit;
     const float padding = (ui.page_is_narrow ? 2.0f : 6.0f) * ui.options.text_scale;
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {padding, ImGui::GetStyle().CellPadding.y});
     if (!ImGui::BeginTable("vertices", label_columns(ui) + triangle_corners,
@@ -168,9 +168,11 @@ void draw_table(Ui& ui, int chosen) {
 }
 
 /// "floor would give 0, round would give 0"
-std::string other_roundings(const VertexReport& vertex, std::string_view id, Rounding in_force) {
+std::string other_roundings(const VertexReport& vertex, std::string_view id,
+                            VertexRounding in_force) {
     std::string text;
-    for (const Rounding other : {Rounding::truncate, Rounding::floor, Rounding::round}) {
+    for (const VertexRounding other :
+         {VertexRounding::truncate, VertexRounding::floor, VertexRounding::round}) {
         if (other == in_force) continue;
         const ShadedVertex& shaded = vertex.by_rounding[static_cast<std::size_t>(other)];
         text.append(text.empty() ? "" : ", ").append(rounding_function(other));
@@ -199,7 +201,7 @@ void draw_what_else(Ui& ui, const VertexReport& vertex, const Formula& formula) 
     const Settings& settings = ui.results.a.frame.settings;
     ImGui::PushStyleColor(ImGuiCol_Text, p.dim);
     if (formula.id.starts_with("pixel.")) {
-        wrapped_text(other_roundings(vertex, formula.id, settings.rounding));
+        wrapped_text(other_roundings(vertex, formula.id, settings.vertex_rounding));
         name_widget(ui, "vertices.other_roundings",
                     "The same number made whole in the other ways. int() cuts toward zero, so it "
                     "moves negative numbers the other way than positive ones.");

@@ -20,9 +20,9 @@ void go_to_stage(Ui& ui, int stage) {
 
 void draw_heading(Ui& ui, const StageInfo& info) {
     ImGui::PushFont(ui.fonts.small);
-    text_in(palette(ui.options.theme).dim,
-            "Stage " + std::to_string(static_cast<int>(info.stage) + 1) + " of " +
-                std::to_string(stage_count) + " · lab: " + std::string(info.section));
+    text_in(palette(ui.options.theme).dim, "Stage " + std::to_string(strip_place(info.step) + 1) +
+                                               " of " + std::to_string(stage_count) +
+                                               " · lab: " + std::string(info.section));
     ImGui::PopFont();
     ImGui::Dummy({0.0f, 2.0f * ui.options.text_scale});
 }
@@ -61,15 +61,16 @@ std::string stage_page_name(Ui& ui) {
 }
 
 void draw_stage_text(Ui& ui, float width) {
-    draw_text(ui, stage_list()[static_cast<std::size_t>(ui.session.a.settings.stage)], width);
+    draw_text(ui, stage_info(ui.session.a.settings), width);
 }
 
 void draw_stage_footer(Ui& ui, float width) {
     PageFooter footer;
-    footer.current = static_cast<int>(ui.session.a.settings.stage);
+    const StripStep here = step_of(ui.session.a.settings);
+    footer.current = strip_place(here);
     for (const StageInfo& info : stage_list()) {
-        footer.pages.push_back({"lesson.bar." + std::string(info.name), std::string(info.title),
-                                info.stage <= ui.session.a.settings.stage});
+        footer.pages.push_back(
+            {"lesson.bar." + std::string(info.name), std::string(info.title), info.step <= here});
     }
     const int wanted = draw_page_footer(ui, footer, width);
     if (wanted >= 0) go_to_stage(ui, wanted);

@@ -33,8 +33,8 @@ TEST_CASE("Each stage button shows its stage, in the frame in which it is clicke
     for (const StageInfo& info : stage_list()) {
         INFO("stage " << info.name);
         driver.hand.click("stage." + std::string(info.name));
-        CHECK(driver.ui.session.a.settings.stage == info.stage);
-        CHECK(driver.ui.results.a.frame.settings.stage == info.stage);
+        CHECK(step_of(driver.ui.session.a.settings) == info.step);
+        CHECK(step_of(driver.ui.results.a.frame.settings) == info.step);
         CHECK(first_difference(*driver.ui.results.a.framebuffer,
                                expected_picture(driver.ui.session)) == "");
         CHECK(driver.ui.picture.number == driver.ui.results.a.picture_number);
@@ -45,7 +45,7 @@ TEST_CASE("The digits 1 to 7 show the stages") {
     Driver driver;
     for (int i = 0; i < stage_count; ++i) {
         driver.hand.press('1' + i);
-        CHECK(static_cast<int>(driver.ui.session.a.settings.stage) == i);
+        CHECK(strip_place(step_of(driver.ui.session.a.settings)) == i);
     }
 }
 

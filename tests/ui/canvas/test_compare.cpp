@@ -12,7 +12,7 @@ namespace {
 /// The room with a lamp that can be seen, at stage pixel_light.
 Session lit_room() {
     Session session = open_session(project_root() + "/lessons/scenes/lab-room.toml");
-    session.a.settings.stage = Stage::pixel_light;
+    set_step(session.a.settings, StripStep::pixel_light);
     session.a.settings.light.power = glm::vec3(14.0f);
     return session;
 }
@@ -201,16 +201,16 @@ TEST_CASE("Run B is set in the tab, and what is changed in A is changed in both"
     driver.hand.click("compare.another");
     driver.hand.click("compare.another.rounding");
     REQUIRE(driver.ui.session.b);
-    CHECK(driver.ui.session.b->settings.rounding == Rounding::floor);
+    CHECK(common_rounding(driver.ui.session.b->settings) == Rounding::floor);
     driver.hand.click("compare.b.rounding");
     driver.hand.click("compare.b.rounding=round");
-    CHECK(driver.ui.session.b->settings.rounding == Rounding::round);
-    CHECK(driver.ui.session.a.settings.rounding == Rounding::truncate);
+    CHECK(common_rounding(driver.ui.session.b->settings) == Rounding::round);
+    CHECK(common_rounding(driver.ui.session.a.settings) == Rounding::truncate);
     driver.hand.click("switch.perspective");
     CHECK(driver.ui.session.b->settings.interpolation == Interpolation::affine);
     driver.hand.click("compare.swap");
-    CHECK(driver.ui.session.a.settings.rounding == Rounding::round);
-    CHECK(driver.ui.session.b->settings.rounding == Rounding::truncate);
+    CHECK(common_rounding(driver.ui.session.a.settings) == Rounding::round);
+    CHECK(common_rounding(driver.ui.session.b->settings) == Rounding::truncate);
 }
 
 TEST_CASE("Comparing is undone and done again") {

@@ -84,13 +84,13 @@ TEST_CASE("An uncovered pixel says which triangle comes nearest, and lets its re
     driver.hand.click("history.near.0");
     CHECK(driver.ui.session.selection.triangle == 2);
     driver.hand.click("history.try.rounding=floor");
-    CHECK(driver.ui.session.a.settings.rounding == Rounding::floor);
+    CHECK(common_rounding(driver.ui.session.a.settings) == Rounding::floor);
     REQUIRE(driver.ui.results.history);
     REQUIRE(driver.ui.results.history->entries.size() == 1);
     CHECK(driver.ui.results.history->entries[0].cursor.triangle == 2);
     CHECK(driver.hand.is_visible("history.0"));
     driver.hand.press('Z', {.ctrl = true});
-    CHECK(driver.ui.session.a.settings.rounding == Rounding::truncate);
+    CHECK(common_rounding(driver.ui.session.a.settings) == Rounding::truncate);
     CHECK(driver.hand.is_visible("history.near.0"));
 }
 

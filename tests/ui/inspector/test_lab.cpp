@@ -23,7 +23,7 @@ namespace {
 
 Session lit_room() {
     Session session = open_session(project_root() + "/lessons/scenes/lab-room.toml");
-    session.a.settings.stage = Stage::pixel_light;
+    set_step(session.a.settings, StripStep::pixel_light);
     session.a.settings.light.power = glm::vec3(14.0f);
     return session;
 }

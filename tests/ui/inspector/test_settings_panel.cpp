@@ -29,9 +29,22 @@ TEST_CASE("A word is chosen from a list, is marked as changed, and is reset") {
     CHECK_FALSE(driver.hand.is_visible("reset.rounding"));
     driver.hand.click("setting.rounding");
     driver.hand.click("setting.rounding=floor");
-    CHECK(driver.ui.session.a.settings.rounding == Rounding::floor);
+    CHECK(common_rounding(driver.ui.session.a.settings) == Rounding::floor);
     driver.hand.click("reset.rounding");
-    CHECK(driver.ui.session.a.settings.rounding == Rounding::truncate);
+    CHECK(common_rounding(driver.ui.session.a.settings) == Rounding::truncate);
+}
+
+TEST_CASE("Vertices and lines are rounded in different ways, and again in one") {
+    Driver driver;
+    driver.hand.click("tab.settings");
+    driver.hand.click("setting.vertex_rounding");
+    driver.hand.click("setting.vertex_rounding=truncate_sum");
+    const Settings& settings = driver.ui.session.a.settings;
+    CHECK(settings.vertex_rounding == VertexRounding::truncate_sum);
+    CHECK(settings.line_rounding == Rounding::truncate);
+    driver.hand.click("setting.rounding");
+    driver.hand.click("setting.rounding=floor");
+    CHECK(common_rounding(settings) == Rounding::floor);
 }
 
 TEST_CASE("Every setting can be reached in the panel, and the search leaves only what fits") {
@@ -51,7 +64,7 @@ TEST_CASE("A preset's button sets what the preset names") {
     driver.hand.click("tab.settings");
     driver.hand.click("settings.preset.exact");
     CHECK(driver.ui.session.a.settings.line_walk == LineWalk::exact);
-    CHECK(driver.ui.session.a.settings.rounding == Rounding::floor);
+    CHECK(common_rounding(driver.ui.session.a.settings) == Rounding::floor);
     driver.hand.click("settings.preset.handout");
     CHECK(driver.ui.session.a.settings.line_walk == LineWalk::accumulate);
 }

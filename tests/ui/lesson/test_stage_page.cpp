@@ -44,9 +44,9 @@ class OwnNote {
     std::string before_;
 };
 
-Session room_at(Stage stage) {
+Session room_at(const StripStep& step) {
     Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
-    session.a.settings.stage = stage;
+    set_step(session.a.settings, step);
     return session;
 }
 
@@ -89,27 +89,27 @@ TEST_CASE("Every link of every note does what it says, in a column and in a tab"
     const Session bench = open_session(lessons_folder() + "/scenes/one-triangle.toml");
     for (const ImVec2 window : {ImVec2(1600, 1000), ImVec2(1024, 640)}) {
         for (const StageInfo& info : stage_list())
-            follow_all(room_at(info.stage), window);
+            follow_all(room_at(info.step), window);
         follow_all(bench, window);
     }
 }
 
 TEST_CASE("The buttons and bars of the lesson walk through the stages") {
-    Driver driver(room_at(Stage::points));
+    Driver driver(room_at({Stage::points}));
     CHECK_FALSE(driver.hand.is_visible("lesson.previous"));
     for (int i = 1; i < stage_count; ++i) {
         driver.hand.click("lesson.next");
-        CHECK(driver.ui.session.a.settings.stage == static_cast<Stage>(i));
+        CHECK(strip_place(step_of(driver.ui.session.a.settings)) == i);
     }
     CHECK_FALSE(driver.hand.is_visible("lesson.next"));
     driver.hand.click("lesson.previous");
-    CHECK(driver.ui.session.a.settings.stage == Stage::vertex_light);
+    CHECK(step_of(driver.ui.session.a.settings) == StripStep::vertex_light);
     driver.hand.click("lesson.bar.edges");
     CHECK(driver.ui.session.a.settings.stage == Stage::edges);
 }
 
 TEST_CASE("Another page begins at its top; the same page keeps its place") {
-    Driver driver(room_at(Stage::rows), {1100, 700});
+    Driver driver(room_at({Stage::rows}), {1100, 700});
     const float top = top_of(driver, "lesson.link.0");
     driver.hand.wheel("lesson.link.0", -3.0f);
     const float scrolled = top_of(driver, "lesson.link.0");
@@ -130,7 +130,7 @@ TEST_CASE("The buttons of the lesson are whole in small windows and at large tex
          {Window{{1600, 1000}, 1.0f}, Window{{1024, 640}, 1.0f}, Window{{1600, 1000}, 1.5f},
           Window{{1600, 1000}, 2.0f}, Window{{800, 600}, 1.0f}, Window{{800, 600}, 2.0f}}) {
         INFO(window.size.x << "x" << window.size.y << " at " << window.scale);
-        Driver driver(room_at(Stage::rows), window.size, window.scale);
+        Driver driver(room_at({Stage::rows}), window.size, window.scale);
         open_tab(driver.ui, "lesson");
         driver.hand.frames(frames_to_rest);
         for (const char* name : {"lesson.previous", "lesson.next", "lesson.bar.rows"}) {
@@ -143,7 +143,7 @@ TEST_CASE("The buttons of the lesson are whole in small windows and at large tex
 TEST_CASE(
     "A link that points at something outlines it while it is hovered, and stays after a click") {
     const OwnNote note("rows", "# Rows\n\n[the tab](show:tab.history)\n");
-    Driver driver(room_at(Stage::rows));
+    Driver driver(room_at({Stage::rows}));
     CHECK(driver.ui.lesson.pointed_at.empty());
     driver.hand.hover("lesson.link.0");
     CHECK(driver.ui.lesson.pointed_at == "tab.history");
@@ -161,7 +161,7 @@ TEST_CASE(
 
 TEST_CASE("A link to a widget in a closed tab points at the tab, and a click opens it") {
     const OwnNote note("rows", "[power](show:setting.light.power)\n");
-    Driver driver(room_at(Stage::rows));
+    Driver driver(room_at({Stage::rows}));
     driver.hand.hover("lesson.link.0");
     CHECK(driver.ui.lesson.pointed_at == "tab.settings");
     driver.hand.click("lesson.link.0");
@@ -172,7 +172,7 @@ TEST_CASE("A link to a widget in a closed tab points at the tab, and a click ope
 
 TEST_CASE("A link that leads nowhere is answered in the status line") {
     const OwnNote note("rows", "[a](show:nothing.here) [b](foo:bar) [c](set:stage=row) [d](<>)\n");
-    Driver driver(room_at(Stage::rows));
+    Driver driver(room_at({Stage::rows}));
     driver.hand.click("lesson.link.0");
     CHECK_THAT(driver.ui.session.notice, Catch::Contains("has no widget 'nothing.here'"));
     driver.hand.click("lesson.link.1");
@@ -185,7 +185,7 @@ TEST_CASE("A link that leads nowhere is answered in the status line") {
 }
 
 TEST_CASE("Without its notes the program shows the stage's title and goes on") {
-    const Session session = room_at(Stage::rows);
+    const Session session = room_at({Stage::rows});
     const OwnNote note("", "");
     Driver driver(session);
     CHECK(driver.hand.is_visible("lesson.next"));
@@ -197,7 +197,7 @@ TEST_CASE("A page of a megabyte is drawn and scrolled") {
     std::string text;
     while (text.size() + 40 < largest_markdown)
         text += "word [link](set:stage=rows) `code`\n\n";
-    const Session session = room_at(Stage::rows);
+    const Session session = room_at({Stage::rows});
     const OwnNote note("rows", text);
     Driver driver(session);
     CHECK(driver.ui.widgets.at("lesson.link.0").visible);

@@ -1,0 +1,53 @@
+#pragma once
+
+// The words of an enum: they stand beside it, and whoever reads or prints them asks here.
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <utility>
+
+namespace rasterwalk {
+
+/// The words of an enum in the order of its values, each spelled as the value is. An enum that has
+/// words specializes this with a word_list() right below its declaration, and asserts
+/// words_match<Enum> there.
+template <class Enum>
+inline constexpr std::array<std::string_view, 0> enum_words{};
+
+/// The value of enum_words for one enum.
+template <class... Word>
+constexpr std::array<std::string_view, sizeof...(Word)> word_list(Word... word) {
+    return {std::string_view(word)...};
+}
+
+/// The word of a value.
+template <class Enum>
+constexpr std::string_view word_of(Enum value) {
+    return enum_words<Enum>[static_cast<std::size_t>(value)];
+}
+
+/// The value as it is spelled in the program; empty if the enum has no such value.
+template <auto value>
+constexpr std::string_view spelling() {
+    // g++ and clang++ spell a value "Enum::name", and "(Enum)7" what is none.
+    std::string_view text = __PRETTY_FUNCTION__;
+    constexpr std::string_view before = "value = ";
+    text.remove_prefix(text.find(before) + before.size());
+    text = text.substr(0, text.find_first_of(";]"));
+    return text.front() == '(' ? std::string_view() : text.substr(text.rfind(':') + 1);
+}
+
+template <class Enum, std::size_t... index>
+constexpr bool are_spelled_alike(std::index_sequence<index...>) {
+    constexpr bool none_is_missing = spelling<static_cast<Enum>(sizeof...(index))>().empty();
+    return none_is_missing &&
+           ((spelling<static_cast<Enum>(index)>() == enum_words<Enum>[index]) && ...);
+}
+
+/// Has every value of the enum its word, and is it in its place?
+template <class Enum>
+inline constexpr bool
+    words_match = are_spelled_alike<Enum>(std::make_index_sequence<enum_words<Enum>.size()>());
+
+} // namespace rasterwalk

@@ -1,0 +1,251 @@
+#include "settings/setting_table.h"
+
+// What the table can do with the value of any setting: read, write, compare and copy it.
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "base/numbers.h"
+#include "base/quoted.h"
+
+namespace rasterwalk {
+
+namespace {
+
+std::vector<std::string_view> setting_names() {
+    std::vector<std::string_view> names;
+    for (const Setting& setting : setting_table())
+        names.push_back(setting.name);
+    return names;
+}
+
+[[noreturn]] void refuse(const Setting& setting, std::string_view value) {
+    throw UsageError(std::string(setting.name)
+                         .append(" cannot be ")
+                         .append(in_quotes(trimmed(value)))
+                         .append(": it takes ")
+                         .append(allowed_text(setting))
+                         .append("."));
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+    std::vector<std::string_view> parts;
+    while (true) {
+        const std::size_t place = text.find(separator);
+        parts.push_back(text.substr(0, place));
+        if (place == std::string_view::npos) return parts;
+        text.remove_prefix(place + 1);
+    }
+}
+
+/// The index of a word; no_word if the choice does not take it.
+int find_word(const ChoiceSetting& kind, std::string_view word) {
+    const auto found = std::find(kind.words.begin(), kind.words.end(), trimmed(word));
+    return found == kind.words.end() ? no_word : static_cast<int>(found - kind.words.begin());
+}
+
+/// Puts a value into the settings: one function for each kind of setting.
+struct Writer {
+    Settings& settings;
+    const Setting& setting;
+    std::string_view text;
+
+    float number(std::string_view part, float smallest, float largest) const {
+        const std::optional<float> value = parse_number(part, smallest, largest);
+        if (!value) refuse(setting, text);
+        return *value;
+    }
+
+    void operator()(const ChoiceSetting& kind) const {
+        const int word = find_word(kind, text);
+        if (word == no_word) refuse(setting, text);
+        kind.write(settings, word);
+    }
+    void operator()(const NumberSetting& kind) const {
+        kind.value(settings) = number(text, kind.smallest, kind.largest);
+    }
+    void operator()(const VectorSetting& kind) const {
+        const std::vector<std::string_view> parts = split(text, ',');
+        const bool one_for_all = kind.is_colour && parts.size() == 1;
+        if (parts.size() != 3 && !one_for_all) refuse(setting, text);
+        glm::vec3 value;
+        for (int i = 0; i < 3; ++i) {
+            value[i] = number(parts[one_for_all ? 0 : static_cast<std::size_t>(i)], kind.smallest,
+                              kind.largest);
+        }
+        kind.value(settings) = value;
+    }
+    void operator()(const SizeSetting& kind) const {
+        const std::vector<std::string_view> parts = split(text, 'x');
+        if (parts.size() != 2) refuse(setting, text);
+        const auto side = [&](std::string_view part) {
+            const std::optional<int> pixels = parse_int(part);
+            if (!pixels || *pixels < 1 || *pixels > kind.largest) refuse(setting, text);
+            return *pixels;
+        };
+        const Viewport size{side(parts[0]), side(parts[1])};
+        kind.value(settings) = size;
+    }
+};
+
+/// The value of a setting as text: one function for each kind of setting.
+struct Reader {
+    Settings settings;
+
+    std::string operator()(const ChoiceSetting& kind) const {
+        const int word = kind.read(settings);
+        return word == no_word ? "" : std::string(kind.words[static_cast<std::size_t>(word)]);
+    }
+    std::string operator()(const NumberSetting& kind) { return number_text(kind.value(settings)); }
+    std::string operator()(const VectorSetting& kind) {
+        const glm::vec3& value = kind.value(settings);
+        if (kind.is_colour && value.x == value.y && value.y == value.z) {
+            return number_text(value.x);
+        }
+        return number_text(value.x) + "," + number_text(value.y) + "," + number_text(value.z);
+    }
+    std::string operator()(const SizeSetting& kind) {
+        const Viewport& size = kind.value(settings);
+        return std::to_string(size.width).append("x").append(std::to_string(size.height));
+    }
+};
+
+/// Compares one setting of two sets of settings: one function for each kind of setting.
+struct SameValue {
+    Settings a, b;
+
+    bool operator()(const ChoiceSetting& kind) { return kind.read(a) == kind.read(b); }
+    template <class Kind>
+    bool operator()(const Kind& kind) {
+        return kind.value(a) == kind.value(b);
+    }
+};
+
+/// Copies one setting: one function for each kind of setting.
+struct ValueCopy {
+    Settings from;
+    Settings& to;
+
+    void operator()(const ChoiceSetting& kind) {
+        const int word = kind.read(from);
+        if (word != no_word) kind.write(to, word);
+    }
+    template <class Kind>
+    void operator()(const Kind& kind) {
+        kind.value(to) = kind.value(from);
+    }
+};
+
+std::string range_text(float smallest, float largest) {
+    return number_text(smallest).append(" to ").append(number_text(largest));
+}
+
+struct AllowedText {
+    std::string operator()(const ChoiceSetting& kind) const {
+        std::string text;
+        for (std::size_t i = 0; i < kind.words.size(); ++i) {
+            if (i > 0) text += i + 1 == kind.words.size() ? " or " : ", ";
+            text += kind.words[i];
+        }
+        return text;
+    }
+    std::string operator()(const NumberSetting& kind) const {
+        return "a number from " + range_text(kind.smallest, kind.largest);
+    }
+    std::string operator()(const VectorSetting& kind) const {
+        const std::string numbers = kind.is_colour ? "one number or three, " : "three numbers, ";
+        return numbers + "each from " + range_text(kind.smallest, kind.largest);
+    }
+    std::string operator()(const SizeSetting& kind) const {
+        return "WIDTHxHEIGHT, each from 1 to " + std::to_string(kind.largest);
+    }
+};
+
+struct RangeClamp {
+    Settings& settings;
+
+    static void clamp(float& value, float smallest, float largest) {
+        // Written so that NaN, which no comparison admits, is caught as well.
+        if (!(value >= smallest)) value = smallest;
+        if (value > largest) value = largest;
+    }
+    void operator()(const ChoiceSetting&) const {}
+    void operator()(const SizeSetting&) const {}
+    void operator()(const NumberSetting& kind) const {
+        clamp(kind.value(settings), kind.smallest, kind.largest);
+    }
+    void operator()(const VectorSetting& kind) const {
+        for (int i = 0; i < 3; ++i)
+            clamp(kind.value(settings)[i], kind.smallest, kind.largest);
+    }
+};
+
+} // namespace
+
+std::string value_text(const Setting& setting, const Settings& settings) {
+    return std::visit(Reader{settings}, setting.kind);
+}
+
+bool is_said_by_whole(const Setting& part, const Settings& settings) {
+    if (part.part_of.empty()) return false;
+    Settings said = settings;
+    copy_value(*find_setting(part.part_of), settings, said);
+    return !value_text(*find_setting(part.part_of), settings).empty() &&
+           has_same_value(part, settings, said);
+}
+
+bool must_be_said(const Setting& setting, const Settings& a, const Settings& b) {
+    const bool is_same = has_same_value(setting, a, b);
+    const Setting* const whole = find_setting(setting.part_of);
+    if (whole != nullptr && must_be_said(*whole, a, b)) {
+        return !is_said_by_whole(setting, b) || (!is_same && !is_said_by_whole(setting, a));
+    }
+    return !is_same && !value_text(setting, a).empty() && !value_text(setting, b).empty();
+}
+
+const Setting& meant_setting(const Setting& setting, std::string_view value) {
+    const Setting* const heir = find_setting(setting.words_moved_to);
+    const auto* const choice = heir != nullptr ? std::get_if<ChoiceSetting>(&heir->kind) : nullptr;
+    return choice != nullptr && find_word(*choice, value) != no_word ? *heir : setting;
+}
+
+bool has_same_value(const Setting& setting, const Settings& a, const Settings& b) {
+    return std::visit(SameValue{a, b}, setting.kind);
+}
+
+void copy_value(const Setting& setting, const Settings& from, Settings& to) {
+    std::visit(ValueCopy{from, to}, setting.kind);
+}
+
+std::string allowed_text(const Setting& setting) {
+    return std::visit(AllowedText{}, setting.kind);
+}
+
+void set_value(Settings& settings, const Setting& setting, std::string_view value) {
+    const Setting& meant = meant_setting(setting, value);
+    std::visit(Writer{settings, meant, value}, meant.kind);
+}
+
+void set_from_text(Settings& settings, std::string_view assignment) {
+    const std::size_t place = assignment.find('=');
+    if (place == std::string_view::npos) {
+        throw UsageError(in_quotes(assignment) + " is not of the form name=value.");
+    }
+    const std::string_view name = trimmed(assignment.substr(0, place));
+    const Setting* setting = find_setting(name);
+    if (setting == nullptr) {
+        throw UsageError("there is no setting " + in_quotes(name) + "." +
+                         did_you_mean(name, setting_names()));
+    }
+    set_value(settings, *setting, assignment.substr(place + 1));
+}
+
+void clamp_to_ranges(Settings& settings) {
+    for (const Setting& setting : setting_table())
+        std::visit(RangeClamp{settings}, setting.kind);
+}
+
+} // namespace rasterwalk
