@@ -26,11 +26,6 @@ Settings settings_of_run(const Settings& common, const std::vector<std::string>&
     return settings;
 }
 
-std::string_view phase_name(Phase phase) {
-    constexpr std::array<std::string_view, 3> names{"vertices", "edges", "rows"};
-    return names[static_cast<std::size_t>(phase)];
-}
-
 std::string_view kind_name(DivergenceKind kind) {
     constexpr std::array<std::string_view, 3> names{"missing", "extra", "other"};
     return names[static_cast<std::size_t>(kind)];
@@ -56,7 +51,7 @@ Json to_json(const Scene& scene, const DivergenceGroup& group) {
             {"kind", kind_name(group.kind)},
             {"last", to_text(group.last)},
             {"name", part_name(scene, group.triangle)},
-            {"phase", phase_name(group.phase)},
+            {"phase", phase_info(group.phase).word},
             {"triangle", group.triangle}};
 }
 
@@ -122,7 +117,7 @@ void print_text(const Scene& scene, const RunTexts& runs, const Comparison& comp
     for (std::size_t i = 0; i < std::min(list.groups.size(), most_groups_printed); ++i) {
         const DivergenceGroup& group = list.groups[i];
         out << fmt::format("t{:<4} {:<9} {:<13} {:>9}  first {}\n", group.triangle,
-                           phase_name(group.phase), kind_text(group.kind), group.count,
+                           phase_info(group.phase).word, kind_text(group.kind), group.count,
                            to_text(group.first));
     }
     if (list.groups.size() > most_groups_printed) {

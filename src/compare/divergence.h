@@ -68,7 +68,7 @@ class DivergenceCollector {
 
   private:
     /// The divergences of one triangle by phase and kind.
-    using TriangleGroups = std::array<std::array<DivergenceGroup, 3>, 3>;
+    using TriangleGroups = std::array<std::array<DivergenceGroup, 3>, phase_count>;
 
     void add(const Cursor& cursor, DivergenceKind kind);
     void end_triangle(DivergenceList& list);

@@ -358,8 +358,9 @@ std::string divergence_text(const Frame& a, const Frame& b, const PairMoment& mo
     case Phase::rows:
         if (one_is_idle && first < Stage::rows) return stage_sentence(a, b, "rows");
         return row_text(a, b, moment);
+    default:
+        return "";
     }
-    return "";
 }
 
 } // namespace rasterwalk

@@ -38,7 +38,7 @@ RowRange rows_in_picture(const Frame& frame, int triangle) {
 
 Cursor behind(const Cursor& cursor) {
     Cursor next = cursor;
-    ++(cursor.phase == Phase::vertices ? next.index : next.step);
+    ++(phase_info(cursor.phase).step_letter == 0 ? next.index : next.step);
     return next;
 }
 

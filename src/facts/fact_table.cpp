@@ -12,7 +12,14 @@ namespace rasterwalk {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> phase_words{"vertices", "edges", "rows", "end"};
+/// The words of the phases, and at last one for the end.
+constexpr auto phase_words = [] {
+    std::array<std::string_view, phase_count + 1> words;
+    for (std::size_t i = 0; i < phase_list.size(); ++i)
+        words[i] = phase_list[i].word;
+    words.back() = "end";
+    return words;
+}();
 
 const ValueRange yes_or_no = whole(0, 1);
 const ValueRange count = whole(0, endless);
@@ -28,8 +35,7 @@ const Cursor* cursor_in(const Facts& facts, Phase phase) {
 
 Value cursor_phase(const Facts& facts, int) {
     const Cursor& cursor = facts.results().a.cursor;
-    const std::size_t phase = cursor == cursor_end ? 3 : static_cast<std::size_t>(cursor.phase);
-    return std::string(phase_words[phase]);
+    return std::string(cursor == cursor_end ? phase_words.back() : phase_info(cursor.phase).word);
 }
 
 /// Row or column of the picture where the next fragment falls.

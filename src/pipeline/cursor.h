@@ -1,24 +1,71 @@
 #pragma once
 
+#include <array>
 #include <climits>
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "base/enum_words.h"
+
 namespace rasterwalk {
 
 /// What kind of work a moment is, in the order in which a triangle goes through them.
-enum class Phase : std::uint8_t { vertices, edges, rows };
+enum class Phase : std::uint8_t { vertices, clip, cull, edges, rows };
+
+/// What is said of a phase, and how its moments are written. A phase has pieces and a piece has
+/// steps; the moments are the steps, or the pieces where they have none.
+struct PhaseInfo {
+    Phase phase;
+    std::string_view word;  ///< in data: "edges"
+    char letter;            ///< in the text of a moment: t12/e2
+    bool is_numbered;       ///< the letter is followed by the number of the piece
+    std::string_view piece; ///< what a piece is called: "edge"
+    char step_letter;       ///< t12/e2/s14; 0: a piece is a single moment
+    std::string_view step;  ///< what a step is called: "sample"; empty if there are none
+};
+
+/// Every phase; indexed by Phase.
+inline constexpr std::array phase_list{
+    PhaseInfo{Phase::vertices, "vertices", 'v', true, "vertex", 0, ""},
+    PhaseInfo{Phase::clip, "clip", 'p', true, "plane", 's', "edge"},
+    PhaseInfo{Phase::cull, "cull", 'k', false, "sign of the area", 0, ""},
+    PhaseInfo{Phase::edges, "edges", 'e', true, "edge", 's', "sample"},
+    PhaseInfo{Phase::rows, "rows", 'r', true, "row", 'c', "fragment"},
+};
+inline constexpr int phase_count = static_cast<int>(phase_list.size());
+
+constexpr bool phases_are_in_order() {
+    for (std::size_t i = 0; i < phase_list.size(); ++i) {
+        if (phase_list[i].phase != static_cast<Phase>(i)) return false;
+        for (std::size_t j = 0; j < i; ++j) {
+            if (phase_list[i].letter == phase_list[j].letter) return false;
+        }
+    }
+    return spelling<static_cast<Phase>(phase_count)>().empty(); // no phase without a row
+}
+static_assert(phases_are_in_order(),
+              "phase_list lacks a phase, is not in the order of Phase, or has a letter twice");
+
+constexpr const PhaseInfo& phase_info(Phase phase) {
+    return phase_list[static_cast<std::size_t>(phase)];
+}
 
 /// A moment in the drawing of a frame: the next piece of work to be done. Everything before it is
 /// done, nothing from it on. Totally ordered; counts from 0.
 struct Cursor {
+    int pass = 0; ///< over all triangles; a frame has one, so far
     int triangle = 0;
     Phase phase = Phase::vertices;
-    int index = 0; ///< which vertex, edge, or row of the row table
-    int step = 0;  ///< which sample of the edge, or which column of the row from its left end
+    int index = 0; ///< the piece: which vertex, plane, edge, or row of the row table
+    int step = 0;  ///< of the piece: which sample, or which column from the row's left end
+
+    constexpr Cursor() = default;
+    constexpr Cursor(int in_triangle, Phase in_phase, int at_index, int at_step, int in_pass = 0)
+        : pass(in_pass), triangle(in_triangle), phase(in_phase), index(at_index), step(at_step) {}
 
     friend auto operator<=>(const Cursor&, const Cursor&) = default;
 };
@@ -27,9 +74,10 @@ struct Cursor {
 inline constexpr Cursor cursor_begin{};
 
 /// The moment after the last, of every frame.
-inline constexpr Cursor cursor_end{INT_MAX, Phase::vertices, 0, 0};
+inline constexpr Cursor cursor_end{INT_MAX, Phase::vertices, 0, 0, INT_MAX};
 
-/// The text form: `t12/v1`, `t12/e2/s14`, `t12/r37/c5`, `end`.
+/// The text form: `t12/v1`, `t12/p0/s2`, `t12/k`, `t12/e2/s14`, `t12/r37/c5`, `end`; before it the
+/// pass where it is not 0: `p1:t12/v1`.
 std::string to_text(const Cursor& cursor);
 
 /// Reads the text form; what is left away is 0: `t12` is `t12/v0`, `t12/r37` is `t12/r37/c0`.

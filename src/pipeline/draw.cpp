@@ -73,7 +73,8 @@ Range clamp_to_window(const DrawWindow& window, Cursor piece, int Cursor::*field
     // A cursor of this triangle and phase bounds the loop by its own count; any other lies wholly
     // before or wholly after all pieces.
     const auto begun_before = [&](const Cursor& bound) {
-        const bool same_line = bound.triangle == piece.triangle && bound.phase == piece.phase &&
+        const bool same_line = bound.pass == piece.pass && bound.triangle == piece.triangle &&
+                               bound.phase == piece.phase &&
                                (field == &Cursor::index || bound.index == piece.index);
         if (!same_line) return bound > piece ? count : 0;
         const int whole = std::clamp(bound.*field, 0, count);

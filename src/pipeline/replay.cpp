@@ -34,7 +34,7 @@ Rectangle whole_picture(const Frame& frame) {
 Cursor behind_triangles_before(const Cursor& cursor) {
     const bool is_begin = cursor.phase == Phase::vertices && cursor.index <= 0 && cursor.step <= 0;
     if (!is_begin || cursor.triangle <= 0 || cursor == cursor_end) return cursor;
-    return {cursor.triangle - 1, Phase::rows, INT_MAX, 0};
+    return {cursor.triangle - 1, phase_list.back().phase, INT_MAX, 0};
 }
 
 } // namespace

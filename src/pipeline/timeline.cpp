@@ -3,18 +3,10 @@
 #include <algorithm>
 #include <climits>
 #include <cmath>
-#include <numeric>
-#include <utility>
 
 namespace rasterwalk {
 
 namespace {
-
-// Moments of a triangle: vertices, then edge samples, then rows.
-
-int sample_total(const TriangleMoments& m) {
-    return std::accumulate(m.samples.begin(), m.samples.end(), 0);
-}
 
 /// Counts the samples of each edge.
 class SampleCounts : public SampleSink {
@@ -25,28 +17,30 @@ class SampleCounts : public SampleSink {
     std::vector<int> samples;
 };
 
-void find_spans(const Frame& frame, TriangleMoments& m) {
+void find_rows(const Frame& frame, const PolygonRows& rows, PhaseMoments& moments) {
     const Rectangle area = drawn_area(frame);
     const bool fragments = has_fragments(frame.settings.stage);
-    int total = 0;
-    m.spans.clear();
-    m.before.clear();
-    for (int r = 0; r < m.rows.size(); ++r) {
-        m.before.push_back(total);
-        TriangleMoments::Span span;
-        const int row = m.rows.first_row + r;
-        if (row >= area.top && row < area.bottom && !m.rows.is_empty_row(r)) {
-            const RowSpan drawn = row_span(frame.stages, m.rows, r);
+    for (int r = 0; r < rows.size(); ++r) {
+        PhaseMoments::Steps steps;
+        const int row = rows.first_row + r;
+        if (row >= area.top && row < area.bottom && !rows.is_empty_row(r)) {
+            const RowSpan drawn = row_span(frame.stages, rows, r);
             const int left = drawn.left;
             const int first = std::max(left, area.left);
             const int behind = std::min(left + drawn.drawn, area.right);
-            span = fragments ? TriangleMoments::Span{first - left, std::max(behind - first, 0)}
-                             : TriangleMoments::Span{0, 1};
+            steps = fragments ? PhaseMoments::Steps{first - left, std::max(behind - first, 0)}
+                              : PhaseMoments::Steps{0, 1};
         }
-        m.spans.push_back(span);
-        total += span.count;
+        moments.add(steps);
     }
-    m.before.push_back(total);
+}
+
+bool has_steps(Phase phase) {
+    return phase_info(phase).step_letter != 0;
+}
+
+Cursor begin_of(int triangle) {
+    return {triangle, Phase::vertices, 0, 0};
 }
 
 /// The beginning of the piece of size `step` that holds the moment; its first moment is at or
@@ -56,14 +50,14 @@ Cursor piece_begin(Cursor cursor, Granularity step) {
     case Granularity::moment:
         break;
     case Granularity::line:
-        if (cursor.phase == Phase::vertices) cursor.index = 0;
+        if (!has_steps(cursor.phase)) cursor.index = 0;
         cursor.step = 0;
         break;
     case Granularity::phase:
         cursor.index = cursor.step = 0;
         break;
     case Granularity::triangle:
-        return {cursor.triangle, Phase::vertices, 0, 0};
+        return begin_of(cursor.triangle);
     }
     return cursor;
 }
@@ -72,100 +66,101 @@ Cursor piece_begin(Cursor cursor, Granularity step) {
 Cursor behind_piece(Cursor cursor, Granularity step) {
     switch (step) {
     case Granularity::moment:
-        if (cursor.phase == Phase::vertices) {
-            ++cursor.index;
-        } else {
-            ++cursor.step;
-        }
+        ++(has_steps(cursor.phase) ? cursor.step : cursor.index);
         break;
     case Granularity::line:
-        // All vertices are one line, however many there are.
-        cursor.index = cursor.phase == Phase::vertices ? INT_MAX : cursor.index + 1;
+        // All pieces without steps are one line, however many there are.
+        cursor.index = has_steps(cursor.phase) ? cursor.index + 1 : INT_MAX;
         cursor.step = 0;
         break;
     case Granularity::phase:
-        if (cursor.phase == Phase::rows) return {cursor.triangle + 1, Phase::vertices, 0, 0};
-        cursor.phase = cursor.phase == Phase::vertices ? Phase::edges : Phase::rows;
-        cursor.index = cursor.step = 0;
+        cursor.index = INT_MAX;
+        cursor.step = 0;
         break;
     case Granularity::triangle:
-        return {cursor.triangle + 1, Phase::vertices, 0, 0};
+        return begin_of(cursor.triangle + 1);
     }
     return cursor;
 }
 
-/// Number of the first moment of the triangle that is not before the cursor; m.count if none is.
+/// Number of the first moment of the phase that is not before this step of this piece.
+int ordinal_at_or_after(int index, int step, const PhaseMoments& m) {
+    const int pieces = static_cast<int>(m.pieces.size());
+    const int piece = std::clamp(index, 0, pieces);
+    const int ordinal = m.before[static_cast<std::size_t>(piece)];
+    if (piece == pieces) return ordinal;
+    const PhaseMoments::Steps& steps = m.pieces[static_cast<std::size_t>(piece)];
+    return ordinal + std::clamp(step, steps.first, steps.first + steps.count) - steps.first;
+}
+
+/// The same of the triangle; m.count if no moment is left.
 int ordinal_at_or_after(const Cursor& cursor, const TriangleMoments& m) {
-    switch (cursor.phase) {
-    case Phase::vertices: {
-        const int begun = std::clamp(cursor.index, 0, m.vertices);
-        return cursor.step > 0 ? std::min(begun + 1, m.vertices) : begun;
-    }
-    case Phase::edges: {
-        const int edges = static_cast<int>(m.samples.size());
-        const int edge = std::clamp(cursor.index, 0, edges);
-        int ordinal = m.vertices;
-        for (int e = 0; e < edge; ++e)
-            ordinal += m.samples[e];
-        if (edge < edges) ordinal += std::clamp(cursor.step, 0, m.samples[edge]);
-        return ordinal;
-    }
-    case Phase::rows: {
-        const int rows = static_cast<int>(m.spans.size());
-        const int row = std::clamp(cursor.index, 0, rows);
-        int ordinal = m.vertices + sample_total(m) + m.before[row];
-        if (row < rows) {
-            const TriangleMoments::Span& span = m.spans[row];
-            ordinal += std::clamp(cursor.step, span.first, span.first + span.count) - span.first;
+    int ordinal = 0;
+    for (const PhaseInfo& info : phase_list) {
+        if (info.phase == cursor.phase) {
+            return ordinal + ordinal_at_or_after(cursor.index, cursor.step, m.of(info.phase));
         }
-        return ordinal;
-    }
+        ordinal += m.of(info.phase).count();
     }
     return m.count;
 }
 
 Cursor cursor_at(int ordinal, const TriangleMoments& m) {
-    if (ordinal < m.vertices) return {m.triangle, Phase::vertices, ordinal, 0};
-    ordinal -= m.vertices;
-    for (int e = 0; e < static_cast<int>(m.samples.size()); ++e) {
-        if (ordinal < m.samples[e]) return {m.triangle, Phase::edges, e, ordinal};
-        ordinal -= m.samples[e];
+    for (const PhaseInfo& info : phase_list) {
+        const PhaseMoments& phase = m.of(info.phase);
+        if (ordinal >= phase.count()) {
+            ordinal -= phase.count();
+            continue;
+        }
+        const auto behind = std::upper_bound(phase.before.begin(), phase.before.end(), ordinal);
+        const auto piece = static_cast<std::size_t>(behind - phase.before.begin()) - 1;
+        return {m.triangle, info.phase, static_cast<int>(piece),
+                phase.pieces[piece].first + ordinal - phase.before[piece]};
     }
-    const auto above = std::upper_bound(m.before.begin(), m.before.end(), ordinal);
-    const int row = static_cast<int>(above - m.before.begin()) - 1;
-    return {m.triangle, Phase::rows, row, m.spans[row].first + ordinal - m.before[row]};
+    return begin_of(m.triangle + 1);
 }
 
 } // namespace
 
+void PhaseMoments::clear() {
+    pieces.clear();
+    before.assign(1, 0);
+}
+
+void PhaseMoments::add(const Steps& piece) {
+    pieces.push_back(piece);
+    before.push_back(count() + piece.count);
+}
+
 const TriangleMoments& Timeline::moments(int triangle) const {
     if (cache_.triangle == triangle) return cache_;
     const Stage stage = frame_->settings.stage;
+    const std::size_t corners = frame_->triangle_vertices(triangle).size();
     SampleCounts counts;
-    cache_.triangle = triangle;
-    cache_.vertices = static_cast<int>(frame_->triangle_vertices(triangle).size());
-    counts.samples.assign(static_cast<std::size_t>(cache_.vertices), 0);
-    cache_.samples.clear();
-    cache_.count = cache_.vertices;
+    counts.samples.assign(corners, 0);
     compute_rows(*frame_, triangle, cache_.rows, &counts, {});
+    cache_.triangle = triangle;
+    for (PhaseMoments& phase : cache_.phases)
+        phase.clear();
+    for (std::size_t v = 0; v < corners; ++v)
+        cache_.of(Phase::vertices).add({0, 1});
     if (stage >= Stage::edges) {
-        cache_.samples = std::move(counts.samples);
-        cache_.count += sample_total(cache_);
+        for (const int samples : counts.samples)
+            cache_.of(Phase::edges).add({0, samples});
     }
-    cache_.spans.clear();
-    cache_.before.assign(1, 0);
-    if (stage >= Stage::rows) {
-        find_spans(*frame_, cache_);
-        cache_.count += cache_.before.back();
-    }
+    if (stage >= Stage::rows) find_rows(*frame_, cache_.rows, cache_.of(Phase::rows));
+    cache_.count = 0;
+    for (const PhaseMoments& phase : cache_.phases)
+        cache_.count += phase.count();
     return cache_;
 }
 
 Cursor Timeline::at_or_after(const Cursor& cursor) const {
+    if (cursor.pass > 0) return cursor_end;
     Cursor wanted = cursor;
     for (int t = std::max(cursor.triangle, 0); t < frame_->triangle_count(); ++t) {
         if (frame_->is_drawn(t)) {
-            if (t != cursor.triangle) wanted = {t, Phase::vertices, 0, 0};
+            if (t != cursor.triangle) wanted = begin_of(t);
             const TriangleMoments& m = moments(t);
             const int ordinal = ordinal_at_or_after(wanted, m);
             if (ordinal < m.count) return cursor_at(ordinal, m);
@@ -221,13 +216,12 @@ Cursor Timeline::at_place(double place) const {
     const double at = std::clamp(place, 0.0, 1.0) * triangles;
     if (!(at < triangles)) return cursor_end;
     const int triangle = static_cast<int>(at);
-    if (!frame_->is_drawn(triangle)) return at_or_after({triangle, Phase::vertices, 0, 0});
+    if (!frame_->is_drawn(triangle)) return at_or_after(begin_of(triangle));
     // place() and its way back lose a little; no more than this part of a moment.
     constexpr double slack = 0.01;
     const int count = moments(triangle).count;
     const int ordinal = static_cast<int>((at - triangle) * count + slack);
-    return ordinal < count ? at_ordinal(triangle, ordinal)
-                           : at_or_after({triangle + 1, Phase::vertices, 0, 0});
+    return ordinal < count ? at_ordinal(triangle, ordinal) : at_or_after(begin_of(triangle + 1));
 }
 
 } // namespace rasterwalk

@@ -1,11 +1,13 @@
 #pragma once
 
 // The moments of a frame: which cursors exist, and how to go from one to another. The moments of a
-// triangle are its vertices; then, from stage `edges` on, the samples of its edges;
+// triangle go through the phases of phase_list: its vertices; then, from stage `edges` on, the
+// samples of its edges;
 // then in stage `rows` one moment for every row, in which its two ends are shown, and from stage
 // `fill` on one moment for every fragment. Rows and fragments beyond the picture have no moments,
 // nor has a triangle that is left out. Every question costs at most the edges of a triangle or two.
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -19,26 +21,36 @@ namespace rasterwalk {
 /// How far one step goes.
 enum class Granularity : std::uint8_t {
     moment,   ///< one vertex, edge sample, row end pair or fragment
-    line,     ///< one edge or row (the three vertices count as one line)
+    line,     ///< one edge or row (the pieces of a phase without steps are one line)
     triangle, ///< one triangle
     phase,    ///< from vertices to edges to rows to the next triangle
 };
 
-/// The moments of one triangle.
-struct TriangleMoments {
-    int triangle = -1;
-    int vertices = 0;         ///< corners of what is drawn of it
-    std::vector<int> samples; ///< of each edge; 0 before stage `edges`
-    PolygonRows rows;         ///< the finished row table
-    /// For each row of the table its first column from the left end that lies in the picture, and
-    /// how many columns from there; 0 where the row has no moments.
-    struct Span {
+/// The moments of one phase of a triangle.
+struct PhaseMoments {
+    /// The steps of a piece that are moments: of a row the columns from its left end on that lie in
+    /// the picture. 0 where the piece has no moments.
+    struct Steps {
         int first = 0;
         int count = 0;
     };
-    std::vector<Span> spans;
-    std::vector<int> before; ///< moments of all rows above; one entry more than rows
-    int count = 0;           ///< all moments of the triangle
+    std::vector<Steps> pieces;
+    std::vector<int> before{0}; ///< moments of all pieces before; one entry more than pieces
+
+    int count() const { return before.back(); }
+    void clear();
+    void add(const Steps& piece);
+};
+
+/// The moments of one triangle. Which phases have pieces depends on the stage.
+struct TriangleMoments {
+    int triangle = -1;
+    std::array<PhaseMoments, phase_count> phases; ///< indexed by Phase
+    PolygonRows rows;                             ///< the finished row table
+    int count = 0;                                ///< all moments of the triangle
+
+    const PhaseMoments& of(Phase phase) const { return phases[static_cast<std::size_t>(phase)]; }
+    PhaseMoments& of(Phase phase) { return phases[static_cast<std::size_t>(phase)]; }
 };
 
 /// Finds the moments of a frame. Keeps the last triangle it was asked about.

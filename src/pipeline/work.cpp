@@ -87,7 +87,7 @@ void FrameWork::begin(const Frame& frame) {
 double FrameWork::before(const Cursor& cursor) const {
     const int triangles = frame_->triangle_count();
     if (cursor.triangle < 0) return 0.0;
-    if (cursor.triangle >= triangles) return total();
+    if (cursor.triangle >= triangles || cursor.pass > 0) return total();
     const auto triangle = static_cast<std::size_t>(cursor.triangle);
     const double begin = before_[triangle], work = before_[triangle + 1] - begin;
     if (cursor.phase != Phase::rows || !is_divided(*frame_, work)) return begin;

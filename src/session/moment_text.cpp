@@ -6,7 +6,7 @@ namespace rasterwalk {
 
 namespace {
 
-std::string counted(const char* what, int index, int count) {
+std::string counted(std::string_view what, int index, int count) {
     return std::string(" · ")
         .append(what)
         .append(" ")
@@ -23,18 +23,16 @@ std::string describe_moment(const Frame& frame, const Cursor& cursor) {
     std::string text = "triangle " + std::to_string(cursor.triangle + 1) + " of " +
                        std::to_string(frame.triangle_count()) + " (" +
                        part_name(*frame.scene, cursor.triangle) + ")";
-    switch (cursor.phase) {
-    case Phase::vertices:
-        return text + counted("vertex", cursor.index, 3);
-    case Phase::edges:
-        return text + counted("edge", cursor.index, 3) +
-               counted("sample", cursor.step, moments.samples[cursor.index]);
-    case Phase::rows:
-        text += counted("row", cursor.index, moments.rows.size());
-        if (!has_fragments(frame.settings.stage)) return text + ": its two ends";
-        return text + counted("fragment", cursor.step, moments.rows.pixel_count(cursor.index));
+    const PhaseInfo& phase = phase_info(cursor.phase);
+    const PhaseMoments& of_phase = moments.of(cursor.phase);
+    text += counted(phase.piece, cursor.index, static_cast<int>(of_phase.pieces.size()));
+    if (phase.step.empty()) return text;
+    if (cursor.phase != Phase::rows) {
+        return text + counted(phase.step, cursor.step, of_phase.pieces[cursor.index].count);
     }
-    return text;
+    if (!has_fragments(frame.settings.stage)) return text + ": its two ends";
+    // Of the whole row, of which only the part in the picture has moments.
+    return text + counted(phase.step, cursor.step, moments.rows.pixel_count(cursor.index));
 }
 
 } // namespace rasterwalk

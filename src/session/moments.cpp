@@ -30,7 +30,8 @@ std::string edge_sentence(const Frame& frame, const Cursor& cursor, const std::s
     }
     if (cursor.index > 2) return "a triangle has the edges e0 to e2";
     const Timeline timeline(frame);
-    const int samples = timeline.moments(cursor.triangle).samples[cursor.index];
+    const int samples =
+        timeline.moments(cursor.triangle).of(Phase::edges).pieces[cursor.index].count;
     return "edge e" + std::to_string(cursor.index) + " of " + triangle + " has " +
            pieces("sample", 0, samples - 1);
 }
@@ -46,6 +47,7 @@ std::string row_sentence(const Frame& frame, const Cursor& cursor, const std::st
 
 /// What would be possible in the place of a cursor that does not exist.
 std::string possible(const Frame& frame, const Cursor& cursor) {
+    if (cursor.pass > 0) return "a frame is drawn in a single pass";
     if (cursor.triangle >= frame.triangle_count()) {
         return "the scene has " + pieces("triangle", 0, frame.triangle_count() - 1);
     }
@@ -62,14 +64,16 @@ std::string possible(const Frame& frame, const Cursor& cursor) {
         return edge_sentence(frame, cursor, triangle);
     case Phase::rows:
         return row_sentence(frame, cursor, triangle);
+    default:
+        return triangle + " has no moments in its phase " +
+               std::string(phase_info(cursor.phase).word);
     }
-    return {};
 }
 
 /// Does the cursor name a row of a row table?
 bool is_row(const Timeline& timeline, const Cursor& cursor) {
     const Frame& frame = timeline.frame();
-    return cursor.phase == Phase::rows && frame.settings.stage >= Stage::rows &&
+    return cursor.pass == 0 && cursor.phase == Phase::rows && frame.settings.stage >= Stage::rows &&
            cursor.triangle < frame.triangle_count() && frame.is_drawn(cursor.triangle) &&
            cursor.index < timeline.moments(cursor.triangle).rows.size();
 }

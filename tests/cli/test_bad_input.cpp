@@ -143,6 +143,12 @@ TEST_CASE("A moment that does not exist ends with exit code 2 and says which one
            "there is no moment t30: the scene has the triangles t0 to t29.");
     expect({"stats", "--to", "t3/v3"}, 2,
            "there is no moment t3/v3: a triangle has the vertices v0 to v2.");
+    expect({"stats", "--to", "t3/p0/s2"}, 2,
+           "there is no moment t3/p0/s2: triangle t3 has no moments in its phase clip.");
+    expect({"stats", "--to", "t3/k"}, 2,
+           "there is no moment t3/k: triangle t3 has no moments in its phase cull.");
+    expect({"stats", "--to", "p1:t3/k"}, 2,
+           "there is no moment p1:t3/k: a frame is drawn in a single pass.");
     expect({"stats", "--to", "t3/e3"}, 2,
            "there is no moment t3/e3: a triangle has the edges e0 to e2.");
     expect({"stats", "--to", "t12/e1/s9999"}, 2,

@@ -13,9 +13,11 @@ namespace {
 Cursor random_cursor(Random& random) {
     Cursor cursor;
     cursor.triangle = random.integer(0, random.integer(0, 3) == 0 ? INT_MAX - 1 : 50);
-    cursor.phase = static_cast<Phase>(random.integer(0, 2));
-    cursor.index = random.integer(0, 400);
-    cursor.step = cursor.phase == Phase::vertices ? 0 : random.integer(0, 40000);
+    cursor.pass = random.integer(0, 3) == 0 ? random.integer(0, 5) : 0;
+    cursor.phase = static_cast<Phase>(random.integer(0, phase_count - 1));
+    const PhaseInfo& phase = phase_info(cursor.phase);
+    cursor.index = phase.is_numbered ? random.integer(0, 400) : 0;
+    cursor.step = phase.step_letter == 0 ? 0 : random.integer(0, 40000);
     return cursor;
 }
 
@@ -25,6 +27,9 @@ TEST_CASE("Moments have the text form of the command line") {
     CHECK(to_text({12, Phase::vertices, 1, 0}) == "t12/v1");
     CHECK(to_text({12, Phase::edges, 2, 14}) == "t12/e2/s14");
     CHECK(to_text({12, Phase::rows, 37, 5}) == "t12/r37/c5");
+    CHECK(to_text({12, Phase::clip, 0, 2}) == "t12/p0/s2");
+    CHECK(to_text({12, Phase::cull, 0, 0}) == "t12/k");
+    CHECK(to_text({12, Phase::vertices, 1, 0, 1}) == "p1:t12/v1");
     CHECK(to_text(cursor_begin) == "t0/v0");
     CHECK(to_text(cursor_end) == "end");
 }
@@ -34,6 +39,11 @@ TEST_CASE("What is left away in the text of a moment is 0") {
     CHECK(parse_cursor("t12/v2") == Cursor{12, Phase::vertices, 2, 0});
     CHECK(parse_cursor("t12/e2") == Cursor{12, Phase::edges, 2, 0});
     CHECK(parse_cursor("t12/r37") == Cursor{12, Phase::rows, 37, 0});
+    CHECK(parse_cursor("t12/p3") == Cursor{12, Phase::clip, 3, 0});
+    CHECK(parse_cursor("t12/p0/s2") == Cursor{12, Phase::clip, 0, 2});
+    CHECK(parse_cursor("t12/k") == Cursor{12, Phase::cull, 0, 0});
+    CHECK(parse_cursor("p1:t12") == Cursor{12, Phase::vertices, 0, 0, 1});
+    CHECK(parse_cursor("p0:t12/e2/s14") == Cursor{12, Phase::edges, 2, 14});
     CHECK(parse_cursor("end") == cursor_end);
     CHECK(parse_cursor("t0") == cursor_begin);
 }
@@ -50,16 +60,63 @@ TEST_CASE("Every moment is read back from its text") {
 }
 
 TEST_CASE("Text that is no moment is refused") {
-    for (const char* text :
-         {"",          " ",        "t",         "12",           "t-1",
-          "t-0",       "t+1",      "t 1",       "t1 ",          " t1",
-          "t1.5",      "t1e3",     "T1",        "t1/",          "t1/v",
-          "t1/v-1",    "t1/v1/",   "t1/v1/s0",  "t1/v1/c0",     "t1/e",
-          "t1/e1/",    "t1/e1/s",  "t1/e1/c0",  "t1/e1/s0/",    "t1/e1/s0/s0",
-          "t1/e1/s-1", "t1/r1/s0", "t1/r1/c",   "t1/r1c2",      "t1//r1",
-          "t1/x1",     "t1/1",     "/t1",       "t99999999999", "t1/e99999999999/s0",
-          "End",       "end ",     "ende",      "t1,v1",        "v1",
-          "e1/s1",     "t1/\xff",  "t1/e1/s1\n"}) {
+    for (const char* text : {"",
+                             " ",
+                             "t",
+                             "12",
+                             "t-1",
+                             "t-0",
+                             "t+1",
+                             "t 1",
+                             "t1 ",
+                             " t1",
+                             "t1.5",
+                             "t1e3",
+                             "T1",
+                             "t1/",
+                             "t1/v",
+                             "t1/v-1",
+                             "t1/v1/",
+                             "t1/v1/s0",
+                             "t1/v1/c0",
+                             "t1/e",
+                             "t1/e1/",
+                             "t1/e1/s",
+                             "t1/e1/c0",
+                             "t1/e1/s0/",
+                             "t1/e1/s0/s0",
+                             "t1/e1/s-1",
+                             "t1/r1/s0",
+                             "t1/r1/c",
+                             "t1/r1c2",
+                             "t1//r1",
+                             "t1/x1",
+                             "t1/1",
+                             "/t1",
+                             "t99999999999",
+                             "t1/e99999999999/s0",
+                             "End",
+                             "end ",
+                             "ende",
+                             "t1,v1",
+                             "v1",
+                             "e1/s1",
+                             "t1/\xff",
+                             "t1/e1/s1\n",
+                             "t1/p",
+                             "t1/p0/c0",
+                             "t1/k0",
+                             "t1/k/",
+                             "t1/k/s0",
+                             "p",
+                             "p1",
+                             "p1:",
+                             "p1:end",
+                             "p-1:t1",
+                             "p1t1",
+                             "p:t1",
+                             "p1:p1:t1",
+                             "p1/t1"}) {
         CAPTURE(text);
         CHECK_FALSE(parse_cursor(text).has_value());
     }
@@ -69,7 +126,7 @@ TEST_CASE("Text that is no moment is refused") {
 
 TEST_CASE("A text cut short or garbled is refused or read as some moment, never worse") {
     Random random(21);
-    const std::string letters = "tversc/0123456789-+ end\n";
+    const std::string letters = "tverpksc/:0123456789-+ end\n";
     for (int i = 0; i < 50000; ++i) {
         std::string text = to_text(random_cursor(random));
         text.resize(static_cast<std::size_t>(random.integer(0, static_cast<int>(text.size()))));
@@ -81,7 +138,8 @@ TEST_CASE("A text cut short or garbled is refused or read as some moment, never 
         }
         const std::optional<Cursor> cursor = parse_cursor(text);
         if (!cursor) continue;
-        const bool counts_from_0 = cursor->triangle >= 0 && cursor->index >= 0 && cursor->step >= 0;
+        const bool counts_from_0 =
+            cursor->pass >= 0 && cursor->triangle >= 0 && cursor->index >= 0 && cursor->step >= 0;
         if (counts_from_0 && parse_cursor(to_text(*cursor)) == cursor) continue;
         CAPTURE(text);
         FAIL("was read as a moment that has no text of its own");
@@ -91,6 +149,10 @@ TEST_CASE("A text cut short or garbled is refused or read as some moment, never 
 TEST_CASE("Moments are ordered as a triangle is drawn") {
     const Cursor order[] = {cursor_begin,
                             {0, Phase::vertices, 2, 0},
+                            {0, Phase::clip, 0, 0},
+                            {0, Phase::clip, 0, 2},
+                            {0, Phase::clip, 5, 0},
+                            {0, Phase::cull, 0, 0},
                             {0, Phase::edges, 0, 0},
                             {0, Phase::edges, 0, 9},
                             {0, Phase::edges, 1, 0},
@@ -99,6 +161,9 @@ TEST_CASE("Moments are ordered as a triangle is drawn") {
                             {0, Phase::rows, 3, 0},
                             {1, Phase::vertices, 0, 0},
                             {900, Phase::rows, 900, 900},
+                            {0, Phase::vertices, 0, 0, 1},
+                            {0, Phase::cull, 0, 0, 1},
+                            {5, Phase::vertices, 0, 0, 2},
                             cursor_end};
     for (std::size_t a = 0; a < std::size(order); ++a) {
         for (std::size_t b = 0; b < std::size(order); ++b) {

@@ -85,8 +85,8 @@ TEST_CASE("Keyframes never take more than their budget, and never change a pictu
         std::vector<Framebuffer> expected;
         for (int i = 0; i < 24; ++i) {
             cursors.push_back({random.integer(0, frame.triangle_count()),
-                               static_cast<Phase>(random.integer(0, 2)), random.integer(0, 40),
-                               random.integer(0, 60)});
+                               static_cast<Phase>(random.integer(0, phase_count - 1)),
+                               random.integer(0, 40), random.integer(0, 60)});
             expected.push_back(drawn_from_start(frame, cursors.back()));
         }
         for (const std::size_t budget : {std::size_t{0}, bytes - 1, bytes, 2 * bytes, 3 * bytes,
@@ -183,8 +183,8 @@ TEST_CASE("The tally has every fragment and every row table once, whichever way 
         Random random(44);
         for (int i = 0; i < 40; ++i) {
             const Cursor to{random.integer(0, frame.triangle_count()),
-                            static_cast<Phase>(random.integer(0, 2)), random.integer(0, 3),
-                            random.integer(0, 3)};
+                            static_cast<Phase>(random.integer(0, phase_count - 1)),
+                            random.integer(0, 3), random.integer(0, 3)};
             replay.toward(to, {1'000.0, 500.0});
         }
         replay.at(cursor_end);

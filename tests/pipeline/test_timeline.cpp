@@ -65,11 +65,16 @@ struct NaiveTimeline {
 
 /// Cursors between, before and behind the moments of a frame.
 std::vector<Cursor> strange_cursors(const Frame& frame, Random& random) {
-    std::vector<Cursor> cursors{cursor_begin, cursor_end, {INT_MAX - 1, Phase::rows, 9, 9}};
+    std::vector<Cursor> cursors{cursor_begin,
+                                cursor_end,
+                                {INT_MAX - 1, Phase::rows, 9, 9},
+                                {0, Phase::vertices, 0, 0, 1},
+                                {0, Phase::clip, INT_MAX, INT_MAX},
+                                {0, Phase::cull, 0, 0}};
     for (int i = 0; i < 300; ++i) {
         const bool large = random.integer(0, 9) == 0;
         cursors.push_back({random.integer(0, frame.triangle_count() + 1),
-                           static_cast<Phase>(random.integer(0, 2)),
+                           static_cast<Phase>(random.integer(0, phase_count - 1)),
                            random.integer(0, large ? INT_MAX : 14),
                            random.integer(0, large ? INT_MAX : 14)});
     }

@@ -131,7 +131,8 @@ Session random_session(Random& random) {
         compare_with(session, other);
     }
     if (random.integer(0, 2) == 0) {
-        session.cursor = {random.integer(0, 30), static_cast<Phase>(random.integer(0, 2)),
+        session.cursor = {random.integer(0, 30),
+                          static_cast<Phase>(random.integer(0, phase_count - 1)),
                           random.integer(0, 40), random.integer(0, 40)};
     }
     const Frame frame = prepare_frame(*session.scene, session.a.settings);

@@ -272,6 +272,8 @@ void draw_current(const Marks& m) {
         }
         break;
     }
+    default:
+        break; // nothing of it lies in the picture
     }
 }
 

@@ -246,18 +246,6 @@ void draw_first(Ui& ui) {
     }
 }
 
-const char* phase_word(Phase phase) {
-    switch (phase) {
-    case Phase::vertices:
-        return "vertices";
-    case Phase::edges:
-        return "edges";
-    case Phase::rows:
-        return "rows";
-    }
-    return "";
-}
-
 void draw_group(Ui& ui, const DivergenceGroup& group, int index) {
     const Palette& p = palette(ui.options.theme);
     ImGui::TableNextRow();
@@ -281,7 +269,7 @@ void draw_group(Ui& ui, const DivergenceGroup& group, int index) {
         shortened(std::to_string(group.triangle + 1) + " " + part, ImGui::GetContentRegionAvail().x)
             .c_str());
     ImGui::TableNextColumn();
-    text_in(p.dim, phase_word(group.phase));
+    text_in(p.dim, phase_info(group.phase).word);
     ImGui::TableNextColumn();
     text_in(p.text, shortened(kind_text(group.kind), ImGui::GetContentRegionAvail().x));
     ImGui::TableNextColumn();
