@@ -2,63 +2,67 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
+#include <utility>
+
+#include "base/error.h"
+#include "base/syntax.h"
 
 namespace rasterwalk {
 
 namespace {
 
-constexpr std::string_view plus = "+", minus = "−", times = "·", over = "/", square = "²";
+using SyntaxKind = SyntaxNode::Kind;
 
-enum class TokenKind : std::uint8_t { blank, number, symbol, function, sign };
+constexpr std::string_view minus = "−";
 
-struct Token {
-    TokenKind kind;
-    std::string_view text;
-    int input = -1; ///< of a symbol
-};
-
-bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-
-bool starts_with_sign(std::string_view text, std::string_view& sign) {
-    static constexpr std::array<std::string_view, 8> signs{plus,   minus, times, over,
-                                                           square, "(",   ")",   ","};
-    for (const std::string_view candidate : signs) {
-        if (text.starts_with(candidate)) {
-            sign = candidate;
-            return true;
-        }
-    }
-    return false;
-}
+constexpr std::array<SignSpelling, 8> formula_signs{{{"+", Sign::plus},
+                                                     {minus, Sign::minus},
+                                                     {"·", Sign::times},
+                                                     {"/", Sign::over},
+                                                     {"²", Sign::square},
+                                                     {"(", Sign::open},
+                                                     {")", Sign::close},
+                                                     {",", Sign::comma}}};
 
 /// May a symbol end before this text?
-bool ends_word(std::string_view text) {
-    std::string_view sign;
-    if (text.empty() || text.front() == ' ' || starts_with_sign(text, sign)) return true;
-    return !is_letter(text.front()) && !is_digit(text.front()) && text.front() != '.' &&
-           static_cast<unsigned char>(text.front()) < 0x80;
+bool ends_symbol(std::string_view text) {
+    const auto begins = [&](const SignSpelling& sign) { return text.starts_with(sign.text); };
+    if (text.empty() || std::any_of(formula_signs.begin(), formula_signs.end(), begins)) {
+        return true;
+    }
+    const auto first = static_cast<unsigned char>(text.front());
+    return std::isalnum(first) == 0 && first != '_' && first != '.' && first < 0x80;
 }
 
-/// The input whose symbol the text begins with; of several the longest; -1: none.
-int input_at(std::string_view text, const std::vector<FormulaInput>& inputs) {
-    int found = -1;
-    for (std::size_t i = 0; i < inputs.size(); ++i) {
-        const std::string& symbol = inputs[i].symbol;
-        if (!text.starts_with(symbol) || !ends_word(text.substr(symbol.size()))) continue;
-        if (found < 0 || symbol.size() > inputs[static_cast<std::size_t>(found)].symbol.size()) {
-            found = static_cast<int>(i);
+/// How long the symbol is that the text begins with; of several the longest; 0: none.
+std::size_t symbol_length(std::string_view text, const std::vector<FormulaInput>& inputs) {
+    std::size_t length = 0;
+    for (const FormulaInput& input : inputs) {
+        const std::string& symbol = input.symbol;
+        if (text.starts_with(symbol) && ends_symbol(text.substr(symbol.size()))) {
+            length = std::max(length, symbol.size());
         }
     }
-    return found;
+    return length;
+}
+
+/// The formula must live as long.
+ExpressionLanguage language_of(const Formula& formula) {
+    return {formula_signs, false,
+            [&formula](std::string_view rest) { return symbol_length(rest, formula.inputs); }};
+}
+
+/// The input of a symbol that was found by symbol_length().
+int input_of(const Formula& formula, std::string_view symbol) {
+    const auto found =
+        std::find_if(formula.inputs.begin(), formula.inputs.end(),
+                     [symbol](const FormulaInput& input) { return input.symbol == symbol; });
+    return static_cast<int>(found - formula.inputs.begin());
 }
 
 [[noreturn]] void reject(const Formula& formula, const std::string& reason) {
@@ -66,154 +70,57 @@ int input_at(std::string_view text, const std::vector<FormulaInput>& inputs) {
                                 formula.expression + "'");
 }
 
-std::vector<Token> tokens_of(const Formula& formula) {
-    std::vector<Token> tokens;
-    std::string_view rest = formula.expression;
-    const auto take = [&](TokenKind kind, std::size_t length, int input = -1) {
-        tokens.push_back({kind, rest.substr(0, length), input});
-        rest.remove_prefix(length);
-    };
-    while (!rest.empty()) {
-        std::string_view sign;
-        std::size_t length = 1;
-        if (rest.front() == ' ') {
-            take(TokenKind::blank, length);
-        } else if (const int input = input_at(rest, formula.inputs); input >= 0) {
-            take(TokenKind::symbol, formula.inputs[static_cast<std::size_t>(input)].symbol.size(),
-                 input);
-        } else if (starts_with_sign(rest, sign)) {
-            take(TokenKind::sign, sign.size());
-        } else if (is_digit(rest.front())) {
-            while (length < rest.size() && is_digit(rest[length]))
-                ++length;
-            take(TokenKind::number, length);
-        } else if (is_letter(rest.front())) {
-            while (length < rest.size() && (is_letter(rest[length]) || is_digit(rest[length])))
-                ++length;
-            take(TokenKind::function, length);
-        } else {
-            reject(formula,
-                   "no sign or symbol begins with '" + std::string(rest.substr(0, 4)) + "'");
-        }
+SyntaxTree tree_of(const Formula& formula) {
+    try {
+        return parse_syntax(formula.expression, language_of(formula));
+    } catch (const UsageError& fault) {
+        reject(formula, fault.what());
     }
-    return tokens;
 }
 
-/// A term of the outermost sum, for the line in which only the terms are worked out.
-struct Term {
-    std::string_view sign; ///< before it; empty before the first
-    float value = 0.0f;
-    bool is_whole = false;
-    std::string_view function;     ///< if the term is nothing but the call of a function
-    std::vector<Number> arguments; ///< of that function
-};
-
-/// Reads an expression from left to right and works it out on the way.
+/// Works an expression out.
 class Evaluator {
   public:
-    explicit Evaluator(const Formula& of) : formula(of) {
-        for (const Token& token : tokens_of(of)) {
-            if (token.kind != TokenKind::blank) tokens.push_back(token);
-        }
-    }
+    explicit Evaluator(const Formula& formula) : formula_(formula), tree_(tree_of(formula)) {}
 
-    Number all(std::vector<Term>* terms = nullptr) {
-        const Number result = sum(terms);
-        if (at < tokens.size()) reject(formula, "too much");
-        return result;
+    const SyntaxTree& tree() const { return tree_; }
+
+    Number value(int index) const {
+        const SyntaxNode& here = tree_.node(index);
+        std::vector<Number> parts;
+        for (const int part : here.parts)
+            parts.push_back(value(part));
+        switch (here.kind) {
+        case SyntaxKind::number:
+            return {static_cast<float>(here.number), here.number == std::floor(here.number)};
+        case SyntaxKind::symbol:
+            return formula_.inputs[static_cast<std::size_t>(input_of(formula_, here.text))].number;
+        case SyntaxKind::call:
+            return apply(here.text, parts);
+        case SyntaxKind::negate:
+            return {-parts[0].value, parts[0].is_whole};
+        case SyntaxKind::square:
+            return {parts[0].value * parts[0].value, parts[0].is_whole};
+        default:
+            break;
+        }
+        if (parts.size() < 2) reject(formula_, "no symbol is '" + here.text + "'");
+        return of_two(here.kind, parts[0], parts[1]);
     }
 
   private:
-    bool next_is(std::string_view sign) const {
-        return at < tokens.size() && tokens[at].kind == TokenKind::sign && tokens[at].text == sign;
-    }
-    bool accept(std::string_view sign) {
-        if (!next_is(sign)) return false;
-        ++at;
-        return true;
-    }
-    void expect(std::string_view sign) {
-        if (!accept(sign)) reject(formula, "no '" + std::string(sign) + "'");
-    }
-
-    Number sum(std::vector<Term>* terms = nullptr) {
-        Term term;
-        Number total = product(term);
-        if (terms != nullptr) terms->push_back(term);
-        while (next_is(plus) || next_is(minus)) {
-            const std::string_view sign = tokens[at++].text;
-            Term further;
-            const Number number = product(further);
-            further.sign = sign;
-            if (terms != nullptr) terms->push_back(further);
-            const float value =
-                sign == plus ? total.value + number.value : total.value - number.value;
-            total = {value, total.is_whole && number.is_whole};
+    static Number of_two(SyntaxKind kind, const Number& a, const Number& b) {
+        const bool both_whole = a.is_whole && b.is_whole;
+        switch (kind) {
+        case SyntaxKind::add:
+            return {a.value + b.value, both_whole};
+        case SyntaxKind::subtract:
+            return {a.value - b.value, both_whole};
+        case SyntaxKind::multiply:
+            return {a.value * b.value, both_whole};
+        default:
+            return {a.value / b.value, false};
         }
-        return total;
-    }
-
-    Number product(Term& term) {
-        Number total = power(term);
-        while (next_is(times) || next_is(over)) {
-            const bool multiplies = tokens[at++].text == times;
-            Term ignored;
-            const Number number = power(ignored);
-            term.function = {};
-            total = {multiplies ? total.value * number.value : total.value / number.value,
-                     multiplies && total.is_whole && number.is_whole};
-        }
-        term.value = total.value;
-        term.is_whole = total.is_whole;
-        return total;
-    }
-
-    Number power(Term& term) {
-        Number number = factor(term);
-        while (accept(square)) {
-            term.function = {};
-            number.value = number.value * number.value;
-        }
-        return number;
-    }
-
-    Number factor(Term& term) {
-        if (accept(minus)) {
-            Term ignored;
-            const Number number = power(ignored);
-            return {-number.value, number.is_whole};
-        }
-        if (accept("(")) {
-            const Number number = sum();
-            expect(")");
-            return number;
-        }
-        if (at == tokens.size()) reject(formula, "a number is missing");
-        const Token token = tokens[at++];
-        switch (token.kind) {
-        case TokenKind::number:
-            return {std::stof(std::string(token.text)), true};
-        case TokenKind::symbol:
-            return formula.inputs[static_cast<std::size_t>(token.input)].number;
-        case TokenKind::function:
-            return call(token.text, term);
-        case TokenKind::blank:
-        case TokenKind::sign:
-            break;
-        }
-        reject(formula, "a number is missing before '" + std::string(token.text) + "'");
-    }
-
-    Number call(std::string_view name, Term& term) {
-        std::vector<Number> arguments;
-        expect("(");
-        do {
-            arguments.push_back(sum());
-        } while (accept(","));
-        expect(")");
-        term.function = name;
-        term.arguments = arguments;
-        return apply(name, arguments);
     }
 
     Number apply(std::string_view name, const std::vector<Number>& arguments) const {
@@ -247,85 +154,42 @@ class Evaluator {
                 value += b.value;
             return {value, false};
         }
-        reject(formula, "no function " + std::string(name) + " of " +
-                            std::to_string(arguments.size()) + " numbers");
+        reject(formula_, "no function " + std::string(name) + " of " +
+                             std::to_string(arguments.size()) + " numbers");
     }
 
-    const Formula& formula;
-    std::vector<Token> tokens;
-    std::size_t at = 0;
+    const Formula& formula_;
+    SyntaxTree tree_;
 };
+
+/// A term of the outermost sum.
+struct Term {
+    std::string_view sign; ///< before it; empty before the first
+    int node = -1;
+};
+
+/// From left to right. A sum in parentheses is one term.
+std::vector<Term> terms_of(const SyntaxTree& tree) {
+    std::vector<Term> terms;
+    int index = tree.root;
+    while (true) {
+        const SyntaxNode& here = tree.node(index);
+        const bool is_sum = !here.is_in_parentheses &&
+                            (here.kind == SyntaxKind::add || here.kind == SyntaxKind::subtract);
+        if (!is_sum) break;
+        terms.push_back({here.kind == SyntaxKind::add ? "+" : minus, here.parts[1]});
+        index = here.parts[0];
+    }
+    terms.push_back({{}, index});
+    std::reverse(terms.begin(), terms.end());
+    return terms;
+}
 
 bool shows_minus(const std::string& text) {
     return text.starts_with(minus);
 }
 
 } // namespace
-
-Source from_words(std::string words) {
-    Source source;
-    source.name = std::move(words);
-    return source;
-}
-
-Source from_setting(std::string name) {
-    Source source;
-    source.kind = SourceKind::setting;
-    source.name = std::move(name);
-    return source;
-}
-
-Source from_vertex(int triangle, int vertex, std::string value_id) {
-    Source source;
-    source.kind = SourceKind::vertex;
-    source.name = std::move(value_id);
-    source.triangle = triangle;
-    source.vertex = vertex;
-    return source;
-}
-
-Source from_row_end(int triangle, int row, bool is_right) {
-    Source source;
-    source.kind = SourceKind::row_end;
-    source.triangle = triangle;
-    source.row = row;
-    source.is_right = is_right;
-    return source;
-}
-
-Source from_moment(const Cursor& moment) {
-    Source source;
-    source.kind = SourceKind::moment;
-    source.moment = moment;
-    return source;
-}
-
-Source from_formula(std::string id) {
-    Source source;
-    source.kind = SourceKind::formula;
-    source.name = std::move(id);
-    return source;
-}
-
-std::string source_text(const Source& source) {
-    switch (source.kind) {
-    case SourceKind::given:
-        return source.name;
-    case SourceKind::setting:
-        return "setting " + source.name;
-    case SourceKind::vertex:
-        return "vertex " + std::to_string(source.vertex + 1) + " of triangle " +
-               std::to_string(source.triangle + 1);
-    case SourceKind::row_end:
-        return std::string(source.is_right ? "right" : "left") + " end of row " +
-               std::to_string(source.row);
-    case SourceKind::moment:
-        return "the moment " + to_text(source.moment);
-    case SourceKind::formula:
-        return "a formula of its own";
-    }
-    return {};
-}
 
 std::string shown(const Number& number) {
     const float value = number.value;
@@ -355,28 +219,34 @@ std::string shown(const Number& number) {
 }
 
 float evaluate(const Formula& formula) {
-    return Evaluator(formula).all().value;
+    const Evaluator evaluator(formula);
+    return evaluator.value(evaluator.tree().root).value;
 }
 
 std::vector<FormulaPiece> pieces_with_numbers(const Formula& formula) {
+    using TokenKind = SyntaxToken::Kind;
     std::vector<FormulaPiece> pieces;
-    const std::vector<Token> tokens = tokens_of(formula);
-    std::string_view before;
+    const std::vector<SyntaxToken> tokens = split_tokens(formula.expression, language_of(formula));
+    const SyntaxToken* before = nullptr; // the last that is no blank
+    const auto is_sign = [](const SyntaxToken& token, Sign sign) {
+        return token.kind == TokenKind::sign && token.sign == sign;
+    };
     for (std::size_t i = 0; i < tokens.size(); ++i) {
-        const Token& token = tokens[i];
-        std::string text(token.text);
+        const SyntaxToken& token = tokens[i];
+        FormulaPiece piece{std::string(token.text)};
         if (token.kind == TokenKind::symbol) {
-            const std::size_t input = static_cast<std::size_t>(token.input);
-            text = shown(formula.inputs[input].number);
-            const bool squared = i + 1 < tokens.size() && tokens[i + 1].text == square;
-            const bool after_sign = !before.empty() && before != "(" && before != ",";
-            const bool is_power = text.find('e') != std::string::npos;
-            const bool needs =
-                squared ? is_power || shows_minus(text) : after_sign && shows_minus(text);
-            if (needs) text = "(" + text + ")";
+            piece.input = input_of(formula, token.text);
+            piece.text = shown(formula.inputs[static_cast<std::size_t>(piece.input)].number);
+            const bool squared = i + 1 < tokens.size() && is_sign(tokens[i + 1], Sign::square);
+            const bool after_sign = before != nullptr && !is_sign(*before, Sign::open) &&
+                                    !is_sign(*before, Sign::comma);
+            const bool is_power = piece.text.find('e') != std::string::npos;
+            const bool needs = squared ? is_power || shows_minus(piece.text)
+                                       : after_sign && shows_minus(piece.text);
+            if (needs) piece.text = "(" + piece.text + ")";
         }
-        pieces.push_back({std::move(text), token.input});
-        if (token.kind != TokenKind::blank) before = token.text;
+        pieces.push_back(std::move(piece));
+        if (token.kind != TokenKind::blank) before = &token;
     }
     return pieces;
 }
@@ -389,22 +259,30 @@ std::string with_numbers(const Formula& formula) {
 }
 
 std::string with_terms(const Formula& formula) {
-    std::vector<Term> terms;
-    Evaluator(formula).all(&terms);
-    if (terms.size() == 1 && terms.front().function.empty()) return {};
+    const Evaluator evaluator(formula);
+    const SyntaxTree& tree = evaluator.tree();
+    const std::vector<Term> terms = terms_of(tree);
+    const auto is_call = [&](const Term& term) {
+        const SyntaxNode& node = tree.node(term.node);
+        return node.kind == SyntaxKind::call && !node.is_in_parentheses;
+    };
+    evaluator.value(tree.root); // all of it must make sense
+    if (terms.size() == 1 && !is_call(terms.front())) return {};
     std::string text;
     for (const Term& term : terms) {
         if (!term.sign.empty()) text.append(" ").append(term.sign).append(" ");
-        std::string written;
-        if (term.function.empty()) {
-            written = shown({term.value, term.is_whole});
-            if (shows_minus(written) && !term.sign.empty()) written = "(" + written + ")";
+        if (is_call(term)) {
+            const SyntaxNode& call = tree.node(term.node);
+            std::string arguments;
+            for (const int part : call.parts)
+                arguments.append(arguments.empty() ? "" : ", ")
+                    .append(shown(evaluator.value(part)));
+            text.append(call.text).append("(").append(arguments).append(")");
         } else {
-            for (const Number& argument : term.arguments)
-                written.append(written.empty() ? "" : ", ").append(shown(argument));
-            written = std::string(term.function).append("(").append(written).append(")");
+            std::string written = shown(evaluator.value(term.node));
+            if (shows_minus(written) && !term.sign.empty()) written = "(" + written + ")";
+            text += written;
         }
-        text += written;
     }
     return text == with_numbers(formula) ? std::string() : text;
 }

@@ -7,7 +7,8 @@ namespace rasterwalk {
 
 namespace {
 
-using Kind = ExpressionNode::Kind;
+using Kind = SyntaxNode::Kind;
+using Leaf = ExpressionMeaning::Leaf;
 
 template <class T>
 bool compare(Kind kind, const T& a, const T& b) {
@@ -35,12 +36,8 @@ double calculate(Kind kind, double a, double b) {
         return a - b;
     case Kind::multiply:
         return a * b;
-    case Kind::divide:
-        return a / b;
-    case Kind::smaller:
-        return std::min(a, b);
     default:
-        return std::max(a, b);
+        return a / b;
     }
 }
 
@@ -61,17 +58,14 @@ struct Evaluator {
     const Expression& expression;
     const FactReader& fact;
 
-    const ExpressionNode& node(int index) const {
-        return expression.nodes[static_cast<std::size_t>(index)];
-    }
-
-    Value comparison(const ExpressionNode& here) const {
-        const bool left_none = node(here.left).kind == Kind::none;
-        if (left_none || node(here.right).kind == Kind::none) {
-            const bool there = is_there(value(left_none ? here.right : here.left));
+    Value comparison(const SyntaxNode& here) const {
+        const int a_part = here.parts[0], b_part = here.parts[1];
+        const bool left_none = expression.is_leaf(a_part, Leaf::none);
+        if (left_none || expression.is_leaf(b_part, Leaf::none)) {
+            const bool there = is_there(value(left_none ? b_part : a_part));
             return there == (here.kind == Kind::unequal);
         }
-        const Value left = value(here.left), right = value(here.right);
+        const Value left = value(a_part), right = value(b_part);
         if (!is_there(left) || left.index() != right.index()) return {};
         return std::visit(
             [&](const auto& a) {
@@ -80,43 +74,56 @@ struct Evaluator {
             left);
     }
 
-    Value both(const ExpressionNode& here) const {
-        const Truth left = truth_of(value(here.left));
+    Value both(const SyntaxNode& here) const {
+        const Truth left = truth_of(value(here.parts[0]));
         const bool decides = here.kind == Kind::logical_or;
         if (left == decides) return decides;
-        const Truth right = truth_of(value(here.right));
+        const Truth right = truth_of(value(here.parts[1]));
         if (right == decides) return decides;
         return left && right ? Value(!decides) : Value();
     }
 
-    Value arithmetic(const ExpressionNode& here) const {
-        const Value left = value(here.left);
+    Value arithmetic(const SyntaxNode& here) const {
+        const Value left = value(here.parts[0]);
         const double* const a = std::get_if<double>(&left);
         if (a == nullptr) return {};
         if (here.kind == Kind::negate) return -*a;
-        if (here.kind == Kind::absolute) return std::abs(*a);
-        const Value right = value(here.right);
+        if (here.parts.size() == 1) return std::abs(*a);
+        const Value right = value(here.parts[1]);
         const double* const b = std::get_if<double>(&right);
         if (b == nullptr) return {};
-        const double result = calculate(here.kind, *a, *b);
+        const double result = here.kind != Kind::call ? calculate(here.kind, *a, *b)
+                              : here.text == "min"    ? std::min(*a, *b)
+                                                      : std::max(*a, *b);
         return std::isfinite(result) ? Value(result) : Value();
     }
 
+    Value leaf(int index) const {
+        const ExpressionMeaning& meaning = expression.meaning(index);
+        const std::string& text = expression.tree.node(index).text;
+        switch (meaning.leaf) {
+        case Leaf::fact:
+            return fact(text);
+        case Leaf::word:
+            return text;
+        case Leaf::moment:
+            return meaning.moment;
+        case Leaf::none:
+            break;
+        }
+        return {};
+    }
+
     Value value(int index) const {
-        const ExpressionNode& here = node(index);
+        const SyntaxNode& here = expression.tree.node(index);
         switch (here.kind) {
         case Kind::number:
             return here.number;
-        case Kind::word:
-            return here.text;
-        case Kind::moment:
-            return here.moment;
-        case Kind::none:
-            return {};
         case Kind::name:
-            return fact(here.text);
+        case Kind::symbol:
+            return leaf(index);
         case Kind::logical_not: {
-            const Truth truth = truth_of(value(here.left));
+            const Truth truth = truth_of(value(here.parts[0]));
             return to_value(truth ? Truth(!*truth) : truth);
         }
         case Kind::logical_and:
@@ -138,13 +145,13 @@ struct Evaluator {
 } // namespace
 
 std::optional<double> number_of(const Expression& expression, const FactReader& fact) {
-    const Value value = Evaluator{expression, fact}.value(expression.root);
+    const Value value = Evaluator{expression, fact}.value(expression.tree.root);
     const double* const number = std::get_if<double>(&value);
     return number != nullptr ? std::optional(*number) : std::nullopt;
 }
 
 bool holds(const Expression& condition, const FactReader& fact) {
-    return truth_of(Evaluator{condition, fact}.value(condition.root)).value_or(false);
+    return truth_of(Evaluator{condition, fact}.value(condition.tree.root)).value_or(false);
 }
 
 } // namespace rasterwalk

@@ -14,51 +14,30 @@
 #include <string_view>
 #include <vector>
 
+#include "base/syntax.h"
 #include "facts/value.h"
 
 namespace rasterwalk {
 
-/// A part of an expression; refers to others by their index.
-struct ExpressionNode {
-    enum class Kind : std::uint8_t {
-        number,
-        word,
-        moment,
-        none,
-        name, // leaves
-        negate,
-        absolute,
-        logical_not, // of `left`
-        add,
-        subtract,
-        multiply,
-        divide,
-        smaller,
-        larger, // of `left` and `right`
-        equal,
-        unequal,
-        less,
-        less_equal,
-        greater,
-        greater_equal,
-        logical_and,
-        logical_or,
-    };
-    Kind kind = Kind::none;
+/// What the node of the same index in the tree gives.
+struct ExpressionMeaning {
+    /// What a name or symbol of the tree stands for.
+    enum class Leaf : std::uint8_t { fact, word, moment, none };
+    Leaf leaf = Leaf::fact;
     ValueType type = ValueType::number;
-    double number = 0.0;
     Cursor moment;
-    std::string text; ///< of a name or word; of a moment as it was written
-    int left = -1, right = -1;
 };
 
 /// An expression that was understood: all names exist and the types fit.
 struct Expression {
-    std::string text;
-    std::vector<ExpressionNode> nodes;
-    int root = -1;
+    SyntaxTree tree;
+    std::vector<ExpressionMeaning> meanings;
 
     bool is_constant() const; ///< asks for no name
+    const ExpressionMeaning& meaning(int index) const {
+        return meanings[static_cast<std::size_t>(index)];
+    }
+    bool is_leaf(int index, ExpressionMeaning::Leaf leaf) const;
 };
 
 /// Answers a name; no value if it is not there.
@@ -80,8 +59,5 @@ bool holds(const Expression& condition, const FactReader& fact);
 
 /// The comparisons in it that can never hold, whatever happens: a sentence each.
 std::vector<std::string> impossible_parts(const Expression& condition);
-
-inline constexpr std::size_t longest_expression = 1000; ///< letters
-inline constexpr int deepest_expression = 32;           ///< parentheses and signs in one another
 
 } // namespace rasterwalk

@@ -9,7 +9,8 @@ namespace rasterwalk {
 
 namespace {
 
-using Kind = ExpressionNode::Kind;
+using Kind = SyntaxNode::Kind;
+using Leaf = ExpressionMeaning::Leaf;
 
 /// All that a number can be.
 struct Reach {
@@ -37,30 +38,28 @@ Reach product(const Reach& a, const Reach& b) {
 struct Ranges {
     const Expression& expression;
 
-    const ExpressionNode& node(int index) const {
-        return expression.nodes[static_cast<std::size_t>(index)];
-    }
+    const SyntaxNode& node(int index) const { return expression.tree.node(index); }
 
     Reach reach(int index) const {
-        const ExpressionNode& here = node(index);
+        const SyntaxNode& here = node(index);
         if (here.kind == Kind::number) {
             return {here.number, here.number, here.number == std::floor(here.number)};
         }
-        if (here.kind == Kind::name) {
+        if (expression.is_leaf(index, Leaf::fact)) {
             const ValueRange range = find_name(here.text).value_or(ValueRange{});
             return {range.low, range.high, range.is_whole};
         }
-        if (here.left < 0) return {-endless, endless, false};
-        const Reach a = reach(here.left);
+        if (here.parts.empty()) return {-endless, endless, false};
+        const Reach a = reach(here.parts[0]);
         if (here.kind == Kind::negate) return {-a.high, -a.low, a.is_whole};
-        if (here.kind == Kind::absolute) {
+        if (here.kind == Kind::call && here.parts.size() == 1) {
             const double far = std::max(std::abs(a.low), std::abs(a.high));
             const double near =
                 a.low <= 0.0 && a.high >= 0.0 ? 0.0 : std::min(std::abs(a.low), std::abs(a.high));
             return {near, far, a.is_whole};
         }
-        if (here.right < 0) return {-endless, endless, false};
-        const Reach b = reach(here.right);
+        if (here.parts.size() < 2) return {-endless, endless, false};
+        const Reach b = reach(here.parts[1]);
         const bool both_whole = a.is_whole && b.is_whole;
         switch (here.kind) {
         case Kind::add:
@@ -72,22 +71,25 @@ struct Ranges {
         case Kind::divide:
             if (b.low <= 0.0 && b.high >= 0.0) return {-endless, endless, false};
             return product({a.low, a.high, false}, {1.0 / b.high, 1.0 / b.low, false});
-        case Kind::smaller:
-            return {std::min(a.low, b.low), std::min(a.high, b.high), both_whole};
-        case Kind::larger:
+        case Kind::call:
+            if (here.text == "min") {
+                return {std::min(a.low, b.low), std::min(a.high, b.high), both_whole};
+            }
             return {std::max(a.low, b.low), std::max(a.high, b.high), both_whole};
         default:
             return {-endless, endless, false};
         }
     }
 
-    bool is_impossible(const ExpressionNode& here) const {
+    bool is_impossible(const SyntaxNode& here) const {
         const bool is_comparison = here.kind >= Kind::equal && here.kind <= Kind::greater_equal;
-        if (!is_comparison || node(here.left).type != ValueType::number ||
-            node(here.left).kind == Kind::none || node(here.right).kind == Kind::none) {
+        if (!is_comparison) return false;
+        const int left = here.parts[0], right = here.parts[1];
+        if (expression.meaning(left).type != ValueType::number ||
+            expression.is_leaf(left, Leaf::none) || expression.is_leaf(right, Leaf::none)) {
             return false;
         }
-        const Reach a = reach(here.left), b = reach(here.right);
+        const Reach a = reach(left), b = reach(right);
         const bool a_is_one = a.low == a.high, b_is_one = b.low == b.high;
         switch (here.kind) {
         case Kind::equal:
@@ -118,11 +120,6 @@ struct Ranges {
         case Kind::add:
         case Kind::subtract:
             return 1;
-        case Kind::number:
-        case Kind::absolute:
-        case Kind::smaller:
-        case Kind::larger:
-            return 4;
         case Kind::equal:
         case Kind::unequal:
         case Kind::less:
@@ -142,28 +139,26 @@ struct Ranges {
 
     /// The part as it could have been written.
     std::string text(int index) const {
-        const ExpressionNode& here = node(index);
+        const SyntaxNode& here = node(index);
         const int own = strength(here.kind);
         const auto two = [&](const char* sign) {
             // a - (b - c) needs its parentheses.
             const bool is_strict = here.kind == Kind::subtract || here.kind == Kind::divide;
-            return inner(here.left, own)
+            return inner(here.parts[0], own)
                 .append(sign)
-                .append(inner(here.right, is_strict ? own + 1 : own));
+                .append(inner(here.parts[1], is_strict ? own + 1 : own));
         };
-        const auto pair = [&] { return text(here.left).append(", ").append(text(here.right)); };
         switch (here.kind) {
         case Kind::number:
             return significant(here.number, 9);
         case Kind::negate:
-            return std::string("-").append(inner(here.left, own));
-        case Kind::absolute:
-            return std::string("abs(").append(text(here.left)).append(")");
-        case Kind::smaller:
-        case Kind::larger:
-            return std::string(here.kind == Kind::smaller ? "min(" : "max(")
-                .append(pair())
-                .append(")");
+            return std::string("-").append(inner(here.parts[0], own));
+        case Kind::call: {
+            std::string call = here.text;
+            for (const int part : here.parts)
+                call.append(part == here.parts[0] ? "(" : ", ").append(text(part));
+            return call.append(")");
+        }
         case Kind::add:
             return two(" + ");
         case Kind::subtract:
@@ -195,12 +190,12 @@ struct Ranges {
 std::vector<std::string> impossible_parts(const Expression& condition) {
     const Ranges ranges{condition};
     std::vector<std::string> sentences;
-    for (std::size_t i = 0; i < condition.nodes.size(); ++i) {
-        const ExpressionNode& node = condition.nodes[i];
+    for (std::size_t i = 0; i < condition.tree.nodes.size(); ++i) {
+        const SyntaxNode& node = condition.tree.nodes[i];
         if (!ranges.is_impossible(node)) continue;
         // The side that is no plain number is the one to speak of.
-        const Reach left = ranges.reach(node.left);
-        const int side = left.low == left.high ? node.right : node.left;
+        const Reach left = ranges.reach(node.parts[0]);
+        const int side = left.low == left.high ? node.parts[1] : node.parts[0];
         const Reach reach = ranges.reach(side);
         std::string sentence = "'" + ranges.text(static_cast<int>(i)) +
                                "' can never hold: " + ranges.text(side) + " lies between " +

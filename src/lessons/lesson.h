@@ -17,7 +17,7 @@ namespace rasterwalk {
 /// A link target with its place.
 struct LinkPlace {
     std::string target;
-    std::string words; ///< what is read in its place, Markdown
+    std::string words; ///< what is read in its place, without styles
     int line = 0;
     bool is_picture = false; ///< ![words](target)
 };

@@ -3,7 +3,6 @@
 // What is written inside the lines of a lesson's text: links, pictures, formulas, footnotes. Code
 // is skipped.
 
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -19,12 +18,9 @@ struct InlineParts {
     std::vector<TextPlace> footnotes; ///< labels of [^label]
 };
 
-/// Looks through some Markdown. What the format does not have (reference links, bare addresses,
-/// HTML, too deep nesting) is a fault.
+/// Finds them by the parse that the student sees drawn. What the format of lessons does not have
+/// (reference links, bare addresses, comments within a line, too deep nesting) is a fault.
 /// @param first_line of the file in which the text begins
 InlineParts find_inline_parts(std::string_view text, int first_line, FaultList& faults);
-
-/// Does the line begin or end a block of code (``` or ~~~)?
-bool is_fence(std::string_view line);
 
 } // namespace rasterwalk

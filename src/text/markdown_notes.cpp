@@ -4,25 +4,13 @@
 #include <map>
 #include <string_view>
 
+#include "text/markdown_text.h"
+
 namespace rasterwalk {
 
 namespace {
 
 constexpr std::string_view opening = "[^";
-
-bool is_fence(std::string_view line) {
-    const std::size_t start = line.find_first_not_of(' ');
-    return start < 4 && // not npos
-           (line.substr(start).starts_with("```") || line.substr(start).starts_with("~~~"));
-}
-
-/// The id of a reference that begins at the front of the text; empty if none does.
-std::string_view id_at(std::string_view text) {
-    if (!text.starts_with(opening)) return {};
-    const std::size_t end = text.find_first_of("] \n");
-    if (end == text.npos || text[end] != ']') return {};
-    return text.substr(opening.size(), end - opening.size());
-}
 
 /// 12 in raised digits.
 std::string raised_number(std::size_t number) {
@@ -41,7 +29,7 @@ std::map<std::string, std::string> take_definitions(std::vector<std::string_view
     std::string* open = nullptr; // the note that an indented line goes on with
     for (const std::string_view line : lines) {
         if (is_fence(line)) in_code = !in_code;
-        const std::string_view id = in_code ? std::string_view() : id_at(line);
+        const std::string_view id = in_code ? std::string_view() : footnote_label(line);
         const std::size_t colon = id.size() + opening.size() + 1;
         if (!id.empty() && line.size() > colon && line[colon] == ':') {
             const std::size_t start = std::min(line.find_first_not_of(' ', colon + 1), line.size());
@@ -79,7 +67,8 @@ class Linker {
         bool in_code = false;
         for (std::size_t i = 0; i < line.size();) {
             if (line[i] == '`') in_code = !in_code;
-            const std::string_view id = in_code ? std::string_view() : id_at(line.substr(i));
+            const std::string_view id =
+                in_code ? std::string_view() : footnote_label(line.substr(i));
             const std::size_t number = id.empty() ? 0 : number_of(std::string(id));
             if (number == 0) {
                 out += line[i++];
@@ -112,6 +101,13 @@ class Linker {
 };
 
 } // namespace
+
+std::string_view footnote_label(std::string_view text) {
+    if (!text.starts_with(opening)) return {};
+    const std::size_t end = text.find_first_of("] \n");
+    if (end == text.npos || text[end] != ']') return {};
+    return text.substr(opening.size(), end - opening.size());
+}
 
 std::vector<std::string> take_footnotes(std::string& markdown) {
     if (markdown.find(opening) == markdown.npos) return {};

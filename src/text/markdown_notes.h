@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rasterwalk {
@@ -10,6 +11,9 @@ namespace rasterwalk {
 /// stand as a numbered list at the end. What stands in code is left alone.
 /// @return the notes in that order
 std::vector<std::string> take_footnotes(std::string& markdown);
+
+/// The label of the reference `[^label]` that begins at the front of the text; empty if none does.
+std::string_view footnote_label(std::string_view text);
 
 inline constexpr std::size_t most_footnotes = 99;
 

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 
-#include <md4c.h>
-
 #include "text/markdown_notes.h"
 #include "text/markdown_text.h"
+#include "text/markdown_walk.h"
 #include "text/math.h"
 #include "text/math_runs.h"
 
@@ -15,61 +14,18 @@ namespace {
 
 using BlockKind = MarkdownBlock::Kind;
 
-/// Link targets of a page, all together, bytes: reference links repeat theirs at every use.
-constexpr std::size_t largest_targets = std::size_t{1} << 20;
-
-/// The parser looks through all lines of a paragraph for each bracket in it; this many looks take
-/// about a tenth of a second.
-constexpr std::size_t most_bracket_looks = 200'000'000;
-
-/// True if the parser would look through lines for brackets more often than it may.
-bool is_bracket_swamp(std::string_view text) {
-    std::size_t lines = 0, brackets = 0, looks = 0;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        const std::string_view line = text.substr(0, end);
-        text.remove_prefix(std::min(end + 1, text.size()));
-        if (line.find_first_not_of(" \t") == std::string_view::npos) {
-            looks += lines * brackets;
-            lines = brackets = 0;
-        } else {
-            ++lines;
-            brackets += static_cast<std::size_t>(std::count(line.begin(), line.end(), '['));
-        }
-    }
-    return looks + lines * brackets > most_bracket_looks;
-}
-
-std::string attribute_text(const MD_ATTRIBUTE& attribute) {
-    std::string text;
-    for (int i = 0; attribute.size > 0 && attribute.substr_offsets[i] < attribute.size; ++i) {
-        const MD_OFFSET begin = attribute.substr_offsets[i];
-        const std::string_view part(attribute.text + begin,
-                                    attribute.substr_offsets[i + 1] - begin);
-        if (attribute.substr_types[i] == MD_TEXT_ENTITY) {
-            append_entity(text, part);
-        } else if (attribute.substr_types[i] == MD_TEXT_NULLCHAR) {
-            text += replacement_character;
-        } else {
-            text += part;
-        }
-    }
-    return text;
-}
-
-/// Collects what the parser reports. Its functions return false to end the parsing.
-class Builder {
+/// Builds the page from what the walk reports.
+class Builder final : public MarkdownListener {
   public:
     explicit Builder(MarkdownDocument& document) : document_(document) {
         open_.push_back({&root_, false});
     }
 
-    bool enter(MD_BLOCKTYPE type, const void* detail);
-    bool leave(MD_BLOCKTYPE type);
-    bool enter_span(MD_SPANTYPE type, const void* detail);
-    void leave_span(MD_SPANTYPE type);
-    void leave_paragraph(MarkdownBlock& block);
-    void text(MD_TEXTTYPE type, std::string_view text);
+    bool enter(MD_BLOCKTYPE type, const void* detail) override;
+    bool leave(MD_BLOCKTYPE type) override;
+    bool enter_span(MD_SPANTYPE type, const void* detail) override;
+    bool leave_span(MD_SPANTYPE type) override;
+    bool text(MD_TEXTTYPE type, std::string_view text) override;
 
     /// The blocks of the page.
     std::vector<MarkdownBlock> take() { return std::move(root_.children); }
@@ -83,6 +39,7 @@ class Builder {
     MarkdownBlock& push(BlockKind kind);
     MarkdownBlock& text_block();
     MarkdownRun& run();
+    void leave_paragraph(MarkdownBlock& block);
 
     MarkdownDocument& document_;
     MarkdownBlock root_;
@@ -144,8 +101,7 @@ MarkdownRun& Builder::run() {
 
 bool Builder::enter(MD_BLOCKTYPE type, const void* detail) {
     if (open_.size() > static_cast<std::size_t>(deepest_markdown)) {
-        document_.fault =
-            "The text is nested deeper than " + std::to_string(deepest_markdown) + " levels.";
+        document_.fault = nesting_fault(deepest_markdown);
         return false;
     }
     switch (type) {
@@ -236,7 +192,7 @@ bool Builder::enter_span(MD_SPANTYPE type, const void* detail) {
         const MD_ATTRIBUTE& href = static_cast<const MD_SPAN_A_DETAIL*>(detail)->href;
         target_bytes_ += href.size;
         if (target_bytes_ > largest_targets) {
-            document_.fault = "The targets of the links are longer than 1 MB together.";
+            document_.fault = targets_fault;
             return false;
         }
         link_ = static_cast<int>(document_.links.size());
@@ -274,7 +230,7 @@ void Builder::leave_paragraph(MarkdownBlock& block) {
     lead_ = {};
 }
 
-void Builder::leave_span(MD_SPANTYPE type) {
+bool Builder::leave_span(MD_SPANTYPE type) {
     switch (type) {
     case MD_SPAN_STRONG:
         --strong_;
@@ -305,12 +261,13 @@ void Builder::leave_span(MD_SPANTYPE type) {
         --emphasis_;
         break;
     }
+    return true;
 }
 
-void Builder::text(MD_TEXTTYPE type, std::string_view text) {
+bool Builder::text(MD_TEXTTYPE type, std::string_view text) {
     if (type == MD_TEXT_LATEXMATH) {
         formula_ += text;
-        return;
+        return true;
     }
     std::string& out = run().text;
     const bool in_code_block = text_block().kind == BlockKind::code;
@@ -338,54 +295,24 @@ void Builder::text(MD_TEXTTYPE type, std::string_view text) {
             }
         }
     }
-}
-
-/// What a callback answers to end the parsing. The parser overlooks positive answers.
-constexpr int stop = -1;
-
-Builder& builder(void* data) {
-    return *static_cast<Builder*>(data);
+    return true;
 }
 
 } // namespace
 
 MarkdownDocument parse_markdown(std::string_view text) {
     MarkdownDocument document;
-    if (text.size() > largest_markdown) {
-        document.fault = "The text is longer than 1 MB.";
-        return document;
-    }
+    document.fault = size_fault(text);
+    if (!document.fault.empty()) return document;
     std::string source = clean_text(text);
     document.notes = take_footnotes(source);
-    if (is_bracket_swamp(source)) {
-        document.fault = "A paragraph has too many lines and brackets.";
-        return document;
-    }
-    MD_PARSER parser{};
-    parser.flags = MD_FLAG_TABLES | MD_FLAG_NOHTML | MD_FLAG_LATEXMATHSPANS;
-    parser.enter_block = [](MD_BLOCKTYPE type, void* detail, void* data) {
-        return builder(data).enter(type, detail) ? 0 : stop;
-    };
-    parser.leave_block = [](MD_BLOCKTYPE type, void*, void* data) {
-        return builder(data).leave(type) ? 0 : stop;
-    };
-    parser.enter_span = [](MD_SPANTYPE type, void* detail, void* data) {
-        return builder(data).enter_span(type, detail) ? 0 : stop;
-    };
-    parser.leave_span = [](MD_SPANTYPE type, void*, void* data) {
-        builder(data).leave_span(type);
-        return 0;
-    };
-    parser.text = [](MD_TEXTTYPE type, const MD_CHAR* part, MD_SIZE size, void* data) {
-        builder(data).text(type, {part, size});
-        return 0;
-    };
-    Builder collected(document);
-    const int outcome =
-        md_parse(source.data(), static_cast<MD_SIZE>(source.size()), &parser, &collected);
-    if (outcome != 0 && document.fault.empty()) document.fault = "The text could not be read.";
+    document.fault = walk_fault(source);
+    if (!document.fault.empty()) return document;
+    Builder builder(document);
+    const bool is_read = walk_markdown(source, builder);
+    if (!is_read && document.fault.empty()) document.fault = "The text could not be read.";
     if (document.fault.empty()) {
-        document.blocks = collected.take();
+        document.blocks = builder.take();
     } else {
         document.links.clear();
     }

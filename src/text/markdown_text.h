@@ -16,4 +16,8 @@ std::string clean_text(std::string_view text);
 /// it is written.
 void append_entity(std::string& text, std::string_view entity);
 
+/// Does the line begin or end a block of code (``` or ~~~)? It may stand in a list, so it may be
+/// indented by any number of blanks.
+bool is_fence(std::string_view line);
+
 } // namespace rasterwalk

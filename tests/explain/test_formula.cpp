@@ -105,6 +105,21 @@ TEST_CASE("An expression that cannot be read is refused") {
     }
 }
 
+TEST_CASE("A formula that is nested too deep or too long is refused") {
+    const std::string deep = std::string(100, '(') + "1" + std::string(100, ')');
+    CHECK_THROWS_WITH(evaluate(formula(deep)), Catch::Contains("nested deeper than 32 levels"));
+    CHECK_THROWS_WITH(evaluate(formula(std::string(1001, '1'))),
+                      Catch::Contains("at most 1000 letters"));
+}
+
+TEST_CASE("A sum in parentheses is one term, and a call in parentheses is worked out") {
+    const std::vector<FormulaInput> inputs{input("a", 1.5f), input("b", 2.0f)};
+    CHECK(with_terms(formula("(a + b) + int(a)", inputs)) == "3.5 + int(1.5)");
+    CHECK(with_terms(formula("a − (a + b)", inputs)) == "1.5 − 3.5");
+    CHECK(with_terms(formula("(int(a)) + b", inputs)) == "1 + 2");
+    CHECK(with_terms(formula("a − int(a)² − −b", inputs)) == "1.5 − 1 − (−2)");
+}
+
 TEST_CASE("Numbers are put in where the symbols stood, negative ones in parentheses after a sign") {
     const std::vector<FormulaInput> inputs{input("f", 500.0f), input("x", -1.0f),
                                            input("1/z", 0.4998f)};

@@ -59,6 +59,13 @@ TEST_CASE("No letter keeps the reader busy") {
     }
 }
 
+TEST_CASE("Marks of emphasis that never close are words, and nested in nothing") {
+    std::string marks;
+    while (marks.size() < 3'000)
+        marks += "*a **b ";
+    CHECK(parse_lesson(test::lesson_head() + marks, "01-flat.md").faults.empty());
+}
+
 TEST_CASE("What is no file of text is no lesson") {
     const test::TemporaryFolder folder;
     const std::string path = folder.file("01-hostile.md");

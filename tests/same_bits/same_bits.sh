@@ -11,13 +11,13 @@ levels=("-O0" "-O2" "-O3 -march=native")
 cd "$root" || exit 2
 mkdir -p "$folder" || exit 2
 
-sources=(tests/same_bits/hash_pictures.cpp src/base/{files,numbers,quoted,toml_input,toml_nesting}.cpp
-    src/scene/*.cpp src/stages/*.cpp
-    src/mistakes/*.cpp src/settings/{choose_stages,settings}.cpp src/pipeline/{draw,frame,framebuffer}.cpp
-    src/picture/{colour_map,view_image}.cpp)
+# All that is drawn, and how: these folders in the order of the house, whole.
+folders=(base scene stages mistakes settings pipeline picture)
 launcher=$(command -v ccache || true)
-libraries=$(pkg-config --libs tomlplusplus fmt) || exit 2
-common="-std=c++20 $keeps_bits -Isrc $(pkg-config --cflags tomlplusplus)"
+# The packages of the core; what is not used of them costs nothing.
+packages=(fmt nlohmann_json stb tomlplusplus)
+libraries="-Wl,--as-needed $(pkg-config --libs "${packages[@]}")" || exit 2
+common="-std=c++20 $keeps_bits -Isrc $(pkg-config --cflags "${packages[@]}")"
 
 for compiler in "${compilers[@]}"; do
     command -v "$compiler" >/dev/null || { echo "$compiler is not installed."; exit 2; }
@@ -25,8 +25,11 @@ done
 
 # The sources of a folder as one: their headers are read once.
 rm -f "$folder"/*.cpp
-for source in "${sources[@]}"; do
-    echo "#include \"$PWD/$source\"" >>"$folder/$(dirname "$source" | tr / -).cpp"
+echo "#include \"$PWD/tests/same_bits/hash_pictures.cpp\"" >"$folder/hash_pictures.cpp"
+for name in "${folders[@]}"; do
+    for source in src/"$name"/*.cpp; do
+        echo "#include \"$PWD/$source\""
+    done >"$folder/$name.cpp"
 done
 
 # All objects of all variants at once, two at a time.

@@ -1,0 +1,72 @@
+#include "explain/source.h"
+
+#include <utility>
+
+namespace rasterwalk {
+
+Source from_words(std::string words) {
+    Source source;
+    source.name = std::move(words);
+    return source;
+}
+
+Source from_setting(std::string name) {
+    Source source;
+    source.kind = SourceKind::setting;
+    source.name = std::move(name);
+    return source;
+}
+
+Source from_vertex(int triangle, int vertex, std::string value_id) {
+    Source source;
+    source.kind = SourceKind::vertex;
+    source.name = std::move(value_id);
+    source.triangle = triangle;
+    source.vertex = vertex;
+    return source;
+}
+
+Source from_row_end(int triangle, int row, bool is_right) {
+    Source source;
+    source.kind = SourceKind::row_end;
+    source.triangle = triangle;
+    source.row = row;
+    source.is_right = is_right;
+    return source;
+}
+
+Source from_moment(const Cursor& moment) {
+    Source source;
+    source.kind = SourceKind::moment;
+    source.moment = moment;
+    return source;
+}
+
+Source from_formula(std::string id) {
+    Source source;
+    source.kind = SourceKind::formula;
+    source.name = std::move(id);
+    return source;
+}
+
+std::string source_text(const Source& source) {
+    switch (source.kind) {
+    case SourceKind::given:
+        return source.name;
+    case SourceKind::setting:
+        return "setting " + source.name;
+    case SourceKind::vertex:
+        return "vertex " + std::to_string(source.vertex + 1) + " of triangle " +
+               std::to_string(source.triangle + 1);
+    case SourceKind::row_end:
+        return std::string(source.is_right ? "right" : "left") + " end of row " +
+               std::to_string(source.row);
+    case SourceKind::moment:
+        return "the moment " + to_text(source.moment);
+    case SourceKind::formula:
+        return "a formula of its own";
+    }
+    return {};
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,46 @@
+#pragma once
+
+// Where a number comes from.
+
+#include <cstdint>
+#include <string>
+
+#include "pipeline/cursor.h"
+
+namespace rasterwalk {
+
+/// What kind of place a number comes from.
+enum class SourceKind : std::uint8_t {
+    given,   ///< a constant, or the scene itself
+    setting, ///< a setting, by name
+    vertex,  ///< a value of a vertex of a triangle
+    row_end, ///< the left or right end of a row
+    moment,  ///< a piece of work, by its cursor
+    formula, ///< another formula of the same report, by id
+};
+
+/// The place that a number comes from.
+struct Source {
+    SourceKind kind = SourceKind::given;
+    std::string name;      ///< of the setting, the formula or the vertex's value; for `given` words
+    int triangle = -1;     ///< of a vertex or row end
+    int vertex = -1;       ///< 0..2
+    int row = -1;          ///< of the picture
+    bool is_right = false; ///< which end of the row
+    Cursor moment;
+
+    friend bool operator==(const Source&, const Source&) = default;
+};
+
+Source from_words(std::string words);
+Source from_setting(std::string name);
+Source from_vertex(int triangle, int vertex, std::string value_id);
+Source from_row_end(int triangle, int row, bool is_right);
+Source from_moment(const Cursor& moment);
+Source from_formula(std::string id);
+
+/// The place in words, counted from 1: "left end of row 20", "setting light.power", "vertex 2 of
+/// triangle 8".
+std::string source_text(const Source& source);
+
+} // namespace rasterwalk

@@ -1,0 +1,368 @@
+#include "lessons/lesson_reader.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <utility>
+
+#include "base/faults.h"
+#include "base/nearest_name.h"
+#include "base/quoted.h"
+#include "lessons/lesson_blocks.h"
+#include "lessons/lesson_comment.h"
+#include "lessons/lesson_lines.h"
+#include "lessons/lesson_text.h"
+#include "text/markdown_text.h"
+#include "view/view_table.h"
+
+namespace rasterwalk {
+
+namespace {
+
+class Reader {
+  public:
+    Reader(std::string_view text, const std::string& path)
+        : lines_(split_lines(text)), faults_(path) {
+        lesson_.path = path;
+        const std::filesystem::path file(path);
+        lesson_.folder = file.parent_path().string();
+        lesson_.id = file.stem().string();
+        begin_step("", 1);
+    }
+
+    Lesson read() {
+        if (check_lines(lines_, faults_)) {
+            while (next_ < lines_.size() && !faults_.is_beyond_limits())
+                read_line();
+            end_text();
+            if (!faults_.is_beyond_limits()) finish();
+        }
+        if (faults_.is_beyond_limits()) drop_all();
+        lesson_.faults = faults_.take();
+        return std::move(lesson_);
+    }
+
+  private:
+    int line_number() const { return static_cast<int>(next_) + 1; }
+    LessonStep& step() { return lesson_.steps.back(); }
+    int step_number() const { return static_cast<int>(lesson_.steps.size()) - 1; }
+
+    /// What was read is not to be shown.
+    void drop_all() {
+        Lesson dropped;
+        dropped.id = lesson_.id;
+        dropped.path = lesson_.path;
+        dropped.folder = lesson_.folder;
+        dropped.steps.emplace_back();
+        lesson_ = std::move(dropped);
+    }
+
+    void read_line() {
+        const std::string_view line = lines_[next_];
+        if (in_code_ || is_fence(line)) {
+            if (is_fence(line)) {
+                in_code_ = !in_code_;
+                code_line_ = line_number();
+            }
+            add_text(line);
+            ++next_;
+        } else if (line.starts_with("<!--")) {
+            read_block();
+        } else if (line.starts_with("# ") || line.starts_with("## ")) {
+            read_heading(line);
+        } else if (line.starts_with("[^") && line.find("]:") != line.npos) {
+            read_footnote(line);
+        } else {
+            add_text(line);
+            ++next_;
+        }
+    }
+
+    void add_text(std::string_view line) {
+        if (text_.empty()) text_line_ = line_number();
+        text_.append(line).append("\n");
+    }
+
+    /// Blank lines around a text are no part of it; text of blank lines is none.
+    void end_text() {
+        const std::size_t last = text_.find_last_not_of(" \t\n");
+        if (last != text_.npos) {
+            text_.erase(last + 1);
+            int line = text_line_;
+            std::size_t begin = 0;
+            for (std::size_t end = 0;
+                 (end = text_.find('\n', begin)) != text_.npos &&
+                 trimmed(std::string_view(text_).substr(begin, end - begin)).empty();
+                 begin = end + 1) {
+                ++line;
+            }
+            text_.erase(0, begin);
+            look_through(text_, line);
+            step().parts.push_back({LessonPart::Kind::text, text_, -1, line});
+        }
+        text_.clear();
+    }
+
+    void look_through(std::string_view text, int line) {
+        InlineParts parts = find_inline_parts(text, line, faults_);
+        const auto move_all = [](auto& from, auto& to) {
+            to.insert(to.end(), from.begin(), from.end());
+        };
+        for (const LinkPlace& link : parts.links) {
+            if (++links_ <= most_lesson_links) continue;
+            faults_.refuse(link.line,
+                           "a lesson has at most " + std::to_string(most_lesson_links) + " links.");
+            return;
+        }
+        move_all(parts.links, step().links);
+        move_all(parts.formulas, step().formulas);
+        move_all(parts.footnotes, step().footnotes);
+    }
+
+    // --- headings
+
+    void begin_step(std::string_view heading, int line) {
+        LessonStep made;
+        made.heading = std::string(trimmed(heading));
+        made.line = line;
+        if (!lesson_.steps.empty()) made.state = step().state;
+        made.state.line = line;
+        lesson_.steps.push_back(std::move(made));
+        may_have_block_ = true;
+    }
+
+    void read_heading(std::string_view line) {
+        const bool is_title = line.starts_with("# ");
+        std::string_view words = trimmed(line.substr(is_title ? 2 : 3));
+        while (words.ends_with('#'))
+            words.remove_suffix(1);
+        end_text();
+        if (is_title) {
+            if (step_number() > 0 || !step().heading.empty()) {
+                faults_.add(line_number(),
+                            "a lesson has one heading with '#'; its steps have '##'.");
+            } else {
+                step().heading = std::string(trimmed(words));
+                step().line = line_number();
+                may_have_block_ = true;
+                if (!step().parts.empty()) {
+                    faults_.add(line_number(), "the heading with '#' comes before all text.");
+                }
+            }
+        } else if (step_number() >= most_lesson_steps) {
+            if (!told_steps_) {
+                faults_.add(line_number(), "a lesson has at most " +
+                                               std::to_string(most_lesson_steps) + " steps.");
+            }
+            told_steps_ = true;
+        } else {
+            begin_step(words, line_number());
+        }
+        ++next_;
+    }
+
+    void read_footnote(std::string_view line) {
+        const std::size_t close = line.find("]:");
+        LessonFootnote note;
+        note.label = std::string(line.substr(2, close - 2));
+        note.text = std::string(trimmed(line.substr(close + 2)));
+        note.line = line_number();
+        add_text(""); // keeps the lines of what follows
+        ++next_;
+        while (next_ < lines_.size() && lines_[next_].starts_with("  ") &&
+               !trimmed(lines_[next_]).empty()) {
+            note.text.append(" ").append(trimmed(lines_[next_]));
+            add_text("");
+            ++next_;
+        }
+        for (const LessonFootnote& other : lesson_.footnotes) {
+            if (other.label == note.label) {
+                faults_.add(note.line, "there are two footnotes " + in_quotes(note.label) + ".");
+            }
+        }
+        if (note.text.empty()) faults_.add(note.line, "the footnote has no text.");
+        if (lesson_.footnotes.size() >= most_lesson_footnotes) {
+            faults_.refuse(note.line, "a lesson has at most " +
+                                          std::to_string(most_lesson_footnotes) + " footnotes.");
+            return;
+        }
+        look_through(note.text, note.line);
+        lesson_.footnotes.push_back(std::move(note));
+    }
+
+    // --- comments
+
+    void read_block() {
+        const LessonComment comment = read_comment(lines_, next_, faults_);
+        if (comment.kind == "note") {
+            // for authors
+        } else if (comment.kind == "lesson") {
+            read_lesson_comment(comment);
+        } else if (comment.kind == "step") {
+            read_step_comment(comment);
+        } else if (comment.kind == "task" || comment.kind == "prediction") {
+            read_question(comment);
+        } else {
+            constexpr std::string_view block_kinds[] = {"lesson", "step", "task", "prediction",
+                                                        "note"};
+            faults_.add(comment.line, "there is no block " + in_quotes(comment.kind) +
+                                          "; there are lesson, step, task, prediction and note." +
+                                          did_you_mean(comment.kind, block_kinds));
+        }
+    }
+
+    void read_lesson_comment(const LessonComment& comment) {
+        if (has_lesson_block_ || step_number() > 0 || !step().heading.empty() ||
+            !trimmed(text_).empty() || !step().parts.empty()) {
+            faults_.add(comment.line, "the block 'lesson' stands once, at the head of the file.");
+            return;
+        }
+        has_lesson_block_ = true;
+        lesson_state_ = read_lesson_block(comment.table, comment.line, lesson_, faults_);
+        step().state = lesson_state_;
+    }
+
+    void read_step_comment(const LessonComment& comment) {
+        if (!may_have_block_ || !trimmed(text_).empty()) {
+            faults_.add(comment.line,
+                        "the block 'step' stands once in a step, directly under its heading.");
+            return;
+        }
+        may_have_block_ = false;
+        ViewState own = read_view_state(comment.table, comment.line, faults_);
+        step().state = combined(lesson_state_, own);
+        step().state.point_at = own.point_at;
+    }
+
+    /// The block quote right after the comment, without its marks.
+    std::string take_quote() {
+        std::string text;
+        while (next_ < lines_.size() && lines_[next_].starts_with(">")) {
+            std::string_view line = lines_[next_].substr(1);
+            if (line.starts_with(" ")) line.remove_prefix(1);
+            text.append(line).append("\n");
+            ++next_;
+        }
+        return std::string(trimmed(text));
+    }
+
+    bool is_new_id(const std::string& id, int line) {
+        if (id.empty() || ids_.insert(id).second) return true;
+        faults_.add(line, "there are two questions of the id " + in_quotes(id) + ".");
+        return false;
+    }
+
+    void read_question(const LessonComment& comment) {
+        end_text();
+        may_have_block_ = false;
+        const int quote_line = line_number();
+        std::string text = take_quote();
+        const std::string kind(comment.kind);
+        if (text.empty()) {
+            faults_.add(comment.line, "the block '" + kind +
+                                          "' is directly followed by its text, a quote: > ...");
+        }
+        look_through(text, quote_line);
+        if (!comment.is_good) return;
+        if (lesson_.tasks.size() + lesson_.predictions.size() >=
+            static_cast<std::size_t>(most_lesson_questions)) {
+            if (!told_questions_) {
+                faults_.add(comment.line, "a lesson has at most " +
+                                              std::to_string(most_lesson_questions) +
+                                              " tasks and predictions.");
+            }
+            told_questions_ = true;
+            return;
+        }
+        if (kind == "task") {
+            add_task(read_task(comment.table, comment.line, faults_), std::move(text), quote_line);
+        } else {
+            add_prediction(read_prediction(comment.table, comment.line, step().state, faults_),
+                           std::move(text), quote_line);
+        }
+    }
+
+    void add_task(LessonTask task, std::string text, int quote_line) {
+        if (!is_new_id(task.id, task.line)) return;
+        task.text = std::move(text);
+        task.step = step_number();
+        look_through(task.hint, task.line);
+        step().parts.push_back(
+            {LessonPart::Kind::task, {}, static_cast<int>(lesson_.tasks.size()), quote_line});
+        lesson_.tasks.push_back(std::move(task));
+    }
+
+    void add_prediction(LessonPrediction prediction, std::string text, int quote_line) {
+        if (!is_new_id(prediction.id, prediction.line)) return;
+        prediction.text = std::move(text);
+        prediction.step = step_number();
+        look_through(prediction.because, prediction.because_line);
+        for (const std::string& choice : prediction.choices)
+            look_through(choice, prediction.answer_line);
+        step().parts.push_back({LessonPart::Kind::prediction,
+                                {},
+                                static_cast<int>(lesson_.predictions.size()),
+                                quote_line});
+        lesson_.predictions.push_back(std::move(prediction));
+    }
+
+    // --- the whole
+
+    void finish() {
+        if (!has_lesson_block_)
+            faults_.add(1, "the block 'lesson' is missing at the head of the file.");
+        if (lesson_.steps.front().heading.empty()) {
+            faults_.add(1, "the heading with '#' is missing.");
+        }
+        if (in_code_) faults_.add(code_line_, "the block of code does not end.");
+        if (lesson_.picture > step_number()) {
+            faults_.add(lesson_state_.line_of("picture"),
+                        "'picture' names step " + std::to_string(lesson_.picture) +
+                            ", and the last step is " + std::to_string(step_number()) + ".");
+        }
+        std::set<std::string> used;
+        for (const LessonStep& one : lesson_.steps) {
+            for (const TextPlace& place : one.footnotes) {
+                used.insert(place.text);
+                if (!has_footnote(place.text)) {
+                    faults_.add(place.line, "there is no footnote [^" + place.text.substr(0, 40) +
+                                                "]: at the end of the file.");
+                }
+            }
+        }
+        for (const LessonFootnote& note : lesson_.footnotes) {
+            if (used.count(note.label) == 0) {
+                faults_.add(note.line,
+                            "nothing refers to the footnote " + in_quotes(note.label) + ".");
+            }
+        }
+    }
+
+    bool has_footnote(const std::string& label) const {
+        return std::any_of(lesson_.footnotes.begin(), lesson_.footnotes.end(),
+                           [&](const LessonFootnote& note) { return note.label == label; });
+    }
+
+    std::vector<std::string_view> lines_;
+    std::size_t next_ = 0;
+    FaultList faults_;
+    Lesson lesson_;
+    ViewState lesson_state_;
+    int links_ = 0;
+    std::string text_; ///< of the part that is being read
+    int text_line_ = 1;
+    bool in_code_ = false;
+    int code_line_ = 0; ///< where the block of code began or ended
+    bool has_lesson_block_ = false;
+    bool may_have_block_ = true; ///< the step has none yet, and no text
+    bool told_steps_ = false, told_questions_ = false;
+    std::set<std::string> ids_;
+};
+
+} // namespace
+
+Lesson read_lesson_lines(std::string_view text, const std::string& path) {
+    return Reader(text, path).read();
+}
+
+} // namespace rasterwalk
