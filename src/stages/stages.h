@@ -18,10 +18,11 @@ inline constexpr int stage_count = 7;
 /// What the interface says of a stage.
 struct StageInfo {
     Stage stage;
-    std::string_view name;    ///< as in settings and on the command line
-    std::string_view title;   ///< on the button
-    std::string_view summary; ///< one sentence
-    std::string_view section; ///< where the lab treats it
+    std::string_view name;      ///< as in settings and on the command line
+    std::string_view title;     ///< on the button
+    std::string_view summary;   ///< one sentence
+    std::string_view menu_help; ///< a shorter one, in the menu
+    std::string_view section;   ///< where the lab treats it
 };
 
 /// All stages, in the order of the pipeline; indexed by Stage.
