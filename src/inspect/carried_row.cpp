@@ -41,10 +41,9 @@ std::vector<ShadedVertex> shade_triangle(const Frame& frame, int triangle,
                                          const Settings& settings) {
     const glm::mat3 rotation = camera_rotation(settings.camera);
     const VertexRules rules = vertex_rules(settings, frame.scene->space);
-    const Triangle& corners = frame.scene->triangles[static_cast<std::size_t>(triangle)];
     const Stages stages = stages_for(settings, frame.replace);
     std::vector<ShadedVertex> shaded;
-    for (const Vertex& corner : corners.vertices)
+    for (const Vertex& corner : corners_of(*frame.scene, triangle))
         shaded.push_back(shade_vertex(corner, rotation, rules, stages));
     return shaded;
 }

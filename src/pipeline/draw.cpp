@@ -230,7 +230,7 @@ Range columns_in_window(const Drawing& d, const Cursor& row, const RowSpan& span
 /// The lab's DrawPolygonRows: every row from its left to its right end, both included.
 void draw_polygon_rows(Drawing& d, int triangle) {
     const PolygonRows& rows = d.rows;
-    const Vertex& corner = d.frame.scene->triangles[triangle].vertices[0];
+    const Vertex& corner = d.frame.scene->corner(triangle, 0);
     const Surface surface{corner.normal, corner.reflectance};
     const Range range =
         clamp_to_window(d.window, {triangle, Phase::rows, 0, 0}, &Cursor::index, rows.size());

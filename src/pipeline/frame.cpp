@@ -8,26 +8,40 @@ Stages stages_for(const Settings& settings, const ReplaceStages& replace) {
     return stages;
 }
 
+namespace {
+
+/// Vertex shader and projection, once a vertex, however many triangles meet in it.
+std::vector<ProjectedVertex> project_vertices(const Mesh& mesh, const VertexRules& rules,
+                                              const Stages& stages) {
+    const glm::mat3 rotation = camera_rotation(rules.camera);
+    std::vector<ProjectedVertex> projected;
+    projected.reserve(mesh.vertices().size());
+    for (const Vertex& vertex : mesh.vertices()) {
+        const ClipVertex clip = stages.vertex_shader(vertex, rotation, rules, stages, nullptr);
+        projected.push_back(stages.project(clip, rules, stages, nullptr));
+    }
+    return projected;
+}
+
+} // namespace
+
 Frame prepare_frame(const Scene& scene, const Settings& settings, const ReplaceStages& replace) {
     Frame frame;
     frame.scene = &scene;
     frame.settings = settings;
     frame.replace = replace;
     frame.stages = stages_for(settings, replace);
-    frame.vertices.reserve(triangle_corners * scene.triangles.size());
-    frame.polygons.reserve(scene.triangles.size());
-    const glm::mat3 rotation = camera_rotation(settings.camera);
-    const VertexRules rules = vertex_rules(settings, scene.space);
-    for (const Triangle& triangle : scene.triangles) {
+    const std::vector<ProjectedVertex> projected =
+        project_vertices(scene.mesh, vertex_rules(settings, scene.space), frame.stages);
+    frame.vertices.reserve(triangle_corners * scene.mesh.triangles().size());
+    frame.polygons.reserve(scene.mesh.triangles().size());
+    for (const TriangleIndices& triangle : scene.mesh.triangles()) {
         Polygon polygon{static_cast<int>(frame.vertices.size()), triangle_corners, Rejection::none,
                         false};
-        for (const Vertex& vertex : triangle.vertices) {
-            const ClipVertex clip =
-                frame.stages.vertex_shader(vertex, rotation, rules, frame.stages, nullptr);
-            const ProjectedVertex projected =
-                frame.stages.project(clip, rules, frame.stages, nullptr);
-            if (polygon.rejection == Rejection::none) polygon.rejection = projected.rejection;
-            frame.vertices.push_back(projected.pixel);
+        for (const int index : triangle) {
+            const ProjectedVertex& corner = projected[static_cast<std::size_t>(index)];
+            if (polygon.rejection == Rejection::none) polygon.rejection = corner.rejection;
+            frame.vertices.push_back(corner.pixel);
         }
         frame.polygons.push_back(polygon);
     }

@@ -39,8 +39,8 @@ struct Frame {
 /// The table for a frame: what the settings choose, and what is put in its place.
 Stages stages_for(const Settings& settings, const ReplaceStages& replace);
 
-/// Runs the vertex shader over the scene. A triangle with one vertex that is rejected is left out
-/// whole, for the reason of the first such vertex.
+/// Runs the vertex shader over the scene, once for each vertex of its mesh. A triangle with one
+/// vertex that is rejected is left out whole, for the reason of the first such vertex.
 Frame prepare_frame(const Scene& scene, const Settings& settings,
                     const ReplaceStages& replace = nullptr);
 

@@ -320,11 +320,12 @@ Scene small_world() {
     scene.space = SceneSpace::world;
     scene.camera = {{0.0f, 0.0f, 0.0f}, 0.0f, 0.0f, 10.0f};
     const glm::vec2 middle(scene.viewport.width / 2, scene.viewport.height / 2);
-    for (Triangle& triangle : scene.triangles) {
-        for (Vertex& vertex : triangle.vertices) {
-            const glm::vec3 p = vertex.position;
-            vertex.position.x = (p.x - middle.x) * p.z / scene.camera.focal_length;
-            vertex.position.y = (p.y - middle.y) * p.z / scene.camera.focal_length;
+    for (int t = 0; t < scene.triangle_count(); ++t) {
+        for (int v = 0; v < triangle_corners; ++v) {
+            const glm::vec3 p = scene.corner(t, v).position;
+            scene.mesh.place_corner(t, v,
+                                    {(p.x - middle.x) * p.z / scene.camera.focal_length,
+                                     (p.y - middle.y) * p.z / scene.camera.focal_length, p.z});
         }
     }
     return scene;

@@ -20,7 +20,7 @@ TEST_CASE("A frame holds what the vertex shader says of each vertex, three for e
     for (int t = 0; t < 30; ++t) {
         CHECK(frame.is_drawn(t));
         for (std::size_t v = 0; v < 3; ++v) {
-            const Vertex& vertex = room.triangles[static_cast<std::size_t>(t)].vertices[v];
+            const Vertex& vertex = room.corner(t, static_cast<int>(v));
             const ShadedVertex shaded =
                 shade_vertex(vertex, camera_rotation(settings.camera), rules, {});
             CAPTURE(t, v);

@@ -94,7 +94,7 @@ std::vector<std::string> golden_lines() {
 
 TEST_CASE("The room has the handout's numbers at every stage that fills") {
     const Scene room = lab_room();
-    CHECK(room.triangles.size() == 30);
+    CHECK(room.triangle_count() == 30);
     for (const Stage stage : {Stage::fill, Stage::depth, Stage::vertex_light, Stage::pixel_light}) {
         const Counts counts = draw_counted(frame_of(room, stage, rule_variants().front()));
         CAPTURE(stage_name(stage));
