@@ -25,14 +25,16 @@ std::vector<ProjectedVertex> project_vertices(const Mesh& mesh, const VertexRule
 
 } // namespace
 
-Frame prepare_frame(const Scene& scene, const Settings& settings, const ReplaceStages& replace) {
-    Frame frame;
+void prepare_frame(const Scene& scene, const Settings& settings, const ReplaceStages& replace,
+                   Frame& frame) {
     frame.scene = &scene;
     frame.settings = settings;
     frame.replace = replace;
     frame.stages = stages_for(settings, replace);
     const std::vector<ProjectedVertex> projected =
         project_vertices(scene.mesh, vertex_rules(settings, scene.space), frame.stages);
+    frame.vertices.clear();
+    frame.polygons.clear();
     frame.vertices.reserve(triangle_corners * scene.mesh.triangles().size());
     frame.polygons.reserve(scene.mesh.triangles().size());
     for (const TriangleIndices& triangle : scene.mesh.triangles()) {
@@ -45,6 +47,11 @@ Frame prepare_frame(const Scene& scene, const Settings& settings, const ReplaceS
         }
         frame.polygons.push_back(polygon);
     }
+}
+
+Frame prepare_frame(const Scene& scene, const Settings& settings, const ReplaceStages& replace) {
+    Frame frame;
+    prepare_frame(scene, settings, replace, frame);
     return frame;
 }
 

@@ -44,6 +44,11 @@ Stages stages_for(const Settings& settings, const ReplaceStages& replace);
 Frame prepare_frame(const Scene& scene, const Settings& settings,
                     const ReplaceStages& replace = nullptr);
 
+/// The same in place of another frame, whose memory is used again: to ask for new memory takes
+/// three times as long as all the rest.
+void prepare_frame(const Scene& scene, const Settings& settings, const ReplaceStages& replace,
+                   Frame& frame);
+
 /// The row table of a drawn triangle.
 /// @param sink    is told of each edge sample, or null
 /// @param carried the varyings that are wanted; where only places count, none

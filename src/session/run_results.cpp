@@ -27,7 +27,7 @@ bool update_frame(const std::shared_ptr<const Scene>& scene, const Run& run, Run
     if (results.scene == scene && results.run == run) return false;
     results.scene = scene;
     results.run = run;
-    results.frame = prepare_frame(*scene, run.settings);
+    prepare_frame(*scene, run.settings, nullptr, results.frame);
     results.replay.begin(results.frame);
     return true;
 }

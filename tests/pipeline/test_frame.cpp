@@ -29,6 +29,30 @@ TEST_CASE("A frame holds what the vertex shader says of each vertex, three for e
     }
 }
 
+TEST_CASE("A frame in place of another has nothing of the other") {
+    const Scene room = lab_room(), small = small_scene();
+    const Settings of_room = default_settings(room);
+    const auto is_same = [](const Frame& a, const Frame& b) {
+        bool same = a.scene == b.scene && a.settings == b.settings && a.stages == b.stages &&
+                    a.polygons == b.polygons && a.vertices.size() == b.vertices.size();
+        for (std::size_t i = 0; same && i < a.vertices.size(); ++i)
+            same = same_bits(a.vertices[i], b.vertices[i]);
+        return same;
+    };
+    Frame frame;
+    for (const Scene* scene : {&room, &small, &room}) {
+        Settings settings = default_settings(*scene);
+        settings.camera.yaw += 0.1f;
+        prepare_frame(*scene, settings, nullptr, frame);
+        CHECK(is_same(frame, prepare_frame(*scene, settings)));
+    }
+    prepare_frame(
+        room, of_room, [](Stages&) {}, frame);
+    CHECK(frame.replace);
+    prepare_frame(room, of_room, nullptr, frame);
+    CHECK_FALSE(frame.replace);
+}
+
 TEST_CASE("A triangle with one faulty vertex is left out whole, for its first fault") {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const Scene scene = pixel_scene({{{{1, 1, 1}, {5, 1, 1}, {3, 6, 1}}},
