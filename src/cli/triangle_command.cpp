@@ -19,7 +19,7 @@ namespace rasterwalk {
 namespace {
 
 int parse_triangle(const std::string& text, const Scene& scene) {
-    const int count = static_cast<int>(scene.triangles.size());
+    const int count = scene.triangle_count();
     const std::string range = count == 0 ? "the scene has no triangles."
                               : count == 1
                                   ? "the scene has only the triangle 0."
@@ -189,7 +189,7 @@ void print_rows(std::ostream& out, const RowHistory& history) {
 
 void print_text(std::ostream& out, const TriangleReport& report, const Scene& scene) {
     out << "Triangle " << report.triangle << " (" << part_name(scene, report.triangle)
-        << "), counted from 0, one of " << scene.triangles.size() << "\n\n";
+        << "), counted from 0, one of " << scene.triangle_count() << "\n\n";
     print_vertices(out, report, scene.space == SceneSpace::world);
     if (report.rejection != Rejection::none) {
         out << "\nIt is left out: " << words(report.rejection).sentence << ".\n";

@@ -97,7 +97,7 @@ std::string outside_sentence(DivergenceKind kind, const Pixel& in_a, const Pixel
 }
 
 ShadedVertex shade(const Frame& frame, const Cursor& cursor) {
-    const Vertex& vertex = frame.scene->triangles[cursor.triangle].vertices[cursor.index];
+    const Vertex& vertex = frame.scene->corner(cursor.triangle, cursor.index);
     const VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
     return shade_vertex(vertex, camera_rotation(rules.camera), rules, frame.stages);
 }

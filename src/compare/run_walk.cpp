@@ -18,7 +18,7 @@ Varyings varyings_at(const Frame& frame, const Cursor& cursor, const ScreenVerte
     if (frame.is_cut(cursor.triangle)) {
         return recover_varyings(mark_of(pixel), frame.stages);
     }
-    const Vertex& vertex = frame.scene->triangles[cursor.triangle].vertices[cursor.index];
+    const Vertex& vertex = frame.scene->corner(cursor.triangle, cursor.index);
     const VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
     const glm::mat3 rotation = camera_rotation(rules.camera);
     return frame.stages.vertex_shader(vertex, rotation, rules, frame.stages, nullptr).varyings;

@@ -197,13 +197,13 @@ void add_varying(FragmentReport& report, const QuantityInfo& info, const Carried
 
 void add_light(const Frame& frame, FragmentReport& report) {
     const int triangle = report.cursor.triangle;
-    const Triangle& corners = frame.scene->triangles[static_cast<std::size_t>(triangle)];
+    const Vertex& corner = frame.scene->corner(triangle, 0);
     const Light& light = frame.settings.light;
     LitPoint point;
     point.prefix = "pixel_light.";
     point.position.value = report.under(report.interpolation).position_world;
-    point.normal.value = corners.vertices[0].normal;
-    point.reflectance.value = corners.vertices[0].reflectance;
+    point.normal.value = corner.normal;
+    point.reflectance.value = corner.reflectance;
     constexpr std::array<Quantity, 3> place{quantity_of(&Varyings::position_world, 0),
                                             quantity_of(&Varyings::position_world, 1),
                                             quantity_of(&Varyings::position_world, 2)};
@@ -221,7 +221,7 @@ void add_light(const Frame& frame, FragmentReport& report) {
     append_light_formulas(point, frame, report.formulas);
 
     for (std::size_t v = 0; v < report.at_vertex.size(); ++v) {
-        const Vertex& vertex = corners.vertices[v];
+        const Vertex& vertex = frame.scene->corner(triangle, static_cast<int>(v));
         report.at_vertex[v] =
             frame.stages.reflected_light(vertex.position, vertex.normal, vertex.reflectance, light);
     }
@@ -326,8 +326,7 @@ std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& 
     report.interpolation = frame.settings.interpolation;
     report.shading = rules.shading;
     report.depth_test = depth_rule(frame.settings);
-    const Vertex& corner =
-        frame.scene->triangles[static_cast<std::size_t>(cursor.triangle)].vertices[0];
+    const Vertex& corner = frame.scene->corner(cursor.triangle, 0);
     report.colour = frame.stages.pixel_shader(report.fragment, {corner.normal, corner.reflectance},
                                               rules, frame.stages);
 

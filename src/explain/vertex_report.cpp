@@ -203,8 +203,7 @@ void add_light(Made& made) {
 } // namespace
 
 VertexReport vertex_report(const Frame& frame, int triangle, int vertex) {
-    const Vertex& given = frame.scene->triangles[static_cast<std::size_t>(triangle)]
-                              .vertices[static_cast<std::size_t>(vertex)];
+    const Vertex& given = frame.scene->corner(triangle, vertex);
     const glm::mat3 rotation = camera_rotation(frame.settings.camera);
     const VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
     VertexReport report;

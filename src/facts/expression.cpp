@@ -245,7 +245,7 @@ class Resolver {
         const bool may_be_word = is_leaf(other, Leaf::word) || is_leaf(other, Leaf::fact) ||
                                  (is_leaf(other, Leaf::moment) && word == "end");
         if (!may_be_word) return;
-        node(index).text = meant_name(node(index).text, word.text);
+        node(index).text = meant_name(node(index).text, word);
         const ValueRange range = find_name(node(index).text).value_or(ValueRange{});
         const auto found = std::find(range.words.begin(), range.words.end(), word);
         if (found != range.words.end()) {

@@ -20,7 +20,7 @@ double largest_part(const glm::vec3& v) {
 /// its own place.
 glm::vec3 light_of(const Frame& frame, const Varyings& varyings, int triangle) {
     if (shading_rule(frame.settings) == Shading::gouraud) return varyings.illumination;
-    const Vertex& corner = frame.scene->triangles[static_cast<std::size_t>(triangle)].vertices[0];
+    const Vertex& corner = frame.scene->corner(triangle, 0);
     return reflected_light(varyings.position_world, corner.normal, corner.reflectance,
                            frame.settings.light)
         .reflected;

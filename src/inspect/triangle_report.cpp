@@ -8,8 +8,7 @@ TriangleReport triangle_report(const Frame& frame, int triangle, const Cursor& t
     report.rejection = frame.rejection(triangle);
     const glm::mat3 rotation = camera_rotation(frame.settings.camera);
     const VertexRules vertex = vertex_rules(frame.settings, frame.scene->space);
-    const Triangle& given = frame.scene->triangles[static_cast<std::size_t>(triangle)];
-    for (const Vertex& corner : given.vertices)
+    for (const Vertex& corner : corners_of(*frame.scene, triangle))
         report.vertices.push_back(shade_vertex(corner, rotation, vertex, frame.stages));
     if (!frame.is_drawn(triangle)) return report;
     report.rows = row_history(frame, triangle, to);

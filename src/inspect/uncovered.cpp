@@ -91,7 +91,7 @@ void try_other_rules(const Frame& frame, const glm::ivec2& pixel,
     Scene scene;
     scene.space = frame.scene->space;
     for (const NearTriangle& near : found)
-        scene.triangles.push_back(frame.scene->triangles[near.triangle]);
+        scene.mesh.add_triangle_of(corners_of(*frame.scene, near.triangle));
     PolygonRows rows;
     for (const CoverageRule& rule : coverage_rules) {
         Settings settings = frame.settings;

@@ -62,7 +62,7 @@ Rows table_of(const TablePolygon& polygon, const Scene& scene, const Settings& s
     }
     Scene one = {};
     one.space = scene.space;
-    one.triangles.push_back(scene.triangles[static_cast<std::size_t>(polygon.triangle)]);
+    one.mesh.add_triangle_of(corners_of(scene, polygon.triangle));
     const Frame frame = prepare_frame(one, settings);
     if (!frame.is_drawn(0)) return {};
     compute_rows(frame, 0, table);

@@ -31,9 +31,8 @@ struct Side {
 };
 
 Side side_of(const Scene& scene, int triangle, int from) {
-    const auto& vertices = scene.triangles[static_cast<std::size_t>(triangle)].vertices;
-    glm::vec3 a = vertices[static_cast<std::size_t>(from)].position;
-    glm::vec3 b = vertices[static_cast<std::size_t>((from + 1) % triangle_corners)].position;
+    glm::vec3 a = scene.corner(triangle, from).position;
+    glm::vec3 b = scene.corner(triangle, (from + 1) % triangle_corners).position;
     const auto comes_before = [](const glm::vec3& p, const glm::vec3& q) {
         return std::array{p.x, p.y, p.z} < std::array{q.x, q.y, q.z};
     };

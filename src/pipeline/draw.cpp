@@ -279,7 +279,7 @@ std::span<const LineSample> interpolate_row(Drawing& d, int index, const RowSpan
 /// The lab's DrawPolygonRows: every row from its left to its right end, both included.
 void fill_rows(Drawing& d, int triangle) {
     const PolygonRows& rows = d.rows;
-    const Vertex& corner = d.frame.scene->triangles[triangle].vertices[0];
+    const Vertex& corner = d.frame.scene->corner(triangle, 0);
     const Surface surface{corner.normal, corner.reflectance};
     const Range range =
         clamp_to_window(d.window, {triangle, Phase::rows, 0, 0}, &Cursor::index, rows.size());

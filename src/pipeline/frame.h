@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "scene/scene.h"
@@ -39,10 +40,16 @@ struct Frame {
 /// The table for a frame: what the settings choose, and what is put in its place.
 Stages stages_for(const Settings& settings, const ReplaceStages& replace);
 
-/// Takes each triangle of the scene through vertex shader, clip, cull and project. A polygon with
-/// one vertex that is rejected is left out whole, for the reason of the first such vertex.
+/// Takes each vertex of the scene's mesh through vertex shader and projection, once, and each
+/// triangle through clip and cull. A polygon with one vertex that is rejected is left out whole,
+/// for the reason of the first such vertex.
 Frame prepare_frame(const Scene& scene, const Settings& settings,
                     const ReplaceStages& replace = nullptr);
+
+/// The same in place of another frame, whose memory is used again: to ask for new memory takes
+/// three times as long as all the rest.
+void prepare_frame(const Scene& scene, const Settings& settings, const ReplaceStages& replace,
+                   Frame& frame);
 
 /// The corners of one triangle as they would be under other settings, with the functions that were
 /// put in slots of the frame.

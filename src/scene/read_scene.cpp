@@ -129,8 +129,10 @@ std::vector<std::string> split_words(std::string_view text) {
     }
 }
 
-void read_triangle(const TomlInput& part, const toml::node& node, const PointSet& points,
-                   const std::string& set_name, Triangle& triangle) {
+/// The triangle's corners, with its own normal.
+std::array<Vertex, triangle_corners> read_triangle(const TomlInput& part, const toml::node& node,
+                                                   const PointSet& points,
+                                                   const std::string& set_name) {
     const auto* text = node.as_string();
     if (text == nullptr) part.fail(node, "a triangle is the names of three points: \"A B C\".");
     const std::vector<std::string> names = split_words(text->get());
@@ -138,22 +140,23 @@ void read_triangle(const TomlInput& part, const toml::node& node, const PointSet
         part.fail(node, "a triangle has three points, and '" + text->get() + "' names " +
                             std::to_string(names.size()) + ".");
     }
-    for (std::size_t i = 0; i < 3; ++i) {
+    std::array<Vertex, triangle_corners> corners;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
         const auto found = points.find(names[i]);
         if (found == points.end()) {
             part.fail(node,
                       "there is no point '" + names[i] + "' in the point set '" + set_name + "'.");
         }
-        triangle.vertices[i].position = found->second;
+        corners[i].position = found->second;
     }
     const glm::vec3 normal =
-        face_normal(triangle.vertices[0].position, triangle.vertices[1].position,
-                    triangle.vertices[2].position);
-    for (Vertex& vertex : triangle.vertices)
-        vertex.normal = normal;
+        face_normal(corners[0].position, corners[1].position, corners[2].position);
+    for (Vertex& corner : corners)
+        corner.normal = normal;
+    return corners;
 }
 
-void read_part(const TomlInput& input, const PointSets& sets, Scene& scene) {
+void read_part(const TomlInput& input, const PointSets& sets, VertexJoin& vertices, Scene& scene) {
     input.allow_only({"name", "points", "reflectance", "triangles"});
     const std::string set_name = input.text("points");
     const auto set = sets.find(set_name);
@@ -164,20 +167,21 @@ void read_part(const TomlInput& input, const PointSets& sets, Scene& scene) {
     input.read_colour("reflectance", reflectance, 0.0f, 1.0f);
     const toml::array& triangles = input.list("triangles");
     if (triangles.empty()) input.fail(triangles, input.what() + " has no triangles.");
-    if (triangles.size() + scene.triangles.size() > static_cast<std::size_t>(max_triangles)) {
+    if (triangles.size() + scene.mesh.triangles().size() >
+        static_cast<std::size_t>(max_triangles)) {
         input.fail(triangles,
                    "the scene has more than " + std::to_string(max_triangles) + " triangles.");
     }
-    const int number = static_cast<int>(scene.parts.size());
-    scene.parts.push_back({input.text("name"), static_cast<int>(scene.triangles.size()),
-                           static_cast<int>(triangles.size())});
+    scene.parts.push_back(
+        {input.text("name"), scene.triangle_count(), static_cast<int>(triangles.size())});
     for (const toml::node& node : triangles) {
-        Triangle triangle;
-        triangle.part = number;
-        for (Vertex& vertex : triangle.vertices)
-            vertex.reflectance = reflectance;
-        read_triangle(input, node, set->second, set_name, triangle);
-        scene.triangles.push_back(triangle);
+        TriangleIndices indices{};
+        auto index = indices.begin();
+        for (Vertex& corner : read_triangle(input, node, set->second, set_name)) {
+            corner.reflectance = reflectance;
+            *index++ = vertices.index_of(corner);
+        }
+        scene.mesh.add_triangle(indices);
     }
 }
 
@@ -248,9 +252,10 @@ Scene parse_scene(std::string_view text, const std::string& path,
     PointSets sets;
     section("points",
             [&](const TomlInput& table) { sets = read_points(table, scene.space, transform); });
+    VertexJoin vertices(scene.mesh);
     for_each_table(input, "part", "part",
-                   [&](const TomlInput& table) { read_part(table, sets, scene); });
-    if (scene.triangles.empty()) input.fail("the scene has no triangles.");
+                   [&](const TomlInput& table) { read_part(table, sets, vertices, scene); });
+    if (scene.triangle_count() == 0) input.fail("the scene has no triangles.");
     for_each_table(input, "example", "example", [&](const TomlInput& table) {
         if (scene.space != SceneSpace::pixels) {
             table.fail("examples belong to a scene with space = \"pixels\".");

@@ -1,5 +1,7 @@
 #include "scene/scene.h"
 
+#include <algorithm>
+
 #include <glm/geometric.hpp>
 
 namespace rasterwalk {
@@ -10,8 +12,19 @@ glm::vec3 face_normal(const glm::vec3& v0, const glm::vec3& v1, const glm::vec3&
     return length > 0.0f ? across / length : glm::vec3(0.0f);
 }
 
+std::array<Vertex, triangle_corners> corners_of(const Scene& scene, int triangle) {
+    return {scene.corner(triangle, 0), scene.corner(triangle, 1), scene.corner(triangle, 2)};
+}
+
+int part_of(const Scene& scene, int triangle) {
+    const auto behind =
+        std::upper_bound(scene.parts.begin(), scene.parts.end(), triangle,
+                         [](int number, const Part& part) { return number < part.first_triangle; });
+    return static_cast<int>(behind - scene.parts.begin()) - 1;
+}
+
 const std::string& part_name(const Scene& scene, int triangle) {
-    return scene.parts[scene.triangles[triangle].part].name;
+    return scene.parts[static_cast<std::size_t>(part_of(scene, triangle))].name;
 }
 
 } // namespace rasterwalk

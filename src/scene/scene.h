@@ -7,29 +7,11 @@
 
 #include <glm/vec3.hpp>
 
+#include "scene/mesh.h"
+
 namespace rasterwalk {
 
-/// A corner of a triangle as the scene gives it. World space: x right, y down, z into the picture.
-struct Vertex {
-    glm::vec3 position{0.0f}; ///< world units; in a scene in pixel space: column, row, depth z > 0
-    glm::vec3 normal{0.0f};   ///< unit length, world space
-    glm::vec3 reflectance{1.0f}; ///< share of light given back, red green blue, 0..1
-
-    friend bool operator==(const Vertex&, const Vertex&) = default;
-};
-
-/// Corners of a triangle as the scene gives it. What is drawn of it may have more, or none.
-inline constexpr int triangle_corners = 3;
-
-/// Three vertices; the order of the list of triangles is the order of drawing.
-struct Triangle {
-    std::array<Vertex, triangle_corners> vertices;
-    int part = 0; ///< index into Scene::parts
-
-    friend bool operator==(const Triangle&, const Triangle&) = default;
-};
-
-/// A named group of triangles ("tall block").
+/// A named group of triangles ("tall block") that follow each other in the mesh.
 struct Part {
     std::string name;
     int first_triangle = 0;
@@ -86,13 +68,17 @@ struct Scene {
     std::string name;
     std::string path; ///< the file it came from; empty for a scene made in memory
     SceneSpace space = SceneSpace::world;
-    std::vector<Part> parts;
-    std::vector<Triangle> triangles;
+    Mesh mesh;
+    std::vector<Part> parts; ///< one after another: every triangle belongs to one of them
     std::vector<BenchExample> examples;
     Camera camera;
     Light light;
     Viewport viewport;
     std::string stage; ///< name of the stage the scene asks for; empty: no wish
+
+    int triangle_count() const { return mesh.triangle_count(); }
+    /// A corner of a triangle: 0, 1 or 2.
+    const Vertex& corner(int triangle, int i) const { return mesh.corner(triangle, i); }
 
     friend bool operator==(const Scene&, const Scene&) = default;
 };
@@ -100,6 +86,12 @@ struct Scene {
 /// normalize(cross(v2 - v0, v1 - v0)): out of the blocks and into the room; zero for a triangle
 /// without area.
 glm::vec3 face_normal(const glm::vec3& v0, const glm::vec3& v1, const glm::vec3& v2);
+
+/// All corners of a triangle, in order.
+std::array<Vertex, triangle_corners> corners_of(const Scene& scene, int triangle);
+
+/// The part that a triangle belongs to, as an index of Scene::parts; -1 for a scene without parts.
+int part_of(const Scene& scene, int triangle);
 
 /// The name of the part that a triangle belongs to.
 const std::string& part_name(const Scene& scene, int triangle);

@@ -50,6 +50,12 @@ std::optional<glm::vec3> parse_position(std::string_view text) {
     return x && y && z ? std::optional(glm::vec3(*x, *y, *z)) : std::nullopt;
 }
 
+/// Puts all three corners of a triangle elsewhere.
+void put_corners(Scene& scene, int triangle, const std::array<glm::vec3, 3>& positions) {
+    for (int v = 0; v < triangle_corners; ++v)
+        scene.mesh.place_corner(triangle, v, positions[static_cast<std::size_t>(v)]);
+}
+
 } // namespace
 
 bool is_bench(const Scene& scene) {
@@ -60,9 +66,10 @@ void move_bench_vertex(Session& session, int triangle, int vertex, glm::ivec2 pi
     if (!is_bench(*session.scene)) return;
     const int limit = static_cast<int>(max_pixel_distance);
     Scene scene = *session.scene;
-    glm::vec3& position = scene.triangles[triangle].vertices[vertex].position;
+    glm::vec3 position = scene.corner(triangle, vertex).position;
     position.x = static_cast<float>(std::clamp(pixel.x, -limit, limit));
     position.y = static_cast<float>(std::clamp(pixel.y, -limit, limit));
+    scene.mesh.place_corner(triangle, vertex, position);
     session.scene = std::make_shared<const Scene>(std::move(scene));
 }
 
@@ -99,30 +106,28 @@ void place_triangle(Session& session, const PlacedTriangle& placed) {
             fmt::format("only the vertices of a scene in pixels can be put elsewhere; {} is none.",
                         in_quotes(session.scene->name)));
     }
-    const auto count = session.scene->triangles.size();
-    const auto index = static_cast<std::size_t>(placed.triangle);
-    if (index >= count) {
+    const int count = session.scene->triangle_count();
+    if (placed.triangle < 0 || placed.triangle >= count) {
         throw UsageError(
             fmt::format("there is no triangle {} to put elsewhere: the triangles are 0 to {}.",
                         placed.triangle, count - 1));
     }
     Scene scene = *session.scene;
-    for (std::size_t v = 0; v < 3; ++v)
-        scene.triangles[index].vertices[v].position = placed.positions[v];
+    put_corners(scene, placed.triangle, placed.positions);
     session.scene = std::make_shared<const Scene>(std::move(scene));
 }
 
 std::vector<PlacedTriangle> moved_triangles(const Scene& scene, const Scene& original) {
     std::vector<PlacedTriangle> moved;
-    if (!is_bench(scene) || scene.triangles.size() != original.triangles.size()) return moved;
-    for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
+    if (!is_bench(scene) || scene.triangle_count() != original.triangle_count()) return moved;
+    for (int t = 0; t < scene.triangle_count(); ++t) {
         PlacedTriangle placed;
-        placed.triangle = static_cast<int>(t);
+        placed.triangle = t;
         bool is_moved = false;
-        for (std::size_t v = 0; v < 3; ++v) {
-            placed.positions[v] = scene.triangles[t].vertices[v].position;
-            is_moved =
-                is_moved || placed.positions[v] != original.triangles[t].vertices[v].position;
+        for (int v = 0; v < triangle_corners; ++v) {
+            const glm::vec3& position = scene.corner(t, v).position;
+            placed.positions[static_cast<std::size_t>(v)] = position;
+            is_moved = is_moved || position != original.corner(t, v).position;
         }
         if (is_moved) moved.push_back(placed);
     }
@@ -130,10 +135,9 @@ std::vector<PlacedTriangle> moved_triangles(const Scene& scene, const Scene& ori
 }
 
 void show_bench_example(Session& session, const BenchExample& example) {
-    if (!is_bench(*session.scene) || session.scene->triangles.empty()) return;
+    if (!is_bench(*session.scene) || session.scene->triangle_count() == 0) return;
     Scene scene = *session.scene;
-    for (int v = 0; v < 3; ++v)
-        scene.triangles[0].vertices[v].position = example.positions[v];
+    put_corners(scene, 0, example.positions);
     session.scene = std::make_shared<const Scene>(std::move(scene));
     session.cursor = cursor_end;
     session.play.running = false;

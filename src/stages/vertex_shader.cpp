@@ -39,6 +39,7 @@ Varyings start_varyings(const Vertex& vertex, const VertexRules& rules, const St
     varyings.position_world = vertex.position;
     varyings.normal = vertex.normal;
     varyings.colour = vertex.reflectance;
+    varyings.texcoord = vertex.texcoord;
     if (rules.shading == Shading::gouraud) {
         varyings.illumination =
             stages.reflected_light(vertex.position, vertex.normal, vertex.reflectance, rules.light)

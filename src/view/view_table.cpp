@@ -165,7 +165,7 @@ ViewField pixel_field() {
 }
 
 int triangles_of(const Session& session) {
-    return static_cast<int>(session.scene->triangles.size());
+    return session.scene->triangle_count();
 }
 
 int rows_of(const Session& session) {

@@ -108,9 +108,9 @@ TEST_CASE("The view options set the session, and the more exact one wins") {
 
 TEST_CASE("Without a command the window is asked for, on the lab's room or on the file named") {
     CHECK(run({}).request.open_window);
-    CHECK(run({}).request.session.scene->triangles.size() == 30);
-    CHECK(run({bench}).request.session.scene->triangles.size() == 1);
-    CHECK(run({"--scene", bench}).request.session.scene->triangles.size() == 1);
+    CHECK(run({}).request.session.scene->triangle_count() == 30);
+    CHECK(run({bench}).request.session.scene->triangle_count() == 1);
+    CHECK(run({"--scene", bench}).request.session.scene->triangle_count() == 1);
     CHECK_FALSE(run({"stats"}).request.open_window);
     CHECK_FALSE(run({"--help"}).request.open_window);
 }

@@ -49,8 +49,7 @@ std::map<Cursor, Seen> everything(const Frame& frame, bool with_light, bool as_s
     std::map<Cursor, Seen> all;
     for (const Recorder::VertexEvent& event : recorder.vertices) {
         std::vector<std::uint32_t>& work = all[event.cursor].work;
-        const Vertex& vertex =
-            frame.scene->triangles[event.cursor.triangle].vertices[event.cursor.index];
+        const Vertex& vertex = frame.scene->corner(event.cursor.triangle, event.cursor.index);
         work = {bits(event.vertex.column), bits(event.vertex.row), bits(event.vertex.inv_w)};
         if (with_light) {
             add(work, reflected_light(vertex.position, vertex.normal, vertex.reflectance,

@@ -175,7 +175,8 @@ TEST_CASE("Every number of every vertex of the room follows from what its formul
                                                         std::to_string(t) + "/v" +
                                                         std::to_string(v));
                     if (report.shaded.rejection != Rejection::none) continue;
-                    const ScreenVertex& drawn = frame.vertices[static_cast<std::size_t>(3 * t + v)];
+                    const ScreenVertex& drawn =
+                        frame.triangle_vertices(t)[static_cast<std::size_t>(v)];
                     const auto shows = [&](const char* id, float number) {
                         const Formula* const f = find_formula(report.formulas, id);
                         return f != nullptr && same_bits(f->result.value, number);
@@ -200,7 +201,7 @@ TEST_CASE("The light that a vertex reports is the light that it carries") {
         for (int v = 0; v < 3; ++v) {
             const VertexReport report = vertex_report(frame, t, v);
             const glm::vec3& carried =
-                frame.vertices[static_cast<std::size_t>(3 * t + v)].varyings.illumination;
+                frame.triangle_vertices(t)[static_cast<std::size_t>(v)].varyings.illumination;
             if (!same_bits(report.light.reflected, carried)) {
                 FAIL("t" << t << "/v" << v << " reports another light than it carries");
             }
@@ -222,7 +223,7 @@ TEST_CASE("Other roundings and the other convention are what drawing by them wou
             Settings other = settings;
             set_rounding(other, rounding);
             const Frame drawn = prepare_frame(room, other);
-            const ScreenVertex& pixel = drawn.vertices[static_cast<std::size_t>(3 * t)];
+            const ScreenVertex& pixel = drawn.triangle_vertices(t)[0];
             const ShadedVertex& shaded = report.by_rounding[static_cast<std::size_t>(rounding)];
             CHECK(shaded.pixel.column == pixel.column);
             CHECK(vertex_number(shaded, "pixel.row").value == static_cast<float>(pixel.row));

@@ -256,9 +256,7 @@ class RayCaster {
 
   private:
     glm::dvec3 corner(int triangle, int v) const {
-        return glm::dvec3(scene_.triangles[static_cast<std::size_t>(triangle)]
-                              .vertices[static_cast<std::size_t>(v)]
-                              .position);
+        return glm::dvec3(scene_.corner(triangle, v).position);
     }
     const Scene& scene_;
     const Settings& settings_;
@@ -416,7 +414,7 @@ TEST_CASE("Every fragment of a small scene has a report, also where values are o
     for (const test::Variant& variant : test::rule_variants()) {
         Settings settings = default_settings(scene);
         variant.apply(settings);
-        settings.light.position = scene.triangles[0].vertices[0].position; // the lamp on a vertex
+        settings.light.position = scene.corner(0, 0).position; // the lamp on a vertex
         const Frame frame = prepare_frame(scene, settings);
         for (const FragmentEvent& event : some_fragments(frame, 1'000'000)) {
             const std::string where = variant.name + ": " + to_text(event.cursor) + " ";

@@ -362,16 +362,20 @@ Scene small_world() {
     scene.space = SceneSpace::world;
     scene.camera = {{0.0f, 0.0f, 0.0f}, 0.0f, 0.0f, 10.0f};
     const glm::vec2 middle(scene.viewport.width / 2, scene.viewport.height / 2);
-    for (Triangle& triangle : scene.triangles) {
-        for (Vertex& vertex : triangle.vertices) {
-            const glm::vec3 p = vertex.position;
-            vertex.position.x = (p.x - middle.x) * p.z / scene.camera.focal_length;
-            vertex.position.y = (p.y - middle.y) * p.z / scene.camera.focal_length;
+    for (int t = 0; t < scene.triangle_count(); ++t) {
+        for (int v = 0; v < triangle_corners; ++v) {
+            const glm::vec3 p = scene.corner(t, v).position;
+            scene.mesh.place_corner(t, v,
+                                    {(p.x - middle.x) * p.z / scene.camera.focal_length,
+                                     (p.y - middle.y) * p.z / scene.camera.focal_length, p.z});
         }
     }
     // Of these the corners go round the other way.
-    for (const std::size_t turned : {1U, 7U})
-        std::swap(scene.triangles[turned].vertices[1], scene.triangles[turned].vertices[2]);
+    for (const int turned : {1, 7}) {
+        const glm::vec3 second = scene.corner(turned, 1).position;
+        scene.mesh.place_corner(turned, 1, scene.corner(turned, 2).position);
+        scene.mesh.place_corner(turned, 2, second);
+    }
     return scene;
 }
 
@@ -417,9 +421,8 @@ TEST_CASE("Clipping and culling show in polygons, reports and counts") {
     LeftOut expected;
     int quadrilaterals = 0;
     for (int t = 0; t < frame.triangle_count(); ++t) {
-        const Triangle& triangle = scene.triangles[static_cast<std::size_t>(t)];
         std::vector<ClipVertex> corners;
-        for (const Vertex& vertex : triangle.vertices) {
+        for (const Vertex& vertex : corners_of(scene, t)) {
             corners.push_back(vertex_shader(vertex, camera_rotation(settings.camera),
                                             vertex_rules(settings, scene.space), {}, nullptr));
         }

@@ -107,7 +107,7 @@ std::vector<LightTerms> lights_of(const Frame& frame, const LightRules& rules) {
     std::vector<LightTerms> lights(framebuffer.colour.size());
     for (const FragmentEvent& event : recorder.fragments) {
         if (event.fate != Fate::written) continue;
-        const Vertex& corner = frame.scene->triangles[event.cursor.triangle].vertices[0];
+        const Vertex& corner = frame.scene->corner(event.cursor.triangle, 0);
         lights[framebuffer.at(event.fragment.column, event.fragment.row)] = reflected_light(
             recover_varyings(event.fragment, frame.settings.interpolation).position_world,
             corner.normal, corner.reflectance, frame.settings.light, rules);
@@ -580,7 +580,7 @@ TEST_CASE("B21: the colour is the direct light plus the reflectance") {
     for (std::size_t i = 0; i < runs.pixel_count(); ++i) {
         const int owner = runs.wrong_picture.owner[i];
         if (owner < 0) continue;
-        const glm::vec3& rho = runs.session.scene->triangles[owner].vertices[0].reflectance;
+        const glm::vec3& rho = runs.session.scene->corner(owner, 0).reflectance;
         if (runs.wrong_picture.colour[i] != right[i].direct + rho) FAIL("pixel " << i);
     }
 }

@@ -15,7 +15,7 @@ namespace {
 /// Number of the part that a ray through the pixel meets first; -1: none.
 int part_seen(const RayCaster& rays, const Scene& scene, double column, double row) {
     const std::vector<RayHit> hits = rays.hits({column - 250.0, row - 250.0});
-    return hits.empty() ? -1 : scene.triangles[static_cast<std::size_t>(hits[0].triangle)].part;
+    return hits.empty() ? -1 : part_of(scene, hits[0].triangle);
 }
 
 /// Is the part seen anywhere in the square of two pixels around? So far off its true place may a
@@ -40,15 +40,15 @@ TEST_CASE("In the scene made for it linear z picks the wrong surface, and 1/z th
     const Framebuffer wrong = draw_frame(prepare_frame(scene, settings));
 
     const RayCaster rays(scene, settings.camera, settings.light);
-    const auto part_of = [&](int triangle) {
-        return triangle < 0 ? -1 : scene.triangles[static_cast<std::size_t>(triangle)].part;
+    const auto part_drawn = [&](int triangle) {
+        return triangle < 0 ? -1 : part_of(scene, triangle);
     };
     int differ = 0, right_at_pixel = 0, wrong_at_pixel = 0;
     for (int row = 0; row < 500; ++row) {
         for (int column = 0; column < 500; ++column) {
             const std::size_t at = right.at(column, row);
-            const int by_inverse_z = part_of(right.owner[at]);
-            const int by_linear_z = part_of(wrong.owner[at]);
+            const int by_inverse_z = part_drawn(right.owner[at]);
+            const int by_linear_z = part_drawn(wrong.owner[at]);
             if (by_inverse_z == by_linear_z) continue;
             ++differ;
             const int seen = part_seen(rays, scene, column, row);

@@ -108,7 +108,7 @@ TEST_CASE("Two mistakes are found one after the other") {
 TEST_CASE("A scene in which nothing shows has no quiz") {
     Session session = small_room();
     Scene empty = *session.scene;
-    empty.triangles.clear();
+    empty.mesh = {};
     empty.parts.clear();
     set_scene(session, empty);
     const Settings before = session.a.settings;

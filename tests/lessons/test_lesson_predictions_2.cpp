@@ -319,10 +319,12 @@ PREDICTIONS_TEST("Lesson 12: samples outside, counted by a loop of its own", "12
     };
     const auto count_outside = [&](bool down) {
         int outside = 0;
-        for (const Triangle& triangle : asked.session.scene->triangles) {
+        const Scene& room = *asked.session.scene;
+        for (int t = 0; t < room.triangle_count(); ++t) {
             std::array<glm::ivec2, 3> pixels;
             for (std::size_t v = 0; v < 3; ++v) {
-                const glm::dvec2 place = projected(triangle.vertices[v].position) - 250.0;
+                const glm::dvec2 place =
+                    projected(room.corner(t, static_cast<int>(v)).position) - 250.0;
                 pixels[v] = {whole(place.x, down) + 250, whole(place.y, down) + 250};
             }
             const auto [top, bottom] = std::minmax({pixels[0].y, pixels[1].y, pixels[2].y});
@@ -368,8 +370,7 @@ PREDICTIONS_TEST("Lesson 13: the causes of four pictures", "13-reading-a-bug", "
 
     // The side of the tall block at pixel (155, 300) faces away from the lamp.
     const RayHit side = RayCaster(room, room.camera, room.light).hits({155 - 250, 300 - 250})[0];
-    const glm::dvec3 normal =
-        room.triangles[static_cast<std::size_t>(side.triangle)].vertices[0].normal;
+    const glm::dvec3 normal = room.corner(side.triangle, 0).normal;
     CHECK(glm::dot(glm::dvec3(room_lamp_x, room_lamp_y, room_lamp_z) - side.position_world,
                    normal) < 0.0);
     CHECK(asked.choice("which-factor") == 1);

@@ -164,9 +164,8 @@ TEST_CASE("A second run is what the command line says, or the lesson, or the bug
 TEST_CASE("The vertices of a bench can be said") {
     const std::vector<std::string> bench{"--scene", "scenes/one-triangle.toml"};
     const auto placed = [&](const std::string& text) {
-        return opened({"--scene", "scenes/one-triangle.toml", "--vertices", text})
-            .scene->triangles[0]
-            .vertices;
+        const Session session = opened({"--scene", "scenes/one-triangle.toml", "--vertices", text});
+        return corners_of(*session.scene, 0);
     };
     CHECK(placed("1,2/3.5,4/-5,6,2")[0].position == glm::vec3(1, 2, 1));
     CHECK(placed("1,2/3.5,4/-5,6,2")[1].position == glm::vec3(3.5f, 4, 1));

@@ -45,8 +45,8 @@ std::size_t pixel_of(const Frame& frame, const Fragment& f) {
 /// By the definition: two vertices in the same places, the third ones on different sides of the
 /// line through them in the picture.
 bool are_neighbours(const Frame& frame, int s, int t) {
-    const auto& p = frame.scene->triangles[s].vertices;
-    const auto& q = frame.scene->triangles[t].vertices;
+    const auto p = corners_of(*frame.scene, s);
+    const auto q = corners_of(*frame.scene, t);
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j) {
             for (const int way : {1, 2}) {

@@ -20,13 +20,37 @@ TEST_CASE("A frame holds what the vertex shader says of each vertex, three for e
     for (int t = 0; t < 30; ++t) {
         CHECK(frame.is_drawn(t));
         for (std::size_t v = 0; v < 3; ++v) {
-            const Vertex& vertex = room.triangles[static_cast<std::size_t>(t)].vertices[v];
+            const Vertex& vertex = room.corner(t, static_cast<int>(v));
             const ShadedVertex shaded =
                 shade_vertex(vertex, camera_rotation(settings.camera), rules, {});
             CAPTURE(t, v);
             CHECK(same_bits(frame.triangle_vertices(t)[v], shaded.pixel));
         }
     }
+}
+
+TEST_CASE("A frame in place of another has nothing of the other") {
+    const Scene room = lab_room(), small = small_scene();
+    const Settings of_room = default_settings(room);
+    const auto is_same = [](const Frame& a, const Frame& b) {
+        bool same = a.scene == b.scene && a.settings == b.settings && a.stages == b.stages &&
+                    a.polygons == b.polygons && a.vertices.size() == b.vertices.size();
+        for (std::size_t i = 0; same && i < a.vertices.size(); ++i)
+            same = same_bits(a.vertices[i], b.vertices[i]);
+        return same;
+    };
+    Frame frame;
+    for (const Scene* scene : {&room, &small, &room}) {
+        Settings settings = default_settings(*scene);
+        settings.camera.yaw += 0.1f;
+        prepare_frame(*scene, settings, nullptr, frame);
+        CHECK(is_same(frame, prepare_frame(*scene, settings)));
+    }
+    prepare_frame(
+        room, of_room, [](Stages&) {}, frame);
+    CHECK(frame.replace);
+    prepare_frame(room, of_room, nullptr, frame);
+    CHECK_FALSE(frame.replace);
 }
 
 TEST_CASE("A triangle with one faulty vertex is left out whole, for its first fault") {

@@ -95,7 +95,7 @@ std::vector<std::string> golden_lines() {
 
 TEST_CASE("The room has the handout's numbers at every stage that fills") {
     const Scene room = lab_room();
-    CHECK(room.triangles.size() == 30);
+    CHECK(room.triangle_count() == 30);
     for (const StripStep& stage : {StripStep{Stage::fill}, StripStep{Stage::depth},
                                    StripStep::vertex_light, StripStep::pixel_light}) {
         const Counts counts = draw_counted(frame_of(room, stage, rule_variants().front()));

@@ -27,7 +27,7 @@ constexpr float quarter_turn = 1.57079633f;
 /// A camera anywhere: at random, on a vertex, in the middle of a triangle, or a hair beside them.
 Camera hostile_camera(const Scene& room, Random& random) {
     Camera camera;
-    const auto& corners = room.triangles[static_cast<std::size_t>(random.integer(0, 29))].vertices;
+    const auto corners = corners_of(room, random.integer(0, 29));
     switch (random.integer(0, 5)) {
     case 0:
         camera.position = {random.number(-1, 1), random.number(-1, 1), random.number(-1, 1)};
@@ -176,7 +176,7 @@ TEST_CASE("Triangles are left out for the reasons that double precision finds, a
         for (int t = 0; t < 30; ++t) {
             Rejection expected = Rejection::none;
             bool certain = true;
-            for (const Vertex& vertex : room.triangles[static_cast<std::size_t>(t)].vertices) {
+            for (const Vertex& vertex : corners_of(room, t)) {
                 const glm::dvec3 moved = glm::dvec3(vertex.position) - glm::dvec3(camera.position);
                 const double depth = moved.x * sy + moved.z * cy;
                 const double x = moved.x * cy - moved.z * sy;

@@ -56,7 +56,7 @@ struct Expected {
 
 TEST_CASE("The lab's room gives the numbers that were found independently of this program") {
     const Scene scene = read_scene(lessons_folder() + "/scenes/lab-room.toml");
-    CHECK(scene.triangles.size() == 30);
+    CHECK(scene.triangle_count() == 30);
     Settings settings = default_settings(scene);
     const Frame frame = prepare_frame(scene, settings);
     Framebuffer framebuffer;
@@ -70,7 +70,7 @@ TEST_CASE("The lab's room gives the numbers that were found independently of thi
 
 TEST_CASE("The lab's room has the handout's triangles in the handout's order") {
     const Scene scene = read_scene(lessons_folder() + "/scenes/lab-room.toml");
-    REQUIRE(scene.triangles.size() == 30);
+    REQUIRE(scene.triangle_count() == 30);
     const std::vector<Expected> table{
         {0, "floor", {{{555, 0, 555}, {0, 0, 0}, {555, 0, 0}}}, {.15f, .75f, .15f}},
         {3, "left wall", {{{555, 0, 555}, {555, 555, 0}, {555, 555, 555}}}, {.75f, .15f, .75f}},
@@ -85,16 +85,16 @@ TEST_CASE("The lab's room has the handout's triangles in the handout's order") {
     };
     for (const Expected& expected : table) {
         INFO("triangle " << expected.number);
-        const Triangle& triangle = scene.triangles[static_cast<std::size_t>(expected.number)];
         CHECK(part_name(scene, expected.number) == expected.part);
-        for (std::size_t v = 0; v < 3; ++v) {
+        for (int v = 0; v < 3; ++v) {
             INFO("vertex " << v);
-            const glm::vec3& p = expected.points[v];
+            const Vertex& vertex = scene.corner(expected.number, v);
+            const glm::vec3& p = expected.points[static_cast<std::size_t>(v)];
             const glm::vec3 scaled{1 - 2 * p.x / 555, 1 - 2 * p.y / 555, 2 * p.z / 555 - 1};
-            CHECK(triangle.vertices[v].position.x == scaled.x);
-            CHECK(triangle.vertices[v].position.y == scaled.y);
-            CHECK(triangle.vertices[v].position.z == scaled.z);
-            CHECK(triangle.vertices[v].reflectance == expected.reflectance);
+            CHECK(vertex.position.x == scaled.x);
+            CHECK(vertex.position.y == scaled.y);
+            CHECK(vertex.position.z == scaled.z);
+            CHECK(vertex.reflectance == expected.reflectance);
         }
     }
 }
@@ -112,22 +112,22 @@ TEST_CASE("The lab's room opens with the handout's camera, light and window") {
 TEST_CASE("Normals point into the room from its walls and out of the blocks") {
     const Scene scene = read_scene(lessons_folder() + "/scenes/lab-room.toml");
     // Up is -y: the floor's normal, and that of both blocks' tops.
-    for (const std::size_t t : {0u, 1u, 18u, 19u, 28u, 29u}) {
+    for (const int t : {0, 1, 18, 19, 28, 29}) {
         INFO("triangle " << t);
-        CHECK(scene.triangles[t].vertices[0].normal.y == Approx(-1.0f));
+        CHECK(scene.corner(t, 0).normal.y == Approx(-1.0f));
     }
-    CHECK(scene.triangles[2].vertices[0].normal.x == Approx(1.0f));
-    CHECK(scene.triangles[4].vertices[0].normal.x == Approx(-1.0f));
-    CHECK(scene.triangles[8].vertices[0].normal.z == Approx(-1.0f));
+    CHECK(scene.corner(2, 0).normal.x == Approx(1.0f));
+    CHECK(scene.corner(4, 0).normal.x == Approx(-1.0f));
+    CHECK(scene.corner(8, 0).normal.z == Approx(-1.0f));
 }
 
 TEST_CASE("The bench opens with the lab's triangle in pixels and offers ten others") {
     const Scene scene = read_scene(lessons_folder() + "/scenes/one-triangle.toml");
     CHECK(scene.space == SceneSpace::pixels);
-    REQUIRE(scene.triangles.size() == 1);
-    CHECK(scene.triangles[0].vertices[0].position == glm::vec3(10, 5, 1));
-    CHECK(scene.triangles[0].vertices[1].position == glm::vec3(5, 10, 1));
-    CHECK(scene.triangles[0].vertices[2].position == glm::vec3(15, 15, 1));
+    REQUIRE(scene.triangle_count() == 1);
+    CHECK(scene.corner(0, 0).position == glm::vec3(10, 5, 1));
+    CHECK(scene.corner(0, 1).position == glm::vec3(5, 10, 1));
+    CHECK(scene.corner(0, 2).position == glm::vec3(15, 15, 1));
     CHECK(scene.examples.size() == 11);
     CHECK(scene.stage == "rows");
 }
@@ -139,9 +139,8 @@ TEST_CASE("The bench's smallest case of a lost end point does leave its table") 
                      [](const BenchExample& e) { return e.name == "A sample outside"; });
     REQUIRE(found != scene.examples.end());
     Scene bench = scene;
-    for (std::size_t v = 0; v < 3; ++v) {
-        bench.triangles[0].vertices[v].position = found->positions[v];
-    }
+    for (int v = 0; v < 3; ++v)
+        bench.mesh.place_corner(0, v, found->positions[static_cast<std::size_t>(v)]);
     const Settings settings = default_settings(bench);
     Framebuffer framebuffer;
     clear(framebuffer, settings.viewport);
@@ -150,9 +149,9 @@ TEST_CASE("The bench's smallest case of a lost end point does leave its table") 
 
 TEST_CASE("A small scene is read as it is written") {
     const Scene scene = parse_scene(start + part, "s.toml");
-    REQUIRE(scene.triangles.size() == 1);
-    CHECK(scene.triangles[0].vertices[1].position == glm::vec3(0.5f, -1.0f, 2.0f));
-    CHECK(scene.triangles[0].vertices[1].reflectance == glm::vec3(1.0f));
+    REQUIRE(scene.triangle_count() == 1);
+    CHECK(scene.corner(0, 1).position == glm::vec3(0.5f, -1.0f, 2.0f));
+    CHECK(scene.corner(0, 1).reflectance == glm::vec3(1.0f));
     CHECK(scene.parts.at(0).name == "q");
     CHECK(scene.space == SceneSpace::world);
     CHECK(scene.path == "s.toml");
@@ -235,9 +234,8 @@ TEST_CASE("A pixel scene takes columns and rows and refuses what no picture has"
         return "name = \"s\"\nspace = \"pixels\"\n[points.p]\nA = " + point +
                "\nB = [1, 1]\nC = [2, 5, 0.5]\n" + part;
     };
-    CHECK(parse_scene(pixels("[3, 4]"), "s").triangles[0].vertices[0].position ==
-          glm::vec3(3, 4, 1));
-    CHECK(parse_scene(pixels("[3, 4]"), "s").triangles[0].vertices[2].position.z == 0.5f);
+    CHECK(parse_scene(pixels("[3, 4]"), "s").corner(0, 0).position == glm::vec3(3, 4, 1));
+    CHECK(parse_scene(pixels("[3, 4]"), "s").corner(0, 2).position.z == 0.5f);
     CHECK(refusal(pixels("[3, 4, 0]")).substr(0, 9) == "s.toml:4:");
     CHECK(refusal(pixels("[20000, 4]")).substr(0, 9) == "s.toml:4:");
     CHECK(refusal(pixels("[3]")).substr(0, 9) == "s.toml:4:");

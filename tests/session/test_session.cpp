@@ -43,7 +43,7 @@ class Environment {
 TEST_CASE("A session opens at the end of the scene, with the scene's view and the presets") {
     const Session session = open_session(room_file);
     REQUIRE(session.scene);
-    CHECK(session.scene->triangles.size() == 30);
+    CHECK(session.scene->triangle_count() == 30);
     CHECK(session.presets.size() == 3);
     CHECK(session.cursor == cursor_end);
     CHECK(step_of(session.a.settings) == StripStep::pixel_light);

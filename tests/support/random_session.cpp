@@ -78,7 +78,7 @@ void select_some(Random& random, Session& session) {
                                          : std::optional(random.integer(0, count - 1));
     };
     Selection& selection = session.selection;
-    selection.triangle = maybe(static_cast<int>(session.scene->triangles.size()));
+    selection.triangle = maybe(session.scene->triangle_count());
     selection.vertex = maybe(3);
     selection.row = maybe(size.height);
     selection.pixel = std::nullopt;
@@ -114,7 +114,7 @@ Session random_session(Random& random) {
     Session session = started(random);
     if (random.integer(0, 3) > 0) change_some(random, session.a.settings, random.integer(1, 20));
     for (int i = 0; is_bench(*session.scene) && i < random.integer(0, 3); ++i) {
-        const int last = static_cast<int>(session.scene->triangles.size()) - 1;
+        const int last = session.scene->triangle_count() - 1;
         move_bench_vertex(session, random.integer(0, last), random.integer(0, 2),
                           {random.integer(-30, 60), random.integer(-30, 60)});
     }

@@ -34,14 +34,14 @@ RayCaster::RayCaster(const Scene& scene, const Camera& camera, const Light& ligh
     : scene_(scene), eye_(camera.position), yaw_(camera.yaw), pitch_(camera.pitch),
       focal_length_(camera.focal_length), lamp_(light.position), power_(light.power),
       indirect_(light.indirect) {
-    for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
+    for (int t = 0; t < scene.triangle_count(); ++t) {
         glm::dvec3 p[3];
-        for (std::size_t v = 0; v < 3; ++v)
-            p[v] = scene.triangles[t].vertices[v].position;
+        for (int v = 0; v < 3; ++v)
+            p[v] = scene.corner(t, v).position;
         Corners corners{p[0], p[1] - p[0], p[2] - p[0], {}, {}};
         corners.normal = glm::cross(corners.ab, corners.ac);
         for (int v = 0; v < 3; ++v)
-            corners.light[v] = this->light(static_cast<int>(t), v, p[v]);
+            corners.light[v] = this->light(t, v, p[v]);
         triangles_.push_back(corners);
         for (std::size_t v = 0; v < 3; ++v)
             edges_.push_back({seen_at(p[v]), seen_at(p[(v + 1) % 3])});
@@ -95,8 +95,7 @@ std::vector<RayHit> RayCaster::hits(glm::dvec2 place) const {
 }
 
 glm::dvec3 RayCaster::light(int triangle, int vertex, const glm::dvec3& position_world) const {
-    const Vertex& corner = scene_.triangles[static_cast<std::size_t>(triangle)]
-                               .vertices[static_cast<std::size_t>(vertex)];
+    const Vertex& corner = scene_.corner(triangle, vertex);
     const double pi = std::acos(-1.0);
     const glm::dvec3 ray = lamp_ - position_world;
     const double r = glm::length(ray);

@@ -24,17 +24,16 @@ Scene pixel_scene(const std::vector<std::array<glm::vec3, 3>>& triangles, Viewpo
     // A lamp in front of the picture, strong enough to make every pixel another colour.
     scene.light = {{8.0f, 6.0f, -5.0f}, {900.0f, 700.0f, 500.0f}, {0.1f, 0.2f, 0.3f}};
     for (const auto& corners : triangles) {
-        const int number = static_cast<int>(scene.triangles.size());
-        Triangle triangle;
+        const int number = scene.triangle_count();
+        std::array<Vertex, triangle_corners> vertices;
         for (std::size_t v = 0; v < 3; ++v) {
-            triangle.vertices[v] = pixel_vertex(corners[v].x, corners[v].y, corners[v].z);
-            triangle.vertices[v].reflectance = {0.2f + 0.1f * static_cast<float>(number % 7),
-                                                0.9f - 0.1f * static_cast<float>(number % 5),
-                                                0.3f + 0.2f * static_cast<float>(v)};
+            vertices[v] = pixel_vertex(corners[v].x, corners[v].y, corners[v].z);
+            vertices[v].reflectance = {0.2f + 0.1f * static_cast<float>(number % 7),
+                                       0.9f - 0.1f * static_cast<float>(number % 5),
+                                       0.3f + 0.2f * static_cast<float>(v)};
         }
-        triangle.part = number;
         scene.parts.push_back({"part " + std::to_string(number), number, 1});
-        scene.triangles.push_back(triangle);
+        scene.mesh.add_triangle_of(vertices);
     }
     return scene;
 }

@@ -27,13 +27,13 @@ Scene one_triangle() {
     scene.viewport = {60, 40};
     scene.camera = {{0.0f, 0.0f, -3.0f}, 0.0f, 0.0f, 40.0f};
     scene.parts.push_back({"wall", 0, 1});
-    Triangle triangle;
-    triangle.vertices[0].position = {-1.0f, -1.0f, 0.0f};
-    triangle.vertices[1].position = {2.0f, -0.8f, 2.0f};
-    triangle.vertices[2].position = {-0.5f, 1.0f, 0.5f};
-    for (Vertex& vertex : triangle.vertices)
+    std::array<Vertex, triangle_corners> corners;
+    corners[0].position = {-1.0f, -1.0f, 0.0f};
+    corners[1].position = {2.0f, -0.8f, 2.0f};
+    corners[2].position = {-0.5f, 1.0f, 0.5f};
+    for (Vertex& vertex : corners)
         vertex.normal = {0.0f, 0.0f, -1.0f};
-    scene.triangles.push_back(triangle);
+    scene.mesh.add_triangle_of(corners);
     return scene;
 }
 

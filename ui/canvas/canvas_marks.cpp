@@ -225,8 +225,8 @@ void draw_vertices(const Marks& m, int triangle, std::span<const ScreenVertex> v
     for (int v = 0; v < static_cast<int>(vertices.size()); ++v) {
         const ImVec2 pixel = m.at(vertices[v]);
         if (is_whole && frame.scene->space == SceneSpace::world) {
-            const ShadedVertex shaded = shade_vertex(frame.scene->triangles[triangle].vertices[v],
-                                                     rotation, rules, frame.stages);
+            const ShadedVertex shaded =
+                shade_vertex(frame.scene->corner(triangle, v), rotation, rules, frame.stages);
             const int middle_column = size.width / 2, middle_row = size.height / 2;
             // int() and floor() give the pixel i all that lies from i to i + 1; a pixel that is
             // rounded to has its number in its middle.
@@ -335,14 +335,14 @@ void draw_canvas_marks(const Ui& ui, const ShownRun& run, ImDrawList* list, ImVe
 }
 
 bool drag_bench_vertex(Ui& ui) {
-    if (!is_bench(*ui.session.scene) || ui.session.scene->triangles.empty()) return false;
+    if (!is_bench(*ui.session.scene) || ui.session.scene->triangle_count() == 0) return false;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const PicturePlace& place = ui.canvas.place;
     if (ImGui::IsMouseClicked(0)) {
         ui.canvas.dragged_vertex = -1;
         const float reach = std::max(10.0f * ui.options.text_scale, 0.6f * place.scale);
         for (int v = 0; v < triangle_corners; ++v) {
-            const glm::vec3 p = ui.session.scene->triangles[0].vertices[v].position;
+            const glm::vec3 p = ui.session.scene->corner(0, v).position;
             const ImVec2 at{place.origin.x + place.scale * (p.x + 0.5f),
                             place.origin.y + place.scale * (p.y + 0.5f)};
             if (std::hypot(at.x - mouse.x, at.y - mouse.y) < reach) ui.canvas.dragged_vertex = v;
@@ -355,8 +355,7 @@ bool drag_bench_vertex(Ui& ui) {
     }
     const glm::ivec2 pixel(std::floor((mouse.x - place.origin.x) / place.scale),
                            std::floor((mouse.y - place.origin.y) / place.scale));
-    const glm::vec3 now =
-        ui.session.scene->triangles[0].vertices[ui.canvas.dragged_vertex].position;
+    const glm::vec3 now = ui.session.scene->corner(0, ui.canvas.dragged_vertex).position;
     if (glm::ivec2(now.x, now.y) != pixel) {
         move_bench_vertex(ui.session, 0, ui.canvas.dragged_vertex, pixel);
     }

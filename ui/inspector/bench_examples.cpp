@@ -11,7 +11,7 @@ namespace rasterwalk {
 namespace {
 
 void edit_vertices(Ui& ui) {
-    const std::array<Vertex, 3> vertices = ui.session.scene->triangles[0].vertices;
+    const std::array<Vertex, 3> vertices = corners_of(*ui.session.scene, 0);
     const float width =
         (ImGui::GetContentRegionAvail().x - 2.0f * ImGui::GetStyle().ItemSpacing.x) / 3.0f;
     for (int v = 0; v < 3; ++v) {
@@ -36,7 +36,7 @@ const BenchExample* current_example(const Scene& scene) {
     for (const BenchExample& example : scene.examples) {
         bool same = true;
         for (int v = 0; v < 3; ++v) {
-            same = same && example.positions[v] == scene.triangles[0].vertices[v].position;
+            same = same && example.positions[v] == scene.corner(0, v).position;
         }
         if (same) return &example;
     }
@@ -47,7 +47,7 @@ const BenchExample* current_example(const Scene& scene) {
 
 void draw_bench_examples(Ui& ui) {
     const std::shared_ptr<const Scene> scene = ui.session.scene;
-    if (!is_bench(*scene) || scene->triangles.empty()) return;
+    if (!is_bench(*scene) || scene->triangle_count() == 0) return;
     const BenchExample* current = current_example(*scene);
     ImGui::SetNextItemWidth(-1.0f);
     const bool open =

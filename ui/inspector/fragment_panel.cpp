@@ -51,15 +51,15 @@ void draw_title(Ui& ui) {
     const FragmentReport& report = report_of(ui);
     const Palette& p = palette(ui.options.theme);
     const Scene& scene = *ui.results.a.scene;
-    const auto triangle = static_cast<std::size_t>(report.cursor.triangle);
+    const int triangle = report.cursor.triangle;
     ImGui::PushFont(ui.fonts.bold);
     ImGui::Text("Pixel %d, %d", report.pixel.x, report.pixel.y);
     ImGui::PopFont();
     name_widget(ui, "fragment.pixel", "Column and row of the picture on which the fragment fell.");
     ImGui::SameLine();
-    draw_swatch(ui, scene.triangles[triangle].vertices[0].reflectance);
+    draw_swatch(ui, scene.corner(triangle, 0).reflectance);
     ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
-    text_in(p.dim, part_name(scene, report.cursor.triangle));
+    text_in(p.dim, part_name(scene, triangle));
     name_widget(ui, "fragment.part", "The part of the scene that the triangle belongs to.");
     const bool is_done = ui.results.a.done == report.cursor;
     const bool can_follow = ui.session.selection.pixel && !is_done && ui.results.a.done &&

@@ -29,8 +29,10 @@ Session session_on(Scene scene) {
 /// Many triangles on the same few pixels.
 Scene pile(int triangles) {
     Scene scene = test::made_scene(triangles);
-    for (std::size_t i = 0; i < scene.triangles.size(); ++i)
-        scene.triangles[i] = scene.triangles[i % 3];
+    const Scene made = scene;
+    scene.mesh = {};
+    for (int i = 0; i < made.triangle_count(); ++i)
+        scene.mesh.add_triangle_of(corners_of(made, i % 3));
     return scene;
 }
 

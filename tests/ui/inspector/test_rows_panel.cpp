@@ -67,7 +67,7 @@ TEST_CASE("A write outside the table has a line of its own that leads to its sam
 TEST_CASE("A dragged bench vertex takes the row table with it") {
     Driver driver("one-triangle.toml");
     driver.hand.drag_picture(15, 15, 12, 18);
-    const glm::vec3 moved = driver.ui.session.scene->triangles[0].vertices[2].position;
+    const glm::vec3 moved = driver.ui.session.scene->corner(0, 2).position;
     CHECK(moved.x == 12.0f);
     CHECK(moved.y == 18.0f);
     CHECK(driver.ui.results.a.rows.rows.size() == 14);
@@ -84,8 +84,7 @@ TEST_CASE("The bench offers its examples") {
         driver.hand.click("bench.examples");
         driver.hand.click("bench.example." + example.name);
         for (int v = 0; v < 3; ++v) {
-            CHECK(driver.ui.session.scene->triangles[0].vertices[v].position ==
-                  example.positions[v]);
+            CHECK(driver.ui.session.scene->corner(0, v).position == example.positions[v]);
         }
     }
 }

@@ -1,0 +1,90 @@
+#include "scene/mesh.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <string>
+
+#include "base/error.h"
+
+namespace rasterwalk {
+
+namespace {
+
+constexpr std::size_t vertex_floats = 11;
+static_assert(sizeof(Vertex) == vertex_floats * sizeof(float),
+              "a vertex is compared by its bits: there must be none beside those of its numbers");
+
+std::array<std::uint32_t, vertex_floats> bits_of(const Vertex& vertex) {
+    return std::bit_cast<std::array<std::uint32_t, vertex_floats>>(vertex);
+}
+
+} // namespace
+
+int Mesh::add_vertex(const Vertex& vertex) {
+    vertices_.push_back(vertex);
+    return static_cast<int>(vertices_.size()) - 1;
+}
+
+void Mesh::add_triangle(const TriangleIndices& indices) {
+    for (const int index : indices) {
+        if (index < 0 || static_cast<std::size_t>(index) >= vertices_.size()) {
+            throw InputError("a triangle has the vertex " + std::to_string(index) +
+                             " of a mesh with " + std::to_string(vertices_.size()) + " vertices.");
+        }
+    }
+    triangles_.push_back(indices);
+}
+
+void Mesh::add_triangle_of(const std::array<Vertex, triangle_corners>& corners) {
+    TriangleIndices indices{};
+    std::transform(corners.begin(), corners.end(), indices.begin(),
+                   [this](const Vertex& vertex) { return add_vertex(vertex); });
+    triangles_.push_back(indices);
+}
+
+bool Mesh::is_shared(int vertex) const {
+    int corners = 0;
+    for (const TriangleIndices& indices : triangles_)
+        corners += static_cast<int>(std::count(indices.begin(), indices.end(), vertex));
+    return corners > 1;
+}
+
+void Mesh::place_corner(int triangle, int corner, const glm::vec3& position) {
+    int& index = triangles_[static_cast<std::size_t>(triangle)][static_cast<std::size_t>(corner)];
+    if (is_shared(index)) index = add_vertex(vertices_[static_cast<std::size_t>(index)]);
+    vertices_[static_cast<std::size_t>(index)].position = position;
+}
+
+bool operator==(const Mesh& a, const Mesh& b) {
+    if (a.triangle_count() != b.triangle_count()) return false;
+    for (int t = 0; t < a.triangle_count(); ++t) {
+        for (int i = 0; i < triangle_corners; ++i) {
+            if (!(a.corner(t, i) == b.corner(t, i))) return false;
+        }
+    }
+    return true;
+}
+
+std::size_t VertexJoin::BitsHash::operator()(const Vertex& vertex) const {
+    // Multiplied by 2^64 over the golden ratio: Knuth, The Art of Computer Programming, volume 3,
+    // section 6.4.
+    std::uint64_t hash = 0;
+    for (const std::uint32_t bits : bits_of(vertex)) {
+        hash = (hash ^ bits) * 0x9E3779B97F4A7C15u;
+        hash ^= hash >> 32;
+    }
+    return static_cast<std::size_t>(hash);
+}
+
+bool VertexJoin::SameBits::operator()(const Vertex& a, const Vertex& b) const {
+    return bits_of(a) == bits_of(b);
+}
+
+int VertexJoin::index_of(const Vertex& vertex) {
+    const auto [entry, is_new] = known_.try_emplace(vertex, 0);
+    if (is_new) entry->second = mesh_.add_vertex(vertex);
+    return entry->second;
+}
+
+} // namespace rasterwalk

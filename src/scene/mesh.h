@@ -1,0 +1,98 @@
+#pragma once
+
+// Triangles that share their corners: a vertex stands in the list once, however many triangles meet
+// in it, and is shaded once.
+
+#include <array>
+#include <cstddef>
+#include <unordered_map>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace rasterwalk {
+
+/// A vertex as the scene gives it. World space: x right, y down, z into the picture. One place with
+/// two normals, as on the edge of a box, is two vertices.
+struct Vertex {
+    glm::vec3 position{0.0f}; ///< world units; in a scene in pixel space: column, row, depth z > 0
+    glm::vec3 normal{0.0f};   ///< unit length, world space
+    glm::vec3 reflectance{1.0f}; ///< share of light given back, red green blue, 0..1
+    glm::vec2 texcoord{0.0f};    ///< place in a texture, 0..1
+
+    friend bool operator==(const Vertex&, const Vertex&) = default;
+};
+
+/// Corners of a triangle as the scene gives it. What is drawn of it may have more, or none.
+inline constexpr int triangle_corners = 3;
+
+/// The corners of a triangle as indices of vertices.
+using TriangleIndices = std::array<int, triangle_corners>;
+
+/// An indexed mesh. Both lists only grow, and every index is that of a vertex.
+class Mesh {
+  public:
+    /// Puts a vertex at the end of the list.
+    /// @return its index
+    int add_vertex(const Vertex& vertex);
+
+    /// Puts a triangle at the end of the list. Throws InputError if an index is not that of a
+    /// vertex; the mesh is then as it was.
+    void add_triangle(const TriangleIndices& indices);
+
+    /// Puts a triangle at the end of the list with three vertices of its own.
+    void add_triangle_of(const std::array<Vertex, triangle_corners>& corners);
+
+    /// Puts one corner of a triangle elsewhere. Other triangles stay as they are: a vertex that
+    /// they share with it is theirs from now on, and the corner has one of its own.
+    /// @param corner 0, 1 or 2
+    void place_corner(int triangle, int corner, const glm::vec3& position);
+
+    /// Each vertex once, in the order in which they were added.
+    const std::vector<Vertex>& vertices() const { return vertices_; }
+
+    /// In the order of drawing.
+    const std::vector<TriangleIndices>& triangles() const { return triangles_; }
+    int triangle_count() const { return static_cast<int>(triangles_.size()); }
+
+    /// @param corner 0, 1 or 2
+    const Vertex& corner(int triangle, int corner) const {
+        const TriangleIndices& indices = triangles_[static_cast<std::size_t>(triangle)];
+        return vertices_[static_cast<std::size_t>(indices[static_cast<std::size_t>(corner)])];
+    }
+
+    /// The same triangles in the same order, whether or not they share the same corners.
+    friend bool operator==(const Mesh& a, const Mesh& b);
+
+  private:
+    bool is_shared(int vertex) const;
+
+    std::vector<Vertex> vertices_;
+    std::vector<TriangleIndices> triangles_;
+};
+
+/// Joins equal vertices while a mesh is made: those whose members are equal in every bit, so that
+/// no number of the scene becomes another one.
+class VertexJoin {
+  public:
+    /// Adds to this mesh, which must live as long.
+    explicit VertexJoin(Mesh& mesh) : mesh_(mesh) {}
+
+    /// The index of the vertex that was given before and is equal to this one, or of this one,
+    /// which is then added.
+    int index_of(const Vertex& vertex);
+
+  private:
+    struct BitsHash {
+        std::size_t operator()(const Vertex& vertex) const;
+    };
+    struct SameBits {
+        bool operator()(const Vertex& a, const Vertex& b) const;
+    };
+
+    Mesh& mesh_;
+    std::unordered_map<Vertex, int, BitsHash, SameBits> known_;
+};
+
+} // namespace rasterwalk
