@@ -186,7 +186,7 @@ TEST_CASE("Cut after the middle was added, only the first column and row are twi
     rules.viewport = {10, 7};
     rules.rounding = VertexRounding::truncate_sum;
     const auto pixel = [&](float x, float y) {
-        const Fragment& at = shade({x, y, 1.0f}, rules).pixel;
+        const ScreenVertex at = shade({x, y, 1.0f}, rules).pixel;
         return glm::ivec2(at.column, at.row);
     };
     // The middle is where floor has it: column 5, and row 7 / 2 = 3.
