@@ -5,6 +5,8 @@
 #include <initializer_list>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include <glm/vec3.hpp>
 #include <toml++/toml.h>
@@ -61,5 +63,23 @@ class TomlInput {
     const std::string* path_;
     std::string what_;
 };
+
+/// Reads a text that is a list of tables, `[[key]]`, and nothing else. Throws InputError.
+/// @param what how messages name the file: "the file of presets"
+/// @param read makes an entry of a table; it is given those before it too
+template <class Entry, class Read>
+std::vector<Entry> parse_tables(std::string_view text, const std::string& path,
+                                std::string_view key, std::string what, const Read& read) {
+    const toml::table root = parse_toml(text, path);
+    const TomlInput input(root, path, std::move(what));
+    input.allow_only({key});
+    std::vector<Entry> entries;
+    for (const toml::node& node : input.list(key)) {
+        const TomlInput table = input.table(
+            node, std::string(key).append(" ").append(std::to_string(entries.size() + 1)));
+        entries.push_back(read(table, entries));
+    }
+    return entries;
+}
 
 } // namespace rasterwalk

@@ -101,19 +101,14 @@ bool same_letters(std::string_view a, std::string_view b) {
 } // namespace
 
 std::vector<Bug> parse_bugs(std::string_view text, const std::string& path) {
-    const toml::table root = parse_toml(text, path);
-    const TomlInput input(root, path, "the file of bugs");
-    input.allow_only({"bug"});
-    std::vector<Bug> bugs;
-    for (const toml::node& node : input.list("bug")) {
-        const TomlInput table = input.table(node, "bug " + std::to_string(bugs.size() + 1));
+    const auto read = [](const TomlInput& table, const std::vector<Bug>& before) {
         Bug bug = read_bug(table);
-        for (const Bug& other : bugs) {
+        for (const Bug& other : before) {
             if (other.id == bug.id) table.fail("there are two bugs with the id '" + bug.id + "'.");
         }
-        bugs.push_back(std::move(bug));
-    }
-    return bugs;
+        return bug;
+    };
+    return parse_tables<Bug>(text, path, "bug", "the file of bugs", read);
 }
 
 std::vector<Bug> read_bugs(const std::string& path) {

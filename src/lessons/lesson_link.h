@@ -9,27 +9,26 @@
 
 namespace rasterwalk {
 
+struct ViewField;
+
 /// What a link in a lesson does when it is followed.
 struct LessonLink {
     enum class Kind : std::uint8_t {
-        set,      ///< `set:interpolation=affine` sets settings, several with &
-        cursor,   ///< `cursor:t0/e1/s4` goes to a moment
-        show,     ///< `show:tab.rows` points at a widget of the window
-        compare,  ///< `compare:interpolation=affine`: run B is A and these; `compare:off`
-        pixel,    ///< `pixel:250,131` picks a pixel
-        triangle, ///< `triangle:21` selects; `triangle:none`
-        row,      ///< `row:131`, of the picture; `row:none`
-        vertex,   ///< `vertex:1` of the selected triangle; `vertex:none`
-        tab,      ///< `tab:graph` opens a tab of the inspector
-        view,     ///< `view:depth` shows another plane
-        overlay,  ///< `overlay:wireframe` lays it over the picture; `overlay:none`
-        preset,   ///< `preset:exact` applies a preset
-        bug,      ///< `bug:B9` opens a mistake on its own scene, the correct run beside it
-        term,     ///< `term:1/z` opens the glossary there
-        lesson,   ///< `10-per-pixel.md` opens another lesson
+        field,  ///< `pixel:250,131` shows it: a link of view_table()
+        show,   ///< `show:tab.rows` points at a widget of the window
+        preset, ///< `preset:exact` applies a preset
+        bug,    ///< `bug:B9` opens a mistake on its own scene, the correct run beside it
+        term,   ///< `term:1/z` opens the glossary there
+        lesson, ///< `10-per-pixel.md` opens another lesson
     };
     Kind kind = Kind::show;
-    std::string argument; ///< what stands after the colon; of a lesson its id
+    const ViewField* field = nullptr; ///< of a link of that kind
+    std::string argument;             ///< what stands after the colon; of a lesson its id
+
+    /// Is it the link of this field?
+    bool is_of(std::string_view field_key) const;
+    /// Does it set what a quiz hides: a setting, or the second run?
+    bool changes_settings() const;
 };
 
 /// Reads the target of a link: its kind, and whether what it names can exist. Throws UsageError

@@ -21,9 +21,24 @@ Rgb depth_colour(float depth, const DepthRange& range) {
 
 } // namespace
 
+const std::array<ViewInfo, view_count>& view_list() {
+    static constexpr std::array<ViewInfo, view_count> list{{
+        {View::colour, "colour", "The picture itself.", "Colour",
+         "Shows the colours of the picture."},
+        {View::depth, "depth 1/z", "1/z of every pixel: bright is near.", "Depth buffer",
+         "Shows 1/z of every pixel, bright is near."},
+        {View::triangle, "triangle", "Which triangle every pixel belongs to.", "Triangle owner",
+         "Shows which triangle every pixel belongs to."},
+        {View::overdraw, "overdraw", "How many fragments fell on every pixel.", "Overdraw",
+         "Shows how many fragments fell on every pixel."},
+    }};
+    static_assert(list.back().view == View{view_count - 1});
+    return list;
+}
+
 std::span<const std::string_view> view_names() {
-    static constexpr std::array<std::string_view, 4> names{"colour", "depth", "triangle",
-                                                           "overdraw"};
+    static constexpr std::array<std::string_view, view_count> names{"colour", "depth", "triangle",
+                                                                    "overdraw"};
     return names;
 }
 

@@ -2,6 +2,7 @@
 
 // The planes of a framebuffer as pictures that can be looked at.
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -17,6 +18,19 @@ namespace rasterwalk {
 
 /// Which plane is shown.
 enum class View : std::uint8_t { colour, depth, triangle, overdraw };
+
+inline constexpr int view_count = 4;
+
+/// What the interface says of a view.
+struct ViewInfo {
+    View view;
+    std::string_view title;                 ///< where it is chosen
+    std::string_view help;                  ///< one sentence
+    std::string_view menu_title, menu_help; ///< the same in the menu
+};
+
+/// All views, indexed by View.
+const std::array<ViewInfo, view_count>& view_list();
 
 /// The views by name, in the order of View.
 std::span<const std::string_view> view_names();

@@ -12,8 +12,8 @@ bool move_between(Session& session, std::vector<Place>& from, std::vector<Place>
     to.push_back(places.now);
     places.now = from.back();
     from.pop_back();
-    session.cursor = places.now.cursor;
-    session.selection = places.now.selection;
+    Place& here = session;
+    here = places.now;
     session.play.running = false;
     return true;
 }
@@ -22,7 +22,7 @@ bool move_between(Session& session, std::vector<Place>& from, std::vector<Place>
 
 void note_place(Session& session) {
     PlaceHistory& places = session.places;
-    const Place place{session.cursor, session.selection};
+    const Place& place = session;
     const bool is_new = place.selection != places.now.selection || session.jumps != places.jumps;
     if (is_new && place != places.now) {
         if (places.past.size() == most_places) places.past.erase(places.past.begin());

@@ -9,7 +9,7 @@ namespace rasterwalk {
 
 struct Session;
 
-/// Where the student looks: a moment, and what is selected.
+/// Where the student looks: a moment, and what is selected. Back and forward lead to it again.
 struct Place {
     Cursor cursor = cursor_end;
     Selection selection;

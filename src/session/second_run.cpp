@@ -30,11 +30,14 @@ void apply(std::span<const std::string_view> assignments, Settings& settings) {
 const std::array<CompareViewInfo, compare_view_count>& compare_view_list() {
     static constexpr std::array<CompareViewInfo, compare_view_count> list{{
         {CompareView::side_by_side, "side_by_side", "Side by side",
-         "Both pictures, one beside the other."},
-        {CompareView::wipe, "wipe", "Wipe", "A left of the divider, B right of it; drag it."},
-        {CompareView::blink, "blink", "Blink", "A and B in turn: what differs seems to move."},
+         "Both pictures, one beside the other.", "Both pictures, one beside the other."},
+        {CompareView::wipe, "wipe", "Wipe", "A left of the divider, B right of it; drag it.",
+         "A left of a divider, B right of it."},
+        {CompareView::blink, "blink", "Blink", "A and B in turn: what differs seems to move.",
+         "A and B in turn, once a second."},
         {CompareView::difference, "difference", "Difference",
-         "B minus A: blue where B is darker, orange where it is brighter."},
+         "B minus A: blue where B is darker, orange where it is brighter.",
+         "B minus A, with a scale."},
     }};
     return list;
 }

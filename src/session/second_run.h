@@ -31,9 +31,10 @@ inline constexpr int compare_view_count = 4;
 /// What the interface says of a way to show them.
 struct CompareViewInfo {
     CompareView view;
-    std::string_view name;  ///< one word, for tests and lessons
-    std::string_view title; ///< on the switch
-    std::string_view help;  ///< one sentence
+    std::string_view name;      ///< one word, for tests and lessons
+    std::string_view title;     ///< on the switch
+    std::string_view help;      ///< one sentence
+    std::string_view menu_help; ///< another, in the menu
 };
 
 /// All of them, in the order of their switches; indexed by CompareView.

@@ -36,28 +36,23 @@ struct Play {
     friend bool operator==(const Play&, const Play&) = default;
 };
 
+/// What the results follow from: what the student has set, and where they look.
+struct SessionInputs : Choices, Place {
+    friend bool operator==(const SessionInputs&, const SessionInputs&) = default;
+};
+
 /// Everything that the user, a lesson, a link or a test sets. Nothing in here is derived.
-struct Session {
-    std::shared_ptr<const Scene> scene; ///< never null once opened
+struct Session : SessionInputs {
     std::vector<Preset> presets;
     std::vector<Term> glossary;
-    Run a;
-    std::optional<Run> b;                ///< is compared with A; none: no comparison
-    std::optional<RunPair> runs_before;  ///< for carry_changes_to_b() alone
-    std::optional<ReplacedRun> replaced; ///< while a pair or a mistake is compared
+    std::optional<RunPair> runs_before; ///< for carry_changes_to_b() alone
     CompareView compare_view = CompareView::side_by_side;
     float wipe = 0.5f;        ///< place of the divider, 0 left to 1 right
     std::optional<Quiz> quiz; ///< while it goes on the settings are hidden
-    Cursor cursor = cursor_end;
-    Selection selection;
     Play play;
-    View view = View::colour;
-    OverlaySet overlays; ///< laid over the view
     CanvasView canvas;
     std::string tab = "rows"; ///< of the inspector, by name
-    std::optional<DepthRange>
-        depth_range; ///< that the depth view colours; none: from the smallest to the largest
-    int jumps = 0;   ///< grows with every go_to(); steps and scrubbing do not count
+    int jumps = 0;            ///< grows with every go_to(); steps and scrubbing do not count
     UndoStack undo;
     PlaceHistory places;
     std::string lesson;        ///< id of the lesson that is open; empty: none

@@ -6,11 +6,6 @@ namespace rasterwalk {
 
 namespace {
 
-Choices choices_of(const Session& session) {
-    return {session.scene, session.a,        session.b,          session.replaced,
-            session.view,  session.overlays, session.depth_range};
-}
-
 /// Moves the present onto one pile and takes it from the other.
 bool move_between(Session& session, std::vector<Choices>& from, std::vector<Choices>& to) {
     if (from.empty()) return false;
@@ -19,14 +14,9 @@ bool move_between(Session& session, std::vector<Choices>& from, std::vector<Choi
     stack.now = from.back();
     from.pop_back();
     if (session.scene != stack.now.scene) session.selection = {};
-    session.scene = stack.now.scene;
-    session.a = stack.now.a;
-    session.b = stack.now.b;
-    session.replaced = stack.now.replaced;
+    Choices& choices = session;
+    choices = stack.now;
     session.runs_before = std::nullopt;
-    session.view = stack.now.view;
-    session.overlays = stack.now.overlays;
-    session.depth_range = stack.now.depth_range;
     return true;
 }
 
@@ -34,7 +24,7 @@ bool move_between(Session& session, std::vector<Choices>& from, std::vector<Choi
 
 void note_choices(Session& session) {
     UndoStack& stack = session.undo;
-    Choices choices = choices_of(session);
+    const Choices& choices = session;
     if (choices == stack.now) return;
     // The very first call only takes note of how the session was opened.
     if (stack.now.scene != nullptr) {
@@ -42,7 +32,7 @@ void note_choices(Session& session) {
         stack.past.push_back(std::move(stack.now));
         stack.future.clear();
     }
-    stack.now = std::move(choices);
+    stack.now = choices;
 }
 
 bool undo(Session& session) {

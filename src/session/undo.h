@@ -14,15 +14,17 @@ namespace rasterwalk {
 
 struct Session;
 
-/// What undo takes back: everything that the student sets, but not where they look.
+/// What undo takes back: everything that the student sets, but not where they look. A member is
+/// remembered as soon as it stands here.
 struct Choices {
-    std::shared_ptr<const Scene> scene;
+    std::shared_ptr<const Scene> scene; ///< never null once opened
     Run a;
-    std::optional<Run> b;
-    std::optional<ReplacedRun> replaced;
+    std::optional<Run> b;                ///< is compared with A; none: no comparison
+    std::optional<ReplacedRun> replaced; ///< while a pair or a mistake is compared
     View view = View::colour;
-    OverlaySet overlays;
-    std::optional<DepthRange> depth_range;
+    OverlaySet overlays; ///< laid over the view
+    std::optional<DepthRange>
+        depth_range; ///< that the depth view colours; none: from the smallest to the largest
 
     friend bool operator==(const Choices&, const Choices&) = default;
 };

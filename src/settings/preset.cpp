@@ -43,21 +43,16 @@ std::vector<std::string_view> preset_names(const std::vector<Preset>& presets) {
 } // namespace
 
 std::vector<Preset> parse_presets(std::string_view text, const std::string& path) {
-    const toml::table root = parse_toml(text, path);
-    const TomlInput input(root, path, "the file of presets");
-    input.allow_only({"preset"});
-    std::vector<Preset> presets;
-    for (const toml::node& node : input.list("preset")) {
-        const TomlInput table = input.table(node, "preset " + std::to_string(presets.size() + 1));
+    const auto read = [](const TomlInput& table, const std::vector<Preset>& before) {
         Preset preset = read_preset(table);
-        for (const Preset& other : presets) {
+        for (const Preset& other : before) {
             if (other.name == preset.name) {
                 table.fail("there are two presets named '" + preset.name + "'.");
             }
         }
-        presets.push_back(std::move(preset));
-    }
-    return presets;
+        return preset;
+    };
+    return parse_tables<Preset>(text, path, "preset", "the file of presets", read);
 }
 
 std::vector<Preset> read_presets(const std::string& path) {

@@ -31,10 +31,11 @@ inline constexpr StripStep StripStep::pixel_light{Stage::shade, Shading::phong};
 /// What the interface says of a step of the strip.
 struct StageInfo {
     StripStep step;
-    std::string_view name;    ///< as in settings and on the command line: "vertex_light"
-    std::string_view title;   ///< on the button
-    std::string_view summary; ///< one sentence
-    std::string_view section; ///< where the lab treats it
+    std::string_view name;      ///< as in settings and on the command line: "vertex_light"
+    std::string_view title;     ///< on the button
+    std::string_view summary;   ///< one sentence
+    std::string_view menu_help; ///< a shorter one, in the menu
+    std::string_view section;   ///< where the lab treats it
 };
 
 inline constexpr int stage_count = 7;

@@ -15,6 +15,7 @@
 #include "session/tabs.h"
 #include "settings/setting_table.h"
 #include "view/view_form.h"
+#include "view/view_links.h"
 #include "view/widget_names.h"
 
 namespace rasterwalk {
@@ -36,41 +37,13 @@ ViewField tab_field() {
     const ViewOption option{"tab", "NAME",
                             "Tab of the inspector: vertices, rows, fragment, microscope, history, "
                             "graph, settings, compare or lab"};
-    return make_field("tab", ViewPart::panel, option, form);
+    ViewField field = make_field("tab", ViewPart::panel, option, form);
+    field.link = word_link("tab", "tab", {tab_names().begin(), tab_names().end()},
+                           [](Session& session, const std::string& tab) { session.tab = tab; });
+    return field;
 }
 
 namespace {
-
-/// One of several that have a word each.
-/// @param what it is, in messages
-/// @param keeps_last not said, it stays as it was
-template <class Enum>
-ViewField enum_field(std::string_view key, ViewPart part, const ViewOption& option,
-                     const char* what, std::span<const std::string_view> names,
-                     std::optional<Enum> ViewState::*member, Enum Session::*shown,
-                     bool keeps_last) {
-    ViewForm<Enum> form{member};
-    const auto name_of = [names](Enum value) { return names[static_cast<std::size_t>(value)]; };
-    form.read = [what, names](const TomlBlock& block, const toml::node& node) {
-        const std::string word = block.word(node, what, names);
-        return static_cast<Enum>(std::find(names.begin(), names.end(), word) - names.begin());
-    };
-    form.toml = [name_of](Enum value) { return toml_text(name_of(value)); };
-    form.parse = [names](const GivenOption& given, const std::string& word) {
-        return static_cast<Enum>(option_index(given, names, word));
-    };
-    form.word = [name_of, shown](const auto& value) {
-        return std::string(name_of(value.value_or(Session().*shown)));
-    };
-    form.tell = [shown](const Session& session) {
-        const Enum value = session.*shown;
-        return value != Session().*shown ? std::optional(value) : std::nullopt;
-    };
-    form.show = [shown, keeps_last](const auto& value, Session& session) {
-        session.*shown = value.value_or(keeps_last ? session.*shown : Session().*shown);
-    };
-    return make_field(key, part, option, form);
-}
 
 std::span<const std::string_view> overlay_names() {
     static const auto names = [] {
@@ -120,9 +93,7 @@ ViewField overlays_field() {
     };
     const ViewOption option{
         "overlay", "NAME",
-        "Laid over the picture: wireframe, owner, overdraw, drawn_twice, depth, uncovered, "
-        "over_one or affine_error; repeatable; none for none",
-        true};
+        "Laid over the picture: " + one_of(overlay_names()) + "; repeatable; none for none", true};
     ViewField field = make_field("overlays", ViewPart::panel, option, form);
     field.parse = [](const GivenOption& given, ViewState& state) {
         OverlaySet overlays;
@@ -141,6 +112,15 @@ ViewField overlays_field() {
         if (!change.to.overlays) return {std::string(no_value)};
         return texts_of(*change.to.overlays);
     };
+    // Of links each lays one more over the picture.
+    field.link = word_link("overlay", "overlay", overlays_and_none(),
+                           [](Session& session, const std::string& name) {
+                               if (const std::optional<Overlay> overlay = find_overlay(name)) {
+                                   session.overlays.set(*overlay, true);
+                               } else {
+                                   session.overlays = {};
+                               }
+                           });
     return field;
 }
 
@@ -300,68 +280,6 @@ ViewField grid_field() {
     return make_field("grid", ViewPart::canvas, option, form);
 }
 
-// --- the second run
-
-ViewField compare_field() {
-    ViewForm<std::vector<std::string>> form{&ViewState::compare};
-    form.read = read_assignments;
-    form.toml = toml_list;
-    form.tell = [](const Session& session) -> std::optional<std::vector<std::string>> {
-        if (!session.b) return std::nullopt;
-        return assignments_between(session.a.settings, session.b->settings);
-    };
-    form.show = [](const auto& compare, Session& session) {
-        stop_comparing(session);
-        if (compare) compare_with(session, settings_with(session.a.settings, *compare));
-    };
-    const ViewOption option{
-        "b", "NAME=VALUE",
-        "A second run beside the first, which differs by this setting; repeatable; none for "
-        "no second run",
-        true};
-    ViewField field = make_field("compare", ViewPart::runs, option, form);
-    field.parse = [](const GivenOption& given, ViewState& state) {
-        state.compare = given.words;
-        if (given.words.back() == no_value) state.compare = std::nullopt;
-    };
-    field.words = [](const ViewChange& change) -> std::vector<std::string> {
-        const Session& to = change.to_session;
-        const Session& from = change.from_session;
-        if (!to.b) {
-            return from.b ? std::vector{std::string(no_value)} : std::vector<std::string>();
-        }
-        if (to.b == from.b && to.a == from.a) return {};
-        if (to.a == *to.b) {
-            return {"stage=" + value_text(*find_setting("stage"), to.a.settings)};
-        }
-        return assignments_between(to.a.settings, to.b->settings);
-    };
-    return field;
-}
-
-ViewField wipe_field() {
-    ViewForm<float> form{&ViewState::wipe};
-    form.read = [](const TomlBlock& block, const toml::node& node) {
-        return block.input().number(node, 0.0f, 1.0f, "the place of the divider");
-    };
-    form.toml = [](float wipe) { return number_text(wipe); };
-    form.parse = [](const GivenOption& given, const std::string& word) {
-        const std::optional<float> wipe = parse_number(word, 0.0f, 1.0f);
-        if (!wipe) refuse_option(given, "a number from 0 to 1", word);
-        return wipe;
-    };
-    form.word = [](const auto& wipe) { return number_text(wipe.value_or(Session().wipe)); };
-    form.tell = [](const Session& session) {
-        return session.wipe != Session().wipe ? std::optional(std::clamp(session.wipe, 0.0f, 1.0f))
-                                              : std::nullopt;
-    };
-    form.show = [](const auto& wipe, Session& session) {
-        session.wipe = wipe.value_or(session.wipe);
-    };
-    const ViewOption option{"wipe", "NUMBER", "Place of the divider between them, 0 to 1"};
-    return make_field("wipe", ViewPart::runs, option, form);
-}
-
 ViewField point_at_field() {
     ViewForm<std::string> form{&ViewState::point_at};
     form.read = [](const TomlBlock& block, const toml::node& node) {
@@ -372,17 +290,13 @@ ViewField point_at_field() {
 }
 
 ViewField plane_field() {
-    return enum_field("view", ViewPart::plane,
-                      {"view", "PLANE", "Plane: colour, depth, triangle or overdraw"}, "view",
-                      view_names(), &ViewState::view, &Session::view, false);
-}
-
-ViewField compare_view_field() {
-    return enum_field(
-        "compare_view", ViewPart::runs,
-        {"compare-view", "NAME", "How two runs are shown: side_by_side, wipe, blink or difference"},
-        "way to compare", compare_view_names(), &ViewState::compare_view, &Session::compare_view,
-        true);
+    ViewField field =
+        enum_field("view", ViewPart::plane, {"view", "PLANE", "Plane: " + one_of(view_names())},
+                   "view", view_names(), &ViewState::view, &Session::view, false);
+    field.link = word_link(
+        "view", "view", {view_names().begin(), view_names().end()},
+        [](Session& session, const std::string& view) { session.view = *find_view(view); });
+    return field;
 }
 
 } // namespace rasterwalk

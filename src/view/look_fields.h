@@ -18,9 +18,4 @@ ViewField zoom_field();
 ViewField centre_field();
 ViewField grid_field();
 
-// The second run.
-ViewField compare_field();
-ViewField compare_view_field();
-ViewField wipe_field();
-
 } // namespace rasterwalk

@@ -20,17 +20,21 @@ void refuse_option(const GivenOption& option, std::string_view takes, const std:
                          .append("."));
 }
 
-std::size_t option_index(const GivenOption& option, std::span<const std::string_view> words,
-                         const std::string& word) {
-    const auto found = std::find(words.begin(), words.end(), word);
-    if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+std::string one_of(std::span<const std::string_view> words) {
     std::string known;
     for (std::size_t i = 0; i < words.size(); ++i) {
         known.append(i == 0 ? "" : i + 1 == words.size() ? " or " : ", ").append(words[i]);
     }
+    return known;
+}
+
+std::size_t option_index(const GivenOption& option, std::span<const std::string_view> words,
+                         const std::string& word) {
+    const auto found = std::find(words.begin(), words.end(), word);
+    if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
     throw UsageError(std::string(option.name)
                          .append(" is ")
-                         .append(known)
+                         .append(one_of(words))
                          .append(", not ")
                          .append(in_quotes(word))
                          .append(".")

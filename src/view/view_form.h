@@ -3,11 +3,13 @@
 // How the rows of view_table() are made: what a value looks like as text and where the session
 // keeps it, told once, gives all functions of a field.
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -31,6 +33,9 @@ struct ViewForm {
 /// "--zoom is a number from 0.25 to 64 or fit, not 'x'."
 [[noreturn]] void refuse_option(const GivenOption& option, std::string_view takes,
                                 const std::string& word);
+
+/// "colour, depth or triangle", as help and messages name what there is.
+std::string one_of(std::span<const std::string_view> words);
 
 /// The place of an option's word in a list. Throws UsageError that names all of them.
 std::size_t option_index(const GivenOption& option, std::span<const std::string_view> words,
@@ -97,6 +102,37 @@ ViewField make_field(std::string_view key, ViewPart part, ViewOption option, Vie
         };
     }
     return field;
+}
+
+/// One of several that have a word each.
+/// @param what it is, in messages
+/// @param keeps_last not said, it stays as it was
+template <class Enum>
+ViewField enum_field(std::string_view key, ViewPart part, const ViewOption& option,
+                     const char* what, std::span<const std::string_view> names,
+                     std::optional<Enum> ViewState::*member,
+                     std::type_identity_t<Enum> Session::*shown, bool keeps_last) {
+    ViewForm<Enum> form{member};
+    const auto name_of = [names](Enum value) { return names[static_cast<std::size_t>(value)]; };
+    form.read = [what, names](const TomlBlock& block, const toml::node& node) {
+        const std::string word = block.word(node, what, names);
+        return static_cast<Enum>(std::find(names.begin(), names.end(), word) - names.begin());
+    };
+    form.toml = [name_of](Enum value) { return toml_text(name_of(value)); };
+    form.parse = [names](const GivenOption& given, const std::string& word) {
+        return static_cast<Enum>(option_index(given, names, word));
+    };
+    form.word = [name_of, shown](const auto& value) {
+        return std::string(name_of(value.value_or(Session().*shown)));
+    };
+    form.tell = [shown](const Session& session) {
+        const Enum value = session.*shown;
+        return value != Session().*shown ? std::optional(value) : std::nullopt;
+    };
+    form.show = [shown, keeps_last](const auto& value, Session& session) {
+        session.*shown = value.value_or(keeps_last ? session.*shown : Session().*shown);
+    };
+    return make_field(key, part, option, form);
 }
 
 } // namespace rasterwalk

@@ -11,7 +11,9 @@
 #include "session/moments.h"
 #include "settings/setting_table.h"
 #include "view/look_fields.h"
+#include "view/run_fields.h"
 #include "view/view_form.h"
+#include "view/view_links.h"
 
 namespace rasterwalk {
 
@@ -41,6 +43,7 @@ ViewField set_field() {
         state.set.insert(state.set.end(), over.set.begin(), over.set.end());
     };
     field.clear = [](ViewState& state) { state.set.clear(); };
+    field.link = settings_link();
     return field;
 }
 
@@ -116,6 +119,7 @@ ViewField cursor_field() {
                             "Draw up to this moment: t12, t12/v1, t12/e2/s14, t12/r37/c5 or end"};
     ViewField field = make_field("cursor", ViewPart::selection, option, form);
     field.is_of_scene = true;
+    field.link = cursor_link();
     return field;
 }
 
@@ -156,6 +160,7 @@ ViewField pixel_field() {
     ViewField field = make_field("pixel", ViewPart::selection,
                                  {"pixel", "X,Y", "Pixel that is picked, or none"}, form);
     field.is_of_scene = true;
+    field.link = pixel_link();
     return field;
 }
 
@@ -209,8 +214,9 @@ ViewField number_field(std::string_view name, std::string_view plural, std::stri
         }
         session.selection.*selected = number;
     };
-    ViewField field = make_field(name, ViewPart::selection, {name, "N", help}, form);
+    ViewField field = make_field(name, ViewPart::selection, {name, "N", std::string(help)}, form);
     field.is_of_scene = true;
+    field.link = number_link(name, count, selected);
     return field;
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
 // All that can be on show, one row a thing. The keys of a lesson's blocks and of a saved view, the
-// options of the command line and the line that Ctrl+C copies follow from this table.
+// links of lessons, the options of the command line and the line that Ctrl+C copies follow from
+// this table. Something new that can be on show is a member of Session, in Choices if undo takes it
+// back, a member of ViewState, and a row here.
 
 #include <cstdint>
 #include <functional>
@@ -11,6 +13,7 @@
 #include <vector>
 
 #include "base/toml_block.h"
+#include "pipeline/frame.h"
 #include "scene/scene.h"
 #include "session/session.h"
 #include "view/view_state.h"
@@ -37,8 +40,18 @@ struct GivenOption {
 struct ViewOption {
     std::string_view name; ///< without its dashes; empty: the field has none
     std::string_view type; ///< in --help: "X,Y"
-    std::string_view help;
+    std::string help;
     bool is_repeatable = false;
+};
+
+/// The link of a field in a lesson.
+struct ViewLink {
+    std::string_view name; ///< before the colon: `pixel:250,131`; empty: the field has none
+    /// Throws UsageError for an argument that names nothing on any scene.
+    std::function<void(const std::string& argument)> check{};
+    /// Shows it on this frame, which is the session's. Throws UsageError for what there is not; the
+    /// session is then as before.
+    std::function<void(Session&, const Frame&, const std::string& argument)> follow{};
 };
 
 /// From one view to another, when a command line is written.
@@ -55,6 +68,7 @@ struct ViewField {
     ViewPart part = ViewPart::drawn;
     bool is_of_scene = false; ///< it means nothing on another scene
     ViewOption option;
+    ViewLink link{};
 
     /// From a TOML value. Throws InputError, or adds to the block's faults.
     std::function<void(const TomlBlock&, const toml::node&, ViewState&)> read{};

@@ -1,14 +1,14 @@
 #include "view/widget_names.h"
 
 #include <algorithm>
-#include <array>
-#include <string>
-#include <vector>
+#include <span>
 
 #include "base/error.h"
+#include "base/files.h"
 #include "base/nearest_name.h"
 #include "base/quoted.h"
 #include "picture/overlay.h"
+#include "session/content.h"
 #include "session/tabs.h"
 #include "settings/setting_table.h"
 
@@ -16,49 +16,7 @@ namespace rasterwalk {
 
 namespace {
 
-constexpr std::array<std::string_view, 170> patterns{
-    // Around the picture
-    "canvas", "canvas.fit", "canvas.grid", "canvas.overlays", "canvas.view", "canvas.zoom_triangle",
-    "corner.back", "corner.forward", "corner.redo", "corner.undo", "legend.{overlay}",
-    "legend.fold", "depth.autofit", "depth.far", "depth.far_text", "depth.histogram", "depth.near",
-    "depth.near_text", "status.pixel", "status.trouble", "stage.{stage}", "switch.compare",
-    "switch.depth_test", "switch.perspective", "text.larger", "text.smaller",
-    // Time
-    "walk.back", "walk.cursor", "walk.first", "walk.last", "walk.next_change", "walk.play",
-    "walk.previous_change", "walk.scrub", "walk.speed", "walk.step", "walk.words", "step.line",
-    "step.moment", "step.phase", "step.triangle",
-    // Menus, lessons
-    "menu.File", "menu.Edit", "menu.View", "menu.Stage", "menu.Walk", "menu.Compare", "menu.Scene",
-    "menu.Lesson", "menu.Help", "lesson.list", "lesson.open", "lesson.stage", "lesson.next",
-    "lesson.previous",
-    // The inspector
-    "tab.{tab}", "tab.lesson", "triangle.follow", "triangle.next", "triangle.previous",
-    "setting.{setting}", "setting_name.{setting}", "settings.search", "reset.{setting}",
-    "rows.copy", "rows.values", "rows.header.row", "rows.header.left", "rows.header.right",
-    "rows.header.count", "rows.#", "rows.#.left", "rows.#.left_by", "rows.#.right",
-    "rows.#.right_by", "rows.outside.#", "bench.examples", "bench.vertex.#", "vertices.v#",
-    "vertices.formula", "vertices.other_convention", "vertices.other_roundings", "vertices.zinv",
-    "vertices.world.x", "vertices.world.y", "vertices.world.z", "vertices.minus_camera.x",
-    "vertices.minus_camera.y", "vertices.minus_camera.z", "vertices.rotated.x",
-    "vertices.rotated.y", "vertices.rotated.z", "vertices.projected.x", "vertices.projected.y",
-    "vertices.pixel.column", "vertices.pixel.row", "vertices.light.R.red", "vertices.light.R.green",
-    "vertices.light.R.blue", "vertices.normal.x", "vertices.normal.y", "vertices.normal.z",
-    "fragment.pixel", "fragment.place", "fragment.part", "fragment.light", "fragment.fate",
-    "fragment.margin", "fragment.before", "fragment.after", "fragment.go", "fragment.header.value",
-    "fragment.header.affine", "fragment.header.perspective", "fragment.header.off", "fragment.x",
-    "fragment.y", "fragment.z", "fragment.zinv", "fragment.z_world", "history.#", "history.pixel",
-    "history.header.number", "history.header.triangle", "history.header.place",
-    "history.header.zinv", "history.header.margin", "history.header.fate", "graph.plot",
-    "graph.legend", "graph.row", "graph.row.next", "graph.row.previous", "graph.where",
-    "graph.carried", "graph.x", "graph.y", "graph.z", "graph.zinv", "graph.z_world", "graph.red",
-    "graph.green", "graph.blue", "microscope.curve", "microscope.edge.#", "microscope.header.#",
-    "microscope.sample.#", "microscope.next", "microscope.x", "microscope.y",
-    "compare.side_by_side", "compare.wipe", "compare.blink", "compare.difference", "compare.swap",
-    "compare.end", "compare.first", "compare.next", "compare.previous", "compare.another",
-    "compare.count.pixels", "compare.count.rows", "compare.count.largest", "compare.count.mean",
-    "lab.on", "lab.off", "lab.scene", "lab.mode.bugs", "lab.mode.quiz", "lab.mode.result"};
-
-/// What a place in braces can be; nothing for another one.
+/// What `{stage}` and its like can be; nothing for another word.
 std::vector<std::string_view> words_for(std::string_view place) {
     std::vector<std::string_view> words;
     if (place == "{tab}") {
@@ -76,42 +34,107 @@ std::vector<std::string_view> words_for(std::string_view place) {
     return words;
 }
 
+/// `{stage}`, if that is what the pattern goes on with.
+std::string_view place_at_start(std::string_view pattern) {
+    return pattern.starts_with("{") ? pattern.substr(0, pattern.find('}') + 1) : std::string_view();
+}
+
 bool matches(std::string_view name, std::string_view pattern) {
-    const std::size_t special = std::min(pattern.find_first_of("#{"), pattern.size());
+    const std::size_t special = std::min(pattern.find_first_of("#{*"), pattern.size());
     if (name.substr(0, special) != pattern.substr(0, special)) return false;
     if (special == pattern.size()) return name.size() == pattern.size();
     name.remove_prefix(special);
     pattern.remove_prefix(special);
-    if (pattern[0] == '{') {
-        const std::vector<std::string_view> words = words_for(pattern);
-        return std::find(words.begin(), words.end(), name) != words.end();
+    if (pattern[0] == '#') {
+        const std::size_t digits = std::min(name.find_first_not_of("0123456789"), name.size());
+        return digits > 0 && matches(name.substr(digits), pattern.substr(1));
     }
-    const std::size_t digits = std::min(name.find_first_not_of("0123456789"), name.size());
-    return digits > 0 && matches(name.substr(digits), pattern.substr(1));
+    if (pattern[0] == '{') {
+        const std::string_view place = place_at_start(pattern);
+        const std::vector<std::string_view> words = words_for(place);
+        return std::any_of(words.begin(), words.end(), [&](std::string_view word) {
+            return name.starts_with(word) &&
+                   matches(name.substr(word.size()), pattern.substr(place.size()));
+        });
+    }
+    for (std::size_t length = 1; length <= name.size(); ++length) {
+        if (matches(name.substr(length), pattern.substr(1))) return true;
+    }
+    return false;
+}
+
+/// Throws UsageError with what is wrong with a pattern.
+void check_pattern(const WidgetPattern& pattern) {
+    const std::string_view name = pattern.name;
+    for (std::size_t at = 0; (at = name.find_first_of("{}", at)) != name.npos; ++at) {
+        const std::string_view place = place_at_start(name.substr(at));
+        if (words_for(place).empty()) {
+            throw UsageError("in a widget's name stand {stage}, {tab}, {setting} and {overlay}, "
+                             "not " +
+                             in_quotes(place.empty() ? name.substr(at) : place) + ".");
+        }
+        at += place.size() - 1;
+    }
+    if (pattern.is_for_lessons && name.find('*') != name.npos) {
+        throw UsageError("a widget that lessons can point at has a name of its own, not '*'.");
+    }
 }
 
 } // namespace
 
-std::span<const std::string_view> widget_patterns() {
+std::vector<WidgetPattern> parse_widget_patterns(std::string_view text, const std::string& path) {
+    constexpr std::string_view not_for_lessons = "- ";
+    std::vector<WidgetPattern> patterns;
+    for (int line = 1; !text.empty(); ++line) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        std::string_view name = text.substr(0, end);
+        text.remove_prefix(std::min(end + 1, text.size()));
+        if (name.ends_with('\r')) name.remove_suffix(1);
+        if (name.empty() || name.starts_with('#')) continue;
+        WidgetPattern pattern;
+        pattern.is_for_lessons = !name.starts_with(not_for_lessons);
+        if (!pattern.is_for_lessons) name.remove_prefix(not_for_lessons.size());
+        pattern.name = name;
+        try {
+            check_pattern(pattern);
+        } catch (const UsageError& fault) {
+            throw InputError(path, line, fault.what());
+        }
+        patterns.push_back(std::move(pattern));
+    }
     return patterns;
 }
 
-bool is_widget_name(std::string_view name) {
-    return std::any_of(patterns.begin(), patterns.end(),
-                       [&](std::string_view pattern) { return matches(name, pattern); });
+std::string widgets_file() {
+    return lessons_folder() + "/widgets.txt";
+}
+
+std::vector<WidgetPattern> read_widget_patterns() {
+    const std::string path = widgets_file();
+    return parse_widget_patterns(read_file(path), path);
+}
+
+bool is_named_by(const WidgetPattern& pattern, std::string_view name) {
+    return matches(name, pattern.name);
 }
 
 void check_widget_name(std::string_view name) {
-    if (is_widget_name(name)) return;
+    const std::vector<WidgetPattern> patterns = read_widget_patterns();
     std::vector<std::string> names;
-    for (const std::string_view pattern : patterns) {
-        const std::size_t place = pattern.find('{');
-        if (place == pattern.npos) {
-            names.emplace_back(pattern);
+    for (const WidgetPattern& pattern : patterns) {
+        if (!pattern.is_for_lessons) continue;
+        if (is_named_by(pattern, name)) return;
+        const std::size_t place = pattern.name.find('{');
+        if (place == pattern.name.npos) {
+            names.push_back(pattern.name);
             continue;
         }
-        for (const std::string_view word : words_for(pattern.substr(place)))
-            names.push_back(std::string(pattern.substr(0, place)).append(word));
+        const std::string_view word_for =
+            place_at_start(std::string_view(pattern.name).substr(place));
+        for (const std::string_view word : words_for(word_for)) {
+            names.push_back(pattern.name);
+            names.back().replace(place, word_for.size(), word);
+        }
     }
     const std::vector<std::string_view> views(names.begin(), names.end());
     throw UsageError("the window has no widget " + in_quotes(name) +

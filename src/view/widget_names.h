@@ -1,18 +1,36 @@
 #pragma once
 
-#include <span>
+// The names of the window's widgets, for lessons that point at one. The core knows none of them:
+// the file lessons/widgets.txt lists them, and a test of the interface holds it to the window.
+
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace rasterwalk {
 
-/// The widgets of the window that a lesson can point at. In these patterns `#` stands for a number,
-/// `{stage}`, `{tab}`, `{setting}` and `{overlay}` for one of their names.
-std::span<const std::string_view> widget_patterns();
+/// A widget, or several of a kind, by name. `#` stands for a number, `{stage}`, `{tab}`,
+/// `{setting}` and `{overlay}` for one of their names, `*` for any text.
+struct WidgetPattern {
+    std::string name;
+    bool is_for_lessons = true; ///< false: it comes and goes, so no lesson can point at it
+};
 
-/// Does the window have a widget of this name, at one time or another?
-bool is_widget_name(std::string_view name);
+/// The patterns of a file, a line each: those after "- " are not for lessons, and those after "#"
+/// are comments. Throws InputError with file:line.
+std::vector<WidgetPattern> parse_widget_patterns(std::string_view text, const std::string& path);
 
-/// Throws UsageError with a sentence, and the name that comes near, if it has none.
+/// Those of widgets_file(). Throws AccessError, InputError.
+std::vector<WidgetPattern> read_widget_patterns();
+
+/// The file that lists them, in lessons_folder(). Throws AccessError.
+std::string widgets_file();
+
+/// Does the pattern stand for a widget of this name?
+bool is_named_by(const WidgetPattern& pattern, std::string_view name);
+
+/// Throws UsageError with a sentence, and the name that comes near, if no lesson can point at a
+/// widget of this name; and as read_widget_patterns().
 void check_widget_name(std::string_view name);
 
 } // namespace rasterwalk

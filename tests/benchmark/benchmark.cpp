@@ -149,8 +149,8 @@ void measure_interface(Measurements& measurements, const std::string& scene_path
     io.DisplaySize = {1600.0f, 1000.0f};
     io.DeltaTime = 1.0f / 60.0f;
     const auto frame = [&] {
-        if (ui.fonts_changed || !io.Fonts->IsBuilt()) io.Fonts->Build();
-        ui.fonts_changed = false;
+        if (ui.host.fonts_changed || !io.Fonts->IsBuilt()) io.Fonts->Build();
+        ui.host.fonts_changed = false;
         build_ui(ui);
     };
     for (int i = 0; i < 4; ++i)

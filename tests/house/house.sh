@@ -15,7 +15,7 @@ if [ ${#files[@]} -eq 0 ]; then
 fi
 
 # The order of the folders: an include may not go to a later line, nor to a neighbour on the same line.
-# `ui` is ui/ui.h, the state of the whole face.
+# `ui` is ui/ui.h, the state of the whole face; `state` are the states of its parts, ui/*/*_state.h.
 order='
     base
     scene
@@ -33,6 +33,7 @@ order='
     text
     lessons
     opening
+    state
     cli ui
     widgets
     page
@@ -47,6 +48,7 @@ order='
 faults=$(awk -v order="$order" '
     function folder_of(path) {
         if (path == "ui/ui.h") return "ui"
+        if (path ~ /^ui\/.*_state\.h$/) return "state"
         sub(/^ui\//, "", path)
         sub(/^src\//, "", path)
         return path ~ /\// ? substr(path, 1, index(path, "/") - 1) : ""
@@ -81,7 +83,7 @@ faults=$(awk -v order="$order" '
         } else if (quoted) {
             fault("\"" target "\" is not written from src/ or from the root")
         }
-        if (FILENAME ~ /^src\// && (graphics || target ~ /imgui|imstb/ || target ~ /^GL/))
+        if (FILENAME ~ /^src\// && (graphics || target ~ /imgui|imstb/ || target ~ /^GL/ || target ~ /^ui\//))
             fault("src/ includes <" target ">: the core knows no window")
         else if (FILENAME ~ /^ui\// && from != "hosts" && graphics)
             fault("ui/ includes <" target ">: only ui/hosts/ speaks to the graphics system")

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <set>
 
 #include <catch2/catch.hpp>
@@ -17,6 +18,7 @@
 #include "session/content.h"
 #include "support/project_root.h"
 #include "tests/support/prediction_checks.h"
+#include "view/view_table.h"
 
 using namespace rasterwalk;
 
@@ -54,60 +56,66 @@ struct Student {
     bool has_done(const LessonTask& task) const { return is_done(task, Facts(session, results)); }
 };
 
+/// What the link of a field promises has come true; each by the key of its field.
+const std::map<std::string_view, void (*)(const LessonLink&, const Student&)> promises{
+    {"set",
+     [](const LessonLink& link, const Student& student) {
+         // Nothing is left to set.
+         Session again = student.session;
+         follow_lesson_link(again, student.results.a.frame, link);
+         CHECK(again.a.settings == student.session.a.settings);
+     }},
+    {"cursor",
+     [](const LessonLink& link, const Student& student) {
+         const Cursor& cursor = student.session.cursor;
+         CHECK(student.results.a.cursor == cursor);
+         CHECK((cursor == cursor_end) == (link.argument == "end"));
+         CHECK_FALSE(student.session.selection.triangle);
+         if (link.argument != "end") {
+             CHECK(cursor.triangle == parse_cursor(link.argument)->triangle);
+         }
+     }},
+    {"compare",
+     [](const LessonLink& link, const Student& student) {
+         CHECK(student.session.b.has_value() == (link.argument != "off"));
+         CHECK(student.results.b.has_value() == (link.argument != "off"));
+     }},
+    {"pixel",
+     [](const LessonLink& link, const Student& student) {
+         const std::optional<glm::ivec2>& pixel = student.session.selection.pixel;
+         CHECK(pixel == parse_pixel(link.argument));
+         CHECK(student.results.history.has_value() == pixel.has_value());
+     }},
+    {"triangle",
+     [](const LessonLink& link, const Student& student) {
+         CHECK(student.session.selection.triangle == parse_int(link.argument));
+     }},
+    {"row",
+     [](const LessonLink& link, const Student& student) {
+         CHECK(student.session.selection.row == parse_int(link.argument));
+     }},
+    {"vertex",
+     [](const LessonLink& link, const Student& student) {
+         CHECK(student.session.selection.vertex == parse_int(link.argument));
+     }},
+    {"tab", [](const LessonLink& link,
+               const Student& student) { CHECK(student.session.tab == link.argument); }},
+    {"view",
+     [](const LessonLink& link, const Student& student) {
+         CHECK(student.session.view == find_view(link.argument));
+     }},
+    {"overlays",
+     [](const LessonLink& link, const Student& student) {
+         CHECK(student.session.overlays.empty() == (link.argument == "none"));
+     }},
+};
+
 /// What a link promises has come true.
 void check_kept(const LessonLink& link, const Student& student) {
-    using Kind = LessonLink::Kind;
-    const Session& session = student.session;
-    const Selection& selection = session.selection;
-    const auto number = [&] { return parse_int(link.argument); };
-    switch (link.kind) {
-    case Kind::set: {
-        // Nothing is left to set.
-        Session again = session;
-        follow_lesson_link(again, student.results.a.frame, link);
-        CHECK(again.a.settings == session.a.settings);
-        break;
-    }
-    case Kind::cursor:
-        CHECK(student.results.a.cursor == session.cursor);
-        CHECK((session.cursor == cursor_end) == (link.argument == "end"));
-        CHECK_FALSE(selection.triangle);
-        if (link.argument != "end") {
-            CHECK(session.cursor.triangle == parse_cursor(link.argument)->triangle);
-        }
-        break;
-    case Kind::compare:
-        CHECK(session.b.has_value() == (link.argument != "off"));
-        CHECK(student.results.b.has_value() == (link.argument != "off"));
-        break;
-    case Kind::pixel:
-        CHECK(selection.pixel == parse_pixel(link.argument));
-        CHECK(student.results.history.has_value() == selection.pixel.has_value());
-        break;
-    case Kind::triangle:
-        CHECK(selection.triangle == number());
-        break;
-    case Kind::row:
-        CHECK(selection.row == number());
-        break;
-    case Kind::vertex:
-        CHECK(selection.vertex == number());
-        break;
-    case Kind::tab:
-        CHECK(session.tab == link.argument);
-        break;
-    case Kind::view:
-        CHECK(session.view == find_view(link.argument));
-        break;
-    case Kind::overlay:
-        CHECK(session.overlays.empty() == (link.argument == "none"));
-        break;
-    case Kind::lesson:
+    if (link.kind == LessonLink::Kind::lesson) {
         CHECK(std::filesystem::exists(lessons_folder() + "/" + link.argument + ".md"));
-        break;
-    default:
-        break;
     }
+    if (link.field != nullptr) promises.at(link.field->key)(link, student);
 }
 
 } // namespace

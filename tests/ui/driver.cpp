@@ -5,6 +5,7 @@
 
 #include "session/content.h"
 #include "ui/app/app.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "tests/ui/driver.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 

@@ -8,6 +8,7 @@
 #include "session/scene_file.h"
 #include "ui/actions/held_keys.h"
 #include "ui/actions/keys.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 
@@ -70,11 +71,11 @@ std::string chord_text(const Chord& chord) {
 std::string tooltip_of(std::string_view action) {
     const Action& found = find_action(action);
     const std::string chord = chord_text(found.chord);
-    return chord.empty() ? found.help : std::string(found.help) + "\nKey: " + chord;
+    return chord.empty() ? found.help : found.help + "\nKey: " + chord;
 }
 
 void handle_keys(Ui& ui) {
-    const bool is_covered = ui.files.kind != FileSheet::Kind::closed;
+    const bool is_covered = ui.sheets.files.kind != FileSheet::Kind::closed;
     if (ImGui::GetIO().WantTextInput || is_covered) return;
     for (const Action& action : action_table()) {
         if (is_pressed(action.chord)) action.run(ui);

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
-
-#include "ui/ui.h"
+#include <string_view>
 
 namespace rasterwalk {
+
+struct Ui;
 
 /// A key with the keys held beside it.
 struct Chord {
@@ -18,13 +20,13 @@ struct Chord {
 /// Something that the student can do. One table feeds the keys, the menus, the tooltips and the
 /// sheet of keys.
 struct Action {
-    const char* name;  ///< by which code and tests find it
-    const char* menu;  ///< the menu it stands in; empty: none
-    const char* title; ///< in the menu
-    const char* help;  ///< one sentence
+    std::string name;  ///< by which code and tests find it
+    std::string menu;  ///< the menu it stands in; empty: none
+    std::string title; ///< in the menu
+    std::string help;  ///< one sentence
     Chord chord;
-    void (*run)(Ui&);
-    bool (*is_on)(const Ui&); ///< for switches; null otherwise
+    std::function<void(Ui&)> run;
+    std::function<bool(const Ui&)> is_on; ///< for switches; null otherwise
 };
 
 /// All actions, in the order of the menus.

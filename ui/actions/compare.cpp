@@ -6,6 +6,7 @@
 #include "laboratory/quiz.h"
 #include "session/walk.h"
 #include "settings/setting_table.h"
+#include "ui/ui.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {

@@ -1,11 +1,15 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 
+#include "session/results.h"
 #include "session/second_run.h"
-#include "ui/ui.h"
+#include "session/session.h"
 
 namespace rasterwalk {
+
+struct Ui;
 
 // What the student does with two runs: begin, end, and walk from one difference to the next.
 

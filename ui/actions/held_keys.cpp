@@ -8,6 +8,7 @@
 
 #include "settings/setting_table.h"
 #include "ui/actions/keys.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 

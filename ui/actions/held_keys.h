@@ -1,8 +1,8 @@
 #pragma once
 
-#include "ui/ui.h"
-
 namespace rasterwalk {
+
+struct Ui;
 
 // Keys that move the camera or the light for as long as they are held.
 

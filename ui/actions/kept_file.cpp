@@ -1,6 +1,7 @@
 #include "ui/actions/kept_file.h"
 
 #include "base/error.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 

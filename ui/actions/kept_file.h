@@ -3,9 +3,11 @@
 #include <functional>
 #include <string>
 
-#include "ui/ui.h"
+#include "ui/actions/kept_state.h"
 
 namespace rasterwalk {
+
+struct Ui;
 
 /// Takes up what stands in a file, by `read`. An empty path, or a file that cannot be read: nothing
 /// is kept there, it stays as it is, and session.notice says so.

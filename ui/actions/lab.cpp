@@ -10,6 +10,7 @@
 #include "session/second_run.h"
 #include "ui/actions/actions.h"
 #include "ui/actions/open_tab.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 

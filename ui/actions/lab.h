@@ -1,10 +1,13 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
-#include "ui/ui.h"
+#include "laboratory/bug.h"
 
 namespace rasterwalk {
+
+struct Ui;
 
 /// The mistakes of the laboratory, read when they are first asked for; empty if they cannot be
 /// read, see LabLook::fault.

@@ -4,8 +4,9 @@
 
 #include "base/error.h"
 #include "lessons/lesson_link.h"
-#include "ui/actions/lesson_state.h"
+#include "ui/actions/open_lesson.h"
 #include "ui/actions/open_tab.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 
@@ -41,12 +42,6 @@ std::string tab_of(std::string_view widget) {
     return {};
 }
 
-/// What a quiz hides must not be set from outside.
-bool changes_settings(LessonLink::Kind kind) {
-    using Kind = LessonLink::Kind;
-    return kind == Kind::set || kind == Kind::preset || kind == Kind::bug || kind == Kind::compare;
-}
-
 } // namespace
 
 void point_at_widget(Ui& ui, const std::string& widget, bool is_held) {
@@ -64,7 +59,8 @@ void follow_link(Ui& ui, const std::string& target) {
     try {
         const LessonLink link = parse_lesson_link(target);
         ui.session.notice.clear();
-        if (changes_settings(link.kind) && refuses_settings(ui.session)) return;
+        // What a quiz hides must not be set from outside.
+        if (link.changes_settings() && refuses_settings(ui.session)) return;
         follow_lesson_link(ui.session, ui.results.a.frame, link);
         switch (link.kind) {
         case LessonLink::Kind::show: {
@@ -78,17 +74,17 @@ void follow_link(Ui& ui, const std::string& target) {
         case LessonLink::Kind::bug:
             ui.lab.chosen = ui.session.replaced->bug;
             break;
-        case LessonLink::Kind::tab:
-            open_tab(ui, link.argument);
+        case LessonLink::Kind::field:
+            if (link.is_of("tab")) open_tab(ui, link.argument);
             break;
         case LessonLink::Kind::term:
-            ui.shows_glossary = true;
-            ui.glossary_search = link.argument;
+            ui.sheets.shows_glossary = true;
+            ui.sheets.glossary_search = link.argument;
             break;
         case LessonLink::Kind::lesson:
             open_lesson(ui, link.argument, 0);
             break;
-        default:
+        case LessonLink::Kind::preset:
             break;
         }
     } catch (const Error& fault) {

@@ -3,9 +3,10 @@
 #include <string>
 
 #include "ui/page/markdown.h"
-#include "ui/ui.h"
 
 namespace rasterwalk {
+
+struct Ui;
 
 /// Does what a link of a lesson says. A fault goes to session.notice.
 void follow_link(Ui& ui, const std::string& target);

@@ -1,5 +1,7 @@
 #include "ui/actions/open_tab.h"
 
+#include "ui/ui.h"
+
 namespace rasterwalk {
 
 void open_tab(Ui& ui, std::string_view name) {

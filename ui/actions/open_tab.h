@@ -2,9 +2,9 @@
 
 #include <string_view>
 
-#include "ui/ui.h"
-
 namespace rasterwalk {
+
+struct Ui;
 
 /// The lesson as a tab of the inspector, where the window is too narrow for a column.
 inline constexpr std::string_view lesson_tab_name = "lesson";

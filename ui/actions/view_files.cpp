@@ -16,7 +16,8 @@
 #include "session/content.h"
 #include "session/scene_file.h"
 #include "ui/actions/lab.h"
-#include "ui/actions/lesson_state.h"
+#include "ui/actions/open_lesson.h"
+#include "ui/ui.h"
 #include "ui/widgets/widgets.h"
 #include "view/state_file.h"
 
@@ -90,7 +91,7 @@ std::string name_for(const Session& session) {
 }
 
 void begin_sheet(Ui& ui, FileSheet::Kind kind) {
-    FileSheet& sheet = ui.files;
+    FileSheet& sheet = ui.sheets.files;
     std::string folder = std::move(sheet.folder);
     sheet = {};
     sheet.kind = kind;
@@ -99,7 +100,7 @@ void begin_sheet(Ui& ui, FileSheet::Kind kind) {
 }
 
 void save_to(Ui& ui, const std::string& path) {
-    FileSheet& sheet = ui.files;
+    FileSheet& sheet = ui.sheets.files;
     std::error_code ignored;
     if (fs::exists(path, ignored) && sheet.asked != path) {
         sheet.asked = path;
@@ -122,7 +123,7 @@ void show_view(Ui& ui, Session&& opened) {
     opened.play.granularity = session.play.granularity;
     opened.play.speed = session.play.speed;
     session = std::move(opened);
-    ui.scroll_to_row = true;
+    ui.inspector.scroll_to_row = true;
     take_up_lesson(ui);
 }
 
@@ -143,13 +144,13 @@ void open_file(Ui& ui, const std::string& path) {
 void open_dropped(Ui& ui, const std::string& path) {
     try {
         open_file(ui, path);
-        ui.files.kind = FileSheet::Kind::closed;
+        ui.sheets.files.kind = FileSheet::Kind::closed;
     } catch (const Error& fault) {
         begin_sheet(ui, FileSheet::Kind::open);
         const std::string folder = fs::path(path).parent_path().string();
-        if (!folder.empty()) enter_folder(ui.files, folder);
-        ui.files.path = path;
-        ui.files.fault = fault.what();
+        if (!folder.empty()) enter_folder(ui.sheets.files, folder);
+        ui.sheets.files.path = path;
+        ui.sheets.files.fault = fault.what();
     }
 }
 
@@ -172,11 +173,11 @@ void begin_saving(Ui& ui) {
         ui.session.notice = "The view can be saved when the quiz is over.";
         return;
     }
-    if (ui.files.folder.empty() || !is_own(ui.session.scene->path)) {
-        ui.files.folder = folder_for(ui.session);
+    if (ui.sheets.files.folder.empty() || !is_own(ui.session.scene->path)) {
+        ui.sheets.files.folder = folder_for(ui.session);
     }
     begin_sheet(ui, FileSheet::Kind::save);
-    ui.files.path = name_for(ui.session);
+    ui.sheets.files.path = name_for(ui.session);
 }
 
 void enter_folder(FileSheet& sheet, const std::string& folder) {
@@ -223,7 +224,7 @@ std::string meant_path(const FileSheet& sheet) {
 }
 
 void finish_sheet(Ui& ui) {
-    FileSheet& sheet = ui.files;
+    FileSheet& sheet = ui.sheets.files;
     if (sheet.path.empty()) return;
     const std::string path = meant_path(sheet);
     std::error_code ignored;

@@ -6,9 +6,12 @@
 #include <string_view>
 #include <vector>
 
-#include "ui/ui.h"
+#include "session/session.h"
+#include "ui/sheets/sheets_state.h"
 
 namespace rasterwalk {
+
+struct Ui;
 
 /// Shows a session that was opened from a file in place of the one on show. What the student did
 /// before can be undone, and Back leads to it; a quiz ends.

@@ -4,6 +4,7 @@
 #include <climits>
 #include <cmath>
 
+#include "ui/ui.h"
 #include "ui/widgets/layout.h"
 #include "view/view_state.h"
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "ui/ui.h"
-
 namespace rasterwalk {
+
+struct Ui;
 
 /// Enlarges the triangle that the inspector shows, as far as it fits.
 void zoom_to_triangle(Ui& ui);

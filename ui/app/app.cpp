@@ -10,7 +10,7 @@
 #include "ui/actions/keys.h"
 #include "ui/actions/lab.h"
 #include "ui/actions/lesson_links.h"
-#include "ui/actions/lesson_state.h"
+#include "ui/actions/open_lesson.h"
 #include "ui/app/guard.h"
 #include "ui/app/kept_options.h"
 #include "ui/bars/bars.h"
@@ -18,6 +18,7 @@
 #include "ui/inspector/panels.h"
 #include "ui/lesson/lesson_column.h"
 #include "ui/sheets/sheets.h"
+#include "ui/ui.h"
 #include "ui/widgets/layout.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -67,7 +68,7 @@ void renew_style(Ui& ui) {
     if (!ui.style_is_stale) return;
     apply_style(ui.options);
     ui.fonts = load_fonts(ui.options.text_scale);
-    ui.fonts_changed = true;
+    ui.host.fonts_changed = true;
     ui.style_is_stale = false;
 }
 
@@ -127,11 +128,6 @@ void draw_everything(Ui& ui) {
     release_pointed(ui);
 }
 
-Asked asked_for(const Session& session) {
-    return {session.scene,     session.a,    session.b,        session.cursor,
-            session.selection, session.view, session.overlays, session.depth_range};
-}
-
 /// True while nothing is held, so that a drag counts as one change.
 bool is_at_rest() {
     const ImGuiIO& io = ImGui::GetIO();
@@ -143,22 +139,14 @@ bool is_at_rest() {
 /// Works out what follows from the session. If that fails, as for want of memory, the session goes
 /// back to what it was when it went well.
 bool update_or_go_back(Ui& ui) {
-    Session& session = ui.session;
+    SessionInputs& asked = ui.session;
     const auto work = [&] {
-        update(session, ui.results);
-        ui.worked_out = asked_for(session);
+        update(ui.session, ui.results);
+        ui.worked_out = asked;
     };
     if (guarded(ui, work)) return true;
     if (!ui.worked_out) return false;
-    const Asked& last = *ui.worked_out;
-    session.scene = last.scene;
-    session.a = last.a;
-    session.cursor = last.cursor;
-    session.selection = last.selection;
-    session.view = last.view;
-    session.overlays = last.overlays;
-    session.depth_range = last.depth_range;
-    session.b = last.b;
+    asked = *ui.worked_out;
     return guarded(ui, work);
 }
 
@@ -185,7 +173,8 @@ bool build_pass(Ui& ui, float seconds) {
     const Cursor before = ui.results.a.cursor;
     const bool is_known = update_or_go_back(ui);
     ui.follow_cursor = ui.results.a.cursor != before;
-    const Asked asked = asked_for(ui.session);
+    const SessionInputs& asked = ui.session;
+    const SessionInputs drawn = asked;
     if (is_known) {
         guarded(ui, [&] { draw_everything(ui); });
     } else {
@@ -200,7 +189,7 @@ bool build_pass(Ui& ui, float seconds) {
         guarded(ui, [&] { save_options(ui); });
     }
     ImGui::Render();
-    return !(asked == asked_for(ui.session));
+    return !(drawn == asked);
 }
 
 } // namespace
@@ -209,19 +198,20 @@ void open_ui(Ui& ui, TextureHost& textures) {
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;
     map_keys();
-    ui.textures = &textures;
+    ui.host.textures = &textures;
     take_up_lesson(ui);
     update(ui.session, ui.results);
-    ui.worked_out = asked_for(ui.session);
+    const SessionInputs& asked = ui.session;
+    ui.worked_out = asked;
     ui.options.text_scale = ui.options.wished_text_scale;
     ImGui::GetIO().DisplaySize = {1600.0f, 1000.0f}; // until the host says better
     renew_style(ui);
-    ui.fonts_changed = false;
+    ui.host.fonts_changed = false;
 }
 
 void close_ui(Ui& ui) {
     ImGui::DestroyContext();
-    ui.textures = nullptr;
+    ui.host.textures = nullptr;
 }
 
 void build_ui(Ui& ui) {

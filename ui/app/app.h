@@ -1,8 +1,10 @@
 #pragma once
 
-#include "ui/ui.h"
+#include "ui/hosts/host_state.h"
 
 namespace rasterwalk {
+
+struct Ui;
 
 /// Makes the ImGui context, fonts and style. ui.session must be open, ui.options set.
 void open_ui(Ui& ui, TextureHost& textures);

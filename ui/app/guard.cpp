@@ -5,6 +5,8 @@
 
 #include <imgui_internal.h>
 
+#include "ui/ui.h"
+
 namespace rasterwalk {
 
 namespace {

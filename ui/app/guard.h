@@ -2,9 +2,9 @@
 
 #include <functional>
 
-#include "ui/ui.h"
-
 namespace rasterwalk {
+
+struct Ui;
 
 /// Does a part of a frame, or something between two frames. What it throws ends neither the frame
 /// nor the program: it becomes a sentence in session.notice, and ImGui's windows, fonts and colours

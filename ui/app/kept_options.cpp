@@ -8,6 +8,7 @@
 #include "base/files.h"
 #include "base/toml_input.h"
 #include "ui/actions/kept_file.h"
+#include "ui/ui.h"
 #include "ui/widgets/style.h"
 
 namespace rasterwalk {

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
-#include "ui/ui.h"
+#include "ui/app/options_state.h"
 
 namespace rasterwalk {
+
+struct Ui;
 
 /// Keeps how the window looks in this file from now on, and takes up what stands in it: theme, text
 /// size, widths of the columns, and the score of the quiz if it is to be kept. An empty path, or a

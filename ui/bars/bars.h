@@ -1,11 +1,12 @@
 #pragma once
 
-#include "ui/ui.h"
 #include "ui/widgets/layout.h"
 
 // The bars above and below the canvas.
 
 namespace rasterwalk {
+
+struct Ui;
 
 /// Scene, settings, views, help.
 void draw_menu_bar(Ui& ui, const Area& area);
@@ -22,8 +23,6 @@ int transport_lines(const Ui& ui, float width);
 void draw_status_line(Ui& ui, const Area& area);
 
 /// Room at both ends of a bar, screen pixels.
-inline float bar_margin(const Ui& ui) {
-    return 14.0f * ui.options.text_scale;
-}
+float bar_margin(const Ui& ui);
 
 } // namespace rasterwalk

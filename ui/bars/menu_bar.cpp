@@ -7,8 +7,9 @@
 #include "session/content.h"
 #include "settings/preset.h"
 #include "ui/actions/actions.h"
-#include "ui/actions/lesson_state.h"
+#include "ui/actions/open_lesson.h"
 #include "ui/bars/bars.h"
+#include "ui/ui.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -18,8 +19,8 @@ namespace {
 
 void draw_action_item(Ui& ui, const Action& action) {
     const bool on = action.is_on != nullptr && action.is_on(ui);
-    if (ImGui::MenuItem(action.title, chord_text(action.chord).c_str(), on)) action.run(ui);
-    name_widget(ui, std::string("menu.") + action.name, action.help);
+    if (ImGui::MenuItem(action.title.c_str(), chord_text(action.chord).c_str(), on)) action.run(ui);
+    name_widget(ui, "menu." + action.name, action.help);
 }
 
 namespace fs = std::filesystem;
@@ -98,7 +99,7 @@ void draw_menu(Ui& ui, const MenuTitle& menu) {
     if (std::string_view(title) == "Scene") draw_scene_menu(ui);
     if (std::string_view(title) == "Lesson") draw_lesson_menu(ui);
     for (const Action& action : action_table()) {
-        if (std::string_view(action.menu) == title) draw_action_item(ui, action);
+        if (action.menu == title) draw_action_item(ui, action);
     }
     ImGui::EndMenu();
 }

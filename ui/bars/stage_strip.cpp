@@ -7,6 +7,7 @@
 #include "ui/actions/compare.h"
 #include "ui/actions/keys.h"
 #include "ui/bars/bars.h"
+#include "ui/ui.h"
 #include "ui/widgets/flow.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -300,6 +301,10 @@ void draw_stage_strip(Ui& ui, const Area& area) {
                   packed(p.line));
     ImGui::End();
     ImGui::PopStyleColor();
+}
+
+float bar_margin(const Ui& ui) {
+    return 14.0f * ui.options.text_scale;
 }
 
 } // namespace rasterwalk

@@ -4,6 +4,7 @@
 
 #include "ui/actions/compare.h"
 #include "ui/bars/bars.h"
+#include "ui/ui.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -27,7 +28,8 @@ std::string colours_of_both(const Ui& ui, std::size_t at) {
 
 /// All that is known of the pixel under the pointer, or else of the one picked.
 std::string describe_pixel(const Ui& ui) {
-    const auto pixel = ui.hovered_pixel ? ui.hovered_pixel : ui.session.selection.pixel;
+    const auto pixel =
+        ui.canvas.hovered_pixel ? ui.canvas.hovered_pixel : ui.session.selection.pixel;
     const Framebuffer& framebuffer = *ui.results.a.framebuffer;
     if (!pixel || !framebuffer.contains(pixel->x, pixel->y)) return "point at a pixel";
     const std::size_t at = framebuffer.at(pixel->x, pixel->y);

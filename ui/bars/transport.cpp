@@ -7,6 +7,7 @@
 #include "session/walk.h"
 #include "ui/actions/actions.h"
 #include "ui/bars/bars.h"
+#include "ui/ui.h"
 #include "ui/widgets/flow.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -169,10 +170,7 @@ void draw_step_choice(Ui& ui, ImVec2 at, ImVec2 size) {
         const float width = text_width(choice.name) + slack + 24.0f * u;
         const bool chosen = ui.session.play.granularity == choice.granularity;
         ImGui::SetCursorScreenPos({x, at.y});
-        const std::string name =
-            std::string("step.") + (choice.granularity == Granularity::moment ? "moment"
-                                    : choice.granularity == Granularity::line ? "line"
-                                                                              : choice.name);
+        const std::string name = step_name(choice);
         if (ImGui::InvisibleButton(name.c_str(), {width, size.y})) {
             ui.session.play.granularity = choice.granularity;
         }

@@ -15,6 +15,7 @@
 #include "ui/canvas/depth_legend.h"
 #include "ui/canvas/difference_legend.h"
 #include "ui/canvas/overlays.h"
+#include "ui/ui.h"
 #include "ui/widgets/picture_texture.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -57,12 +58,12 @@ ImVec2 picture_point(const PicturePlace& place, ImVec2 screen) {
 
 /// Sets zoom and centre such that the picture point under the pointer stays there.
 void zoom_about(Ui& ui, ImVec2 pointer, float zoom, ImVec2 low, ImVec2 room) {
-    const ImVec2 fixed_point = picture_point(ui.picture_place, pointer);
+    const ImVec2 fixed_point = picture_point(ui.canvas.place, pointer);
     ui.session.canvas.zoom = std::clamp(zoom, smallest_zoom, largest_zoom);
     ui.session.canvas.centre = {
         fixed_point.x - (pointer.x - low.x - 0.5f * room.x) / ui.session.canvas.zoom,
         fixed_point.y - (pointer.y - low.y - 0.5f * room.y) / ui.session.canvas.zoom};
-    ui.picture_place = place_picture(ui, low, room);
+    ui.canvas.place = place_picture(ui, low, room);
 }
 
 /// The next zoom step: factors of the square root of two, whole numbers from 4x on.
@@ -89,20 +90,20 @@ ImVec2 pointer_in_a(const Ui& ui) {
     if (!b) return pointer;
     const WidgetPlace& canvas = ui.widgets.at("canvas");
     const float middle = 0.5f * (canvas.top_left.x + canvas.bottom_right.x);
-    if (pointer.x >= middle) pointer.x -= b->origin.x - ui.picture_place.origin.x;
+    if (pointer.x >= middle) pointer.x -= b->origin.x - ui.canvas.place.origin.x;
     return pointer;
 }
 
 void handle_pointer(Ui& ui, ImVec2 low, ImVec2 room) {
     const ImGuiIO& io = ImGui::GetIO();
-    ui.hovered_pixel = std::nullopt;
+    ui.canvas.hovered_pixel = std::nullopt;
     if (!ImGui::IsItemHovered() && !ImGui::IsItemActive()) return;
     const ImVec2 pointer = pointer_in_a(ui);
-    const ImVec2 at = picture_point(ui.picture_place, pointer);
+    const ImVec2 at = picture_point(ui.canvas.place, pointer);
     const glm::ivec2 pixel(std::floor(at.x), std::floor(at.y));
-    if (ui.results.a.framebuffer->contains(pixel.x, pixel.y)) ui.hovered_pixel = pixel;
+    if (ui.results.a.framebuffer->contains(pixel.x, pixel.y)) ui.canvas.hovered_pixel = pixel;
     if (io.MouseWheel != 0.0f && ImGui::IsItemHovered()) {
-        zoom_about(ui, pointer, next_zoom(ui.picture_place.scale, io.MouseWheel), low, room);
+        zoom_about(ui, pointer, next_zoom(ui.canvas.place.scale, io.MouseWheel), low, room);
     }
     if (ImGui::IsMouseDoubleClicked(0)) {
         ui.session.canvas.zoom = 0.0f;
@@ -111,16 +112,16 @@ void handle_pointer(Ui& ui, ImVec2 low, ImVec2 room) {
     if (drag_bench_vertex(ui)) return;
     const bool has_moved =
         io.MouseDragMaxDistanceSqr[0] > io.MouseDragThreshold * io.MouseDragThreshold;
-    if (ImGui::IsMouseReleased(0) && !has_moved && ui.hovered_pixel) {
-        pick(ui, *ui.hovered_pixel, io.KeyShift);
+    if (ImGui::IsMouseReleased(0) && !has_moved && ui.canvas.hovered_pixel) {
+        pick(ui, *ui.canvas.hovered_pixel, io.KeyShift);
     }
     if (ImGui::IsMouseDragging(0) && (io.MouseDelta.x != 0.0f || io.MouseDelta.y != 0.0f)) {
         if (ui.session.canvas.zoom <= 0.0f) {
-            zoom_about(ui, pointer, ui.picture_place.scale, low, room);
+            zoom_about(ui, pointer, ui.canvas.place.scale, low, room);
         }
         ui.session.canvas.centre.x -= io.MouseDelta.x / ui.session.canvas.zoom;
         ui.session.canvas.centre.y -= io.MouseDelta.y / ui.session.canvas.zoom;
-        ui.picture_place = place_picture(ui, low, room);
+        ui.canvas.place = place_picture(ui, low, room);
     }
     if (ImGui::IsMouseDragging(1)) {
         Camera& camera = ui.session.a.settings.camera;
@@ -130,51 +131,24 @@ void handle_pointer(Ui& ui, ImVec2 low, ImVec2 room) {
     }
 }
 
-std::string_view view_title(View view) {
-    switch (view) {
-    case View::colour:
-        return "colour";
-    case View::depth:
-        return "depth 1/z";
-    case View::triangle:
-        return "triangle";
-    case View::overdraw:
-        return "overdraw";
-    }
-    return {};
-}
-
-std::string_view view_help(View view) {
-    switch (view) {
-    case View::colour:
-        return "The picture itself.";
-    case View::depth:
-        return "1/z of every pixel: bright is near.";
-    case View::triangle:
-        return "Which triangle every pixel belongs to.";
-    case View::overdraw:
-        return "How many fragments fell on every pixel.";
-    }
-    return {};
-}
-
 void draw_view_selector(Ui& ui) {
     ImGui::SetNextItemWidth(button_width("triangle  ") + ImGui::GetFrameHeight());
-    const bool open = ImGui::BeginCombo("##view", view_title(ui.session.view).data());
+    const bool open = ImGui::BeginCombo(
+        "##view", view_list()[static_cast<std::size_t>(ui.session.view)].title.data());
     name_widget(ui, "canvas.view", "Which plane of the framebuffer is shown.");
     if (!open) return;
-    for (const View view : {View::colour, View::depth, View::triangle, View::overdraw}) {
-        if (ImGui::Selectable(view_title(view).data(), view == ui.session.view)) {
-            ui.session.view = view;
+    for (const ViewInfo& info : view_list()) {
+        if (ImGui::Selectable(info.title.data(), info.view == ui.session.view)) {
+            ui.session.view = info.view;
         }
-        name_widget(ui, std::string("canvas.view.").append(view_title(view)), view_help(view));
+        name_widget(ui, std::string("canvas.view.").append(info.title), info.help);
     }
     ImGui::EndCombo();
 }
 
 void draw_header(Ui& ui, float right_edge) {
     draw_view_selector(ui);
-    const float scale = ui.picture_place.scale;
+    const float scale = ui.canvas.place.scale;
     const std::string zoom =
         decimals(static_cast<double>(scale), scale == std::round(scale) ? 0 : 2) + "x";
     const float gap = ImGui::GetStyle().ItemSpacing.x;
@@ -212,11 +186,11 @@ void draw_header(Ui& ui, float right_edge) {
 
 /// Where the pictures of both runs lie; that of B only while it stands beside A's.
 void place_pictures(Ui& ui, ImVec2 low, ImVec2 room, const Panes& panes) {
-    ui.picture_place = place_picture(ui, low, room);
+    ui.canvas.place = place_picture(ui, low, room);
     ui.compare.place_of_b = std::nullopt;
     const float aside = panes.b.low.x - panes.a.low.x;
     if (aside <= 0.0f) return;
-    ui.compare.place_of_b = ui.picture_place;
+    ui.compare.place_of_b = ui.canvas.place;
     ui.compare.place_of_b->origin.x += aside;
 }
 
@@ -270,9 +244,9 @@ void draw_canvas(Ui& ui, const Area& area) {
     if (is_comparing(ui)) {
         draw_compared(ui, list, canvas);
     } else {
-        show_texture(ui, ui.picture, ui.results.a.picture, ui.results.a.picture_number,
-                     ui.picture_place.scale);
-        draw_texture(list, ui.picture, ui.picture_place);
+        show_texture(ui, ui.canvas.picture, ui.results.a.picture, ui.results.a.picture_number,
+                     ui.canvas.place.scale);
+        draw_texture(list, ui.canvas.picture, ui.canvas.place);
         draw_overlays(ui, list, frame_low, frame_high);
         draw_canvas_marks(ui, run_a(ui), list, frame_low, frame_high);
     }

@@ -1,9 +1,10 @@
 #pragma once
 
-#include "ui/ui.h"
 #include "ui/widgets/layout.h"
 
 namespace rasterwalk {
+
+struct Ui;
 
 /// The picture with zoom, pan, grid, picking and what is drawn over it.
 void draw_canvas(Ui& ui, const Area& area);

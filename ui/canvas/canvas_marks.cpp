@@ -8,6 +8,7 @@
 
 #include "session/bench.h"
 #include "ui/canvas/canvas.h"
+#include "ui/ui.h"
 #include "ui/widgets/style.h"
 
 namespace rasterwalk {
@@ -290,7 +291,7 @@ void draw_lit_row(const Marks& m, int row, float opacity) {
 
 ShownRun run_a(const Ui& ui) {
     const RunResults& a = ui.results.a;
-    return {a.frame, a.rows, a.cursor, a.done, ui.picture_place};
+    return {a.frame, a.rows, a.cursor, a.done, ui.canvas.place};
 }
 
 ShownRun run_b(const Ui& ui, const PicturePlace& place) {
@@ -317,14 +318,14 @@ void draw_canvas_marks(const Ui& ui, const ShownRun& run, ImDrawList* list, ImVe
             draw_vertices(m, *ui.results.a.triangle, vertices);
         }
     }
-    if (ui.hovered_row) draw_lit_row(m, *ui.hovered_row, 0.25f);
+    if (ui.inspector.hovered_row) draw_lit_row(m, *ui.inspector.hovered_row, 0.25f);
     draw_current(m);
     // Beside each other, what is pointed at in one picture is marked in both.
-    if (ui.compare.place_of_b && ui.hovered_pixel) {
-        frame_pixel(m, ui.hovered_pixel->x, ui.hovered_pixel->y, IM_COL32(0, 0, 0, 160),
-                    2.5f * m.u);
-        frame_pixel(m, ui.hovered_pixel->x, ui.hovered_pixel->y, m.colour(Meaning::current),
-                    1.2f * m.u);
+    if (ui.compare.place_of_b && ui.canvas.hovered_pixel) {
+        frame_pixel(m, ui.canvas.hovered_pixel->x, ui.canvas.hovered_pixel->y,
+                    IM_COL32(0, 0, 0, 160), 2.5f * m.u);
+        frame_pixel(m, ui.canvas.hovered_pixel->x, ui.canvas.hovered_pixel->y,
+                    m.colour(Meaning::current), 1.2f * m.u);
     }
     if (ui.session.selection.pixel) {
         const glm::ivec2 pixel = *ui.session.selection.pixel;
@@ -336,27 +337,28 @@ void draw_canvas_marks(const Ui& ui, const ShownRun& run, ImDrawList* list, ImVe
 bool drag_bench_vertex(Ui& ui) {
     if (!is_bench(*ui.session.scene) || ui.session.scene->triangles.empty()) return false;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
-    const PicturePlace& place = ui.picture_place;
+    const PicturePlace& place = ui.canvas.place;
     if (ImGui::IsMouseClicked(0)) {
-        ui.dragged_vertex = -1;
+        ui.canvas.dragged_vertex = -1;
         const float reach = std::max(10.0f * ui.options.text_scale, 0.6f * place.scale);
         for (int v = 0; v < triangle_corners; ++v) {
             const glm::vec3 p = ui.session.scene->triangles[0].vertices[v].position;
             const ImVec2 at{place.origin.x + place.scale * (p.x + 0.5f),
                             place.origin.y + place.scale * (p.y + 0.5f)};
-            if (std::hypot(at.x - mouse.x, at.y - mouse.y) < reach) ui.dragged_vertex = v;
+            if (std::hypot(at.x - mouse.x, at.y - mouse.y) < reach) ui.canvas.dragged_vertex = v;
         }
     }
-    if (ui.dragged_vertex < 0) return false;
+    if (ui.canvas.dragged_vertex < 0) return false;
     if (!ImGui::IsMouseDown(0)) {
-        ui.dragged_vertex = -1;
+        ui.canvas.dragged_vertex = -1;
         return false;
     }
     const glm::ivec2 pixel(std::floor((mouse.x - place.origin.x) / place.scale),
                            std::floor((mouse.y - place.origin.y) / place.scale));
-    const glm::vec3 now = ui.session.scene->triangles[0].vertices[ui.dragged_vertex].position;
+    const glm::vec3 now =
+        ui.session.scene->triangles[0].vertices[ui.canvas.dragged_vertex].position;
     if (glm::ivec2(now.x, now.y) != pixel) {
-        move_bench_vertex(ui.session, 0, ui.dragged_vertex, pixel);
+        move_bench_vertex(ui.session, 0, ui.canvas.dragged_vertex, pixel);
     }
     return true;
 }

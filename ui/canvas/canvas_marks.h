@@ -1,10 +1,16 @@
 #pragma once
 
+#include <optional>
+
 #include <imgui.h>
 
-#include "ui/ui.h"
+#include "inspect/row_history.h"
+#include "pipeline/frame.h"
+#include "ui/widgets/picture_state.h"
 
 namespace rasterwalk {
+
+struct Ui;
 
 /// One of the two runs, as far as it is marked on its picture, and where that lies.
 struct ShownRun {

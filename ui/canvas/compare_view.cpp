@@ -8,6 +8,7 @@
 #include "ui/actions/compare.h"
 #include "ui/canvas/canvas_marks.h"
 #include "ui/canvas/overlays.h"
+#include "ui/ui.h"
 #include "ui/widgets/picture_texture.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -31,7 +32,7 @@ struct Span {
     float low, high;
 };
 Span visible_span(const Ui& ui, const Pane& canvas) {
-    const PicturePlace& place = ui.picture_place;
+    const PicturePlace& place = ui.canvas.place;
     const float width =
         place.scale * static_cast<float>(ui.results.a.frame.settings.viewport.width);
     const float low = std::max(place.origin.x, canvas.low.x);
@@ -85,7 +86,7 @@ void draw_run(Ui& ui, ImDrawList* list, bool of_b, const PicturePlace& place, Im
               ImVec2 high) {
     if (high.x <= low.x) return;
     list->PushClipRect(low, high, true);
-    draw_texture(list, of_b ? ui.compare.picture : ui.picture, place);
+    draw_texture(list, of_b ? ui.compare.picture : ui.canvas.picture, place);
     if (of_b) {
         draw_canvas_marks(ui, run_b(ui, place), list, low, high);
     } else {
@@ -115,7 +116,7 @@ void draw_divider(const Ui& ui, ImDrawList* list, const Pane& canvas) {
 void draw_side_by_side(Ui& ui, ImDrawList* list, const Pane& canvas) {
     const Panes panes = panes_of(ui, canvas);
     const float u = ui.options.text_scale;
-    draw_run(ui, list, false, ui.picture_place, panes.a.low, panes.a.high);
+    draw_run(ui, list, false, ui.canvas.place, panes.a.low, panes.a.high);
     draw_run(ui, list, true, *ui.compare.place_of_b, panes.b.low, panes.b.high);
     const float middle = std::round(panes.b.low.x) - 0.5f;
     list->AddLine({middle, canvas.low.y}, {middle, canvas.high.y},
@@ -127,8 +128,8 @@ void draw_side_by_side(Ui& ui, ImDrawList* list, const Pane& canvas) {
 
 void draw_wipe(Ui& ui, ImDrawList* list, const Pane& canvas) {
     const float x = divider_x(ui, canvas);
-    draw_run(ui, list, false, ui.picture_place, canvas.low, {x, canvas.high.y});
-    draw_run(ui, list, true, ui.picture_place, {x, canvas.low.y}, canvas.high);
+    draw_run(ui, list, false, ui.canvas.place, canvas.low, {x, canvas.high.y});
+    draw_run(ui, list, true, ui.canvas.place, {x, canvas.low.y}, canvas.high);
     draw_divider(ui, list, canvas);
     const float inset = 8.0f * ui.options.text_scale;
     const float middle = 0.5f * (canvas.low.x + canvas.high.x);
@@ -138,13 +139,13 @@ void draw_wipe(Ui& ui, ImDrawList* list, const Pane& canvas) {
 
 void draw_blink(Ui& ui, ImDrawList* list, const Pane& canvas) {
     const bool of_b = blink_shows_b(ui);
-    draw_run(ui, list, of_b, ui.picture_place, canvas.low, canvas.high);
+    draw_run(ui, list, of_b, ui.canvas.place, canvas.low, canvas.high);
     const float inset = 8.0f * ui.options.text_scale;
     draw_title(ui, list, of_b, canvas.low.x + inset, canvas.high.x - inset, canvas.low.y, of_b);
 }
 
 void draw_difference(Ui& ui, ImDrawList* list, const Pane& canvas) {
-    draw_texture(list, ui.compare.difference, ui.picture_place);
+    draw_texture(list, ui.compare.difference, ui.canvas.place);
     draw_canvas_marks(ui, run_a(ui), list, canvas.low, canvas.high);
     const float inset = 8.0f * ui.options.text_scale;
     const float middle = 0.5f * (canvas.low.x + canvas.high.x);
@@ -155,13 +156,13 @@ void draw_difference(Ui& ui, ImDrawList* list, const Pane& canvas) {
 void show_textures(Ui& ui) {
     const RunResults& b = *ui.results.b;
     const ComparisonResults& comparison = ui.results.comparison;
-    const float scale = ui.picture_place.scale;
+    const float scale = ui.canvas.place.scale;
     if (ui.session.compare_view == CompareView::difference) {
         show_texture(ui, ui.compare.difference, comparison.difference, comparison.difference_number,
                      scale);
         return;
     }
-    show_texture(ui, ui.picture, ui.results.a.picture, ui.results.a.picture_number, scale);
+    show_texture(ui, ui.canvas.picture, ui.results.a.picture, ui.results.a.picture_number, scale);
     show_texture(ui, ui.compare.picture, b.picture, b.picture_number, scale);
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
-#include "ui/ui.h"
+#include <imgui.h>
 
 namespace rasterwalk {
+
+struct Ui;
 
 /// A part of the canvas in which a picture stands, screen pixels.
 struct Pane {

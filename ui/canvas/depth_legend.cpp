@@ -7,6 +7,7 @@
 #include "picture/colour_map.h"
 #include "picture/view_image.h"
 #include "session/depth_view.h"
+#include "ui/ui.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -101,7 +102,7 @@ std::optional<float> draw_handle(Ui& ui, const Plot& plot, bool is_near) {
     const bool lit = ImGui::IsItemHovered() || ImGui::IsItemActive();
     if (lit) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     const float mouse = ImGui::GetIO().MousePos.x;
-    if (ImGui::IsItemActivated()) ui.depth_grip = mouse - x;
+    if (ImGui::IsItemActivated()) ui.canvas.depth_grip = mouse - x;
     const bool is_dragged = ImGui::IsItemActive() && ImGui::GetIO().MouseDelta.x != 0.0f;
     name_widget(ui, name,
                 is_near
@@ -121,7 +122,7 @@ std::optional<float> draw_handle(Ui& ui, const Plot& plot, bool is_near) {
                       {middle + dx * u, plot.low.y + 10.0f * u}, packed(p.card), u);
     }
     if (!is_dragged) return std::nullopt;
-    return plot.value(mouse - ui.depth_grip);
+    return plot.value(mouse - ui.canvas.depth_grip);
 }
 
 /// Where the pixel pointed at stands among all others.
@@ -148,7 +149,8 @@ std::string bar_text(const Plot& plot, float x) {
 
 /// 1/z of the pixel pointed at or picked; 0: there is none.
 float depth_asked(const Ui& ui) {
-    const auto pixel = ui.hovered_pixel ? ui.hovered_pixel : ui.session.selection.pixel;
+    const auto pixel =
+        ui.canvas.hovered_pixel ? ui.canvas.hovered_pixel : ui.session.selection.pixel;
     const Framebuffer& framebuffer = *ui.results.a.framebuffer;
     if (!pixel || !framebuffer.contains(pixel->x, pixel->y)) return 0.0f;
     return stored_depth(framebuffer, pixel->x, pixel->y);

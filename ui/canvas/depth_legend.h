@@ -2,9 +2,9 @@
 
 #include <imgui.h>
 
-#include "ui/ui.h"
-
 namespace rasterwalk {
+
+struct Ui;
 
 /// Height of the strip under the picture in the depth view, for a canvas of this height; 0 in other
 /// views.

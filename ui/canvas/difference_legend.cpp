@@ -12,6 +12,7 @@
 #include "session/results.h"
 #include "ui/actions/compare.h"
 #include "ui/canvas/compare_view.h"
+#include "ui/ui.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -38,7 +39,8 @@ const char* difference_unit(View view) {
 
 /// The difference at the pixel under the pointer, or at the picked one; none outside the picture.
 std::optional<float> difference_in_focus(const Ui& ui) {
-    const auto& pixel = ui.hovered_pixel ? ui.hovered_pixel : ui.session.selection.pixel;
+    const auto& pixel =
+        ui.canvas.hovered_pixel ? ui.canvas.hovered_pixel : ui.session.selection.pixel;
     if (!pixel || !ui.results.a.framebuffer->contains(pixel->x, pixel->y)) return std::nullopt;
     const std::size_t at = ui.results.a.framebuffer->at(pixel->x, pixel->y);
     return ui.results.comparison.difference_values[at];
@@ -49,7 +51,8 @@ std::string difference_said(const Ui& ui) {
     std::string said = difference_unit(ui.session.view);
     const std::optional<float> value = difference_in_focus(ui);
     if (!value) return said;
-    const auto& pixel = ui.hovered_pixel ? ui.hovered_pixel : ui.session.selection.pixel;
+    const auto& pixel =
+        ui.canvas.hovered_pixel ? ui.canvas.hovered_pixel : ui.session.selection.pixel;
     return fmt::format("{} · at ({}, {}): {}{}", said, pixel->x, pixel->y, *value > 0.0f ? "+" : "",
                        fixed(static_cast<double>(*value), 4));
 }

@@ -1,8 +1,10 @@
 #pragma once
 
-#include "ui/ui.h"
+#include <imgui.h>
 
 namespace rasterwalk {
+
+struct Ui;
 
 /// The scale of the difference picture below it, with the number under the pointer; in a low canvas
 /// only the scale. 0: there is none.

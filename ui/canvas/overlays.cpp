@@ -7,6 +7,7 @@
 #include "picture/colour_map.h"
 #include "picture/overlay.h"
 #include "ui/actions/keys.h"
+#include "ui/ui.h"
 #include "ui/widgets/picture_texture.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -73,7 +74,8 @@ void draw_swatch(const Ui& ui, ImDrawList* list, ImVec2 at, Overlay overlay, flo
 
 /// The pixel that the legends speak of: the one pointed at, or else the one picked.
 std::optional<glm::ivec2> pixel_asked(const Ui& ui) {
-    const auto pixel = ui.hovered_pixel ? ui.hovered_pixel : ui.session.selection.pixel;
+    const auto pixel =
+        ui.canvas.hovered_pixel ? ui.canvas.hovered_pixel : ui.session.selection.pixel;
     const Framebuffer& framebuffer = *ui.results.a.framebuffer;
     const bool is_inside = pixel && framebuffer.contains(pixel->x, pixel->y);
     return is_inside ? pixel : std::nullopt;
@@ -81,7 +83,7 @@ std::optional<glm::ivec2> pixel_asked(const Ui& ui) {
 
 std::string value_at(const Ui& ui, Overlay overlay, glm::ivec2 pixel) {
     // As near as the eye can tell, however much the picture is enlarged.
-    const float reach = std::max(5.0f * ui.options.text_scale / ui.picture_place.scale, 0.75f);
+    const float reach = std::max(5.0f * ui.options.text_scale / ui.canvas.place.scale, 0.75f);
     return overlay_value(overlay, ui.results.a.frame, *ui.results.a.framebuffer, ui.results.overlay,
                          pixel, reach);
 }
@@ -188,11 +190,11 @@ void draw_entry(const Legend& l, const OverlayInfo& info, ImVec2 at, float right
 void draw_fold_button(Ui& ui, ImVec2 corner, float side) {
     ImGui::SetCursorScreenPos(corner);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
-    if (button(ui, "legend.fold", ui.shows_legend ? "−" : "+", Look::quiet,
-               ui.shows_legend ? "Folds the legend up, to see what lies under it."
-                               : "Unfolds the legend.",
+    if (button(ui, "legend.fold", ui.canvas.shows_legend ? "−" : "+", Look::quiet,
+               ui.canvas.shows_legend ? "Folds the legend up, to see what lies under it."
+                                      : "Unfolds the legend.",
                {side, side})) {
-        ui.shows_legend = !ui.shows_legend;
+        ui.canvas.shows_legend = !ui.canvas.shows_legend;
     }
     ImGui::PopStyleVar();
 }
@@ -241,7 +243,7 @@ bool may_cross(ImVec2 a, ImVec2 b, ImVec2 low, ImVec2 high) {
 }
 
 void draw_wires(const Ui& ui, ImDrawList* list, ImVec2 low, ImVec2 high) {
-    const PicturePlace& place = ui.picture_place;
+    const PicturePlace& place = ui.canvas.place;
     const float u = ui.options.text_scale;
     const auto middle = [&](glm::ivec2 pixel) {
         return ImVec2(place.origin.x + place.scale * (static_cast<float>(pixel.x) + 0.5f),
@@ -318,9 +320,9 @@ void draw_overlay_button(Ui& ui, bool narrow) {
 void draw_overlays(Ui& ui, ImDrawList* list, ImVec2 low, ImVec2 high) {
     const OverlayPicture& picture = ui.results.overlay;
     if (!picture.image.rgba.empty()) {
-        show_texture(ui, ui.overlay, picture.image, ui.results.overlay_number,
-                     ui.picture_place.scale);
-        draw_texture(list, ui.overlay, ui.picture_place);
+        show_texture(ui, ui.canvas.overlay, picture.image, ui.results.overlay_number,
+                     ui.canvas.place.scale);
+        draw_texture(list, ui.canvas.overlay, ui.canvas.place);
     }
     draw_wires(ui, list, low, high);
 }
@@ -334,7 +336,7 @@ void draw_overlay_legend(Ui& ui, ImVec2 low, ImVec2 high) {
     const ImVec2 at{low.x + margin, low.y + margin};
     ImGui::PushFont(ui.fonts.small);
     const float line = std::round(1.3f * ImGui::GetFontSize());
-    if (!ui.shows_legend) {
+    if (!ui.canvas.shows_legend) {
         draw_folded_legend(ui, at, padding, line);
         ImGui::PopFont();
         return;

@@ -2,9 +2,9 @@
 
 #include <imgui.h>
 
-#include "ui/ui.h"
-
 namespace rasterwalk {
+
+struct Ui;
 
 /// The button in the canvas header that opens the list of overlays.
 /// @param narrow a sign in place of the word, for small windows

@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "ui/actions/keys.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 
@@ -179,7 +180,7 @@ void Hand::enter(std::string_view name, std::string_view text) {
 
 ImVec2 Hand::pixel_middle(int column, int row) {
     const WidgetPlace canvas = find("canvas");
-    const PicturePlace& place = ui_.picture_place;
+    const PicturePlace& place = ui_.canvas.place;
     const std::string pixel = "Pixel " + std::to_string(column) + "," + std::to_string(row);
     const std::optional<float> x = screen_middle(column, place.origin.x, place.scale);
     const std::optional<float> y = screen_middle(row, place.origin.y, place.scale);

@@ -5,9 +5,13 @@
 #include <string_view>
 #include <vector>
 
-#include "ui/ui.h"
+#include <imgui.h>
+
+#include "ui/widgets/widget_state.h"
 
 namespace rasterwalk {
+
+struct Ui;
 
 /// Keys that are held while something else is done.
 struct Held {

@@ -5,6 +5,7 @@
 
 #include "base/numbers.h"
 #include "settings/setting_table.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 
@@ -27,7 +28,7 @@ std::string report_of(const Ui& ui) {
         text += value_text(setting, ui.session.a.settings) + "\n";
     }
     text += "cursor " + to_text(ui.session.cursor) + "\n";
-    const PicturePlace& picture = ui.picture_place;
+    const PicturePlace& picture = ui.canvas.place;
     text += "picture" + numbers({picture.origin.x, picture.origin.y, picture.scale}) + "\n";
     const std::map<std::string, WidgetPlace> sorted(ui.widgets.begin(), ui.widgets.end());
     for (const auto& [name, place] : sorted) {

@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "ui/ui.h"
-
 namespace rasterwalk {
+
+struct Ui;
 
 /// What is on the screen, for a program that looks on from outside (a test with a real mouse). One
 /// thing a line, blanks between the words:

@@ -7,6 +7,7 @@
 #include <GL/gl.h>
 #include <backends/imgui_impl_opengl2.h>
 
+#include "ui/ui.h"
 #include "ui/widgets/style.h"
 
 namespace rasterwalk {
@@ -125,9 +126,9 @@ void begin_gl2_frame() {
 }
 
 void draw_gl2(Ui& ui, int width, int height) {
-    if (ui.fonts_changed) {
+    if (ui.host.fonts_changed) {
         renew_font_texture();
-        ui.fonts_changed = false;
+        ui.host.fonts_changed = false;
     }
     const ImVec4& ground = palette(ui.options.theme).ground;
     glViewport(0, 0, width, height);

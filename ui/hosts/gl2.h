@@ -2,9 +2,13 @@
 
 #include <vector>
 
-#include "ui/ui.h"
+#include <imgui.h>
+
+#include "ui/hosts/host_state.h"
 
 namespace rasterwalk {
+
+struct Ui;
 
 /// ImGui drawn with OpenGL 2, which both hosts do: the window and the pictures go one way. All of
 /// this wants the host's context to be current and an ImGui context to be there.

@@ -17,6 +17,7 @@
 #include "ui/hand/key_names.h"
 #include "ui/hand/report.h"
 #include "ui/hosts/gl2.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
-#include "ui/ui.h"
+#include "base/image.h"
+#include "session/session.h"
+#include "ui/app/options_state.h"
 
 namespace rasterwalk {
 

@@ -14,6 +14,7 @@
 #include "opening/view_options.h"
 #include "session/content.h"
 #include "ui/hosts/offscreen.h"
+#include "ui/ui.h"
 #include "ui/widgets/style.h"
 
 namespace rasterwalk {

@@ -16,13 +16,14 @@
 #include "base/files.h"
 #include "lessons/progress.h"
 #include "ui/actions/actions.h"
-#include "ui/actions/lesson_state.h"
+#include "ui/actions/open_lesson.h"
 #include "ui/actions/view_files.h"
 #include "ui/app/app.h"
 #include "ui/app/guard.h"
 #include "ui/app/kept_options.h"
 #include "ui/hand/report.h"
 #include "ui/hosts/gl2.h"
+#include "ui/ui.h"
 #include "ui/widgets/style.h"
 
 namespace rasterwalk {
@@ -196,7 +197,7 @@ std::string picture_path() {
 }
 
 void save_picture(Window& window, int width, int height) {
-    window.ui.wants_picture = false;
+    window.ui.host.wants_picture = false;
     window.frames_due = frames_after_event;
     const std::string path = picture_path();
     try {
@@ -238,7 +239,7 @@ bool draw_frame(Window& window) {
     io.DeltaTime = std::clamp(io.DeltaTime, shortest_step, longest_step);
     build_ui(window.ui);
     draw_gl2(window.ui, width, height);
-    if (window.ui.wants_picture) save_picture(window, width, height);
+    if (window.ui.host.wants_picture) save_picture(window, width, height);
     glfwSwapBuffers(window.handle);
     release_late_keys(window);
     write_report(window);
@@ -254,7 +255,7 @@ bool is_held() {
 
 void run(Window& window) {
     double last_frame = 0.0;
-    while (glfwWindowShouldClose(window.handle) == GLFW_FALSE && !window.ui.wants_quit) {
+    while (glfwWindowShouldClose(window.handle) == GLFW_FALSE && !window.ui.host.wants_quit) {
         const bool is_moving = is_animating(window.ui) || is_held();
         const bool is_typing = ImGui::GetIO().WantTextInput;
         if (window.frames_due > 0 || is_moving) {

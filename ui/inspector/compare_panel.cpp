@@ -8,6 +8,7 @@
 #include "ui/actions/compare.h"
 #include "ui/actions/open_tab.h"
 #include "ui/inspector/panels.h"
+#include "ui/ui.h"
 #include "ui/widgets/flow.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -119,7 +120,7 @@ void draw_settings(Ui& ui) {
         ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
         if (button(ui, "compare.setting." + name, name, Look::link,
                    std::string(find_setting(name)->help) + "\nClick: shows it in the settings.")) {
-            ui.setting_search = name;
+            ui.inspector.setting_search = name;
             open_tab(ui, "settings");
         }
         ImGui::PopStyleVar();

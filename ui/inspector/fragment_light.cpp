@@ -3,6 +3,7 @@
 #include "explain/light_formulas.h"
 #include "picture/view_image.h"
 #include "ui/inspector/fragment_parts.h"
+#include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -83,7 +84,7 @@ void draw_vertex_light(Ui& ui) {
 bool shows_vertex_light(const Ui& ui) {
     const Shading shading = report_of(ui).shading;
     if (shading == Shading::unlit) return false;
-    return (shading == Shading::gouraud) != ui.inspect.shows_other_light;
+    return (shading == Shading::gouraud) != ui.inspector.chosen.shows_other_light;
 }
 
 void draw_fragment_light(Ui& ui) {
@@ -115,7 +116,7 @@ void draw_fragment_light(Ui& ui) {
                                                  : "\nWhat the other lighting would give.");
         if (button(ui, choice.name, title,
                    choice.is_vertex == shows_vertex ? Look::plain : Look::quiet, help)) {
-            ui.inspect.shows_other_light = !in_force;
+            ui.inspector.chosen.shows_other_light = !in_force;
         }
     }
     ImGui::PopFont();

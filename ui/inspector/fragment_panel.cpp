@@ -6,6 +6,7 @@
 #include "session/walk.h"
 #include "ui/inspector/fragment_parts.h"
 #include "ui/inspector/panels.h"
+#include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -72,7 +73,7 @@ void draw_title(Ui& ui) {
                         std::to_string(report.row.index + 1) + " of " +
                         std::to_string(report.row.row_count) + " · fragment " +
                         std::to_string(report.step + 1) + " of " + std::to_string(report.row.count);
-    if (ui.page_is_narrow) {
+    if (ui.inspector.is_narrow) {
         place = "t" + std::to_string(triangle + 1) + " · row " +
                 std::to_string(report.row.index + 1) + "/" + std::to_string(report.row.row_count) +
                 " · fragment " + std::to_string(report.step + 1) + "/" +
@@ -95,9 +96,9 @@ void draw_number(Ui& ui, const std::string& id, const std::string& cell, int dig
     if (formula == nullptr) return;
     const std::string name = "fragment." + cell;
     if (number_cell(ui, name, fixed(static_cast<double>(formula->result.value), digits), colour,
-                    ui.inspect.fragment_number == id,
+                    ui.inspector.chosen.fragment_number == id,
                     formula->help + "\nClick: how it came to be.")) {
-        ui.inspect.fragment_number = id;
+        ui.inspector.chosen.fragment_number = id;
     }
 }
 
@@ -149,7 +150,7 @@ void draw_column_headers(Ui& ui) {
         const std::string help =
             std::string(header.help) + (header.in_force ? "\nThis is the way in force." : "");
         std::string title = std::string(header.in_force ? "● " : "") + header.title;
-        if (ui.page_is_narrow) title = shortened(title, ImGui::GetContentRegionAvail().x);
+        if (ui.inspector.is_narrow) title = shortened(title, ImGui::GetContentRegionAvail().x);
         if (&header == headers) {
             text_in(p.dim, title);
         } else {
@@ -259,12 +260,12 @@ void draw_depth(Ui& ui) {
 
 void draw_formula_card(Ui& ui) {
     const FragmentReport& report = report_of(ui);
-    const Formula* formula = find_formula(report.formulas, ui.inspect.fragment_number);
+    const Formula* formula = find_formula(report.formulas, ui.inspector.chosen.fragment_number);
     if (formula == nullptr) formula = find_formula(report.formulas, "zinv");
     begin_card(ui);
     // Where lines are few the name of the number says it by its tooltip.
     ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-    if (!ui.page_is_low) wrapped_text(formula->help);
+    if (!ui.inspector.is_low) wrapped_text(formula->help);
     ImGui::PopStyleColor();
     const std::optional<Source> clicked = draw_formula(ui, *formula, "fragment.formula");
     end_card(ui);
@@ -300,7 +301,7 @@ const FragmentReport& report_of(const Ui& ui) {
 
 void follow_source(Ui& ui, const std::optional<Source>& source) {
     if (!source) return;
-    if (source->kind == SourceKind::formula) ui.inspect.fragment_number = source->name;
+    if (source->kind == SourceKind::formula) ui.inspector.chosen.fragment_number = source->name;
     go_to_source(ui, *source);
 }
 

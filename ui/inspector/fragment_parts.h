@@ -4,9 +4,11 @@
 #include <string>
 #include <string_view>
 
-#include "ui/ui.h"
+#include "explain/fragment_report.h"
 
 namespace rasterwalk {
+
+struct Ui;
 
 // The parts of the fragment's panel; see fragment_panel.cpp. There must be a fragment.
 

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "ui/inspector/panels.h"
+#include "ui/ui.h"
 #include "ui/widgets/flow.h"
 #include "ui/widgets/formula_view.h"
 #include "ui/widgets/plot.h"
@@ -19,7 +20,7 @@ const RowGraph& graph_of(const Ui& ui) {
 
 Quantity chosen_quantity(const Ui& ui) {
     for (const QuantityInfo& info : shown_quantities(ui.results.a.frame)) {
-        if (info.words.id == ui.inspect.graph_quantity) return info.quantity;
+        if (info.words.id == ui.inspector.chosen.graph_quantity) return info.quantity;
     }
     return Quantity::z;
 }
@@ -93,7 +94,7 @@ void draw_quantities(Ui& ui) {
             {start.x + place.x, start.y + static_cast<float>(place.line) * line});
         if (button(ui, "graph." + std::string(info.words.id), info.words.name,
                    info.quantity == chosen ? Look::chosen : Look::plain, info.words.help)) {
-            ui.inspect.graph_quantity = info.words.id;
+            ui.inspector.chosen.graph_quantity = info.words.id;
         }
     }
     ImGui::PopStyleVar();

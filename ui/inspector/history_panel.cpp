@@ -8,6 +8,7 @@
 #include "settings/setting_table.h"
 #include "ui/inspector/history_parts.h"
 #include "ui/inspector/panels.h"
+#include "ui/ui.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"

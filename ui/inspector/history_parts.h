@@ -2,9 +2,14 @@
 
 #include <string_view>
 
-#include "ui/ui.h"
+#include <glm/vec3.hpp>
+#include <imgui.h>
+
+#include "inspect/pixel_history.h"
 
 namespace rasterwalk {
+
+struct Ui;
 
 // The parts of the history's panel; see history_panel.cpp.
 

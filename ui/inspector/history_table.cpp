@@ -9,6 +9,7 @@
 #include "session/moment_text.h"
 #include "session/walk.h"
 #include "ui/inspector/history_parts.h"
+#include "ui/ui.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"

@@ -4,6 +4,7 @@
 #include "ui/actions/open_tab.h"
 #include "ui/inspector/panels.h"
 #include "ui/lesson/lesson_column.h"
+#include "ui/ui.h"
 #include "ui/widgets/flow.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -149,8 +150,8 @@ void draw_inspector(Ui& ui, const Layout& layout) {
                                         packed(palette(ui.options.theme).line));
     ImGui::SetCursorScreenPos({start.x, bottom + 9.0f * u});
     const ImVec2 page = ImGui::GetContentRegionAvail();
-    ui.page_is_low = page.y < low_page * u;
-    ui.page_is_narrow = page.x < narrow_page * u;
+    ui.inspector.is_low = page.y < low_page * u;
+    ui.inspector.is_narrow = page.x < narrow_page * u;
     // The page scrolls, the tabs stay.
     ImGui::BeginChild(chosen->name, {0, 0}, false, ImGuiWindowFlags_NoNav);
     chosen->draw(ui);

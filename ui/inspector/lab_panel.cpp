@@ -6,6 +6,7 @@
 #include "ui/inspector/lab_parts.h"
 #include "ui/inspector/panels.h"
 #include "ui/page/markdown.h"
+#include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -83,7 +84,8 @@ void draw_buttons(Ui& ui, const Bug& bug) {
         turn_on(ui, bug, false);
     }
     ImGui::SameLine();
-    if (button(ui, "lab.scene", ui.page_is_narrow ? "its scene" : "on its own scene", Look::plain,
+    if (button(ui, "lab.scene", ui.inspector.is_narrow ? "its scene" : "on its own scene",
+               Look::plain,
                "Opens the scene that shows it best, and turns it on there: " + bug.scene)) {
         turn_on(ui, bug, true);
     }

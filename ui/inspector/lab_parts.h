@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "ui/ui.h"
-
 namespace rasterwalk {
+
+struct Ui;
 
 // The parts of the bug laboratory; see lab_panel.cpp.
 

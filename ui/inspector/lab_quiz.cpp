@@ -7,6 +7,7 @@
 #include "ui/actions/lesson_links.h"
 #include "ui/inspector/lab_parts.h"
 #include "ui/page/markdown.h"
+#include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -127,9 +128,9 @@ void draw_question_card(Ui& ui) {
     draw_guesses(ui);
     const bool has_choice = bug_of(ui, ui.lab.chosen) != nullptr;
     ImGui::BeginDisabled(!has_choice);
-    const std::string label = has_choice          ? "it is " + ui.lab.chosen
-                              : ui.page_is_narrow ? "choose"
-                                                  : "choose one above";
+    const std::string label = has_choice               ? "it is " + ui.lab.chosen
+                              : ui.inspector.is_narrow ? "choose"
+                                                       : "choose one above";
     if (button(ui, "lab.guess", label, Look::chosen,
                "Takes the guess. A wrong one costs " + std::to_string(cost_of_wrong_guess) +
                    " points.")) {

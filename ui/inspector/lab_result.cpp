@@ -9,6 +9,7 @@
 #include "ui/actions/compare.h"
 #include "ui/actions/lab.h"
 #include "ui/inspector/lab_parts.h"
+#include "ui/ui.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "ui/inspector/microscope_parts.h"
+#include "ui/ui.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -10,7 +11,7 @@
 namespace rasterwalk {
 
 void draw_drift_curve(Ui& ui) {
-    const EdgeMicroscope& edge = ui.microscope.shown;
+    const EdgeMicroscope& edge = ui.inspector.microscope.shown;
     const Palette& p = palette(ui.options.theme);
     const float u = ui.options.text_scale;
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -32,7 +33,7 @@ void draw_drift_curve(Ui& ui) {
     };
     const MicroscopeSummary& summary = edge.summary;
     const double largest =
-        ui.microscope.shows_x ? summary.largest_drift_x : summary.largest_drift_y;
+        ui.inspector.microscope.shows_x ? summary.largest_drift_x : summary.largest_drift_y;
     const float middle = low.y + 0.5f * height;
     const auto y_of = [&](double drift) {
         const double share = largest != 0.0 ? drift / std::abs(largest) : 0.0;
@@ -60,7 +61,8 @@ void draw_drift_curve(Ui& ui) {
         list->AddLine({x_of(current), low.y + 2.0f * u}, {x_of(current), high.y - 2.0f * u},
                       packed(colour_of(Meaning::current, ui.options.theme)), 1.5f * u);
     }
-    const std::string label = std::string("drift of ") + (ui.microscope.shows_x ? "x" : "y") +
+    const std::string label = std::string("drift of ") +
+                              (ui.inspector.microscope.shows_x ? "x" : "y") +
                               (largest != 0.0 ? ", to " + drift_text(largest) : ": none");
     list->AddText(ui.fonts.small, ui.fonts.small->FontSize, {low.x + 8.0f * u, low.y + 3.0f * u},
                   packed(p.dim), label.c_str());

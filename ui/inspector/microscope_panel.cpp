@@ -5,6 +5,7 @@
 #include "session/walk.h"
 #include "ui/inspector/microscope_parts.h"
 #include "ui/inspector/panels.h"
+#include "ui/ui.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -23,7 +24,7 @@ std::string counted(std::size_t count, int of) {
 
 /// The edge that was picked, until the cursor comes to another.
 void look_at_edge(Ui& ui) {
-    MicroscopeView& view = ui.microscope;
+    MicroscopeView& view = ui.inspector.microscope;
     const std::optional<Cursor>& done = ui.results.a.done;
     if (view.picked_at != ui.results.a.cursor && done && done->phase == Phase::edges &&
         done->triangle == *ui.results.a.triangle) {
@@ -54,7 +55,7 @@ void same_line_if_room(const std::string& label, float gap) {
 }
 
 void draw_buttons(Ui& ui) {
-    MicroscopeView& view = ui.microscope;
+    MicroscopeView& view = ui.inspector.microscope;
     const float u = ui.options.text_scale;
     // In a narrow column the tooltips have to say what the signs mean.
     const bool is_narrow = ImGui::GetContentRegionAvail().x < 340.0f * u;
@@ -126,7 +127,7 @@ void draw_step(const Ui& ui, const char* axis, const Fraction& step, float float
 
 /// How many samples the floats have put on a wrong pixel.
 void draw_verdict(const Ui& ui) {
-    const EdgeMicroscope& edge = ui.microscope.shown;
+    const EdgeMicroscope& edge = ui.inspector.microscope.shown;
     const std::size_t differing = edge.differing.size();
     draw_statement(ui, differing == 0,
                    differing == 0
@@ -150,12 +151,12 @@ const char* walk_text(LineWalk walk) {
 
 /// What is to be seen on this edge, in words.
 void draw_summary(Ui& ui) {
-    const EdgeMicroscope& edge = ui.microscope.shown;
+    const EdgeMicroscope& edge = ui.inspector.microscope.shown;
     const MicroscopeSummary& summary = edge.summary;
     const Palette& p = palette(ui.options.theme);
     begin_card(ui);
-    text_in(colour_of(edge_meaning(ui.microscope.edge), ui.options.theme),
-            "edge " + std::to_string(ui.microscope.edge + 1));
+    text_in(colour_of(edge_meaning(ui.inspector.microscope.edge), ui.options.theme),
+            "edge " + std::to_string(ui.inspector.microscope.edge + 1));
     ImGui::SameLine(0.0f, 0.0f);
     ImGui::TextUnformatted((" from " + place_text(edge.a.column, edge.a.row) + " to " +
                             place_text(edge.b.column, edge.b.row))
@@ -184,37 +185,27 @@ void draw_summary(Ui& ui) {
 int current_sample(const Ui& ui) {
     const std::optional<Cursor>& done = ui.results.a.done;
     const bool is_here = done && done->triangle == *ui.results.a.triangle &&
-                         done->phase == Phase::edges && done->index == ui.microscope.edge;
+                         done->phase == Phase::edges && done->index == ui.inspector.microscope.edge;
     return is_here ? done->step : -1;
 }
 
 void go_to_sample(Ui& ui, int sample) {
     const Timeline timeline(ui.results.a.frame);
-    const Cursor cursor{*ui.results.a.triangle, Phase::edges, ui.microscope.edge, sample};
+    const Cursor cursor{*ui.results.a.triangle, Phase::edges, ui.inspector.microscope.edge, sample};
     if (timeline.exists(cursor)) go_to(ui.session, timeline.next(cursor, Granularity::moment));
 }
 
 const MicroscopeCoordinate& shown_coordinate(const Ui& ui, const MicroscopeSample& sample) {
-    return ui.microscope.shows_x ? sample.x : sample.y;
+    return ui.inspector.microscope.shows_x ? sample.x : sample.y;
 }
 
 void draw_microscope_panel(Ui& ui) {
-    ui.hovered_row = std::nullopt;
-    const Palette& p = palette(ui.options.theme);
-    if (!ui.results.a.triangle) {
-        text_in(p.dim, "The scene has no triangles.");
-        return;
-    }
-    draw_triangle_title(ui);
-    if (!ui.results.a.frame.is_drawn(*ui.results.a.triangle)) {
-        wrapped_text("This triangle is left out, so it has no edges. The Vertices tab says why.");
-        return;
-    }
+    if (!begin_triangle_panel(ui, "edges")) return;
     const bool appears = ImGui::IsWindowAppearing();
     look_at_edge(ui);
     draw_buttons(ui);
     const float line = ui.fonts.mono->FontSize + 2.0f * ImGui::GetStyle().CellPadding.y;
-    const float needed = static_cast<float>(ui.microscope.shown.count + 2) * line;
+    const float needed = static_cast<float>(ui.inspector.microscope.shown.count + 2) * line;
     const float u = ui.options.text_scale;
     const float room = ImGui::GetContentRegionAvail().y;
     const auto table_height = [&](int fewest_lines) {

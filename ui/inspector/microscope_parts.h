@@ -1,8 +1,10 @@
 #pragma once
 
-#include "ui/ui.h"
+#include "inspect/microscope.h"
 
 namespace rasterwalk {
+
+struct Ui;
 
 // The parts of the microscope's panel; see microscope_panel.cpp.
 

@@ -5,6 +5,7 @@
 
 #include "base/numbers.h"
 #include "ui/inspector/microscope_parts.h"
+#include "ui/ui.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -15,10 +16,10 @@ namespace {
 
 /// How many samples of the shown edge come before the cursor.
 int samples_walked(const Ui& ui) {
-    const Cursor begin{*ui.results.a.triangle, Phase::edges, ui.microscope.edge, 0};
+    const Cursor begin{*ui.results.a.triangle, Phase::edges, ui.inspector.microscope.edge, 0};
     if (ui.results.a.cursor <= begin) return 0;
     const int current = current_sample(ui);
-    return current >= 0 ? current + 1 : ui.microscope.shown.count;
+    return current >= 0 ? current + 1 : ui.inspector.microscope.shown.count;
 }
 
 std::string coordinate_words(const char* axis, const char* pixel, const MicroscopeCoordinate& c) {
@@ -43,7 +44,7 @@ void draw_pixel_cell(const Ui& ui, int pixel, bool differs, const ImVec4& quiet)
 
 void draw_sample(Ui& ui, int index, int current, int walked) {
     const Palette& p = palette(ui.options.theme);
-    const MicroscopeSample sample = ui.microscope.shown.at(index);
+    const MicroscopeSample sample = ui.inspector.microscope.shown.at(index);
     const MicroscopeCoordinate& c = shown_coordinate(ui, sample);
     const ImVec4& ink = index < walked ? p.text : p.dim;
     ImGui::TableNextRow();
@@ -55,7 +56,7 @@ void draw_sample(Ui& ui, int index, int current, int walked) {
         go_to_sample(ui, index);
     }
     const bool hovered = ImGui::IsItemHovered();
-    if (hovered) ui.hovered_row = sample.y.pixel;
+    if (hovered) ui.inspector.hovered_row = sample.y.pixel;
     const std::string tooltip = hovered ? "Sample " + std::to_string(index + 1) + "\n" +
                                               coordinate_words("x", "column", sample.x) + "\n" +
                                               coordinate_words("y", "row", sample.y) +
@@ -89,8 +90,8 @@ int digits(std::int64_t value) {
 
 /// The columns for x or y of this edge, each as wide as its numbers may get.
 std::array<SampleColumn, 6> columns_of(const Ui& ui) {
-    const EdgeMicroscope& edge = ui.microscope.shown;
-    const bool x = ui.microscope.shows_x;
+    const EdgeMicroscope& edge = ui.inspector.microscope.shown;
+    const bool x = ui.inspector.microscope.shows_x;
     const int a = x ? edge.a.column : edge.a.row, b = x ? edge.b.column : edge.b.row;
     const std::int64_t denominator = (x ? edge.step_x : edge.step_y).denominator;
     const double drift = x ? edge.summary.largest_drift_x : edge.summary.largest_drift_y;
@@ -133,7 +134,7 @@ void draw_sample_headers(Ui& ui, const std::array<SampleColumn, 6>& columns) {
 } // namespace
 
 void draw_sample_table(Ui& ui, float height, bool appears) {
-    const EdgeMicroscope& edge = ui.microscope.shown;
+    const EdgeMicroscope& edge = ui.inspector.microscope.shown;
     const float u = ui.options.text_scale;
     const std::array<SampleColumn, 6> columns = columns_of(ui);
     ImGui::PushFont(ui.fonts.mono);

@@ -1,12 +1,14 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "settings/setting_table.h"
-#include "ui/ui.h"
 #include "ui/widgets/layout.h"
 
 namespace rasterwalk {
+
+struct Ui;
 
 // The inspector and its panels: one file, one free function each.
 
@@ -14,6 +16,10 @@ namespace rasterwalk {
 void draw_inspector(Ui& ui, const Layout& layout);
 /// Which triangle the inspector shows, with buttons to its neighbours. There must be one.
 void draw_triangle_title(Ui& ui);
+/// Begins a panel about what is drawn of the triangle on show, by its title. False if nothing is;
+/// the panel says why.
+/// @param what "rows"
+bool begin_triangle_panel(Ui& ui, const char* what);
 void draw_vertices_panel(Ui& ui);
 void draw_rows_panel(Ui& ui);
 void draw_fragment_panel(Ui& ui);

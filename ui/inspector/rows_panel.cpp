@@ -1,327 +1,18 @@
 #include <algorithm>
-#include <climits>
-#include <optional>
-#include <span>
 #include <string>
 
 #include <fmt/format.h>
 
 #include "base/numbers.h"
-#include "session/walk.h"
 #include "ui/inspector/panels.h"
+#include "ui/inspector/rows_parts.h"
+#include "ui/ui.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
 
 namespace {
-
-/// "2.4": edge 2, sample 4, both counted from 1.
-std::string writer_text(const EndWriter& writer) {
-    std::string text = std::to_string(writer.edge + 1) + "." + std::to_string(writer.sample + 1);
-    if (writer.replaced > 0) text += " ↻" + std::to_string(writer.replaced);
-    return text;
-}
-
-std::string writer_tooltip(const EndWriter& writer) {
-    std::string text = "Edge " + std::to_string(writer.edge + 1) + ", sample " +
-                       std::to_string(writer.sample + 1) + ".";
-    if (writer.replaced > 0) {
-        text += " It replaced what stood here; that has happened " +
-                std::to_string(writer.replaced) + (writer.replaced == 1 ? " time." : " times.");
-    }
-    return text + "\nClick: to the moment in which it was written.";
-}
-
-/// To the moment just after a sample was entered, so that its cell is the one that lights up.
-void go_to_sample(Ui& ui, int edge, int sample) {
-    const Timeline timeline(ui.results.a.frame);
-    const Cursor cursor{*ui.results.a.triangle, Phase::edges, edge, sample};
-    if (timeline.exists(cursor)) go_to(ui.session, timeline.next(cursor, Granularity::moment));
-}
-
-/// One end of a row: its column, lit if it was written just now, in the colour of who wrote it.
-void draw_end_cell(Ui& ui, const std::string& name, const RowEnd& end, const EndWriter& writer,
-                   bool is_left, bool just_written) {
-    const Palette& p = palette(ui.options.theme);
-    if (just_written) {
-        ImGui::TableSetBgColor(ImGuiTableBgTarget_CellBg,
-                               packed(colour_of(Meaning::current, ui.options.theme), 0.25f));
-    }
-    if (!writer.is_set()) {
-        const bool is_extreme = end.column == empty_left || end.column == empty_right;
-        right_aligned(!is_extreme ? std::to_string(end.column)
-                      : is_left   ? "+INT_MAX"
-                                  : "−INT_MAX",
-                      p.dim);
-        name_widget(ui, name,
-                    is_extreme ? "No sample has reached this row yet: any column is an improvement."
-                               : "Where this end starts: no sample has improved on it.");
-        return;
-    }
-    const ImVec4 colour = colour_of(edge_meaning(writer.edge), ui.options.theme);
-    right_aligned(std::to_string(end.column), colour);
-    name_widget(ui, name, writer_tooltip(writer));
-    if (ImGui::IsItemClicked()) go_to_sample(ui, writer.edge, writer.sample);
-}
-
-void draw_writer_cell(Ui& ui, const std::string& name, const EndWriter& writer) {
-    const Palette& p = palette(ui.options.theme);
-    if (!writer.is_set()) {
-        right_aligned("—", p.dim);
-        return;
-    }
-    right_aligned(writer_text(writer), colour_of(edge_meaning(writer.edge), ui.options.theme));
-    name_widget(ui, name, writer_tooltip(writer));
-    if (ImGui::IsItemClicked()) go_to_sample(ui, writer.edge, writer.sample);
-}
-
-/// The varying that the stage uses; where it uses none, the first: the place in the room.
-const VaryingInfo& shown_varying(const Frame& frame) {
-    const VaryingSet read = frame.stages.varyings_read(shading_rule(frame.settings));
-    for (int i = 0; i < varying_count; ++i) {
-        if (read.has(i)) return varying_list[static_cast<std::size_t>(i)];
-    }
-    return varying_list.front();
-}
-
-void draw_values(Ui& ui, const RowEnd& end, bool is_set) {
-    const Palette& p = palette(ui.options.theme);
-    const VaryingInfo& varying = shown_varying(ui.results.a.frame);
-    const auto draw = [&](bool has_number, float number) {
-        ImGui::TableNextColumn();
-        right_aligned(has_number ? fixed(static_cast<double>(number), 4) : "—",
-                      has_number ? p.text : p.dim);
-    };
-    draw(is_set, end.inv_w);
-    for (int i = 0; i < 3; ++i) {
-        const bool has_number = is_set && i < varying.count;
-        draw(has_number, has_number ? varying.component(end.varyings, i) : 0.0f);
-    }
-}
-
-/// The row of the picture at which the work in this table stands: that of the last fragments, or of
-/// the last sample; none before the first.
-std::optional<int> row_at_work(const Ui& ui) {
-    const RowHistory& history = ui.results.a.rows;
-    const std::optional<Cursor>& done = ui.results.a.done;
-    if (done && done->triangle == ui.results.a.triangle && done->phase == Phase::rows) {
-        return history.rows.first_row + done->index;
-    }
-    if (history.last && history.last->write.inside) return history.last->fragment.row;
-    return std::nullopt;
-}
-
-void draw_row(Ui& ui, int index) {
-    const Palette& p = palette(ui.options.theme);
-    const RowHistory& history = ui.results.a.rows;
-    const int row = history.rows.first_row + index;
-    const std::string name = "rows." + std::to_string(row);
-    const EndWriter& left = history.left_by[index];
-    const EndWriter& right = history.right_by[index];
-    const bool is_last =
-        history.last && history.last->write.inside && history.last->fragment.row == row;
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    ImGui::PushID(row);
-    const bool lit = row_at_work(ui) == row || ui.session.selection.row == row ||
-                     (ui.hovered_pixel && ui.hovered_pixel->y == row);
-    if (ImGui::Selectable("##row", lit,
-                          ImGuiSelectableFlags_SpanAllColumns |
-                              ImGuiSelectableFlags_AllowItemOverlap)) {
-        ui.session.selection.row = row;
-    }
-    if (ImGui::IsItemHovered()) ui.hovered_row = row;
-    name_widget(ui, name);
-    ImGui::SameLine(0.0f, 0.0f);
-    right_aligned(std::to_string(row), p.text);
-    ImGui::PopID();
-    const RowWrite write = is_last ? history.last->write : RowWrite{};
-    ImGui::TableNextColumn();
-    draw_end_cell(ui, name + ".left", history.rows.left[index], left, true, write.left);
-    if (ui.shows_end_values) draw_values(ui, history.rows.left[index], left.is_set());
-    ImGui::TableNextColumn();
-    draw_end_cell(ui, name + ".right", history.rows.right[index], right, false, write.right);
-    if (ui.shows_end_values) {
-        draw_values(ui, history.rows.right[index], right.is_set());
-        return;
-    }
-    ImGui::TableNextColumn();
-    const int count = history.rows.pixel_count(index);
-    right_aligned(count > 0 ? std::to_string(count) : "—", count > 0 ? p.text : p.dim);
-    ImGui::TableNextColumn();
-    draw_writer_cell(ui, name + ".left_by", left);
-    ImGui::TableNextColumn();
-    draw_writer_cell(ui, name + ".right_by", right);
-}
-
-/// A sample that fell outside the table: a red line, with the float value that is to blame.
-void draw_outside(Ui& ui, const OutsideSample& sample, int number) {
-    const ImVec4 red = colour_of(Meaning::fail, ui.options.theme);
-    ImGui::TableNextRow();
-    ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, packed(red, 0.18f));
-    ImGui::TableNextColumn();
-    ImGui::PushID(-1 - number);
-    const bool pressed = ImGui::Selectable("##outside", false,
-                                           ImGuiSelectableFlags_SpanAllColumns |
-                                               ImGuiSelectableFlags_AllowItemOverlap);
-    const std::string value = "y = " + nine_digits(sample.y);
-    const std::string tooltip = fmt::format(
-        "Edge {}, sample {}: {} becomes row {}, which the table does not have. A program without a "
-        "guard writes outside its array here.",
-        sample.edge + 1, sample.sample + 1, value, sample.row);
-    name_widget(ui, "rows.outside." + std::to_string(number), tooltip);
-    ImGui::PopID();
-    ImGui::SameLine(0.0f, 0.0f);
-    right_aligned(fixed(sample.row, 0), red);
-    ImGui::TableNextColumn();
-    right_aligned("outside", red);
-    ImGui::TableNextColumn();
-    // The value is longer than a column, and the next ones are empty on this line.
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const ImVec2 low = ImGui::GetWindowPos();
-    ImGui::PushClipRect(low, {low.x + ImGui::GetWindowWidth(), low.y + ImGui::GetWindowHeight()},
-                        false);
-    ImGui::GetWindowDrawList()->AddText(at, packed(red), value.c_str());
-    ImGui::PopClipRect();
-    if (!ui.shows_end_values) {
-        ImGui::TableSetColumnIndex(5);
-        right_aligned(std::to_string(sample.edge + 1) + "." + std::to_string(sample.sample + 1),
-                      red);
-    }
-    if (pressed) go_to_sample(ui, sample.edge, sample.sample);
-}
-
-void draw_row_headers(Ui& ui) {
-    struct Header {
-        const char* name;
-        const char* help;
-    };
-    static constexpr Header who[] = {
-        {"row", "Row of the picture."},
-        {"left", "Column of the row's left end: leftPixels[i].x"},
-        {"right", "Column of the row's right end: rightPixels[i].x"},
-        {"count", "Pixels from the left to the right end, both included."},
-        {"left by", "Who wrote the left end: edge.sample, and how often it was replaced (↻)."},
-        {"right by", "Who wrote the right end: edge.sample, and how often it was replaced (↻)."},
-    };
-    static constexpr Header values[] = {
-        {"row", "Row of the picture."},
-        {"left", "Column of the row's left end: leftPixels[i].x"},
-        {"1/z", "1/z of the left end."},
-        {"x", "Varying of the left end; q/z with perspective correction."},
-        {"y", "Varying of the left end; q/z with perspective correction."},
-        {"z", "Varying of the left end; q/z with perspective correction."},
-        {"right", "Column of the row's right end: rightPixels[i].x"},
-        {"1/z", "1/z of the right end."},
-        {"x", "Varying of the right end; q/z with perspective correction."},
-        {"y", "Varying of the right end; q/z with perspective correction."},
-        {"z", "Varying of the right end; q/z with perspective correction."},
-    };
-    const std::span<const Header> headers =
-        ui.shows_end_values ? std::span<const Header>(values) : std::span<const Header>(who);
-    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
-    for (int i = 0; i < ImGui::TableGetColumnCount(); ++i) {
-        ImGui::TableSetColumnIndex(i);
-        ImGui::PushFont(ui.fonts.small);
-        const bool is_count = std::string_view(headers[i].name) == "count";
-        right_aligned(is_count && ui.page_is_narrow ? "n" : headers[i].name,
-                      palette(ui.options.theme).dim);
-        ImGui::PopFont();
-        // The values of both ends have the same titles.
-        const bool is_value = ui.shows_end_values && i >= 2 && i != 6;
-        const std::string end = !is_value ? "" : i < 6 ? "left." : "right.";
-        name_widget(ui, "rows.header." + end + headers[i].name, headers[i].help);
-    }
-}
-
-/// Scrolls to the row just drawn. A table that has only just come knows its height a frame later:
-/// what is wanted stays wanted until it is seen.
-void bring_into_view(Ui& ui) {
-    const float top = ImGui::GetWindowPos().y + ImGui::GetTextLineHeightWithSpacing();
-    const float bottom = ImGui::GetWindowPos().y + ImGui::GetWindowHeight();
-    if (ImGui::GetItemRectMin().y > top && ImGui::GetItemRectMax().y < bottom) {
-        ui.scroll_to_row = false;
-    } else {
-        ImGui::SetScrollHereY();
-    }
-}
-
-/// The row to bring into view, as an index into the table, -1: none. A table that comes to be shown
-/// shows its selected row, or else the row at work.
-int wanted_row(Ui& ui) {
-    const RowHistory& history = ui.results.a.rows;
-    const RowsPlace place{*ui.results.a.triangle, ui.session.selection.row, ui.session.jumps};
-    if (!(place == ui.rows_place)) {
-        ui.rows_place = place;
-        ui.scroll_to_row = true;
-    }
-    if (!ui.scroll_to_row) return -1;
-    const auto in_table = [&](std::optional<int> row) {
-        const int index = row.value_or(-1) - history.rows.first_row;
-        return row && index >= 0 && index < history.rows.size() ? index : -1;
-    };
-    const int selected = in_table(ui.session.selection.row);
-    return selected >= 0 ? selected : in_table(row_at_work(ui));
-}
-
-void draw_table(Ui& ui, float height) {
-    const RowHistory& history = ui.results.a.rows;
-    const float u = ui.options.text_scale;
-    const int columns = ui.shows_end_values ? 11 : 6;
-    const ImGuiTableFlags flags =
-        ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH |
-        (ui.shows_end_values ? ImGuiTableFlags_ScrollX | ImGuiTableFlags_SizingFixedFit
-                             : ImGuiTableFlags_SizingStretchProp);
-    const ImVec2 padding = ImGui::GetStyle().CellPadding;
-    const bool is_narrow = ui.page_is_narrow;
-    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {is_narrow ? 2.0f * u : padding.x, padding.y});
-    const bool open = ImGui::BeginTable("rows", columns, flags, {0, height});
-    ImGui::PopStyleVar();
-    if (!open) return;
-    ImGui::TableSetupScrollFreeze(1, 1);
-    static constexpr float roomy[] = {46, 84, 84, 48, 92, 92}, narrow[] = {34, 46, 46, 34, 78, 78};
-    const float* const widths = is_narrow ? narrow : roomy;
-    for (int i = 0; i < columns; ++i) {
-        // Of the ends' values those of the left end are in sight at once.
-        const float value_width = i == 0 ? 40.0f : i == 1 || i == 6 ? 46.0f : 70.0f;
-        ImGui::TableSetupColumn("", 0, ui.shows_end_values ? value_width * u : widths[i]);
-    }
-    draw_row_headers(ui);
-    ImGui::PushFont(ui.fonts.mono);
-    const auto is_above = [&](const OutsideSample& s) { return s.row < history.rows.first_row; };
-    for (std::size_t i = 0; i < history.outside.size(); ++i) {
-        if (is_above(history.outside[i])) draw_outside(ui, history.outside[i], static_cast<int>(i));
-    }
-    ImGuiListClipper clipper;
-    clipper.Begin(history.rows.size());
-    const std::optional<int> at_work = row_at_work(ui);
-    if (ui.follow_cursor && at_work && history.rows.size() > 0) {
-        const int index = std::clamp(*at_work - history.rows.first_row, 0, history.rows.size() - 1);
-        clipper.ForceDisplayRangeByIndices(index, index + 1);
-    }
-    const int wanted = wanted_row(ui);
-    if (wanted < 0 || wanted >= history.rows.size()) {
-        ui.scroll_to_row = false;
-    } else {
-        clipper.ForceDisplayRangeByIndices(wanted, wanted + 1);
-    }
-    while (clipper.Step()) {
-        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-            draw_row(ui, i);
-            const bool is_at_work = at_work == history.rows.first_row + i;
-            if (ui.follow_cursor && is_at_work && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
-            if (i == wanted) bring_into_view(ui);
-        }
-    }
-    for (std::size_t i = 0; i < history.outside.size(); ++i) {
-        if (!is_above(history.outside[i])) {
-            draw_outside(ui, history.outside[i], static_cast<int>(i));
-        }
-    }
-    ImGui::PopFont();
-    ImGui::EndTable();
-}
 
 /// What the sample that was entered last did, in words and numbers.
 void draw_last_sample(Ui& ui) {
@@ -365,17 +56,8 @@ void draw_last_sample(Ui& ui) {
 } // namespace
 
 void draw_rows_panel(Ui& ui) {
-    ui.hovered_row = std::nullopt;
+    if (!begin_triangle_panel(ui, "rows")) return;
     const Palette& p = palette(ui.options.theme);
-    if (!ui.results.a.triangle) {
-        text_in(p.dim, "The scene has no triangles.");
-        return;
-    }
-    draw_triangle_title(ui);
-    if (!ui.results.a.frame.is_drawn(*ui.results.a.triangle)) {
-        wrapped_text("This triangle is left out, so it has no rows. The Vertices tab says why.");
-        return;
-    }
     draw_bench_examples(ui);
     const RowHistory& history = ui.results.a.rows;
     const float line = ImGui::GetTextLineHeightWithSpacing();
@@ -385,7 +67,7 @@ void draw_rows_panel(Ui& ui) {
         slack + static_cast<float>(history.rows.size() + history.outside.size() + 1) *
                     (ui.fonts.mono->FontSize + 2.0f * ImGui::GetStyle().CellPadding.y);
     const float room = ImGui::GetContentRegionAvail().y - below;
-    draw_table(ui, std::max(std::min(needed, room), 6.0f * line));
+    draw_row_table(ui, std::max(std::min(needed, room), 6.0f * line));
     draw_last_sample(ui);
     if (button(ui, "rows.copy", "copy as text", Look::plain,
                "Copies the table in the form that the lab prints.")) {
@@ -393,9 +75,10 @@ void draw_rows_panel(Ui& ui) {
         ui.session.notice = "The row table is in the clipboard.";
     }
     ImGui::SameLine();
-    if (button(ui, "rows.values", "ends' values", ui.shows_end_values ? Look::chosen : Look::plain,
+    if (button(ui, "rows.values", "ends' values",
+               ui.inspector.shows_end_values ? Look::chosen : Look::plain,
                "Shows 1/z and the varyings of both ends in further columns.")) {
-        ui.shows_end_values = !ui.shows_end_values;
+        ui.inspector.shows_end_values = !ui.inspector.shows_end_values;
     }
     ImGui::SameLine();
     const std::size_t outside = history.outside.size();

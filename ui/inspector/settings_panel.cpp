@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "settings/setting_table.h"
 #include "ui/inspector/panels.h"
+#include "ui/ui.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -121,7 +122,7 @@ void draw_settings_panel(Ui& ui) {
         return;
     }
     ImGui::SetNextItemWidth(-1.0f);
-    ImGui::InputTextWithHint("##search", "search the settings", &ui.setting_search);
+    ImGui::InputTextWithHint("##search", "search the settings", &ui.inspector.setting_search);
     name_widget(ui, "settings.search", "Shows only the settings whose name or help has this word.");
     for (const Preset& preset : ui.session.presets) {
         if (button(ui, "settings.preset." + preset.name, preset.name, Look::plain, preset.about)) {
@@ -134,7 +135,7 @@ void draw_settings_panel(Ui& ui) {
     std::string_view group;
     bool any = false;
     for (const Setting& setting : setting_table()) {
-        if (!is_wanted(setting, ui.setting_search)) continue;
+        if (!is_wanted(setting, ui.inspector.setting_search)) continue;
         any = true;
         if (setting.group != group) {
             group = setting.group;

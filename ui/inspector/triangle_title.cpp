@@ -1,8 +1,11 @@
 #include <algorithm>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "ui/actions/actions.h"
 #include "ui/inspector/panels.h"
+#include "ui/ui.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -23,9 +26,9 @@ void draw_triangle_title(Ui& ui) {
     const bool can_follow =
         !follows && ui.results.a.done && ui.results.a.done->triangle != triangle;
     const std::string follow_label =
-        ui.page_is_low ? "follow"
-                       : "follow the cursor: triangle " +
-                             std::to_string(can_follow ? ui.results.a.done->triangle + 1 : 0);
+        ui.inspector.is_low ? "follow"
+                            : "follow the cursor: triangle " +
+                                  std::to_string(can_follow ? ui.results.a.done->triangle + 1 : 0);
     const auto follow = [&] {
         if (button(ui, "triangle.follow", follow_label, Look::link,
                    "Shows the triangle that is being drawn instead of the picked one.")) {
@@ -34,14 +37,14 @@ void draw_triangle_title(Ui& ui) {
     };
     // The buttons come first; of the name there is as much as fits before them.
     float width = count > 1 ? 2.0f * ImGui::GetFrameHeight() + gap : 0.0f;
-    if (can_follow && ui.page_is_low) width += button_width(follow_label);
+    if (can_follow && ui.inspector.is_low) width += button_width(follow_label);
     const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
     text_in(p.dim, shortened("of " + std::to_string(count) + " · " +
                                  part_name(*ui.results.a.scene, triangle),
                              std::max(ImGui::GetContentRegionAvail().x - width - gap, 0.0f)));
     ImGui::SameLine();
     ImGui::SetCursorPosX(std::max(right - width, ImGui::GetCursorPosX()));
-    if (can_follow && ui.page_is_low) {
+    if (can_follow && ui.inspector.is_low) {
         follow();
         ImGui::SameLine();
     }
@@ -57,7 +60,20 @@ void draw_triangle_title(Ui& ui) {
     } else {
         ImGui::NewLine();
     }
-    if (can_follow && !ui.page_is_low) follow();
+    if (can_follow && !ui.inspector.is_low) follow();
+}
+
+bool begin_triangle_panel(Ui& ui, const char* what) {
+    ui.inspector.hovered_row = std::nullopt;
+    if (!ui.results.a.triangle) {
+        text_in(palette(ui.options.theme).dim, "The scene has no triangles.");
+        return false;
+    }
+    draw_triangle_title(ui);
+    if (ui.results.a.frame.is_drawn(*ui.results.a.triangle)) return true;
+    wrapped_text(fmt::format(
+        "This triangle is left out, so it has no {}. The Vertices tab says why.", what));
+    return false;
 }
 
 } // namespace rasterwalk

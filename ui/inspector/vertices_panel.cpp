@@ -3,6 +3,7 @@
 #include <string>
 
 #include "ui/inspector/panels.h"
+#include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -52,7 +53,7 @@ const Line lines[] = {
 
 /// A narrow column has fewer digits; the formula below has them all.
 int digits_of(const Ui& ui, const Line& line) {
-    if (!ui.page_is_narrow || line.digits == 0) return line.digits;
+    if (!ui.inspector.is_narrow || line.digits == 0) return line.digits;
     return std::string_view(line.space) == "projected" || line.id == std::string_view("projected.y")
                ? 1
                : line.digits - 1;
@@ -60,14 +61,15 @@ int digits_of(const Ui& ui, const Line& line) {
 
 /// How many columns of words stand before the numbers.
 int label_columns(const Ui& ui) {
-    return ui.page_is_narrow ? 1 : 2;
+    return ui.inspector.is_narrow ? 1 : 2;
 }
 
 void draw_header(Ui& ui, int chosen) {
     ImGui::TableNextRow();
     for (int v = 0; v < triangle_corners; ++v) {
         ImGui::TableSetColumnIndex(label_columns(ui) + v);
-        const std::string label = (ui.page_is_narrow ? "v" : "vertex ") + std::to_string(v + 1);
+        const std::string label =
+            (ui.inspector.is_narrow ? "v" : "vertex ") + std::to_string(v + 1);
         const std::string name = "vertices.v" + std::to_string(v);
         if (number_cell(ui, name, label, palette(ui.options.theme).dim, v == chosen,
                         "Shows this vertex's formula below.")) {
@@ -87,7 +89,7 @@ void draw_labels(Ui& ui, const Line& line) {
         ImGui::GetWindowDrawList()->AddLine({x, y}, {x + ImGui::GetWindowWidth(), y},
                                             packed(p.line));
     }
-    if (ui.page_is_narrow) {
+    if (ui.inspector.is_narrow) {
         const bool is_pixel = std::string_view(line.space) == "pixel";
         const std::string space = is_pixel || *line.space == '\0' ? "" : line.space;
         ImGui::PushFont(ui.fonts.small);
@@ -109,7 +111,7 @@ void draw_cell(Ui& ui, const Line& line, int v, int chosen) {
     const Palette& p = palette(ui.options.theme);
     const Formula* const formula = find_formula(
         ui.results.a.inspected.vertices[static_cast<std::size_t>(v)].formulas, line.id);
-    const bool is_chosen = v == chosen && ui.inspect.vertex_number == line.id;
+    const bool is_chosen = v == chosen && ui.inspector.chosen.vertex_number == line.id;
     const std::string name =
         std::string("vertices.").append(line.id).append(".v").append(std::to_string(v));
     if (formula == nullptr) {
@@ -121,13 +123,13 @@ void draw_cell(Ui& ui, const Line& line, int v, int chosen) {
     if (number_cell(ui, name, text, v == chosen ? p.text : p.dim, is_chosen,
                     line.help + std::string("\nClick: how it came to be."))) {
         ui.session.selection.vertex = v;
-        ui.inspect.vertex_number = line.id;
+        ui.inspector.chosen.vertex_number = line.id;
     }
 }
 
 void draw_table(Ui& ui, int chosen) {
     const bool lights = shading_rule(ui.results.a.frame.settings) != Shading::unlit;
-    const float padding = (ui.page_is_narrow ? 2.0f : 6.0f) * ui.options.text_scale;
+    const float padding = (ui.inspector.is_narrow ? 2.0f : 6.0f) * ui.options.text_scale;
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {padding, ImGui::GetStyle().CellPadding.y});
     if (!ImGui::BeginTable("vertices", label_columns(ui) + triangle_corners,
                            ImGuiTableFlags_SizingFixedFit)) {
@@ -141,7 +143,7 @@ void draw_table(Ui& ui, int chosen) {
         ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, width);
         room -= width;
     };
-    if (ui.page_is_narrow) {
+    if (ui.inspector.is_narrow) {
         add_words(ui.fonts.small, "− camera x ");
     } else {
         add_words(ui.fonts.text, "− camera ");
@@ -222,24 +224,24 @@ void draw_formula_card(Ui& ui, const VertexReport& vertex) {
         wrapped_text("The triangle is left out: " +
                      std::string(words(vertex.shaded.rejection).detail) + ".");
     }
-    const Formula* formula = find_formula(vertex.formulas, ui.inspect.vertex_number);
+    const Formula* formula = find_formula(vertex.formulas, ui.inspector.chosen.vertex_number);
     if (formula == nullptr) formula = find_formula(vertex.formulas, "rotated.z");
     // Where lines are few the formula itself says whose it is.
     const std::string number = std::to_string(vertex.vertex + 1);
     Formula said = *formula;
-    if (ui.page_is_low) {
+    if (ui.inspector.is_low) {
         said.name = "v" + number + " " + said.name;
     } else {
         text_in(palette(ui.options.theme).dim, "vertex " + number + ": " + formula->help);
         name_widget(ui, "vertices.formula", formula->help);
     }
-    ImGui::PushFont(ui.page_is_low ? ui.fonts.small : ui.fonts.text);
+    ImGui::PushFont(ui.inspector.is_low ? ui.fonts.small : ui.fonts.text);
     const std::optional<Source> clicked = draw_formula(ui, said, "vertices.formula");
     draw_what_else(ui, vertex, *formula);
     ImGui::PopFont();
     end_card(ui);
     if (!clicked) return;
-    if (clicked->kind == SourceKind::formula) ui.inspect.vertex_number = clicked->name;
+    if (clicked->kind == SourceKind::formula) ui.inspector.chosen.vertex_number = clicked->name;
     go_to_source(ui, *clicked);
 }
 

@@ -1,11 +1,12 @@
 #include <algorithm>
 
-#include "ui/actions/lesson_state.h"
+#include "ui/actions/open_lesson.h"
 #include "ui/lesson/lesson_column.h"
 #include "ui/lesson/lesson_list.h"
 #include "ui/lesson/lesson_page.h"
 #include "ui/lesson/page_footer.h"
 #include "ui/lesson/stage_page.h"
+#include "ui/ui.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 

@@ -1,9 +1,10 @@
 #pragma once
 
-#include "ui/ui.h"
 #include "ui/widgets/layout.h"
 
 namespace rasterwalk {
+
+struct Ui;
 
 /// The lesson that is open, the page about the stage on show, or the list of lessons; as a column
 /// or as a tab of the inspector.

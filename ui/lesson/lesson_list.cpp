@@ -2,10 +2,12 @@
 
 #include <string>
 
+#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include "lessons/lesson_search.h"
-#include "ui/actions/lesson_state.h"
+#include "ui/actions/open_lesson.h"
+#include "ui/ui.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -120,8 +122,8 @@ void draw_hits(Ui& ui, float width) {
             continue;
         }
         if (is_term) {
-            ui.shows_glossary = true;
-            ui.glossary_search = hit.title;
+            ui.sheets.shows_glossary = true;
+            ui.sheets.glossary_search = hit.title;
         } else {
             open_lesson(ui, hit.lesson, hit.step);
         }

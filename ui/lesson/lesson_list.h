@@ -1,8 +1,8 @@
 #pragma once
 
-#include "ui/ui.h"
-
 namespace rasterwalk {
+
+struct Ui;
 
 /// All lessons with what is done of them; or, while something is searched for, where it stands in
 /// the lessons and the glossary.

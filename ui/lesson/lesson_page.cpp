@@ -4,10 +4,11 @@
 #include <string>
 
 #include "ui/actions/lesson_links.h"
-#include "ui/actions/lesson_state.h"
+#include "ui/actions/open_lesson.h"
 #include "ui/lesson/lesson_questions.h"
 #include "ui/lesson/page_footer.h"
 #include "ui/page/markdown.h"
+#include "ui/ui.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 

@@ -1,8 +1,10 @@
 #pragma once
 
-#include "ui/ui.h"
+#include "ui/lesson/lesson_state.h"
 
 namespace rasterwalk {
+
+struct Ui;
 
 /// The step on show of the lesson that is open: text, tasks and predictions.
 void draw_step_text(Ui& ui, const Lesson& lesson, float width);

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 
+#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include "ui/actions/lesson_links.h"
-#include "ui/actions/lesson_state.h"
+#include "ui/actions/open_lesson.h"
 #include "ui/page/markdown.h"
+#include "ui/ui.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 

@@ -1,8 +1,10 @@
 #pragma once
 
-#include "ui/ui.h"
+#include "ui/lesson/lesson_state.h"
 
 namespace rasterwalk {
+
+struct Ui;
 
 /// A task as a box: what is to be done, a hint on request, a tick when it is solved.
 void draw_task(Ui& ui, const Lesson& lesson, const LessonTask& task, float width);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ui/ui.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 

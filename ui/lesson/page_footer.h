@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "ui/ui.h"
-
 namespace rasterwalk {
+
+struct Ui;
 
 /// The way through the pages of a walk: a bar a page, and buttons to the neighbours.
 struct PageFooter {

@@ -7,6 +7,7 @@
 #include "ui/actions/lesson_links.h"
 #include "ui/lesson/page_footer.h"
 #include "ui/page/markdown.h"
+#include "ui/ui.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 

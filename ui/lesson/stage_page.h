@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "ui/ui.h"
-
 namespace rasterwalk {
+
+struct Ui;
 
 /// The page about the stage on show, from lessons/stages, and below it the way to its neighbours.
 std::string stage_page_name(Ui& ui); ///< by which its scroll position is known

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "ui/page/markdown_layout.h"
+#include "ui/ui.h"
 #include "ui/widgets/pictures.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"

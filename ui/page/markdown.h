@@ -1,12 +1,14 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <string_view>
 
 #include "text/markdown.h"
-#include "ui/ui.h"
 
 namespace rasterwalk {
+
+struct Ui;
 
 /// A page that is on the screen: parsed when its text changes, laid out when text or width do.
 struct MarkdownPage;

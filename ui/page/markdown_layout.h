@@ -7,7 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include <imgui.h>
+
 #include "ui/page/markdown.h"
+#include "ui/widgets/widget_state.h"
 
 namespace rasterwalk {
 

@@ -8,6 +8,7 @@
 #include "ui/actions/keys.h"
 #include "ui/actions/view_files.h"
 #include "ui/sheets/sheets.h"
+#include "ui/ui.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -35,7 +36,7 @@ std::string shortened_front(const std::string& path, float width) {
 }
 
 void draw_head(Ui& ui) {
-    const bool saving = is_saving(ui.files);
+    const bool saving = is_saving(ui.sheets.files);
     ImGui::PushFont(ui.fonts.title);
     ImGui::TextUnformatted(saving ? "Save the view" : "Open");
     ImGui::PopFont();
@@ -50,7 +51,7 @@ void draw_head(Ui& ui) {
 
 /// Returns true if Enter was pressed in it.
 bool draw_path(Ui& ui) {
-    FileSheet& sheet = ui.files;
+    FileSheet& sheet = ui.sheets.files;
     if (sheet.wants_focus) {
         ImGui::SetKeyboardFocusHere();
         sheet.wants_focus = false;
@@ -69,7 +70,7 @@ bool draw_path(Ui& ui) {
 }
 
 void draw_places(Ui& ui) {
-    FileSheet& sheet = ui.files;
+    FileSheet& sheet = ui.sheets.files;
     const float u = ui.options.text_scale;
     const auto go = [&](const std::string& folder) { enter_folder(sheet, folder); };
     const float gap = 6.0f * u;
@@ -110,7 +111,7 @@ void draw_places(Ui& ui) {
 }
 
 void draw_list(Ui& ui, float height) {
-    FileSheet& sheet = ui.files;
+    FileSheet& sheet = ui.sheets.files;
     const Palette& p = palette(ui.options.theme);
     const float u = ui.options.text_scale;
     ImGui::PushStyleColor(ImGuiCol_ChildBg, p.ground);
@@ -174,7 +175,7 @@ float message_height(const std::string& message) {
 
 /// Returns true if what the sheet is for is to be done.
 bool draw_buttons(Ui& ui) {
-    FileSheet& sheet = ui.files;
+    FileSheet& sheet = ui.sheets.files;
     const bool replaces = !sheet.asked.empty();
     const char* const action = replaces ? "Replace" : is_saving(sheet) ? "Save" : "Open";
     const float gap = ImGui::GetStyle().ItemSpacing.x;
@@ -196,7 +197,7 @@ bool draw_buttons(Ui& ui) {
 }
 
 void draw_inside(Ui& ui) {
-    FileSheet& sheet = ui.files;
+    FileSheet& sheet = ui.sheets.files;
     draw_head(ui);
     bool is_to_be_done = draw_path(ui);
     ImGui::Spacing();
@@ -225,7 +226,7 @@ void draw_inside(Ui& ui) {
 } // namespace
 
 void draw_file_sheet(Ui& ui, ImVec2 window) {
-    FileSheet& sheet = ui.files;
+    FileSheet& sheet = ui.sheets.files;
     if (sheet.kind == FileSheet::Kind::closed) return;
     const float u = ui.options.text_scale;
     if (!ImGui::IsPopupOpen(popup)) ImGui::OpenPopup(popup);

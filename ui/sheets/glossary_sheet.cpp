@@ -5,6 +5,7 @@
 #include <imgui_stdlib.h>
 
 #include "ui/sheets/sheets.h"
+#include "ui/ui.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -40,7 +41,7 @@ void draw_term(Ui& ui, const Term& term) {
 } // namespace
 
 void draw_glossary_sheet(Ui& ui, ImVec2 window) {
-    if (!ui.shows_glossary) return;
+    if (!ui.sheets.shows_glossary) return;
     const float u = ui.options.text_scale;
     ImGui::SetNextWindowPos({0.5f * window.x, 0.5f * window.y}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSize(
@@ -56,15 +57,15 @@ void draw_glossary_sheet(Ui& ui, ImVec2 window) {
     ImGui::PopFont();
     ImGui::SameLine(0.0f, 24.0f * u);
     if (button(ui, "glossary.close", "Close", Look::plain, "Closes the glossary. Key: F2")) {
-        ui.shows_glossary = false;
+        ui.sheets.shows_glossary = false;
     }
     ImGui::SetNextItemWidth(-1.0f);
-    ImGui::InputTextWithHint("##search", "search the glossary", &ui.glossary_search);
+    ImGui::InputTextWithHint("##search", "search the glossary", &ui.sheets.glossary_search);
     name_widget(ui, "glossary.search", "Shows only the terms that have this word.");
     ImGui::BeginChild("terms");
     bool any = false;
     for (const Term& term : ui.session.glossary) {
-        if (!has_word(term, ui.glossary_search)) continue;
+        if (!has_word(term, ui.sheets.glossary_search)) continue;
         any = true;
         draw_term(ui, term);
     }

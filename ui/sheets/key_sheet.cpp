@@ -1,5 +1,6 @@
 #include "ui/actions/actions.h"
 #include "ui/sheets/sheets.h"
+#include "ui/ui.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -35,7 +36,7 @@ void draw_line(const Ui& ui, const std::string& keys, const char* help) {
 } // namespace
 
 void draw_key_sheet(Ui& ui, ImVec2 window) {
-    if (!ui.shows_keys) return;
+    if (!ui.sheets.shows_keys) return;
     const float u = ui.options.text_scale;
     ImGui::SetNextWindowPos({0.5f * window.x, 0.5f * window.y}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSizeConstraints({0, 0}, {window.x - 20.0f, window.y - 20.0f});
@@ -51,14 +52,15 @@ void draw_key_sheet(Ui& ui, ImVec2 window) {
     ImGui::PopFont();
     ImGui::SameLine(0.0f, 24.0f * u);
     if (button(ui, "keys.close", "Close", Look::plain, "Closes this sheet. Key: F1")) {
-        ui.shows_keys = false;
+        ui.sheets.shows_keys = false;
     }
     ImGui::Spacing();
     if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
         for (const HeldKeyLine& line : held_lines)
             draw_line(ui, line.keys, line.help);
         for (const Action& action : action_table()) {
-            if (action.chord.key != 0) draw_line(ui, chord_text(action.chord), action.title);
+            if (action.chord.key != 0)
+                draw_line(ui, chord_text(action.chord), action.title.c_str());
         }
         ImGui::EndTable();
     }

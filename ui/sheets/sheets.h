@@ -1,10 +1,12 @@
 #pragma once
 
-#include "ui/ui.h"
+#include <imgui.h>
 
 // What is laid over the whole window.
 
 namespace rasterwalk {
+
+struct Ui;
 
 /// The sheet of keys (F1).
 void draw_key_sheet(Ui& ui, ImVec2 window);

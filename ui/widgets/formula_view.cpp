@@ -4,6 +4,7 @@
 
 #include "base/numbers.h"
 #include "session/walk.h"
+#include "ui/ui.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -147,7 +148,7 @@ std::optional<Source> draw_formula(Ui& ui, const Formula& formula, const std::st
         line.text("= ", p.dim);
         line.text(terms, p.text);
         // Where lines are few the result stands on the last one.
-        if (has_result && ui.page_is_low) {
+        if (has_result && ui.inspector.is_low) {
             line.text(" ", p.dim);
             draw_result(line);
             is_done = true;
@@ -191,20 +192,20 @@ void go_to_source(Ui& ui, const Source& source) {
     case SourceKind::formula:
         return;
     case SourceKind::setting:
-        ui.setting_search = source.name;
+        ui.inspector.setting_search = source.name;
         ui.session.tab = "settings";
         return;
     case SourceKind::vertex:
         selection.triangle = source.triangle;
         selection.vertex = source.vertex;
-        ui.inspect.vertex_number = source.name;
+        ui.inspector.chosen.vertex_number = source.name;
         ui.session.tab = "vertices";
         return;
     case SourceKind::row_end:
         selection.triangle = source.triangle;
         selection.row = source.row;
-        ui.shows_end_values = true;
-        ui.scroll_to_row = true;
+        ui.inspector.shows_end_values = true;
+        ui.inspector.scroll_to_row = true;
         ui.session.tab = "rows";
         return;
     case SourceKind::moment:

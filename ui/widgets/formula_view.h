@@ -5,10 +5,13 @@
 #include <string>
 #include <string_view>
 
+#include <imgui.h>
+
 #include "explain/formula.h"
-#include "ui/ui.h"
 
 namespace rasterwalk {
+
+struct Ui;
 
 /// A line of a formula that breaks between its pieces and goes on further to the right. In the
 /// font for numbers.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/ui.h"
+
 namespace rasterwalk {
 
 namespace {

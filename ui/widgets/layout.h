@@ -2,9 +2,11 @@
 
 #include <imgui.h>
 
-#include "ui/ui.h"
+#include "ui/app/options_state.h"
 
 namespace rasterwalk {
+
+struct Ui;
 
 /// What all parts of the window have in common: they stay where they are put.
 inline constexpr ImGuiWindowFlags panel_flags =

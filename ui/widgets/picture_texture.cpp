@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "picture/resample.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 
@@ -30,12 +31,12 @@ void show_texture(Ui& ui, PictureTexture& texture, const Image& image, std::uint
     texture.number = number;
     texture.scale = shown_scale;
     if (shown_scale == 1.0f) {
-        texture.id = ui.textures->upload(texture.id, image);
+        texture.id = ui.host.textures->upload(texture.id, image);
         texture.size = {static_cast<float>(image.width), static_cast<float>(image.height)};
         return;
     }
     const Image other = resampled(image, shown_scale);
-    texture.id = ui.textures->upload(texture.id, other);
+    texture.id = ui.host.textures->upload(texture.id, other);
     texture.size = {static_cast<float>(other.width) / shown_scale,
                     static_cast<float>(other.height) / shown_scale};
 }

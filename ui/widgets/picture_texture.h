@@ -1,8 +1,15 @@
 #pragma once
 
-#include "ui/ui.h"
+#include <cstdint>
+
+#include <imgui.h>
+
+#include "base/image.h"
+#include "ui/widgets/picture_state.h"
 
 namespace rasterwalk {
+
+struct Ui;
 
 /// Brings the texture up to date with the picture, for being shown at `scale`: as it is where its
 /// pixels come out equally large or very large, or else resampled.

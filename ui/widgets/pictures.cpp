@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "lessons/lesson_picture.h"
 #include "session/content.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 
@@ -78,9 +79,9 @@ ImVec2 picture_size(PictureShelf& shelf, const PictureName& name) {
 
 ImTextureID picture_texture(Ui& ui, const PictureName& name, int width) {
     ShownPicture& picture = find_picture(*ui.pictures, name);
-    if (picture.size.x < 1.0f || ui.textures == nullptr) return nullptr;
+    if (picture.size.x < 1.0f || ui.host.textures == nullptr) return nullptr;
     if (picture.texture_width != width) {
-        picture.texture = ui.textures->upload(picture.texture, shrink(picture.image, width));
+        picture.texture = ui.host.textures->upload(picture.texture, shrink(picture.image, width));
         picture.texture_width = width;
     }
     return picture.texture;

@@ -5,10 +5,13 @@
 #include <string>
 #include <utility>
 
+#include <imgui.h>
+
 #include "base/image.h"
-#include "ui/ui.h"
 
 namespace rasterwalk {
+
+struct Ui;
 
 /// A picture of a lesson that is on the screen.
 struct ShownPicture {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/ui.h"
 #include "ui/widgets/flow.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"

@@ -7,9 +7,10 @@
 #include <imgui.h>
 
 #include "inspect/row_graph.h"
-#include "ui/ui.h"
 
 namespace rasterwalk {
+
+struct Ui;
 
 /// A curve of a plot: y for every whole x from the first on.
 struct Curve {

@@ -5,6 +5,8 @@
 
 #include <imgui_freetype.h>
 
+#include "ui/ui.h"
+
 namespace rasterwalk {
 
 namespace {

@@ -1,11 +1,16 @@
 #pragma once
 
+#include <cstdint>
+
 #include <glm/vec3.hpp>
 #include <imgui.h>
 
-#include "ui/ui.h"
+#include "ui/app/options_state.h"
+#include "ui/widgets/widget_state.h"
 
 namespace rasterwalk {
+
+struct Ui;
 
 /// What a colour means; each meaning has one colour everywhere (Okabe and Ito's set, which the
 /// colour-blind tell apart), in a tone that can be read on the theme's ground.

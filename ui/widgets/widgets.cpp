@@ -6,6 +6,7 @@
 #include <imgui_internal.h>
 
 #include "base/numbers.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 

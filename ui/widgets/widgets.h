@@ -1,12 +1,16 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
-#include "ui/ui.h"
+#include <imgui.h>
+
 #include "ui/widgets/style.h"
 
 namespace rasterwalk {
+
+struct Ui;
 
 /// Enters the last ImGui item in Ui::widgets under this name, and shows `tooltip` while the pointer
 /// rests on it (empty: none).

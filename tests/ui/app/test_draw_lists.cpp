@@ -3,6 +3,7 @@
 #include "support/project_root.h"
 #include "tests/support/made_scene.h"
 #include "tests/ui/driver.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 

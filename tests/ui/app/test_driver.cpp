@@ -6,6 +6,7 @@
 #include "ui/actions/keys.h"
 #include "ui/hand/key_names.h"
 #include "ui/hand/report.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 
@@ -41,9 +42,9 @@ TEST_CASE("Every pixel of the picture that can be seen is hit exactly") {
     for (int i = 0; i < 500; i += 7) {
         driver.hand.hover_picture(i, 499 - i);
         INFO("pixel " << i << "," << 499 - i);
-        REQUIRE(driver.ui.hovered_pixel.has_value());
-        REQUIRE(driver.ui.hovered_pixel->x == i);
-        REQUIRE(driver.ui.hovered_pixel->y == 499 - i);
+        REQUIRE(driver.ui.canvas.hovered_pixel.has_value());
+        REQUIRE(driver.ui.canvas.hovered_pixel->x == i);
+        REQUIRE(driver.ui.canvas.hovered_pixel->y == 499 - i);
     }
 }
 

@@ -12,7 +12,8 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/driver.h"
 #include "ui/actions/keys.h"
-#include "ui/actions/lesson_state.h"
+#include "ui/actions/open_lesson.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 

@@ -9,9 +9,10 @@
 #include "base/files.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/driver.h"
-#include "ui/actions/lesson_state.h"
+#include "ui/actions/open_lesson.h"
 #include "ui/app/app.h"
 #include "ui/app/kept_options.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 

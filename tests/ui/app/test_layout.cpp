@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "tests/ui/driver.h"
+#include "ui/ui.h"
 #include "ui/widgets/flow.h"
 #include "ui/widgets/layout.h"
 

@@ -6,6 +6,7 @@
 #include "cli/cli.h"
 #include "support/temporary_folder.h"
 #include "tests/ui/driver.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 

@@ -2,6 +2,7 @@
 
 #include "tests/ui/driver.h"
 #include "ui/actions/keys.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 
@@ -13,7 +14,7 @@ TEST_CASE("A value of a fragment leads to the row end that it comes from, and Ba
     driver.hand.click("fragment.zinv");
     driver.hand.click("fragment.formula.left");
     CHECK(driver.ui.session.tab == "rows");
-    CHECK(driver.ui.shows_end_values);
+    CHECK(driver.ui.inspector.shows_end_values);
     CHECK(driver.hand.is_visible("rows.121"));
     driver.hand.click("corner.back");
     CHECK_FALSE(driver.ui.session.selection == picked);
@@ -39,7 +40,7 @@ TEST_CASE("The graph shows the quantity that is chosen, along the row that is pi
     CHECK(driver.hand.is_visible("graph.plot"));
     for (const char* quantity : {"zinv", "z", "x"}) {
         driver.hand.click(std::string("graph.") + quantity);
-        CHECK_FALSE(driver.ui.inspect.graph_quantity.empty());
+        CHECK_FALSE(driver.ui.inspector.chosen.graph_quantity.empty());
         CHECK(driver.hand.is_visible("graph.plot"));
     }
 }

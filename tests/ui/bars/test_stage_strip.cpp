@@ -2,6 +2,7 @@
 
 #include "pipeline/draw.h"
 #include "tests/ui/driver.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 
@@ -37,7 +38,7 @@ TEST_CASE("Each stage button shows its stage, in the frame in which it is clicke
         CHECK(step_of(driver.ui.results.a.frame.settings) == info.step);
         CHECK(first_difference(*driver.ui.results.a.framebuffer,
                                expected_picture(driver.ui.session)) == "");
-        CHECK(driver.ui.picture.number == driver.ui.results.a.picture_number);
+        CHECK(driver.ui.canvas.picture.number == driver.ui.results.a.picture_number);
     }
 }
 

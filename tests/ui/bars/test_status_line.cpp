@@ -5,6 +5,7 @@
 #include "tests/ui/driver.h"
 #include "ui/actions/compare.h"
 #include "ui/app/app.h"
+#include "ui/ui.h"
 
 using namespace rasterwalk;
 using Catch::Matchers::Contains;

@@ -4,6 +4,7 @@
 #include "session/walk.h"
 #include "tests/ui/driver.h"
 #include "ui/actions/keys.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 

@@ -4,6 +4,7 @@
 #include "tests/ui/driver.h"
 #include "ui/actions/keys.h"
 #include "ui/canvas/canvas.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 
@@ -35,7 +36,7 @@ TEST_CASE("The wheel zooms about the pointer and a double click fits again") {
     driver.hand.hover_picture(100, 120);
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     driver.hand.wheel_picture(100, 120, 6.0f);
-    const PicturePlace& place = driver.ui.picture_place;
+    const PicturePlace& place = driver.ui.canvas.place;
     CHECK(place.scale > grid_zoom);
     CHECK(std::floor((mouse.x - place.origin.x) / place.scale) == 100.0f);
     CHECK(std::floor((mouse.y - place.origin.y) / place.scale) == 120.0f);
@@ -47,7 +48,7 @@ TEST_CASE("A drag moves the picture with the pointer") {
     Driver driver;
     driver.hand.wheel_picture(250, 250, 8.0f);
     driver.hand.drag_picture(250, 250, 255, 248);
-    const PicturePlace& place = driver.ui.picture_place;
+    const PicturePlace& place = driver.ui.canvas.place;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     CHECK(std::abs((mouse.x - place.origin.x) / place.scale - 250.5f) < 0.5f);
     CHECK(std::abs((mouse.y - place.origin.y) / place.scale - 250.5f) < 0.5f);

@@ -11,6 +11,7 @@
 #include "mistakes/interpolate.h"
 #include "tests/ui/driver.h"
 #include "ui/canvas/canvas_marks.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 
@@ -77,7 +78,7 @@ TEST_CASE("With another walk along the edges the marks are where its samples are
     const Frame usual = prepare_frame(scene, settings);
     const Frame other =
         prepare_frame(scene, settings, [](Stages& s) { s.line_step = line_step_of_integers; });
-    PicturePlace place = driver.ui.picture_place;
+    PicturePlace place = driver.ui.canvas.place;
     place.scale = 40.0f;
     const std::vector<ImVec2> marks = corners_of_marks(driver, other, cursor_end, {}, place);
     const float dot = 0.09f * place.scale;
@@ -108,7 +109,7 @@ TEST_CASE("Of a clipped triangle the marks are at the corners and samples of wha
     driver.ui.results.a.triangle = 0;
     const Frame frame = prepare_frame(*driver.ui.session.scene, settings,
                                       [](Stages& s) { s.clip = cut_off_right; });
-    PicturePlace place = driver.ui.picture_place;
+    PicturePlace place = driver.ui.canvas.place;
     place.scale = 40.0f;
     const std::vector<ImVec2> marks = corners_of_marks(driver, frame, cursor_end, {}, place);
     const std::span<const ScreenVertex> corners = frame.triangle_vertices(0);

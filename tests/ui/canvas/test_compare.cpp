@@ -4,6 +4,7 @@
 #include "tests/ui/shown_number.h"
 #include "ui/actions/compare.h"
 #include "ui/actions/keys.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 
@@ -75,7 +76,7 @@ TEST_CASE("Both pictures stand side by side with the same zoom, and each can be 
     Driver driver(lit_room());
     driver.hand.click("switch.compare");
     REQUIRE(driver.ui.compare.place_of_b);
-    const PicturePlace a = driver.ui.picture_place;
+    const PicturePlace a = driver.ui.canvas.place;
     const PicturePlace b = *driver.ui.compare.place_of_b;
     CHECK(a.scale == b.scale);
     CHECK(b.origin.y == a.origin.y);
@@ -88,7 +89,7 @@ TEST_CASE("Both pictures stand side by side with the same zoom, and each can be 
     const glm::ivec2 pixel((pointer.x - b.origin.x) / b.scale, (pointer.y - b.origin.y) / b.scale);
     ImGui::GetIO().MousePos = {pointer.x, pointer.y};
     driver.hand.frames(3);
-    CHECK(driver.ui.hovered_pixel == pixel);
+    CHECK(driver.ui.canvas.hovered_pixel == pixel);
     ImGui::GetIO().MouseDown[0] = true;
     driver.hand.frames(1);
     ImGui::GetIO().MouseDown[0] = false;
@@ -96,9 +97,9 @@ TEST_CASE("Both pictures stand side by side with the same zoom, and each can be 
     CHECK(driver.ui.session.selection.pixel == pixel);
     ImGui::GetIO().MouseWheel = 6.0f;
     driver.hand.frames(2);
-    CHECK(driver.ui.compare.place_of_b->scale == driver.ui.picture_place.scale);
-    CHECK(driver.ui.picture_place.scale > 4.0f);
-    CHECK(driver.ui.hovered_pixel == pixel);
+    CHECK(driver.ui.compare.place_of_b->scale == driver.ui.canvas.place.scale);
+    CHECK(driver.ui.canvas.place.scale > 4.0f);
+    CHECK(driver.ui.canvas.hovered_pixel == pixel);
 }
 
 TEST_CASE("The wipe's divider is dragged, and neither picks nor moves the picture") {
@@ -236,7 +237,7 @@ TEST_CASE("In a small window every way to show two runs has room") {
             driver.hand.frames(4);
             CHECK(driver.hand.find("compare.end").is_whole);
             CHECK(driver.hand.find("compare.swap").is_whole);
-            CHECK(driver.ui.picture_place.scale > 0.2f);
+            CHECK(driver.ui.canvas.place.scale > 0.2f);
         }
         for (const char* name : {"compare.first", "compare.next", "compare.previous",
                                  "compare.count.moments", "compare.group.0"}) {

@@ -3,6 +3,7 @@
 #include "picture/view_image.h"
 #include "tests/ui/driver.h"
 #include "ui/actions/keys.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 
@@ -46,8 +47,8 @@ TEST_CASE("Overlays are one texture beside that of the picture, made anew only w
     switch_overlay(driver, "uncovered");
     CHECK(driver.textures.uploads == before + 1);
     CHECK(driver.textures.last == driver.ui.results.overlay.image);
-    CHECK(driver.ui.overlay.id != nullptr);
-    CHECK(driver.ui.overlay.id != driver.ui.picture.id);
+    CHECK(driver.ui.canvas.overlay.id != nullptr);
+    CHECK(driver.ui.canvas.overlay.id != driver.ui.canvas.picture.id);
     driver.hand.frames(5);
     CHECK(driver.textures.uploads == before + 1);
     switch_overlay(driver, "wireframe");
@@ -105,12 +106,12 @@ TEST_CASE("The legend folds up and unfolds") {
     switch_overlay(driver, "owner");
     const WidgetPlace open = driver.hand.find("legend.owner");
     driver.hand.click("legend.fold");
-    CHECK_FALSE(driver.ui.shows_legend);
+    CHECK_FALSE(driver.ui.canvas.shows_legend);
     const WidgetPlace folded = driver.hand.find("legend.owner");
     CHECK(folded.bottom_right.x - folded.top_left.x <
           0.25f * (open.bottom_right.x - open.top_left.x));
     driver.hand.click("legend.fold");
-    CHECK(driver.ui.shows_legend);
+    CHECK(driver.ui.canvas.shows_legend);
 }
 
 TEST_CASE("A click on the legend picks no pixel under it, one beside it does") {

@@ -2,6 +2,7 @@
 
 #include "tests/ui/shown_number.h"
 #include "ui/actions/keys.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 
@@ -38,7 +39,7 @@ TEST_CASE("The values of a clicked pixel are those of the report, right and wron
             CHECK(number_in(shown_text(driver, "fragment." + id)) ==
                   Approx(value_of(report, id)).margin(0.000051));
             driver.hand.click("fragment." + id);
-            CHECK(driver.ui.inspect.fragment_number == id);
+            CHECK(driver.ui.inspector.chosen.fragment_number == id);
             CHECK(shown_text(driver, "fragment.formula.result") ==
                   shown(find_formula(report.formulas, id)->result));
         }
@@ -79,7 +80,7 @@ TEST_CASE("The light term by term is that of the report, of the lighting in forc
     driver.hand.click("fragment.vertex_light.v1.red");
     CHECK(driver.ui.session.tab == "vertices");
     CHECK(driver.ui.session.selection.vertex == 1);
-    CHECK(driver.ui.inspect.vertex_number == "light.R.red");
+    CHECK(driver.ui.inspector.chosen.vertex_number == "light.R.red");
     CHECK(shown_text(driver, "vertices.formula.result") == light);
 }
 

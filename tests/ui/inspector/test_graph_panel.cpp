@@ -2,6 +2,7 @@
 
 #include "inspect/row_graph.h"
 #include "tests/ui/shown_number.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 
@@ -45,7 +46,7 @@ TEST_CASE("A quantity is chosen by its button; a varying has the lines it is car
         const std::string name = "graph." + std::string(info.words.id);
         INFO(name);
         driver.hand.click(name);
-        CHECK(driver.ui.inspect.graph_quantity == info.words.id);
+        CHECK(driver.ui.inspector.chosen.graph_quantity == info.words.id);
         CHECK(driver.hand.is_visible("graph.plot"));
         CHECK(driver.hand.is_visible("graph.carried") == (info.quantity != Quantity::zinv));
     }

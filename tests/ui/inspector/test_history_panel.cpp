@@ -3,6 +3,7 @@
 #include "session/results.h"
 #include "tests/ui/driver.h"
 #include "ui/actions/keys.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 

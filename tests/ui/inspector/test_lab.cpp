@@ -16,6 +16,7 @@
 #include "ui/actions/lab.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/actions/view_files.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 

@@ -3,6 +3,7 @@
 #include "session/bench.h"
 #include "tests/ui/driver.h"
 #include "ui/actions/keys.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 
@@ -17,7 +18,7 @@ void open_outside_example(Driver& driver) {
     driver.hand.frames();
     driver.hand.click("tab.microscope");
     driver.hand.click("microscope.edge.0");
-    REQUIRE(driver.ui.microscope.shown.count == 4);
+    REQUIRE(driver.ui.inspector.microscope.shown.count == 4);
 }
 
 Cursor sample(int triangle, int edge, int step) {
@@ -31,7 +32,7 @@ TEST_CASE("The microscope goes to the sample that is clicked, and to the next th
     open_outside_example(driver);
     driver.hand.click("microscope.next");
     CHECK(driver.ui.results.a.done == sample(0, 0, 3));
-    CHECK_FALSE(driver.ui.microscope.shows_x);
+    CHECK_FALSE(driver.ui.inspector.microscope.shows_x);
     driver.hand.click("microscope.sample.1");
     CHECK(driver.ui.results.a.done == sample(0, 0, 1));
     driver.hand.click("microscope.curve");
@@ -45,29 +46,29 @@ TEST_CASE("An edge that is picked stays under the microscope until the cursor mo
     open_outside_example(driver);
     driver.hand.click("microscope.sample.0");
     driver.hand.click("microscope.edge.1");
-    CHECK(driver.ui.microscope.edge == 1);
+    CHECK(driver.ui.inspector.microscope.edge == 1);
     driver.hand.frames(3);
-    CHECK(driver.ui.microscope.edge == 1);
+    CHECK(driver.ui.inspector.microscope.edge == 1);
     driver.hand.press(key::period);
     CHECK(driver.ui.results.a.done == sample(0, 0, 1));
-    CHECK(driver.ui.microscope.edge == 0);
+    CHECK(driver.ui.inspector.microscope.edge == 0);
     // On to the second edge, sample by sample.
     for (int i = 0; i < 3; ++i)
         driver.hand.press(key::period);
     CHECK(driver.ui.results.a.done == sample(0, 1, 0));
-    CHECK(driver.ui.microscope.edge == 1);
+    CHECK(driver.ui.inspector.microscope.edge == 1);
 }
 
 TEST_CASE("The microscope opens on the coordinate that drifts, and shows the one that is asked") {
     Driver driver("one-triangle.toml");
     open_outside_example(driver);
-    CHECK_FALSE(driver.ui.microscope.shows_x); // (0,2) to (3,1): x steps by whole pixels
-    driver.hand.click("microscope.edge.1");    // (3,1) to (2,6): y does
-    CHECK(driver.ui.microscope.shows_x);
+    CHECK_FALSE(driver.ui.inspector.microscope.shows_x); // (0,2) to (3,1): x steps by whole pixels
+    driver.hand.click("microscope.edge.1");              // (3,1) to (2,6): y does
+    CHECK(driver.ui.inspector.microscope.shows_x);
     driver.hand.click("microscope.y");
-    CHECK_FALSE(driver.ui.microscope.shows_x);
+    CHECK_FALSE(driver.ui.inspector.microscope.shows_x);
     driver.hand.click("microscope.x");
-    CHECK(driver.ui.microscope.shows_x);
+    CHECK(driver.ui.inspector.microscope.shows_x);
 }
 
 TEST_CASE("The current sample is in view, in every window and text size") {
@@ -79,7 +80,7 @@ TEST_CASE("The current sample is in view, in every window and text size") {
             driver.ui.session.tab = "microscope";
             driver.ui.session.cursor = sample(20, 1, 91);
             driver.hand.frames(4);
-            REQUIRE(driver.ui.microscope.shown.count == 98);
+            REQUIRE(driver.ui.inspector.microscope.shown.count == 98);
             CHECK(driver.hand.is_visible("microscope.sample.90"));
             for (int e = 0; e < 3; ++e)
                 CHECK(driver.hand.is_visible("microscope.edge." + std::to_string(e)));

@@ -3,6 +3,7 @@
 #include "inspect/row_history.h"
 #include "tests/ui/driver.h"
 #include "ui/actions/keys.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 
@@ -34,11 +35,11 @@ TEST_CASE("A click on a cell goes to the moment in which it was written") {
 TEST_CASE("A row that is pointed at lights up in the picture, and the other way round") {
     Driver driver("one-triangle.toml");
     driver.hand.hover("rows.9");
-    CHECK(driver.ui.hovered_row == 9);
+    CHECK(driver.ui.inspector.hovered_row == 9);
     driver.hand.hover_picture(8, 11);
-    REQUIRE(driver.ui.hovered_pixel);
-    CHECK(driver.ui.hovered_pixel->y == 11);
-    CHECK_FALSE(driver.ui.hovered_row);
+    REQUIRE(driver.ui.canvas.hovered_pixel);
+    CHECK(driver.ui.canvas.hovered_pixel->y == 11);
+    CHECK_FALSE(driver.ui.inspector.hovered_row);
 }
 
 TEST_CASE("The table is copied in the lab's own form") {

@@ -2,6 +2,7 @@
 
 #include "settings/setting_table.h"
 #include "tests/ui/driver.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 

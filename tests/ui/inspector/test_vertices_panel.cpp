@@ -2,6 +2,7 @@
 
 #include "explain/vertex_report.h"
 #include "tests/ui/shown_number.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 
@@ -30,7 +31,7 @@ TEST_CASE("Each number of the vertices is that of the report, and a click shows 
             const double value = static_cast<double>(formula->result.value);
             CHECK(number_in(shown_text(driver, cell(id, v))) == Approx(value).margin(0.00051));
             driver.hand.click(cell(id, v));
-            CHECK(driver.ui.inspect.vertex_number == id);
+            CHECK(driver.ui.inspector.chosen.vertex_number == id);
             CHECK(driver.ui.session.selection.vertex == v);
             // A number that is given is its own formula.
             if (formula->inputs.size() > 1)
@@ -45,7 +46,7 @@ TEST_CASE("The inputs of a vertex's formula lead on: to another formula, and to 
     driver.hand.click("tab.vertices");
     driver.hand.click(cell("pixel.column", 1));
     driver.hand.click("vertices.formula.x");
-    CHECK(driver.ui.inspect.vertex_number == "rotated.x");
+    CHECK(driver.ui.inspector.chosen.vertex_number == "rotated.x");
     CHECK(driver.ui.session.selection.vertex == 1);
     driver.hand.click(cell("projected.x", 1));
     driver.hand.click("vertices.formula.f");

@@ -9,7 +9,8 @@
 #include "tests/support/hostile_lessons.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/driver.h"
-#include "ui/actions/lesson_state.h"
+#include "ui/actions/open_lesson.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 

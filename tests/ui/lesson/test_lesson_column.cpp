@@ -7,7 +7,8 @@
 #include "tests/ui/driver.h"
 #include "ui/actions/keys.h"
 #include "ui/actions/lesson_links.h"
-#include "ui/actions/lesson_state.h"
+#include "ui/actions/open_lesson.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 

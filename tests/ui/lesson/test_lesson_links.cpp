@@ -5,8 +5,9 @@
 #include "laboratory/bug.h"
 #include "picture/view_image.h"
 #include "tests/ui/driver.h"
-#include "ui/actions/lesson_state.h"
+#include "ui/actions/open_lesson.h"
 #include "ui/actions/open_tab.h"
+#include "ui/ui.h"
 #include "view/widget_names.h"
 
 namespace rasterwalk {
@@ -55,9 +56,9 @@ TEST_CASE("Each kind of link does what it says") {
     follow("preset:visible%20light");
     follow("preset:exact");
     follow("term:1/z");
-    CHECK(ui.shows_glossary);
-    CHECK(ui.glossary_search == "1/z");
-    ui.shows_glossary = false;
+    CHECK(ui.sheets.shows_glossary);
+    CHECK(ui.sheets.glossary_search == "1/z");
+    ui.sheets.shows_glossary = false;
     driver.hand.frames(frames_to_rest);
     follow("bug:B3");
     CHECK(is_on(ui.session, "B3"));

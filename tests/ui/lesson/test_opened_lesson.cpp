@@ -2,7 +2,8 @@
 
 #include "opening/opened_view.h"
 #include "tests/ui/driver.h"
-#include "ui/actions/lesson_state.h"
+#include "ui/actions/open_lesson.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 

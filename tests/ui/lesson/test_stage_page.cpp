@@ -11,6 +11,8 @@
 #include "ui/actions/keys.h"
 #include "ui/actions/open_tab.h"
 #include "ui/page/markdown.h"
+#include "ui/ui.h"
+#include "view/widget_names.h"
 
 namespace rasterwalk {
 
@@ -24,6 +26,7 @@ class OwnNote {
         folder_.write("glossary.toml", "term = []\n");
         std::filesystem::create_directory_symlink(lessons_folder() + "/scenes",
                                                   folder_.file("scenes"));
+        std::filesystem::copy(widgets_file(), folder_.file("widgets.txt"));
         std::filesystem::create_directories(folder_.file("stages"));
         if (!stage.empty()) folder_.write("stages/" + stage + ".md", text);
         if (const char* before = std::getenv("RASTERWALK_LESSONS")) before_ = before;
@@ -68,13 +71,13 @@ void follow_all(const Session& start, ImVec2 window) {
         driver.hand.click("lesson.link." + std::to_string(i));
         CHECK(driver.ui.session.notice == "");
         const LessonLink link = parse_lesson_link(links[i]);
-        if (link.kind == LessonLink::Kind::set) {
+        if (link.is_of("set")) {
             const std::size_t place = link.argument.find('=');
             const Setting* const setting = find_setting(link.argument.substr(0, place));
             REQUIRE(setting != nullptr);
             CHECK(value_text(*setting, driver.ui.session.a.settings) ==
                   link.argument.substr(place + 1));
-        } else if (link.kind == LessonLink::Kind::cursor) {
+        } else if (link.is_of("cursor")) {
             CHECK(to_text(driver.ui.results.a.cursor) == link.argument);
         } else {
             CHECK(driver.ui.lesson.pointed_at == link.argument);

@@ -13,6 +13,7 @@
 #include "tests/ui/driver.h"
 #include "text/markdown_text.h"
 #include "ui/page/markdown_layout.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 

@@ -9,6 +9,7 @@
 #include "text/math.h"
 #include "text/math_runs.h"
 #include "ui/page/math_layout.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 

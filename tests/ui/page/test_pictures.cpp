@@ -10,6 +10,7 @@
 #include "tests/ui/driver.h"
 #include "ui/actions/view_files.h"
 #include "ui/page/markdown.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 

@@ -11,8 +11,9 @@
 #include "tests/ui/driver.h"
 #include "ui/actions/keys.h"
 #include "ui/actions/lab.h"
-#include "ui/actions/lesson_state.h"
+#include "ui/actions/open_lesson.h"
 #include "ui/actions/view_files.h"
+#include "ui/ui.h"
 #include "view/state_file.h"
 
 namespace rasterwalk {
@@ -26,7 +27,7 @@ using test::TemporaryFolder;
 constexpr Held ctrl{true, false, false};
 
 bool is_up(const Driver& driver) {
-    return driver.ui.files.kind != FileSheet::Kind::closed;
+    return driver.ui.sheets.files.kind != FileSheet::Kind::closed;
 }
 
 /// Saves by keys and a typed path.
@@ -113,7 +114,7 @@ TEST_CASE("A broken file is refused with its line, and nothing changes") {
                                                               "stage = \"depth\"\n");
     open(driver, path);
     CHECK(is_up(driver));
-    CHECK(driver.ui.files.fault.starts_with(path + ":2: the view has no 'stage'"));
+    CHECK(driver.ui.sheets.files.fault.starts_with(path + ":2: the view has no 'stage'"));
     CHECK(driver.hand.is_visible("files.message"));
     check_same_view(driver.ui.session, before);
     driver.hand.press(key::escape);
@@ -127,7 +128,7 @@ TEST_CASE("A broken file is refused with its line, and nothing changes") {
     for (const std::string& bad : {bad_scene, bad_lesson, folder.file("absent.walk.toml")}) {
         open(driver, bad);
         CHECK(is_up(driver));
-        CHECK(driver.ui.files.fault.find(bad) != std::string::npos);
+        CHECK(driver.ui.sheets.files.fault.find(bad) != std::string::npos);
         driver.hand.click("files.cancel");
         CHECK_FALSE(is_up(driver));
         check_same_view(driver.ui.session, before);
@@ -140,7 +141,7 @@ TEST_CASE("A file is not overwritten unasked") {
     Driver driver;
     save(driver, path);
     CHECK(is_up(driver));
-    CHECK(driver.ui.files.asked == path);
+    CHECK(driver.ui.sheets.files.asked == path);
     CHECK(bytes_of(path) == "old");
     SECTION("Cancel leaves it") {
         driver.hand.click("files.cancel");
@@ -168,7 +169,7 @@ TEST_CASE("What cannot be written is said on the sheet") {
     Driver driver;
     save(driver, "/nowhere/at/all");
     CHECK(is_up(driver));
-    CHECK(driver.ui.files.fault.find("/nowhere/at/all.walk.toml") != std::string::npos);
+    CHECK(driver.ui.sheets.files.fault.find("/nowhere/at/all.walk.toml") != std::string::npos);
 }
 
 TEST_CASE("The view is copied as a command line") {
@@ -229,7 +230,7 @@ TEST_CASE("Files dropped on the window open by their kind") {
     const std::string bad = folder.write("bad.walk.toml", "zoom = 3\n");
     drop(bad);
     CHECK(is_up(driver));
-    CHECK(driver.ui.files.fault == bad + ":1: the view needs 'scene'.");
+    CHECK(driver.ui.sheets.files.fault == bad + ":1: the view needs 'scene'.");
     CHECK(driver.hand.is_visible("files.entry.v.walk.toml"));
 }
 
@@ -261,13 +262,13 @@ TEST_CASE("On the sheet folders are entered and files chosen") {
     driver.hand.press('O', ctrl);
     driver.hand.enter("files.path", folder.file(""));
     CHECK(is_up(driver));
-    CHECK(driver.ui.files.entries.size() == 2);
+    CHECK(driver.ui.sheets.files.entries.size() == 2);
     driver.hand.click("files.entry.below");
-    CHECK(driver.ui.files.entries.empty());
-    CHECK(std::filesystem::equivalent(driver.ui.files.folder, folder.file("below")));
+    CHECK(driver.ui.sheets.files.entries.empty());
+    CHECK(std::filesystem::equivalent(driver.ui.sheets.files.folder, folder.file("below")));
     driver.hand.click("files.up");
     driver.hand.click("files.entry.a.toml");
-    CHECK(driver.ui.files.path == "a.toml");
+    CHECK(driver.ui.sheets.files.path == "a.toml");
     CHECK(is_up(driver));
     driver.hand.double_click("files.entry.a.toml");
     CHECK_FALSE(is_up(driver));
@@ -275,15 +276,15 @@ TEST_CASE("On the sheet folders are entered and files chosen") {
 
     // A view of this scene belongs beside it.
     driver.hand.press('S', ctrl);
-    CHECK(std::filesystem::equivalent(driver.ui.files.folder, folder.file("")));
-    CHECK(driver.ui.files.path == "a.walk.toml");
+    CHECK(std::filesystem::equivalent(driver.ui.sheets.files.folder, folder.file("")));
+    CHECK(driver.ui.sheets.files.path == "a.walk.toml");
     driver.hand.press(key::enter);
     CHECK(std::filesystem::exists(folder.file("a.walk.toml")));
     driver.hand.press('O', ctrl);
     driver.hand.click("files.own");
     CHECK(driver.hand.is_visible("files.entry.scenes"));
     driver.hand.click("files.here");
-    CHECK(std::filesystem::equivalent(driver.ui.files.folder, "."));
+    CHECK(std::filesystem::equivalent(driver.ui.sheets.files.folder, "."));
 }
 
 TEST_CASE("Under the sheet nothing is reached by keys or clicks") {

@@ -1,4 +1,4 @@
-#include "ui/actions/lesson_state.h"
+#include "ui/actions/open_lesson.h"
 
 #include <algorithm>
 
@@ -6,6 +6,7 @@
 #include "session/content.h"
 #include "ui/actions/kept_file.h"
 #include "ui/actions/lesson_links.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 

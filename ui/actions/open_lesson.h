@@ -3,9 +3,11 @@
 #include <string>
 #include <string_view>
 
-#include "ui/ui.h"
+#include "ui/lesson/lesson_state.h"
 
 namespace rasterwalk {
+
+struct Ui;
 
 /// Opens a lesson at a step, and shows what the step says. A lesson that is not there, or of
 /// which nothing can be shown, leaves everything as it is, and session.notice says why.

@@ -1,0 +1,82 @@
+#include "session/second_run.h"
+#include "ui/actions/action_menus.h"
+#include "ui/actions/compare.h"
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// A row for each way to compare.
+std::vector<Action> compare_view_choices() {
+    std::vector<Action> actions;
+    for (const CompareViewInfo& info : compare_view_list()) {
+        const CompareView view = info.view;
+        actions.push_back(
+            {std::string("compare.view.").append(info.name),
+             "Compare",
+             std::string(info.title),
+             std::string(info.menu_help),
+             {},
+             [view](Ui& ui) {
+                 if (!ui.session.b) toggle_compare(ui);
+                 ui.session.compare_view = view;
+             },
+             [view](const Ui& ui) { return ui.session.b && ui.session.compare_view == view; }});
+    }
+    return actions;
+}
+
+} // namespace
+
+std::vector<Action> compare_actions() {
+    std::vector<Action> actions{
+        {"switch.compare",
+         "Compare",
+         "Compare two runs",
+         "Shows the picture beside that of other settings: with affine interpolation, with other "
+         "light "
+         "or rounding, as suits the stage. Again: back to one run.",
+         {'C'},
+         toggle_compare,
+         [](const Ui& ui) { return ui.session.b.has_value(); }},
+    };
+    const std::vector<Action> views = compare_view_choices();
+    actions.insert(actions.end(), views.begin(), views.end());
+    const std::vector<Action> others{
+        {"compare.hold",
+         "Compare",
+         "Hold the blinking",
+         "Stays with the picture on show while two runs blink; again: goes on.",
+         {'H'},
+         [](Ui& ui) { ui.compare.blink_is_held = !ui.compare.blink_is_held; },
+         [](const Ui& ui) { return ui.compare.blink_is_held; }},
+        {"compare.swap",
+         "Compare",
+         "Swap A and B",
+         "Run A becomes B, and B becomes A.",
+         {},
+         [](Ui& ui) {
+             if (!refuses_settings(ui.session)) swap_runs(ui.session);
+         },
+         nullptr},
+        {"compare.next",
+         "Compare",
+         "Next divergence",
+         "Goes on to the next moment at which the two runs differ.",
+         {'J'},
+         go_to_next_divergence,
+         nullptr},
+        {"compare.previous",
+         "Compare",
+         "Previous divergence",
+         "Goes back to the moment before at which the two runs differ.",
+         {'K'},
+         go_to_previous_divergence,
+         nullptr},
+    };
+    actions.insert(actions.end(), others.begin(), others.end());
+    return actions;
+}
+
+} // namespace rasterwalk

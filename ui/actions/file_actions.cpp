@@ -1,0 +1,89 @@
+#include "ui/actions/action_menus.h"
+#include "ui/actions/keys.h"
+#include "ui/actions/view_files.h"
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+std::vector<Action> file_actions() {
+    return {
+        {"file.open",
+         "File",
+         "Open ...",
+         "Opens a saved view, a scene or a lesson; the view before it can be brought back by undo.",
+         {'O', true},
+         begin_opening,
+         nullptr},
+        {"file.save_view",
+         "File",
+         "Save the view ...",
+         "Writes everything that is on show into a file that can be opened again.",
+         {'S', true},
+         begin_saving,
+         nullptr},
+        {"file.copy_view",
+         "File",
+         "Copy the view as a command line",
+         "Copies a line that opens the program with exactly this view.",
+         {'C', true},
+         copy_command_line,
+         nullptr},
+        {"file.save_picture",
+         "File",
+         "Save a picture of the window",
+         "Writes the window as a PNG into the current folder.",
+         {key::f12},
+         [](Ui& ui) { ui.host.wants_picture = true; },
+         nullptr},
+        {"file.quit",
+         "File",
+         "Quit",
+         "Closes Rasterwalk.",
+         {'Q', true},
+         [](Ui& ui) { ui.host.wants_quit = true; },
+         nullptr},
+    };
+}
+
+std::vector<Action> edit_actions() {
+    return {
+        {"edit.undo",
+         "Edit",
+         "Undo",
+         "Takes back the last thing that was set.",
+         {'Z', true},
+         [](Ui& ui) {
+             if (!undo(ui.session)) ui.session.notice = "Nothing to undo.";
+         },
+         nullptr},
+        {"edit.redo",
+         "Edit",
+         "Redo",
+         "Sets again what was taken back.",
+         {'Z', true, true},
+         [](Ui& ui) {
+             if (!redo(ui.session)) ui.session.notice = "Nothing to redo.";
+         },
+         nullptr},
+        {"go.back",
+         "Edit",
+         "Back",
+         "Returns to the moment and selection visited before.",
+         {key::left, false, false, true},
+         [](Ui& ui) {
+             if (!go_back(ui.session)) ui.session.notice = "No place was visited before this one.";
+         },
+         nullptr},
+        {"go.forward",
+         "Edit",
+         "Forward",
+         "Goes on to the place that Back came from.",
+         {key::right, false, false, true},
+         [](Ui& ui) {
+             if (!go_forward(ui.session)) ui.session.notice = "This is the last place visited.";
+         },
+         nullptr},
+    };
+}
+
+} // namespace rasterwalk

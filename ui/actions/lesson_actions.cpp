@@ -1,0 +1,63 @@
+#include "ui/actions/action_menus.h"
+#include "ui/actions/keys.h"
+#include "ui/actions/open_lesson.h"
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+std::vector<Action> lesson_actions() {
+    return {
+        {"lesson.on",
+         "Lesson",
+         "Next step",
+         "Goes on to the next step of the lesson.",
+         {key::page_down},
+         [](Ui& ui) { open_neighbour_step(ui, 1); },
+         nullptr},
+        {"lesson.back",
+         "Lesson",
+         "Step before",
+         "Returns to the step before.",
+         {key::page_up},
+         [](Ui& ui) { open_neighbour_step(ui, -1); },
+         nullptr},
+        {"lesson.again",
+         "Lesson",
+         "Set up this step again",
+         "Brings back the picture with which the step began.",
+         {'R'},
+         [](Ui& ui) { open_neighbour_step(ui, 0); },
+         nullptr},
+        {"lesson.all",
+         "Lesson",
+         "All lessons",
+         "The list of lessons, with a search.",
+         {'L'},
+         [](Ui& ui) {
+             ui.lesson.shows_list = !ui.lesson.shows_list;
+             ui.lesson.covers_inspector = true;
+         },
+         [](const Ui& ui) { return ui.lesson.shows_list; }},
+    };
+}
+
+std::vector<Action> help_actions() {
+    return {
+        {"help.glossary",
+         "Help",
+         "Glossary",
+         "What the words of the lab mean.",
+         {key::f1 + 1},
+         [](Ui& ui) { ui.sheets.shows_glossary = !ui.sheets.shows_glossary; },
+         [](const Ui& ui) { return ui.sheets.shows_glossary; }},
+        {"help.keys",
+         "Help",
+         "All keys",
+         "Shows what every key does.",
+         {key::f1},
+         [](Ui& ui) { ui.sheets.shows_keys = !ui.sheets.shows_keys; },
+         [](const Ui& ui) { return ui.sheets.shows_keys; }},
+    };
+}
+
+} // namespace rasterwalk

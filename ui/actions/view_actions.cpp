@@ -1,0 +1,142 @@
+#include <algorithm>
+
+#include "picture/view_image.h"
+#include "session/walk.h"
+#include "settings/setting_table.h"
+#include "ui/actions/action_menus.h"
+#include "ui/actions/compare.h"
+#include "ui/actions/keys.h"
+#include "ui/actions/zoom.h"
+#include "ui/ui.h"
+#include "ui/widgets/style.h"
+
+namespace rasterwalk {
+
+namespace {
+
+void set_text_scale(Ui& ui, float scale) {
+    ui.options.wished_text_scale = std::clamp(scale, smallest_text_scale, largest_text_scale);
+}
+
+/// A row for each view.
+std::vector<Action> view_choices() {
+    std::vector<Action> actions;
+    for (const ViewInfo& info : view_list()) {
+        const View view = info.view;
+        actions.push_back({std::string("view.").append(view_names()[actions.size()]),
+                           "View",
+                           std::string(info.menu_title),
+                           std::string(info.menu_help),
+                           {},
+                           [view](Ui& ui) { ui.session.view = view; },
+                           [view](const Ui& ui) { return ui.session.view == view; }});
+    }
+    return actions;
+}
+
+} // namespace
+
+std::vector<Action> view_actions() {
+    std::vector<Action> actions = view_choices();
+    const std::vector<Action> others{
+        {"view.grid",
+         "View",
+         "Pixel grid",
+         "Draws lines between pixels from 8x on.",
+         {'G'},
+         [](Ui& ui) { ui.session.canvas.grid = !ui.session.canvas.grid; },
+         [](const Ui& ui) { return ui.session.canvas.grid; }},
+        {"view.fit",
+         "View",
+         "Fit the picture",
+         "Shows the whole picture.",
+         {'F'},
+         [](Ui& ui) { ui.session.canvas.zoom = 0.0f; },
+         nullptr},
+        {"view.zoom_selection",
+         "View",
+         "Zoom to the triangle",
+         "Enlarges the triangle that the inspector shows.",
+         {'X'},
+         zoom_to_triangle,
+         nullptr},
+        {"view.larger_text",
+         "View",
+         "Larger text",
+         "Makes all text larger.",
+         {key::equal, true},
+         [](Ui& ui) { set_text_scale(ui, ui.options.wished_text_scale + text_scale_step); },
+         nullptr},
+        {"view.smaller_text",
+         "View",
+         "Smaller text",
+         "Makes all text smaller.",
+         {key::minus, true},
+         [](Ui& ui) { set_text_scale(ui, ui.options.wished_text_scale - text_scale_step); },
+         nullptr},
+        {"view.normal_text",
+         "View",
+         "Normal text",
+         "Sets the text back to 16 pixels.",
+         {key::digit_0, true},
+         [](Ui& ui) { set_text_scale(ui, 1.0f); },
+         nullptr},
+        {"view.theme",
+         "View",
+         "Light theme",
+         "Changes between the dark and the light theme.",
+         {},
+         [](Ui& ui) {
+             ui.options.theme = ui.options.theme == Theme::dark ? Theme::light : Theme::dark;
+             ui.style_is_stale = true;
+         },
+         [](const Ui& ui) { return ui.options.theme == Theme::light; }},
+    };
+    actions.insert(actions.end(), others.begin(), others.end());
+    return actions;
+}
+
+std::vector<Action> stage_actions() {
+    std::vector<Action> actions;
+    for (const StageInfo& info : stage_list()) {
+        const StripStep step = info.step;
+        actions.push_back({std::string("stage.").append(info.name),
+                           "Stage",
+                           std::string(info.title),
+                           std::string(info.menu_help),
+                           {'1' + static_cast<int>(actions.size())},
+                           [step](Ui& ui) { set_step(ui.session.a.settings, step); },
+                           nullptr});
+    }
+    const std::vector<Action> switches{
+        {"switch.perspective",
+         "Stage",
+         "Perspective correction",
+         "Interpolates q/z and divides by 1/z; off, q itself is interpolated and the light skews.",
+         {'P'},
+         [](Ui& ui) {
+             if (refuses_settings(ui.session)) return;
+             Interpolation& i = ui.session.a.settings.interpolation;
+             i = i == Interpolation::perspective ? Interpolation::affine
+                                                 : Interpolation::perspective;
+         },
+         [](const Ui& ui) {
+             return ui.session.a.settings.interpolation == Interpolation::perspective;
+         }},
+        {"switch.depth_test",
+         "Stage",
+         "Depth test",
+         "Draws a fragment only if it is nearer; off, the last one drawn wins.",
+         {'Z'},
+         [](Ui& ui) {
+             if (refuses_settings(ui.session)) return;
+             DepthTest& d = ui.session.a.settings.depth_test;
+             d = d == DepthTest::off ? DepthTest::inverse_z : DepthTest::off;
+         },
+         [](const Ui& ui) { return ui.session.a.settings.depth_test != DepthTest::off; }},
+    };
+    actions.insert(actions.end(), switches.begin(), switches.end());
+    return actions;
+}
+
+} // namespace rasterwalk

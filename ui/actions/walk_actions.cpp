@@ -1,0 +1,118 @@
+#include <algorithm>
+
+#include "session/walk.h"
+#include "ui/actions/action_menus.h"
+#include "ui/actions/keys.h"
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+namespace {
+
+Timeline timeline_of(const Ui& ui) {
+    return Timeline(ui.results.a.frame);
+}
+
+void walk_to_change(Ui& ui, bool (*walk)(Session&, const Timeline&, const PixelHistory&),
+                    const char* direction) {
+    if (!ui.results.history) {
+        ui.session.notice = "There is no picked pixel: pick a pixel first, by a click.";
+        return;
+    }
+    const glm::ivec2 pixel = ui.results.history->pixel;
+    const bool found = walk(ui.session, timeline_of(ui), *ui.results.history);
+    ui.session.notice = found ? ""
+                              : "Pixel (" + std::to_string(pixel.x) + ", " +
+                                    std::to_string(pixel.y) + ") has no " + direction + " change.";
+}
+
+} // namespace
+
+// A triangle is stepped over whole; the other keys take what the transport is set to.
+std::vector<Action> walk_actions() {
+    return {
+        {"walk.first",
+         "Walk",
+         "To the beginning",
+         "Goes back to the empty picture.",
+         {key::home},
+         [](Ui& ui) { go_to(ui.session, cursor_begin); },
+         nullptr},
+        {"walk.back",
+         "Walk",
+         "Step back",
+         "Takes back one piece of the chosen size.",
+         {key::comma},
+         [](Ui& ui) { step_back(ui.session, timeline_of(ui), ui.session.play.granularity); },
+         nullptr},
+        {"walk.play",
+         "Walk",
+         "Play or pause",
+         "Lets time run, one piece after the other.",
+         {key::space},
+         [](Ui& ui) { toggle_play(ui.session, timeline_of(ui)); },
+         [](const Ui& ui) { return ui.session.play.running; }},
+        {"walk.step",
+         "Walk",
+         "Step",
+         "Draws the next piece of the chosen size.",
+         {key::period},
+         [](Ui& ui) { step_forward(ui.session, timeline_of(ui), ui.session.play.granularity); },
+         nullptr},
+        {"walk.last",
+         "Walk",
+         "To the end",
+         "Draws everything.",
+         {key::end},
+         [](Ui& ui) { go_to(ui.session, cursor_end); },
+         nullptr},
+        {"walk.previous_triangle",
+         "Walk",
+         "Previous triangle",
+         "Goes back to where a triangle begins.",
+         {key::left_bracket},
+         [](Ui& ui) { step_back(ui.session, timeline_of(ui), Granularity::triangle); },
+         nullptr},
+        {"walk.next_triangle",
+         "Walk",
+         "Next triangle",
+         "Goes on to where the next triangle begins.",
+         {key::right_bracket},
+         [](Ui& ui) { step_forward(ui.session, timeline_of(ui), Granularity::triangle); },
+         nullptr},
+        {"walk.previous_change",
+         "Walk",
+         "Previous change of the pixel",
+         "Goes back to where the picked pixel was written before.",
+         {'B'},
+         [](Ui& ui) { walk_to_change(ui, previous_change, "earlier"); },
+         nullptr},
+        {"walk.next_change",
+         "Walk",
+         "Next change of the pixel",
+         "Goes on to where the picked pixel is written next.",
+         {'N'},
+         [](Ui& ui) { walk_to_change(ui, next_change, "later"); },
+         nullptr},
+        {"walk.faster",
+         "Walk",
+         "Play faster",
+         "Doubles the speed of the play.",
+         {key::equal},
+         [](Ui& ui) {
+             ui.session.play.speed = std::min(2.0f * ui.session.play.speed, fastest_play);
+         },
+         nullptr},
+        {"walk.slower",
+         "Walk",
+         "Play slower",
+         "Halves the speed of the play.",
+         {key::minus},
+         [](Ui& ui) {
+             ui.session.play.speed = std::max(0.5f * ui.session.play.speed, slowest_play);
+         },
+         nullptr},
+    };
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+
+#include <glm/vec2.hpp>
+
+#include "ui/widgets/picture_state.h"
+
+namespace rasterwalk {
+
+/// What the canvas keeps from one frame to the next.
+struct CanvasState {
+    PictureTexture picture;   ///< shows Results::picture
+    PictureTexture overlay;   ///< shows Results::overlay
+    PicturePlace place;       ///< of the picture in this frame
+    bool shows_legend = true; ///< of the overlays; or else only their swatches
+    float depth_grip = 0.0f;  ///< from a handle of the depth view that is held to the pointer
+    std::optional<glm::ivec2> hovered_pixel; ///< of the picture, under the pointer
+    int dragged_vertex = -1;                 ///< of the bench triangle; -1: none
+};
+
+/// What only concerns the screen while two runs are compared.
+struct CompareLook {
+    PictureTexture picture;                 ///< shows run B
+    PictureTexture difference;              ///< shows B minus A
+    std::optional<PicturePlace> place_of_b; ///< of its picture, while both stand side by side
+    float blink_seconds = 0.0f;             ///< since the blinking began; A comes first
+    bool blink_is_held = false;
+};
+
+} // namespace rasterwalk

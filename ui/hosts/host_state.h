@@ -1,0 +1,30 @@
+#pragma once
+
+// What the interface asks of its host.
+
+#include <cstdint>
+
+#include <imgui.h>
+
+#include "base/image.h"
+
+namespace rasterwalk {
+
+/// Makes pictures known to the graphics system; the only thing that the interface asks of its host.
+class TextureHost {
+  public:
+    virtual ~TextureHost() = default;
+    /// Makes a texture of the picture, shown with hard pixel edges, or replaces `old` by it
+    /// (null: a new one). The same size is replaced in place.
+    virtual ImTextureID upload(ImTextureID old, const Image& image) = 0;
+};
+
+/// What passes between the interface and its host.
+struct HostState {
+    TextureHost* textures = nullptr;
+    bool fonts_changed = false; ///< the host makes the font texture anew and sets this back
+    bool wants_quit = false;
+    bool wants_picture = false; ///< F12: the host saves a picture of the window
+};
+
+} // namespace rasterwalk

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "inspect/microscope.h"
+#include "pipeline/cursor.h"
+
+namespace rasterwalk {
+
+/// What the float microscope looks at.
+struct MicroscopeView {
+    int edge = 0;                    ///< of the triangle that the inspector shows
+    std::optional<Cursor> picked_at; ///< where the cursor stood when the edge was picked by hand
+    bool shows_x = false;            ///< x instead of y
+    /// The triangle and edge for which x or y was last chosen; another edge chooses anew.
+    std::pair<int, int> axis_chosen_for{-1, -1};
+    EdgeMicroscope shown; ///< of that edge; worked out anew when another is shown
+};
+
+/// What the row table has on show.
+struct RowsPlace {
+    int triangle = -1;
+    std::optional<int> row; ///< that is selected
+    int jumps = 0;          ///< Session::jumps: a lesson's step or a link may lead elsewhere
+
+    friend bool operator==(const RowsPlace&, const RowsPlace&) = default;
+};
+
+/// What is asked about in the Vertices, Fragment and Graph tabs.
+struct InspectView {
+    std::string vertex_number = "pixel.column"; ///< id of a formula, see vertex_report.h
+    std::string fragment_number = "zinv";       ///< id of a formula, see fragment_report.h
+    bool shows_other_light = false;             ///< per vertex where it is per pixel, and back
+    std::string graph_quantity = "z";           ///< id of a quantity, see carried_row.h
+};
+
+/// What the inspector keeps from one frame to the next.
+struct InspectorState {
+    bool is_low = false;    ///< the page has few lines: panels are brief
+    bool is_narrow = false; ///< and few letters a line
+    MicroscopeView microscope;
+    InspectView chosen;
+    std::string setting_search;     ///< what the settings panel is filtered by
+    std::optional<int> hovered_row; ///< row of the picture pointed at in the row table
+    bool shows_end_values = false;  ///< further columns in the row table
+    bool scroll_to_row = false;     ///< the row table brings a row into view
+    RowsPlace rows_place;           ///< for which it did so last
+};
+
+} // namespace rasterwalk

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "laboratory/bug.h"
+#include "laboratory/candidate.h"
+
+namespace rasterwalk {
+
+struct MarkdownPage; // ui/page/markdown.h
+
+/// The three rooms of the bug laboratory.
+enum class LabMode : std::uint8_t {
+    bugs,   ///< the mistakes, to be turned on
+    quiz,   ///< which of them is it?
+    result, ///< a result of the student's own, and what may be wrong with it
+};
+
+/// What the bug laboratory keeps from one frame to the next.
+struct LabLook {
+    std::vector<Bug> bugs; ///< read when the laboratory is opened first
+    std::string fault;     ///< why they could not be read
+    bool is_read = false;
+    std::string chosen; ///< id of the bug that is described
+    /// For which bug, and down to which screen line, the list was scrolled last.
+    std::string in_sight;
+    float bottom = 0.0f;
+    std::shared_ptr<MarkdownPage> page;
+    LabMode mode = LabMode::bugs;
+    int seed = 0;             ///< of the next quiz; 0: the program takes one
+    bool wants_two = false;   ///< the next quiz hides two mistakes
+    std::string result_path;  ///< of the student's own result
+    int frames_to_result = 0; ///< it is diagnosed when this falls to 0 from 1; until then it waits
+    std::string result_fault; ///< why it could not be diagnosed
+    std::string held_against; ///< "the picture of lab-room"
+    std::optional<Diagnosis> diagnosis;
+};
+
+} // namespace rasterwalk

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "facts/facts.h"
+#include "lessons/lesson_list.h"
+#include "lessons/lesson_run.h"
+#include "lessons/lesson_search.h"
+#include "lessons/progress.h"
+#include "lessons/stage_note.h"
+#include "ui/actions/kept_state.h"
+
+namespace rasterwalk {
+
+struct MarkdownPage; // ui/page/markdown.h
+
+/// What the student answered to a prediction of the lesson that is open.
+struct PredictionView {
+    std::string typed;               ///< the number, as it stands in the field
+    bool is_no_number = false;       ///< what stood there when it was answered
+    std::optional<Judgement> judged; ///< of the answer given last; none before the first
+    std::string said;                ///< that answer, as it is told back
+    std::shared_ptr<MarkdownPage> because;
+};
+
+/// What a search over the lessons has found; searched again when one of the first two changes.
+struct LessonSearch {
+    std::string query;
+    std::uint64_t number = 0; ///< of the lessons, see LessonList
+    std::vector<SearchHit> hits;
+};
+
+/// What the lesson column keeps from one frame to the next.
+struct LessonView {
+    StageNotes notes;
+    LessonList lessons;
+    Progress progress;
+    Progress kept_progress; ///< as this window last read or wrote it
+    KeptFile progress_file;
+    FactCache facts; ///< that the conditions of the tasks ask for
+    std::map<std::string, std::shared_ptr<MarkdownPage>> pages; ///< of the step on show, by name
+    std::map<std::string, PredictionView> predictions;          ///< of the lesson, by id
+    std::set<std::string> open_hints;                           ///< ids of tasks
+    std::string shown;             ///< which page is on show; the scroll position belongs to it
+    std::string search;            ///< what the list of lessons is searched for
+    LessonSearch found;            ///< what it has found
+    bool shows_list = false;       ///< the list of lessons instead of a lesson
+    bool shows_stage = false;      ///< the page about the stage instead of the lesson
+    bool covers_inspector = false; ///< where the lesson is a tab of the inspector: it is in front
+    std::string pointed_at;        ///< widget that a link points at: it is outlined; empty: none
+    bool is_held = false;          ///< it stays outlined after the pointer has left the link
+    bool is_hovered = false;       ///< the pointer rests on such a link in this frame
+    int frames_unseen = 0;         ///< since the widget pointed at was last on the screen
+};
+
+} // namespace rasterwalk

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace rasterwalk {
+
+/// A file or folder that the sheet for files lists.
+struct FileEntry {
+    std::string name;
+    bool is_folder = false;
+};
+
+/// The sheet on which a file is opened or a view is saved.
+struct FileSheet {
+    enum class Kind : std::uint8_t { closed, open, save };
+    Kind kind = Kind::closed;
+    std::string path;   ///< as it stands in the field
+    std::string folder; ///< that is listed; kept for the next time
+    std::vector<FileEntry> entries;
+    std::size_t left_out = 0; ///< files that are not listed because there are too many
+    std::string fault;        ///< why it was not opened or saved
+    std::string asked;        ///< file that is there already: may it be replaced? empty: not asked
+    bool wants_focus = false; ///< the field takes the keyboard in the next frame
+};
+
+/// The sheets that lie over the window.
+struct SheetsState {
+    FileSheet files;
+    bool shows_glossary = false; ///< the glossary is open
+    std::string glossary_search; ///< what it is filtered by
+    bool shows_keys = false;     ///< the sheet of keys is open
+};
+
+} // namespace rasterwalk

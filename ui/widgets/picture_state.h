@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+
+#include <imgui.h>
+
+namespace rasterwalk {
+
+/// Where the picture lies on the screen: screen = origin + scale * (column, row).
+struct PicturePlace {
+    ImVec2 origin{0, 0};
+    float scale = 1.0f; ///< screen pixels a picture pixel
+};
+
+/// A picture that the graphics system knows.
+struct PictureTexture {
+    ImTextureID id = nullptr;
+    std::uint64_t number = 0; ///< of the picture that it shows, see Results
+    float scale = 0.0f;       ///< that it was resampled for; 1: as it is
+    ImVec2 size{0, 0};        ///< in picture pixels
+};
+
+} // namespace rasterwalk
