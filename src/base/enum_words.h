@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -25,6 +26,25 @@ constexpr std::array<std::string_view, sizeof...(Word)> word_list(Word... word) 
 template <class Enum>
 constexpr std::string_view word_of(Enum value) {
     return enum_words<Enum>[static_cast<std::size_t>(value)];
+}
+
+/// The value of a word.
+template <class Enum>
+constexpr std::optional<Enum> value_of_word(std::string_view word) {
+    for (std::size_t i = 0; i < enum_words<Enum>.size(); ++i) {
+        if (enum_words<Enum>[i] == word) return static_cast<Enum>(i);
+    }
+    return std::nullopt;
+}
+
+/// Has a list an entry for each value, and each in its place?
+/// @param value of an entry
+template <class Entry, std::size_t count, class Enum>
+constexpr bool is_indexed_by(const std::array<Entry, count>& list, Enum Entry::*value) {
+    for (std::size_t i = 0; i < count; ++i) {
+        if (list[i].*value != static_cast<Enum>(i)) return false;
+    }
+    return count == enum_words<Enum>.size();
 }
 
 /// The value as it is spelled in the program; empty if the enum has no such value.

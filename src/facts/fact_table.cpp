@@ -95,11 +95,9 @@ void add_session_facts(std::vector<Fact>& table) {
                      [](const Facts& f, int) { return number(f.session().selection.vertex); }});
     table.push_back({"tab", "Tab of the inspector that is open.", words(tab_names()),
                      [](const Facts& f, int) { return Value(f.session().tab); }});
-    table.push_back({"view", "Plane of the picture that is shown.", words(view_names()),
-                     [](const Facts& f, int) {
-                         const auto view = static_cast<std::size_t>(f.session().view);
-                         return Value(std::string(view_names()[view]));
-                     }});
+    table.push_back(
+        {"view", "Plane of the picture that is shown.", words(enum_words<View>),
+         [](const Facts& f, int) { return Value(std::string(word_of(f.session().view))); }});
     for (const OverlayInfo& info : overlay_list()) {
         table.push_back({"overlay." + std::string(info.name),
                          "1 while the overlay '" + std::string(info.title) + "' is on.", yes_or_no,

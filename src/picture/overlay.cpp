@@ -208,32 +208,25 @@ const WireEdge* nearest_wire(const OverlayPicture& picture, glm::ivec2 pixel, do
 
 const std::array<OverlayInfo, overlay_count>& overlay_list() {
     static constexpr std::array<OverlayInfo, overlay_count> list{{
-        {Overlay::wireframe, "wireframe", "wireframe",
+        {Overlay::wireframe, "wireframe",
          "The true edges of all triangles: straight lines between the projected vertices."},
-        {Overlay::owner, "owner", "triangle owner",
+        {Overlay::owner, "triangle owner",
          "Tints every triangle in a colour of its own and names the one under the pointer."},
-        {Overlay::overdraw, "overdraw", "overdraw",
-         "How many fragments fell on each pixel, drawn or not."},
-        {Overlay::drawn_twice, "drawn_twice", "drawn twice",
+        {Overlay::overdraw, "overdraw", "How many fragments fell on each pixel, drawn or not."},
+        {Overlay::drawn_twice, "drawn twice",
          "Pixels on which two neighbours both drew a fragment: both ends of a row are inclusive, "
          "so both draw the edge that they share."},
-        {Overlay::depth, "depth", "depth test",
+        {Overlay::depth, "depth test",
          "Hatched where some fragment failed the depth test, blue where all passed."},
-        {Overlay::uncovered, "uncovered", "uncovered", "Pixels on which nothing fell."},
-        {Overlay::over_one, "over_one", "colour over 1",
+        {Overlay::uncovered, "uncovered", "Pixels on which nothing fell."},
+        {Overlay::over_one, "colour over 1",
          "Pixels with a channel above 1, which is cut when the colour is shown."},
-        {Overlay::affine_error, "affine_error", "affine error",
+        {Overlay::affine_error, "affine error",
          "How far apart the affine and the perspective-correct position of the visible point lie "
          "in the world."},
     }};
+    static_assert(is_indexed_by(list, &OverlayInfo::overlay));
     return list;
-}
-
-std::optional<Overlay> find_overlay(std::string_view name) {
-    for (const OverlayInfo& info : overlay_list()) {
-        if (info.name == name) return info.overlay;
-    }
-    return std::nullopt;
 }
 
 int OverlaySet::count() const {

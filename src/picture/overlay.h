@@ -14,6 +14,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "base/enum_words.h"
 #include "base/image.h"
 #include "picture/pixel_facts.h"
 #include "pipeline/framebuffer.h"
@@ -31,21 +32,24 @@ enum class Overlay : std::uint8_t {
     affine_error, ///< how far off affine interpolation puts the visible point
 };
 
-inline constexpr int overlay_count = 8;
+template <>
+inline constexpr auto enum_words<Overlay> = word_list("wireframe", "owner", "overdraw",
+                                                      "drawn_twice", "depth", "uncovered",
+                                                      "over_one", "affine_error");
+static_assert(words_match<Overlay>);
+
+inline constexpr int overlay_count = static_cast<int>(enum_words<Overlay>.size());
 
 /// What the interface says of an overlay.
 struct OverlayInfo {
     Overlay overlay;
-    std::string_view name;  ///< one word, for tests and lessons
-    std::string_view title; ///< on the switch and in the legend
-    std::string_view help;  ///< one sentence
+    std::string_view title;                   ///< on the switch and in the legend
+    std::string_view help;                    ///< one sentence
+    std::string_view name = word_of(overlay); ///< for tests and lessons
 };
 
 /// All overlays, in the order of their switches; indexed by Overlay.
 const std::array<OverlayInfo, overlay_count>& overlay_list();
-
-/// The overlay of this name.
-std::optional<Overlay> find_overlay(std::string_view name);
 
 /// The overlays that are switched on.
 struct OverlaySet {

@@ -32,21 +32,8 @@ const std::array<ViewInfo, view_count>& view_list() {
         {View::overdraw, "overdraw", "How many fragments fell on every pixel.", "Overdraw",
          "Shows how many fragments fell on every pixel."},
     }};
-    static_assert(list.back().view == View{view_count - 1});
+    static_assert(is_indexed_by(list, &ViewInfo::view));
     return list;
-}
-
-std::span<const std::string_view> view_names() {
-    static constexpr std::array<std::string_view, view_count> names{"colour", "depth", "triangle",
-                                                                    "overdraw"};
-    return names;
-}
-
-std::optional<View> find_view(std::string_view name) {
-    const std::span<const std::string_view> names = view_names();
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end()) return std::nullopt;
-    return static_cast<View>(found - names.begin());
 }
 
 glm::vec3 shown_colour(const glm::vec3& colour, float (*visible_channel)(float)) {

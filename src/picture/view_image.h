@@ -5,11 +5,11 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string_view>
 
 #include <glm/vec3.hpp>
 
+#include "base/enum_words.h"
 #include "base/image.h"
 #include "picture/view_image.h"
 #include "pipeline/framebuffer.h"
@@ -19,7 +19,11 @@ namespace rasterwalk {
 /// Which plane is shown.
 enum class View : std::uint8_t { colour, depth, triangle, overdraw };
 
-inline constexpr int view_count = 4;
+template <>
+inline constexpr auto enum_words<View> = word_list("colour", "depth", "triangle", "overdraw");
+static_assert(words_match<View>);
+
+inline constexpr int view_count = static_cast<int>(enum_words<View>.size());
 
 /// What the interface says of a view.
 struct ViewInfo {
@@ -31,10 +35,6 @@ struct ViewInfo {
 
 /// All views, indexed by View.
 const std::array<ViewInfo, view_count>& view_list();
-
-/// The views by name, in the order of View.
-std::span<const std::string_view> view_names();
-std::optional<View> find_view(std::string_view name);
 
 /// A range of 1/z; near is the larger end.
 struct DepthRange {

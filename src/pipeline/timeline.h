@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "base/enum_words.h"
 #include "pipeline/cursor.h"
 #include "pipeline/frame.h"
 #include "stages/polygon_rows.h"
@@ -25,6 +26,10 @@ enum class Granularity : std::uint8_t {
     triangle, ///< one triangle
     phase,    ///< from vertices to edges to rows to the next triangle
 };
+
+template <>
+inline constexpr auto enum_words<Granularity> = word_list("moment", "line", "triangle", "phase");
+static_assert(words_match<Granularity>);
 
 /// The moments of one phase of a triangle.
 struct PhaseMoments {

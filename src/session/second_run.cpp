@@ -29,34 +29,18 @@ void apply(std::span<const std::string_view> assignments, Settings& settings) {
 
 const std::array<CompareViewInfo, compare_view_count>& compare_view_list() {
     static constexpr std::array<CompareViewInfo, compare_view_count> list{{
-        {CompareView::side_by_side, "side_by_side", "Side by side",
-         "Both pictures, one beside the other.", "Both pictures, one beside the other."},
-        {CompareView::wipe, "wipe", "Wipe", "A left of the divider, B right of it; drag it.",
+        {CompareView::side_by_side, "Side by side", "Both pictures, one beside the other.",
+         "Both pictures, one beside the other."},
+        {CompareView::wipe, "Wipe", "A left of the divider, B right of it; drag it.",
          "A left of a divider, B right of it."},
-        {CompareView::blink, "blink", "Blink", "A and B in turn: what differs seems to move.",
+        {CompareView::blink, "Blink", "A and B in turn: what differs seems to move.",
          "A and B in turn, once a second."},
-        {CompareView::difference, "difference", "Difference",
+        {CompareView::difference, "Difference",
          "B minus A: blue where B is darker, orange where it is brighter.",
          "B minus A, with a scale."},
     }};
+    static_assert(is_indexed_by(list, &CompareViewInfo::view));
     return list;
-}
-
-std::span<const std::string_view> compare_view_names() {
-    static const auto names = [] {
-        std::array<std::string_view, compare_view_count> words;
-        for (std::size_t i = 0; i < words.size(); ++i)
-            words[i] = compare_view_list()[i].name;
-        return words;
-    }();
-    return names;
-}
-
-std::optional<CompareView> find_compare_view(std::string_view name) {
-    for (const CompareViewInfo& info : compare_view_list()) {
-        if (info.name == name) return info.view;
-    }
-    return std::nullopt;
 }
 
 void compare_with(Session& session, const Run& b) {

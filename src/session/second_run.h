@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/enum_words.h"
 #include "pipeline/run.h"
 #include "scene/scene.h"
 
@@ -26,23 +27,24 @@ enum class CompareView : std::uint8_t {
     difference, ///< B minus A
 };
 
-inline constexpr int compare_view_count = 4;
+template <>
+inline constexpr auto enum_words<CompareView> = word_list("side_by_side", "wipe", "blink",
+                                                          "difference");
+static_assert(words_match<CompareView>);
+
+inline constexpr int compare_view_count = static_cast<int>(enum_words<CompareView>.size());
 
 /// What the interface says of a way to show them.
 struct CompareViewInfo {
     CompareView view;
-    std::string_view name;      ///< one word, for tests and lessons
-    std::string_view title;     ///< on the switch
-    std::string_view help;      ///< one sentence
-    std::string_view menu_help; ///< another, in the menu
+    std::string_view title;                ///< on the switch
+    std::string_view help;                 ///< one sentence
+    std::string_view menu_help;            ///< another, in the menu
+    std::string_view name = word_of(view); ///< for tests and lessons
 };
 
 /// All of them, in the order of their switches; indexed by CompareView.
 const std::array<CompareViewInfo, compare_view_count>& compare_view_list();
-
-/// Their names, in the same order, and the one of a name.
-std::span<const std::string_view> compare_view_names();
-std::optional<CompareView> find_compare_view(std::string_view name);
 
 /// Both runs as they stood when carry_changes_to_b() last looked.
 struct RunPair {

@@ -45,26 +45,16 @@ ViewField tab_field() {
 
 namespace {
 
-std::span<const std::string_view> overlay_names() {
-    static const auto names = [] {
-        std::array<std::string_view, overlay_count> words;
-        for (std::size_t i = 0; i < words.size(); ++i)
-            words[i] = overlay_list()[i].name;
-        return words;
-    }();
-    return names;
-}
-
 std::vector<std::string_view> overlays_and_none() {
     std::vector<std::string_view> words{no_value};
-    words.insert(words.end(), overlay_names().begin(), overlay_names().end());
+    words.insert(words.end(), enum_words<Overlay>.begin(), enum_words<Overlay>.end());
     return words;
 }
 
 OverlaySet read_overlays(const TomlBlock& block, const toml::node& node) {
     OverlaySet overlays;
     block.for_each_text(node, overlay_count, [&](const std::string& name) {
-        const std::optional<Overlay> overlay = find_overlay(name);
+        const std::optional<Overlay> overlay = value_of_word<Overlay>(name);
         if (!overlay) throw UsageError(no_such_name("overlay", name, overlays_and_none()));
         overlays.set(*overlay, true);
     });
@@ -91,9 +81,10 @@ ViewField overlays_field() {
     form.show = [](const auto& overlays, Session& session) {
         session.overlays = overlays.value_or(OverlaySet{});
     };
-    const ViewOption option{
-        "overlay", "NAME",
-        "Laid over the picture: " + one_of(overlay_names()) + "; repeatable; none for none", true};
+    const ViewOption option{"overlay", "NAME",
+                            "Laid over the picture: " + one_of(enum_words<Overlay>) +
+                                "; repeatable; none for none",
+                            true};
     ViewField field = make_field("overlays", ViewPart::panel, option, form);
     field.parse = [](const GivenOption& given, ViewState& state) {
         OverlaySet overlays;
@@ -101,7 +92,7 @@ ViewField overlays_field() {
             if (word == no_value) {
                 overlays = {};
             } else {
-                overlays.set(static_cast<Overlay>(option_index(given, overlay_names(), word)),
+                overlays.set(static_cast<Overlay>(option_index(given, enum_words<Overlay>, word)),
                              true);
             }
         }
@@ -113,14 +104,14 @@ ViewField overlays_field() {
         return texts_of(*change.to.overlays);
     };
     // Of links each lays one more over the picture.
-    field.link = word_link("overlay", "overlay", overlays_and_none(),
-                           [](Session& session, const std::string& name) {
-                               if (const std::optional<Overlay> overlay = find_overlay(name)) {
-                                   session.overlays.set(*overlay, true);
-                               } else {
-                                   session.overlays = {};
-                               }
-                           });
+    field.link = word_link(
+        "overlay", "overlay", overlays_and_none(), [](Session& session, const std::string& name) {
+            if (const std::optional<Overlay> overlay = value_of_word<Overlay>(name)) {
+                session.overlays.set(*overlay, true);
+            } else {
+                session.overlays = {};
+            }
+        });
     return field;
 }
 
@@ -291,11 +282,12 @@ ViewField point_at_field() {
 
 ViewField plane_field() {
     ViewField field =
-        enum_field("view", ViewPart::plane, {"view", "PLANE", "Plane: " + one_of(view_names())},
-                   "view", view_names(), &ViewState::view, &Session::view, false);
-    field.link = word_link(
-        "view", "view", {view_names().begin(), view_names().end()},
-        [](Session& session, const std::string& view) { session.view = *find_view(view); });
+        enum_field("view", ViewPart::plane, {"view", "PLANE", "Plane: " + one_of(enum_words<View>)},
+                   "view", &ViewState::view, &Session::view, false);
+    field.link = word_link("view", "view", {enum_words<View>.begin(), enum_words<View>.end()},
+                           [](Session& session, const std::string& view) {
+                               session.view = *value_of_word<View>(view);
+                           });
     return field;
 }
 

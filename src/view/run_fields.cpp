@@ -74,9 +74,8 @@ ViewField wipe_field() {
 ViewField compare_view_field() {
     return enum_field(
         "compare_view", ViewPart::runs,
-        {"compare-view", "NAME", "How two runs are shown: " + one_of(compare_view_names())},
-        "way to compare", compare_view_names(), &ViewState::compare_view, &Session::compare_view,
-        true);
+        {"compare-view", "NAME", "How two runs are shown: " + one_of(enum_words<CompareView>)},
+        "way to compare", &ViewState::compare_view, &Session::compare_view, true);
 }
 
 } // namespace rasterwalk

@@ -3,7 +3,6 @@
 // How the rows of view_table() are made: what a value looks like as text and where the session
 // keeps it, told once, gives all functions of a field.
 
-#include <algorithm>
 #include <functional>
 #include <optional>
 #include <span>
@@ -13,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/enum_words.h"
 #include "view/view_table.h"
 
 namespace rasterwalk {
@@ -109,21 +109,18 @@ ViewField make_field(std::string_view key, ViewPart part, ViewOption option, Vie
 /// @param keeps_last not said, it stays as it was
 template <class Enum>
 ViewField enum_field(std::string_view key, ViewPart part, const ViewOption& option,
-                     const char* what, std::span<const std::string_view> names,
-                     std::optional<Enum> ViewState::*member,
+                     const char* what, std::optional<Enum> ViewState::*member,
                      std::type_identity_t<Enum> Session::*shown, bool keeps_last) {
     ViewForm<Enum> form{member};
-    const auto name_of = [names](Enum value) { return names[static_cast<std::size_t>(value)]; };
-    form.read = [what, names](const TomlBlock& block, const toml::node& node) {
-        const std::string word = block.word(node, what, names);
-        return static_cast<Enum>(std::find(names.begin(), names.end(), word) - names.begin());
+    form.read = [what](const TomlBlock& block, const toml::node& node) {
+        return *value_of_word<Enum>(block.word(node, what, enum_words<Enum>));
     };
-    form.toml = [name_of](Enum value) { return toml_text(name_of(value)); };
-    form.parse = [names](const GivenOption& given, const std::string& word) {
-        return static_cast<Enum>(option_index(given, names, word));
+    form.toml = [](Enum value) { return toml_text(word_of(value)); };
+    form.parse = [](const GivenOption& given, const std::string& word) {
+        return static_cast<Enum>(option_index(given, enum_words<Enum>, word));
     };
-    form.word = [name_of, shown](const auto& value) {
-        return std::string(name_of(value.value_or(Session().*shown)));
+    form.word = [shown](const auto& value) {
+        return std::string(word_of(value.value_or(Session().*shown)));
     };
     form.tell = [shown](const Session& session) {
         const Enum value = session.*shown;

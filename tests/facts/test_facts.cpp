@@ -222,7 +222,7 @@ TEST_CASE("Two runs have facts while they are compared") {
 }
 
 TEST_CASE("The names of tabs and views are found") {
-    CHECK(find_view("overdraw") == View::overdraw);
-    CHECK_FALSE(find_view("colours"));
+    CHECK(value_of_word<View>("overdraw") == View::overdraw);
+    CHECK_FALSE(value_of_word<View>("colours"));
     CHECK(std::count(tab_names().begin(), tab_names().end(), "rows") == 1);
 }

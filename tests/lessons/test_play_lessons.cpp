@@ -102,7 +102,7 @@ const std::map<std::string_view, void (*)(const LessonLink&, const Student&)> pr
                const Student& student) { CHECK(student.session.tab == link.argument); }},
     {"view",
      [](const LessonLink& link, const Student& student) {
-         CHECK(student.session.view == find_view(link.argument));
+         CHECK(student.session.view == value_of_word<View>(link.argument));
      }},
     {"overlays",
      [](const LessonLink& link, const Student& student) {

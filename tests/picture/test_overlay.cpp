@@ -47,11 +47,11 @@ TEST_CASE("The table of overlays stands in the order of the enumerators, and fin
     int number = 0;
     for (const OverlayInfo& info : overlay_list()) {
         CHECK(static_cast<int>(info.overlay) == number++);
-        CHECK(find_overlay(info.name) == info.overlay);
+        CHECK(value_of_word<Overlay>(info.name) == info.overlay);
         CHECK_FALSE(info.help.empty());
     }
     CHECK(number == overlay_count);
-    CHECK_FALSE(find_overlay("shadow"));
+    CHECK_FALSE(value_of_word<Overlay>("shadow"));
 }
 
 TEST_CASE("An overlay is switched on and off without touching the others") {

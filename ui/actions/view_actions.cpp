@@ -23,7 +23,7 @@ std::vector<Action> view_choices() {
     std::vector<Action> actions;
     for (const ViewInfo& info : view_list()) {
         const View view = info.view;
-        actions.push_back({std::string("view.").append(view_names()[actions.size()]),
+        actions.push_back({std::string("view.").append(word_of(view)),
                            "View",
                            std::string(info.menu_title),
                            std::string(info.menu_help),

@@ -127,14 +127,7 @@ Groups measure(const Ui& ui, float width) {
 }
 
 std::string step_name(const StepChoice& choice) {
-    switch (choice.granularity) {
-    case Granularity::moment:
-        return "step.moment";
-    case Granularity::line:
-        return "step.line";
-    default:
-        return std::string("step.") + choice.name;
-    }
+    return std::string("step.").append(word_of(choice.granularity));
 }
 
 void draw_step_list(Ui& ui, ImVec2 at, ImVec2 size) {
