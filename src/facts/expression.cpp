@@ -241,7 +241,7 @@ class Resolver {
     /// If `index` is a name that takes words, `other` is one of them.
     void take_as_word(int index, int other) {
         if (!is_leaf(index, Leaf::fact) || of(index).type != ValueType::word) return;
-        const std::string& word = node(other).text;
+        const std::string word = node(other).text;
         const bool may_be_word = is_leaf(other, Leaf::word) || is_leaf(other, Leaf::fact) ||
                                  (is_leaf(other, Leaf::moment) && word == "end");
         if (!may_be_word) return;
