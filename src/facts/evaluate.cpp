@@ -103,7 +103,7 @@ struct Evaluator {
         const std::string& text = expression.tree.node(index).text;
         switch (meaning.leaf) {
         case Leaf::fact:
-            return fact(text);
+            return fact(meaning.name);
         case Leaf::word:
             return text;
         case Leaf::moment:

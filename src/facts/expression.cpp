@@ -158,6 +158,7 @@ class Resolver {
             meaning.leaf = Leaf::none;
         } else if (const std::optional<ValueRange> range = find_name(node(index).text)) {
             meaning.type = range->type;
+            meaning.name = node(index).text;
         } else {
             meaning.leaf = Leaf::word;
             meaning.type = ValueType::word;
@@ -167,7 +168,7 @@ class Resolver {
     void resolve_moment(int index) {
         const std::optional<Cursor> moment = parse_cursor(node(index).text);
         if (!moment) throw UsageError(in_quotes(node(index).text) + " is not a moment.");
-        of(index) = {Leaf::moment, ValueType::moment, *moment};
+        of(index) = {Leaf::moment, ValueType::moment, *moment, {}};
     }
 
     void resolve_call(int index) {
@@ -241,15 +242,15 @@ class Resolver {
     /// If `index` is a name that takes words, `other` is one of them.
     void take_as_word(int index, int other) {
         if (!is_leaf(index, Leaf::fact) || of(index).type != ValueType::word) return;
-        const std::string word = node(other).text;
+        const std::string& word = node(other).text;
         const bool may_be_word = is_leaf(other, Leaf::word) || is_leaf(other, Leaf::fact) ||
                                  (is_leaf(other, Leaf::moment) && word == "end");
         if (!may_be_word) return;
-        node(index).text = meant_name(node(index).text, word);
-        const ValueRange range = find_name(node(index).text).value_or(ValueRange{});
+        of(index).name = meant_name(node(index).text, word);
+        const ValueRange range = find_name(of(index).name).value_or(ValueRange{});
         const auto found = std::find(range.words.begin(), range.words.end(), word);
         if (found != range.words.end()) {
-            of(other) = {Leaf::word, ValueType::word, {}};
+            of(other) = {Leaf::word, ValueType::word, {}, {}};
         } else if (is_leaf(other, Leaf::word)) {
             std::string known;
             for (const std::string_view one : range.words)

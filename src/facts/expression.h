@@ -26,6 +26,7 @@ struct ExpressionMeaning {
     Leaf leaf = Leaf::fact;
     ValueType type = ValueType::number;
     Cursor moment;
+    std::string name; ///< of the fact; the tree may have an older name of it
 };
 
 /// An expression that was understood: all names exist and the types fit.

@@ -46,7 +46,8 @@ struct Ranges {
             return {here.number, here.number, here.number == std::floor(here.number)};
         }
         if (expression.is_leaf(index, Leaf::fact)) {
-            const ValueRange range = find_name(here.text).value_or(ValueRange{});
+            const ValueRange range =
+                find_name(expression.meaning(index).name).value_or(ValueRange{});
             return {range.low, range.high, range.is_whole};
         }
         if (here.parts.empty()) return {-endless, endless, false};
