@@ -8,6 +8,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "compare/divergence.h"
 #include "explain/fragment_report.h"
 #include "inspect/microscope.h"
 #include "inspect/pixel_history.h"
@@ -413,7 +414,7 @@ TEST_CASE("With another function in any slot all that is shown tells the same, n
     }
 }
 
-TEST_CASE("Clipping and culling show in polygons, reports and counts") {
+TEST_CASE("Clipping and culling show in polygons, reports, counts and the comparison") {
     const Scene scene = small_world();
     const Settings settings = settings_of_story(scene);
     const Frame usual = prepare_frame(scene, settings);
@@ -453,6 +454,18 @@ TEST_CASE("Clipping and culling show in polygons, reports and counts") {
     CHECK(expected.of(Rejection::clipped_away) > 0);
     CHECK(expected.of(Rejection::back_facing) > 0);
     CHECK(quadrilaterals > 0);
+    // The comparison says so too, of the first triangle that is drawn in one run only.
+    for (int t = 0; t < frame.triangle_count(); ++t) {
+        if (!usual.is_drawn(t) || frame.is_drawn(t)) continue;
+        const Cursor first{t, Phase::vertices, 0, 0};
+        const std::optional<Divergence> divergence = next_divergence(usual, frame, first);
+        REQUIRE(divergence);
+        CHECK(divergence->cursor == first);
+        CHECK(divergence->kind == DivergenceKind::missing);
+        const std::string reason(words(frame.rejection(t)).sentence);
+        CHECK(divergence->text.find(reason) != std::string::npos);
+    }
+    CHECK_FALSE(next_divergence(frame, frame, cursor_begin));
     // A triangle that reaches behind the camera is left out whole where nothing is clipped.
     CHECK(count_left_out(usual).of(Rejection::behind_camera) == 1);
     CHECK(count_left_out(frame).of(Rejection::behind_camera) == 0);
