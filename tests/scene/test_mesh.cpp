@@ -223,10 +223,10 @@ TEST_CASE("A picture does not tell whether vertices are shared") {
         separate.mesh.add_triangle_of(corners_of(joined, t));
     REQUIRE(separate.mesh.vertices().size() == 1800);
     CHECK(separate == joined);
-    for (const Stage stage :
-         {Stage::points, Stage::rows, Stage::vertex_light, Stage::pixel_light}) {
+    for (const StripStep& step : {StripStep{Stage::points}, StripStep{Stage::rows},
+                                  StripStep::vertex_light, StripStep::pixel_light}) {
         Settings settings = default_settings(joined);
-        settings.stage = stage;
+        set_step(settings, step);
         const Framebuffer a = draw_frame(prepare_frame(joined, settings));
         const Framebuffer b = draw_frame(prepare_frame(separate, settings));
         CHECK(first_difference(a, b) == "");
