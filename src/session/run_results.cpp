@@ -28,9 +28,8 @@ bool update_frame(const std::shared_ptr<const Scene>& scene, const Run& run, Run
     if (results.scene == scene && results.run == run) return false;
     // Noted as done only when it is: what throws is prepared again next time.
     results.run = std::nullopt;
-    Frame frame = std::move(results.frame);
-    prepare_frame(*scene, run.settings, nullptr, frame);
-    results.frame = std::move(frame);
+    prepare_frame(*scene, run.settings, nullptr, results.spare_frame);
+    std::swap(results.frame, results.spare_frame);
     results.scene = scene;
     results.replay.begin(results.frame);
     results.run = run;

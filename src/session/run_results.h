@@ -42,6 +42,7 @@ struct RunResults {
     std::shared_ptr<const Scene> scene; ///< keeps the frame's scene alive; null before the first
                                         ///< update
     std::optional<Run> run;
+    Frame spare_frame;                     ///< of the run before: its memory is for the next frame
     std::optional<View> view;              ///< that `picture` shows
     std::optional<DepthRange> depth_range; ///< that it colours
     Replay replay;
