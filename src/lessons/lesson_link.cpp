@@ -108,8 +108,9 @@ void check_argument(const LessonLink& link) {
         break;
     case LinkKind::cursor:
         if (!parse_cursor(link.argument)) {
-            throw UsageError("the link names no moment: " + in_quotes(link.argument) +
-                             " is not of the form t12/e2/s14.");
+            throw UsageError(
+                fmt::format("the link names no moment: {} is not of the form t12/e2/s14.",
+                            in_quotes(link.argument)));
         }
         break;
     case LinkKind::pixel:
