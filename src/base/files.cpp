@@ -42,7 +42,7 @@ class OpenFile {
 };
 
 [[noreturn]] void refuse(const std::string& doing, const std::string& path, int reason) {
-    throw AccessError("cannot " + doing + " '" + path + "': " + std::strerror(reason) + ".");
+    throw AccessError(fmt::format("cannot {} '{}': {}.", doing, path, std::strerror(reason)));
 }
 
 bool write_all(int descriptor, std::string_view bytes) {

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <system_error>
 
+#include <fmt/format.h>
 #include <stb_image.h>
 #include <stb_image_write.h>
 
@@ -39,7 +40,8 @@ Image unpack(std::string_view bytes, const std::string& path, int side) {
                               &channels, 4),
         stbi_image_free);
     if (!pixels) {
-        throw InputError(path + ": the picture cannot be read: " + stbi_failure_reason() + ".");
+        throw InputError(
+            fmt::format("{}: the picture cannot be read: {}.", path, stbi_failure_reason()));
     }
     image.rgba.assign(pixels.get(), pixels.get() + 4 * pixel_count(image));
     return image;

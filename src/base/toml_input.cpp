@@ -13,14 +13,6 @@
 
 namespace rasterwalk {
 
-namespace {
-
-std::string quoted(std::string_view text) {
-    return fmt::format("'{}'", text);
-}
-
-} // namespace
-
 toml::table parse_toml(std::string_view text, const std::string& path) {
     if (const std::optional<int> line = line_nested_too_deeply(text)) {
         throw InputError(path, *line,
@@ -50,25 +42,24 @@ void TomlInput::allow_only(std::initializer_list<std::string_view> keys) const {
     for (auto&& [key, value] : *table_) {
         const std::string_view name = key.str();
         if (std::find(keys.begin(), keys.end(), name) != keys.end()) continue;
-        std::string known;
-        for (const std::string_view one : keys) {
-            if (!known.empty()) known += ", ";
-            known += one;
-        }
-        fail(value, what_ + " has no " + quoted(name) + "; it has: " + known + ".");
+        fail(value, fmt::format("{} has no '{}'; it has: {}.", what_, name, fmt::join(keys, ", ")));
     }
 }
 
 const toml::node& TomlInput::require(std::string_view key) const {
     const toml::node* node = find(key);
-    if (node == nullptr) fail(what_ + " needs " + quoted(key) + ".");
+    if (node == nullptr) fail(fmt::format("{} needs '{}'.", what_, key));
     return *node;
+}
+
+std::string TomlInput::name_of(std::string_view key) const {
+    return fmt::format("'{}' of {}", key, what_);
 }
 
 std::string TomlInput::text(std::string_view key) const {
     const toml::node& node = require(key);
     std::string value = text_or_empty(key);
-    if (value.empty()) fail(node, quoted(key) + " of " + what_ + " must not be empty.");
+    if (value.empty()) fail(node, name_of(key) + " must not be empty.");
     return value;
 }
 
@@ -76,14 +67,14 @@ std::string TomlInput::text_or_empty(std::string_view key) const {
     const toml::node* node = find(key);
     if (node == nullptr) return {};
     const auto* value = node->as_string();
-    if (value == nullptr) fail(*node, quoted(key) + " of " + what_ + " must be text in quotes.");
+    if (value == nullptr) fail(*node, name_of(key) + " must be text in quotes.");
     return value->get();
 }
 
 const toml::array& TomlInput::list(std::string_view key) const {
     const toml::node& node = require(key);
     const toml::array* array = node.as_array();
-    if (array == nullptr) fail(node, quoted(key) + " of " + what_ + " must be a list.");
+    if (array == nullptr) fail(node, name_of(key) + " must be a list.");
     return *array;
 }
 
@@ -120,7 +111,7 @@ glm::vec3 TomlInput::vector(const toml::node& node, float smallest, float larges
 
 void TomlInput::read(std::string_view key, float& value, float smallest, float largest) const {
     if (const toml::node* node = find(key)) {
-        value = number(*node, smallest, largest, quoted(key) + " of " + what_);
+        value = number(*node, smallest, largest, name_of(key));
     }
 }
 
@@ -129,7 +120,7 @@ void TomlInput::read(std::string_view key, int& value, int smallest, int largest
     if (node == nullptr) return;
     const auto* integer = node->as_integer();
     if (integer == nullptr || integer->get() < smallest || integer->get() > largest) {
-        fail(*node, fmt::format("'{}' of {} must be a whole number between {} and {}.", key, what_,
+        fail(*node, fmt::format("{} must be a whole number between {} and {}.", name_of(key),
                                 smallest, largest));
     }
     value = static_cast<int>(integer->get());
@@ -137,7 +128,7 @@ void TomlInput::read(std::string_view key, int& value, int smallest, int largest
 
 void TomlInput::read(std::string_view key, glm::vec3& value, float smallest, float largest) const {
     if (const toml::node* node = find(key)) {
-        value = vector(*node, smallest, largest, quoted(key) + " of " + what_);
+        value = vector(*node, smallest, largest, name_of(key));
     }
 }
 
@@ -145,7 +136,7 @@ void TomlInput::read_colour(std::string_view key, glm::vec3& value, float smalle
                             float largest) const {
     const toml::node* node = find(key);
     if (node == nullptr) return;
-    const std::string name = quoted(key) + " of " + what_;
+    const std::string name = name_of(key);
     value = node->is_array() ? vector(*node, smallest, largest, name)
                              : glm::vec3(number(*node, smallest, largest, name));
 }

@@ -59,6 +59,9 @@ class TomlInput {
   private:
     const toml::node& require(std::string_view key) const;
 
+    /// How messages name what stands under a key: "'focal_length' of the camera".
+    std::string name_of(std::string_view key) const;
+
     const toml::table* table_;
     const std::string* path_;
     std::string what_;

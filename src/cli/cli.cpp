@@ -7,6 +7,7 @@
 #include <ostream>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "base/error.h"
 #include "base/nearest_name.h"
@@ -185,8 +186,8 @@ void check_file(const CommandLine& line) {
     for (const CLI::App* command : line.app.get_subcommands({})) {
         names.push_back(command->get_name());
     }
-    throw UsageError("there is neither a command nor a file named '" + file + "'." +
-                     did_you_mean(file, names));
+    throw UsageError(fmt::format("there is neither a command nor a file named '{}'.{}", file,
+                                 did_you_mean(file, names)));
 }
 
 /// Reads the arguments. Prints help or version if they ask for it, and then returns false.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <ostream>
 
+#include <fmt/format.h>
+
 #include "cli/json.h"
 #include "laboratory/bug.h"
 #include "session/content.h"
@@ -51,7 +53,7 @@ Json to_json(const Settings& settings, const Settings& defaults) {
 std::vector<std::string> assignment_texts(const Assignments& values) {
     std::vector<std::string> texts;
     for (const auto& [name, value] : values)
-        texts.push_back(name + "=" + value);
+        texts.push_back(fmt::format("{}={}", name, value));
     return texts;
 }
 

@@ -1,5 +1,7 @@
 #include "lessons/lesson_blocks.h"
 
+#include <fmt/format.h>
+
 #include "base/limits.h"
 #include "base/numbers.h"
 #include "base/toml_block.h"
@@ -58,8 +60,8 @@ void check_kind(TomlBlock& block, PredictionKind kind) {
         if (rule.kind == kind && rule.is_needed && node == nullptr) block.require(rule.key);
         if (rule.kind != kind && node != nullptr) {
             block.faults().add(line_of(*node),
-                               "'" + std::string(rule.key) + "' belongs to a prediction of kind " +
-                                   std::string(names[static_cast<std::size_t>(rule.kind)]) + ".");
+                               fmt::format("'{}' belongs to a prediction of kind {}.", rule.key,
+                                           names[static_cast<std::size_t>(rule.kind)]));
         }
     }
 }

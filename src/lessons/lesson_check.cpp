@@ -6,6 +6,8 @@
 #include <map>
 #include <system_error>
 
+#include <fmt/format.h>
+
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/quoted.h"
@@ -142,8 +144,8 @@ class Checker {
         for (const Term& term : like_.glossary)
             words.push_back(term.word);
         if (std::find(words.begin(), words.end(), link.argument) == words.end()) {
-            throw UsageError("the glossary has no term " + in_quotes(link.argument) + "." +
-                             did_you_mean(link.argument, words));
+            throw UsageError(fmt::format("the glossary has no term {}.{}", in_quotes(link.argument),
+                                         did_you_mean(link.argument, words)));
         }
     }
 
@@ -203,7 +205,7 @@ class Checker {
             const Judgement judgement = judge(lesson_, prediction, none, like_);
             if (!judgement.fault.empty()) {
                 add(prediction.answer_line,
-                    "the prediction '" + prediction.id + "': " + judgement.fault);
+                    fmt::format("the prediction '{}': {}", prediction.id, judgement.fault));
             }
         }
     }
@@ -256,8 +258,8 @@ class Checker {
             });
             if (!missing.empty()) {
                 add(prediction.because_line,
-                    "'" + missing + "' is not there in the situation of the prediction '" +
-                        prediction.id + "'.");
+                    fmt::format("'{}' is not there in the situation of the prediction '{}'.",
+                                missing, prediction.id));
             }
         } catch (const Error& fault) {
             add(prediction.because_line, fault.what());

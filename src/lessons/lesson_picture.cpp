@@ -5,6 +5,8 @@
 #include <string_view>
 #include <system_error>
 
+#include <fmt/format.h>
+
 #include "base/error.h"
 #include "base/quoted.h"
 
@@ -28,8 +30,10 @@ fs::path find_picture(const fs::path& folder, std::string_view target) {
     const bool leads_out = fs::path(inner).is_absolute() || inner.find("..") != inner.npos ||
                            inner.find(':') != inner.npos || inner.find('\\') != inner.npos;
     const auto refuse = [&] {
-        throw UsageError("the picture " + in_quotes(target) +
-                         " must be a PNG in the folder of the lessons or in ../screenshots/.");
+        throw UsageError(
+            fmt::format("the picture {} must be a PNG in the folder of the lessons or in "
+                        "../screenshots/.",
+                        in_quotes(target)));
     };
     if (leads_out || !inner.ends_with(".png")) refuse();
     std::error_code fault;
@@ -55,7 +59,7 @@ Image read_lesson_picture(const std::string& folder, const std::string& target) 
         std::string_view sentence = fault.what();
         const std::string path = file.string() + ": ";
         if (sentence.starts_with(path)) sentence.remove_prefix(path.size());
-        throw UsageError("the picture " + in_quotes(target) + ": " + std::string(sentence));
+        throw UsageError(fmt::format("the picture {}: {}", in_quotes(target), sentence));
     }
 }
 

@@ -192,8 +192,8 @@ std::string fill_in(std::string_view text, std::string_view answer, std::optiona
         if (const std::size_t colon = inner.find(':'); colon != inner.npos) {
             const std::string_view after = trimmed(inner.substr(colon + 1));
             if (after.size() != 1 || after[0] < '0' || after[0] > '9') {
-                throw UsageError("behind the colon in " + in_quotes(inner) +
-                                 " stands how many digits, 0 to 9.");
+                throw UsageError(fmt::format(
+                    "behind the colon in {} stands how many digits, 0 to 9.", in_quotes(inner)));
             }
             digits = after[0] - '0';
             inner = inner.substr(0, colon);

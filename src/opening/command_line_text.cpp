@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <optional>
 
+#include <fmt/format.h>
+
 #include "base/error.h"
 #include "base/files.h"
 #include "opening/opened_view.h"
@@ -97,7 +99,7 @@ class Line {
             if (change.setting == "stage") {
                 say("--stage", change.b);
             } else {
-                say("--set", std::string(change.setting).append("=").append(change.b));
+                say("--set", fmt::format("{}={}", change.setting, change.b));
             }
         }
     }
@@ -119,10 +121,10 @@ std::vector<std::string> command_line_words(const Session& session) {
 }
 
 std::string command_line_text(const Session& session) {
-    std::string line;
-    for (const std::string& word : command_line_words(session))
-        line.append(line.empty() ? "" : " ").append(shell_quoted(word));
-    return line;
+    std::vector<std::string> words = command_line_words(session);
+    for (std::string& word : words)
+        word = shell_quoted(word);
+    return fmt::format("{}", fmt::join(words, " "));
 }
 
 std::string shell_quoted(std::string_view word) {

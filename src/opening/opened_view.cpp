@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/error.h"
 #include "base/files.h"
 #include "base/nearest_name.h"
@@ -39,8 +41,8 @@ struct Start {
 };
 
 std::string sentence_of(const std::string& path, const Fault& fault) {
-    return fault.line > 0 ? path + ":" + std::to_string(fault.line) + ": " + fault.sentence
-                          : path + ": " + fault.sentence;
+    return fault.line > 0 ? fmt::format("{}:{}: {}", path, fault.line, fault.sentence)
+                          : fmt::format("{}: {}", path, fault.sentence);
 }
 
 /// The first of these faults, thrown.
@@ -55,8 +57,8 @@ int parse_step(const std::string& text, const Lesson& lesson) {
     const int last = static_cast<int>(lesson.steps.size()) - 1;
     const std::optional<int> step = text.empty() ? 0 : parse_int(text);
     if (step && *step >= 0 && *step <= last) return *step;
-    throw UsageError("--step is a number from 0 to " + std::to_string(last) + " in lesson " +
-                     in_quotes(lesson.id) + ", not " + in_quotes(text) + ".");
+    throw UsageError(fmt::format("--step is a number from 0 to {} in lesson {}, not {}.", last,
+                                 in_quotes(lesson.id), in_quotes(text)));
 }
 
 Start start_of_lesson(const ViewOptions& options) {
@@ -285,8 +287,9 @@ Lesson lesson_named(const std::string& name) {
             std::vector<std::string_view> ids;
             for (const Lesson& lesson : list.all())
                 ids.push_back(lesson.id);
-            throw UsageError("there is no lesson " + in_quotes(name) + "." +
-                             did_you_mean(name, ids) + " 'rasterwalk lessons' lists them.");
+            throw UsageError(
+                fmt::format("there is no lesson {}.{} 'rasterwalk lessons' lists them.",
+                            in_quotes(name), did_you_mean(name, ids)));
         }
     }
     if (!is_lesson_file(fs::path(path).filename().string())) {

@@ -5,6 +5,8 @@
 #include <map>
 #include <system_error>
 
+#include <fmt/format.h>
+
 #include "base/error.h"
 #include "base/faults.h"
 #include "base/files.h"
@@ -57,8 +59,9 @@ std::string name_from(const std::string& folder, const std::string& file, const 
     }
     std::error_code ignored;
     const std::string home = fs::absolute(folder_of(file), ignored).lexically_normal().string();
-    throw UsageError(std::string("the view can only be saved beside its ") + what + ", in " + home +
-                     ", or in a folder above.");
+    throw UsageError(fmt::format("the view can only be saved beside its {}, in {}, or in a folder "
+                                 "above.",
+                                 what, home));
 }
 
 std::string name_of_lesson(const Session& session, const std::string& folder) {
@@ -68,7 +71,7 @@ std::string name_of_lesson(const Session& session, const std::string& folder) {
 
 /// A key in its own line, so that a fault can be found by its line.
 void add_line(std::string& text, std::string_view key, std::string_view value) {
-    text.append(key).append(" = ").append(value).append("\n");
+    text += fmt::format("{} = {}\n", key, value);
 }
 
 } // namespace
@@ -88,8 +91,8 @@ std::string view_text(const Session& session, const std::string& path) {
     }
     const ViewState state = state_of(session, original);
     if (state.vertices && state.vertices->size() > most_placed_triangles) {
-        throw UsageError("more than " + std::to_string(most_placed_triangles) +
-                         " triangles were moved: too many to be saved.");
+        throw UsageError(fmt::format("more than {} triangles were moved: too many to be saved.",
+                                     most_placed_triangles));
     }
     for (const ViewField& field : view_table()) {
         const std::string value = field.write ? field.write(state) : std::string();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include <fmt/format.h>
+
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/quoted.h"
@@ -12,12 +14,7 @@
 namespace rasterwalk {
 
 void refuse_option(const GivenOption& option, std::string_view takes, const std::string& word) {
-    throw UsageError(std::string(option.name)
-                         .append(" is ")
-                         .append(takes)
-                         .append(", not ")
-                         .append(in_quotes(word))
-                         .append("."));
+    throw UsageError(fmt::format("{} is {}, not {}.", option.name, takes, in_quotes(word)));
 }
 
 std::string one_of(std::span<const std::string_view> words) {
@@ -32,13 +29,8 @@ std::size_t option_index(const GivenOption& option, std::span<const std::string_
                          const std::string& word) {
     const auto found = std::find(words.begin(), words.end(), word);
     if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
-    throw UsageError(std::string(option.name)
-                         .append(" is ")
-                         .append(one_of(words))
-                         .append(", not ")
-                         .append(in_quotes(word))
-                         .append(".")
-                         .append(did_you_mean(word, words)));
+    throw UsageError(fmt::format("{} is {}, not {}.{}", option.name, one_of(words), in_quotes(word),
+                                 did_you_mean(word, words)));
 }
 
 std::string toml_text(std::string_view text) {
@@ -52,8 +44,8 @@ std::string toml_list(const std::vector<std::string>& entries) {
     if (entries.empty()) return "[]";
     std::string list = "[\n";
     for (const std::string& entry : entries)
-        list.append("    ").append(toml_text(entry)).append(",\n");
-    return list.append("]");
+        list += fmt::format("    {},\n", toml_text(entry));
+    return list + "]";
 }
 
 std::vector<std::string> read_assignments(const TomlBlock& block, const toml::node& node) {
@@ -70,7 +62,7 @@ std::vector<std::string> read_assignments(const TomlBlock& block, const toml::no
 std::vector<std::string> assignments_between(const Settings& from, const Settings& to) {
     std::vector<std::string> list;
     for (const RunDifference& difference : run_differences(from, to))
-        list.push_back(std::string(difference.setting).append("=").append(difference.b));
+        list.push_back(fmt::format("{}={}", difference.setting, difference.b));
     return list;
 }
 
