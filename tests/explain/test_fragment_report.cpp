@@ -267,7 +267,7 @@ class RayCaster {
 
 TEST_CASE("Thousands of fragments of the room report what draw used, and follow from it") {
     const Scene room = test::lab_room();
-    const int of_each = test::rounds(40, 8);
+    const int of_each = test::rounds(40, 3);
     int fragments = 0, written = 0, failed = 0, stored_by_someone = 0;
     for (const Case& c : cases_of(room)) {
         const Frame frame = prepare_frame(room, c.settings);

@@ -7,6 +7,7 @@
 
 #include "pipeline/draw.h"
 #include "support/bits.h"
+#include "support/effort.h"
 #include "support/frames.h"
 #include "support/moments.h"
 #include "support/recorder.h"
@@ -170,7 +171,7 @@ TEST_CASE("10,000 random row tables replayed sample by sample are the ones made 
     for (const Variant& variant : rule_variants()) {
         const Frame frame = frame_of(scene, Stage::edges, variant);
         const bool handout = variant.name == "handout";
-        const int count = handout ? frame.triangle_count() : 1000;
+        const int count = handout ? frame.triangle_count() : rounds(1000, 250);
         Recorder recorder(true);
         Framebuffer framebuffer;
         clear(framebuffer, frame);

@@ -9,6 +9,7 @@
 #include "pipeline/replay.h"
 #include "pipeline/timeline.h"
 #include "support/bits.h"
+#include "support/effort.h"
 #include "support/made_scene.h"
 #include "support/samples.h"
 
@@ -55,7 +56,7 @@ TEST_CASE("The room after any walk through time is as if drawn from the start") 
         replay.begin(frame);
         replay.at(cursor_end);
         CAPTURE(stage);
-        walk_at_random(frame, replay, 8);
+        walk_at_random(frame, replay, rounds(8, 3));
         if (has_fragments(settings.stage)) CHECK(replay.keyframe_count() > 0);
     }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdlib>
 #include <string>
 
@@ -25,7 +26,8 @@ struct SmallWindow {
     ImVec2 size;
     float text_scale;
 };
-inline const SmallWindow small_windows[] = {
-    {{1024, 640}, 1.0f}, {{1024, 640}, 1.5f}, {{800, 600}, 1.0f}, {{800, 600}, 1.5f}};
+inline const std::array small_windows{SmallWindow{{1024, 640}, 1.0f},
+                                      SmallWindow{{1024, 640}, 1.5f}, SmallWindow{{800, 600}, 1.0f},
+                                      SmallWindow{{800, 600}, 1.5f}};
 
 } // namespace rasterwalk
