@@ -59,7 +59,7 @@ ViewField make_field(std::string_view key, ViewPart part, ViewOption option, Vie
     ViewField field;
     field.key = key;
     field.part = part;
-    field.option = option;
+    field.option = std::move(option);
     const auto member = form.member;
     field.take = [member](const ViewState& over, ViewState& state) {
         if (over.*member) state.*member = over.*member;
