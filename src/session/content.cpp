@@ -41,6 +41,10 @@ std::string lessons_folder() {
         throw AccessError(std::string("RASTERWALK_LESSONS names '") + named +
                           "', and there is no presets.toml in it.");
     }
+    return own_lessons_folder();
+}
+
+std::string own_lessons_folder() {
     std::error_code fault;
     const fs::path program = fs::read_symlink("/proc/self/exe", fault);
     // The program lies in the project's build folder, or a folder deeper, or is installed in bin/.

@@ -5,10 +5,13 @@
 
 namespace rasterwalk {
 
-/// The folder `lessons`: scenes, presets and lessons. It is $RASTERWALK_LESSONS, or the folder that
-/// lies beside or above the program, or the one it was built from. Throws AccessError if none is
-/// there.
+/// The folder `lessons`: scenes, presets and lessons. It is $RASTERWALK_LESSONS, or else
+/// own_lessons_folder(). Throws AccessError if none is there.
 std::string lessons_folder();
+
+/// The folder `lessons` that comes with the program: the one beside or above it, or the one it was
+/// built from. Throws AccessError if none is there.
+std::string own_lessons_folder();
 
 /// The scene where none is named, in lessons_folder().
 inline constexpr std::string_view usual_scene = "scenes/lab-room.toml";

@@ -106,7 +106,7 @@ std::vector<WidgetPattern> parse_widget_patterns(std::string_view text, const st
 }
 
 std::string widgets_file() {
-    return lessons_folder() + "/widgets.txt";
+    return own_lessons_folder() + "/widgets.txt";
 }
 
 std::vector<WidgetPattern> read_widget_patterns() {

@@ -23,7 +23,8 @@ std::vector<WidgetPattern> parse_widget_patterns(std::string_view text, const st
 /// Those of widgets_file(). Throws AccessError, InputError.
 std::vector<WidgetPattern> read_widget_patterns();
 
-/// The file that lists them, in lessons_folder(). Throws AccessError.
+/// The file that lists them, in own_lessons_folder(): lessons of one's own point at the same
+/// window. Throws AccessError.
 std::string widgets_file();
 
 /// Does the pattern stand for a widget of this name?

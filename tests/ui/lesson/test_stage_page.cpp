@@ -27,7 +27,6 @@ class OwnNote {
         folder_.write("glossary.toml", "term = []\n");
         std::filesystem::create_directory_symlink(lessons_folder() + "/scenes",
                                                   folder_.file("scenes"));
-        std::filesystem::copy(widgets_file(), folder_.file("widgets.txt"));
         std::filesystem::create_directories(folder_.file("stages"));
         if (!stage.empty()) folder_.write("stages/" + stage + ".md", text);
         if (const char* before = std::getenv("RASTERWALK_LESSONS")) before_ = before;
