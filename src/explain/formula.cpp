@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 #include <utility>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/syntax.h"
 
 namespace rasterwalk {
@@ -197,22 +196,14 @@ std::string shown(const Number& number) {
     if (std::isinf(value)) return value > 0 ? "+∞" : "−∞";
     const double size = std::abs(static_cast<double>(value));
     const bool is_integral = size < 1e6 && static_cast<double>(std::trunc(value)) == value;
-    char text[48];
-    if (number.is_whole || is_integral) {
-        std::snprintf(text, sizeof text, "%.0f", size);
-    } else if (size >= 1e6 || size < 1e-3) {
-        std::snprintf(text, sizeof text, "%.2e", size);
-    } else {
-        const int digits = size >= 1.0 ? 3 : size >= 0.1 ? 4 : size >= 0.01 ? 5 : 6;
-        std::snprintf(text, sizeof text, "%.*f", digits, size);
-    }
+    const int digits = size >= 1.0 ? 3 : size >= 0.1 ? 4 : size >= 0.01 ? 5 : 6;
+    std::string text = number.is_whole || is_integral ? decimals(size, 0)
+                       : size >= 1e6 || size < 1e-3   ? scientific(size, 2)
+                                                      : decimals(size, digits);
     // Numbers that someone has typed are shown as typed: 0.15, not 0.1500.
-    char brief[48];
-    const auto end = std::to_chars(brief, brief + sizeof brief, std::abs(value)).ptr;
-    const std::string_view shortest(brief, static_cast<std::size_t>(end - brief));
-    const bool is_brief = shortest.size() < std::string_view(text).size();
-    std::string result = value < 0 ? std::string(minus) : std::string();
-    result += is_brief ? shortest : std::string_view(text);
+    const std::string brief = shortest(std::abs(value));
+    if (brief.size() < text.size()) text = brief;
+    std::string result = value < 0 ? std::string(minus) + text : text;
     const std::size_t hyphen = result.find('-');
     if (hyphen != std::string::npos) result.replace(hyphen, 1, minus);
     return result;
