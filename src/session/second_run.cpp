@@ -69,10 +69,11 @@ void end_comparison(Session& session) {
         return;
     }
     Settings& now = session.a.settings;
+    const Settings still = now; // a stage sets a shading too
     for (const RunDifference& difference :
          run_differences(replaced->after.settings, replaced->before.settings)) {
         const Setting* const setting = find_setting(difference.setting);
-        if (value_text(*setting, now) == difference.a) set_value(now, *setting, difference.b);
+        if (value_text(*setting, still) == difference.a) set_value(now, *setting, difference.b);
     }
 }
 
@@ -90,10 +91,13 @@ void carry_changes_to_b(Session& session) {
     if (session.runs_before && *session.runs_before == RunPair{session.a, *session.b}) return;
     if (session.runs_before && session.runs_before->b == *session.b) {
         const Settings& before = session.runs_before->a.settings;
+        const Settings b_was = session.b->settings;
         Settings& b = session.b->settings;
         for (const Setting& setting : setting_table()) {
-            const bool is_new = must_be_said(setting, before, session.a.settings);
-            if (is_new && has_same_value(setting, before, b)) {
+            // A whole sets its parts too; they come after it, and keep what is B's own.
+            if (!has_same_value(setting, before, b_was)) {
+                copy_value(setting, b_was, b);
+            } else if (!has_same_value(setting, before, session.a.settings)) {
                 copy_value(setting, session.a.settings, b);
             }
         }

@@ -26,7 +26,8 @@ void set_scene(Session& session, Scene scene) {
     if (session.b) {
         Settings& b = session.b->settings;
         take_view(b);
-        const bool same_step = step_of(b) == step_of(session.a.settings);
+        const Settings& a = session.a.settings;
+        const bool same_step = b.stage == a.stage && b.shading == a.shading;
         if (same_step && !scene.stage.empty()) set_step(b, step_of(fresh));
     }
     if (session.replaced) {

@@ -106,7 +106,12 @@ std::vector<WidgetPattern> parse_widget_patterns(std::string_view text, const st
 }
 
 std::string widgets_file() {
-    return own_lessons_folder() + "/widgets.txt";
+    constexpr const char* name = "/widgets.txt";
+    try {
+        return own_lessons_folder() + name;
+    } catch (const AccessError&) {
+        return lessons_folder() + name; // a program without lessons beside it
+    }
 }
 
 std::vector<WidgetPattern> read_widget_patterns() {

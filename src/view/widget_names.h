@@ -23,8 +23,8 @@ std::vector<WidgetPattern> parse_widget_patterns(std::string_view text, const st
 /// Those of widgets_file(). Throws AccessError, InputError.
 std::vector<WidgetPattern> read_widget_patterns();
 
-/// The file that lists them, in own_lessons_folder(): lessons of one's own point at the same
-/// window. Throws AccessError.
+/// The file that lists them, in own_lessons_folder(), because lessons of one's own point at the
+/// same window; where the program has none, in lessons_folder(). Throws AccessError.
 std::string widgets_file();
 
 /// Does the pattern stand for a widget of this name?

@@ -51,6 +51,41 @@ TEST_CASE("Each pair sets what it says, in a stage in which it shows") {
     CHECK(i == 4);
 }
 
+TEST_CASE("What only B has of a setting with parts stays B's, and the rest follows A") {
+    Session session = room();
+    set_from_text(session.a.settings, "stage=pixel_light");
+    session.b = session.a;
+    set_from_text(session.b->settings, "shading=unlit");
+    carry_changes_to_b(session);
+    set_from_text(session.a.settings, "stage=depth");
+    carry_changes_to_b(session);
+    set_from_text(session.a.settings, "stage=pixel_light");
+    carry_changes_to_b(session);
+    CHECK(session.b->settings.stage == Stage::shade);
+    CHECK(session.b->settings.shading == Shading::unlit);
+    CHECK(session.a.settings.shading == Shading::phong);
+
+    session.b = session.a;
+    session.runs_before = std::nullopt;
+    set_from_text(session.b->settings, "vertex_rounding=truncate_sum");
+    carry_changes_to_b(session);
+    set_from_text(session.a.settings, "rounding=floor");
+    carry_changes_to_b(session);
+    CHECK(session.b->settings.vertex_rounding == VertexRounding::truncate_sum);
+    CHECK(session.b->settings.line_rounding == Rounding::floor);
+}
+
+TEST_CASE("The end of a comparison brings back a picture without light") {
+    Session session = room();
+    set_from_text(session.a.settings, "stage=pixel_light");
+    set_from_text(session.a.settings, "shading=unlit");
+    start_pair(session, compare_pairs()[1]);
+    CHECK(session.a.settings.shading == Shading::gouraud);
+    end_comparison(session);
+    CHECK(session.a.settings.stage == Stage::shade);
+    CHECK(session.a.settings.shading == Shading::unlit);
+}
+
 TEST_CASE("What changes in A changes in B too, unless they differ in it") {
     Session session = room();
     start_pair(session, compare_pairs()[0]);

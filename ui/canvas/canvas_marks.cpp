@@ -230,7 +230,8 @@ void draw_vertices(const Marks& m, int triangle, std::span<const ScreenVertex> v
             const int middle_column = size.width / 2, middle_row = size.height / 2;
             // int() and floor() give the pixel i all that lies from i to i + 1; a pixel that is
             // rounded to has its number in its middle.
-            const float shift = frame.settings.line_rounding == Rounding::round ? 0.0f : -0.5f;
+            const bool is_rounded = frame.settings.vertex_rounding == VertexRounding::round;
+            const float shift = is_rounded ? 0.0f : -0.5f;
             const ImVec2 real =
                 m.at(shaded.in("projected").x + static_cast<float>(middle_column) + shift,
                      shaded.in("projected").y + static_cast<float>(middle_row) + shift);
