@@ -27,6 +27,7 @@
 #include "settings/setting_table.h"
 #include "support/made_scene.h"
 #include "ui/app/app.h"
+#include "ui/ui.h"
 
 namespace {
 

@@ -21,6 +21,7 @@
 #include "settings/setting_table.h"
 #include "support/made_scene.h"
 #include "ui/app/app.h"
+#include "ui/ui.h"
 
 /// The work that is measured runs inside of this function and nothing else does, so that its
 /// instructions can be counted: valgrind --tool=callgrind --toggle-collect=measured_work.
