@@ -106,7 +106,8 @@ void compare_with_affine(Session& session) {
     compare_with(session, other);
 }
 
-/// What follows from the session, without the window: a step of the camera, a moment of time.
+/// What follows from the session, without the window: a step of the camera, a moment of time. All
+/// of it, also what the window leaves for the next frames.
 void take_session_figures(const Figures& figures, const std::string& scene, Session (*open)()) {
     for (const bool is_comparing : {false, true}) {
         const std::string ending = is_comparing ? "-comparing" : "";
@@ -118,13 +119,13 @@ void take_session_figures(const Figures& figures, const std::string& scene, Sess
         figures.take(step, [&] {
             session.a.settings.camera.yaw += turn;
             carry_changes_to_b(session);
-            update(session, results);
+            finish(session, results);
         });
-        update(session, results);
+        finish(session, results);
         session.cursor = Timeline(results.a.frame).at_place(0.7);
         figures.take(moment, [&] {
             session.cursor = Timeline(results.a.frame).next(session.cursor, Granularity::moment);
-            update(session, results);
+            finish(session, results);
         });
     }
 }
@@ -153,8 +154,8 @@ void take_frame_figures(const Figures& figures, const std::string& scene, Sessio
         ui.host.fonts_changed = false;
         build_ui(ui);
     };
-    for (int i = 0; i < 4; ++i)
-        frame(); // sizes of windows and columns settle
+    for (int i = 0; i < 4 || !ui.results.a.is_drawn(); ++i)
+        frame(); // sizes of windows and columns settle, and all is drawn
     figures.take(rest, frame);
     figures.take(turning, [&] {
         ui.session.a.settings.camera.yaw += turn;
