@@ -46,8 +46,8 @@ Stages stages_for(const Settings& settings, const ReplaceStages& replace);
 Frame prepare_frame(const Scene& scene, const Settings& settings,
                     const ReplaceStages& replace = nullptr);
 
-/// The same in place of another frame, whose memory is used again: to ask for new memory takes
-/// three times as long as all the rest.
+/// The same in place of another frame, whose memory is used again: with many triangles to ask for
+/// new memory takes longer than all the rest.
 void prepare_frame(const Scene& scene, const Settings& settings, const ReplaceStages& replace,
                    Frame& frame);
 

@@ -28,10 +28,12 @@ std::string edge_sentence(const Frame& frame, const Cursor& cursor, const std::s
     if (frame.settings.stage < Stage::edges) {
         return "in stage " + stage_name(frame) + " a triangle has no edges";
     }
-    if (cursor.index > 2) return "a triangle has the edges e0 to e2";
     const Timeline timeline(frame);
-    const int samples =
-        timeline.moments(cursor.triangle).of(Phase::edges).pieces[cursor.index].count;
+    const PhaseMoments& edges = timeline.moments(cursor.triangle).of(Phase::edges);
+    const int count = static_cast<int>(edges.pieces.size());
+    if (cursor.index >= count)
+        return "a triangle has the edges e0 to e" + std::to_string(count - 1);
+    const int samples = edges.pieces[cursor.index].count;
     return "edge e" + std::to_string(cursor.index) + " of " + triangle + " has " +
            pieces("sample", 0, samples - 1);
 }

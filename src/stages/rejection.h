@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "base/enum_words.h"
+
 namespace rasterwalk {
 
 enum class Rejection : std::uint8_t {
@@ -65,9 +67,9 @@ constexpr bool rejections_are_in_order() {
             return false;
         }
     }
-    return rejection_count == static_cast<int>(Rejection::back_facing) + 1;
+    return spelling<static_cast<Rejection>(rejection_count)>().empty();
 }
-static_assert(rejections_are_in_order(), "rejection_list is not in the order of Rejection");
+static_assert(rejections_are_in_order(), "rejection_list has not each Rejection in its order");
 
 constexpr const RejectionWords& words(Rejection rejection) {
     return rejection_list[static_cast<std::size_t>(rejection)];

@@ -41,7 +41,13 @@ ViewField compare_field() {
         }
         if (to.b == from.b && to.a == from.a) return {};
         if (to.a == *to.b) {
-            return {"stage=" + value_text(*find_setting("stage"), to.a.settings)};
+            // Something must be said; what the stage sets beside itself is said after it.
+            const std::string stage = "stage=" + value_text(*find_setting("stage"), to.a.settings);
+            Settings said = to.a.settings;
+            set_from_text(said, stage);
+            std::vector<std::string> words = assignments_between(said, to.a.settings);
+            words.insert(words.begin(), stage);
+            return words;
         }
         return assignments_between(to.a.settings, to.b->settings);
     };

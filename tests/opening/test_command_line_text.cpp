@@ -88,6 +88,16 @@ TEST_CASE("A mistake beside the correct run is copied with both runs") {
     }
 }
 
+TEST_CASE("Two equal runs without light are copied as they are") {
+    Session session = open_session(own_scene("lab-room.toml"));
+    set_from_text(session.a.settings, "shading=unlit");
+    session.b = session.a;
+    const Session again = opened_again(session);
+    REQUIRE(again.b);
+    CHECK(again.a.settings == session.a.settings);
+    CHECK(again.b->settings == session.a.settings);
+}
+
 TEST_CASE("Files with awkward names are quoted for the shell") {
     const TemporaryFolder folder;
     const std::string path =

@@ -32,7 +32,7 @@ bool is_wanted(const Setting& setting, const std::string& search) {
 void edit_choice(Ui& ui, Settings& settings, const std::string& name, const std::string& help,
                  const ChoiceSetting& choice) {
     const int now = choice.read(settings);
-    const std::string shown(now == no_word ? std::string_view("not one word") : choice.words[now]);
+    const std::string shown(now == no_word ? std::string_view("mixed") : choice.words[now]);
     const bool open = ImGui::BeginCombo("##value", shown.c_str());
     name_widget(ui, name, help);
     if (!open) return;
