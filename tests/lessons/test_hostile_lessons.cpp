@@ -40,6 +40,14 @@ TEST_CASE("Every hostile lesson is refused, with its line") {
         const Lesson lesson = refused(path, {hostile.line, hostile.sentence});
         CHECK(is_readable(lesson) == hostile.is_readable);
         if (!hostile.is_readable) CHECK(lesson.tasks.empty());
+    }
+}
+
+TEST_CASE("rasterwalk check refuses a hostile lesson with the same words") {
+    const test::TemporaryFolder folder;
+    for (const test::HostileLesson& hostile : test::some_of(test::hostile_lessons(), 6)) {
+        INFO(hostile.about);
+        const std::string path = folder.write("01-hostile.md", hostile.text);
         std::string place = path;
         if (hostile.line > 0) place.append(":").append(std::to_string(hostile.line));
         place.append(": ");

@@ -11,6 +11,7 @@
 #include "opening/command_line_text.h"
 #include "session/bench.h"
 #include "session/content.h"
+#include "settings/setting_table.h"
 #include "tests/cli/run.h"
 #include "tests/support/random_session.h"
 #include "tests/support/temporary_folder.h"

@@ -37,7 +37,8 @@ expect() {
 }
 
 new_tree
-expect 0 "3 files in 2 folders" checks folders
+expect 0 "3 files in 2 units" checks folders
+expect 0 "3 files in 2 units, 2 remembered" checks folders
 expect 0 "0 files remembered, 0 analyzed, 3 left for another time" analyzer -1
 expect 0 "0 files remembered, 3 analyzed" analyzer
 expect 0 "3 files remembered, 0 analyzed" analyzer 60
@@ -45,6 +46,9 @@ expect 0 "3 files remembered, 0 analyzed" analyzer 60
 # What a header changes is asked again of those that read it.
 echo "int half(int side);" >>src/scene/size.h
 expect 0 "1 files remembered, 2 analyzed" analyzer
+expect 0 "3 files in 2 units" checks folders
+echo "int third(int side);" >>src/stages/edge.cpp
+expect 0 "3 files in 2 units, 1 remembered" checks folders
 echo "# another" >>.clang-tidy
 expect 0 "0 files remembered, 3 analyzed" analyzer
 sed -i 's/-std=c++20/-std=c++17/g' compile_commands.json
@@ -61,7 +65,7 @@ expect 1 "src/scene/size.h:3:12: error: invalid case style" checks folders
 # A fault that only a path shows; what is faulty is not remembered.
 new_tree
 echo "int at(bool known) { int* place = nullptr; int there = 1; if (known) place = &there; return *place; }" >>src/stages/edge.cpp
-expect 0 "3 files in 2 folders" checks folders
+expect 0 "3 files in 2 units" checks folders
 expect 1 "src/stages/edge.cpp:2:" analyzer
 expect 1 "NullDereference" analyzer
 
@@ -71,7 +75,7 @@ for file in size twice; do
     echo "namespace { int helper() { return 3; } } int $file() { return helper(); }" >>"src/scene/$file.cpp"
 done
 sed -i 's/int twice(int side)/int doubled(int side)/; s/int size(/int squared(/' src/scene/*.cpp
-expect 0 "1 folder file by file" checks folders
+expect 0 "1 file by file" checks folders
 echo "int BadName() { return 3; }" >>src/scene/twice.cpp
 expect 1 "invalid case style for function 'BadName'" checks folders
 

@@ -7,9 +7,9 @@
 COMPILE_COMMANDS is a compile_commands.json with an entry for each source; .clang-tidy stands in the
 current folder. FOLDER takes the files that include all sources of a folder: headers are then read once.
 
-The analyzer remembers in $XDG_CACHE_HOME/rasterwalk-tidy what it found in order, by a hash of all that
-its answer depends on. With SECONDS it begins no further file after that time, and says how many are
-left; the files that were changed last come first.
+What was found in order is remembered in $XDG_CACHE_HOME/rasterwalk-tidy, by a hash of all that the
+answer depends on. With SECONDS the analyzer begins no further file after that time, and says how many
+are left; the files that were changed last come first.
 
 Exit codes: 0 in order, 1 something was found, 2 wrong usage, 77 this version of clang-tidy is not asked.
 """
@@ -81,7 +81,7 @@ def jobs():
     return concurrent.futures.ThreadPoolExecutor(os.cpu_count())
 
 
-def check_folders(tool, commands, folder):
+def check_folders(tool, version, commands, folder):
     """All checks that look at the text of one file, on all files of a folder at once."""
     os.makedirs(folder, exist_ok=True)
     groups = {}
@@ -96,21 +96,32 @@ def check_folders(tool, commands, folder):
         unities.append((sum(source.stat().st_size for source in sources), unity, list(command), sources))
     unities.sort(key=lambda item: item[0], reverse=True)  # the longest first
     checks = "-clang-analyzer-*,-bugprone-suspicious-include"
+    cache, headers = memory(), Headers()
+    to_do = []
+    for _, unity, command, sources in unities:
+        files = sorted({path for source in sources for path in headers.closure(source)})
+        key = key_of(checks, files, command, version)
+        if not (cache / key).exists():
+            to_do.append((unity, command, sources, key))
 
-    def check(unity, command, sources):
+    def check(unity, command, sources, key):
         said, is_good = ask(tool, checks, unity, command)
+        if is_good:
+            (cache / key).touch()
         if is_good or "[clang-diagnostic-error]" not in said:
             return [(said, is_good)]
         # Two files of the folder cannot stand in one, which is no fault of theirs.
         return [ask(tool, checks, source, command) for source in sources]
 
     with jobs() as pool:
-        answers = list(pool.map(lambda item: check(*item[1:]), unities))
+        answers = list(pool.map(lambda item: check(*item), to_do))
     code = report([answer for several in answers for answer in several])
-    line = f"{len(commands)} files in {len({source.parent for source in commands})} folders"
+    line = f"{len(commands)} files in {len(unities)} units"
+    if len(to_do) < len(unities):
+        line += f", {len(unities) - len(to_do)} remembered"
     by_file = sum(len(several) > 1 for several in answers)
     if by_file:
-        line += f", {by_file} folder{'s' if by_file > 1 else ''} file by file: names meet"
+        line += f", {by_file} file by file: names meet"
     print(line)
     return code
 
@@ -141,9 +152,16 @@ class Headers:
         return self.read[path]
 
 
-def key_of(source, files, command, version):
-    """A hash of all that the analyzer's answer depends on."""
-    key = hashlib.sha256(repr((str(source), command, version)).encode())
+def memory():
+    """The folder in which a file for each hash stands."""
+    folder = pathlib.Path(os.environ.get("XDG_CACHE_HOME") or pathlib.Path.home() / ".cache") / "rasterwalk-tidy"
+    folder.mkdir(parents=True, exist_ok=True)
+    return folder
+
+
+def key_of(question, files, command, version):
+    """A hash of all that an answer depends on."""
+    key = hashlib.sha256(repr((question, command, version, [str(path) for path in files])).encode())
     for path in [pathlib.Path(".clang-tidy")] + files:
         key.update(hashlib.sha256(path.read_bytes()).digest())
     return key.hexdigest()
@@ -153,13 +171,11 @@ def analyze_files(tool, version, commands, seconds):
     """The analyzer follows the paths through each function; of an included source it would not."""
     checks = ",".join(["-*"] + re.findall(r"^\s*(clang-analyzer-[\w.]+)", pathlib.Path(".clang-tidy").read_text(),
                                           re.MULTILINE))
-    cache = pathlib.Path(os.environ.get("XDG_CACHE_HOME") or pathlib.Path.home() / ".cache") / "rasterwalk-tidy"
-    cache.mkdir(parents=True, exist_ok=True)
-    headers = Headers()
+    cache, headers = memory(), Headers()
     to_do = []
     for source, command in commands.items():
         files = headers.closure(source)
-        key = key_of(source, files, command, version)
+        key = key_of(str(source), files, command, version)
         if not (cache / key).exists():
             changed = max(path.stat().st_mtime for path in files)
             to_do.append((-changed, source, command, key))
@@ -199,7 +215,7 @@ def main(arguments):
         print(f"{arguments[1]} names no file of src/ or ui/.", file=sys.stderr)
         return 2
     if arguments[0] == "checks":
-        return check_folders(found[0], commands, arguments[2])
+        return check_folders(*found, commands, arguments[2])
     return analyze_files(*found, commands, float(arguments[2]) if len(arguments) == 3 else float("inf"))
 
 
