@@ -140,8 +140,8 @@ std::string bar_text(const Plot& plot, float x) {
     const DepthHistogram& histogram = plot.view.histogram;
     const float width = (plot.high.x - plot.low.x) / static_cast<float>(depth_bins);
     // The pointer may be anywhere, also where no int reaches.
-    const int bin =
-        static_cast<int>(std::clamp((x - plot.low.x) / width, 0.0f, static_cast<float>(depth_bins - 1)));
+    const int bin = static_cast<int>(
+        std::clamp((x - plot.low.x) / width, 0.0f, static_cast<float>(depth_bins - 1)));
     const float left = plot.low.x + width * static_cast<float>(bin);
     const std::int64_t pixels = histogram.bins[static_cast<std::size_t>(bin)];
     return "1/z from " + fixed(plot.value(left), 4) + " to " + fixed(plot.value(left + width), 4) +
