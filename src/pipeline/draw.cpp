@@ -6,6 +6,7 @@
 //   show_row_ends    stage `rows`: both ends of each row
 //   fill_rows        for each row:
 //     interpolate_row    its fragments, from the left to the right end
+//     pass_over_hidden   what hides all of them saves their varyings
 //     test_depth         is the fragment nearer than what its pixel shows?
 //     shade              the pixel shader: its colour
 //     put_pixel          into the planes
@@ -32,6 +33,7 @@ struct Drawing {
     bool all_have_cells; ///< each pixel of the picture has a depth cell: nothing to ask
     bool shades_first;   ///< the pixel shader comes before the depth test
     bool draws_unset;    ///< rows that no edge sample has reached are drawn like the others
+    bool skips_hidden;   ///< rows that are hidden altogether go without varyings: nobody reads them
     Framebuffer& target;
     Observer* observer;
     PolygonRows rows;                  ///< the row table of the triangle
@@ -268,12 +270,27 @@ Range columns_in_window(const Drawing& d, const Cursor& row, const RowSpan& span
 
 /// The fragments of a row of the table that stand in these of its columns.
 std::span<const LineSample> interpolate_row(Drawing& d, int index, const RowSpan& span,
-                                            const Range& columns) {
+                                            const Range& columns, VaryingSet carried) {
     const auto i = static_cast<std::size_t>(index);
     const Row row{d.rows.left[i], d.rows.right[i], d.rows.first_row + index, span.count};
     const std::span<LineSample> fragments = samples_of(d.fragments, columns.last - columns.first);
-    row_fragments(d.stages, row, columns.first, d.carried, fragments);
+    row_fragments(d.stages, row, columns.first, carried, fragments);
     return fragments;
+}
+
+/// Counts the fragments of a row if none of them is nearer than what its pixel shows; tells whether
+/// it did.
+bool pass_over_hidden(Drawing& d, std::span<const LineSample> fragments) {
+    const Fragment& first = fragments.front().fragment;
+    const std::size_t begin = d.target.at(first.column, first.row);
+    std::size_t pixel = begin;
+    for (const LineSample& sample : fragments) {
+        if (depth_test(sample.fragment, d.target.depth[pixel++]).passed) return false;
+    }
+    d.tally.fragments += static_cast<std::int64_t>(fragments.size());
+    for (pixel = begin; pixel < begin + fragments.size(); ++pixel)
+        ++d.target.overdraw[pixel];
+    return true;
 }
 
 /// The lab's DrawPolygonRows: every row from its left to its right end, both included.
@@ -290,7 +307,10 @@ void fill_rows(Drawing& d, int triangle) {
         const RowSpan span = row_span(d.stages, rows, r);
         const Range columns = columns_in_window(d, {triangle, Phase::rows, r, 0}, span);
         if (columns.first >= columns.last) continue;
-        const std::span<const LineSample> fragments = interpolate_row(d, r, span, columns);
+        if (d.skips_hidden && pass_over_hidden(d, interpolate_row(d, r, span, columns, {})))
+            continue;
+        const std::span<const LineSample> fragments =
+            interpolate_row(d, r, span, columns, d.carried);
         const Cursor cursor{triangle, Phase::rows, r, columns.first};
         if (d.observer == nullptr)
             draw_fragments<false>(d, cursor, fragments, surface);
@@ -362,6 +382,9 @@ DrawTally draw(const Frame& frame, const DrawWindow& window, Framebuffer& frameb
               .all_have_cells = frame.stages.depth_cell == depth_cell,
               .shades_first = settings.depth_order == DepthOrder::before_depth_test,
               .draws_unset = draws_unset_rows(frame),
+              .skips_hidden = observer == nullptr && frame.stages.depth_test == depth_test &&
+                              frame.stages.depth_cell == depth_cell &&
+                              settings.depth_order == DepthOrder::after_depth_test,
               .target = framebuffer,
               .observer = observer,
               .rows = {},

@@ -77,10 +77,11 @@ void compute_polygon_rows(std::span<const ScreenVertex> vertices, const EdgeRule
         const ScreenVertex& from = vertices[i];
         const ScreenVertex& to = vertices[(i + 1) % vertices.size()];
         const LineEnd a = line_end(from), b = line_end(to);
-        const int count = stages.edge_sample_count(from, to);
+        const int count = call<edge_sample_count>(stages.edge_sample_count, from, to);
         const std::span<LineSample> line = samples_of(rows.line, count);
         const LinePart part{count, 0, rules.rounding, rules.carried};
-        stages.interpolate(a, b, stages.line_step(a, b, part), part, line);
+        const LineStep step = call<line_step>(stages.line_step, a, b, part);
+        call<interpolate>(stages.interpolate, a, b, step, part, line);
         for (int s = 0; s < count; ++s) {
             const LineSample& sample = line[static_cast<std::size_t>(s)];
             const RowWrite write = add_edge_sample(sample.fragment, rules.carried, stages, rows);

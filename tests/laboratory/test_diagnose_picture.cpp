@@ -149,6 +149,9 @@ TEST_CASE("What is no bug is told too") {
     other = reference;
     other.line_walk = LineWalk::multiply;
     CHECK_THAT(verdict(picture_of(scene, other)), Contains("line_walk=multiply"));
+    other = reference;
+    other.vertex_rounding = VertexRounding::truncate_sum;
+    CHECK_THAT(verdict(picture_of(scene, other)), Contains("vertex_rounding=truncate_sum"));
     Image noise = right;
     Random random(3);
     for (std::uint8_t& byte : noise.rgba)

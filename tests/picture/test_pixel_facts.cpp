@@ -97,7 +97,7 @@ std::string first_wrong_pair(const Frame& frame, const Cursor& to) {
 
 TEST_CASE("Neighbours that both drew on a pixel are those that the fragments show") {
     const Scene room = lab_room();
-    for (const Variant& variant : some_of(rule_variants(), 5)) {
+    for (const Variant& variant : some_of(rule_variants(), 3)) {
         INFO(variant.name);
         CHECK(first_wrong_pair(frame_of(room, Stage::depth, variant), cursor_end) == "");
     }
@@ -142,7 +142,7 @@ TEST_CASE("Passed and failed fragments are those of the drawing, light or not, a
     const Scene room = lab_room();
     for (const StripStep& stage :
          {StripStep{Stage::depth}, StripStep::vertex_light, StripStep::pixel_light}) {
-        for (const Variant& variant : some_of(rule_variants(), 4)) {
+        for (const Variant& variant : some_of(rule_variants(), 2)) {
             const Frame frame = frame_of(room, stage, variant);
             if (frame.settings.depth_test == DepthTest::off) continue;
             for (const Cursor to : {cursor_end, Cursor{13, Phase::rows, 20, 5}}) {
