@@ -131,22 +131,13 @@ void try_powers_again(PictureTrial& trial) {
     }
 }
 
-/// Is this word of a part tried with the setting that it is a part of?
-bool is_tried_by_whole(const Setting& part, std::string_view word) {
-    const Setting* const whole = find_setting(part.part_of);
-    const auto* const choice =
-        whole != nullptr ? std::get_if<ChoiceSetting>(&whole->kind) : nullptr;
-    return choice != nullptr &&
-           std::find(choice->words.begin(), choice->words.end(), word) != choice->words.end();
-}
-
 /// Every other word of every choice but the stage and its shading.
 void try_choices(PictureTrial& trial, const std::vector<Base>& bases) {
     for (const Setting& setting : setting_table()) {
         const auto* const choice = std::get_if<ChoiceSetting>(&setting.kind);
         if (choice == nullptr || setting.name == "stage" || setting.part_of == "stage") continue;
         for (const std::string_view word : choice->words) {
-            if (is_tried_by_whole(setting, word)) continue;
+            if (is_word_of_whole(setting, word)) continue;
             for (const Base& base : bases) {
                 Settings settings = base.settings;
                 set_value(settings, setting, word);

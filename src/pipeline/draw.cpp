@@ -6,7 +6,7 @@
 //   show_row_ends    stage `rows`: both ends of each row
 //   fill_rows        for each row:
 //     interpolate_row    its fragments, from the left to the right end
-//     pass_over_hidden   what hides all of them saves their varyings
+//     pass_over_hidden   a row that is hidden altogether is only counted, without varyings
 //     test_depth         is the fragment nearer than what its pixel shows?
 //     shade              the pixel shader: its colour
 //     put_pixel          into the planes
@@ -382,7 +382,8 @@ DrawTally draw(const Frame& frame, const DrawWindow& window, Framebuffer& frameb
               .all_have_cells = frame.stages.depth_cell == depth_cell,
               .shades_first = settings.depth_order == DepthOrder::before_depth_test,
               .draws_unset = draws_unset_rows(frame),
-              .skips_hidden = observer == nullptr && frame.stages.depth_test == depth_test &&
+              .skips_hidden = observer == nullptr && !(carried == VaryingSet{}) &&
+                              frame.stages.depth_test == depth_test &&
                               frame.stages.depth_cell == depth_cell &&
                               settings.depth_order == DepthOrder::after_depth_test,
               .target = framebuffer,

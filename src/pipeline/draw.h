@@ -29,6 +29,8 @@ struct DrawTally {
     std::int64_t rows_looked_at = 0;  ///< rows asked by the edge samples of whole triangles
     std::int64_t unset_rows = 0;      ///< rows without a sample that are drawn all the same
     std::int64_t depth_outside = 0;   ///< tested fragments whose pixel has no depth cell
+
+    friend bool operator==(const DrawTally&, const DrawTally&) = default;
 };
 
 DrawTally& operator+=(DrawTally& sum, const DrawTally& part);

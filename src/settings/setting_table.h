@@ -76,6 +76,9 @@ std::string value_text(const Setting& setting, const Settings& settings);
 /// Has the setting the same value in both?
 bool has_same_value(const Setting& setting, const Settings& a, const Settings& b);
 
+/// Is the setting a part, and has its whole this word too?
+bool is_word_of_whole(const Setting& part, std::string_view word);
+
 /// Is the setting a part, and has it the value that its whole says?
 bool is_said_by_whole(const Setting& part, const Settings& settings);
 

@@ -197,6 +197,13 @@ bool is_said_by_whole(const Setting& part, const Settings& settings) {
            has_same_value(part, settings, said);
 }
 
+bool is_word_of_whole(const Setting& part, std::string_view word) {
+    const Setting* const whole = find_setting(part.part_of);
+    const auto* const choice =
+        whole != nullptr ? std::get_if<ChoiceSetting>(&whole->kind) : nullptr;
+    return choice != nullptr && find_word(*choice, word) != no_word;
+}
+
 bool must_be_said(const Setting& setting, const Settings& a, const Settings& b) {
     const bool is_same = has_same_value(setting, a, b);
     const Setting* const whole = find_setting(setting.part_of);

@@ -69,7 +69,8 @@ constexpr bool rejections_are_in_order() {
     }
     return spelling<static_cast<Rejection>(rejection_count)>().empty();
 }
-static_assert(rejections_are_in_order(), "rejection_list has not each Rejection in its order");
+static_assert(rejections_are_in_order(),
+              "a Rejection is missing in rejection_list, or out of order");
 
 constexpr const RejectionWords& words(Rejection rejection) {
     return rejection_list[static_cast<std::size_t>(rejection)];

@@ -144,17 +144,16 @@ void for_each_pair(const Scene& scene, const std::function<void(const Frame&, co
                 set_value(settings, setting, word);
                 frames.push_back(prepare_frame(scene, settings));
             }
-            std::vector<std::pair<const Frame*, const Frame*>> pairs{{&frames[0], &frames[0]}};
-            for (const Frame& a : frames) {
-                for (const Frame& b : frames) {
-                    if (&a != &b) pairs.emplace_back(&a, &b);
-                }
-            }
-            for (const auto& [a, b] : some_of(pairs, 3)) {
-                const std::string of_a = value_text(setting, a->settings);
-                const std::string of_b = value_text(setting, b->settings);
+            // Each stage begins with another pair, so that few tries reach many of them.
+            const std::size_t pairs = frames.size() * frames.size();
+            for (const std::size_t i : spread(pairs, 3)) {
+                const std::size_t pair = (i + static_cast<std::size_t>(stage)) % pairs;
+                const Frame& a = frames[pair / frames.size()];
+                const Frame& b = frames[pair % frames.size()];
+                const std::string of_a = value_text(setting, a.settings);
+                const std::string of_b = value_text(setting, b.settings);
                 CAPTURE(setting.name, stage, of_a, of_b);
-                use(*a, *b);
+                use(a, b);
             }
         }
     }

@@ -268,7 +268,7 @@ class RayCaster {
 
 } // namespace
 
-TEST_CASE("Thousands of fragments of the room report what draw used, and follow from it") {
+TEST_CASE("Fragments of the room report what draw used, and follow from it") {
     const Scene room = test::lab_room();
     const int of_each = test::rounds(40, 12);
     const std::vector<Case> cases = test::some_of(cases_of(room), 24);

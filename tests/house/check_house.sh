@@ -16,9 +16,9 @@ new_house() {
     echo '#include "session/session.h"' >"$tree/src/cli/cli.h"
     flags "-O2 -ffp-contract=off"
 }
-flags() {
-    printf '[\n{\n  "directory": "/",\n  "command": "c++ %s -c a.cpp",\n  "file": "%s/src/scene/a.cpp"\n}\n]\n' \
-        "$1" "$tree" >"$tree/compile_commands.json"
+flags() { # FLAGS [FILE]
+    printf '[\n{\n  "directory": "/",\n  "command": "c++ %s -c a.cpp",\n  "file": "%s"\n}\n]\n' \
+        "$1" "${2:-$tree/src/scene/a.cpp}" >"$tree/compile_commands.json"
 }
 # expect WHAT: the house is refused, and the answer contains WHAT; with WHAT empty it is accepted.
 expect() {
@@ -70,6 +70,10 @@ faulty src/stages/project.cpp '#pragma STDC FP_CONTRACT ON' 'this pragma'
 new_house; mkdir "$tree/src/misc"; touch "$tree/src/misc/a.h"; echo >>"$tree/src/misc/a.h"
 expect "src/misc/a.h:1: this folder has no place"
 new_house; flags "-O3 -ffp-contract=off -ffast-math"; expect "compile_commands.json:4: $tree/src/scene/a.cpp is compiled with -ffast-math"
+for library in core drawing; do
+    new_house; flags "-O3" "/b/rasterwalk_$library.dir/Unity/unity_src_stages_cxx.cxx"
+    expect "$library.dir/Unity/unity_src_stages_cxx.cxx is compiled without -ffp-contract=off"
+done
 new_house; flags "-O3"; expect "is compiled without -ffp-contract=off"
 
 [ $failed -eq 0 ] && echo "Every fault was found in its place."

@@ -98,15 +98,20 @@ def check_folders(tool, version, commands, folder):
     checks = "-clang-analyzer-*,-bugprone-suspicious-include"
     cache, headers = memory(), Headers()
     to_do = []
-    for _, unity, command, sources in unities:
+
+    def unit_key(command, sources):
         files = sorted({path for source in sources for path in headers.closure(source)})
-        key = key_of(checks, files, command, version)
+        return key_of(checks, files, command, version)
+
+    for _, unity, command, sources in unities:
+        key = unit_key(command, sources)
         if not (cache / key).exists():
             to_do.append((unity, command, sources, key))
 
     def check(unity, command, sources, key):
         said, is_good = ask(tool, checks, unity, command)
-        if is_good:
+        # What was changed meanwhile may not be what was asked about.
+        if is_good and key == unit_key(command, sources):
             (cache / key).touch()
         if is_good or "[clang-diagnostic-error]" not in said:
             return [(said, is_good)]
@@ -122,7 +127,7 @@ def check_folders(tool, version, commands, folder):
     by_file = sum(len(several) > 1 for several in answers)
     if by_file:
         line += f", {by_file} file by file: names meet"
-    print(line)
+    print(line + ".")
     return code
 
 
@@ -162,7 +167,7 @@ def memory():
 def key_of(question, files, command, version):
     """A hash of all that an answer depends on."""
     key = hashlib.sha256(repr((question, command, version, [str(path) for path in files])).encode())
-    for path in [pathlib.Path(".clang-tidy")] + files:
+    for path in [pathlib.Path(__file__), pathlib.Path(".clang-tidy")] + files:
         key.update(hashlib.sha256(path.read_bytes()).digest())
     return key.hexdigest()
 
@@ -186,7 +191,7 @@ def analyze_files(tool, version, commands, seconds):
         if time.monotonic() > end:
             return None
         said, is_good = ask(tool, checks, source, command)
-        if is_good:
+        if is_good and key == key_of(str(source), headers.closure(source), command, version):
             (cache / key).touch()
         return said, is_good
 
