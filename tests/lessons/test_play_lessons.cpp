@@ -180,9 +180,9 @@ TEST_CASE("Each prediction is computed, refuses a wrong answer and takes the rig
         for (std::size_t i = 0; i < lesson.predictions.size(); ++i)
             places.emplace_back(lesson, i);
     }
-    for (const auto& [of_lesson, i] : test::some_of(places, 13)) {
+    for (const auto& [of_lesson, place] : test::some_of(places, 13)) {
         const Lesson& lesson = of_lesson;
-        const LessonPrediction& prediction = lesson.predictions[i];
+        const LessonPrediction& prediction = lesson.predictions[place];
         INFO(lesson.path << ":" << prediction.line << " " << prediction.id);
         const auto judged = [&](GivenAnswer answer) {
             Judgement judgement = judge(lesson, prediction, answer, session);
