@@ -36,11 +36,8 @@ void add_field(CLI::App& command, ViewOptions& o, const ViewField& field) {
     CLI::Option* const made = command.add_option_function<std::vector<std::string>>(
         option_name(field), take, std::string(option.help));
     made->type_name(std::string(option.type))->group(view_group);
-    if (option.is_repeatable) {
-        made->allow_extra_args(false);
-    } else {
-        made->expected(1);
-    }
+    if (!option.is_repeatable) made->expected(1);
+    made->allow_extra_args(false); // what comes after the word is not the option's
 }
 
 void add_part(CLI::App& command, ViewOptions& o, ViewPart part) {

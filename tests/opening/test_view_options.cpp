@@ -103,6 +103,14 @@ TEST_CASE("What is said beside a lesson wins") {
     CHECK(elsewhere.lesson == "05-row-table");
 }
 
+TEST_CASE("What stands after an option of the view is the file") {
+    const std::string room = own_scene("lab-room.toml");
+    CHECK(opened({"--tab", "rows", room}).tab == "rows");
+    CHECK(opened({"--view", "depth", room}).view == View::depth);
+    CHECK(opened({"--overlay", "owner", room}).overlays.has(Overlay::owner));
+    CHECK(opened({"--triangle", "21", "--row", "9", room}).selection.triangle == 21);
+}
+
 TEST_CASE("Selection, canvas, overlays and comparison on the command line") {
     const Session s = opened({"--pixel",
                               "250,131",
