@@ -20,6 +20,7 @@
 #include "ui/inspector/lab_state.h"
 #include "ui/lesson/lesson_state.h"
 #include "ui/sheets/sheets_state.h"
+#include "ui/start/start_state.h"
 #include "ui/widgets/widget_state.h"
 
 namespace rasterwalk {
@@ -48,6 +49,7 @@ struct Ui {
     LabLook lab;
     LessonView lesson;
     SheetsState sheets;
+    StartPage start;
 };
 
 } // namespace rasterwalk

@@ -40,7 +40,7 @@ order='
     actions
     canvas
     lesson
-    bars inspector sheets
+    bars inspector sheets start
     app
     hand
     hosts

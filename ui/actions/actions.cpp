@@ -78,8 +78,11 @@ void handle_keys(Ui& ui) {
     const bool is_covered = ui.sheets.files.kind != FileSheet::Kind::closed;
     if (ImGui::GetIO().WantTextInput || is_covered) return;
     for (const Action& action : action_table()) {
-        if (is_pressed(action.chord)) action.run(ui);
+        // Behind the start page nothing moves.
+        const bool is_seen = !ui.start.is_open || action.menu == "File" || action.menu == "Help";
+        if (is_seen && is_pressed(action.chord)) action.run(ui);
     }
+    if (ui.start.is_open) return;
     move_by_held_keys(ui);
 }
 

@@ -43,6 +43,13 @@ std::vector<Action> lesson_actions() {
 
 std::vector<Action> help_actions() {
     return {
+        {"help.start",
+         "Help",
+         "Start page",
+         "Shows the page with which the program began: lessons, stages, a picture of your own.",
+         {},
+         [](Ui& ui) { ui.start.is_open = true; },
+         nullptr},
         {"help.glossary",
          "Help",
          "Glossary",

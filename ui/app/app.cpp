@@ -18,6 +18,7 @@
 #include "ui/inspector/panels.h"
 #include "ui/lesson/lesson_column.h"
 #include "ui/sheets/sheets.h"
+#include "ui/start/start_page.h"
 #include "ui/ui.h"
 #include "ui/widgets/layout.h"
 #include "ui/widgets/style.h"
@@ -102,12 +103,8 @@ void draw_splitter(Ui& ui, const char* name, float x, const Area& middle, float&
     ImGui::PopStyleVar();
 }
 
-void draw_everything(Ui& ui) {
-    const ImVec2 window = ImGui::GetIO().DisplaySize;
-    const Layout layout = compute_layout(window, ui.options, stage_strip_lines(ui, window.x),
-                                         transport_lines(ui, window.x));
-    // One that fails leaves the others on the screen.
-    guarded(ui, [&] { draw_menu_bar(ui, layout.menu); });
+/// The window with a scene in it.
+void draw_workplace(Ui& ui, const Layout& layout) {
     guarded(ui, [&] { draw_stage_strip(ui, layout.strip); });
     guarded(ui, [&] {
         if (!layout.lesson_is_tab) draw_lesson_column(ui, layout.lesson);
@@ -122,6 +119,19 @@ void draw_everything(Ui& ui) {
     }
     draw_splitter(ui, "splitter.inspector", layout.inspector.position.x, layout.canvas,
                   ui.options.inspector_width, true);
+}
+
+void draw_everything(Ui& ui) {
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    const Layout layout = compute_layout(window, ui.options, stage_strip_lines(ui, window.x),
+                                         transport_lines(ui, window.x));
+    // One that fails leaves the others on the screen.
+    guarded(ui, [&] { draw_menu_bar(ui, layout.menu); });
+    if (ui.start.is_open) {
+        guarded(ui, [&] { draw_start_page(ui, layout.strip.position, window); });
+    } else {
+        draw_workplace(ui, layout);
+    }
     guarded(ui, [&] { draw_key_sheet(ui, window); });
     guarded(ui, [&] { draw_glossary_sheet(ui, window); });
     guarded(ui, [&] { draw_file_sheet(ui, window); });
@@ -169,6 +179,7 @@ bool build_pass(Ui& ui, float seconds) {
         advance_play(ui.session, Timeline(ui.results.a.frame), seconds);
         carry_changes_to_b(ui.session);
     });
+    guarded(ui, [&] { follow_start_page(ui); });
     if (is_blinking(ui)) ui.compare.blink_seconds += seconds;
     const Cursor before = ui.results.a.cursor;
     const bool is_known = update_or_go_back(ui);

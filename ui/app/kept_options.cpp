@@ -37,6 +37,7 @@ UiOptions merged(const UiOptions& before, const UiOptions& after, UiOptions thei
     take(&UiOptions::wished_text_scale);
     take(&UiOptions::lesson_width);
     take(&UiOptions::inspector_width);
+    take(&UiOptions::way);
     theirs.score = merged(before.score, after.score, theirs.score);
     return theirs;
 }
@@ -59,6 +60,7 @@ std::string options_text(const UiOptions& options) {
         table.insert("quiz_points", options.score.points);
         table.insert("quiz_rounds", options.score.rounds);
     }
+    if (options.way) table.insert("way", word_of(*options.way));
     std::ostringstream out;
     out << table << '\n';
     return out.str();
@@ -67,8 +69,8 @@ std::string options_text(const UiOptions& options) {
 UiOptions parse_options(std::string_view text, const std::string& path, UiOptions options) {
     const toml::table root = parse_toml(text, path);
     const TomlInput input(root, path, "the look of the window");
-    input.allow_only(
-        {"theme", "text_scale", "lesson_width", "inspector_width", "quiz_points", "quiz_rounds"});
+    input.allow_only({"theme", "text_scale", "lesson_width", "inspector_width", "quiz_points",
+                      "quiz_rounds", "way"});
     if (input.find("theme") != nullptr) {
         const std::string theme = input.text("theme");
         if (theme != "dark" && theme != "light") {
@@ -79,6 +81,12 @@ UiOptions parse_options(std::string_view text, const std::string& path, UiOption
     input.read("text_scale", options.wished_text_scale, smallest_text_scale, largest_text_scale);
     input.read("lesson_width", options.lesson_width, 0.0f, 0.9f);
     input.read("inspector_width", options.inspector_width, 0.0f, 0.9f);
+    if (input.find("way") != nullptr) {
+        options.way = value_of_word<Way>(input.text("way"));
+        if (!options.way) {
+            input.fail(*input.find("way"), "'way' is \"lessons\", \"stages\" or \"picture\".");
+        }
+    }
     options.score.is_kept = input.find("quiz_rounds") != nullptr;
     input.read("quiz_points", options.score.points, 0, largest_score);
     input.read("quiz_rounds", options.score.rounds, 0, largest_score);

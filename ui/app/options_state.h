@@ -1,11 +1,22 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+
+#include "base/enum_words.h"
 
 namespace rasterwalk {
 
 /// Light letters on dark ground, or dark ones on light.
 enum class Theme : std::uint8_t { dark, light };
+
+/// The ways into the program that the start page offers, from left to right.
+enum class Way : std::uint8_t { lessons, stages, picture };
+template <>
+inline constexpr auto enum_words<Way> = word_list("lessons", "stages", "picture");
+static_assert(words_match<Way>);
+
+inline constexpr int way_count = static_cast<int>(enum_words<Way>.size());
 
 /// What the student has won in quizzes.
 struct QuizScore {
@@ -27,6 +38,7 @@ struct UiOptions {
     float lesson_width = 0.0f; ///< columns, share of the window's width; 0: the layout decides
     float inspector_width = 0.0f;
     QuizScore score;
+    std::optional<Way> way; ///< on which the student began; none: not yet
 };
 
 } // namespace rasterwalk

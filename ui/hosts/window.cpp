@@ -23,6 +23,7 @@
 #include "ui/app/kept_options.h"
 #include "ui/hand/report.h"
 #include "ui/hosts/gl2.h"
+#include "ui/start/start_page.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
 
@@ -293,14 +294,14 @@ struct Glfw {
     Glfw& operator=(const Glfw&) = delete;
 };
 
-/// What was kept from the last run, and the lesson to go on with.
-void take_up(Ui& ui, bool opens_lesson) {
+/// What was kept from the last run, and the way on which to go on.
+void take_up(Ui& ui, bool is_plain) {
     const std::string folder = state_folder();
     keep_options(ui, folder.empty() ? "" : folder + "/window.toml");
     keep_progress(ui, folder.empty() ? "" : folder + "/progress.toml");
     const std::string notice = ui.session.notice;
-    if (opens_lesson) {
-        open_lesson_to_go_on(ui);
+    if (is_plain) {
+        begin_at_start(ui);
     } else {
         take_up_lesson(ui); // once more, now that there is a progress to note it in
     }
@@ -311,7 +312,7 @@ void take_up(Ui& ui, bool opens_lesson) {
 struct OpenWindow {
     Window window;
 
-    OpenWindow(Session session, bool opens_lesson) {
+    OpenWindow(Session session, bool is_plain) {
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 2);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 1);
         const Size size = first_size();
@@ -332,7 +333,7 @@ struct OpenWindow {
         ImGui_ImplGlfw_InitForOpenGL(window.handle, false);
         open_gl2();
         install_callbacks(window.handle);
-        take_up(ui, opens_lesson);
+        take_up(ui, is_plain);
         if (const char* path = std::getenv("RASTERWALK_WIDGET_REPORT")) window.report_path = path;
     }
     ~OpenWindow() {
@@ -348,9 +349,9 @@ struct OpenWindow {
 
 } // namespace
 
-void show_window(Session session, bool opens_lesson) {
+void show_window(Session session, bool is_plain) {
     const Glfw glfw;
-    OpenWindow open(std::move(session), opens_lesson);
+    OpenWindow open(std::move(session), is_plain);
     run(open.window);
 }
 

@@ -9,7 +9,7 @@ namespace rasterwalk {
 ///
 /// If the environment names a file in RASTERWALK_WIDGET_REPORT, report_of() is written there
 /// whenever it changes: a program that looks on from outside then knows where to click.
-/// @param opens_lesson the lesson with which the student goes on is opened
-void show_window(Session session, bool opens_lesson);
+/// @param is_plain the command line names nothing: the start page, or what the student left
+void show_window(Session session, bool is_plain);
 
 } // namespace rasterwalk

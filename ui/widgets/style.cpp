@@ -160,7 +160,7 @@ Fonts load_fonts(float text_scale) {
     const std::string folder = find_font_folder();
     if (folder.empty()) {
         fonts.text = fonts.mono = fonts.bold = fonts.italic = fonts.title = fonts.small =
-            io.Fonts->AddFontDefault();
+            fonts.headline = io.Fonts->AddFontDefault();
         fonts.notice = "The DejaVu fonts are not installed: text is shown in the built-in font, "
                        "without mathematical signs.";
         io.Fonts->Build();
@@ -184,6 +184,7 @@ Fonts load_fonts(float text_scale) {
     fonts.italic = is_font_file(folder + slanted) ? load(slanted, 16.0f) : fonts.text;
     fonts.title = load("DejaVuSans-Bold.ttf", 21.0f);
     fonts.small = load("DejaVuSans.ttf", 13.5f);
+    fonts.headline = load("DejaVuSans-Bold.ttf", 32.0f);
     io.Fonts->Build();
     return fonts;
 }

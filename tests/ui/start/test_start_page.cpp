@@ -1,0 +1,246 @@
+// The page with which the program begins the first time, and how later starts go on.
+
+#include <cmath>
+#include <set>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "session/content.h"
+#include "tests/ui/driver.h"
+#include "ui/actions/actions.h"
+#include "ui/actions/keys.h"
+#include "ui/actions/open_lesson.h"
+#include "ui/start/start_page.h"
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+namespace {
+
+void begin(Driver& driver) {
+    begin_at_start(driver.ui);
+    driver.hand.frames(frames_to_rest);
+}
+
+bool is_open(Driver& driver) {
+    driver.hand.frames();
+    return driver.ui.start.is_open && driver.hand.is_visible("start.lessons");
+}
+
+} // namespace
+
+TEST_CASE("The first start shows the start page, and nothing of the workplace") {
+    Driver driver;
+    CHECK_FALSE(driver.ui.start.is_open);
+    begin(driver);
+    REQUIRE(is_open(driver));
+    for (const char* way : {"start.lessons", "start.stages", "start.picture"}) {
+        INFO(way);
+        CHECK(driver.hand.is_visible(way));
+    }
+    for (const char* behind : {"walk.play", "stage.depth", "status.pixel", "canvas.fit"}) {
+        INFO(behind);
+        CHECK_FALSE(driver.hand.is_visible(behind));
+    }
+    CHECK(driver.hand.is_visible("menu.Scene"));
+}
+
+TEST_CASE("A click on the first card begins the first lesson") {
+    Driver driver;
+    begin(driver);
+    driver.hand.click("start.lessons");
+    CHECK_FALSE(is_open(driver));
+    CHECK(driver.ui.session.lesson == "01-pinhole-camera");
+    CHECK(driver.ui.options.way == Way::lessons);
+    CHECK(driver.hand.is_visible("walk.play"));
+}
+
+TEST_CASE("A click on the second card shows the room without a lesson") {
+    Driver driver;
+    begin(driver);
+    driver.hand.click("start.stages");
+    CHECK_FALSE(is_open(driver));
+    CHECK(driver.ui.session.lesson.empty());
+    CHECK(driver.ui.options.way == Way::stages);
+}
+
+TEST_CASE("From the start page it is three clicks to what is wrong with a picture") {
+    Driver driver;
+    begin(driver);
+    driver.hand.click("start.picture");
+    CHECK_FALSE(is_open(driver));
+    CHECK(driver.ui.options.way == Way::picture);
+    REQUIRE(driver.hand.is_visible("lab.path"));
+    driver.hand.enter("lab.path", lessons_folder() + "/scenes/lab-room.toml");
+    driver.hand.frames(frames_to_rest);
+    CHECK((driver.hand.is_visible("lab.diagnosis") || driver.hand.is_visible("lab.result.fault")));
+}
+
+TEST_CASE("A click on a stage shows the scene at that stage") {
+    Driver driver;
+    for (const StageInfo& info : stage_list()) {
+        INFO(info.name);
+        driver.ui.start.is_open = true;
+        driver.hand.frames(frames_to_rest);
+        driver.hand.click(std::string("start.stage.").append(info.name));
+        CHECK_FALSE(is_open(driver));
+        CHECK(step_of(driver.ui.session.a.settings) == info.step);
+    }
+}
+
+TEST_CASE("Tab and the arrows choose a way, Enter goes it, Escape leaves the page") {
+    Driver driver;
+    begin(driver);
+    driver.hand.press(key::tab);
+    CHECK(driver.ui.start.chosen == Way::stages);
+    driver.hand.press(key::right);
+    CHECK(driver.ui.start.chosen == Way::picture);
+    driver.hand.press(key::tab);
+    CHECK(driver.ui.start.chosen == Way::lessons);
+    driver.hand.press(key::left);
+    CHECK(driver.ui.start.chosen == Way::picture);
+    driver.hand.press(key::tab, {.shift = true});
+    CHECK(driver.ui.start.chosen == Way::stages);
+    driver.hand.press(key::enter);
+    CHECK_FALSE(is_open(driver));
+    CHECK(driver.ui.options.way == Way::stages);
+
+    driver.ui.start.is_open = true;
+    driver.ui.options.way.reset();
+    REQUIRE(is_open(driver));
+    driver.hand.press(key::escape);
+    CHECK_FALSE(is_open(driver));
+    CHECK_FALSE(driver.ui.options.way);
+}
+
+TEST_CASE("Behind the start page no key moves anything") {
+    Driver driver;
+    begin(driver);
+    const SessionInputs before = driver.ui.session;
+    for (const int pressed : {int{key::space}, int{key::home}, int{key::period}, int{'P'}, int{'W'},
+                              int{'4'}, int{'C'}, int{key::up}, int{key::page_down}}) {
+        driver.hand.press(pressed);
+        INFO(pressed);
+        const SessionInputs& now = driver.ui.session;
+        CHECK(now == before);
+        CHECK(is_open(driver));
+    }
+    CHECK_FALSE(driver.ui.session.play.running);
+}
+
+TEST_CASE("What a menu opens or sets closes the start page; the menu of help brings it back") {
+    Driver driver;
+    begin(driver);
+    driver.hand.click("menu.Scene");
+    driver.hand.click("scene.one-triangle");
+    CHECK_FALSE(is_open(driver));
+    CHECK(driver.ui.session.scene->space == SceneSpace::pixels);
+
+    driver.hand.click("menu.Help");
+    driver.hand.click("menu.help.start");
+    REQUIRE(is_open(driver));
+    open_lesson(driver.ui, "05-row-table", 0);
+    CHECK_FALSE(is_open(driver));
+
+    driver.ui.start.is_open = true;
+    REQUIRE(is_open(driver));
+    driver.hand.click("menu.Stage");
+    driver.hand.click("menu.stage.edges");
+    CHECK_FALSE(is_open(driver));
+}
+
+TEST_CASE("A later start goes on where the student stopped") {
+    SECTION("in the lesson that was left") {
+        Driver driver;
+        driver.ui.lesson.progress.note_step("04-edges", 2);
+        begin(driver);
+        CHECK_FALSE(is_open(driver));
+        CHECK(driver.ui.session.lesson == "04-edges");
+        CHECK(driver.ui.session.step == 2);
+    }
+    SECTION("with the stages") {
+        Driver driver;
+        driver.ui.options.way = Way::stages;
+        driver.ui.lesson.progress.note_step("04-edges", 2);
+        begin(driver);
+        CHECK_FALSE(is_open(driver));
+        CHECK(driver.ui.session.lesson.empty());
+    }
+    SECTION("with a picture of one's own") {
+        Driver driver;
+        driver.ui.options.way = Way::picture;
+        begin(driver);
+        CHECK(driver.hand.is_visible("lab.path"));
+    }
+    SECTION("a lesson that was opened from the list is what one goes on with") {
+        Driver driver;
+        driver.ui.options.way = Way::stages;
+        open_lesson(driver.ui, "05-row-table", 0);
+        driver.hand.frames();
+        CHECK(driver.ui.options.way == Way::lessons);
+    }
+}
+
+TEST_CASE("The start page is whole in every window and at every text size") {
+    struct Window {
+        float width, height, scale;
+    };
+    for (const Window& w :
+         {Window{1600, 1000, 1.0f}, Window{1600, 1000, 1.5f}, Window{1024, 640, 1.0f},
+          Window{1024, 640, 1.5f}, Window{800, 600, 1.0f}, Window{800, 600, 2.0f},
+          Window{2560, 1440, 1.0f}}) {
+        Driver driver("lab-room.toml", {w.width, w.height}, w.scale);
+        begin(driver);
+        driver.hand.leave();
+        INFO(w.width << " x " << w.height << ", text " << w.scale);
+        float last_bottom = 0.0f, last_right = 0.0f;
+        for (const char* name : {"start.lessons", "start.stages", "start.picture"}) {
+            INFO(name);
+            const WidgetPlace& place = driver.ui.widgets.at(name);
+            CHECK(place.is_whole);
+            const bool is_below = place.top_left.y >= last_bottom;
+            const bool is_beside = place.top_left.x >= last_right;
+            CHECK((is_below || is_beside));
+            last_bottom = place.bottom_right.y;
+            last_right = place.bottom_right.x;
+        }
+        for (const StageInfo& info : stage_list())
+            CHECK(driver.ui.widgets.at(std::string("start.stage.").append(info.name)).visible);
+    }
+}
+
+TEST_CASE("The stages are drawn once, and each is another picture") {
+    Driver driver;
+    const int before = driver.textures.uploads;
+    begin(driver);
+    CHECK(driver.textures.uploads == before + stage_count);
+    driver.hand.frames(5);
+    CHECK(driver.textures.uploads == before + stage_count);
+    // The last one is the room in the light of every pixel: its wall is grey, and no part is black.
+    const Image& lit = driver.textures.last;
+    REQUIRE(lit.width > 50);
+    CHECK(std::abs(lit.width - lit.height) <= 1);
+    std::set<std::uint32_t> colours;
+    for (std::size_t i = 0; i + 3 < lit.rgba.size(); i += 4)
+        colours.insert(lit.rgba[i] + 256U * lit.rgba[i + 1] + 65536U * lit.rgba[i + 2]);
+    CHECK(colours.size() > 1000);
+    const std::set<ImTextureID> textures(driver.ui.start.pictures.textures.begin(),
+                                         driver.ui.start.pictures.textures.end());
+    CHECK(textures.size() == stage_count);
+}
+
+TEST_CASE("A scene that takes long to draw leaves the pictures out, and the ways stay") {
+    Driver driver;
+    auto scene = std::make_shared<Scene>(*driver.ui.session.scene);
+    for (int i = 0; i < 2100; ++i)
+        scene->mesh.add_triangle({0, 1, 2});
+    driver.ui.session.scene = scene;
+    driver.hand.frames(frames_to_rest);
+    driver.ui.start.is_open = true;
+    driver.hand.frames(frames_to_rest);
+    CHECK_FALSE(driver.ui.start.pictures.is_drawn);
+    CHECK(driver.hand.is_visible("start.stages"));
+}
+
+} // namespace rasterwalk

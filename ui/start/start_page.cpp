@@ -1,0 +1,376 @@
+#include "ui/start/start_page.h"
+
+#include <algorithm>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "base/numbers.h"
+#include "lessons/progress.h"
+#include "ui/actions/compare.h"
+#include "ui/actions/keys.h"
+#include "ui/actions/open_lesson.h"
+#include "ui/actions/open_tab.h"
+#include "ui/start/stage_pictures.h"
+#include "ui/ui.h"
+#include "ui/widgets/layout.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// What a card says.
+struct Card {
+    Way way;
+    const char* title;
+    const char* about;
+    std::array<const char*, 3> points; ///< left out where room is short
+    const char* help;
+};
+
+constexpr std::array<Card, way_count> cards{{
+    {Way::lessons,
+     "Begin the lessons",
+     "Read a little, predict, try.",
+     {"Every answer is checked by the program itself.", "Each step shows only what it needs.",
+      "What you have done is kept for the next time."},
+     "Opens the lesson with which you go on."},
+    {Way::stages,
+     "Walk the stages",
+     "No text to read: press play, stop anywhere, and look.",
+     {"Time runs both ways, down to the single edge sample.",
+      "Click a pixel or a triangle: every number says where it comes from.",
+      "Turn perspective or the depth test off, and see what breaks."},
+     "Shows the room, with all its stages."},
+    {Way::picture,
+     "Check my own picture",
+     "What differs from the right one, where first, and why?",
+     {"A picture that your program saved, or the rows that it printed.",
+      "Known mistakes are carried out, to see which one explains yours.",
+      "You can also drop the file on this window at any time."},
+     "Opens the place where a result of your own is diagnosed."},
+}};
+static_assert(is_indexed_by(cards, &Card::way));
+
+/// The lesson of the main button; null if there is none.
+const Lesson* next_lesson(Ui& ui) {
+    const std::string id = lesson_to_open(ui.lesson.progress, ui.lesson.lessons.all());
+    return id.empty() ? nullptr : ui.lesson.lessons.find(id);
+}
+
+std::string button_label(Ui& ui, Way way) {
+    if (way == Way::stages) return "Open the room";
+    if (way == Way::picture) return "Choose a file …";
+    const Lesson* const lesson = next_lesson(ui);
+    if (lesson == nullptr) return "There are no lessons";
+    return fmt::format("Lesson {}: {} · {} min", lesson_number(lesson->id), lesson->title,
+                       lesson->minutes);
+}
+
+/// Where everything stands, screen pixels.
+struct PageLayout {
+    float left, width; ///< of all that is shown
+    float gap;         ///< between two cards
+    bool is_small;     ///< a card is a line or two, and stands below the one before
+};
+
+PageLayout lay_out(const Ui& ui, ImVec2 size) {
+    const float u = ui.options.text_scale;
+    const float margin = std::clamp(0.05f * size.x, 14.0f * u, 80.0f * u);
+    const float width = std::min(size.x - 2.0f * margin, 1440.0f * u);
+    return {0.5f * (size.x - width), width, 22.0f * u, size.x < 1000.0f * u || size.y < 620.0f * u};
+}
+
+void draw_title(Ui& ui, const PageLayout& page) {
+    const Scene& scene = *ui.session.scene;
+    ImGui::PushFont(page.is_small ? ui.fonts.title : ui.fonts.headline);
+    ImGui::TextUnformatted("How does a program draw a room?");
+    ImGui::PopFont();
+    const int triangles = scene.triangle_count();
+    const std::int64_t pixels = std::int64_t{scene.viewport.width} * scene.viewport.height;
+    ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
+    wrapped_text(fmt::format("{} triangle{} become{} a picture of {} pixels. Walk through it one "
+                             "step at a time, forwards and backwards, and ask every number where "
+                             "it comes from.",
+                             triangles, triangles == 1 ? "" : "s", triangles == 1 ? "s" : "",
+                             grouped(pixels)));
+    ImGui::PopStyleColor();
+}
+
+/// The picture after each stage, and its name; a click shows the scene there.
+void draw_stages(Ui& ui, const PageLayout& page) {
+    const float u = ui.options.text_scale;
+    const Palette& p = palette(ui.options.theme);
+    const float gap = (page.is_small ? 6.0f : 12.0f) * u;
+    const float side = (page.width - gap * static_cast<float>(stage_count - 1)) / stage_count;
+    renew_stage_pictures(ui, std::max(1, static_cast<int>(side)));
+    const bool has_pictures = ui.start.pictures.is_drawn;
+    const float height = has_pictures ? side : 0.0f;
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    ImGui::PushFont(page.is_small ? ui.fonts.small : ui.fonts.text);
+    const float line = ImGui::GetFontSize() + 8.0f * u;
+    float x = start.x;
+    for (std::size_t i = 0; i < stage_list().size(); ++i) {
+        const StageInfo& info = stage_list()[i];
+        const ImVec2 low{x, start.y}, high{x + side, start.y + height};
+        const std::string name = std::string("start.stage.").append(info.name);
+        ImGui::SetCursorScreenPos(low);
+        const bool pressed = ImGui::InvisibleButton(name.c_str(), {side, height + line});
+        const bool hovered = ImGui::IsItemHovered();
+        name_widget(ui, name, info.summary);
+        if (has_pictures) {
+            list->AddImage(ui.start.pictures.textures[i], low, high);
+            list->AddRect(low, high, packed(hovered ? p.link : p.line));
+        }
+        list->AddText({x, high.y + 6.0f * u}, packed(hovered ? p.link : p.text),
+                      shortened(std::string(info.title), side).c_str());
+        x += side + gap;
+        if (!pressed) continue;
+        set_step(ui.session.a.settings, info.step);
+        take_way(ui, Way::stages);
+    }
+    ImGui::PopFont();
+    ImGui::SetCursorScreenPos({start.x, start.y + height + line});
+    ImGui::Dummy({page.width, 0.0f});
+}
+
+/// How many of all lessons are done: a cell each, and in words.
+void draw_lesson_cells(Ui& ui, float width) {
+    const float u = ui.options.text_scale;
+    const Palette& p = palette(ui.options.theme);
+    const std::vector<Lesson>& lessons = ui.lesson.lessons.all();
+    if (lessons.empty()) return;
+    int done = 0, minutes = 0;
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const float gap = 3.0f * u;
+    const float cell =
+        (width - gap * static_cast<float>(lessons.size() - 1)) / static_cast<float>(lessons.size());
+    float x = low.x;
+    for (const Lesson& lesson : lessons) {
+        const bool is_done = score_of(ui.lesson.progress, lesson).is_done;
+        done += is_done ? 1 : 0;
+        minutes += lesson.minutes;
+        const ImVec4& colour = is_done ? p.link : p.button_hovered;
+        ImGui::GetWindowDrawList()->AddRectFilled({x, low.y}, {x + cell, low.y + 5.0f * u},
+                                                  packed(colour), 2.0f * u);
+        x += cell + gap;
+    }
+    ImGui::Dummy({width, 9.0f * u});
+    ImGui::PushFont(ui.fonts.small);
+    text_in(p.dim, fmt::format("{} of {} lessons done · {} h {} min in all", done, lessons.size(),
+                               minutes / 60, minutes % 60));
+    ImGui::PopFont();
+}
+
+/// The button of a card: the chosen card's is the main one.
+void draw_way_button(Ui& ui, const Card& card, ImVec2 size) {
+    const bool is_chosen = ui.start.chosen == card.way;
+    const std::string label =
+        shortened(button_label(ui, card.way), size.x - 2.0f * ImGui::GetStyle().FramePadding.x);
+    const std::string name = std::string("start.").append(word_of(card.way));
+    if (button(ui, name, label, is_chosen ? Look::chosen : Look::plain,
+               is_chosen ? std::string(card.help) + "\nKey: Enter" : std::string(card.help),
+               size)) {
+        take_way(ui, card.way);
+    }
+}
+
+/// The ground of a card, with a line above the chosen one.
+void draw_card_ground(const Ui& ui, ImVec2 low, ImVec2 high, bool is_chosen) {
+    const float u = ui.options.text_scale;
+    const Palette& p = palette(ui.options.theme);
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    list->AddRectFilled(low, high, packed(p.card), 5.0f * u);
+    list->AddRectFilled(low, {high.x, low.y + 3.0f * u}, packed(is_chosen ? p.link : p.line));
+}
+
+/// A card beside the others. All are equally high.
+void draw_tall_card(Ui& ui, const Card& card, ImVec2 low, ImVec2 size) {
+    const float u = ui.options.text_scale;
+    const float padding = 22.0f * u, control = 42.0f * u;
+    draw_card_ground(ui, low, {low.x + size.x, low.y + size.y}, ui.start.chosen == card.way);
+    const float inner = size.x - 2.0f * padding;
+    ImGui::SetCursorScreenPos({low.x + padding, low.y + padding});
+    ImGui::BeginGroup();
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + inner);
+    ImGui::PushFont(ui.fonts.title);
+    wrapped_text(card.title);
+    ImGui::PopFont();
+    wrapped_text(card.about);
+    ImGui::Dummy({0.0f, 4.0f * u});
+    ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
+    for (const char* point : card.points)
+        wrapped_text(point);
+    ImGui::PopStyleColor();
+    ImGui::PopTextWrapPos();
+    ImGui::EndGroup();
+    const float bottom = low.y + size.y - padding;
+    if (card.way == Way::lessons) {
+        ImGui::SetCursorScreenPos({low.x + padding, bottom - control - 38.0f * u});
+        draw_lesson_cells(ui, inner);
+    }
+    ImGui::SetCursorScreenPos({low.x + padding, bottom - control});
+    draw_way_button(ui, card, {inner, control});
+}
+
+/// A card as a line of a small window: what it is, and its button at the right.
+void draw_low_card(Ui& ui, const Card& card, ImVec2 low, ImVec2 size) {
+    const float u = ui.options.text_scale;
+    const float padding = 12.0f * u;
+    draw_card_ground(ui, low, {low.x + size.x, low.y + size.y}, ui.start.chosen == card.way);
+    const float wide = std::min(0.45f * size.x, 340.0f * u);
+    ImGui::SetCursorScreenPos({low.x + padding, low.y + padding});
+    ImGui::BeginGroup();
+    ImGui::PushFont(ui.fonts.bold);
+    ImGui::TextUnformatted(card.title);
+    ImGui::PopFont();
+    ImGui::PushFont(ui.fonts.small);
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + size.x - wide - 3.0f * padding);
+    ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
+    wrapped_text(card.about);
+    ImGui::PopStyleColor();
+    ImGui::PopTextWrapPos();
+    ImGui::PopFont();
+    ImGui::EndGroup();
+    const float control = 34.0f * u;
+    ImGui::SetCursorScreenPos(
+        {low.x + size.x - padding - wide, low.y + 0.5f * (size.y - control) + 1.0f});
+    draw_way_button(ui, card, {wide, control});
+}
+
+void draw_cards(Ui& ui, const PageLayout& page, float bottom) {
+    const float u = ui.options.text_scale;
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    if (page.is_small) {
+        const float height = 78.0f * u, gap = 8.0f * u;
+        for (std::size_t i = 0; i < cards.size(); ++i) {
+            draw_low_card(ui, cards[i], {start.x, start.y + static_cast<float>(i) * (height + gap)},
+                          {page.width, height});
+        }
+        ImGui::SetCursorScreenPos({start.x, start.y + way_count * (height + gap)});
+        ImGui::Dummy({page.width, 0.0f});
+        return;
+    }
+    const float width = (page.width - page.gap * (way_count - 1)) / way_count;
+    const float height = std::clamp(bottom - start.y, 300.0f * u, 360.0f * u);
+    for (std::size_t i = 0; i < cards.size(); ++i) {
+        draw_tall_card(ui, cards[i],
+                       {start.x + static_cast<float>(i) * (width + page.gap), start.y},
+                       {width, height});
+    }
+    ImGui::SetCursorScreenPos({start.x, start.y + height});
+    ImGui::Dummy({page.width, 0.0f});
+}
+
+void draw_last_line(Ui& ui, const PageLayout& page) {
+    const Palette& p = palette(ui.options.theme);
+    ImGui::PushFont(ui.fonts.small);
+    const char* const keys = "Tab chooses · Enter begins · later starts go on where you stopped";
+    const std::string& notice = ui.session.notice;
+    const float wide = ImGui::CalcTextSize(keys).x;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const bool both_fit = !page.is_small && wide + 200.0f * ui.options.text_scale < page.width;
+    if (!notice.empty()) {
+        const float room = both_fit ? page.width - wide - page.gap : page.width;
+        text_in(colour_of(Meaning::fail, ui.options.theme), shortened(notice, room));
+        name_widget(ui, "start.notice", notice);
+        if (both_fit) ImGui::SetCursorScreenPos({at.x + page.width - wide, at.y});
+    }
+    if (both_fit || notice.empty()) text_in(p.dim, shortened(keys, page.width));
+    ImGui::PopFont();
+}
+
+void choose_next(StartPage& start, int distance) {
+    start.chosen =
+        static_cast<Way>((static_cast<int>(start.chosen) + distance + way_count) % way_count);
+}
+
+void take_keys(Ui& ui) {
+    const bool is_covered = ui.sheets.files.kind != FileSheet::Kind::closed ||
+                            ui.sheets.shows_keys || ui.sheets.shows_glossary;
+    if (is_covered || ImGui::GetIO().WantTextInput ||
+        ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
+        return;
+    }
+    const bool is_back = ImGui::GetIO().KeyShift;
+    if (ImGui::IsKeyPressed(key::tab)) choose_next(ui.start, is_back ? -1 : 1);
+    if (ImGui::IsKeyPressed(key::right) || ImGui::IsKeyPressed(key::down)) choose_next(ui.start, 1);
+    if (ImGui::IsKeyPressed(key::left) || ImGui::IsKeyPressed(key::up)) choose_next(ui.start, -1);
+    if (ImGui::IsKeyPressed(key::enter, false) || ImGui::IsKeyPressed(key::keypad_enter, false)) {
+        take_way(ui, ui.start.chosen);
+    } else if (ImGui::IsKeyPressed(key::escape, false)) {
+        ui.start.is_open = false;
+    }
+}
+
+} // namespace
+
+void begin_at_start(Ui& ui) {
+    const bool was_in_a_lesson = !ui.lesson.progress.last_lesson.empty();
+    if (!ui.options.way && !was_in_a_lesson) {
+        ui.start.is_open = true;
+        return;
+    }
+    take_way(ui, ui.options.way.value_or(Way::lessons));
+}
+
+void take_way(Ui& ui, Way way) {
+    ui.start.is_open = false;
+    ui.options.way = way;
+    switch (way) {
+    case Way::lessons:
+        open_lesson_to_go_on(ui);
+        break;
+    case Way::stages:
+        break;
+    case Way::picture:
+        ui.lab.mode = LabMode::result;
+        open_tab(ui, "lab");
+        break;
+    }
+}
+
+void follow_start_page(Ui& ui) {
+    if (!ui.session.lesson.empty()) ui.options.way = Way::lessons;
+    StartPage& start = ui.start;
+    if (start.is_open && !start.behind) {
+        const SessionInputs& now = ui.session;
+        ui.session.play.running = false;
+        start.behind = now;
+        start.lesson = ui.session.lesson;
+    }
+    const bool is_same = start.behind == ui.session && start.lesson == ui.session.lesson;
+    if (!is_same || ui.lab.frames_to_result > 0) start.is_open = false;
+    if (!start.is_open) start.behind.reset();
+}
+
+void draw_start_page(Ui& ui, ImVec2 low, ImVec2 high) {
+    if (!ui.start.is_open) return;
+    take_keys(ui);
+    const float u = ui.options.text_scale;
+    const ImVec2 size{high.x - low.x, high.y - low.y};
+    const PageLayout page = lay_out(ui, size);
+    ImGui::SetNextWindowPos(low);
+    ImGui::SetNextWindowSize(size);
+    ImGui::Begin("start", nullptr, panel_flags & ~ImGuiWindowFlags_NoScrollbar);
+    const float top = page.is_small ? 8.0f * u : std::clamp(0.06f * size.y, 16.0f * u, 60.0f * u);
+    ImGui::SetCursorPos({page.left, top});
+    ImGui::BeginGroup();
+    ImGui::PushTextWrapPos(page.left + std::min(page.width, 1040.0f * u));
+    draw_title(ui, page);
+    ImGui::PopTextWrapPos();
+    ImGui::Dummy({0.0f, (page.is_small ? 2.0f : 18.0f) * u});
+    draw_stages(ui, page);
+    ImGui::Dummy({0.0f, (page.is_small ? 2.0f : 18.0f) * u});
+    const float last_line = ui.fonts.small->FontSize + 34.0f * u;
+    draw_cards(ui, page, high.y - last_line);
+    ImGui::Dummy({0.0f, (page.is_small ? 0.0f : 6.0f) * u});
+    draw_last_line(ui, page);
+    ImGui::EndGroup();
+    ImGui::End();
+}
+
+} // namespace rasterwalk
