@@ -15,11 +15,11 @@ namespace {
 constexpr int most_triangles = 2000;
 constexpr int largest_side = 400; ///< pixels
 
-/// The scene at a step of the strip, `side` pixels high or wide, whichever is more. Points and
-/// lines are one pixel thin: those stages are drawn half as large, and shown twice as large.
-Image stage_picture(const Scene& scene, const StripStep& step, int side) {
-    const int pixels = std::max(1, step.stage <= Stage::rows ? side / 2 : side);
-    Settings settings = default_settings(scene);
+/// The scene with these settings at a step of the strip, `side` pixels high or wide, whichever is
+/// more. A point is one pixel large: they are drawn half as far from each other, and shown twice as
+/// large.
+Image stage_picture(const Scene& scene, Settings settings, const StripStep& step, int side) {
+    const int pixels = std::max(1, step.stage == Stage::points ? side / 2 : side);
     set_step(settings, step);
     const Viewport whole = settings.viewport;
     // Vertices that are given in pixels stay where they are.
@@ -37,6 +37,12 @@ Image stage_picture(const Scene& scene, const StripStep& step, int side) {
 
 } // namespace
 
+void light_up(const Session& session, Settings& settings) {
+    for (const Preset& preset : session.presets) {
+        if (preset.name == "visible light") apply_preset(preset, settings);
+    }
+}
+
 void renew_stage_pictures(Ui& ui, int side) {
     StagePictures& pictures = ui.start.pictures;
     const std::shared_ptr<const Scene>& scene = ui.session.scene;
@@ -46,8 +52,10 @@ void renew_stage_pictures(Ui& ui, int side) {
     pictures.side = side;
     pictures.is_drawn = scene->triangle_count() <= most_triangles;
     if (!pictures.is_drawn) return;
+    Settings settings = default_settings(*scene);
+    light_up(ui.session, settings);
     for (std::size_t i = 0; i < pictures.textures.size(); ++i) {
-        const Image image = stage_picture(*scene, stage_list()[i].step, side);
+        const Image image = stage_picture(*scene, settings, stage_list()[i].step, side);
         pictures.textures[i] = ui.host.textures->upload(pictures.textures[i], image);
     }
 }

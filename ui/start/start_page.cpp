@@ -60,13 +60,16 @@ const Lesson* next_lesson(Ui& ui) {
     return id.empty() ? nullptr : ui.lesson.lessons.find(id);
 }
 
-std::string button_label(Ui& ui, Way way) {
+/// What stands on a button of this width.
+std::string button_label(Ui& ui, Way way, float width) {
     if (way == Way::stages) return "Open the room";
     if (way == Way::picture) return "Choose a file …";
     const Lesson* const lesson = next_lesson(ui);
     if (lesson == nullptr) return "There are no lessons";
-    return fmt::format("Lesson {}: {} · {} min", lesson_number(lesson->id), lesson->title,
-                       lesson->minutes);
+    const std::string title =
+        fmt::format("Lesson {}: {}", lesson_number(lesson->id), lesson->title);
+    const std::string label = fmt::format("{} · {} min", title, lesson->minutes);
+    return button_width(label) <= width ? label : title;
 }
 
 /// Where everything stands, screen pixels.
@@ -80,7 +83,7 @@ PageLayout lay_out(const Ui& ui, ImVec2 size) {
     const float u = ui.options.text_scale;
     const float margin = std::clamp(0.05f * size.x, 14.0f * u, 80.0f * u);
     const float width = std::min(size.x - 2.0f * margin, 1440.0f * u);
-    return {0.5f * (size.x - width), width, 22.0f * u, size.x < 1000.0f * u || size.y < 620.0f * u};
+    return {0.5f * (size.x - width), width, 22.0f * u, size.x < 1000.0f * u || size.y < 760.0f * u};
 }
 
 void draw_title(Ui& ui, const PageLayout& page) {
@@ -110,8 +113,10 @@ void draw_stages(Ui& ui, const PageLayout& page) {
     const float height = has_pictures ? side : 0.0f;
     const ImVec2 start = ImGui::GetCursorScreenPos();
     ImDrawList* const list = ImGui::GetWindowDrawList();
+    const ImFont* const small = ui.fonts.small;
+    const float about = page.is_small ? 0.0f : 3.0f * small->FontSize + 4.0f * u;
     ImGui::PushFont(page.is_small ? ui.fonts.small : ui.fonts.text);
-    const float line = ImGui::GetFontSize() + 8.0f * u;
+    const float line = ImGui::GetFontSize() + 8.0f * u + about;
     float x = start.x;
     for (std::size_t i = 0; i < stage_list().size(); ++i) {
         const StageInfo& info = stage_list()[i];
@@ -127,6 +132,14 @@ void draw_stages(Ui& ui, const PageLayout& page) {
         }
         list->AddText({x, high.y + 6.0f * u}, packed(hovered ? p.link : p.text),
                       shortened(std::string(info.title), side).c_str());
+        if (!page.is_small) {
+            ImGui::PushFont(ui.fonts.small);
+            const std::string words = broken_into_lines(info.menu_help, side);
+            ImGui::PopFont();
+            list->AddText(ui.fonts.small, small->FontSize,
+                          {x, high.y + ImGui::GetFontSize() + 10.0f * u}, packed(p.dim),
+                          words.c_str());
+        }
         x += side + gap;
         if (!pressed) continue;
         set_step(ui.session.a.settings, info.step);
@@ -158,7 +171,7 @@ void draw_lesson_cells(Ui& ui, float width) {
                                                   packed(colour), 2.0f * u);
         x += cell + gap;
     }
-    ImGui::Dummy({width, 9.0f * u});
+    ImGui::SetCursorScreenPos({low.x, low.y + 11.0f * u});
     ImGui::PushFont(ui.fonts.small);
     text_in(p.dim, fmt::format("{} of {} lessons done · {} h {} min in all", done, lessons.size(),
                                minutes / 60, minutes % 60));
@@ -168,8 +181,8 @@ void draw_lesson_cells(Ui& ui, float width) {
 /// The button of a card: the chosen card's is the main one.
 void draw_way_button(Ui& ui, const Card& card, ImVec2 size) {
     const bool is_chosen = ui.start.chosen == card.way;
-    const std::string label =
-        shortened(button_label(ui, card.way), size.x - 2.0f * ImGui::GetStyle().FramePadding.x);
+    const std::string label = shortened(button_label(ui, card.way, size.x),
+                                        size.x - 2.0f * ImGui::GetStyle().FramePadding.x);
     const std::string name = std::string("start.").append(word_of(card.way));
     if (button(ui, name, label, is_chosen ? Look::chosen : Look::plain,
                is_chosen ? std::string(card.help) + "\nKey: Enter" : std::string(card.help),
@@ -219,7 +232,7 @@ void draw_tall_card(Ui& ui, const Card& card, ImVec2 low, ImVec2 size) {
 /// A card as a line of a small window: what it is, and its button at the right.
 void draw_low_card(Ui& ui, const Card& card, ImVec2 low, ImVec2 size) {
     const float u = ui.options.text_scale;
-    const float padding = 12.0f * u;
+    const float padding = 10.0f * u;
     draw_card_ground(ui, low, {low.x + size.x, low.y + size.y}, ui.start.chosen == card.way);
     const float wide = std::min(0.45f * size.x, 340.0f * u);
     ImGui::SetCursorScreenPos({low.x + padding, low.y + padding});
@@ -237,7 +250,7 @@ void draw_low_card(Ui& ui, const Card& card, ImVec2 low, ImVec2 size) {
     ImGui::EndGroup();
     const float control = 34.0f * u;
     ImGui::SetCursorScreenPos(
-        {low.x + size.x - padding - wide, low.y + 0.5f * (size.y - control) + 1.0f});
+        {low.x + size.x - padding - wide, low.y + 0.5f * (size.y - control + 3.0f * u)});
     draw_way_button(ui, card, {wide, control});
 }
 
@@ -245,7 +258,7 @@ void draw_cards(Ui& ui, const PageLayout& page, float bottom) {
     const float u = ui.options.text_scale;
     const ImVec2 start = ImGui::GetCursorScreenPos();
     if (page.is_small) {
-        const float height = 78.0f * u, gap = 8.0f * u;
+        const float height = 56.0f * u, gap = 6.0f * u;
         for (std::size_t i = 0; i < cards.size(); ++i) {
             draw_low_card(ui, cards[i], {start.x, start.y + static_cast<float>(i) * (height + gap)},
                           {page.width, height});
@@ -255,7 +268,7 @@ void draw_cards(Ui& ui, const PageLayout& page, float bottom) {
         return;
     }
     const float width = (page.width - page.gap * (way_count - 1)) / way_count;
-    const float height = std::clamp(bottom - start.y, 300.0f * u, 360.0f * u);
+    const float height = std::clamp(bottom - start.y, 300.0f * u, 400.0f * u);
     for (std::size_t i = 0; i < cards.size(); ++i) {
         draw_tall_card(ui, cards[i],
                        {start.x + static_cast<float>(i) * (width + page.gap), start.y},
@@ -325,6 +338,7 @@ void take_way(Ui& ui, Way way) {
         open_lesson_to_go_on(ui);
         break;
     case Way::stages:
+        light_up(ui.session, ui.session.a.settings);
         break;
     case Way::picture:
         ui.lab.mode = LabMode::result;
@@ -356,15 +370,15 @@ void draw_start_page(Ui& ui, ImVec2 low, ImVec2 high) {
     ImGui::SetNextWindowPos(low);
     ImGui::SetNextWindowSize(size);
     ImGui::Begin("start", nullptr, panel_flags & ~ImGuiWindowFlags_NoScrollbar);
-    const float top = page.is_small ? 8.0f * u : std::clamp(0.06f * size.y, 16.0f * u, 60.0f * u);
+    const float top = page.is_small ? 8.0f * u : std::clamp(0.06f * size.y, 16.0f * u, 54.0f * u);
     ImGui::SetCursorPos({page.left, top});
     ImGui::BeginGroup();
-    ImGui::PushTextWrapPos(page.left + std::min(page.width, 1040.0f * u));
+    ImGui::PushTextWrapPos(page.left + std::min(page.width, 1240.0f * u));
     draw_title(ui, page);
     ImGui::PopTextWrapPos();
-    ImGui::Dummy({0.0f, (page.is_small ? 2.0f : 18.0f) * u});
+    ImGui::Dummy({0.0f, (page.is_small ? 1.0f : 18.0f) * u});
     draw_stages(ui, page);
-    ImGui::Dummy({0.0f, (page.is_small ? 2.0f : 18.0f) * u});
+    ImGui::Dummy({0.0f, (page.is_small ? 1.0f : 18.0f) * u});
     const float last_line = ui.fonts.small->FontSize + 34.0f * u;
     draw_cards(ui, page, high.y - last_line);
     ImGui::Dummy({0.0f, (page.is_small ? 0.0f : 6.0f) * u});

@@ -217,14 +217,14 @@ TEST_CASE("The stages are drawn once, and each is another picture") {
     CHECK(driver.textures.uploads == before + stage_count);
     driver.hand.frames(5);
     CHECK(driver.textures.uploads == before + stage_count);
-    // The last one is the room in the light of every pixel: its wall is grey, and no part is black.
+    // The last one is the room in the light of every pixel: more shades than the room has colours.
     const Image& lit = driver.textures.last;
     REQUIRE(lit.width > 50);
     CHECK(std::abs(lit.width - lit.height) <= 1);
     std::set<std::uint32_t> colours;
     for (std::size_t i = 0; i + 3 < lit.rgba.size(); i += 4)
         colours.insert(lit.rgba[i] + 256U * lit.rgba[i + 1] + 65536U * lit.rgba[i + 2]);
-    CHECK(colours.size() > 1000);
+    CHECK(colours.size() > 300);
     const std::set<ImTextureID> textures(driver.ui.start.pictures.textures.begin(),
                                          driver.ui.start.pictures.textures.end());
     CHECK(textures.size() == stage_count);
