@@ -23,12 +23,14 @@ struct OpenProgram {
     VirtualDisplay display{display_folder.file("")};
     Program program;
 
-    explicit OpenProgram(const std::vector<std::string>& arguments = {})
+    /// @param state where it keeps what it knows from earlier starts; empty: it knows nothing
+    explicit OpenProgram(const std::vector<std::string>& arguments = {},
+                         const std::string& state = "")
         : program(words(arguments),
                   {{"DISPLAY", display.name()},
                    {"WAYLAND_DISPLAY", ""},
                    {"LIBGL_ALWAYS_SOFTWARE", "1"},
-                   {"XDG_STATE_HOME", folder.file("state")},
+                   {"XDG_STATE_HOME", state.empty() ? folder.file("state") : state},
                    {"RASTERWALK_WIDGET_REPORT", folder.file("report")}},
                   folder.file("")) {}
 
@@ -45,6 +47,12 @@ struct OpenProgram {
         return becomes_true(seconds, [&] {
             return ("\n" + report()).find("\n" + line + "\n") != std::string::npos;
         });
+    }
+
+    /// True as soon as the report has this widget.
+    bool shows(const std::string& widget) const {
+        return becomes_true(
+            patience, [&] { return report().find(" " + widget + "\n") != std::string::npos; });
     }
 
     /// Moves the mouse onto a widget.
@@ -152,6 +160,24 @@ TEST_CASE("The window takes keys however short they are pressed, and saves a pic
     open.display.hold_key("Control_L", false);
     CHECK(open.program.wait(patience) == 0);
     CHECK(open.errors().empty());
+}
+
+TEST_CASE("The first start offers its ways, and the next one goes on in the lesson") {
+    const TemporaryFolder state;
+    {
+        OpenProgram open({}, state.file(""));
+        REQUIRE(open.shows("start.lessons"));
+        open.display.press_key("Return");
+        CHECK(open.shows("lesson.open"));
+        CHECK(open.shows("walk.play"));
+        open.display.ask_to_close("Rasterwalk");
+        CHECK(open.program.wait(patience) == 0);
+    }
+    OpenProgram open({}, state.file(""));
+    CHECK(open.shows("lesson.open"));
+    CHECK(open.report().find("start.lessons") == std::string::npos);
+    open.display.ask_to_close("Rasterwalk");
+    CHECK(open.program.wait(patience) == 0);
 }
 
 TEST_CASE("The window follows its size and sleeps while nothing happens") {
