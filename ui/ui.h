@@ -14,6 +14,7 @@
 #include "session/session.h"
 #include "ui/actions/kept_state.h"
 #include "ui/app/options_state.h"
+#include "ui/bars/transport_state.h"
 #include "ui/canvas/canvas_state.h"
 #include "ui/hosts/host_state.h"
 #include "ui/inspector/inspector_state.h"
@@ -50,6 +51,7 @@ struct Ui {
     LessonView lesson;
     SheetsState sheets;
     StartPage start;
+    TransportState transport;
 };
 
 } // namespace rasterwalk

@@ -115,6 +115,7 @@ bool update(const Session& session, Results& results, const WorkLimit& limit) {
             results.depth = depth_view(*results.a.framebuffer, session.depth_range);
         }
     }
+    if (changes.frame) results.length = frame_length(Timeline(results.a.frame));
     update_overlay(session, results, changes.moment);
     update_history(session, results, changes.frame);
     update_second_run(session, changes, limit, results);

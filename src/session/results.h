@@ -9,6 +9,7 @@
 #include "compare/compare.h"
 #include "inspect/pixel_history.h"
 #include "picture/overlay.h"
+#include "pipeline/leap.h"
 #include "session/depth_view.h"
 #include "session/run_results.h"
 #include "session/session.h"
@@ -48,6 +49,7 @@ struct Results {
     bool overlay_is_old = false;         ///< it is empty until the picture of A is drawn
     std::optional<DepthView> depth;      ///< of A, while the depth view is shown
     std::optional<PixelHistory> history; ///< of the picked pixel, over the whole frame of A
+    FrameLength length;                  ///< of the frame of A
     std::uint64_t numbers = 0;           ///< the last one that a frame or a picture got
 };
 

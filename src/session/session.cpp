@@ -49,7 +49,7 @@ void show_scene(Session& session, std::shared_ptr<const Scene> scene) {
     session.cursor = cursor_end;
     session.selection = {};
     session.play.running = false;
-    session.play.owed = 0.0f;
+    session.play.passed = 0.0;
     session.canvas.zoom = 0.0f;
 }
 

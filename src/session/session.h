@@ -20,6 +20,7 @@
 #include "session/quiz_state.h"
 #include "session/second_run.h"
 #include "session/selection.h"
+#include "session/speed.h"
 #include "session/undo.h"
 #include "settings/preset.h"
 #include "settings/settings.h"
@@ -29,9 +30,10 @@ namespace rasterwalk {
 /// Whether time runs by itself.
 struct Play {
     bool running = false;
+    bool has_just_begun = false; ///< no time has run since it was started
     Granularity granularity = Granularity::moment;
-    float speed = 8.0f; ///< steps a second
-    float owed = 0.0f;  ///< part of a step that has not been taken yet
+    Speed speed;
+    double passed = 0.0; ///< of the step at the cursor, 0 to 1
 
     friend bool operator==(const Play&, const Play&) = default;
 };

@@ -1,8 +1,34 @@
 #include "session/walk.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace rasterwalk {
+
+namespace {
+
+/// Where the play has come to when it has run for so many seconds.
+Instant after(const Timeline& timeline, const FrameLength& length, const Play& play,
+              const Cursor& cursor, double seconds) {
+    const Speed speed = speed_in(play.speed, length.of(play.granularity));
+    switch (speed.unit) {
+    case SpeedUnit::steps: {
+        const double steps = play.passed + seconds * speed.value;
+        const double whole = std::floor(steps);
+        return {leap(timeline, cursor, static_cast<std::int64_t>(whole), play.granularity),
+                steps - whole};
+    }
+    case SpeedUnit::frame:
+        return run_on(timeline, {cursor, play.passed}, seconds / speed.value * length.triangles,
+                      play.granularity);
+    case SpeedUnit::unlimited:
+        break;
+    }
+    return {cursor_end, 0.0};
+}
+
+} // namespace
 
 void step_forward(Session& session, const Timeline& timeline, Granularity step) {
     scrub_to(session, timeline.next(session.cursor, step));
@@ -51,20 +77,25 @@ bool previous_change(Session& session, const Timeline& timeline, const PixelHist
 }
 
 void toggle_play(Session& session, const Timeline& timeline) {
-    session.play.running = !session.play.running;
-    session.play.owed = 0.0f;
+    Play& play = session.play;
+    play.running = !play.running;
+    play.has_just_begun = play.running;
+    play.passed = 0.0;
     const bool at_end = timeline.at_or_after(session.cursor) == cursor_end;
-    if (session.play.running && at_end) session.cursor = timeline.first();
+    if (play.running && at_end) session.cursor = timeline.first();
 }
 
-void advance_play(Session& session, const Timeline& timeline, float seconds) {
+void advance_play(Session& session, const Timeline& timeline, const FrameLength& length,
+                  float seconds) {
     Play& play = session.play;
     if (!play.running) return;
-    play.owed = std::min(play.owed + seconds * play.speed, 2.0f);
-    if (play.owed < 1.0f) return;
-    play.owed -= 1.0f;
-    session.cursor = timeline.next(session.cursor, play.granularity);
-    if (session.cursor == cursor_end) play.running = false;
+    // The time since the frame before was not yet that of the play.
+    if (std::exchange(play.has_just_begun, false)) return;
+    const double time = seconds > 0.0f ? std::min(seconds, longest_play_step) : 0.0f;
+    const Instant now = after(timeline, length, play, session.cursor, time);
+    session.cursor = now.cursor;
+    play.passed = now.passed;
+    if (now.cursor == cursor_end) play.running = false;
 }
 
 } // namespace rasterwalk

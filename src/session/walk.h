@@ -1,6 +1,7 @@
 #pragma once
 
 #include "inspect/pixel_history.h"
+#include "pipeline/leap.h"
 #include "pipeline/timeline.h"
 #include "session/session.h"
 
@@ -29,12 +30,14 @@ void go_to_entry(Session& session, const Timeline& timeline, const PixelEntry& e
 /// Starts or stops the play; from the end it starts at the beginning.
 void toggle_play(Session& session, const Timeline& timeline);
 
-/// Lets time run for `seconds`: takes at most one step, so that nothing that was chosen to be seen
-/// is skipped however fast the play. Stops at the end.
-void advance_play(Session& session, const Timeline& timeline, float seconds);
+/// Lets time run for `seconds`, if it does: takes as many steps as the speed says, several at once
+/// if they are due, and keeps what is left of one. The first call after the start only shows where
+/// it begins. Stops at the end.
+/// @param length of the timeline's frame
+void advance_play(Session& session, const Timeline& timeline, const FrameLength& length,
+                  float seconds);
 
-/// Slowest and fastest play, steps a second.
-inline constexpr float slowest_play = 0.5f;
-inline constexpr float fastest_play = 60.0f;
+/// What one call counts as at most, seconds: a play does not leap when the window was hidden.
+inline constexpr float longest_play_step = 1.0f;
 
 } // namespace rasterwalk

@@ -31,7 +31,7 @@ class Showing {
 
     std::vector<Fault> show_on_scene() {
         session_.play.running = false;
-        session_.play.owed = 0.0f;
+        session_.play.passed = 0.0;
         ++session_.jumps; // so that Back leads out of the lesson's place again
         for (const ViewField* field : view_table_drawn_first()) {
             if (field->show) attempt(field->key, [&] { field->show(state_, session_); });

@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "session/walk.h"
 #include "ui/actions/action_menus.h"
 #include "ui/actions/keys.h"
@@ -48,7 +46,7 @@ std::vector<Action> walk_actions() {
         {"walk.play",
          "Walk",
          "Play or pause",
-         "Lets time run, one piece after the other.",
+         "Lets time run as fast as the dial says; from the end, from the beginning.",
          {key::space},
          [](Ui& ui) { toggle_play(ui.session, timeline_of(ui)); },
          [](const Ui& ui) { return ui.session.play.running; }},
@@ -97,19 +95,21 @@ std::vector<Action> walk_actions() {
         {"walk.faster",
          "Walk",
          "Play faster",
-         "Doubles the speed of the play.",
+         "Lets time run about twice as fast.",
          {key::equal},
          [](Ui& ui) {
-             ui.session.play.speed = std::min(2.0f * ui.session.play.speed, fastest_play);
+             Play& play = ui.session.play;
+             play.speed = faster(play.speed, ui.results.length.of(play.granularity));
          },
          nullptr},
         {"walk.slower",
          "Walk",
          "Play slower",
-         "Halves the speed of the play.",
+         "Lets time run about half as fast.",
          {key::minus},
          [](Ui& ui) {
-             ui.session.play.speed = std::max(0.5f * ui.session.play.speed, slowest_play);
+             Play& play = ui.session.play;
+             play.speed = slower(play.speed, ui.results.length.of(play.granularity));
          },
          nullptr},
     };

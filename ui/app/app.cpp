@@ -124,7 +124,7 @@ void draw_workplace(Ui& ui, const Layout& layout) {
 void draw_everything(Ui& ui) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const Layout layout = compute_layout(window, ui.options, stage_strip_lines(ui, window.x),
-                                         transport_lines(ui, window.x));
+                                         transport_height(ui, window.x));
     // One that fails leaves the others on the screen.
     guarded(ui, [&] { draw_menu_bar(ui, layout.menu); });
     if (ui.start.is_open) {
@@ -176,7 +176,7 @@ bool build_pass(Ui& ui, float seconds) {
     guarded(ui, [&] { handle_keys(ui); }); // asks where widgets were in the frame that is seen
     ui.widgets.clear();
     guarded(ui, [&] {
-        advance_play(ui.session, Timeline(ui.results.a.frame), seconds);
+        advance_play(ui.session, Timeline(ui.results.a.frame), ui.results.length, seconds);
         carry_changes_to_b(ui.session);
     });
     guarded(ui, [&] { follow_start_page(ui); });

@@ -15,9 +15,11 @@ void draw_menu_bar(Ui& ui, const Area& area);
 void draw_stage_strip(Ui& ui, const Area& area);
 int stage_strip_lines(const Ui& ui, float width);
 
-/// Time: first, back, play, step, last; size of a step; speed; the scrub bar; where it stands.
+/// Time: first, back, play, step, last; size of a step; speed; the time lines; where it stands.
 void draw_transport(Ui& ui, const Area& area);
-int transport_lines(const Ui& ui, float width);
+
+/// How high the transport is in a window of this width, screen pixels.
+float transport_height(const Ui& ui, float width);
 
 /// What is under the pointer, what is out of order, which rules and which file.
 void draw_status_line(Ui& ui, const Area& area);

@@ -1,12 +1,13 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string>
+#include <vector>
 
 #include "session/moment_text.h"
-#include "session/walk.h"
 #include "ui/actions/actions.h"
 #include "ui/bars/bars.h"
+#include "ui/bars/speed_dial.h"
+#include "ui/bars/time_strips.h"
 #include "ui/ui.h"
 #include "ui/widgets/flow.h"
 #include "ui/widgets/style.h"
@@ -92,39 +93,72 @@ float text_width(const char* text) {
     return ImGui::CalcTextSize(text).x;
 }
 
-/// Widths of the groups: buttons, size of a step, speed, scrub bar. In a small window the size of a
-/// step is a list, and the speed is left to its keys.
-struct Groups {
-    std::vector<float> widths;
-    float icon, play;
-    bool compact;
+/// How the groups of the transport are put: buttons, size of a step, dial, time lines.
+enum class Arrangement {
+    compact, ///< a small window: the size of a step is a list, and one time line stands in the row
+    stacked, ///< the time lines have the width to themselves, below
+    beside,  ///< the time lines stand to the right of everything else
 };
+
+/// Widths of the groups, screen pixels, and what follows from them.
+struct Groups {
+    Arrangement arrangement;
+    DialForm dial;
+    std::vector<float> widths; ///< of those that flow
+    float icon, play;
+    float strips; ///< width of the time lines
+};
+
+/// The least width of the time lines beside something else, design pixels.
+constexpr float least_strips = 340.0f;
+constexpr float least_compact_strip = 140.0f;
+
+float group_gap(const Ui& ui) {
+    return 14.0f * ui.options.text_scale;
+}
+
+float step_choice_width(const Ui& ui) {
+    const float u = ui.options.text_scale;
+    float width = 2.0f * u;
+    for (const char* name : {"fragment", "row", "triangle", "phase"})
+        width += text_width(name) + 24.0f * u;
+    return width;
+}
 
 Groups measure(const Ui& ui, float width) {
     const float u = ui.options.text_scale;
-    Groups g;
-    g.compact = is_compact(ImGui::GetIO().DisplaySize, ui.options);
-    g.icon = (g.compact ? 32.0f : 38.0f) * u;
-    g.play = (g.compact ? 42.0f : 56.0f) * u;
+    Groups g{};
+    const bool compact = is_compact(ImGui::GetIO().DisplaySize, ui.options);
+    g.dial = compact ? DialForm::small : DialForm::large;
+    g.icon = (compact ? 32.0f : 38.0f) * u;
+    g.play = (compact ? 42.0f : 56.0f) * u;
     g.widths.push_back(4.0f * (g.icon + 6.0f * u) + g.play);
-    if (g.compact) {
-        g.widths.push_back(text_width("fragment") + 52.0f * u);
-    } else {
-        float choices = 2.0f * u;
-        for (const char* name : {"fragment", "row", "triangle", "phase"}) {
-            choices += text_width(name) + 24.0f * u;
-        }
-        g.widths.push_back(choices);
-        g.widths.push_back(text_width("99.9 steps/s") + 24.0f * u);
-    }
-    const float gap = 14.0f * u;
-    float used = 0.0f;
+    g.widths.push_back(compact ? text_width("fragment") + 52.0f * u : step_choice_width(ui));
+    g.widths.push_back(speed_dial_size(ui, g.dial).x);
+    float rest = width;
     for (const float group : g.widths)
-        used += group + gap;
-    const float least = (g.compact ? 140.0f : 220.0f) * u;
-    g.widths.push_back(width - used >= least ? width - used : width);
+        rest -= group + group_gap(ui);
+    if (compact) {
+        g.arrangement = Arrangement::compact;
+        g.strips = rest >= least_compact_strip * u ? rest : width;
+        g.widths.push_back(g.strips);
+    } else {
+        g.arrangement = rest >= least_strips * u ? Arrangement::beside : Arrangement::stacked;
+        g.strips = g.arrangement == Arrangement::beside ? rest : width;
+        if (g.arrangement == Arrangement::stacked) g.dial = DialForm::medium;
+    }
     return g;
 }
+
+std::vector<FlowPlace> places_of(const Ui& ui, const Groups& groups, float width) {
+    return flow(groups.widths, group_gap(ui), width + 1.0f);
+}
+
+/// Design pixels: of a line of groups, and of what is around the lines.
+constexpr float line_height = 42.0f;
+constexpr float beside_height = 96.0f;
+constexpr float margins_and_words = 38.0f;
+constexpr float stacked_gap = 4.0f; ///< more, where the time lines stand by themselves
 
 std::string step_name(const StepChoice& choice) {
     return std::string("step.").append(word_of(choice.granularity));
@@ -180,48 +214,6 @@ void draw_step_choice(Ui& ui, ImVec2 at, ImVec2 size) {
     }
 }
 
-void draw_speed(Ui& ui, ImVec2 at, ImVec2 size) {
-    ImGui::SetCursorScreenPos({at.x, at.y + 0.5f * (size.y - ImGui::GetFrameHeight())});
-    ImGui::SetNextItemWidth(size.x);
-    ImGui::DragFloat("##speed", &ui.session.play.speed, 0.05f * ui.session.play.speed, slowest_play,
-                     fastest_play, ui.session.play.speed < 10.0f ? "%.1f steps/s" : "%.0f steps/s",
-                     ImGuiSliderFlags_AlwaysClamp);
-    name_widget(ui, "walk.speed",
-                "How many steps a second the play takes. Drag, or double click to type.");
-}
-
-void draw_scrub_bar(Ui& ui, ImVec2 at, ImVec2 size) {
-    const Palette& p = palette(ui.options.theme);
-    const float u = ui.options.text_scale;
-    const Timeline timeline(ui.results.a.frame);
-    ImGui::SetCursorScreenPos(at);
-    ImGui::InvisibleButton("scrub", size);
-    if (ImGui::IsItemActive()) {
-        const float along = (ImGui::GetIO().MousePos.x - at.x) / std::max(size.x, 1.0f);
-        scrub_to(ui.session, timeline.at_place(along));
-    }
-    name_widget(ui, "walk.scrub",
-                "The whole frame from its first vertex to its last fragment; a tick a triangle. "
-                "Drag to go to any moment.");
-    ImDrawList* const list = ImGui::GetWindowDrawList();
-    const float middle = at.y + 0.5f * size.y;
-    const float half = 7.0f * u;
-    const float x = at.x + size.x * static_cast<float>(timeline.place(ui.results.a.cursor));
-    list->AddRectFilled({at.x, middle - half}, {at.x + size.x, middle + half}, packed(p.button),
-                        3.0f * u);
-    list->AddRectFilled({at.x, middle - half}, {x, middle + half}, packed(p.accent), 3.0f * u);
-    const int triangles = ui.results.a.frame.triangle_count();
-    if (static_cast<float>(triangles) * 4.0f * u < size.x) {
-        for (int t = 1; t < triangles; ++t) {
-            const float tick =
-                at.x + size.x * static_cast<float>(t) / static_cast<float>(triangles);
-            list->AddLine({tick, middle - half}, {tick, middle + half}, packed(p.ground, 0.7f));
-        }
-    }
-    list->AddRectFilled({x - 1.5f * u, middle - half - 4.0f * u},
-                        {x + 1.5f * u, middle + half + 4.0f * u}, packed(p.text), 1.0f * u);
-}
-
 constexpr const char* previous_change_label = "‹ pixel";
 constexpr const char* next_change_label = "pixel ›";
 
@@ -244,65 +236,60 @@ void draw_change_buttons(Ui& ui, ImVec2 at) {
     ImGui::PopStyleVar();
 }
 
-/// Where the cursor stands, in words and as text; and, with a pixel picked or room to spare, the
-/// buttons for its changes.
-void draw_words(Ui& ui, ImVec2 at, float room) {
+float change_buttons_width(const Ui& ui) {
+    return text_width(previous_change_label) + text_width(next_change_label) +
+           46.0f * ui.options.text_scale;
+}
+
+/// What was drawn last, in words.
+std::string moment_words(const Ui& ui) {
+    return ui.results.a.done ? describe_moment(ui.results.a.frame, *ui.results.a.done)
+                             : "nothing is drawn yet";
+}
+
+/// What was drawn last, cut off where there is no room; returns its width.
+float draw_words(Ui& ui, ImVec2 at, float room) {
+    const std::string words = moment_words(ui);
+    const float width = text_width(words.c_str());
     const float u = ui.options.text_scale;
-    const float gap = 18.0f * u;
-    const std::string words = ui.results.a.done
-                                  ? describe_moment(ui.results.a.frame, *ui.results.a.done)
-                                  : "nothing is drawn yet";
-    const float words_width = text_width(words.c_str());
-    const float buttons =
-        text_width(previous_change_label) + text_width(next_change_label) + 46.0f * u;
-    const bool has_buttons = ui.results.history || words_width + gap + buttons <= room;
-    const float right = at.x + room - (has_buttons ? buttons + gap : 0.0f);
-    ImGui::PushClipRect({at.x, at.y - 4.0f * u}, {right, at.y + 2.0f * ImGui::GetFontSize()}, true);
+    ImGui::PushClipRect({at.x, at.y - 4.0f * u}, {at.x + room, at.y + 2.0f * ImGui::GetFontSize()},
+                        true);
     ImGui::SetCursorScreenPos(at);
     ImGui::TextUnformatted(words.c_str());
     name_widget(ui, "walk.words",
-                words_width > right - at.x ? words + "\nWhat was just drawn."
-                                           : "What was just drawn.");
+                width > room ? words + "\nWhat was just drawn." : "What was just drawn.");
     ImGui::PopClipRect();
+    return std::min(width, room);
+}
+
+/// The cursor as text, if there is room.
+void draw_next(Ui& ui, ImVec2 at, float room) {
     const std::string next = ui.results.a.cursor == cursor_end
                                  ? "end of the frame"
                                  : "next " + to_text(ui.results.a.cursor);
     ImGui::PushFont(ui.fonts.mono);
-    if (at.x + words_width + gap + text_width(next.c_str()) <= right) {
-        ImGui::SameLine(0.0f, gap);
+    if (text_width(next.c_str()) <= room) {
+        ImGui::SetCursorScreenPos(at);
         text_in(palette(ui.options.theme).dim, next);
         name_widget(ui, "walk.cursor",
                     "The cursor: the next piece of work. The same text goes with --to.");
     }
     ImGui::PopFont();
-    if (has_buttons) draw_change_buttons(ui, {right + gap, at.y});
 }
 
-} // namespace
-
-int transport_lines(const Ui& ui, float width) {
-    const float u = ui.options.text_scale;
-    const Groups g = measure(ui, width - 2.0f * bar_margin(ui));
-    return line_count(flow(g.widths, 14.0f * u, width - 2.0f * bar_margin(ui) + 1.0f));
+/// Words, cursor and, with a pixel picked or room to spare, the buttons for its changes in a line.
+void draw_last_line(Ui& ui, ImVec2 at, float room) {
+    const float gap = 18.0f * ui.options.text_scale;
+    const float buttons = change_buttons_width(ui);
+    const float words = text_width(moment_words(ui).c_str());
+    const bool has_buttons = ui.results.history || words + gap + buttons <= room;
+    const float rest = room - (has_buttons ? buttons + gap : 0.0f);
+    const float used = draw_words(ui, at, rest) + gap;
+    draw_next(ui, {at.x + used, at.y}, rest - used);
+    if (has_buttons) draw_change_buttons(ui, {at.x + rest + gap, at.y});
 }
 
-void draw_transport(Ui& ui, const Area& area) {
-    const float u = ui.options.text_scale;
-    const Palette& p = palette(ui.options.theme);
-    ImGui::SetNextWindowPos(area.position);
-    ImGui::SetNextWindowSize(area.size);
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, p.bar);
-    ImGui::Begin("transport", nullptr, panel_flags);
-    const float room = area.size.x - 2.0f * bar_margin(ui);
-    const Groups g = measure(ui, room);
-    const std::vector<FlowPlace> places = flow(g.widths, 14.0f * u, room + 1.0f);
-    const float height = 34.0f * u;
-    const auto place = [&](int group) {
-        return ImVec2{area.position.x + bar_margin(ui) + places[group].x,
-                      area.position.y + 10.0f * u +
-                          42.0f * u * static_cast<float>(places[group].line)};
-    };
-    ImVec2 at = place(0);
+void draw_buttons(Ui& ui, ImVec2 at, const Groups& g, float height) {
     struct Entry {
         const char* action;
         Icon icon;
@@ -317,19 +304,78 @@ void draw_transport(Ui& ui, const Area& area) {
     for (const Entry& entry : entries) {
         const float width = entry.wide ? g.play : g.icon;
         icon_button(ui, entry.action, entry.icon, at, {width, height}, entry.wide);
-        at.x += width + 6.0f * u;
+        at.x += width + 6.0f * ui.options.text_scale;
     }
-    const int last = static_cast<int>(g.widths.size()) - 1;
-    if (g.compact) {
+}
+
+/// The groups that flow.
+/// @param corner of the first line
+void draw_groups(Ui& ui, ImVec2 corner, const Groups& g, float room) {
+    const float u = ui.options.text_scale;
+    const float height = 34.0f * u;
+    const std::vector<FlowPlace> places = places_of(ui, g, room);
+    const auto place = [&](std::size_t group) {
+        return ImVec2{corner.x + places[group].x,
+                      corner.y + line_height * u * static_cast<float>(places[group].line)};
+    };
+    draw_buttons(ui, place(0), g, height);
+    if (g.arrangement == Arrangement::compact) {
         draw_step_list(ui, place(1), {g.widths[1], height});
+        draw_time_strips(ui, place(3), g.strips, false);
     } else {
         draw_step_choice(ui, place(1), {g.widths[1], height});
-        draw_speed(ui, place(2), {g.widths[2], height});
     }
-    draw_scrub_bar(ui, place(last), {g.widths[last], height});
+    draw_speed_dial(ui, place(2), g.dial);
+}
 
-    const float y = place(last).y + height + 6.0f * u;
-    draw_words(ui, {area.position.x + bar_margin(ui), y}, room);
+void draw_beside(Ui& ui, ImVec2 corner, const Groups& g, float room) {
+    const float u = ui.options.text_scale;
+    draw_groups(ui, {corner.x, corner.y + 14.0f * u}, g, room);
+    const float left = corner.x + room - g.strips, last = corner.y + 70.0f * u;
+    const float words = g.widths[0] + g.widths[1] + group_gap(ui);
+    draw_words(ui, {corner.x, last - 2.0f * u}, words);
+    draw_time_strips(ui, {left, corner.y + 5.0f * u}, g.strips, true);
+    const float buttons = g.strips - change_buttons_width(ui);
+    draw_next(ui, {left, last}, buttons - group_gap(ui));
+    draw_change_buttons(ui, {left + buttons, last});
+}
+
+} // namespace
+
+float transport_height(const Ui& ui, float width) {
+    const float u = ui.options.text_scale;
+    const float room = width - 2.0f * bar_margin(ui);
+    const Groups g = measure(ui, room);
+    if (g.arrangement == Arrangement::beside) return beside_height * u;
+    const int lines = line_count(places_of(ui, g, room));
+    const float groups = (margins_and_words + line_height * static_cast<float>(lines)) * u;
+    return g.arrangement == Arrangement::stacked
+               ? groups + time_strips_height(ui, true) + stacked_gap * u
+               : groups;
+}
+
+void draw_transport(Ui& ui, const Area& area) {
+    const float u = ui.options.text_scale;
+    const Palette& p = palette(ui.options.theme);
+    ImGui::SetNextWindowPos(area.position);
+    ImGui::SetNextWindowSize(area.size);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, p.bar);
+    ImGui::Begin("transport", nullptr, panel_flags | ImGuiWindowFlags_NoScrollWithMouse);
+    const float room = area.size.x - 2.0f * bar_margin(ui);
+    const Groups g = measure(ui, room);
+    const ImVec2 corner{area.position.x + bar_margin(ui), area.position.y};
+    if (g.arrangement == Arrangement::beside) {
+        draw_beside(ui, corner, g, room);
+    } else {
+        float y = corner.y + 10.0f * u;
+        draw_groups(ui, {corner.x, y}, g, room);
+        y += line_height * u * static_cast<float>(line_count(places_of(ui, g, room)));
+        if (g.arrangement == Arrangement::stacked) {
+            draw_time_strips(ui, {corner.x, y - 5.0f * u}, room, true);
+            y += time_strips_height(ui, true) + stacked_gap * u;
+        }
+        draw_last_line(ui, {corner.x, y - 2.0f * u}, room);
+    }
     ImGui::End();
     ImGui::PopStyleColor();
 }

@@ -15,6 +15,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "lessons/progress.h"
+#include "session/walk.h"
 #include "ui/actions/actions.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/actions/view_files.h"
@@ -40,7 +41,7 @@ constexpr double blink_wait = 0.2;
 /// Where the display does not pace the frames, this does, seconds.
 constexpr double shortest_frame = 1.0 / 250.0;
 /// What one frame's time counts as at most, so that nothing leaps after a sleep, seconds.
-constexpr float longest_step = 0.25f;
+constexpr float longest_step = longest_play_step;
 constexpr float shortest_step = 1e-4f;
 
 /// Of a window, screen coordinates.

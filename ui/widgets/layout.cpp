@@ -39,7 +39,7 @@ float fitting_text_scale(ImVec2 window, float wished) {
 }
 
 Layout compute_layout(ImVec2 window, const UiOptions& options, int strip_lines,
-                      int transport_lines) {
+                      float transport_height) {
     Layout layout;
     const float u = options.text_scale;
     layout.unit = u;
@@ -47,7 +47,7 @@ Layout compute_layout(ImVec2 window, const UiOptions& options, int strip_lines,
     const bool compact = is_compact(window, options);
     const float menu = std::round((compact ? 28.0f : 32.0f) * u);
     const float strip = std::round((10.0f + 42.0f * static_cast<float>(strip_lines)) * u);
-    const float transport = std::round((38.0f + 42.0f * static_cast<float>(transport_lines)) * u);
+    const float transport = std::round(transport_height);
     const float status = std::round((compact ? 24.0f : 28.0f) * u);
     const float top = menu + strip;
     const float bottom = std::max(window.y - status - transport, top + 1.0f);

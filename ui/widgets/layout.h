@@ -43,8 +43,8 @@ bool is_compact(ImVec2 window, const UiOptions& options);
 float fitting_text_scale(ImVec2 window, float wished);
 
 /// @param strip_lines how many lines the stage strip needs at this width (1 or more)
-/// @param transport_lines the same for the transport
+/// @param transport_height screen pixels
 Layout compute_layout(ImVec2 window, const UiOptions& options, int strip_lines,
-                      int transport_lines);
+                      float transport_height);
 
 } // namespace rasterwalk

@@ -24,7 +24,8 @@ TEST_CASE("The parts of the window cover it without overlapping") {
         INFO(w.width << " x " << w.height << " at " << w.scale);
         UiOptions options;
         options.text_scale = fitting_text_scale({w.width, w.height}, w.scale);
-        const Layout layout = compute_layout({w.width, w.height}, options, 1, 1);
+        const Layout layout =
+            compute_layout({w.width, w.height}, options, 1, 80.0f * options.text_scale);
         CHECK(layout.menu.size.y == layout.strip.position.y);
         CHECK(layout.strip.position.y + layout.strip.size.y == layout.canvas.position.y);
         CHECK(layout.lesson.size.x == layout.canvas.position.x);
