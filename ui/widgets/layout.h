@@ -42,9 +42,10 @@ bool is_compact(ImVec2 window, const UiOptions& options);
 /// The largest text scale up to the wished one at which the window still holds everything.
 float fitting_text_scale(ImVec2 window, float wished);
 
+/// @param wide_canvas  the lesson makes room for the canvas, as in a small window
 /// @param strip_lines how many lines the stage strip needs at this width (1 or more)
 /// @param transport_lines the same for the transport
-Layout compute_layout(ImVec2 window, const UiOptions& options, int strip_lines,
-                      int transport_lines);
+Layout compute_layout(ImVec2 window, const UiOptions& options, int strip_lines, int transport_lines,
+                      bool wide_canvas = false);
 
 } // namespace rasterwalk
