@@ -18,10 +18,10 @@ namespace {
 /// A picture of more samples than this is drawn with one a pixel, or with larger pixels.
 constexpr std::int64_t most_samples = 3'000'000;
 
-/// What one update draws at most, and what is drawn at most of a scene that never gets done;
-/// samples. A triangle costs as much as some of them before its first.
-constexpr std::int64_t work_at_once = 6'000'000;
+/// What is drawn at most of a scene that never gets done, samples.
 constexpr std::int64_t most_work = 2'000'000'000;
+
+/// What a triangle costs before its first sample, samples.
 constexpr std::int64_t triangle_work = 40;
 
 /// A surface must win against the same surface, worked out once more.
@@ -144,7 +144,8 @@ class FilledPart {
 
 } // namespace
 
-bool OutsideDrawing::update(const OutsideSubject& subject, const OutsideLook& look) {
+bool OutsideDrawing::update(const OutsideSubject& subject, const OutsideLook& look,
+                            std::int64_t work_at_once) {
     take_scene(subject);
     const int count = subject.scene->triangle_count();
     const int begun = std::clamp(subject.cursor.triangle, 0, count);
@@ -154,7 +155,7 @@ bool OutsideDrawing::update(const OutsideSubject& subject, const OutsideLook& lo
     base_key_ = base;
     const MomentKey moment{subject.cursor, subject.triangle, subject.picture_number};
     if (base_is_done_ && moment_key_ == moment) return false;
-    if (!base_is_done_) draw_base(subject, look.style);
+    if (!base_is_done_) draw_base(subject, look.style, work_at_once);
     moment_key_ = moment;
     grid_ = base_;
     draw_triangle_at_work(subject, look.style);
@@ -194,7 +195,8 @@ void OutsideDrawing::begin_base(const OutsideLook& look) {
     work_ = 0;
 }
 
-void OutsideDrawing::draw_base(const OutsideSubject& subject, const OutsideStyle& style) {
+void OutsideDrawing::draw_base(const OutsideSubject& subject, const OutsideStyle& style,
+                               std::int64_t work_at_once) {
     const int count = subject.scene->triangle_count();
     const std::int64_t end = work_ + work_at_once;
     while (next_ < count && work_ < end)

@@ -60,12 +60,17 @@ struct OutsidePick {
 /// at once, unless its triangles are large.
 inline constexpr int most_ordered = 5'000;
 
+/// What one update draws at most, samples; that takes some 10 ms. A triangle costs as much as some
+/// of them before its first.
+inline constexpr std::int64_t outside_work_at_once = 6'000'000;
+
 class OutsideDrawing {
   public:
     /// Draws what has changed. Of a scene that is too much for one call a part is drawn, spread
     /// over all of it, and each further call draws more, as long as is_working().
     /// @return true if the image is another one
-    bool update(const OutsideSubject& subject, const OutsideLook& look);
+    bool update(const OutsideSubject& subject, const OutsideLook& look,
+                std::int64_t work_at_once = outside_work_at_once);
     bool is_working() const { return !base_is_done_; }
 
     /// The picture; one of its pixels is pixel_size() screen pixels wide.
@@ -100,7 +105,8 @@ class OutsideDrawing {
 
     void take_scene(const OutsideSubject& subject);
     void begin_base(const OutsideLook& look);
-    void draw_base(const OutsideSubject& subject, const OutsideStyle& style);
+    void draw_base(const OutsideSubject& subject, const OutsideStyle& style,
+                   std::int64_t work_at_once);
     std::int64_t draw_triangle(const OutsideSubject& subject, const OutsideStyle& style,
                                int triangle);
     void draw_outline(const OutsideStyle& style);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "base/limits.h"
@@ -117,8 +118,9 @@ OutsideView settled(const OutsideView& asked, const OutsideThings& things, glm::
     return within_ranges(view);
 }
 
-OutsideEye eye_of(const OutsideView& view, const OutsideThings& things, glm::ivec2 size,
+OutsideEye eye_of(const OutsideView& view, const OutsideThings& things, glm::ivec2 asked_size,
                   double margin) {
+    const glm::ivec2 size = glm::max(asked_size, glm::ivec2(1));
     OutsideEye eye;
     eye.middle = 0.5 * glm::dvec2(size);
     if (view.is_camera) {

