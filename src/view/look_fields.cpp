@@ -307,8 +307,8 @@ ViewField canvas_field() {
 namespace {
 
 constexpr const char* outside_form =
-    "camera, or YAW,PITCH in radians as -0.75,-0.4, with DISTANCE,X,Y,Z of a target behind it if "
-    "not all is to be seen";
+    "camera, yaw and pitch as -0.75,-0.4, or these with a distance and a target as "
+    "-0.75,-0.4,5,0,0,1";
 
 } // namespace
 

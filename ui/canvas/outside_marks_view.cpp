@@ -1,5 +1,6 @@
 #include "ui/canvas/outside_marks_view.h"
 
+#include <algorithm>
 #include <cfloat>
 #include <cmath>
 #include <string>
@@ -12,12 +13,18 @@ namespace rasterwalk {
 
 namespace {
 
+/// In a view smaller than this the marks are smaller too, down to this part of their size, and
+/// names are short; design pixels.
+constexpr float roomy_view = 420.0f;
+constexpr float smallest_marks = 0.6f;
+
 /// What the marks are drawn with.
 struct Pen {
     const Ui& ui;
     ImDrawList* list;
     const Pane& pane;
-    float u; ///< design pixel
+    float u;        ///< design pixel, smaller in a small view
+    bool is_narrow; ///< names are short
 
     ImVec2 at(const glm::vec2& place) const { return {pane.low.x + place.x, pane.low.y + place.y}; }
     ImU32 text(float opacity = 1.0f) const {
@@ -131,7 +138,8 @@ struct Name {
 
 /// Empty for a point without one.
 Name name_of(const Pen& pen, const OutsidePoint& point) {
-    const std::string vertex = "vertices[" + std::to_string(point.number) + "]";
+    const std::string vertex =
+        (pen.is_narrow ? "[" : "vertices[") + std::to_string(point.number) + "]";
     switch (point.kind) {
     case OutsidePointKind::camera:
         return {"camera", pen.text(), 12.0f, true};
@@ -142,7 +150,8 @@ Name name_of(const Pen& pen, const OutsidePoint& point) {
     case OutsidePointKind::vertex:
         return {vertex, pen.text(), 11.0f};
     case OutsidePointKind::behind:
-        return {vertex + ", behind the camera", pen.meaning(Meaning::fail), 11.0f};
+        return {pen.is_narrow ? vertex : vertex + ", behind the camera", pen.meaning(Meaning::fail),
+                11.0f};
     default:
         return {};
     }
@@ -197,7 +206,10 @@ void draw_names(const Pen& pen, const OutsideMarks& marks) {
 
 void draw_outside_marks(const Ui& ui, ImDrawList* list, const OutsideMarks& marks,
                         const Pane& pane) {
-    const Pen pen{ui, list, pane, ui.options.text_scale};
+    const float roomy = roomy_view * ui.options.text_scale;
+    const float size = std::min(pane.room().x, pane.room().y) / roomy;
+    const Pen pen{ui, list, pane, ui.options.text_scale * std::clamp(size, smallest_marks, 1.0f),
+                  pane.room().x < roomy};
     for (const OutsideLine& line : marks.lines)
         draw_line(pen, line);
     for (const OutsidePoint& point : marks.points)

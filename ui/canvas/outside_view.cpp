@@ -26,8 +26,10 @@ constexpr float outside_turn_per_pixel = 0.006f;
 /// How much nearer a step of the wheel is.
 constexpr float wheel_step = 0.88f;
 
-/// The space around what is seen, for names and the caption; design pixels.
+/// The space around what is seen, for names and the caption: design pixels, and at most this part
+/// of the smaller side.
 constexpr float margin = 44.0f;
+constexpr float largest_margin_share = 0.1f;
 
 glm::vec3 rgb(const ImVec4& colour) {
     return {colour.x, colour.y, colour.z};
@@ -50,8 +52,10 @@ glm::ivec2 size_of(const Pane& pane) {
 }
 
 OutsideLook look_of(const Ui& ui, const Pane& pane) {
-    const double around = static_cast<double>(margin * ui.options.text_scale);
-    return {ui.session.canvas.outside, size_of(pane), around, style_of(ui)};
+    const ImVec2 room = pane.room();
+    const float around =
+        std::min(margin * ui.options.text_scale, largest_margin_share * std::min(room.x, room.y));
+    return {ui.session.canvas.outside, size_of(pane), static_cast<double>(around), style_of(ui)};
 }
 
 /// The view with its distance and target set as they are seen now.
@@ -143,6 +147,26 @@ void draw_caption(Ui& ui, ImDrawList* list, const Pane& pane) {
     ImGui::PopFont();
 }
 
+/// Which triangles are still to come, while they are darker.
+void draw_coming(const Ui& ui, ImDrawList* list, const Pane& pane) {
+    const RunResults& a = ui.results.a;
+    const int count = a.frame.triangle_count(), first = a.cursor.triangle + 1;
+    if (count > most_ordered || first >= count) return;
+    const float u = ui.options.text_scale;
+    std::string words = "dark: still to come, triangles[" + std::to_string(first) + "]";
+    if (first + 1 < count) words += " to triangles[" + std::to_string(count - 1) + "]";
+    ImFont* const font = ui.fonts.small;
+    ImGui::PushFont(font);
+    const float room = pane.room().x - 20.0f * u;
+    const bool has_room =
+        ImGui::CalcTextSize(words.c_str()).x <= room && pane.room().y >= low_canvas * u;
+    ImGui::PopFont();
+    if (!has_room) return;
+    list->AddText(font, font->FontSize,
+                  {pane.low.x + 10.0f * u, pane.high.y - font->FontSize - 8.0f * u},
+                  packed(palette(ui.options.theme).dim), words.c_str());
+}
+
 } // namespace
 
 void draw_outside(Ui& ui, const Pane& pane) {
@@ -170,6 +194,7 @@ void draw_outside(Ui& ui, const Pane& pane) {
                                              ui.session.selection.pixel, size_of(pane));
     draw_outside_marks(ui, list, marks, pane);
     draw_caption(ui, list, pane);
+    draw_coming(ui, list, pane);
     list->PopClipRect();
     list->AddRect(pane.low, pane.high, packed(p.line), 4.0f * u);
 }
