@@ -98,6 +98,12 @@ void add_session_facts(std::vector<Fact>& table) {
     table.push_back(
         {"view", "Plane of the picture that is shown.", words(enum_words<View>),
          [](const Facts& f, int) { return Value(std::string(word_of(f.session().view))); }});
+    table.push_back(
+        {"canvas", "What the canvas shows: the picture, the scene from outside, or both.",
+         words(enum_words<CanvasShows>), [](const Facts& f, int) {
+             const Session& session = f.session();
+             return Value(std::string(word_of(shown_on_canvas(session.canvas, *session.scene))));
+         }});
     for (const OverlayInfo& info : overlay_list()) {
         table.push_back({"overlay." + std::string(info.name),
                          "1 while the overlay '" + std::string(info.title) + "' is on.", yes_or_no,

@@ -51,6 +51,7 @@ void show_scene(Session& session, std::shared_ptr<const Scene> scene) {
     session.play.running = false;
     session.play.passed = 0.0;
     session.canvas.zoom = 0.0f;
+    session.canvas.outside.distance = 0.0f;
 }
 
 } // namespace rasterwalk

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/numbers.h"
+#include "base/quoted.h"
 #include "picture/overlay.h"
 #include "picture/view_image.h"
 #include "session/canvas_view.h"
@@ -269,6 +270,86 @@ ViewField grid_field() {
     };
     const ViewOption option{"grid", "WORD", "Grid of pixels from 8x on: on or off"};
     return make_field("grid", ViewPart::canvas, option, form);
+}
+
+ViewField canvas_field() {
+    ViewForm<CanvasShows> form{&ViewState::canvas};
+    form.read = [](const TomlBlock& block, const toml::node& node) {
+        return *value_of_word<CanvasShows>(block.word(node, "canvas", enum_words<CanvasShows>));
+    };
+    form.toml = [](CanvasShows shows) { return toml_text(word_of(shows)); };
+    form.parse = [](const GivenOption& given, const std::string& word) {
+        return static_cast<CanvasShows>(option_index(given, enum_words<CanvasShows>, word));
+    };
+    form.word = [](const auto& shows) {
+        return std::string(word_of(shows.value_or(CanvasShows::picture)));
+    };
+    form.tell = [](const Session& session) {
+        const CanvasShows shows = session.canvas.shows;
+        return shows != CanvasShows::picture ? std::optional(shows) : std::nullopt;
+    };
+    form.show = [](const auto& shows, Session& session) {
+        session.canvas.shows = shows.value_or(CanvasShows::picture);
+    };
+    ViewField field = make_field(
+        "canvas", ViewPart::canvas,
+        {"canvas", "WORD",
+         "The picture, the scene from outside, or both: " + one_of(enum_words<CanvasShows>)},
+        form);
+    field.link = word_link("canvas", "canvas",
+                           {enum_words<CanvasShows>.begin(), enum_words<CanvasShows>.end()},
+                           [](Session& session, const std::string& word) {
+                               session.canvas.shows = *value_of_word<CanvasShows>(word);
+                           });
+    return field;
+}
+
+namespace {
+
+constexpr const char* outside_form =
+    "camera, yaw and pitch as -0.75,-0.4, or these with a distance and a target as "
+    "-0.75,-0.4,5,0,0,1";
+
+} // namespace
+
+ViewField outside_field() {
+    ViewForm<OutsideView> form{&ViewState::outside};
+    form.read = [](const TomlBlock& block, const toml::node& node) {
+        const std::optional<OutsideView> view = parse_outside_view(block.text(node));
+        if (!view) {
+            block.input().fail(node, std::string("the view from outside is ") + outside_form + ".");
+        }
+        return *view;
+    };
+    form.toml = [](const OutsideView& view) { return toml_text(to_text(view)); };
+    form.parse = [](const GivenOption& given, const std::string& word) {
+        const std::optional<OutsideView> view = parse_outside_view(word);
+        if (!view) refuse_option(given, outside_form, word);
+        return view;
+    };
+    form.word = [](const auto& view) { return to_text(view.value_or(OutsideView())); };
+    form.tell = [](const Session& session) {
+        const OutsideView view = within_ranges(session.canvas.outside);
+        return to_text(view) != to_text(OutsideView()) ? std::optional(view) : std::nullopt;
+    };
+    form.show = [](const auto& view, Session& session) {
+        session.canvas.outside = view.value_or(OutsideView());
+    };
+    const ViewOption option{"outside", "YAW,PITCH",
+                            "From where the scene is seen from outside: " +
+                                std::string(outside_form)};
+    ViewField field = make_field("outside", ViewPart::canvas, option, form);
+    field.is_of_scene = true;
+    field.link = {"outside",
+                  [](const std::string& argument) {
+                      if (parse_outside_view(argument)) return;
+                      throw UsageError("the link names no view from outside: " +
+                                       in_quotes(argument) + " is not " + outside_form + ".");
+                  },
+                  [](Session& session, const Frame&, const std::string& argument) {
+                      session.canvas.outside = *parse_outside_view(argument);
+                  }};
+    return field;
 }
 
 ViewField point_at_field() {

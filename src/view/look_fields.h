@@ -18,4 +18,8 @@ ViewField zoom_field();
 ViewField centre_field();
 ViewField grid_field();
 
+// The scene from outside.
+ViewField canvas_field();
+ViewField outside_field();
+
 } // namespace rasterwalk

@@ -238,6 +238,8 @@ std::vector<ViewField> make_table() {
         zoom_field(),
         centre_field(),
         grid_field(),
+        canvas_field(),
+        outside_field(),
         compare_field(),
         compare_view_field(),
         wipe_field(),

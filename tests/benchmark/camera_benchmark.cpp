@@ -138,10 +138,16 @@ class NoTextures : public TextureHost {
     }
 };
 
-/// Whole frames of the window: at rest, and while the camera turns.
+/// Whole frames of the window: at rest, and while the camera turns; beside it the scene from
+/// outside, at rest and while it is turned.
 void take_frame_figures(const Figures& figures, const std::string& scene, Session (*open)()) {
     const std::string rest = scene + "-frame-at-rest", turning = scene + "-frame-turning";
-    if (!figures.is_wanted(rest) && !figures.is_wanted(turning)) return;
+    const std::string outside_rest = scene + "-outside-at-rest",
+                      outside_turning = scene + "-outside-turning";
+    if (!figures.is_wanted(rest) && !figures.is_wanted(turning) &&
+        !figures.is_wanted(outside_rest) && !figures.is_wanted(outside_turning)) {
+        return;
+    }
     NoTextures textures;
     Ui ui;
     ui.session = open();
@@ -161,13 +167,35 @@ void take_frame_figures(const Figures& figures, const std::string& scene, Sessio
         ui.session.a.settings.camera.yaw += turn;
         frame();
     });
+    ui.session.canvas.shows = CanvasShows::both;
+    do
+        frame();
+    while (is_animating(ui));
+    figures.take(outside_rest, frame);
+    figures.take(outside_turning, [&] {
+        ui.session.canvas.outside.yaw += turn;
+        frame();
+    });
     close_ui(ui);
 }
 
 constexpr const char* figure_names[] = {
-    "room-step",           "room-moment",           "room-step-comparing", "room-moment-comparing",
-    "room-frame-at-rest",  "room-frame-turning",    "made-step",           "made-moment",
-    "made-step-comparing", "made-moment-comparing", "made-frame-at-rest",  "made-frame-turning",
+    "room-step",
+    "room-moment",
+    "room-step-comparing",
+    "room-moment-comparing",
+    "room-frame-at-rest",
+    "room-frame-turning",
+    "made-step",
+    "made-moment",
+    "made-step-comparing",
+    "made-moment-comparing",
+    "made-frame-at-rest",
+    "made-frame-turning",
+    "room-outside-at-rest",
+    "room-outside-turning",
+    "made-outside-at-rest",
+    "made-outside-turning",
 };
 
 } // namespace

@@ -24,7 +24,7 @@ order='
     settings
     pipeline
     engines
-    picture inspect
+    picture inspect outside
     explain compare
     session
     view

@@ -138,6 +138,10 @@ TEST_CASE("Selection, canvas, overlays and comparison on the command line") {
                               "0.25",
                               "--grid",
                               "off",
+                              "--canvas",
+                              "both",
+                              "--outside",
+                              "0.5,-0.25",
                               "--view",
                               "depth",
                               "--depth-range",
@@ -146,7 +150,13 @@ TEST_CASE("Selection, canvas, overlays and comparison on the command line") {
     CHECK(s.selection.triangle == 21);
     CHECK(s.selection.row == 9);
     CHECK(s.selection.vertex == 1);
-    CHECK(s.canvas == CanvasView{16.0f, {250.5f, -3.0f}, false});
+    CHECK(s.canvas.zoom == 16.0f);
+    CHECK(s.canvas.centre == glm::vec2(250.5f, -3.0f));
+    CHECK_FALSE(s.canvas.grid);
+    CHECK(s.canvas.shows == CanvasShows::both);
+    CHECK(s.canvas.outside.yaw == 0.5f);
+    CHECK(s.canvas.outside.pitch == -0.25f);
+    CHECK(s.canvas.outside.distance == 0.0f);
     CHECK(s.overlays.has(Overlay::depth));
     CHECK(s.overlays.has(Overlay::wireframe));
     CHECK(s.overlays.count() == 2);
@@ -218,6 +228,11 @@ TEST_CASE("Values that a view cannot have are refused with a sentence") {
             "--compare-view is side_by_side, wipe, blink or difference, not 'wip'. Did you mean "
             "'wipe'?");
     refuses({"--grid", "yes"}, 2, "--grid is off or on, not 'yes'.");
+    refuses({"--canvas", "outsid"}, 2,
+            "--canvas is picture, outside or both, not 'outsid'. Did you mean 'outside'?");
+    refuses({"--outside", "1"}, 2,
+            "--outside is camera, yaw and pitch as -0.75,-0.4, or these with a distance and a "
+            "target as -0.75,-0.4,5,0,0,1, not '1'.");
     refuses({"--wipe", "2"}, 2, "--wipe is a number from 0 to 1, not '2'.");
     refuses({"--depth-range", "0.8,0.2"}, 2,
             "--depth-range is a range of 1/z, far and near, as 0.2,0.8 or none, not '0.8,0.2'.");

@@ -102,6 +102,17 @@ void look_somehow(Random& random, Session& session) {
     }
     session.canvas = {};
     session.canvas.grid = random.integer(0, 3) > 0;
+    session.canvas.shows = static_cast<CanvasShows>(random.integer(0, canvas_shows_count - 1));
+    OutsideView& outside = session.canvas.outside;
+    outside.is_camera = random.integer(0, 5) == 0;
+    if (!outside.is_camera && random.integer(0, 1) == 0) {
+        outside.yaw = random.number(-4, 4);
+        outside.pitch = random.number(-1.5, 1.5);
+        if (random.integer(0, 1) == 0) {
+            outside.distance = random.number(0.01, 100);
+            outside.target = {random.number(-9, 9), random.number(-9, 9), random.number(-9, 9)};
+        }
+    }
     if (random.integer(0, 1) == 0) {
         session.canvas.zoom = random.number(0.25, 64);
         session.canvas.centre = {random.number(-50, 800), random.number(-50, 800)};
@@ -165,6 +176,8 @@ void check_same_view(const Session& is, const Session& expected) {
     CHECK(is.canvas.zoom == expected.canvas.zoom);
     if (is.canvas.zoom > 0.0f) CHECK(is.canvas.centre == expected.canvas.centre);
     CHECK(is.canvas.grid == expected.canvas.grid);
+    CHECK(is.canvas.shows == expected.canvas.shows);
+    CHECK(is.canvas.outside == expected.canvas.outside);
     CHECK(is.tab == expected.tab);
     CHECK(is.depth_range == expected.depth_range);
     CHECK(is.lesson == expected.lesson);

@@ -68,7 +68,8 @@ TEST_CASE("A saved view reads well") {
     session.cursor = Cursor{0, Phase::edges, 1, 5};
     set_rounding(session.a.settings, Rounding::floor);
     session.selection.row = 9;
-    session.canvas = {16.0f, {8.5f, 10.0f}, true};
+    session.canvas.zoom = 16.0f;
+    session.canvas.centre = {8.5f, 10.0f};
     session.overlays.set(Overlay::wireframe, true);
     session.lesson = "05-row-table";
     session.step = 3;
@@ -169,6 +170,9 @@ TEST_CASE("What is wrong in a saved view is told with its line") {
          "v.walk.toml:2: a place in the picture is needed here: \"250,131\".");
     says(head + "wipe = 2\n", "v.walk.toml:2: the place of the divider must lie between 0 and 1.");
     says(head + "grid = 1\n", "v.walk.toml:2: the grid is true or false.");
+    says(head + "outside = \"1,2,3\"\n",
+         "v.walk.toml:2: the view from outside is camera, yaw and pitch as -0.75,-0.4, or these "
+         "with a distance and a target as -0.75,-0.4,5,0,0,1.");
     says(head + "depth_range = \"2,1\"\n",
          "v.walk.toml:2: a range of 1/z is needed here, far and near: \"0.2,0.8\".");
     says(head + "set = [\n\"light.power=1e9\",\n]\n",

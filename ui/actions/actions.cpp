@@ -21,7 +21,8 @@ bool is_pressed(const Chord& chord) {
     if (chord.key == 0 || io.KeyCtrl != chord.ctrl || !shift_fits || io.KeyAlt != chord.alt) {
         return false;
     }
-    const bool repeats = chord.key == key::period || chord.key == key::comma ||
+    const bool turns = chord.shift && chord.key >= key::right && chord.key <= key::up;
+    const bool repeats = turns || chord.key == key::period || chord.key == key::comma ||
                          chord.key == key::left_bracket || chord.key == key::right_bracket;
     return ImGui::IsKeyPressed(chord.key, repeats);
 }
@@ -42,6 +43,10 @@ std::string key_name(int code) {
         return "←";
     case key::right:
         return "→";
+    case key::up:
+        return "↑";
+    case key::down:
+        return "↓";
     case key::equal:
         return "+";
     case key::minus:

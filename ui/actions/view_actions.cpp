@@ -6,6 +6,7 @@
 #include "ui/actions/action_menus.h"
 #include "ui/actions/compare.h"
 #include "ui/actions/keys.h"
+#include "ui/actions/outside.h"
 #include "ui/actions/zoom.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
@@ -34,10 +35,67 @@ std::vector<Action> view_choices() {
     return actions;
 }
 
+/// A row for each thing that the canvas can show, and the way through the camera.
+std::vector<Action> canvas_choices() {
+    std::vector<Action> actions;
+    for (const CanvasShowsInfo& info : canvas_shows_list()) {
+        const CanvasShows shows = info.shows;
+        const Chord chord{shows == CanvasShows::outside ? key::digit_0 + 8
+                          : shows == CanvasShows::both  ? key::digit_0 + 9
+                                                        : 0};
+        actions.push_back({std::string("view.show_").append(info.name), "View",
+                           std::string(info.menu_title), std::string(info.help), chord,
+                           [shows](Ui& ui) { switch_canvas(ui, shows); },
+                           [shows](const Ui& ui) { return shown_on_canvas(ui) == shows; }});
+    }
+    actions.push_back({"view.through_camera",
+                       "View",
+                       "Look through the camera",
+                       "Puts the eye outside where the camera is; again, back outside.",
+                       {},
+                       switch_camera_view,
+                       [](const Ui& ui) {
+                           return shown_on_canvas(ui) != CanvasShows::picture &&
+                                  ui.session.canvas.outside.is_camera;
+                       }});
+    return actions;
+}
+
+/// Turning the view from outside by keys; the pointer does it on the canvas.
+std::vector<Action> turning_actions() {
+    struct Turn {
+        const char *name, *title;
+        int key;
+        float yaw, pitch;
+    };
+    constexpr float step = 0.1f; // radians
+    std::vector<Action> actions;
+    for (const Turn turn : {Turn{"left", "Turn the outside left", key::left, -step, 0.0f},
+                            Turn{"right", "Turn the outside right", key::right, step, 0.0f},
+                            Turn{"up", "Turn the outside up", key::up, 0.0f, step},
+                            Turn{"down", "Turn the outside down", key::down, 0.0f, -step}}) {
+        actions.push_back({std::string("view.outside_").append(turn.name),
+                           "",
+                           turn.title,
+                           "Turns the scene as it is seen from outside.",
+                           {turn.key, false, true},
+                           [turn](Ui& ui) {
+                               if (shown_on_canvas(ui) == CanvasShows::picture) return;
+                               turn_outside(ui, turn.yaw, turn.pitch);
+                           },
+                           nullptr});
+    }
+    return actions;
+}
+
 } // namespace
 
 std::vector<Action> view_actions() {
-    std::vector<Action> actions = view_choices();
+    std::vector<Action> actions = canvas_choices();
+    for (const auto more : {view_choices, turning_actions}) {
+        for (Action& action : more())
+            actions.push_back(std::move(action));
+    }
     const std::vector<Action> others{
         {"view.grid",
          "View",
@@ -49,9 +107,13 @@ std::vector<Action> view_actions() {
         {"view.fit",
          "View",
          "Fit the picture",
-         "Shows the whole picture.",
+         "Shows the whole picture, and all of the scene from outside.",
          {'F'},
-         [](Ui& ui) { ui.session.canvas.zoom = 0.0f; },
+         [](Ui& ui) {
+             ui.session.canvas.zoom = 0.0f;
+             ui.session.canvas.outside.distance = 0.0f;
+             ui.session.canvas.outside.is_camera = false;
+         },
          nullptr},
         {"view.zoom_selection",
          "View",

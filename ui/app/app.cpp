@@ -15,6 +15,7 @@
 #include "ui/app/kept_options.h"
 #include "ui/bars/bars.h"
 #include "ui/canvas/canvas.h"
+#include "ui/canvas/outside_view.h"
 #include "ui/inspector/panels.h"
 #include "ui/lesson/lesson_column.h"
 #include "ui/sheets/sheets.h"
@@ -124,7 +125,7 @@ void draw_workplace(Ui& ui, const Layout& layout) {
 void draw_everything(Ui& ui) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const Layout layout = compute_layout(window, ui.options, stage_strip_lines(ui, window.x),
-                                         transport_height(ui, window.x));
+                                         transport_height(ui, window.x), wants_wide_canvas(ui));
     // One that fails leaves the others on the screen.
     guarded(ui, [&] { draw_menu_bar(ui, layout.menu); });
     if (ui.start.is_open) {
@@ -250,7 +251,7 @@ void keep_everything(Ui& ui) {
 
 bool is_animating(const Ui& ui) {
     return ui.session.play.running || is_moving_by_key() || is_blinking(ui) ||
-           ui.lab.frames_to_result > 0 || is_working(ui.results);
+           ui.lab.frames_to_result > 0 || is_working(ui.results) || is_outside_working(ui);
 }
 
 } // namespace rasterwalk

@@ -3,17 +3,20 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "base/numbers.h"
 #include "picture/view_image.h"
 #include "settings/setting_table.h"
 #include "ui/actions/actions.h"
 #include "ui/actions/compare.h"
+#include "ui/actions/outside.h"
 #include "ui/actions/zoom.h"
 #include "ui/canvas/canvas_marks.h"
 #include "ui/canvas/compare_view.h"
 #include "ui/canvas/depth_legend.h"
 #include "ui/canvas/difference_legend.h"
+#include "ui/canvas/outside_view.h"
 #include "ui/canvas/overlays.h"
 #include "ui/ui.h"
 #include "ui/widgets/picture_texture.h"
@@ -72,17 +75,6 @@ float next_zoom(float zoom, float wheel) {
     return next >= 4.0f ? std::round(next) : next;
 }
 
-void pick(Ui& ui, glm::ivec2 pixel, bool triangle_only) {
-    const Framebuffer& framebuffer = *ui.results.a.framebuffer;
-    Selection& selection = ui.session.selection;
-    if (!framebuffer.contains(pixel.x, pixel.y)) return;
-    const int owner = framebuffer.owner[framebuffer.at(pixel.x, pixel.y)];
-    if (owner >= 0) selection.triangle = owner;
-    if (triangle_only) return;
-    selection.pixel = pixel;
-    selection.row = pixel.y;
-}
-
 /// The pointer; over the picture of run B as if it were over the same place of run A's.
 ImVec2 pointer_in_a(const Ui& ui) {
     ImVec2 pointer = ImGui::GetIO().MousePos;
@@ -96,7 +88,6 @@ ImVec2 pointer_in_a(const Ui& ui) {
 
 void handle_pointer(Ui& ui, ImVec2 low, ImVec2 room) {
     const ImGuiIO& io = ImGui::GetIO();
-    ui.canvas.hovered_pixel = std::nullopt;
     if (!ImGui::IsItemHovered() && !ImGui::IsItemActive()) return;
     const ImVec2 pointer = pointer_in_a(ui);
     const ImVec2 at = picture_point(ui.canvas.place, pointer);
@@ -113,7 +104,7 @@ void handle_pointer(Ui& ui, ImVec2 low, ImVec2 room) {
     const bool has_moved =
         io.MouseDragMaxDistanceSqr[0] > io.MouseDragThreshold * io.MouseDragThreshold;
     if (ImGui::IsMouseReleased(0) && !has_moved && ui.canvas.hovered_pixel) {
-        pick(ui, *ui.canvas.hovered_pixel, io.KeyShift);
+        pick_on_picture(ui, *ui.canvas.hovered_pixel, io.KeyShift);
     }
     if (ImGui::IsMouseDragging(0) && (io.MouseDelta.x != 0.0f || io.MouseDelta.y != 0.0f)) {
         if (ui.session.canvas.zoom <= 0.0f) {
@@ -123,16 +114,24 @@ void handle_pointer(Ui& ui, ImVec2 low, ImVec2 room) {
         ui.session.canvas.centre.y -= io.MouseDelta.y / ui.session.canvas.zoom;
         ui.canvas.place = place_picture(ui, low, room);
     }
-    if (ImGui::IsMouseDragging(1)) {
-        Camera& camera = ui.session.a.settings.camera;
-        camera.yaw += turn_per_pixel * io.MouseDelta.x;
-        camera.pitch -= turn_per_pixel * io.MouseDelta.y;
-        clamp_to_ranges(ui.session.a.settings);
-    }
+    if (ImGui::IsMouseDragging(1)) turn_camera(ui, io.MouseDelta);
+}
+
+/// The width of what says what the canvas shows.
+float shows_width(bool as_list) {
+    if (as_list) return button_width("Outside ") + ImGui::GetFrameHeight();
+    float width = 0.0f;
+    for (const CanvasShowsInfo& info : canvas_shows_list())
+        width += button_width(info.title);
+    return width;
+}
+
+float view_selector_width() {
+    return button_width("triangle  ") + ImGui::GetFrameHeight();
 }
 
 void draw_view_selector(Ui& ui) {
-    ImGui::SetNextItemWidth(button_width("triangle  ") + ImGui::GetFrameHeight());
+    ImGui::SetNextItemWidth(view_selector_width());
     const bool open = ImGui::BeginCombo(
         "##view", view_list()[static_cast<std::size_t>(ui.session.view)].title.data());
     name_widget(ui, "canvas.view", "Which plane of the framebuffer is shown.");
@@ -146,41 +145,109 @@ void draw_view_selector(Ui& ui) {
     ImGui::EndCombo();
 }
 
+/// What the canvas shows, as buttons side by side or as a list.
+void draw_shows_switch(Ui& ui, bool as_list) {
+    const CanvasShows chosen = shown_on_canvas(ui);
+    const auto& list = canvas_shows_list();
+    if (as_list) {
+        const char* const title = list[static_cast<std::size_t>(chosen)].title.data();
+        ImGui::SetNextItemWidth(shows_width(true));
+        const bool open = ImGui::BeginCombo("##shows", title);
+        name_widget(ui, "canvas.shows", "What the canvas shows.");
+        if (!open) return;
+        for (const CanvasShowsInfo& info : list) {
+            if (ImGui::Selectable(info.title.data(), info.shows == chosen))
+                show_on_canvas(ui, info.shows);
+            name_widget(ui, std::string("canvas.shows.").append(info.name), info.help);
+        }
+        ImGui::EndCombo();
+        return;
+    }
+    for (const CanvasShowsInfo& info : list) {
+        if (info.shows != CanvasShows::picture) ImGui::SameLine(0.0f, 0.0f);
+        const std::string action = std::string("view.show_").append(info.name);
+        if (button(ui, std::string("canvas.shows.").append(info.name), info.title,
+                   info.shows == chosen ? Look::chosen : Look::plain, tooltip_of(action))) {
+            show_on_canvas(ui, info.shows);
+        }
+    }
+}
+
+bool fits(const Ui& ui) {
+    const OutsideView& outside = ui.session.canvas.outside;
+    const bool picture = ui.session.canvas.zoom <= 0.0f;
+    const bool all = outside.distance <= 0.0f && !outside.is_camera;
+    switch (shown_on_canvas(ui)) {
+    case CanvasShows::picture:
+        return picture;
+    case CanvasShows::outside:
+        return all;
+    case CanvasShows::both:
+        return picture && all;
+    }
+    return picture;
+}
+
+/// A button at the right end of the header.
+struct HeaderButton {
+    const char *name, *label, *action;
+    bool is_on;
+};
+
 void draw_header(Ui& ui, float right_edge) {
-    draw_view_selector(ui);
-    const float scale = ui.canvas.place.scale;
-    const std::string zoom =
-        decimals(static_cast<double>(scale), scale == std::round(scale) ? 0 : 2) + "x";
     const float gap = ImGui::GetStyle().ItemSpacing.x;
-    const float buttons =
-        button_width("fit") + button_width("grid") + button_width("triangle") + 2.0f * gap;
-    const float start = right_edge - buttons;
-    const float label = ImGui::CalcTextSize("00.00x").x + gap;
-    ImGui::SameLine();
-    const float room = start - gap - ImGui::GetCursorScreenPos().x;
-    draw_overlay_button(ui, overlay_button_width(ui, false) > room);
-    ImGui::SameLine();
-    if (start - label > ImGui::GetCursorScreenPos().x) {
-        ImGui::SetCursorScreenPos({start - label, ImGui::GetCursorScreenPos().y});
-        ImGui::AlignTextToFramePadding();
-        text_in(palette(ui.options.theme).dim, zoom);
+    const CanvasShows shows = shown_on_canvas(ui);
+    const bool has_picture = shows != CanvasShows::outside;
+    std::vector<HeaderButton> buttons{{"canvas.fit", "fit", "view.fit", fits(ui)}};
+    if (has_picture) {
+        buttons.push_back({"canvas.zoom_triangle", "triangle", "view.zoom_selection", false});
+        buttons.push_back({"canvas.grid", "grid", "view.grid", ui.session.canvas.grid});
+    }
+    const auto width_of_buttons = [&] {
+        float width = -gap;
+        for (const HeaderButton& b : buttons)
+            width += button_width(b.label) + gap;
+        return width;
+    };
+    const float left = ImGui::GetCursorScreenPos().x;
+    if (ui.session.scene->space == SceneSpace::world) {
+        const float planes =
+            has_picture ? view_selector_width() + overlay_button_width(ui, true) + 2.0f * gap
+                        : 0.0f;
+        const float room = right_edge - left - planes - gap;
+        const bool as_list = shows_width(false) > room - width_of_buttons();
+        // What has no room stands in the View menu.
+        while (buttons.size() > 1 && shows_width(as_list) > room - width_of_buttons())
+            buttons.pop_back();
+        draw_shows_switch(ui, as_list);
         ImGui::SameLine();
+    }
+    const float start = right_edge - width_of_buttons();
+    if (has_picture) {
+        draw_view_selector(ui);
+        ImGui::SameLine();
+        const float room = start - gap - ImGui::GetCursorScreenPos().x;
+        draw_overlay_button(ui, overlay_button_width(ui, false) > room);
+        ImGui::SameLine();
+        const float scale = ui.canvas.place.scale;
+        const std::string zoom =
+            decimals(static_cast<double>(scale), scale == std::round(scale) ? 0 : 2) + "x";
+        const float label = ImGui::CalcTextSize("00.00x").x + gap;
+        if (start - label > ImGui::GetCursorScreenPos().x) {
+            ImGui::SetCursorScreenPos({start - label, ImGui::GetCursorScreenPos().y});
+            ImGui::AlignTextToFramePadding();
+            text_in(palette(ui.options.theme).dim, zoom);
+            ImGui::SameLine();
+        }
     }
     ImGui::SetCursorScreenPos(
         {std::max(start, ImGui::GetCursorScreenPos().x), ImGui::GetCursorScreenPos().y});
-    const bool fits = ui.session.canvas.zoom <= 0.0f;
-    if (button(ui, "canvas.fit", "fit", fits ? Look::plain : Look::quiet, tooltip_of("view.fit"))) {
-        ui.session.canvas.zoom = 0.0f;
-    }
-    ImGui::SameLine();
-    if (button(ui, "canvas.zoom_triangle", "triangle", Look::quiet,
-               tooltip_of("view.zoom_selection"))) {
-        zoom_to_triangle(ui);
-    }
-    ImGui::SameLine();
-    if (button(ui, "canvas.grid", "grid", ui.session.canvas.grid ? Look::plain : Look::quiet,
-               tooltip_of("view.grid"))) {
-        ui.session.canvas.grid = !ui.session.canvas.grid;
+    for (const HeaderButton& b : buttons) {
+        if (&b != buttons.data()) ImGui::SameLine();
+        if (button(ui, b.name, b.label, b.is_on ? Look::plain : Look::quiet,
+                   tooltip_of(b.action))) {
+            find_action(b.action).run(ui);
+        }
     }
 }
 
@@ -202,22 +269,12 @@ float border_width(const Ui& ui, ImVec2 room) {
     return (numbered ? canvas_ruler : 10.0f) * u;
 }
 
-} // namespace
-
-void draw_canvas(Ui& ui, const Area& area) {
+/// The picture in a part of the canvas, with the legend of what it shows below it.
+void draw_picture(Ui& ui, const Pane& pane) {
     const float u = ui.options.text_scale;
     const Palette& p = palette(ui.options.theme);
-    ImGui::SetNextWindowPos(area.position);
-    ImGui::SetNextWindowSize(area.size);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(12.0f * u, 10.0f * u));
-    ImGui::Begin("canvas", nullptr,
-                 panel_flags | ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoScrollbar);
-    draw_header(ui, area.position.x + area.size.x - 12.0f * u);
-
-    draw_compare_bar(ui);
-
-    const ImVec2 frame_low = ImGui::GetCursorScreenPos();
-    const ImVec2 space = ImGui::GetContentRegionAvail();
+    const ImVec2 space = pane.room();
+    const ImVec2 frame_low = pane.low;
     const float difference = difference_legend_height(ui, space.y);
     const float legend = difference > 0.0f ? difference : depth_legend_height(ui, space.y);
     const float legend_gap = legend > 0.0f ? 8.0f * u : 0.0f;
@@ -259,6 +316,52 @@ void draw_canvas(Ui& ui, const Area& area) {
     } else if (legend > 0.0f) {
         draw_depth_legend(ui, {frame_low.x, legend_top}, {frame_high.x, legend_top + legend});
     }
+}
+
+} // namespace
+
+bool wants_wide_canvas(const Ui& ui) {
+    return shown_on_canvas(ui) == CanvasShows::both;
+}
+
+void pick_on_picture(Ui& ui, glm::ivec2 pixel, bool triangle_only) {
+    const Framebuffer& framebuffer = *ui.results.a.framebuffer;
+    Selection& selection = ui.session.selection;
+    if (!framebuffer.contains(pixel.x, pixel.y)) return;
+    const int owner = framebuffer.owner[framebuffer.at(pixel.x, pixel.y)];
+    if (owner >= 0) selection.triangle = owner;
+    if (triangle_only) return;
+    selection.pixel = pixel;
+    selection.row = pixel.y;
+}
+
+void turn_camera(Ui& ui, ImVec2 by) {
+    Camera& camera = ui.session.a.settings.camera;
+    camera.yaw += turn_per_pixel * by.x;
+    camera.pitch -= turn_per_pixel * by.y;
+    clamp_to_ranges(ui.session.a.settings);
+}
+
+void draw_canvas(Ui& ui, const Area& area) {
+    const float u = ui.options.text_scale;
+    ImGui::SetNextWindowPos(area.position);
+    ImGui::SetNextWindowSize(area.size);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(12.0f * u, 10.0f * u));
+    ImGui::Begin("canvas", nullptr,
+                 panel_flags | ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoScrollbar);
+    draw_header(ui, area.position.x + area.size.x - 12.0f * u);
+
+    draw_compare_bar(ui);
+
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const ImVec2 space = ImGui::GetContentRegionAvail();
+    const Pane all{low, {low.x + std::max(space.x, 1.0f), low.y + std::max(space.y, 1.0f)}};
+    const CanvasShows shows = shown_on_canvas(ui);
+    const CanvasHalves halves =
+        shows == CanvasShows::both ? canvas_halves(ui, all) : CanvasHalves{all, all};
+    ui.canvas.hovered_pixel = std::nullopt;
+    if (shows != CanvasShows::outside) draw_picture(ui, halves.picture);
+    if (shows != CanvasShows::picture) draw_outside(ui, halves.outside);
     ImGui::End();
     ImGui::PopStyleVar();
 }

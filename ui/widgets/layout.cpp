@@ -39,7 +39,7 @@ float fitting_text_scale(ImVec2 window, float wished) {
 }
 
 Layout compute_layout(ImVec2 window, const UiOptions& options, int strip_lines,
-                      float transport_height) {
+                      float transport_height, bool wide_canvas) {
     Layout layout;
     const float u = options.text_scale;
     layout.unit = u;
@@ -53,7 +53,8 @@ Layout compute_layout(ImVec2 window, const UiOptions& options, int strip_lines,
     const float bottom = std::max(window.y - status - transport, top + 1.0f);
     const float middle = bottom - top;
 
-    layout.lesson_is_tab = width < three_columns_width * u || window.y < three_columns_height * u;
+    layout.lesson_is_tab =
+        wide_canvas || width < three_columns_width * u || window.y < three_columns_height * u;
     const float lesson = layout.lesson_is_tab ? 0.0f
                                               : column_width(options.lesson_width, 330.0f * u,
                                                              width, 220.0f * u, 0.35f * width);

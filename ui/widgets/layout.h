@@ -44,7 +44,8 @@ float fitting_text_scale(ImVec2 window, float wished);
 
 /// @param strip_lines how many lines the stage strip needs at this width (1 or more)
 /// @param transport_height screen pixels
+/// @param wide_canvas the lesson makes room for the canvas, as in a small window
 Layout compute_layout(ImVec2 window, const UiOptions& options, int strip_lines,
-                      float transport_height);
+                      float transport_height, bool wide_canvas = false);
 
 } // namespace rasterwalk

@@ -33,6 +33,7 @@ class Tour {
         compared();
         small_triangle();
         small_window();
+        from_outside();
     }
 
   private:
@@ -98,6 +99,17 @@ class Tour {
         look(driver);
         driver.hand.click("bench.examples");
         driver.hand.click("bench.example.A sample outside");
+        look(driver);
+    }
+
+    void from_outside() {
+        Driver driver;
+        for (const CanvasShowsInfo& info : canvas_shows_list()) {
+            follow_link(driver.ui, "canvas:" + std::string(info.name));
+            look(driver);
+        }
+        driver.resize({800, 600});
+        follow_link(driver.ui, "canvas:picture");
         look(driver);
     }
 

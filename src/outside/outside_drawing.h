@@ -1,0 +1,135 @@
+#pragma once
+
+// The scene as the eye outside sees it, as a picture: its triangles at half their brightness, the
+// one at work lit as far as it is drawn, and the picture of the moment on its pane.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "base/image.h"
+#include "outside/flat_raster.h"
+#include "outside/outline.h"
+#include "outside/outside_eye.h"
+#include "pipeline/cursor.h"
+#include "pipeline/frame.h"
+#include "pipeline/framebuffer.h"
+
+namespace rasterwalk {
+
+/// What is seen. Everything must live while the drawing is updated.
+struct OutsideSubject {
+    std::shared_ptr<const Scene> scene; ///< of the frame, in world space
+    const Frame& frame;
+    std::uint64_t frame_number = 0; ///< another one whenever `frame` is another
+    Cursor cursor;
+    std::optional<int> triangle; ///< at work, or selected
+    const Image& picture;        ///< of the moment
+    std::uint64_t picture_number = 0;
+    const Framebuffer& framebuffer; ///< of which the picture was made
+};
+
+/// Its colours, 0..1.
+struct OutsideStyle {
+    glm::vec3 ground{0.04f};
+    glm::vec3 line{0.5f};
+    float drawn = 0.45f;  ///< how much of its colour a triangle has that is drawn
+    float coming = 0.15f; ///< the same for one that is still to come, or left out
+
+    friend bool operator==(const OutsideStyle&, const OutsideStyle&) = default;
+};
+
+/// How it is seen.
+struct OutsideLook {
+    OutsideView view;
+    glm::ivec2 size{1, 1}; ///< of the place that it is shown in, screen pixels
+    double margin = 0.0;   ///< around all that is seen, screen pixels
+    OutsideStyle style;
+
+    friend bool operator==(const OutsideLook&, const OutsideLook&) = default;
+};
+
+/// What lies under the pointer.
+struct OutsidePick {
+    std::optional<int> triangle;     ///< of the scene
+    std::optional<glm::ivec2> pixel; ///< of the picture on its pane: column, row
+};
+
+/// Up to this many triangles those that are still to come are darker; and the whole scene is drawn
+/// at once, unless its triangles are large.
+inline constexpr int most_ordered = 5'000;
+
+/// What one update draws at most, samples; that takes some 10 ms. A triangle costs as much as some
+/// of them before its first.
+inline constexpr std::int64_t outside_work_at_once = 6'000'000;
+
+class OutsideDrawing {
+  public:
+    /// Draws what has changed. Of a scene that is too much for one call a part is drawn, spread
+    /// over all of it, and each further call draws more, as long as is_working().
+    /// @return true if the image is another one
+    bool update(const OutsideSubject& subject, const OutsideLook& look,
+                std::int64_t work_at_once = outside_work_at_once);
+    bool is_working() const { return !base_is_done_; }
+
+    /// The picture; one of its pixels is pixel_size() screen pixels wide.
+    const Image& image() const { return image_; }
+    std::uint64_t number() const { return number_; } ///< another one with each image
+    int pixel_size() const { return pixel_size_; }
+
+    /// The eye, in screen pixels, and what it looks at.
+    const OutsideEye& eye() const { return eye_; }
+    const OutsideThings& things() const { return things_; }
+
+    /// What is seen at a place, screen pixels from the corner.
+    OutsidePick at(glm::vec2 place) const;
+
+  private:
+    /// What the triangles of the scene look like follows from this.
+    struct BaseKey {
+        std::uint64_t frame_number = 0;
+        OutsideLook look;
+        int triangles_begun = 0;
+
+        friend bool operator==(const BaseKey&, const BaseKey&) = default;
+    };
+    /// And this lies over them.
+    struct MomentKey {
+        Cursor cursor;
+        std::optional<int> triangle;
+        std::uint64_t picture_number = 0;
+
+        friend bool operator==(const MomentKey&, const MomentKey&) = default;
+    };
+
+    void take_scene(const OutsideSubject& subject);
+    void begin_base(const OutsideLook& look);
+    void draw_base(const OutsideSubject& subject, const OutsideStyle& style,
+                   std::int64_t work_at_once);
+    std::int64_t draw_triangle(const OutsideSubject& subject, const OutsideStyle& style,
+                               int triangle);
+    void draw_outline(const OutsideStyle& style);
+    void draw_triangle_at_work(const OutsideSubject& subject, const OutsideStyle& style);
+    void draw_picture(const OutsideSubject& subject);
+    void resolve();
+
+    std::shared_ptr<const Scene> scene_; ///< to which box and outline belong
+    std::vector<OutlineEdge> outline_;
+    OutsideThings things_;
+    OutsideEye eye_;        ///< in screen pixels
+    OutsideEye sample_eye_; ///< in samples
+    std::optional<BaseKey> base_key_;
+    std::optional<MomentKey> moment_key_;
+    SampleGrid base_; ///< the triangles of the scene
+    SampleGrid grid_; ///< and what lies over them
+    bool base_is_done_ = true;
+    int next_ = 0;          ///< how many triangles are drawn
+    std::int64_t work_ = 0; ///< on this base so far, samples
+    int samples_ = 1;       ///< across a pixel of the image
+    int pixel_size_ = 1;
+    Image image_;
+    std::uint64_t number_ = 0;
+};
+
+} // namespace rasterwalk

@@ -1,0 +1,153 @@
+#include "outside/outside_eye.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "base/limits.h"
+#include "stages/vertex_shader.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// Focal length of the eye outside, smaller sides of its picture: some 40 degrees are seen.
+constexpr double outside_lens = 1.4;
+
+/// A lamp farther from the middle of the scene than this is not looked for, radii of the scene.
+constexpr double farthest_lamp = 4.0;
+
+/// The nearest that is seen, in parts of the distance from eye to target.
+constexpr double near_share = 1e-3;
+
+/// The part of the picture that what the camera sees takes up.
+constexpr double camera_share = 0.98;
+
+glm::dmat3 rotation_of(const OutsideView& view) {
+    Camera camera;
+    camera.yaw = view.yaw;
+    camera.pitch = view.pitch;
+    return camera_rotation(camera);
+}
+
+std::vector<glm::dvec3> places_to_see(const OutsideThings& things) {
+    const SceneBox& box = things.box;
+    std::vector<glm::dvec3> places;
+    for (int i = 0; i < 8; ++i) {
+        places.emplace_back((i & 1) != 0 ? box.high.x : box.low.x,
+                            (i & 2) != 0 ? box.high.y : box.low.y,
+                            (i & 4) != 0 ? box.high.z : box.low.z);
+    }
+    for (const glm::dvec3& corner : things.plane.corners())
+        places.push_back(corner);
+    places.push_back(things.plane.eye);
+    if (glm::length(things.lamp - box.middle()) <= farthest_lamp * box.radius()) {
+        places.push_back(things.lamp);
+    }
+    return places;
+}
+
+/// How one axis of the picture holds the eye: of all places, with z forward, each must satisfy
+/// |x - eye| <= slope * (z - eye_z).
+struct Hold {
+    double low = -std::numeric_limits<double>::infinity(); ///< largest x - slope z
+    double high = std::numeric_limits<double>::infinity(); ///< smallest x + slope z
+
+    void add(double x, double z, double slope) {
+        low = std::max(low, x - slope * z);
+        high = std::min(high, x + slope * z);
+    }
+    double farthest_eye(double slope) const { return (high - low) / (2.0 * slope); }
+    double middle() const { return 0.5 * (low + high); }
+};
+
+double usual_focal_length(glm::ivec2 size) {
+    return outside_lens * std::max(std::min(size.x, size.y), 1);
+}
+
+/// Through the camera: what it sees is as large as fits.
+double camera_focal_length(const PicturePlane& plane, glm::ivec2 size, double margin) {
+    const double width = std::max(size.x - 2.0 * margin, 0.5 * size.x);
+    const double height = std::max(size.y - 2.0 * margin, 0.5 * size.y);
+    const double scale =
+        std::min(width / std::max(plane.size.width, 1), height / std::max(plane.size.height, 1));
+    return camera_share * scale * plane.focal_length;
+}
+
+} // namespace
+
+std::optional<glm::dvec2> OutsideEye::pixel_of(const glm::dvec3& world) const {
+    const glm::dvec3 place = seen(world);
+    if (!(place.z >= near_distance)) return std::nullopt;
+    const glm::dvec2 at = pixel(place);
+    return std::isfinite(at.x) && std::isfinite(at.y) ? std::optional(at) : std::nullopt;
+}
+
+OutsideView settled(const OutsideView& asked, const OutsideThings& things, glm::ivec2 size,
+                    double margin) {
+    OutsideView view = within_ranges(asked);
+    if (view.distance > 0.0f && !view.is_camera) return view;
+    if (view.is_camera) {
+        const glm::dmat3& r = things.plane.rotation;
+        view.yaw = static_cast<float>(std::atan2(r[2].x, r[2].z));
+        view.pitch = static_cast<float>(std::asin(std::clamp(-r[2].y, -1.0, 1.0)));
+        view.is_camera = false;
+    }
+    const glm::dmat3 rotation = rotation_of(view);
+    const double focal_length = usual_focal_length(size);
+    const auto slope = [&](int side) {
+        return std::max(0.5 * side - margin, 0.2 * side) / focal_length;
+    };
+    const glm::dvec2 slopes(slope(std::max(size.x, 1)), slope(std::max(size.y, 1)));
+    Hold across, down;
+    for (const glm::dvec3& place : places_to_see(things)) {
+        const glm::dvec3 turned_place = place * rotation;
+        across.add(turned_place.x, turned_place.z, slopes.x);
+        down.add(turned_place.y, turned_place.z, slopes.y);
+    }
+    const double eye_z = std::min(across.farthest_eye(slopes.x), down.farthest_eye(slopes.y));
+    // The target lies as deep as the middle of the scene: about it the eye turns.
+    const double target_z = (things.box.middle() * rotation).z;
+    const double distance = std::max(target_z - eye_z, 0.1 * things.box.radius());
+    view.distance = static_cast<float>(distance);
+    view.target = rotation * glm::dvec3(across.middle(), down.middle(), eye_z + distance);
+    return within_ranges(view);
+}
+
+OutsideEye eye_of(const OutsideView& view, const OutsideThings& things, glm::ivec2 asked_size,
+                  double margin) {
+    const glm::ivec2 size = glm::max(asked_size, glm::ivec2(1));
+    OutsideEye eye;
+    eye.middle = 0.5 * glm::dvec2(size);
+    if (view.is_camera) {
+        const PicturePlane& plane = things.plane;
+        eye.position = plane.eye;
+        eye.rotation = plane.rotation;
+        eye.focal_length = camera_focal_length(plane, size, margin);
+        // The middle of an odd number of pixels is not that of the picture.
+        const double scale = eye.focal_length / plane.focal_length;
+        eye.middle +=
+            scale * (plane.middle - 0.5 * glm::dvec2(plane.size.width, plane.size.height));
+        eye.near_distance = near_share * things.box.radius();
+        return eye;
+    }
+    const OutsideView whole = settled(view, things, size, margin);
+    eye.rotation = rotation_of(whole);
+    eye.position = glm::dvec3(whole.target) - static_cast<double>(whole.distance) * eye.rotation[2];
+    eye.focal_length = usual_focal_length(size);
+    eye.near_distance = near_share * static_cast<double>(whole.distance);
+    return eye;
+}
+
+OutsideView shifted(OutsideView view, const OutsideEye& eye, glm::vec2 pixels) {
+    const double scale = static_cast<double>(view.distance) / eye.focal_length;
+    view.target -= glm::vec3(eye.rotation * glm::dvec3(scale * static_cast<double>(pixels.x),
+                                                       scale * static_cast<double>(pixels.y), 0.0));
+    return within_ranges(view);
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,79 @@
+#pragma once
+
+// What is drawn over the view from outside, thin and sharp: the camera, its frustum, the border of
+// its picture, the rays of a triangle, the lamp; and where their names may stand.
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "outside/outside_eye.h"
+#include "scene/scene.h"
+
+namespace rasterwalk {
+
+enum class OutsideLineKind : std::uint8_t {
+    frustum, ///< from the camera to a corner of its picture
+    beyond,  ///< from there on through the scene
+    border,  ///< of the picture
+    edge,    ///< of the triangle; number: which edge
+    ray,     ///< from a vertex of the triangle to the camera; number: which vertex
+    behind,  ///< the same for a vertex that is not in front of the camera
+};
+
+/// A straight line in the picture of the eye, pixels.
+struct OutsideLine {
+    OutsideLineKind kind = OutsideLineKind::frustum;
+    int number = 0;
+    glm::vec2 from{0.0f}, to{0.0f};
+};
+
+enum class OutsidePointKind : std::uint8_t {
+    camera,
+    lamp,
+    picture,  ///< a corner of the picture, at which its name may stand
+    vertex,   ///< of the triangle; number: which
+    behind,   ///< the same if it is not in front of the camera
+    crossing, ///< where the ray of a vertex goes through the picture; number: of which vertex
+    pixel,    ///< the middle of the picked pixel on the picture
+};
+
+struct OutsidePoint {
+    OutsidePointKind kind = OutsidePointKind::camera;
+    int number = 0;
+    glm::vec2 at{0.0f}; ///< pixels
+};
+
+struct OutsideMarks {
+    std::vector<OutsideLine> lines;   ///< the first are to be drawn first
+    std::vector<OutsidePoint> points; ///< likewise
+};
+
+/// All marks that can be seen; lines end where the picture of the eye ends, or a little beyond.
+/// @param triangle whose rays are drawn, if it is one of the scene
+/// @param pixel    of the scene's picture that is picked
+/// @param size     of the picture of the eye, pixels
+OutsideMarks outside_marks(const Scene& scene, const OutsideThings& things, const OutsideEye& eye,
+                           std::optional<int> triangle, std::optional<glm::ivec2> pixel,
+                           glm::ivec2 size);
+
+/// A text that is to stand beside a point.
+struct OutsideLabel {
+    glm::vec2 point{0.0f}; ///< pixels
+    glm::vec2 size{0.0f};  ///< of the text, pixels
+    float distance = 0.0f; ///< between them, pixels
+    bool is_below = false; ///< rather than at the right
+};
+
+/// The top left corner of each text: beside its point, within the picture, and where it can be
+/// neither over another text nor over one of the points to be kept free. A text for which there is
+/// no such place, or whose point lies outside the picture, has none.
+/// @param size of the picture, pixels
+std::vector<std::optional<glm::vec2>> label_places(std::span<const OutsideLabel> labels,
+                                                   std::span<const OutsidePoint> points,
+                                                   glm::vec2 size);
+
+} // namespace rasterwalk

@@ -1,0 +1,75 @@
+#include "outside/picture_plane.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/geometric.hpp>
+
+#include "stages/project.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// How far before the eye the picture stands, and half its diagonal at most, radii of the scene.
+constexpr double usual_distance = 0.5;
+constexpr double largest_half_diagonal = 0.6;
+
+constexpr double smallest_radius = 1e-3;
+
+} // namespace
+
+double SceneBox::radius() const {
+    return std::max(0.5 * glm::length(high - low), smallest_radius);
+}
+
+SceneBox box_of(const Scene& scene) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    SceneBox box{glm::dvec3(infinity), glm::dvec3(-infinity)};
+    for (const Vertex& vertex : scene.mesh.vertices()) {
+        const glm::dvec3 place(vertex.position);
+        if (!std::isfinite(place.x + place.y + place.z)) continue;
+        box.low = glm::min(box.low, place);
+        box.high = glm::max(box.high, place);
+    }
+    return box.low.x <= box.high.x ? box : SceneBox();
+}
+
+glm::dvec3 PicturePlane::place_of(const glm::dvec2& pixel) const {
+    const glm::dvec2 projected = pixel - middle;
+    return in_world(distance *
+                    glm::dvec3(projected.x / focal_length, projected.y / focal_length, 1.0));
+}
+
+std::optional<glm::dvec2> PicturePlane::pixel_of(const glm::dvec3& camera) const {
+    if (!(camera.z > 0.0)) return std::nullopt;
+    const glm::dvec2 pixel =
+        middle + focal_length * glm::dvec2(camera.x / camera.z, camera.y / camera.z);
+    return std::isfinite(pixel.x) && std::isfinite(pixel.y) ? std::optional(pixel) : std::nullopt;
+}
+
+std::array<glm::dvec3, 4> PicturePlane::corners() const {
+    const double width = size.width, height = size.height;
+    return {place_of({0.0, 0.0}), place_of({width, 0.0}), place_of({width, height}),
+            place_of({0.0, height})};
+}
+
+PicturePlane picture_plane(const Camera& camera, const Viewport& size, const SceneBox& box) {
+    PicturePlane plane;
+    plane.eye = camera.position;
+    plane.rotation = camera_rotation(camera);
+    plane.focal_length = std::max(camera.focal_length, 1e-3f);
+    plane.size = size;
+    VertexRules rules;
+    rules.viewport = size;
+    plane.middle = viewport_middle(rules);
+    const double half_diagonal =
+        0.5 * std::hypot(static_cast<double>(size.width), static_cast<double>(size.height));
+    const double radius = box.radius();
+    plane.distance = radius * std::min(usual_distance, largest_half_diagonal * plane.focal_length /
+                                                           std::max(half_diagonal, 1.0));
+    return plane;
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,54 @@
+#pragma once
+
+// The picture as a thing in the world: a pane of glass before the camera, at right angles to where
+// it looks, which every ray from a vertex to the eye goes through. A pinhole camera has no size, so
+// neither has the distance of the pane; only its width in relation to it counts.
+
+#include <array>
+#include <optional>
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "scene/scene.h"
+
+namespace rasterwalk {
+
+/// The smallest box, along the axes of the world, around all that a scene draws.
+struct SceneBox {
+    glm::dvec3 low{-1.0}, high{1.0};
+
+    glm::dvec3 middle() const { return 0.5 * (low + high); }
+    /// Of the ball around it; never 0.
+    double radius() const;
+};
+
+/// Around all vertices that are finite; a scene without any gets the box from -1 to 1.
+SceneBox box_of(const Scene& scene);
+
+/// Where the picture stands in the world.
+struct PicturePlane {
+    glm::dvec3 eye{0.0};       ///< of the camera
+    glm::dmat3 rotation{1.0};  ///< R of the camera, for row vectors
+    double focal_length = 1.0; ///< pixels
+    double distance = 1.0;     ///< from the eye, world units
+    glm::dvec2 middle{0.0};    ///< of the picture, pixels from its corner
+    Viewport size;
+
+    /// A place in camera space: x right, y down, z forward.
+    glm::dvec3 in_camera(const glm::dvec3& world) const { return (world - eye) * rotation; }
+    glm::dvec3 in_world(const glm::dvec3& camera) const { return eye + rotation * camera; }
+    /// A place in the picture, pixels from its corner, as a place in the world.
+    glm::dvec3 place_of(const glm::dvec2& pixel) const;
+    /// Through which place of the picture, pixels from its corner, the ray from a place in camera
+    /// space to the eye goes; none for one that is not in front of the eye.
+    std::optional<glm::dvec2> pixel_of(const glm::dvec3& camera) const;
+    /// Top left, top right, bottom right, bottom left.
+    std::array<glm::dvec3, 4> corners() const;
+};
+
+/// As large and as near as suits the scene.
+PicturePlane picture_plane(const Camera& camera, const Viewport& size, const SceneBox& box);
+
+} // namespace rasterwalk

@@ -1,0 +1,93 @@
+#include "outside/shrunken_picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rasterwalk {
+
+namespace {
+
+/// Of a large block so many pixels a side are looked at.
+constexpr int most_looked_at = 4;
+
+/// Is this pixel drawn? Planes of another size tell nothing.
+bool is_drawn(const Framebuffer& framebuffer, int column, int row) {
+    return !framebuffer.contains(column, row) ||
+           framebuffer.owner[framebuffer.at(column, row)] >= 0;
+}
+
+/// A sum of colours.
+struct Sum {
+    int red = 0, green = 0, blue = 0, count = 0;
+
+    void add(const std::uint8_t* rgba) {
+        red += rgba[0];
+        green += rgba[1];
+        blue += rgba[2];
+        ++count;
+    }
+    float mean(int Sum::*channel) const {
+        return count > 0 ? static_cast<float>(this->*channel) / static_cast<float>(count) : 0.0f;
+    }
+};
+
+PanePixel block_pixel(const Image& picture, const Framebuffer& framebuffer, int left, int top,
+                      int block, float see_through) {
+    Sum drawn, other;
+    const int right = std::min(left + block, picture.width);
+    const int bottom = std::min(top + block, picture.height);
+    const int step = std::max(block / most_looked_at, 1);
+    for (int row = top; row < bottom; row += step) {
+        for (int column = left; column < right; column += step) {
+            const std::size_t at =
+                static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.width) +
+                static_cast<std::size_t>(column);
+            (is_drawn(framebuffer, column, row) ? drawn : other).add(&picture.rgba[4 * at]);
+        }
+    }
+    // A line across the block covers it.
+    const float lines = static_cast<float>(std::min(block, most_looked_at));
+    const float covered = std::min(lines * static_cast<float>(drawn.count) /
+                                       static_cast<float>(drawn.count + other.count),
+                                   1.0f);
+    const float opacity = covered + (1.0f - covered) * see_through;
+    const auto channel = [&](int Sum::*member) {
+        const float light =
+            covered * drawn.mean(member) + (1.0f - covered) * see_through * other.mean(member);
+        return static_cast<std::uint8_t>(light / std::max(opacity, 1e-3f) + 0.5f);
+    };
+    return {channel(&Sum::red), channel(&Sum::green), channel(&Sum::blue),
+            static_cast<std::uint8_t>(255.0f * opacity + 0.5f)};
+}
+
+} // namespace
+
+ShrunkenPicture shrunken(const Image& picture, const Framebuffer& framebuffer, double samples,
+                         float see_through) {
+    ShrunkenPicture shown;
+    const int largest = std::max(std::min(picture.width, picture.height), 1);
+    shown.block =
+        samples < 1.0
+            ? static_cast<int>(std::min(std::floor(1.0 / std::max(samples, 1e-6)), 1.0 * largest))
+            : 1;
+    shown.width = (picture.width + shown.block - 1) / shown.block;
+    shown.blocks.reserve(static_cast<std::size_t>(shown.width) *
+                         static_cast<std::size_t>(picture.height / shown.block + 1));
+    for (int top = 0; top < picture.height; top += shown.block) {
+        for (int left = 0; left < picture.width; left += shown.block)
+            shown.blocks.push_back(
+                block_pixel(picture, framebuffer, left, top, shown.block, see_through));
+    }
+    return shown;
+}
+
+std::uint32_t laid_over(const PanePixel& pixel, std::uint32_t colour) {
+    const std::uint32_t front = pixel.opacity, back = 255U - front;
+    const auto mix = [&](std::uint32_t a, std::uint32_t b) {
+        return (a * front + b * back + 127U) / 255U;
+    };
+    return mix(pixel.red, colour & 0xFFU) | (mix(pixel.green, (colour >> 8) & 0xFFU) << 8) |
+           (mix(pixel.blue, (colour >> 16) & 0xFFU) << 16);
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,210 @@
+// The eye outside against the stages, which project in another way.
+
+#include "outside/outside_eye.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
+
+#include "settings/settings.h"
+#include "stages/project.h"
+#include "stages/stage_table.h"
+#include "support/effort.h"
+#include "support/samples.h"
+
+using namespace rasterwalk;
+using namespace rasterwalk::test;
+
+namespace {
+
+OutsideThings things_of(const Scene& scene, const Camera& camera, const Viewport& viewport) {
+    OutsideThings things;
+    things.box = box_of(scene);
+    things.plane = picture_plane(camera, viewport, things.box);
+    things.lamp = scene.light.position;
+    return things;
+}
+
+/// By the stages: pixels from the picture's corner, before rounding; none behind the camera.
+std::optional<glm::dvec2> projected(const glm::vec3& world, const Camera& camera,
+                                    const Viewport& viewport) {
+    Vertex vertex;
+    vertex.position = world;
+    VertexRules rules;
+    rules.camera = camera;
+    rules.viewport = viewport;
+    const ShadedVertex shaded = shade_vertex(vertex, camera_rotation(camera), rules, Stages());
+    if (!shaded.has_pixel) return std::nullopt;
+    return glm::dvec2(shaded.in("projected")) + glm::dvec2(viewport_middle(rules));
+}
+
+bool is_near(const glm::dvec2& a, const glm::dvec2& b, double distance) {
+    return glm::length(a - b) <= distance;
+}
+
+Camera any_camera(Random& random) {
+    Camera camera;
+    camera.position = {random.number(-2, 2), random.number(-2, 2), random.number(-5, 0)};
+    camera.yaw = random.number(-4, 4);
+    camera.pitch = random.number(-1.5, 1.5);
+    camera.focal_length = random.number(100, 900);
+    return camera;
+}
+
+glm::vec3 any_place(Random& random) {
+    return {random.number(-2, 2), random.number(-2, 2), random.number(-2, 2)};
+}
+
+} // namespace
+
+TEST_CASE("Through the camera, every vertex falls on the same pixel as in the picture, to scale") {
+    Random random(51);
+    const Scene room = lab_room();
+    for (int i = 0; i < rounds(300, 50); ++i) {
+        const Camera camera = any_camera(random);
+        const Viewport viewport{random.integer(1, 700), random.integer(1, 700)};
+        const glm::ivec2 size(random.integer(50, 1500), random.integer(50, 1500));
+        const OutsideThings things = things_of(room, camera, viewport);
+        OutsideView view;
+        view.is_camera = true;
+        const OutsideEye eye = eye_of(view, things, size, 20.0);
+        const double scale = eye.focal_length / static_cast<double>(camera.focal_length);
+        // The picture stands in the middle, and all of it is seen.
+        const glm::dvec2 corner =
+            0.5 * glm::dvec2(size) - 0.5 * scale * glm::dvec2(viewport.width, viewport.height);
+        CHECK(corner.x >= 0.0);
+        CHECK(corner.y >= 0.0);
+        for (int k = 0; k < 20; ++k) {
+            const glm::vec3 place = any_place(random);
+            const std::optional<glm::dvec2> pixel = projected(place, camera, viewport);
+            const std::optional<glm::dvec2> seen = eye.pixel_of(place);
+            if (!pixel || !seen) continue;
+            const double distance = 1e-4 * (1.0 + glm::length(*seen));
+            REQUIRE(is_near(*seen, corner + scale * *pixel, distance));
+        }
+    }
+}
+
+TEST_CASE("The corners of the picture lie on the rays through its corners") {
+    Random random(52);
+    const Scene room = lab_room();
+    for (int i = 0; i < rounds(300, 50); ++i) {
+        const Camera camera = any_camera(random);
+        const Viewport viewport{random.integer(1, 900), random.integer(1, 900)};
+        const PicturePlane plane = picture_plane(camera, viewport, box_of(room));
+        const std::array<glm::dvec3, 4> corners = plane.corners();
+        const double width = viewport.width, height = viewport.height;
+        const std::array<glm::dvec2, 4> pixels{
+            glm::dvec2{0, 0}, {width, 0}, {width, height}, {0, height}};
+        for (std::size_t c = 0; c < 4; ++c) {
+            // Any place on the ray is projected to the same pixel.
+            const double along = random.real(0.5, 4.0);
+            const glm::vec3 place = plane.eye + along * (corners[c] - plane.eye);
+            const std::optional<glm::dvec2> pixel = projected(place, camera, viewport);
+            REQUIRE(pixel);
+            CHECK(is_near(*pixel, pixels[c], 0.02));
+            const std::optional<glm::dvec2> own = plane.pixel_of(plane.in_camera(corners[c]));
+            REQUIRE(own);
+            CHECK(is_near(*own, pixels[c], 1e-3));
+        }
+    }
+}
+
+TEST_CASE("A view that has no distance yet shows everything, and as large as it can") {
+    Random random(53);
+    const Scene room = lab_room();
+    for (int i = 0; i < rounds(400, 60); ++i) {
+        const OutsideThings things = things_of(room, any_camera(random), {400, 300});
+        const glm::ivec2 size(random.integer(100, 1500), random.integer(100, 1500));
+        const double margin = random.real(0.0, 30.0);
+        OutsideView view;
+        view.yaw = random.number(-4, 4);
+        view.pitch = random.number(-1.57, 1.57);
+        const OutsideEye eye = eye_of(view, things, size, margin);
+        std::vector<glm::dvec3> places;
+        for (const Vertex& vertex : room.mesh.vertices())
+            places.emplace_back(vertex.position);
+        for (const glm::dvec3& corner : things.plane.corners())
+            places.push_back(corner);
+        places.push_back(things.plane.eye);
+        places.push_back(things.lamp);
+        // How much nearer the border the outermost place is than the margin.
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const glm::dvec3& place : places) {
+            const std::optional<glm::dvec2> at = eye.pixel_of(place);
+            REQUIRE(at);
+            nearest = std::min({nearest, at->x, at->y, size.x - at->x, size.y - at->y});
+        }
+        CHECK(nearest > margin - 0.5);
+        CHECK(nearest < margin + 1.0);
+        // The same, said with its numbers.
+        const OutsideEye again = eye_of(settled(view, things, size, margin), things, size, margin);
+        CHECK(glm::length(again.position - eye.position) < 1e-5);
+    }
+}
+
+TEST_CASE("Outside of the camera's view one looks the way that it looks") {
+    Random random(54);
+    const Scene room = lab_room();
+    for (int i = 0; i < 50; ++i) {
+        const Camera camera = any_camera(random);
+        const OutsideThings things = things_of(room, camera, {400, 300});
+        OutsideView view;
+        view.is_camera = true;
+        const OutsideView outside = settled(view, things, {800, 600}, 20.0);
+        CHECK_FALSE(outside.is_camera);
+        CHECK(outside.distance > 0.0f);
+        const OutsideEye eye = eye_of(outside, things, {800, 600}, 20.0);
+        CHECK(glm::length(eye.rotation[2] - things.plane.rotation[2]) < 1e-5);
+    }
+}
+
+TEST_CASE("A drag across the view takes what is in its middle along") {
+    const Scene room = lab_room();
+    const glm::ivec2 size(800, 600);
+    const OutsideThings things = things_of(room, room.camera, room.viewport);
+    const OutsideView view = settled({}, things, size, 10.0);
+    const OutsideEye eye = eye_of(view, things, size, 10.0);
+    const OutsideEye moved = eye_of(shifted(view, eye, {30.0f, -20.0f}), things, size, 10.0);
+    const std::optional<glm::dvec2> at = moved.pixel_of(view.target);
+    REQUIRE(at);
+    CHECK(is_near(*at, {430.0, 280.0}, 0.01));
+}
+
+TEST_CASE("No camera, scene or size makes an eye without a place") {
+    Scene empty;
+    Scene odd = lab_room();
+    Vertex vertex;
+    vertex.position = {std::numeric_limits<float>::quiet_NaN(), 0.0f, 0.0f};
+    odd.mesh.add_vertex(vertex);
+    vertex.position = {1e6f, -1e6f, std::numeric_limits<float>::infinity()};
+    odd.mesh.add_vertex(vertex);
+    vertex.position = glm::vec3(1e6f);
+    odd.mesh.add_vertex(vertex);
+    for (const Scene& scene : {empty, odd}) {
+        for (const float focal : {1e-6f, 1.0f, 1e5f}) {
+            for (const float place : {0.0f, 1000.0f, 1e30f}) {
+                for (const glm::ivec2 size : {glm::ivec2(0, 0), {1, 1}, {3000, 1}, {500, 500}}) {
+                    Camera camera;
+                    camera.position = glm::vec3(place);
+                    camera.focal_length = focal;
+                    const OutsideThings things = things_of(scene, camera, {4096, 1});
+                    for (const bool is_camera : {false, true}) {
+                        OutsideView view;
+                        view.is_camera = is_camera;
+                        const OutsideEye eye = eye_of(view, things, size, 40.0);
+                        const double sum = eye.position.x + eye.position.y + eye.position.z +
+                                           eye.focal_length + eye.near_distance;
+                        CHECK(std::isfinite(sum));
+                        CHECK(eye.near_distance > 0.0);
+                        CHECK(eye.focal_length > 0.0);
+                    }
+                }
+            }
+        }
+    }
+}

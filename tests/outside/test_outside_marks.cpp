@@ -1,0 +1,234 @@
+#include "outside/outside_marks.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
+
+#include "outside/flat_raster.h"
+#include "outside/outline.h"
+#include "support/samples.h"
+
+using namespace rasterwalk;
+using namespace rasterwalk::test;
+
+namespace {
+
+struct Seen {
+    OutsideThings things;
+    OutsideEye eye;
+    glm::ivec2 size{900, 700};
+
+    Seen(const Scene& scene, const OutsideView& view) {
+        things.box = box_of(scene);
+        things.plane = picture_plane(scene.camera, scene.viewport, things.box);
+        things.lamp = scene.light.position;
+        eye = eye_of(view, things, size, 40.0);
+    }
+    OutsideMarks marks(const Scene& scene, int triangle) const {
+        return outside_marks(scene, things, eye, triangle, glm::ivec2(250, 400), size);
+    }
+};
+
+std::vector<OutsidePoint> points_of(const OutsideMarks& marks, OutsidePointKind kind) {
+    std::vector<OutsidePoint> points;
+    std::copy_if(marks.points.begin(), marks.points.end(), std::back_inserter(points),
+                 [&](const OutsidePoint& point) { return point.kind == kind; });
+    return points;
+}
+
+std::vector<OutsideLine> lines_of(const OutsideMarks& marks, OutsideLineKind kind) {
+    std::vector<OutsideLine> lines;
+    std::copy_if(marks.lines.begin(), marks.lines.end(), std::back_inserter(lines),
+                 [&](const OutsideLine& line) { return line.kind == kind; });
+    return lines;
+}
+
+/// From a line through both ends, pixels.
+float distance_to(const OutsideLine& line, const glm::vec2& point) {
+    const glm::vec2 way = glm::normalize(line.to - line.from);
+    const glm::vec2 from = point - line.from;
+    return std::abs(way.x * from.y - way.y * from.x);
+}
+
+} // namespace
+
+TEST_CASE("The rays of a triangle go from its vertices through the picture into the camera") {
+    const Scene room = lab_room();
+    const Seen seen(room, {});
+    for (int triangle = 0; triangle < room.triangle_count(); ++triangle) {
+        INFO("triangle " << triangle);
+        const OutsideMarks marks = seen.marks(room, triangle);
+        const auto rays = lines_of(marks, OutsideLineKind::ray);
+        const auto crossings = points_of(marks, OutsidePointKind::crossing);
+        const auto vertices = points_of(marks, OutsidePointKind::vertex);
+        const auto camera = points_of(marks, OutsidePointKind::camera);
+        REQUIRE(camera.size() == 1);
+        REQUIRE(rays.size() == 3);
+        REQUIRE(crossings.size() == 3);
+        REQUIRE(vertices.size() == 3);
+        for (std::size_t v = 0; v < 3; ++v) {
+            CHECK(glm::length(rays[v].from - camera[0].at) < 0.01f);
+            CHECK(glm::length(rays[v].to - vertices[v].at) < 0.01f);
+            CHECK(distance_to(rays[v], crossings[v].at) < 0.05f);
+            CHECK(crossings[v].number == static_cast<int>(v));
+            // It goes through the pixel on which the vertex falls.
+            const glm::dvec3 p =
+                seen.things.plane.in_camera(room.corner(triangle, static_cast<int>(v)).position);
+            const glm::dvec2 pixel(500.0 * p.x / p.z + 250.0, 500.0 * p.y / p.z + 250.0);
+            const auto at = seen.eye.pixel_of(seen.things.plane.place_of(pixel));
+            REQUIRE(at);
+            CHECK(glm::length(glm::vec2(*at) - crossings[v].at) < 0.01f);
+        }
+        CHECK(lines_of(marks, OutsideLineKind::edge).size() == 3);
+        CHECK(lines_of(marks, OutsideLineKind::behind).empty());
+    }
+}
+
+TEST_CASE("The frustum goes through the corners of the picture") {
+    const Scene room = lab_room();
+    const Seen seen(room, {});
+    const OutsideMarks marks = seen.marks(room, 3);
+    const auto frustum = lines_of(marks, OutsideLineKind::frustum);
+    const auto beyond = lines_of(marks, OutsideLineKind::beyond);
+    const auto border = lines_of(marks, OutsideLineKind::border);
+    REQUIRE(frustum.size() == 4);
+    REQUIRE(beyond.size() == 4);
+    REQUIRE(border.size() == 4);
+    for (std::size_t i = 0; i < 4; ++i) {
+        CHECK(glm::length(frustum[i].to - border[i].from) < 0.01f);
+        CHECK(glm::length(frustum[i].to - border[(i + 3) % 4].to) < 0.01f);
+        CHECK(distance_to(frustum[i], beyond[i].from) < 0.01f);
+    }
+    CHECK(points_of(marks, OutsidePointKind::lamp).size() == 1);
+    CHECK(points_of(marks, OutsidePointKind::picture).size() == 4);
+    CHECK(points_of(marks, OutsidePointKind::pixel).size() == 1);
+}
+
+TEST_CASE("A vertex behind the camera has a ray of its own kind and no place in the picture") {
+    Scene room = lab_room();
+    room.camera.position.z = 0.0f; // in the middle of the room
+    const Seen seen(room, {});
+    int behind = 0;
+    for (int triangle = 0; triangle < room.triangle_count(); ++triangle) {
+        const OutsideMarks marks = seen.marks(room, triangle);
+        int expected = 0;
+        for (int v = 0; v < 3; ++v)
+            expected += room.corner(triangle, v).position.z <= 0.0f ? 1 : 0;
+        CHECK(points_of(marks, OutsidePointKind::behind).size() ==
+              static_cast<std::size_t>(expected));
+        CHECK(lines_of(marks, OutsideLineKind::behind).size() ==
+              static_cast<std::size_t>(expected));
+        CHECK(lines_of(marks, OutsideLineKind::ray).size() ==
+              static_cast<std::size_t>(3 - expected));
+        behind += expected;
+    }
+    CHECK(behind > 0);
+}
+
+TEST_CASE("Marks end where the view ends") {
+    const Scene room = lab_room();
+    Random random(71);
+    for (int i = 0; i < 200; ++i) {
+        OutsideView view;
+        view.yaw = random.number(-4, 4);
+        view.pitch = random.number(-1.5, 1.5);
+        view.distance = random.number(0.01, 3);
+        view.target = {random.number(-1, 1), random.number(-1, 1), random.number(-3, 1)};
+        const Seen seen(room, view);
+        const OutsideMarks marks = seen.marks(room, random.integer(-1, 30));
+        for (const OutsideLine& line : marks.lines) {
+            for (const glm::vec2& end : {line.from, line.to}) {
+                REQUIRE(end.x > -50.0f);
+                REQUIRE(end.y > -50.0f);
+                REQUIRE(end.x < 950.0f);
+                REQUIRE(end.y < 750.0f);
+            }
+        }
+        for (const OutsidePoint& point : marks.points) {
+            REQUIRE(point.at.x >= 0.0f);
+            REQUIRE(point.at.x <= 900.0f);
+        }
+    }
+}
+
+TEST_CASE("Names stand inside, beside their points, and over nothing") {
+    Random random(72);
+    const glm::vec2 size(500.0f, 300.0f);
+    int placed = 0;
+    for (int i = 0; i < 200; ++i) {
+        std::vector<OutsideLabel> labels;
+        std::vector<OutsidePoint> points;
+        for (int k = 0; k < 8; ++k) {
+            const glm::vec2 at(random.number(0, 500), random.number(0, 300));
+            points.push_back({OutsidePointKind::vertex, k, at});
+            labels.push_back({at, {random.number(20, 120), 16.0f}, 8.0f, k % 2 == 0});
+        }
+        const auto places = label_places(labels, points, size);
+        REQUIRE(places.size() == labels.size());
+        for (std::size_t a = 0; a < places.size(); ++a) {
+            if (!places[a]) continue;
+            ++placed;
+            const glm::vec2 low = *places[a], high = low + labels[a].size;
+            CHECK(low.x >= 0.0f);
+            CHECK(low.y >= 0.0f);
+            CHECK(high.x <= size.x);
+            CHECK(high.y <= size.y);
+            for (const OutsidePoint& point : points) {
+                const bool is_over = point.at.x > low.x && point.at.y > low.y &&
+                                     point.at.x < high.x && point.at.y < high.y;
+                CHECK_FALSE(is_over);
+            }
+            for (std::size_t b = 0; b < a; ++b) {
+                if (!places[b]) continue;
+                const glm::vec2 other = *places[b], end = other + labels[b].size;
+                const bool is_over =
+                    low.x < end.x && other.x < high.x && low.y < end.y && other.y < high.y;
+                CHECK_FALSE(is_over);
+            }
+        }
+    }
+    CHECK(placed > 1000);
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    const OutsideLabel nowhere{{nan, nan}, {10.0f, 10.0f}, 1.0f};
+    CHECK_FALSE(label_places(std::array{nowhere}, {}, size)[0]);
+}
+
+TEST_CASE("The outline of the room has the edges of its boxes and no diagonals") {
+    const Scene room = lab_room();
+    const std::vector<OutlineEdge> outline = outline_of(room);
+    CHECK(outline.size() == 36); // three boxes, each open on one side
+    for (const OutlineEdge& edge : outline) {
+        // Edges of the room run along an axis, those of the blocks are level or upright.
+        const glm::vec3 way = glm::abs(edge.to - edge.from);
+        const bool is_upright = way.x < 1e-3f && way.z < 1e-3f;
+        CHECK((is_upright || way.y < 1e-3f));
+        CHECK(glm::length(way) < 2.01f);
+    }
+}
+
+TEST_CASE("A line is cut at the near plane and at the border") {
+    OutsideEye eye;
+    eye.focal_length = 100.0;
+    eye.middle = {50.0, 50.0};
+    eye.near_distance = 0.5;
+    const SeenLine cut = seen_line(eye, {1.0, 0.0, -1.5}, {1.0, 0.0, 2.5});
+    REQUIRE(cut.is_seen);
+    CHECK(cut.from.x == Approx(50.0 + 100.0 / 0.5));
+    CHECK(cut.to.x == Approx(50.0 + 100.0 / 2.5));
+    CHECK(cut.inv_z_from == Approx(2.0));
+    CHECK_FALSE(seen_line(eye, {0.0, 0.0, 0.1}, {1.0, 1.0, -3.0}).is_seen);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    CHECK_FALSE(seen_line(eye, {nan, 0.0, 1.0}, {1.0, 1.0, 3.0}).is_seen);
+    const SeenLine part = clipped_to(cut, {0.0, 0.0}, {100.0, 100.0});
+    REQUIRE(part.is_seen);
+    CHECK(part.from.x == Approx(100.0));
+    CHECK(part.from.y == Approx(50.0));
+    CHECK_FALSE(clipped_to(cut, {0.0, 60.0}, {100.0, 100.0}).is_seen);
+    // 1/z is linear along it: where the line is at x = 100, z is 2.
+    CHECK(part.inv_z_from == Approx(0.5));
+}

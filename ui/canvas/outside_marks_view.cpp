@@ -1,0 +1,220 @@
+#include "ui/canvas/outside_marks_view.h"
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "ui/ui.h"
+#include "ui/widgets/style.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// In a view smaller than this the marks are smaller too, down to this part of their size, and
+/// names are short; design pixels.
+constexpr float roomy_view = 420.0f;
+constexpr float smallest_marks = 0.6f;
+
+/// What the marks are drawn with.
+struct Pen {
+    const Ui& ui;
+    ImDrawList* list;
+    const Pane& pane;
+    float u;        ///< design pixel, smaller in a small view
+    bool is_narrow; ///< names are short
+
+    ImVec2 at(const glm::vec2& place) const { return {pane.low.x + place.x, pane.low.y + place.y}; }
+    ImU32 text(float opacity = 1.0f) const {
+        return packed(palette(ui.options.theme).text, opacity);
+    }
+    ImU32 ground(float opacity = 1.0f) const {
+        return packed(palette(ui.options.theme).canvas, opacity);
+    }
+    ImU32 meaning(Meaning meaning, float opacity = 1.0f) const {
+        return packed(colour_of(meaning, ui.options.theme), opacity);
+    }
+};
+
+void draw_dashed(const Pen& pen, ImVec2 from, ImVec2 to, ImU32 colour, float width) {
+    const float length = std::hypot(to.x - from.x, to.y - from.y);
+    const float dash = std::max(5.0f * pen.u, length / 200.0f);
+    for (float d = 0.0f; d < length; d += 2.0f * dash) {
+        const float s = d / length, t = std::min((d + dash) / length, 1.0f);
+        pen.list->AddLine({from.x + s * (to.x - from.x), from.y + s * (to.y - from.y)},
+                          {from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)}, colour,
+                          width);
+    }
+}
+
+void draw_line(const Pen& pen, const OutsideLine& line) {
+    const ImVec2 from = pen.at(line.from), to = pen.at(line.to);
+    const float u = pen.u;
+    switch (line.kind) {
+    case OutsideLineKind::frustum:
+        pen.list->AddLine(from, to, pen.text(0.7f), 1.3f * u);
+        break;
+    case OutsideLineKind::beyond:
+        pen.list->AddLine(from, to, pen.text(0.3f), 1.0f * u);
+        break;
+    case OutsideLineKind::border:
+        pen.list->AddLine(from, to, pen.text(), 1.8f * u);
+        break;
+    case OutsideLineKind::edge:
+        pen.list->AddLine(from, to, pen.ground(0.7f), 5.0f * u);
+        pen.list->AddLine(from, to, pen.meaning(edge_meaning(line.number)), 2.6f * u);
+        break;
+    case OutsideLineKind::ray:
+        pen.list->AddLine(from, to, pen.ground(0.6f), 3.2f * u);
+        pen.list->AddLine(from, to, pen.meaning(Meaning::pass), 1.5f * u);
+        break;
+    case OutsideLineKind::behind:
+        draw_dashed(pen, from, to, pen.meaning(Meaning::fail), 1.5f * u);
+        break;
+    }
+}
+
+void draw_camera(const Pen& pen, ImVec2 at) {
+    const float u = pen.u;
+    const ImVec2 half{10.0f * u, 7.0f * u};
+    const ImVec2 low{at.x - half.x, at.y - half.y}, high{at.x + half.x, at.y + half.y};
+    pen.list->AddRectFilled(low, high, pen.ground(), 3.0f * u);
+    pen.list->AddRect(low, high, pen.text(), 3.0f * u, 0, 1.8f * u);
+    pen.list->AddCircleFilled(at, 3.0f * u, pen.text());
+}
+
+void draw_lamp(const Pen& pen, ImVec2 at) {
+    const float u = pen.u;
+    pen.list->AddCircleFilled(at, 8.5f * u, pen.ground(0.7f));
+    pen.list->AddCircle(at, 7.0f * u, pen.meaning(Meaning::left_end), 0, 1.6f * u);
+    pen.list->AddCircleFilled(at, 3.0f * u, pen.meaning(Meaning::left_end));
+}
+
+void draw_dot(const Pen& pen, ImVec2 at, float radius, ImU32 colour) {
+    pen.list->AddCircleFilled(at, radius + 1.4f * pen.u, pen.ground(0.85f));
+    pen.list->AddCircleFilled(at, radius, colour);
+}
+
+void draw_point(const Pen& pen, const OutsidePoint& point) {
+    const ImVec2 at = pen.at(point.at);
+    const float u = pen.u;
+    switch (point.kind) {
+    case OutsidePointKind::camera:
+        draw_camera(pen, at);
+        break;
+    case OutsidePointKind::lamp:
+        draw_lamp(pen, at);
+        break;
+    case OutsidePointKind::picture:
+        break; // only its name stands there
+    case OutsidePointKind::vertex:
+        draw_dot(pen, at, 4.5f * u, pen.meaning(Meaning::current));
+        break;
+    case OutsidePointKind::behind:
+        draw_dot(pen, at, 4.5f * u, pen.meaning(Meaning::fail));
+        break;
+    case OutsidePointKind::crossing:
+        draw_dot(pen, at, 3.0f * u, pen.meaning(Meaning::pass));
+        break;
+    case OutsidePointKind::pixel: {
+        const float half = 4.0f * u;
+        pen.list->AddRect({at.x - half, at.y - half}, {at.x + half, at.y + half}, pen.ground(),
+                          0.0f, 0, 3.6f * u);
+        pen.list->AddRect({at.x - half, at.y - half}, {at.x + half, at.y + half},
+                          pen.meaning(Meaning::current), 0.0f, 0, 1.8f * u);
+        break;
+    }
+    }
+}
+
+struct Name {
+    std::string text;
+    ImU32 colour;
+    float distance;        ///< from its point, design pixels
+    bool is_below = false; ///< rather than at the right
+};
+
+/// Empty for a point without one.
+Name name_of(const Pen& pen, const OutsidePoint& point) {
+    const std::string vertex =
+        (pen.is_narrow ? "[" : "vertices[") + std::to_string(point.number) + "]";
+    switch (point.kind) {
+    case OutsidePointKind::camera:
+        return {"camera", pen.text(), 12.0f, true};
+    case OutsidePointKind::lamp:
+        return {"lamp", pen.meaning(Meaning::left_end), 12.0f};
+    case OutsidePointKind::picture:
+        return {"the picture", pen.text(), 8.0f};
+    case OutsidePointKind::vertex:
+        return {vertex, pen.text(), 11.0f};
+    case OutsidePointKind::behind:
+        return {pen.is_narrow ? vertex : vertex + ", behind the camera", pen.meaning(Meaning::fail),
+                11.0f};
+    default:
+        return {};
+    }
+}
+
+/// The corner of the picture that lies farthest up and to the right: there its name has room.
+const OutsidePoint* named_corner(const OutsideMarks& marks) {
+    const OutsidePoint* best = nullptr;
+    for (const OutsidePoint& point : marks.points) {
+        if (point.kind != OutsidePointKind::picture) continue;
+        if (best == nullptr || point.at.x - point.at.y > best->at.x - best->at.y) best = &point;
+    }
+    return best;
+}
+
+/// Text that can be read on any ground.
+void draw_name(const Pen& pen, const Name& name, ImVec2 low) {
+    ImFont* const font = pen.ui.fonts.small;
+    const float far = 1.4f * pen.u, near = 1.0f * pen.u;
+    for (const ImVec2 aside :
+         {ImVec2{far, 0.0f}, ImVec2{-far, 0.0f}, ImVec2{0.0f, far}, ImVec2{0.0f, -far},
+          ImVec2{near, near}, ImVec2{-near, near}, ImVec2{near, -near}, ImVec2{-near, -near}}) {
+        pen.list->AddText(font, font->FontSize, {low.x + aside.x, low.y + aside.y},
+                          pen.ground(0.8f), name.text.c_str());
+    }
+    pen.list->AddText(font, font->FontSize, low, name.colour, name.text.c_str());
+}
+
+void draw_names(const Pen& pen, const OutsideMarks& marks) {
+    ImFont* const font = pen.ui.fonts.small;
+    const OutsidePoint* const corner = named_corner(marks);
+    std::vector<Name> names;
+    std::vector<OutsideLabel> labels;
+    for (const OutsidePoint& point : marks.points) {
+        if (point.kind == OutsidePointKind::picture && &point != corner) continue;
+        Name name = name_of(pen, point);
+        if (name.text.empty()) continue;
+        const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, name.text.c_str());
+        labels.push_back({point.at, {size.x, size.y}, name.distance * pen.u, name.is_below});
+        names.push_back(std::move(name));
+    }
+    const ImVec2 room = pen.pane.room();
+    const auto places = label_places(labels, marks.points, {room.x, room.y});
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (!places[i]) continue;
+        const ImVec2 low = pen.at(*places[i]);
+        draw_name(pen, names[i], {std::round(low.x), std::round(low.y)});
+    }
+}
+
+} // namespace
+
+void draw_outside_marks(const Ui& ui, ImDrawList* list, const OutsideMarks& marks,
+                        const Pane& pane) {
+    const float roomy = roomy_view * ui.options.text_scale;
+    const float size = std::min(pane.room().x, pane.room().y) / roomy;
+    const Pen pen{ui, list, pane, ui.options.text_scale * std::clamp(size, smallest_marks, 1.0f),
+                  pane.room().x < roomy};
+    for (const OutsideLine& line : marks.lines)
+        draw_line(pen, line);
+    for (const OutsidePoint& point : marks.points)
+        draw_point(pen, point);
+    draw_names(pen, marks);
+}
+
+} // namespace rasterwalk

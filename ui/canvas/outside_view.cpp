@@ -1,0 +1,223 @@
+#include "ui/canvas/outside_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <glm/common.hpp>
+
+#include "outside/outside_drawing.h"
+#include "ui/actions/actions.h"
+#include "ui/actions/outside.h"
+#include "ui/canvas/canvas.h"
+#include "ui/canvas/outside_marks_view.h"
+#include "ui/ui.h"
+#include "ui/widgets/picture_texture.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// How far the view turns for each screen pixel of a drag, radians.
+constexpr float outside_turn_per_pixel = 0.006f;
+
+/// How much nearer a step of the wheel is.
+constexpr float wheel_step = 0.88f;
+
+/// The space around what is seen, for names and the caption: design pixels, and at most this part
+/// of the smaller side.
+constexpr float margin = 44.0f;
+constexpr float largest_margin_share = 0.1f;
+
+glm::vec3 rgb(const ImVec4& colour) {
+    return {colour.x, colour.y, colour.z};
+}
+
+OutsideStyle style_of(const Ui& ui) {
+    const Palette& p = palette(ui.options.theme);
+    OutsideStyle style;
+    style.ground = rgb(p.canvas);
+    style.line = glm::mix(rgb(p.canvas), rgb(p.text), 0.4f);
+    const bool is_dark = ui.options.theme == Theme::dark;
+    style.drawn = is_dark ? 0.42f : 0.5f;
+    style.coming = is_dark ? 0.13f : 0.18f;
+    return style;
+}
+
+glm::ivec2 size_of(const Pane& pane) {
+    const ImVec2 room = pane.room();
+    return {std::max(static_cast<int>(room.x), 1), std::max(static_cast<int>(room.y), 1)};
+}
+
+OutsideLook look_of(const Ui& ui, const Pane& pane) {
+    const ImVec2 room = pane.room();
+    const float around =
+        std::min(margin * ui.options.text_scale, largest_margin_share * std::min(room.x, room.y));
+    return {ui.session.canvas.outside, size_of(pane), static_cast<double>(around), style_of(ui)};
+}
+
+/// The view with its distance and target set as they are seen now.
+OutsideView settled_view(const Ui& ui, const Pane& pane) {
+    const OutsideLook look = look_of(ui, pane);
+    return settled(look.view, ui.canvas.outside_drawing->things(), look.size, look.margin);
+}
+
+/// A click: the same as on the picture, or a triangle of the scene.
+void pick_outside(Ui& ui, const OutsidePick& pick) {
+    if (pick.pixel) {
+        pick_on_picture(ui, *pick.pixel, ImGui::GetIO().KeyShift);
+    } else if (pick.triangle) {
+        ui.session.selection.triangle = pick.triangle;
+    }
+}
+
+void drag(Ui& ui, const Pane& pane, ImVec2 by) {
+    OutsideView view = settled_view(ui, pane);
+    if (ImGui::GetIO().KeyShift) {
+        view = shifted(view, ui.canvas.outside_drawing->eye(), {by.x, by.y});
+    } else {
+        view = turned(view, outside_turn_per_pixel * by.x, -outside_turn_per_pixel * by.y);
+    }
+    ui.session.canvas.outside = view;
+}
+
+void handle_pointer(Ui& ui, const Pane& pane) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool is_hovered = ImGui::IsItemHovered();
+    if (!is_hovered && !ImGui::IsItemActive()) return;
+    const OutsideDrawing& drawing = *ui.canvas.outside_drawing;
+    const OutsidePick under = drawing.at({io.MousePos.x - pane.low.x, io.MousePos.y - pane.low.y});
+    if (under.pixel && ui.results.a.framebuffer->contains(under.pixel->x, under.pixel->y)) {
+        ui.canvas.hovered_pixel = under.pixel;
+    }
+    if (is_hovered && io.MouseWheel != 0.0f) {
+        ui.session.canvas.outside =
+            moved_away(settled_view(ui, pane), std::pow(wheel_step, io.MouseWheel));
+    }
+    if (is_hovered && ImGui::IsMouseDoubleClicked(0)) {
+        switch_camera_view(ui);
+        return;
+    }
+    const bool has_moved =
+        io.MouseDragMaxDistanceSqr[0] > io.MouseDragThreshold * io.MouseDragThreshold;
+    if (ImGui::IsMouseReleased(0) && !has_moved) pick_outside(ui, under);
+    const bool is_moving = io.MouseDelta.x != 0.0f || io.MouseDelta.y != 0.0f;
+    if (is_moving && ImGui::IsMouseDragging(0)) drag(ui, pane, io.MouseDelta);
+    if (is_moving && ImGui::IsMouseDragging(1)) turn_camera(ui, io.MouseDelta);
+}
+
+void draw_image(Ui& ui, ImDrawList* list, const Pane& pane) {
+    const OutsideDrawing& drawing = *ui.canvas.outside_drawing;
+    show_texture(ui, ui.canvas.outside, drawing.image(), drawing.number(), 1.0f);
+    PicturePlace place;
+    place.origin = pane.low;
+    place.scale = static_cast<float>(drawing.pixel_size());
+    draw_texture(list, ui.canvas.outside, place);
+}
+
+/// What can be done here, and the way through the camera.
+void draw_caption(Ui& ui, ImDrawList* list, const Pane& pane) {
+    const float u = ui.options.text_scale;
+    const bool is_camera = ui.session.canvas.outside.is_camera;
+    ImGui::PushFont(ui.fonts.small);
+    const bool is_narrow = pane.room().x < 300.0f * u;
+    const char* const label = is_camera   ? (is_narrow ? "outside" : "back outside")
+                              : is_narrow ? "camera"
+                                          : "look through the camera";
+    const float width = ImGui::CalcTextSize(label).x + 4.0f * u;
+    const float right = pane.high.x - 8.0f * u;
+    const float top = pane.low.y + 2.0f * u;
+    ImGui::SetCursorScreenPos({right - width, top});
+    if (button(ui, "outside.camera", label, Look::link, tooltip_of("view.through_camera"))) {
+        switch_camera_view(ui);
+    }
+    std::string words = is_camera ? "as the camera sees it" : "drag turns · wheel nears";
+    if (ui.results.a.triangle) {
+        words += " · rays of triangles[" + std::to_string(*ui.results.a.triangle) + "]";
+    }
+    const float left = pane.low.x + 10.0f * u;
+    const float room = right - width - 12.0f * u - left;
+    if (room > 40.0f * u) {
+        const std::string shown = shortened(words, room);
+        list->AddText({left, top + ImGui::GetStyle().FramePadding.y},
+                      packed(palette(ui.options.theme).dim), shown.c_str());
+    }
+    ImGui::PopFont();
+}
+
+/// Which triangles are still to come, while they are darker.
+void draw_coming(const Ui& ui, ImDrawList* list, const Pane& pane) {
+    const RunResults& a = ui.results.a;
+    const int count = a.frame.triangle_count(), first = a.cursor.triangle + 1;
+    if (count > most_ordered || first >= count) return;
+    const float u = ui.options.text_scale;
+    std::string words = "dark: still to come, triangles[" + std::to_string(first) + "]";
+    if (first + 1 < count) words += " to triangles[" + std::to_string(count - 1) + "]";
+    ImFont* const font = ui.fonts.small;
+    ImGui::PushFont(font);
+    const float room = pane.room().x - 20.0f * u;
+    const bool has_room =
+        ImGui::CalcTextSize(words.c_str()).x <= room && pane.room().y >= low_canvas * u;
+    ImGui::PopFont();
+    if (!has_room) return;
+    list->AddText(font, font->FontSize,
+                  {pane.low.x + 10.0f * u, pane.high.y - font->FontSize - 8.0f * u},
+                  packed(palette(ui.options.theme).dim), words.c_str());
+}
+
+} // namespace
+
+void draw_outside(Ui& ui, const Pane& pane) {
+    if (!ui.canvas.outside_drawing) ui.canvas.outside_drawing = std::make_shared<OutsideDrawing>();
+    OutsideDrawing& drawing = *ui.canvas.outside_drawing;
+    const float u = ui.options.text_scale;
+    const Palette& p = palette(ui.options.theme);
+    const ImVec2 room{std::max(pane.room().x, 1.0f), std::max(pane.room().y, 1.0f)};
+    ImGui::SetCursorScreenPos(pane.low);
+    ImGui::InvisibleButton("outside", room,
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+    ImGui::SetItemAllowOverlap(); // the caption's button lies on it
+    name_widget(ui, "canvas.outside");
+    const RunResults& a = ui.results.a;
+    const OutsideSubject subject{a.scene,    a.frame,   a.frame_number,   a.cursor,
+                                 a.triangle, a.picture, a.picture_number, *a.framebuffer};
+    // What lies under the pointer is asked of what was seen last.
+    if (drawing.number() > 0) handle_pointer(ui, pane);
+    drawing.update(subject, look_of(ui, pane));
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    list->AddRectFilled(pane.low, pane.high, packed(p.canvas), 4.0f * u);
+    list->PushClipRect(pane.low, pane.high, true);
+    draw_image(ui, list, pane);
+    const OutsideMarks marks = outside_marks(*a.scene, drawing.things(), drawing.eye(), a.triangle,
+                                             ui.session.selection.pixel, size_of(pane));
+    draw_outside_marks(ui, list, marks, pane);
+    draw_caption(ui, list, pane);
+    draw_coming(ui, list, pane);
+    list->PopClipRect();
+    list->AddRect(pane.low, pane.high, packed(p.line), 4.0f * u);
+}
+
+bool is_outside_working(const Ui& ui) {
+    return shown_on_canvas(ui) != CanvasShows::picture && ui.canvas.outside_drawing &&
+           ui.canvas.outside_drawing->is_working();
+}
+
+CanvasHalves canvas_halves(const Ui& ui, const Pane& canvas) {
+    const float gap = std::round(8.0f * ui.options.text_scale);
+    const ImVec2 room = canvas.room();
+    CanvasHalves halves{canvas, canvas};
+    if (room.x >= room.y) {
+        const float width = std::floor(std::max(0.5f * (room.x - gap), 1.0f));
+        halves.picture.high.x = canvas.low.x + width;
+        halves.outside.low.x = std::min(canvas.low.x + width + gap, canvas.high.x - 1.0f);
+    } else {
+        const float height = std::floor(std::max(0.5f * (room.y - gap), 1.0f));
+        halves.picture.high.y = canvas.low.y + height;
+        halves.outside.low.y = std::min(canvas.low.y + height + gap, canvas.high.y - 1.0f);
+    }
+    return halves;
+}
+
+} // namespace rasterwalk

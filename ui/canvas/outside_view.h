@@ -1,0 +1,25 @@
+#pragma once
+
+#include <imgui.h>
+
+#include "ui/canvas/compare_view.h"
+
+namespace rasterwalk {
+
+struct Ui;
+
+/// The scene from outside in a part of the canvas: turned by dragging, nearer and farther by the
+/// wheel; a click picks a triangle of the scene, or a pixel of the picture on its pane.
+void draw_outside(Ui& ui, const Pane& pane);
+
+/// Is there something left to be drawn of what is shown from outside?
+bool is_outside_working(const Ui& ui);
+
+/// The parts of the canvas in which the picture and the scene from outside stand while both are
+/// shown: beside each other, or one above the other where that makes them larger.
+struct CanvasHalves {
+    Pane picture, outside;
+};
+CanvasHalves canvas_halves(const Ui& ui, const Pane& canvas);
+
+} // namespace rasterwalk
