@@ -148,17 +148,18 @@ TEST_CASE("24 of the room's 90 edges miss their end, and they have 15 109 sample
 TEST_CASE("Without the last pixel of each row the lab's triangle loses two rows and two tips") {
     require_said("06-filling.md", "Rows 5 and 15 have only one pixel, so they vanish");
     const Drawn bench({"stage=fill"}, "one-triangle");
-    const std::set<ColumnRow> all = filled(bench.frame, true), short_ = filled(bench.frame, false);
-    std::set<int> rows, short_rows;
+    const std::set<ColumnRow> all = filled(bench.frame, true),
+                              without_last = filled(bench.frame, false);
+    std::set<int> rows, rows_left;
     for (const ColumnRow& pixel : all)
         rows.insert(pixel[1]);
-    for (const ColumnRow& pixel : short_)
-        short_rows.insert(pixel[1]);
+    for (const ColumnRow& pixel : without_last)
+        rows_left.insert(pixel[1]);
     CHECK(rows.size() == 11);
-    CHECK(short_rows.size() == 9);
-    CHECK(short_rows.count(5) + short_rows.count(15) == 0);
-    CHECK(short_.count({10, 5}) + short_.count({15, 15}) == 0);
-    CHECK(short_.count({5, 10}) == 1);
+    CHECK(rows_left.size() == 9);
+    CHECK(rows_left.count(5) + rows_left.count(15) == 0);
+    CHECK(without_last.count({10, 5}) + without_last.count({15, 15}) == 0);
+    CHECK(without_last.count({5, 10}) == 1);
 }
 
 TEST_CASE("Without the last pixel of each row the room loses column 499, and no gap opens") {
