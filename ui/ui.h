@@ -28,6 +28,12 @@ namespace rasterwalk {
 
 struct PictureShelf; // ui/widgets/pictures.h
 
+/// A scene that comes with the program.
+struct SceneEntry {
+    std::filesystem::path file;
+    std::string title; ///< its name, or that of the file where the scene cannot be read
+};
+
 /// The interface: what the student sets (session), what follows from it (results), and what only
 /// concerns the screen.
 struct Ui {
@@ -43,7 +49,7 @@ struct Ui {
     std::unordered_map<std::string, WidgetPlace> widgets; ///< drawn in this frame, by name
     std::shared_ptr<PictureShelf> pictures;               ///< that the lessons show
     bool follow_cursor = false; ///< the cursor moved: tables scroll to what was just written
-    std::vector<std::filesystem::path> scene_files; ///< of the Scene menu, read when it opens
+    std::vector<SceneEntry> scene_files; ///< of the Scene menu, read when it opens
     CanvasState canvas;
     CompareLook compare;
     InspectorState inspector;

@@ -31,6 +31,9 @@ struct Trial {
     }
 };
 
+/// Before the place of a pixel that is an answer.
+constexpr std::string_view pixel_word = "pixel ";
+
 std::string pixel_text(const glm::ivec2& pixel) {
     return fmt::format("({}, {})", pixel.x, pixel.y);
 }
@@ -132,6 +135,47 @@ Judgement judge(const Lesson& lesson, const LessonPrediction& prediction, const 
         if (result.fault.empty()) result.fault = fault.what();
     }
     return result;
+}
+
+std::string answer_words(const LessonPrediction& prediction, const GivenAnswer& answer,
+                         std::string_view typed) {
+    if (const auto* pixel = std::get_if<glm::ivec2>(&answer.value)) {
+        return std::string(pixel_word).append(pixel_text(*pixel));
+    }
+    if (const int* const choice = std::get_if<int>(&answer.value)) {
+        return prediction.choices[static_cast<std::size_t>(*choice)];
+    }
+    return prediction.unit.empty() ? std::string(typed)
+                                   : fmt::format("{} {}", typed, prediction.unit);
+}
+
+std::optional<GivenAnswer> answer_in_words(const LessonPrediction& prediction,
+                                           std::string_view said) {
+    switch (prediction.kind) {
+    case PredictionKind::choice: {
+        const auto& choices = prediction.choices;
+        const auto found = std::find(choices.begin(), choices.end(), said);
+        if (found == choices.end()) return std::nullopt;
+        return GivenAnswer{static_cast<int>(found - choices.begin())};
+    }
+    case PredictionKind::number: {
+        if (!prediction.unit.empty() && said.ends_with(prediction.unit)) {
+            said.remove_suffix(prediction.unit.size());
+        }
+        const std::optional<double> number = read_answer(said);
+        return number ? std::optional(GivenAnswer{*number}) : std::nullopt;
+    }
+    case PredictionKind::pixel: {
+        if (!said.starts_with(pixel_word)) return std::nullopt;
+        said.remove_prefix(pixel_word.size());
+        if (said.size() < 2 || said.front() != '(' || said.back() != ')') return std::nullopt;
+        std::string place(said.substr(1, said.size() - 2));
+        std::erase(place, ' ');
+        const std::optional<glm::ivec2> pixel = parse_pixel(place);
+        return pixel ? std::optional(GivenAnswer{*pixel}) : std::nullopt;
+    }
+    }
+    return std::nullopt;
 }
 
 std::optional<double> read_answer(std::string_view text) {

@@ -45,6 +45,16 @@ struct Judgement {
 Judgement judge(const Lesson& lesson, const LessonPrediction& prediction, const GivenAnswer& answer,
                 const Session& session);
 
+/// An answer as it is told back to the student and kept in the progress: "12 pixels", "pixel (3,
+/// 4)", or the sentence that was chosen.
+/// @param typed of a number, what stood in the field
+std::string answer_words(const LessonPrediction& prediction, const GivenAnswer& answer,
+                         std::string_view typed = {});
+
+/// The answer that was told back so; none if the prediction cannot be answered so any more.
+std::optional<GivenAnswer> answer_in_words(const LessonPrediction& prediction,
+                                           std::string_view said);
+
 /// Reads a number as a student writes it: `12`, `-0.5`, `0,5`, `1/3`, `500*2/4`. None if it is not
 /// one.
 std::optional<double> read_answer(std::string_view text);

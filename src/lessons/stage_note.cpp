@@ -30,7 +30,9 @@ FileState state_of(const std::string& path) {
 } // namespace
 
 std::string note_name(const Session& session) {
-    if (session.scene && is_bench(*session.scene)) return "bench";
+    if (session.scene && is_bench(*session.scene)) {
+        return session.scene->examples.empty() ? "pixels" : "bench";
+    }
     return std::string(stage_info(session.a.settings).name);
 }
 

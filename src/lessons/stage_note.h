@@ -17,8 +17,8 @@ struct StageNote {
     std::string fault; ///< a sentence why it could not be read; empty if it could
 };
 
-/// Name of the note that belongs to what the session shows: that of the stage, or `bench` for a
-/// scene in pixel space.
+/// Name of the note that belongs to what the session shows: that of the stage, or for a scene in
+/// pixel space `bench` where it has the lab's examples, `pixels` where it has none.
 std::string note_name(const Session& session);
 
 /// Reads FOLDER/stages/NAME.md. Never throws: what goes wrong is the note's fault.

@@ -259,6 +259,19 @@ void compose_overlays(const Frame& frame, const Cursor& cursor, const Framebuffe
                                                   {framebuffer, picture.facts, picture.totals});
 }
 
+Image ground_of_overlays(const Image& picture) {
+    // Of 256: what the channels weigh in brightness, and how much of it is left.
+    constexpr int red = 54, green = 183, blue = 19, kept = 160;
+    Image ground = picture;
+    for (std::size_t at = 0; at + 3 < ground.rgba.size(); at += 4) {
+        const std::uint8_t* const p = &picture.rgba[at];
+        const int light = (red * p[0] + green * p[1] + blue * p[2]) / 256;
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            ground.rgba[at + channel] = static_cast<std::uint8_t>(light * kept / 256);
+    }
+    return ground;
+}
+
 Tint overlay_tint(Overlay overlay, float amount, glm::ivec2 pixel, int triangle) {
     switch (overlay) {
     case Overlay::owner:

@@ -110,6 +110,10 @@ struct OverlayPicture {
 void compose_overlays(const Frame& frame, const Cursor& cursor, const Framebuffer& framebuffer,
                       OverlaySet overlays, bool same_moment, OverlayPicture& picture);
 
+/// The picture as the ground of overlays: without colour, and darker, so that every tint can be
+/// told from what lies below it.
+Image ground_of_overlays(const Image& picture);
+
 /// A colour laid over the picture.
 struct Tint {
     glm::vec<3, std::uint8_t> colour{0, 0, 0};

@@ -33,6 +33,18 @@ void update_overlay(const Session& session, Results& results, bool moved) {
     ++results.overlay_number;
 }
 
+void update_ground(Results& results) {
+    if (results.overlay.image.rgba.empty()) {
+        results.ground = {};
+        results.ground_of = 0;
+        return;
+    }
+    if (results.ground_of == results.a.picture_number) return;
+    results.ground = ground_of_overlays(results.a.picture);
+    results.ground_of = results.a.picture_number;
+    results.ground_number = ++results.numbers;
+}
+
 void update_history(const Session& session, Results& results, bool new_frame) {
     const std::optional<glm::ivec2> pixel = picked_pixel(session, results.a.frame);
     const auto known = results.history ? std::optional(results.history->pixel) : std::nullopt;
@@ -117,6 +129,7 @@ bool update(const Session& session, Results& results, const WorkLimit& limit) {
     }
     if (changes.frame) results.length = frame_length(Timeline(results.a.frame));
     update_overlay(session, results, changes.moment);
+    update_ground(results);
     update_history(session, results, changes.frame);
     update_second_run(session, changes, limit, results);
     return changes.picture;

@@ -46,6 +46,10 @@ struct Results {
                                   ///< no run B
     OverlayPicture overlay;       ///< what is laid over the picture of A
     std::uint64_t overlay_number = 0;    ///< grows whenever `overlay` changes
+    Image ground;                        ///< the picture of A below `overlay`; without pixels where
+                                         ///< nothing covers it
+    std::uint64_t ground_number = 0;     ///< another one whenever `ground` is another
+    std::uint64_t ground_of = 0;         ///< number of the picture that it was made of
     bool overlay_is_old = false;         ///< it is empty until the picture of A is drawn
     std::optional<DepthView> depth;      ///< of A, while the depth view is shown
     std::optional<PixelHistory> history; ///< of the picked pixel, over the whole frame of A

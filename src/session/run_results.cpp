@@ -14,10 +14,23 @@ namespace rasterwalk {
 
 namespace {
 
+/// The triangle that a picked pixel belongs to at the cursor.
+std::optional<int> owner_of_pixel(const Session& session, const RunResults& results) {
+    const std::optional<glm::ivec2>& pixel = session.selection.pixel;
+    const Framebuffer& picture = *results.framebuffer;
+    if (!pixel || !results.is_drawn() || !picture.contains(pixel->x, pixel->y)) return std::nullopt;
+    const int owner = picture.owner[picture.at(pixel->x, pixel->y)];
+    return owner >= 0 ? std::optional(owner) : std::nullopt;
+}
+
 std::optional<int> shown_triangle(const Session& session, const RunResults& results) {
     const int count = results.frame.triangle_count();
     if (session.selection.triangle && *session.selection.triangle < count) {
         return session.selection.triangle;
+    }
+    // While time is walked through, the one at work comes first.
+    if (results.cursor == cursor_end) {
+        if (const std::optional<int> owner = owner_of_pixel(session, results)) return owner;
     }
     if (results.done) return results.done->triangle;
     return count > 0 ? std::optional(0) : std::nullopt;

@@ -31,7 +31,8 @@ struct RunResults {
     const Framebuffer* framebuffer = nullptr; ///< at the cursor, or as far as it is drawn
     Image picture;                            ///< the view of the framebuffer
     std::uint64_t picture_number = 0;         ///< another one whenever `picture` is another
-    std::optional<int> triangle; ///< that the inspector shows: selected, or being drawn, or first
+    std::optional<int> triangle; ///< that the inspector shows: selected, or of the picked pixel in
+                                 ///< a whole picture, or being drawn, or first
     RowHistory rows;             ///< row table of that triangle, as far as it is made at the cursor
     Inspected inspected; ///< the vertices, the fragment and the row on show, with their formulas
     std::vector<std::string> messages; ///< what is out of order: triangles left out, samples

@@ -54,4 +54,13 @@ void show_scene(Session& session, std::shared_ptr<const Scene> scene) {
     session.canvas.outside.distance = 0.0f;
 }
 
+void tell(Session& session, std::string sentence) {
+    session.news = sentence;
+    session.notice = std::move(sentence);
+}
+
+bool is_fault(const Session& session) {
+    return !session.notice.empty() && session.notice != session.news;
+}
+
 } // namespace rasterwalk

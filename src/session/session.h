@@ -20,6 +20,7 @@
 #include "session/quiz_state.h"
 #include "session/second_run.h"
 #include "session/selection.h"
+#include "session/side_page.h"
 #include "session/speed.h"
 #include "session/undo.h"
 #include "settings/preset.h"
@@ -57,11 +58,19 @@ struct Session : SessionInputs {
     int jumps = 0;            ///< grows with every go_to(); steps and scrubbing do not count
     UndoStack undo;
     PlaceHistory places;
-    std::string lesson;        ///< id of the lesson that is open; empty: none
-    int step = 0;              ///< of the lesson; 0 is its opening
-    std::string lesson_folder; ///< in which the lessons lie; empty: lessons_folder()
-    std::string notice;        ///< a sentence for the status line; may be empty
+    std::string lesson;               ///< id of the lesson that is open; empty: none
+    int step = 0;                     ///< of the lesson; 0 is its opening
+    std::string lesson_folder;        ///< in which the lessons lie; empty: lessons_folder()
+    SidePage page = SidePage::lesson; ///< beside the picture
+    std::string notice;               ///< a sentence for the status line; may be empty
+    std::string news; ///< the last notice that told what was done; any other is a fault
 };
+
+/// Says what was done. A notice that is set without this says what could not be done.
+void tell(Session& session, std::string sentence);
+
+/// Does the notice say what could not be done?
+bool is_fault(const Session& session);
 
 /// A session on a scene file, with the presets of lessons_folder(). Throws Error.
 Session open_session(const std::string& scene_path);

@@ -372,4 +372,11 @@ ViewField plane_field() {
     return field;
 }
 
+ViewField page_field() {
+    const ViewOption option{"page", "NAME",
+                            "What is read beside the picture: " + one_of(enum_words<SidePage>)};
+    return enum_field("page", ViewPart::panel, option, "page", &ViewState::page, &Session::page,
+                      false);
+}
+
 } // namespace rasterwalk

@@ -30,6 +30,7 @@ struct ViewState {
     std::optional<glm::ivec2> pixel;
     std::optional<int> triangle, row, vertex;
     std::optional<std::string> tab; ///< of the inspector; none: rows
+    std::optional<SidePage> page;   ///< beside the picture; none: the lesson
     std::optional<View> view;
     std::optional<OverlaySet> overlays;
     std::optional<float> zoom; ///< screen pixels a picture pixel; 0, and none: it fits

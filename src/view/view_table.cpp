@@ -233,6 +233,7 @@ std::vector<ViewField> make_table() {
         number_field("vertex", "vertices", "Vertex that is selected, 0 to 2, or none",
                      triangle_corners - 1, vertices_of, &ViewState::vertex, &Selection::vertex),
         tab_field(),
+        page_field(),
         plane_field(),
         overlays_field(),
         zoom_field(),

@@ -47,6 +47,28 @@ TEST_CASE("Each stage has its note, and a bench has one for all stages") {
     }
 }
 
+TEST_CASE("What the page about the bench says is true wherever it is shown") {
+    StageNotes notes;
+    REQUIRE(notes.find("bench").text.find("One triangle on a grid of 20 by 20 pixels") !=
+            std::string::npos);
+    int benches = 0, others = 0;
+    for (const auto& file : std::filesystem::directory_iterator(lessons_folder() + "/scenes")) {
+        const Session session = open_session(file.path().string());
+        if (session.scene->space != SceneSpace::pixels) continue;
+        INFO(file.path());
+        const StageNote& note = notes.find(note_name(session));
+        CHECK(note.fault.empty());
+        const bool is_bench = note_name(session) == "bench";
+        if (is_bench) {
+            CHECK(session.scene->triangle_count() == 1);
+            CHECK(session.a.settings.viewport == Viewport{20, 20});
+        }
+        (is_bench ? benches : others) += 1;
+    }
+    CHECK(benches == 1);
+    CHECK(others > 5);
+}
+
 TEST_CASE("Every note can be read and begins with its title") {
     StageNotes notes;
     for (const StageInfo& info : stage_list()) {
@@ -56,6 +78,7 @@ TEST_CASE("Every note can be read and begins with its title") {
         CHECK(note.text.substr(0, note.text.find('\n')) == "# " + std::string(info.title));
     }
     CHECK(notes.find("bench").text.starts_with("# The bench\n"));
+    CHECK(notes.find("pixels").text.starts_with("# A scene in pixels\n"));
 }
 
 TEST_CASE("A note that is missing, a folder or too large has a fault in its place") {

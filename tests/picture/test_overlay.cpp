@@ -321,3 +321,35 @@ TEST_CASE("Undo takes back overlays and the range of the depth view") {
     CHECK(session.overlays.has(Overlay::uncovered));
     CHECK(session.depth_range == DepthRange{0.3f, 0.4f});
 }
+
+TEST_CASE("Below overlays the picture is grey, keeps its order of brightness, and is darker") {
+    Session session = room_session();
+    session.a.settings.light.power = glm::vec3(14.0f);
+    Results results;
+    update(session, results);
+    CHECK(results.ground.rgba.empty());
+    session.overlays.set(Overlay::wireframe, true); // lines alone cover nothing
+    update(session, results);
+    CHECK(results.ground.rgba.empty());
+    session.overlays.set(Overlay::affine_error, true);
+    update(session, results);
+    const Image& picture = results.a.picture;
+    REQUIRE(results.ground.rgba.size() == picture.rgba.size());
+    for (std::size_t at = 0; at < picture.rgba.size(); at += 4) {
+        const auto* const p = &picture.rgba[at];
+        const auto* const g = &results.ground.rgba[at];
+        const double light = 0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2];
+        const bool is_right =
+            g[0] == g[1] && g[1] == g[2] && g[3] == p[3] && std::abs(g[0] - 0.625 * light) < 3.0;
+        if (!is_right) FAIL("byte " << at);
+    }
+    // Another moment has another ground, and no overlay has none.
+    const std::uint64_t number = results.ground_number;
+    session.cursor = {5, Phase::rows, 3, 0};
+    update(session, results);
+    CHECK(results.ground_number != number);
+    CHECK(results.ground == ground_of_overlays(results.a.picture));
+    session.overlays = {};
+    update(session, results);
+    CHECK(results.ground.rgba.empty());
+}

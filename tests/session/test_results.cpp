@@ -1,5 +1,7 @@
 #include "session/results.h"
 
+#include <set>
+
 #include <catch2/catch.hpp>
 
 #include "picture/view_image.h"
@@ -226,4 +228,31 @@ TEST_CASE("What is out of order is told of the whole frame, wherever the cursor 
         CHECK(results.a.messages == end.a.messages);
         session.cursor = cursor_end;
     }
+}
+
+TEST_CASE("A picked pixel shows its own triangle, unless another is selected or at work") {
+    Session session = room_session();
+    session.a.settings.stage = Stage::depth;
+    Results results;
+    const Frame frame = prepare_frame(*session.scene, session.a.settings);
+    const Framebuffer drawn = draw_frame(frame);
+    std::set<int> owners;
+    for (int column = 5; column < 120; column += 10) {
+        const glm::ivec2 pixel(column, 70);
+        session.selection.pixel = pixel;
+        update(session, results);
+        const int owner = drawn.owner[drawn.at(pixel.x, pixel.y)];
+        if (owner < 0) continue;
+        owners.insert(owner);
+        CHECK(results.a.triangle == owner);
+        CHECK(results.a.inspected.triangle == owner);
+    }
+    CHECK(owners.size() > 3);
+    session.selection.triangle = 2;
+    update(session, results);
+    CHECK(results.a.triangle == 2);
+    session.selection.triangle = std::nullopt;
+    session.cursor = {7, Phase::rows, 1, 1};
+    update(session, results);
+    CHECK(results.a.triangle == 7);
 }

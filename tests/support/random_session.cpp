@@ -90,6 +90,7 @@ void select_some(Random& random, Session& session) {
 void look_somehow(Random& random, Session& session) {
     session.tab = tab_names()[static_cast<std::size_t>(
         random.integer(0, static_cast<int>(tab_names().size()) - 1))];
+    session.page = static_cast<SidePage>(random.integer(0, 2));
     session.view = static_cast<View>(random.integer(0, 3));
     session.overlays.bits =
         static_cast<std::uint8_t>(random.integer(0, 1) * random.integer(0, 255));
@@ -179,6 +180,7 @@ void check_same_view(const Session& is, const Session& expected) {
     CHECK(is.canvas.shows == expected.canvas.shows);
     CHECK(is.canvas.outside == expected.canvas.outside);
     CHECK(is.tab == expected.tab);
+    CHECK(is.page == expected.page);
     CHECK(is.depth_range == expected.depth_range);
     CHECK(is.lesson == expected.lesson);
     CHECK(is.step == expected.step);

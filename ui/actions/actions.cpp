@@ -8,6 +8,7 @@
 #include "session/scene_file.h"
 #include "ui/actions/held_keys.h"
 #include "ui/actions/keys.h"
+#include "ui/actions/open_lesson.h"
 #include "ui/ui.h"
 
 namespace rasterwalk {
@@ -29,6 +30,8 @@ bool is_pressed(const Chord& chord) {
 
 std::string key_name(int code) {
     switch (code) {
+    case key::escape:
+        return "Esc";
     case key::space:
         return "Space";
     case key::home:
@@ -92,12 +95,9 @@ void handle_keys(Ui& ui) {
 }
 
 void open_scene(Ui& ui, const std::string& path) {
-    try {
-        set_scene(ui.session, read_scene_file(path));
-        ui.session.notice.clear();
-    } catch (const Error& fault) {
-        ui.session.notice = fault.what();
-    }
+    set_scene(ui.session, read_scene_file(path));
+    ui.session.notice.clear();
+    close_lesson(ui);
 }
 
 } // namespace rasterwalk

@@ -43,7 +43,8 @@ std::string chord_text(const Chord& chord);
 /// held. Does nothing while text is typed or a sheet for files is up.
 void handle_keys(Ui& ui);
 
-/// Opens a scene file; a fault goes to session.notice and the old scene stays.
+/// Opens a scene file in place of what is on show; the lesson, which speaks of another, is closed.
+/// Throws Error; everything is then as it was.
 void open_scene(Ui& ui, const std::string& path);
 
 } // namespace rasterwalk

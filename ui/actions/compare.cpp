@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "laboratory/quiz.h"
 #include "session/walk.h"
@@ -128,7 +129,18 @@ bool is_blinking(const Ui& ui) {
 }
 
 bool blink_shows_b(const Ui& ui) {
-    return std::fmod(ui.compare.blink_seconds, blink_period) >= 0.5f * blink_period;
+    return ui.compare.blink_seconds >= 0.5f * blink_period;
+}
+
+void advance_blinking(Ui& ui, float seconds) {
+    float& since = ui.compare.blink_seconds;
+    since = std::fmod(since + seconds, blink_period);
+}
+
+double seconds_to_blink(const Ui& ui) {
+    if (!is_blinking(ui)) return std::numeric_limits<double>::infinity();
+    constexpr float half = 0.5f * blink_period;
+    return static_cast<double>(half - std::fmod(ui.compare.blink_seconds, half));
 }
 
 std::string run_words(const Session& session, bool of_b, bool one_line) {

@@ -36,6 +36,12 @@ bool is_blinking(const Ui& ui);
 /// True while the blinking picture is that of run B.
 bool blink_shows_b(const Ui& ui);
 
+/// Lets time pass while the pictures blink.
+void advance_blinking(Ui& ui, float seconds);
+
+/// How long the picture that is shown now stays; infinite where nothing blinks.
+double seconds_to_blink(const Ui& ui);
+
 /// A run's settings that the other has not: "interpolation = affine"; all of them, a line each, or
 /// as many as fit on one line.
 std::string run_words(const Session& session, bool of_b, bool one_line);

@@ -1,4 +1,5 @@
 #include "ui/actions/action_menus.h"
+#include "ui/actions/close_topmost.h"
 #include "ui/actions/keys.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/ui.h"
@@ -34,10 +35,11 @@ std::vector<Action> lesson_actions() {
          "The list of lessons, with a search.",
          {'L'},
          [](Ui& ui) {
-             ui.lesson.shows_list = !ui.lesson.shows_list;
+             SidePage& page = ui.session.page;
+             page = page == SidePage::list ? SidePage::lesson : SidePage::list;
              ui.lesson.covers_inspector = true;
          },
-         [](const Ui& ui) { return ui.lesson.shows_list; }},
+         [](const Ui& ui) { return ui.session.page == SidePage::list; }},
     };
 }
 
@@ -64,6 +66,13 @@ std::vector<Action> help_actions() {
          {key::f1},
          [](Ui& ui) { ui.sheets.shows_keys = !ui.sheets.shows_keys; },
          [](const Ui& ui) { return ui.sheets.shows_keys; }},
+        {"help.close",
+         "",
+         "Close what is open",
+         "Closes the menu or sheet that lies on top.",
+         {key::escape},
+         close_topmost,
+         nullptr},
     };
 }
 

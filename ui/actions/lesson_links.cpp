@@ -1,6 +1,7 @@
 #include "ui/actions/lesson_links.h"
 
 #include <algorithm>
+#include <span>
 
 #include "base/error.h"
 #include "lessons/lesson_link.h"
@@ -52,6 +53,7 @@ void point_at_widget(Ui& ui, const std::string& widget, bool is_held) {
     if (lesson.pointed_at != target || is_held) lesson.frames_unseen = 0;
     lesson.pointed_at = target;
     lesson.is_held = lesson.is_held || is_held;
+    lesson.is_new = lesson.is_new || is_held;
 }
 
 void follow_link(Ui& ui, const std::string& target) {
@@ -110,13 +112,15 @@ void answer_links(Ui& ui, const MarkdownDocument& document, const MarkdownEvents
 
 void release_pointed(Ui& ui) {
     LessonView& lesson = ui.lesson;
-    const bool is_hovered = lesson.is_hovered;
-    lesson.is_hovered = false;
+    const bool is_hovered = lesson.is_hovered, is_new = lesson.is_new;
+    lesson.is_hovered = lesson.is_new = false;
     if (lesson.pointed_at.empty()) return;
-    const ImGuiIO& io = ImGui::GetIO();
-    const bool is_key =
-        std::any_of(std::begin(io.KeysDown), std::end(io.KeysDown), [](bool down) { return down; });
-    if (lesson.is_held && (ImGui::IsMouseClicked(0) || is_key)) lesson.is_held = false;
+    // The key that led here may still be held: only another one that goes down ends it.
+    const std::span<const float> held = ImGui::GetIO().KeysDownDuration;
+    const bool is_pressed =
+        ImGui::IsMouseClicked(0) ||
+        std::any_of(held.begin(), held.end(), [](float seconds) { return seconds == 0.0f; });
+    if (lesson.is_held && is_pressed && !is_new) lesson.is_held = false;
     if (++lesson.frames_unseen > frames_to_appear && lesson.is_held) {
         ui.session.notice = "'" + lesson.pointed_at.substr(0, 60) + "' is not on the screen now.";
         lesson.is_held = false;

@@ -1,6 +1,7 @@
 #include "ui/actions/open_lesson.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/error.h"
 #include "session/content.h"
@@ -23,7 +24,6 @@ void forget_step(LessonView& view) {
 /// The same, because another comes.
 void leave_step(LessonView& view) {
     forget_step(view);
-    view.shows_list = view.shows_stage = false;
     view.covers_inspector = true;
 }
 
@@ -81,6 +81,17 @@ void open_lesson(Ui& ui, std::string_view id, int step) {
     enter_step(ui, *lesson);
 }
 
+void close_lesson(Ui& ui) {
+    Session& session = ui.session;
+    if (session.lesson.empty()) return;
+    session.lesson.clear();
+    session.lesson_folder.clear();
+    session.step = 0;
+    session.page = SidePage::lesson;
+    session.tab = Session().tab;
+    take_up_lesson(ui);
+}
+
 void open_lesson_to_go_on(Ui& ui) {
     const std::string id = lesson_to_open(ui.lesson.progress, ui.lesson.lessons.all());
     if (!id.empty()) open_lesson(ui, id, ui.lesson.progress.of(id).last_step);
@@ -126,6 +137,18 @@ void answer_prediction(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
     if (!prediction.then) return;
     const std::vector<Fault> faults = show_state(ui.session, *prediction.then, lesson.folder);
     if (!faults.empty()) ui.session.notice = fault_text(lesson, faults.front());
+}
+
+void take_up_answer(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction) {
+    PredictionView& view = ui.lesson.predictions[prediction.id];
+    if (std::exchange(view.is_taken_up, true) || view.judged) return;
+    const auto& answers = ui.lesson.progress.of(lesson.id).answers;
+    const auto kept = answers.find(prediction.id);
+    if (kept == answers.end()) return;
+    const std::optional<GivenAnswer> answer = answer_in_words(prediction, kept->second.said);
+    if (!answer) return;
+    view.judged = judge(lesson, prediction, *answer, ui.session);
+    view.said = kept->second.said;
 }
 
 std::string lesson_after(Ui& ui, std::string_view id) {

@@ -17,6 +17,9 @@ void open_lesson(Ui& ui, std::string_view id, int step);
 /// Does nothing without a lesson.
 void take_up_lesson(Ui& ui);
 
+/// Closes the lesson, and the tab that it opened, because something else is shown now.
+void close_lesson(Ui& ui);
+
 /// Opens the lesson with which the student goes on, where they left it.
 void open_lesson_to_go_on(Ui& ui);
 
@@ -36,9 +39,14 @@ void tick_off_tasks(Ui& ui, const Lesson& lesson);
 
 /// Answers a prediction: judges it, notes the first answer in the progress, and shows the state
 /// that belongs to the reveal.
-/// @param said the answer as it is told back to the student
+/// @param said the answer as it is told back to the student, see answer_words()
 void answer_prediction(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction,
                        const GivenAnswer& answer, std::string said);
+
+/// Shows the answer that the progress has of a prediction, judged anew, as if it had just been
+/// given; the picture stays as it is. Does nothing the second time, so that it can be answered
+/// again.
+void take_up_answer(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction);
 
 /// Id of the lesson that follows this one; empty after the last.
 std::string lesson_after(Ui& ui, std::string_view id);

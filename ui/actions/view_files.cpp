@@ -15,6 +15,7 @@
 #include "opening/opened_view.h"
 #include "session/content.h"
 #include "session/scene_file.h"
+#include "ui/actions/actions.h"
 #include "ui/actions/lab.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/ui.h"
@@ -108,7 +109,7 @@ void save_to(Ui& ui, const std::string& path) {
         return;
     }
     write_view(ui.session, path);
-    ui.session.notice = "Saved as " + path + ".";
+    tell(ui.session, "Saved as " + path + ".");
     sheet.kind = FileSheet::Kind::closed;
 }
 
@@ -136,8 +137,7 @@ void open_file(Ui& ui, const std::string& path) {
         options.file = path;
         show_view(ui, open_view(options));
     } else {
-        set_scene(ui.session, read_scene_file(path));
-        ui.session.notice.clear();
+        open_scene(ui, path);
     }
 }
 
@@ -158,7 +158,7 @@ void copy_command_line(Ui& ui) {
     try {
         const std::string line = command_line_text(ui.session);
         ImGui::SetClipboardText(line.c_str());
-        ui.session.notice = std::string("Copied: ").append(line);
+        tell(ui.session, std::string("Copied: ").append(line));
     } catch (const Error& fault) {
         ui.session.notice = fault.what();
     }

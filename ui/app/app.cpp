@@ -181,7 +181,7 @@ bool build_pass(Ui& ui, float seconds) {
         carry_changes_to_b(ui.session);
     });
     guarded(ui, [&] { follow_start_page(ui); });
-    if (is_blinking(ui)) ui.compare.blink_seconds += seconds;
+    if (is_blinking(ui)) advance_blinking(ui, seconds);
     const Cursor before = ui.results.a.cursor;
     const bool is_known = update_or_go_back(ui);
     ui.follow_cursor = ui.results.a.cursor != before;
@@ -250,8 +250,8 @@ void keep_everything(Ui& ui) {
 }
 
 bool is_animating(const Ui& ui) {
-    return ui.session.play.running || is_moving_by_key() || is_blinking(ui) ||
-           ui.lab.frames_to_result > 0 || is_working(ui.results) || is_outside_working(ui);
+    return ui.session.play.running || is_moving_by_key() || ui.lab.frames_to_result > 0 ||
+           is_working(ui.results) || is_outside_working(ui);
 }
 
 } // namespace rasterwalk

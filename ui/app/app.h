@@ -21,7 +21,8 @@ void build_ui(Ui& ui);
 /// Writes what is kept between two runs of the program, if need be for the last time.
 void keep_everything(Ui& ui);
 
-/// True while the next frame will differ without any input: time is playing.
+/// True while the next frame will differ without any input: time is playing. What blinks stands
+/// still in between, see seconds_to_blink().
 bool is_animating(const Ui& ui);
 
 } // namespace rasterwalk

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "session/content.h"
+#include "session/scene_file.h"
 #include "settings/preset.h"
 #include "ui/actions/actions.h"
 #include "ui/actions/open_lesson.h"
@@ -25,6 +26,15 @@ void draw_action_item(Ui& ui, const Action& action) {
 
 namespace fs = std::filesystem;
 
+/// A broken scene is listed too: opening it says what is wrong.
+std::string title_of_scene(const fs::path& file) {
+    try {
+        return read_scene_file(file.string()).name;
+    } catch (const Error&) {
+        return file.filename().string();
+    }
+}
+
 /// The scenes that come with the program; the folder may be gone while it runs.
 void read_scene_list(Ui& ui) {
     ui.scene_files.clear();
@@ -33,21 +43,31 @@ void read_scene_list(Ui& ui) {
         const fs::path folder = fs::path(lessons_folder()) / "scenes";
         for (fs::directory_iterator entry(folder, fault), end; !fault && entry != end;
              entry.increment(fault)) {
-            if (entry->path().extension() == ".toml") ui.scene_files.push_back(entry->path());
+            if (entry->path().extension() != ".toml") continue;
+            ui.scene_files.push_back({entry->path(), title_of_scene(entry->path())});
         }
     } catch (const Error& fault) {
         ui.session.notice = fault.what();
     }
-    std::sort(ui.scene_files.begin(), ui.scene_files.end());
+    std::sort(ui.scene_files.begin(), ui.scene_files.end(),
+              [](const SceneEntry& a, const SceneEntry& b) { return a.title < b.title; });
 }
 
 void draw_scene_menu(Ui& ui) {
     if (ImGui::IsWindowAppearing()) read_scene_list(ui);
-    for (const fs::path& file : ui.scene_files) {
+    for (const auto& [file, title] : ui.scene_files) {
         const bool open = file == fs::path(ui.session.scene->path);
-        if (ImGui::MenuItem(file.stem().c_str(), nullptr, open)) open_scene(ui, file.string());
-        name_widget(ui, "scene." + file.stem().string(),
-                    "Opens this scene: " + file.filename().string());
+        const std::string name = "scene." + file.stem().string();
+        // Two scenes may have the same title.
+        if (ImGui::MenuItem((title + "###" + name).c_str(), nullptr, open)) {
+            try {
+                open_scene(ui, file.string());
+            } catch (const Error& fault) {
+                ui.session.notice = fault.what();
+            }
+        }
+        name_widget(ui, name, "Opens this scene: " + file.filename().string());
+        note_text(ui, name, title);
     }
     ImGui::Separator();
     for (const Preset& preset : ui.session.presets) {
@@ -104,35 +124,43 @@ void draw_menu(Ui& ui, const MenuTitle& menu) {
     ImGui::EndMenu();
 }
 
-/// What stands at the right end of the menu, as far as there is room.
+/// What stands at the right end of the menu. Where there is not room for all, what is needed most
+/// stays: undo before redo, and both before the rest.
 void draw_corner_buttons(Ui& ui) {
     struct Corner {
         const char* name;
         const char* label;
         const char* action;
         bool enabled;
+        int rank; ///< 0 is the last to go; those of the same rank go together
     };
     const Session& s = ui.session;
     const Corner corners[] = {
-        {"corner.back", "‹ back", "go.back", !s.places.past.empty()},
-        {"corner.forward", "forward ›", "go.forward", !s.places.future.empty()},
-        {"corner.undo", "undo", "edit.undo", !s.undo.past.empty()},
-        {"corner.redo", "redo", "edit.redo", !s.undo.future.empty()},
-        {"text.smaller", "A−", "view.smaller_text", true},
-        {"text.larger", "A+", "view.larger_text", true}};
+        {"corner.back", "‹ back", "go.back", !s.places.past.empty(), 3},
+        {"corner.forward", "forward ›", "go.forward", !s.places.future.empty(), 3},
+        {"corner.undo", "undo", "edit.undo", !s.undo.past.empty(), 0},
+        {"corner.redo", "redo", "edit.redo", !s.undo.future.empty(), 1},
+        {"text.smaller", "A−", "view.smaller_text", true, 2},
+        {"text.larger", "A+", "view.larger_text", true, 2}};
+    constexpr int ranks = 4;
+    const float room = ImGui::GetContentRegionAvail().x;
     float width = 0.0f;
-    const Corner* first = std::end(corners);
-    while (first != std::begin(corners)) {
-        const float more = button_width((first - 1)->label) + ImGui::GetStyle().ItemSpacing.x;
-        if (width + more > ImGui::GetContentRegionAvail().x) break;
-        width += more;
-        --first;
+    int shown = 0; // ranks
+    for (; shown < ranks; ++shown) {
+        float wider = width;
+        for (const Corner& corner : corners) {
+            if (corner.rank != shown) continue;
+            wider += button_width(corner.label) + ImGui::GetStyle().ItemSpacing.x;
+        }
+        if (wider > room) break;
+        width = wider;
     }
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - width);
-    for (; first != std::end(corners); ++first) {
-        ImGui::BeginDisabled(!first->enabled);
-        if (button(ui, first->name, first->label, Look::quiet, tooltip_of(first->action))) {
-            find_action(first->action).run(ui);
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room - width);
+    for (const Corner& corner : corners) {
+        if (corner.rank >= shown) continue;
+        ImGui::BeginDisabled(!corner.enabled);
+        if (button(ui, corner.name, corner.label, Look::quiet, tooltip_of(corner.action))) {
+            find_action(corner.action).run(ui);
         }
         ImGui::EndDisabled();
     }

@@ -83,11 +83,14 @@ void draw_status_line(Ui& ui, const Area& area) {
         ImGui::SetCursorScreenPos({start, ImGui::GetItemRectMin().y});
         ImGui::PushClipRect({left, area.position.y}, {right, area.position.y + area.size.y}, true);
         // What was caught is no fault of the student's: only what could not be done stands out.
-        const bool is_fault = !ui.session.notice.empty() || !ui.fonts.notice.empty();
-        text_in(is_fault ? colour_of(Meaning::fail, ui.options.theme) : p.dim,
-                shortened(trouble, right - left));
+        const bool is_notice = !ui.session.notice.empty() || !ui.fonts.notice.empty();
+        const ImVec4 colour = !is_notice ? p.dim
+                              : is_fault(ui.session) || ui.session.notice.empty()
+                                  ? colour_of(Meaning::fail, ui.options.theme)
+                                  : p.text;
+        text_in(colour, shortened(trouble, right - left));
         name_widget(ui, "status.trouble",
-                    is_fault ? trouble
+                    is_notice ? trouble
                     : is_working(ui.results)
                         ? trouble +
                               "\nIt is too much work for one frame of the window, and goes on."

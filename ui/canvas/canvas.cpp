@@ -27,8 +27,8 @@ namespace rasterwalk {
 
 namespace {
 
-/// How much of its size a picture that fits may give up to be a whole multiple.
-constexpr float share_kept = 0.75f;
+/// What a picture that fits keeps of its size at least to be a whole multiple.
+constexpr float share_kept = 0.95f;
 
 /// How far the camera turns for each screen pixel of a drag, radians.
 constexpr float turn_per_pixel = 0.004f;
@@ -37,7 +37,7 @@ float fit_zoom(const Ui& ui, ImVec2 room) {
     const Viewport size = ui.results.a.frame.settings.viewport;
     const float zoom =
         std::min(room.x / static_cast<float>(size.width), room.y / static_cast<float>(size.height));
-    // Whole multiples keep all pixels equally large and sharp: where they leave room enough.
+    // Whole multiples keep all pixels equally large and sharp: where they cost next to nothing.
     const float whole = std::floor(zoom);
     return whole >= share_kept * zoom ? whole : std::max(zoom, 0.01f);
 }
@@ -301,8 +301,7 @@ void draw_picture(Ui& ui, const Pane& pane) {
     if (is_comparing(ui)) {
         draw_compared(ui, list, canvas);
     } else {
-        show_texture(ui, ui.canvas.picture, ui.results.a.picture, ui.results.a.picture_number,
-                     ui.canvas.place.scale);
+        show_ground(ui);
         draw_texture(list, ui.canvas.picture, ui.canvas.place);
         draw_overlays(ui, list, frame_low, frame_high);
         draw_canvas_marks(ui, run_a(ui), list, frame_low, frame_high);

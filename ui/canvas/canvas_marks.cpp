@@ -149,25 +149,34 @@ void draw_point_rings(const Marks& m) {
     }
 }
 
-/// The true edges: straight lines between the vertices, those still to come dashed.
+void draw_dashes(const Marks& m, ImVec2 a, ImVec2 b, ImU32 colour) {
+    const float length = std::hypot(b.x - a.x, b.y - a.y);
+    const float dash = std::max(8.0f * m.u, length / 400.0f);
+    for (float d = 0.0f; d < length; d += 2.0f * dash) {
+        const float s = d / length, t = std::min((d + dash) / length, 1.0f);
+        m.list->AddLine({a.x + s * (b.x - a.x), a.y + s * (b.y - a.y)},
+                        {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}, colour, 1.6f * m.u);
+    }
+}
+
+/// How far an edge is walked, 0..1.
+float walked_share(const RowHistory& history, int edge) {
+    if (!history.last || edge > history.last->edge) return 0.0f;
+    const int steps = history.edge_samples[static_cast<std::size_t>(edge)] - 1;
+    if (edge < history.last->edge || steps < 1) return 1.0f;
+    return static_cast<float>(history.last->sample) / static_cast<float>(steps);
+}
+
+/// The true edges: straight lines between the vertices, as far as they are walked; what is still to
+/// come is dashed.
 void draw_true_edges(const Marks& m, std::span<const ScreenVertex> vertices) {
-    const RowHistory& history = m.run.rows;
     const int edges = static_cast<int>(vertices.size());
     for (int e = 0; e < edges; ++e) {
         const ImVec2 a = m.at(vertices[e]), b = m.at(vertices[(e + 1) % edges]);
-        const bool begun = history.last && history.last->edge >= e;
-        const ImU32 colour = m.colour(edge_meaning(e), begun ? 0.95f : 0.55f);
-        if (begun || !m.is_large()) {
-            m.list->AddLine(a, b, colour, 1.6f * m.u);
-            continue;
-        }
-        const float length = std::hypot(b.x - a.x, b.y - a.y);
-        const float dash = std::max(8.0f * m.u, length / 400.0f);
-        for (float d = 0.0f; d < length; d += 2.0f * dash) {
-            const float s = d / length, t = std::min((d + dash) / length, 1.0f);
-            m.list->AddLine({a.x + s * (b.x - a.x), a.y + s * (b.y - a.y)},
-                            {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}, colour, 1.6f * m.u);
-        }
+        const float share = walked_share(m.run.rows, e);
+        const ImVec2 here{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
+        if (share > 0.0f) m.list->AddLine(a, here, m.colour(edge_meaning(e), 0.95f), 1.6f * m.u);
+        if (share < 1.0f) draw_dashes(m, here, b, m.colour(edge_meaning(e), 0.55f));
     }
 }
 
@@ -241,8 +250,12 @@ void draw_vertices(const Marks& m, int triangle, std::span<const ScreenVertex> v
         m.list->AddCircleFilled(pixel, 5.5f * m.u, m.colour(Meaning::current));
         const std::string name = std::to_string(v + 1);
         const ImVec2 at{pixel.x + 9.0f * m.u, pixel.y - 1.35f * m.ui.fonts.bold->FontSize};
-        m.list->AddText(m.ui.fonts.bold, m.ui.fonts.bold->FontSize, {at.x + 1.0f, at.y + 1.0f},
-                        IM_COL32(0, 0, 0, 200), name.c_str());
+        // The pixel below may be as bright as the letters.
+        const ImFont* const font = m.ui.fonts.bold;
+        const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, name.c_str()).x;
+        m.list->AddRectFilled({at.x - 3.0f * m.u, at.y},
+                              {at.x + width + 3.0f * m.u, at.y + font->FontSize},
+                              IM_COL32(12, 13, 16, 215), 3.0f * m.u);
         m.list->AddText(m.ui.fonts.bold, m.ui.fonts.bold->FontSize, at, m.colour(Meaning::current),
                         name.c_str());
     }

@@ -29,7 +29,7 @@ struct CompareLook {
     PictureTexture picture;                 ///< shows run B
     PictureTexture difference;              ///< shows B minus A
     std::optional<PicturePlace> place_of_b; ///< of its picture, while both stand side by side
-    float blink_seconds = 0.0f;             ///< since the blinking began; A comes first
+    float blink_seconds = 0.0f;             ///< since A was last shown anew
     bool blink_is_held = false;
 };
 

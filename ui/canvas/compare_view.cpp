@@ -162,7 +162,7 @@ void show_textures(Ui& ui) {
                      scale);
         return;
     }
-    show_texture(ui, ui.canvas.picture, ui.results.a.picture, ui.results.a.picture_number, scale);
+    show_ground(ui);
     show_texture(ui, ui.compare.picture, b.picture, b.picture_number, scale);
 }
 

@@ -6,7 +6,6 @@
 
 #include "picture/colour_map.h"
 #include "picture/overlay.h"
-#include "ui/actions/keys.h"
 #include "ui/ui.h"
 #include "ui/widgets/picture_texture.h"
 #include "ui/widgets/style.h"
@@ -312,9 +311,15 @@ void draw_overlay_button(Ui& ui, bool narrow) {
     ImGui::SetNextWindowPos({ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + gap});
     if (ImGui::BeginPopup("overlay list")) {
         draw_overlay_list(ui);
-        if (ImGui::IsKeyPressed(key::escape, false)) ImGui::CloseCurrentPopup();
         ImGui::EndPopup();
     }
+}
+
+void show_ground(Ui& ui) {
+    const Results& results = ui.results;
+    const bool is_grey = !results.ground.rgba.empty();
+    show_texture(ui, ui.canvas.picture, is_grey ? results.ground : results.a.picture,
+                 is_grey ? results.ground_number : results.a.picture_number, ui.canvas.place.scale);
 }
 
 void draw_overlays(Ui& ui, ImDrawList* list, ImVec2 low, ImVec2 high) {

@@ -6,6 +6,9 @@ namespace rasterwalk {
 
 struct Ui;
 
+/// Makes the picture of run A known to the graphics system: in grey where overlays lie on it.
+void show_ground(Ui& ui);
+
 /// The button in the canvas header that opens the list of overlays.
 /// @param narrow a sign in place of the word, for small windows
 void draw_overlay_button(Ui& ui, bool narrow);

@@ -1,6 +1,7 @@
 #include "ui/hosts/window.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
@@ -17,6 +18,7 @@
 #include "lessons/progress.h"
 #include "session/walk.h"
 #include "ui/actions/actions.h"
+#include "ui/actions/compare.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/actions/view_files.h"
 #include "ui/app/app.h"
@@ -40,7 +42,8 @@ constexpr double idle_wait = 0.5;
 constexpr double blink_wait = 0.2;
 /// Where the display does not pace the frames, this does, seconds.
 constexpr double shortest_frame = 1.0 / 250.0;
-/// What one frame's time counts as at most, so that nothing leaps after a sleep, seconds.
+/// What one frame's time counts as at most beyond the sleep that was meant, so that nothing leaps
+/// after a longer one, seconds.
 constexpr float longest_step = longest_play_step;
 constexpr float shortest_step = 1e-4f;
 
@@ -55,6 +58,7 @@ struct Window {
     Ui ui;
     Gl2Textures textures;
     int frames_due = frames_after_event;
+    float meant_sleep = 0.0f; ///< before this frame, seconds
     float content_scale = 1.0f;
     /// Keys that are pressed and released between two frames count as held for one frame: once one
     /// was pressed, all releases wait for the next frame.
@@ -206,8 +210,8 @@ void save_picture(Window& window, int width, int height) {
         write_png(read_gl2(width, height), path);
         std::error_code fault;
         const std::filesystem::path folder = std::filesystem::current_path(fault);
-        window.ui.session.notice =
-            "Picture of the window saved as " + (fault ? path : (folder / path).string()) + ".";
+        tell(window.ui.session,
+             "Picture of the window saved as " + (fault ? path : (folder / path).string()) + ".");
     } catch (const Error& error) {
         window.ui.session.notice = error.what();
     }
@@ -238,7 +242,7 @@ bool draw_frame(Window& window) {
     begin_gl2_frame();
     ImGui_ImplGlfw_NewFrame();
     ImGuiIO& io = ImGui::GetIO();
-    io.DeltaTime = std::clamp(io.DeltaTime, shortest_step, longest_step);
+    io.DeltaTime = std::clamp(io.DeltaTime, shortest_step, window.meant_sleep + longest_step);
     build_ui(window.ui);
     draw_gl2(window.ui, width, height);
     if (window.ui.host.wants_picture) save_picture(window, width, height);
@@ -260,6 +264,9 @@ void run(Window& window) {
     while (glfwWindowShouldClose(window.handle) == GLFW_FALSE && !window.ui.host.wants_quit) {
         const bool is_moving = is_animating(window.ui) || is_held();
         const bool is_typing = ImGui::GetIO().WantTextInput;
+        const double still = seconds_to_blink(window.ui);
+        const double next_blink = last_frame + still;
+        window.meant_sleep = std::isfinite(still) ? static_cast<float>(still) : 0.0f;
         if (window.frames_due > 0 || is_moving) {
             const double early = last_frame + shortest_frame - glfwGetTime();
             if (early > 0.0) {
@@ -268,12 +275,14 @@ void run(Window& window) {
                 glfwPollEvents();
             }
         } else {
-            glfwWaitEventsTimeout(is_typing ? blink_wait : idle_wait);
+            const double wait = is_typing ? blink_wait : idle_wait;
+            glfwWaitEventsTimeout(std::clamp(next_blink - glfwGetTime(), shortest_frame, wait));
         }
+        const bool is_blink_due = glfwGetTime() >= next_blink;
         guarded(window.ui, [&] {
             if (lesson_was_edited(window.ui)) window.frames_due = frames_after_event;
         });
-        if (window.frames_due <= 0 && !is_moving && !is_typing) continue;
+        if (window.frames_due <= 0 && !is_moving && !is_typing && !is_blink_due) continue;
         --window.frames_due;
         last_frame = glfwGetTime();
         // A window that is minimized has nothing to be drawn on.

@@ -103,8 +103,17 @@ void draw_card(Ui& ui, const Bug& bug) {
     end_card(ui);
 }
 
+/// A mistake that was turned on elsewhere, as by the command line or by undo, is described.
+void follow_bug_on(Ui& ui) {
+    const Session& session = ui.session;
+    const std::string on = session.b && session.replaced ? session.replaced->bug : std::string();
+    if (on != ui.lab.was_on && !on.empty()) ui.lab.chosen = on;
+    ui.lab.was_on = on;
+}
+
 void draw_bugs(Ui& ui) {
     const std::vector<Bug>& bugs = lab_bugs(ui);
+    follow_bug_on(ui);
     const auto found = std::find_if(bugs.begin(), bugs.end(),
                                     [&](const Bug& bug) { return bug.id == ui.lab.chosen; });
     const Bug& chosen = found == bugs.end() ? bugs.front() : *found;

@@ -26,6 +26,7 @@ struct LabLook {
     std::string fault;     ///< why they could not be read
     bool is_read = false;
     std::string chosen; ///< id of the bug that is described
+    std::string was_on; ///< id of the bug that was on when the list was last drawn; empty: none
     /// For which bug, and down to which screen line, the list was scrolled last.
     std::string in_sight;
     float bottom = 0.0f;

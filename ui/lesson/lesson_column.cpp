@@ -14,12 +14,9 @@ namespace rasterwalk {
 
 namespace {
 
-/// What the column shows.
-enum class Page : std::uint8_t { lesson, stage, list };
-
-Page page_on_show(const Ui& ui, const Lesson* lesson) {
-    if (ui.lesson.shows_list) return Page::list;
-    return lesson == nullptr || ui.lesson.shows_stage ? Page::stage : Page::lesson;
+SidePage page_on_show(const Ui& ui, const Lesson* lesson) {
+    const SidePage page = ui.session.page;
+    return page == SidePage::lesson && lesson == nullptr ? SidePage::stage : page;
 }
 
 /// Text that goes on below the edge fades out there.
@@ -40,28 +37,27 @@ void draw_switch(Ui& ui, const Lesson* lesson, float width) {
         const char* widget;
         const char* title;
         const char* help;
-        Page page;
+        SidePage page;
     };
     static constexpr Choice choices[] = {
-        {"lesson.open", "Lesson", "The lesson that is open.", Page::lesson},
+        {"lesson.open", "Lesson", "The lesson that is open.", SidePage::lesson},
         {"lesson.stage", "This stage", "A page about the stage that the picture shows.",
-         Page::stage},
+         SidePage::stage},
         {"lesson.list", "All lessons", "The lessons, what is done of them, and a search.",
-         Page::list}};
+         SidePage::list}};
     const Palette& p = palette(ui.options.theme);
     const float u = ui.options.text_scale;
-    const Page shown = page_on_show(ui, lesson);
+    const SidePage shown = page_on_show(ui, lesson);
     const ImVec2 start = ImGui::GetCursorScreenPos();
     ImGui::PushFont(ui.fonts.small);
     const float height = ImGui::GetFontSize() + 10.0f * u;
     float x = start.x;
     for (const Choice& choice : choices) {
-        if (choice.page == Page::lesson && lesson == nullptr) continue;
+        if (choice.page == SidePage::lesson && lesson == nullptr) continue;
         const float text = ImGui::CalcTextSize(choice.title).x;
         ImGui::SetCursorScreenPos({x, start.y});
         if (ImGui::InvisibleButton(choice.widget, {text, height})) {
-            ui.lesson.shows_list = choice.page == Page::list;
-            ui.lesson.shows_stage = choice.page == Page::stage;
+            ui.session.page = choice.page;
         }
         const bool hovered = ImGui::IsItemHovered();
         name_widget(ui, choice.widget, choice.help);
@@ -81,31 +77,31 @@ void draw_switch(Ui& ui, const Lesson* lesson, float width) {
     ImGui::SetCursorScreenPos({start.x, start.y + height + 9.0f * u});
 }
 
-std::string name_of_page(Ui& ui, const Lesson* lesson, Page page) {
-    if (page == Page::list) return "list";
-    if (page == Page::stage) return stage_page_name(ui);
+std::string name_of_page(Ui& ui, const Lesson* lesson, SidePage page) {
+    if (page == SidePage::list) return "list";
+    if (page == SidePage::stage) return stage_page_name(ui);
     return lesson->id + "/" + std::to_string(ui.session.step);
 }
 
-void draw_text(Ui& ui, const Lesson* lesson, Page page, float width) {
-    if (page == Page::lesson) draw_step_text(ui, *lesson, width);
-    if (page == Page::stage) draw_stage_text(ui, width);
-    if (page == Page::list) draw_lesson_list(ui, width);
+void draw_text(Ui& ui, const Lesson* lesson, SidePage page, float width) {
+    if (page == SidePage::lesson) draw_step_text(ui, *lesson, width);
+    if (page == SidePage::stage) draw_stage_text(ui, width);
+    if (page == SidePage::list) draw_lesson_list(ui, width);
 }
 
-void draw_footer(Ui& ui, const Lesson* lesson, Page page, float width) {
-    if (page == Page::lesson) draw_step_footer(ui, *lesson, width);
-    if (page == Page::stage) draw_stage_footer(ui, width);
+void draw_footer(Ui& ui, const Lesson* lesson, SidePage page, float width) {
+    if (page == SidePage::lesson) draw_step_footer(ui, *lesson, width);
+    if (page == SidePage::stage) draw_stage_footer(ui, width);
 }
 
 /// @param gutter space for the scroll bar at the right of the text
 void draw_page(Ui& ui, float gutter) {
     const Lesson* const lesson = open_lesson_of(ui);
-    const Page page = page_on_show(ui, lesson);
+    const SidePage page = page_on_show(ui, lesson);
     const float width = std::max(ImGui::GetContentRegionAvail().x - gutter, 1.0f);
     draw_switch(ui, lesson, width);
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    const bool has_footer = page != Page::list;
+    const bool has_footer = page != SidePage::list;
     // In a low window the footer scrolls with the text.
     const bool is_low = has_footer && room.y < 4.5f * page_footer_height(ui);
     const float footer = has_footer && !is_low ? page_footer_height(ui) : 0.0f;

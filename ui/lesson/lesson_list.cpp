@@ -86,12 +86,12 @@ void draw_lessons(Ui& ui, float width) {
     }
     if (ImGui::BeginPopup("lesson.reset.sure")) {
         ImGui::TextUnformatted("Forget what you have done in all lessons?");
-        if (button(ui, "lesson.reset.yes", "forget", Look::chosen, "This cannot be undone.")) {
+        if (button(ui, "lesson.reset.yes", "forget", Look::plain, "This cannot be undone.")) {
             reset_progress(ui);
             ImGui::CloseCurrentPopup();
         }
         ImGui::SameLine();
-        if (button(ui, "lesson.reset.no", "keep", Look::plain, "Nothing is changed.")) {
+        if (button(ui, "lesson.reset.no", "keep", Look::chosen, "Nothing is changed.")) {
             ImGui::CloseCurrentPopup();
         }
         ImGui::EndPopup();

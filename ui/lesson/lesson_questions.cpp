@@ -93,9 +93,8 @@ void draw_number_field(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
     const std::optional<double> number = read_answer(view.typed);
     view.is_no_number = !number;
     if (!number) return;
-    std::string said = view.typed;
-    if (!prediction.unit.empty()) said.append(" ").append(prediction.unit);
-    answer_prediction(ui, lesson, prediction, {*number}, said);
+    answer_prediction(ui, lesson, prediction, {*number},
+                      answer_words(prediction, {*number}, view.typed));
 }
 
 void draw_choices(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction,
@@ -122,7 +121,8 @@ void draw_choices(Ui& ui, const Lesson& lesson, const LessonPrediction& predicti
                       {low.x + padding.x, low.y + padding.y}, packed(p.text), choice.c_str(),
                       nullptr, wrap);
         if (pressed) {
-            answer_prediction(ui, lesson, prediction, {static_cast<int>(i)}, choice);
+            const GivenAnswer given{static_cast<int>(i)};
+            answer_prediction(ui, lesson, prediction, given, answer_words(prediction, given));
         }
     }
 }
@@ -140,7 +140,7 @@ void draw_pixel_answer(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
     }
     if (button(ui, name + ".answer", "answer " + pixel_words(*pixel), Look::chosen,
                "Answers with the pixel that is picked in the picture.")) {
-        answer_prediction(ui, lesson, prediction, {*pixel}, "pixel " + pixel_words(*pixel));
+        answer_prediction(ui, lesson, prediction, {*pixel}, answer_words(prediction, {*pixel}));
     }
 }
 
@@ -221,6 +221,7 @@ void draw_prediction(Ui& ui, const Lesson& lesson, const LessonPrediction& predi
         name_widget(ui, name, "Answer first; then the program shows.");
         box.markdown(name + ".text", ui.lesson.pages[name], without_label(prediction.text));
         ImGui::Dummy({0.0f, 2.0f * ui.options.text_scale});
+        take_up_answer(ui, lesson, prediction);
         if (ui.lesson.predictions[prediction.id].judged) {
             draw_reveal(ui, box, prediction, name);
         } else if (prediction.kind == LessonPrediction::Kind::number) {

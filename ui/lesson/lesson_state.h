@@ -27,6 +27,7 @@ struct PredictionView {
     std::optional<Judgement> judged; ///< of the answer given last; none before the first
     std::string said;                ///< that answer, as it is told back
     std::shared_ptr<MarkdownPage> because;
+    bool is_taken_up = false; ///< an answer that was kept is shown; from now on the student decides
 };
 
 /// What a search over the lessons has found; searched again when one of the first two changes.
@@ -50,11 +51,10 @@ struct LessonView {
     std::string shown;             ///< which page is on show; the scroll position belongs to it
     std::string search;            ///< what the list of lessons is searched for
     LessonSearch found;            ///< what it has found
-    bool shows_list = false;       ///< the list of lessons instead of a lesson
-    bool shows_stage = false;      ///< the page about the stage instead of the lesson
     bool covers_inspector = false; ///< where the lesson is a tab of the inspector: it is in front
     std::string pointed_at;        ///< widget that a link points at: it is outlined; empty: none
     bool is_held = false;          ///< it stays outlined after the pointer has left the link
+    bool is_new = false;           ///< by the click or key of this frame, which does not end it
     bool is_hovered = false;       ///< the pointer rests on such a link in this frame
     int frames_unseen = 0;         ///< since the widget pointed at was last on the screen
 };

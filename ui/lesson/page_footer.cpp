@@ -1,6 +1,7 @@
 #include "ui/lesson/page_footer.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
@@ -38,8 +39,8 @@ int draw_bars(Ui& ui, const PageFooter& footer, float width) {
     return pressed;
 }
 
-/// The title between its arrow, or only the word where it is too long.
-std::string short_label(const std::string& title, const char* word, float room) {
+/// The title beside its arrow, or only the word where it is too long.
+std::string fitting_label(const std::string& title, const char* word, float room) {
     return button_width(title + "  ›") <= room ? title : word;
 }
 
@@ -56,24 +57,27 @@ int draw_page_footer(Ui& ui, const PageFooter& footer, float width, const std::s
     int wanted = draw_bars(ui, footer, width);
     const float y = start.y + 24.0f * u;
     const int last = static_cast<int>(footer.pages.size()) - 1;
-    const auto title = [&](int page) { return footer.pages[static_cast<std::size_t>(page)].title; };
-    float room = width;
+    const auto title = [&](int page) -> const std::string& {
+        return footer.pages[static_cast<std::size_t>(page)].title;
+    };
+    // The halves of the line, whatever stands on the buttons: who walks on need not look for them.
+    const float gap = 8.0f * u;
+    const float half = std::floor(0.5f * (width - gap));
     if (footer.current < last || !next.empty()) {
-        std::string label = footer.current < last
-                                ? short_label(title(footer.current + 1), "next", 0.68f * width)
-                                : next;
-        label += "  ›";
-        room -= button_width(label) + 8.0f * u;
-        ImGui::SetCursorScreenPos({start.x + width - button_width(label), y});
-        if (button(ui, "lesson.next", label, Look::chosen, "To the next page.")) {
+        std::string label = footer.current < last ? title(footer.current + 1) : next;
+        const std::string help = "To the next page: " + label;
+        label = fitting_label(label, "next", half) + "  ›";
+        ImGui::SetCursorScreenPos({start.x + width - half, y});
+        if (button(ui, "lesson.next", label, Look::chosen, help, {half, 0.0f})) {
             wanted = footer.current + 1;
         }
     }
     if (footer.current > 0) {
-        std::string label = "‹  ";
-        label += short_label(title(footer.current - 1), "back", room);
+        const std::string& before = title(footer.current - 1);
+        const std::string label = "‹  " + fitting_label(before, "back", half);
         ImGui::SetCursorScreenPos({start.x, y});
-        if (button(ui, "lesson.previous", label, Look::plain, "To the page before.")) {
+        if (button(ui, "lesson.previous", label, Look::plain, "To the page before: " + before,
+                   {half, 0.0f})) {
             wanted = footer.current - 1;
         }
     }

@@ -100,11 +100,7 @@ void show_note(const Ui& ui, const MarkdownPage& page, std::string_view target) 
     const auto number = static_cast<std::size_t>(std::atoi(target.substr(5).data()));
     if (!ImGui::IsItemHovered() || number < 1 || number > page.document.notes.size()) return;
     const std::string& note = page.document.notes[number - 1];
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(24.0f * ui.fonts.text->FontSize);
-    ImGui::TextUnformatted(note.c_str(), note.c_str() + note.size());
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
+    draw_tooltip(ui, note);
 }
 
 /// An invisible button over every piece of every link.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -49,24 +50,43 @@ void draw_head(Ui& ui) {
     ImGui::Spacing();
 }
 
+/// What is typed before the field has the keyboard, which takes some frames, waits for it. Returns
+/// true if Enter, too, has waited.
+bool hand_over_letters(FileSheet& sheet) {
+    ImVector<ImWchar>& letters = ImGui::GetIO().InputQueueCharacters;
+    if (!sheet.has_keyboard) {
+        sheet.early_letters.insert(sheet.early_letters.end(), letters.begin(), letters.end());
+        letters.clear();
+        if (ImGui::IsKeyPressed(key::enter, false)) sheet.early_enter = true;
+        return false;
+    }
+    const auto early = std::exchange(sheet.early_letters, {});
+    for (std::size_t i = 0; i < early.size(); ++i) {
+        letters.insert(letters.begin() + i, static_cast<ImWchar>(early[i]));
+    }
+    return std::exchange(sheet.early_enter, false);
+}
+
 /// Returns true if Enter was pressed in it.
 bool draw_path(Ui& ui) {
     FileSheet& sheet = ui.sheets.files;
     if (sheet.wants_focus) {
         ImGui::SetKeyboardFocusHere();
-        sheet.wants_focus = false;
+        sheet.wants_focus = sheet.has_keyboard = false;
     }
+    const bool had_enter = hand_over_letters(sheet);
     ImGui::SetNextItemWidth(-1.0f);
     const std::string before = sheet.path;
     const bool entered = ImGui::InputTextWithHint("##path", "name, or a whole path", &sheet.path,
                                                   ImGuiInputTextFlags_EnterReturnsTrue);
+    sheet.has_keyboard = sheet.has_keyboard || ImGui::IsItemActive();
     if (sheet.path != before) {
         sheet.fault.clear();
         sheet.asked.clear();
     }
     name_widget(ui, "files.path",
                 "The file: its name in the folder below, or a whole path; ~/ is the home folder.");
-    return entered;
+    return entered || had_enter;
 }
 
 void draw_places(Ui& ui) {

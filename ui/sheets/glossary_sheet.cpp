@@ -4,6 +4,7 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include "ui/actions/keys.h"
 #include "ui/sheets/sheets.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
@@ -56,12 +57,15 @@ void draw_glossary_sheet(Ui& ui, ImVec2 window) {
     ImGui::TextUnformatted("Glossary");
     ImGui::PopFont();
     ImGui::SameLine(0.0f, 24.0f * u);
-    if (button(ui, "glossary.close", "Close", Look::plain, "Closes the glossary. Key: F2")) {
+    if (button(ui, "glossary.close", "Close", Look::plain, "Closes the glossary. Keys: F2, Esc")) {
         ui.sheets.shows_glossary = false;
     }
     ImGui::SetNextItemWidth(-1.0f);
     ImGui::InputTextWithHint("##search", "search the glossary", &ui.sheets.glossary_search);
+    const bool is_left = ImGui::IsItemDeactivated();
     name_widget(ui, "glossary.search", "Shows only the terms that have this word.");
+    // The field had the keyboard, and with it the key.
+    if (is_left && ImGui::IsKeyPressed(key::escape, false)) ui.sheets.shows_glossary = false;
     ImGui::BeginChild("terms");
     bool any = false;
     for (const Term& term : ui.session.glossary) {

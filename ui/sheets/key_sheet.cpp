@@ -51,7 +51,7 @@ void draw_key_sheet(Ui& ui, ImVec2 window) {
     ImGui::TextUnformatted("Keys");
     ImGui::PopFont();
     ImGui::SameLine(0.0f, 24.0f * u);
-    if (button(ui, "keys.close", "Close", Look::plain, "Closes this sheet. Key: F1")) {
+    if (button(ui, "keys.close", "Close", Look::plain, "Closes this sheet. Keys: F1, Esc")) {
         ui.sheets.shows_keys = false;
     }
     ImGui::Spacing();

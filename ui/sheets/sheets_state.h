@@ -20,10 +20,13 @@ struct FileSheet {
     std::string path;   ///< as it stands in the field
     std::string folder; ///< that is listed; kept for the next time
     std::vector<FileEntry> entries;
-    std::size_t left_out = 0; ///< files that are not listed because there are too many
-    std::string fault;        ///< why it was not opened or saved
-    std::string asked;        ///< file that is there already: may it be replaced? empty: not asked
-    bool wants_focus = false; ///< the field takes the keyboard in the next frame
+    std::size_t left_out = 0;  ///< files that are not listed because there are too many
+    std::string fault;         ///< why it was not opened or saved
+    std::string asked;         ///< file that is there already: may it be replaced? empty: not asked
+    bool wants_focus = false;  ///< the field takes the keyboard in the next frame
+    bool has_keyboard = false; ///< it has taken it
+    std::vector<std::uint32_t> early_letters; ///< that were typed before
+    bool early_enter = false;                 ///< and the key after them
 };
 
 /// The sheets that lie over the window.

@@ -11,7 +11,7 @@ namespace {
 
 /// Below this window, in design pixels, the lesson becomes a tab of the inspector.
 constexpr float three_columns_width = 1100.0f;
-constexpr float three_columns_height = 700.0f;
+constexpr float three_columns_height = 480.0f;
 
 /// Below this the bars are compact, design pixels.
 constexpr float roomy_width = 780.0f;

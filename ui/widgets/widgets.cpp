@@ -1,7 +1,9 @@
 #include "ui/widgets/widgets.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 #include <imgui_internal.h>
 
@@ -25,6 +27,31 @@ struct Card {
 };
 // Cards do not nest.
 Card open_card;
+
+/// Where something of this size stands below an item, above it, or at a side, within the window;
+/// none where there is no room.
+/// @param aside the sides are tried first
+std::optional<ImVec2> place_beside(bool aside, const ImRect& item, ImVec2 size, float gap) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const ImVec2 window = io.DisplaySize;
+    const auto along = [&](float pointer, float low, float length, float room) {
+        return std::max(std::min(std::max(low, pointer - 4.0f * gap), room - length), 0.0f);
+    };
+    const float x = along(io.MousePos.x, item.Min.x, size.x, window.x);
+    const float y = along(io.MousePos.y, item.Min.y, size.y, window.y);
+    const ImVec2 places[] = {{x, item.Max.y + gap},
+                             {x, item.Min.y - gap - size.y},
+                             {item.Max.x + gap, y},
+                             {item.Min.x - gap - size.x, y}};
+    const std::array<int, 4> order = aside ? std::array{2, 3, 0, 1} : std::array{0, 1, 2, 3};
+    for (const int i : order) {
+        const ImVec2 low = places[i];
+        const bool is_inside = low.x >= 0.0f && low.y >= 0.0f && low.x + size.x <= window.x &&
+                               low.y + size.y <= window.y;
+        if (is_inside) return low;
+    }
+    return std::nullopt;
+}
 
 /// Outlines the widget at which a lesson points, and scrolls to it if need be.
 void outline_if_pointed_at(Ui& ui, std::string_view name, const ImRect& shown, bool visible) {
@@ -63,12 +90,36 @@ void name_widget(Ui& ui, std::string_view name, std::string_view tooltip) {
     // Not over a button that is held: the tooltip would lie over what the drag changes.
     if (!tooltip.empty() && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) &&
         !ImGui::IsMouseDown(0)) {
-        ImGui::BeginTooltip();
-        ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24.0f);
-        wrapped_text(tooltip);
-        ImGui::PopTextWrapPos();
-        ImGui::EndTooltip();
+        draw_tooltip(ui, tooltip);
     }
+}
+
+void draw_tooltip(const Ui& ui, std::string_view text) {
+    const float letter = ImGui::GetFontSize();
+    const float widest = std::min(24.0f * letter, 0.8f * ImGui::GetIO().DisplaySize.x);
+    const std::string lines = broken_into_lines(text, widest);
+    const ImVec2 words = ImGui::CalcTextSize(lines.c_str(), nullptr, false, widest);
+    const ImVec2 padding = ImGui::GetStyle().WindowPadding;
+    ImRect item(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+    item.ClipWith(ImGui::GetCurrentWindow()->ClipRect);
+    // In a menu or list the other entries are read, too.
+    const ImGuiWindow* const window = ImGui::GetCurrentWindow();
+    const bool is_entry =
+        (window->Flags & (ImGuiWindowFlags_Popup | ImGuiWindowFlags_ChildMenu)) != 0 &&
+        (window->Flags & ImGuiWindowFlags_Modal) == 0;
+    if (is_entry) {
+        item.Min.x = window->Pos.x;
+        item.Max.x = window->Pos.x + window->Size.x;
+    }
+    const std::optional<ImVec2> place =
+        place_beside(is_entry, item, {words.x + 2.0f * padding.x, words.y + 2.0f * padding.y},
+                     6.0f * ui.options.text_scale);
+    if (place && item.GetHeight() <= 8.0f * letter) ImGui::SetNextWindowPos(*place);
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + widest);
+    ImGui::TextUnformatted(lines.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
 }
 
 void note_text(Ui& ui, std::string_view name, std::string_view text) {

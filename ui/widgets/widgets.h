@@ -16,6 +16,10 @@ struct Ui;
 /// rests on it (empty: none).
 void name_widget(Ui& ui, std::string_view name, std::string_view tooltip = {});
 
+/// A tooltip beside the last ImGui item, where it does not cover what it explains; over something
+/// large, beside the pointer.
+void draw_tooltip(const Ui& ui, std::string_view text);
+
 /// Notes the number that the widget of this name shows, for whoever asks for it by name. The widget
 /// must have been named in this frame.
 void note_text(Ui& ui, std::string_view name, std::string_view text);

@@ -64,4 +64,31 @@ TEST_CASE("A flow breaks where the line is full") {
     CHECK(places[2].x == 0.0f);
 }
 
+TEST_CASE("A window that is low but wide has its lesson column") {
+    for (const ImVec2 window : {ImVec2(1590, 600), ImVec2(1280, 600), ImVec2(1366, 640)}) {
+        INFO(window.x << " x " << window.y);
+        Driver driver("lab-room.toml", window);
+        CHECK(driver.hand.is_visible("lesson.list"));
+        CHECK_FALSE(driver.hand.is_visible("tab.lesson"));
+        CHECK(driver.ui.widgets.at("lesson.previous").is_whole);
+    }
+}
+
+TEST_CASE("Where the menu has not room for all its buttons, undo is the last to go") {
+    int without_redo = 0;
+    for (float width = 320.0f; width <= 1400.0f; width += 20.0f) {
+        Driver driver("lab-room.toml", {width, 600.0f});
+        const bool has_undo = driver.hand.is_visible("corner.undo");
+        INFO(width);
+        for (const char* other :
+             {"corner.redo", "corner.back", "corner.forward", "text.smaller", "text.larger"}) {
+            INFO(other);
+            CHECK((has_undo || !driver.hand.is_visible(other)));
+        }
+        if (width >= 800.0f) CHECK(has_undo);
+        without_redo += driver.hand.is_visible("corner.redo") ? 0 : 1;
+    }
+    CHECK(without_redo > 0);
+}
+
 } // namespace rasterwalk

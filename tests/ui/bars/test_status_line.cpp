@@ -2,10 +2,14 @@
 
 #include "session/content.h"
 #include "support/made_scene.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/ui/driver.h"
+#include "tests/ui/shown_colours.h"
 #include "ui/actions/compare.h"
+#include "ui/actions/keys.h"
 #include "ui/app/app.h"
 #include "ui/ui.h"
+#include "ui/widgets/style.h"
 
 using namespace rasterwalk;
 using Catch::Matchers::Contains;
@@ -36,4 +40,24 @@ TEST_CASE("What is too much work for one frame of the window goes on in the next
     driver.ui.session.a.settings.camera.yaw += 0.01f;
     driver.hand.frames(1);
     CHECK_FALSE(a.is_drawn());
+}
+
+TEST_CASE("What was done is not said in the colour of what could not be done") {
+    const test::TemporaryFolder folder;
+    Driver driver;
+    const Theme theme = driver.ui.options.theme;
+    const ImU32 fail = packed(colour_of(Meaning::fail, theme));
+    const auto is_red = [&] {
+        driver.hand.leave();
+        return shown_colours(driver.hand.find("status.trouble")).count(fail) > 0;
+    };
+    driver.hand.press('S', {.ctrl = true});
+    driver.hand.enter("files.path", folder.file("mine"));
+    REQUIRE(driver.ui.session.notice.starts_with("Saved as "));
+    CHECK_FALSE(is_red());
+    driver.hand.press('C', {.ctrl = true});
+    REQUIRE(driver.ui.session.notice.starts_with("Copied: "));
+    CHECK_FALSE(is_red());
+    driver.hand.press(key::page_down); // no lesson is open
+    CHECK(is_red());
 }

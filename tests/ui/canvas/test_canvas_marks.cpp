@@ -12,14 +12,15 @@
 #include "tests/ui/driver.h"
 #include "ui/canvas/canvas_marks.h"
 #include "ui/ui.h"
+#include "ui/widgets/style.h"
 
 namespace rasterwalk {
 
 namespace {
 
-/// The corners of everything that is marked on a picture of this frame.
-std::vector<ImVec2> corners_of_marks(Driver& driver, const Frame& frame, const Cursor& cursor,
-                                     const std::optional<Cursor>& done, PicturePlace place) {
+/// Everything that is marked on a picture of this frame.
+std::vector<ImDrawVert> marks_on(Driver& driver, const Frame& frame, const Cursor& cursor,
+                                 const std::optional<Cursor>& done, PicturePlace place) {
     const RowHistory rows = row_history(frame, 0, cursor);
     ImDrawList list(ImGui::GetDrawListSharedData());
     list._ResetForNewFrame();
@@ -27,10 +28,30 @@ std::vector<ImVec2> corners_of_marks(Driver& driver, const Frame& frame, const C
     list.PushClipRectFullScreen();
     draw_canvas_marks(driver.ui, {frame, rows, cursor, done, place}, &list, {-9999, -9999},
                       {9999, 9999});
+    return {list.VtxBuffer.begin(), list.VtxBuffer.end()};
+}
+
+/// Its corners.
+std::vector<ImVec2> corners_of_marks(Driver& driver, const Frame& frame, const Cursor& cursor,
+                                     const std::optional<Cursor>& done, PicturePlace place) {
     std::vector<ImVec2> corners;
-    for (const ImDrawVert& corner : list.VtxBuffer)
+    for (const ImDrawVert& corner : marks_on(driver, frame, cursor, done, place))
         corners.push_back(corner.pos);
     return corners;
+}
+
+/// How many corners lie on the line from a to b between these shares of its length.
+int corners_along(const std::vector<ImVec2>& corners, ImVec2 a, ImVec2 b, float from, float to) {
+    const ImVec2 along{b.x - a.x, b.y - a.y};
+    const float length = std::hypot(along.x, along.y);
+    int count = 0;
+    for (const ImVec2& corner : corners) {
+        const ImVec2 d{corner.x - a.x, corner.y - a.y};
+        const float share = (d.x * along.x + d.y * along.y) / (length * length);
+        const float aside = std::abs(d.x * along.y - d.y * along.x) / length;
+        count += share > from && share < to && aside < 2.5f ? 1 : 0;
+    }
+    return count;
 }
 
 /// How many corners lie about this far from the place of a pixel, in screen pixels.
@@ -128,6 +149,65 @@ TEST_CASE("Of a clipped triangle the marks are at the corners and samples of wha
     }
     for (const int count : samples)
         CHECK(count > 0);
+}
+
+TEST_CASE("At a low zoom the outline is whole where it is walked, and dashed where it is not") {
+    Driver driver("one-triangle.toml");
+    Settings settings = driver.ui.session.a.settings;
+    settings.stage = Stage::edges;
+    driver.ui.results.a.triangle = 0;
+    const Frame frame = prepare_frame(*driver.ui.session.scene, settings);
+    PicturePlace place = driver.ui.canvas.place;
+    place.scale = 7.5f;
+    const Cursor cursor{0, Phase::edges, 1, 6}; // edge 1 has 11 samples
+    const std::vector<ImVec2> corners = corners_of_marks(driver, frame, cursor, {}, place);
+    const std::span<const ScreenVertex> v = frame.triangle_vertices(0);
+    const auto at = [&](int i) {
+        return ImVec2(place.origin.x + place.scale * (static_cast<float>(v[i].column) + 0.5f),
+                      place.origin.y + place.scale * (static_cast<float>(v[i].row) + 0.5f));
+    };
+    // A whole line has corners at its ends alone, each dash has its own.
+    CHECK(corners_along(corners, at(0), at(1), 0.1f, 0.9f) == 0);
+    CHECK(corners_along(corners, at(1), at(2), 0.1f, 0.4f) == 0);
+    CHECK(corners_along(corners, at(1), at(2), 0.6f, 0.95f) > 4);
+    CHECK(corners_along(corners, at(2), at(0), 0.1f, 0.9f) > 8);
+}
+
+TEST_CASE("The numbers of the vertices stand on dark ground, however bright the pixels are") {
+    Driver driver("one-triangle.toml");
+    Settings settings = driver.ui.session.a.settings;
+    settings.stage = Stage::edges;
+    driver.ui.results.a.triangle = 0;
+    const Frame frame = prepare_frame(*driver.ui.session.scene, settings);
+    PicturePlace place = driver.ui.canvas.place;
+    place.scale = 40.0f;
+    const std::vector<ImDrawVert> marks = marks_on(driver, frame, cursor_end, {}, place);
+    const ImU32 bright = packed(colour_of(Meaning::current, Theme::dark));
+    const ImVec2 white = ImGui::GetIO().Fonts->TexUvWhitePixel;
+    const auto is_letter = [&](const ImDrawVert& m) {
+        const bool is_filled = std::abs(m.uv.x - white.x) + std::abs(m.uv.y - white.y) < 0.01f;
+        return m.col == bright && !is_filled;
+    };
+    int letters = 0;
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+        if (!is_letter(marks[i])) continue;
+        ++letters;
+        // What is drawn just before has corners around it, and is dark and hardly transparent.
+        ImVec2 low{1e9f, 1e9f}, high{-1e9f, -1e9f};
+        for (std::size_t j = i >= 80 ? i - 80 : 0; j < i; ++j) {
+            const ImColor colour(marks[j].col);
+            const bool is_dark = colour.Value.x + colour.Value.y + colour.Value.z < 0.3f;
+            if (!is_dark || colour.Value.w < 0.75f || is_letter(marks[j])) continue;
+            low = {std::min(low.x, marks[j].pos.x), std::min(low.y, marks[j].pos.y)};
+            high = {std::max(high.x, marks[j].pos.x), std::max(high.y, marks[j].pos.y)};
+        }
+        const ImVec2 at = marks[i].pos;
+        CHECK(low.x + 1.0f <= at.x);
+        CHECK(at.x <= high.x - 1.0f);
+        CHECK(low.y <= at.y);
+        CHECK(at.y <= high.y);
+    }
+    CHECK(letters == 3 * 4);
 }
 
 } // namespace rasterwalk

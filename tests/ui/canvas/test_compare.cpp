@@ -1,9 +1,12 @@
+#include <cmath>
+
 #include <catch2/catch.hpp>
 
 #include "support/project_root.h"
 #include "tests/ui/shown_number.h"
 #include "ui/actions/compare.h"
 #include "ui/actions/keys.h"
+#include "ui/app/app.h"
 #include "ui/ui.h"
 
 namespace rasterwalk {
@@ -143,6 +146,27 @@ TEST_CASE("Blinking shows A and B in turn once a second, and can be held") {
     const bool held = blink_shows_b(driver.ui);
     driver.hand.frames(30, 0.05f);
     CHECK(blink_shows_b(driver.ui) == held);
+}
+
+TEST_CASE("While pictures blink nothing is to be drawn until the next one is due") {
+    Driver driver(lit_room());
+    driver.hand.click("switch.compare");
+    CHECK(std::isinf(seconds_to_blink(driver.ui)));
+    driver.hand.click("compare.blink");
+    driver.hand.leave();
+    for (int i = 0; i < 12; ++i) {
+        CHECK_FALSE(is_animating(driver.ui));
+        const double wait = seconds_to_blink(driver.ui);
+        CHECK(wait > 0.0);
+        CHECK(wait <= 0.5);
+        const bool before = blink_shows_b(driver.ui);
+        driver.hand.frames(1, 0.9f * static_cast<float>(wait));
+        CHECK(blink_shows_b(driver.ui) == before);
+        driver.hand.frames(1, static_cast<float>(seconds_to_blink(driver.ui)) + 1e-4f);
+        CHECK(blink_shows_b(driver.ui) != before);
+    }
+    driver.hand.press('H');
+    CHECK(std::isinf(seconds_to_blink(driver.ui)));
 }
 
 TEST_CASE("The difference has a scale, and the number under the pointer is B minus A") {

@@ -45,15 +45,17 @@ TEST_CASE("Overlays are one texture beside that of the picture, made anew only w
     driver.hand.frames();
     const int before = driver.textures.uploads;
     switch_overlay(driver, "uncovered");
-    CHECK(driver.textures.uploads == before + 1);
+    CHECK(driver.textures.uploads == before + 2); // and the picture below it, in grey
     CHECK(driver.textures.last == driver.ui.results.overlay.image);
     CHECK(driver.ui.canvas.overlay.id != nullptr);
     CHECK(driver.ui.canvas.overlay.id != driver.ui.canvas.picture.id);
     driver.hand.frames(5);
-    CHECK(driver.textures.uploads == before + 1);
+    CHECK(driver.textures.uploads == before + 2);
+    CHECK(driver.ui.canvas.picture.number == driver.ui.results.ground_number);
     switch_overlay(driver, "wireframe");
     switch_overlay(driver, "uncovered");
     CHECK(driver.ui.results.overlay.image.rgba.empty());
+    CHECK(driver.ui.canvas.picture.number == driver.ui.results.a.picture_number);
 }
 
 TEST_CASE("The list of overlays stays open while several are chosen, and all go off at once") {

@@ -5,6 +5,7 @@
 
 #include "laboratory/diagnose.h"
 #include "laboratory/quiz.h"
+#include "opening/opened_view.h"
 #include "picture/view_image.h"
 #include "pipeline/draw.h"
 #include "support/effort.h"
@@ -221,6 +222,24 @@ TEST_CASE("In a small window the laboratory's buttons can be reached") {
             INFO(name);
             CHECK(driver.hand.find(name).is_whole);
         }
+    }
+}
+
+TEST_CASE("The mistake that is on when the laboratory opens is the one described") {
+    for (const char* id : {"B10", "B9", "B2"}) {
+        INFO(id);
+        ViewOptions options;
+        options.bug = id;
+        options.given["tab"] = {"lab"};
+        Driver driver(open_view(options));
+        driver.hand.frames(frames_to_rest);
+        CHECK(is_on(driver.ui.session, id));
+        CHECK(driver.ui.lab.chosen == id);
+        CHECK(driver.hand.find("lab.off").visible); // the box has the button to turn it off
+        // What the student then looks at stays.
+        driver.hand.click("lab.B3");
+        driver.hand.frames(5);
+        CHECK(driver.ui.lab.chosen == "B3");
     }
 }
 

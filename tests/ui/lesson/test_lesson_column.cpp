@@ -1,14 +1,18 @@
 #include <fstream>
+#include <map>
+#include <set>
 
 #include <catch2/catch.hpp>
 
 #include "session/content.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/driver.h"
+#include "tests/ui/shown_colours.h"
 #include "ui/actions/keys.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/ui.h"
+#include "ui/widgets/style.h"
 
 namespace rasterwalk {
 
@@ -283,6 +287,80 @@ TEST_CASE("Every widget that a lesson points at is in the window at that step") 
             CHECK(is_there(pointed));
         }
     }
+}
+
+TEST_CASE("Answers that were given before are shown again with what the program said to them") {
+    const test::TemporaryFolder state;
+    const std::string file = state.file("progress.toml");
+    const char* const ids[] = {"how-many", "who", "black"};
+    std::map<std::string, PredictionView> before;
+    {
+        Classroom room;
+        Hand& hand = room.driver.hand;
+        keep_progress(room.driver.ui, file);
+        room.open();
+        hand.click("lesson.next");
+        hand.click("lesson.prediction.how-many.number");
+        hand.type_text("1/2");
+        hand.click("lesson.prediction.how-many.answer");
+        hand.click("lesson.prediction.who.choice.0");
+        hand.press('R'); // what the reveal shows is another picture
+        hand.click_picture(250, 250);
+        hand.click("lesson.prediction.black.answer");
+        before = room.driver.ui.lesson.predictions;
+    }
+    Classroom room;
+    Ui& ui = room.driver.ui;
+    keep_progress(ui, file);
+    open_lesson_to_go_on(ui);
+    room.driver.hand.frames(frames_to_rest);
+    CHECK(ui.session.tab == "vertices"); // the step's own, not the reveal's
+    for (const char* id : ids) {
+        INFO(id);
+        const PredictionView& view = ui.lesson.predictions.at(id);
+        REQUIRE(view.judged);
+        CHECK(view.said == before.at(id).said);
+        CHECK(view.judged->is_right == before.at(id).judged->is_right);
+        CHECK(view.judged->answer == before.at(id).judged->answer);
+        CHECK(view.judged->because == before.at(id).judged->because);
+        room.driver.hand.find(std::string("lesson.prediction.") + id + ".verdict");
+    }
+    // It can be answered again, and then is not shown once more by itself.
+    room.driver.hand.click("lesson.prediction.who.again");
+    room.driver.hand.frames(5);
+    CHECK_FALSE(ui.lesson.predictions.at("who").judged);
+    room.driver.hand.click("lesson.prediction.who.choice.1");
+    CHECK(ui.lesson.predictions.at("who").judged->is_right);
+}
+
+TEST_CASE("The main button of the question whether to forget all is the one that keeps it") {
+    Classroom room;
+    Hand& hand = room.driver.hand;
+    hand.click("lesson.list");
+    hand.click("lesson.reset");
+    hand.leave();
+    const ImU32 accent = packed(palette(room.driver.ui.options.theme).accent);
+    CHECK(shown_colours(hand.find("lesson.reset.no")).count(accent) == 1);
+    CHECK(shown_colours(hand.find("lesson.reset.yes")).count(accent) == 0);
+}
+
+TEST_CASE("The buttons to the next and the last step stay where they are, whatever they say") {
+    Driver driver;
+    const std::vector<Lesson> lessons = driver.ui.lesson.lessons.all();
+    std::map<std::string, std::set<std::pair<float, float>>> ends;
+    for (const Lesson& lesson : lessons) {
+        for (int step = 0; step < static_cast<int>(lesson.steps.size()); ++step) {
+            open_lesson(driver.ui, lesson.id, step);
+            driver.hand.frames(2);
+            for (const char* name : {"lesson.next", "lesson.previous"}) {
+                const auto found = driver.ui.widgets.find(name);
+                if (found == driver.ui.widgets.end()) continue;
+                ends[name].insert({found->second.top_left.x, found->second.bottom_right.x});
+            }
+        }
+    }
+    CHECK(ends["lesson.next"].size() == 1);
+    CHECK(ends["lesson.previous"].size() == 1);
 }
 
 } // namespace rasterwalk

@@ -64,7 +64,7 @@ int depth_of(const std::vector<MarkdownBlock>& blocks) {
 }
 
 std::vector<std::string> note_names() {
-    std::vector<std::string> names{"bench"};
+    std::vector<std::string> names{"bench", "pixels"};
     for (const StageInfo& info : stage_list())
         names.emplace_back(info.name);
     return names;

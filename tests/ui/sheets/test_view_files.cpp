@@ -105,6 +105,51 @@ TEST_CASE("A view with a lesson opens at its step") {
     CHECK(driver.ui.lesson.shown == "05-row-table/3");
 }
 
+TEST_CASE("A view remembers which page was read beside the picture") {
+    const TemporaryFolder folder;
+    const std::string path = folder.file("page.walk.toml");
+    for (const char* page : {"stage", "list", "open"}) {
+        INFO(page);
+        Driver driver;
+        open_lesson(driver.ui, "05-row-table", 3);
+        driver.hand.frames(3);
+        driver.hand.click("lesson." + std::string(page));
+        const std::string shown = driver.ui.lesson.shown;
+        std::filesystem::remove(path);
+        save(driver, path);
+        open_lesson(driver.ui, "09-light-per-vertex", 0);
+        driver.hand.frames(3);
+        REQUIRE(driver.ui.lesson.shown != shown);
+        open(driver, path);
+        CHECK(driver.ui.lesson.shown == shown);
+    }
+}
+
+TEST_CASE("A name that is typed at once after the keys arrives whole") {
+    const TemporaryFolder folder;
+    const std::string name = folder.file("quick");
+    for (const std::size_t at_once : {std::size_t{1}, std::size_t{3}, name.size()}) {
+        INFO(at_once << " letters a frame");
+        std::filesystem::remove(name + ".walk.toml");
+        Driver driver;
+        ImGuiIO& io = ImGui::GetIO();
+        io.KeyCtrl = io.KeysDown['S'] = true;
+        driver.hand.frames(1);
+        io.KeyCtrl = io.KeysDown['S'] = false;
+        for (std::size_t at = 0; at < name.size(); at += at_once) {
+            io.AddInputCharactersUTF8(name.substr(at, at_once).c_str());
+            driver.hand.frames(1);
+        }
+        io.KeysDown[key::enter] = true;
+        driver.hand.frames(1);
+        io.KeysDown[key::enter] = false;
+        driver.hand.frames(frames_to_rest);
+        CHECK_FALSE(is_up(driver));
+        CHECK(driver.ui.session.notice == "Saved as " + name + ".walk.toml.");
+        CHECK(std::filesystem::exists(name + ".walk.toml"));
+    }
+}
+
 TEST_CASE("A broken file is refused with its line, and nothing changes") {
     const TemporaryFolder folder;
     Driver driver;
@@ -222,7 +267,7 @@ TEST_CASE("Files dropped on the window open by their kind") {
     write_view(driver.ui.session, view);
     drop(lessons_folder() + "/scenes/fence.toml");
     CHECK(driver.ui.session.scene->name != "The lab's room");
-    CHECK(driver.ui.session.lesson == "04-edges"); // another scene does not close the lesson
+    CHECK(driver.ui.session.lesson.empty()); // it speaks of another scene
     drop(view);
     CHECK(driver.ui.session.lesson == "04-edges");
     CHECK_FALSE(is_up(driver));

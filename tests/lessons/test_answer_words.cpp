@@ -1,0 +1,58 @@
+// An answer as it is told back, and the answer in it.
+
+#include <catch2/catch.hpp>
+
+#include "lessons/lesson_run.h"
+
+using namespace rasterwalk;
+
+namespace {
+
+using Kind = LessonPrediction::Kind;
+
+LessonPrediction prediction_of(Kind kind, const std::string& unit = {}) {
+    LessonPrediction prediction;
+    prediction.kind = kind;
+    prediction.unit = unit;
+    prediction.choices = {"the floor", "pixel (1, 2)", "12"};
+    return prediction;
+}
+
+} // namespace
+
+TEST_CASE("Every answer is found again in the words in which it was told back") {
+    for (const std::string unit : {"", "pixels", "12"}) {
+        const LessonPrediction number = prediction_of(Kind::number, unit);
+        for (const std::string typed : {"12", "-0.5", "1/3", "0,5", "500*2"}) {
+            INFO(typed << " " << unit);
+            const double value = *read_answer(typed);
+            const auto found = answer_in_words(number, answer_words(number, {value}, typed));
+            REQUIRE(found);
+            CHECK(std::get<double>(found->value) == value);
+        }
+    }
+    const LessonPrediction choice = prediction_of(Kind::choice);
+    for (int i = 0; i < 3; ++i) {
+        const auto found = answer_in_words(choice, answer_words(choice, {i}));
+        REQUIRE(found);
+        CHECK(std::get<int>(found->value) == i);
+    }
+    const LessonPrediction pixel = prediction_of(Kind::pixel);
+    for (const glm::ivec2 place : {glm::ivec2(0, 0), glm::ivec2(250, 131), glm::ivec2(-3, 7)}) {
+        const auto found = answer_in_words(pixel, answer_words(pixel, {place}));
+        REQUIRE(found);
+        CHECK(std::get<glm::ivec2>(found->value) == place);
+    }
+}
+
+TEST_CASE("Words that are no answer of this prediction give none") {
+    CHECK_FALSE(answer_in_words(prediction_of(Kind::choice), "the ceiling"));
+    CHECK_FALSE(answer_in_words(prediction_of(Kind::number, "pixels"), "pixels"));
+    CHECK_FALSE(answer_in_words(prediction_of(Kind::number), ""));
+    CHECK_FALSE(answer_in_words(prediction_of(Kind::number), "many"));
+    for (const char* said : {"", "pixel ", "pixel (", "pixel )", "pixel (1, 2", "(1, 2)",
+                             "pixel (1)", "pixel (a, b)", "pixel (1, 99999999999)"}) {
+        INFO(said);
+        CHECK_FALSE(answer_in_words(prediction_of(Kind::pixel), said));
+    }
+}
