@@ -54,7 +54,10 @@ void judge_number(const LessonPrediction& prediction, const Facts& facts, double
     const double slack = std::abs(tolerance) + 1e-6 * std::max(1.0, std::abs(number));
     result.is_right = std::abs(given - number) <= slack;
     result.answer = answer_text(number);
-    if (!prediction.unit.empty()) result.answer += " " + prediction.unit;
+    if (!prediction.unit.empty()) {
+        const std::string unit = unit_for(result.answer, prediction.unit);
+        result.answer.append(" ").append(unit);
+    }
 }
 
 void judge_choice(const LessonPrediction& prediction, const Facts& facts, int given,

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/element_names.h"
 #include "session/bench.h"
 #include "ui/canvas/canvas.h"
 #include "ui/ui.h"
@@ -214,6 +215,26 @@ void draw_samples(const Marks& m, int triangle) {
     }
 }
 
+/// From here on, in screen pixels for each pixel, there is room for "vertices[0]".
+constexpr float full_name_zoom = 24.0f;
+
+/// The name of a vertex beside it, at the left where the canvas ends at the right.
+void draw_vertex_label(const Marks& m, int vertex, ImVec2 pixel) {
+    ImFont* const font = m.ui.fonts.bold;
+    const bool is_full = m.scale >= full_name_zoom * m.u;
+    const std::string name = is_full ? vertex_name(vertex) : short_vertex_name(vertex);
+    const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, name.c_str()).x;
+    const float gap = 9.0f * m.u;
+    const bool fits = pixel.x + gap + width <= m.high.x;
+    const ImVec2 at{fits ? pixel.x + gap : pixel.x - gap - width, pixel.y - 1.35f * font->FontSize};
+    // A dark rim: the name is to be read on a bright picture too.
+    for (const ImVec2 rim : {ImVec2{1, 1}, ImVec2{-1, 1}, ImVec2{1, -1}, ImVec2{-1, -1}}) {
+        m.list->AddText(font, font->FontSize, {at.x + rim.x, at.y + rim.y}, IM_COL32(0, 0, 0, 200),
+                        name.c_str());
+    }
+    m.list->AddText(font, font->FontSize, at, m.colour(Meaning::current), name.c_str());
+}
+
 /// Where each vertex fell before it was rounded, joined to the pixel it became.
 void draw_vertices(const Marks& m, int triangle, std::span<const ScreenVertex> vertices) {
     const Frame& frame = m.run.frame;
@@ -239,12 +260,7 @@ void draw_vertices(const Marks& m, int triangle, std::span<const ScreenVertex> v
             m.list->AddCircle(real, 4.0f * m.u, m.colour(Meaning::current), 0, 1.5f * m.u);
         }
         m.list->AddCircleFilled(pixel, 5.5f * m.u, m.colour(Meaning::current));
-        const std::string name = std::to_string(v + 1);
-        const ImVec2 at{pixel.x + 9.0f * m.u, pixel.y - 1.35f * m.ui.fonts.bold->FontSize};
-        m.list->AddText(m.ui.fonts.bold, m.ui.fonts.bold->FontSize, {at.x + 1.0f, at.y + 1.0f},
-                        IM_COL32(0, 0, 0, 200), name.c_str());
-        m.list->AddText(m.ui.fonts.bold, m.ui.fonts.bold->FontSize, at, m.colour(Meaning::current),
-                        name.c_str());
+        draw_vertex_label(m, v, pixel);
     }
 }
 

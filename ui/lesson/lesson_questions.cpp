@@ -5,6 +5,7 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include "base/numbers.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/page/markdown.h"
@@ -94,7 +95,7 @@ void draw_number_field(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
     view.is_no_number = !number;
     if (!number) return;
     std::string said = view.typed;
-    if (!prediction.unit.empty()) said.append(" ").append(prediction.unit);
+    if (!prediction.unit.empty()) said.append(" ").append(unit_for(view.typed, prediction.unit));
     answer_prediction(ui, lesson, prediction, {*number}, said);
 }
 
