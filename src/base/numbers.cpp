@@ -94,4 +94,11 @@ std::string counted(std::int64_t count, std::string_view one, std::string_view m
     return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
+std::string unit_for(std::string_view number, std::string_view many) {
+    const bool is_plural = many.ends_with('s') && !many.ends_with("ss");
+    if (trimmed(number) != "1" || !is_plural) return std::string(many);
+    if (many == "vertices") return "vertex";
+    return std::string(many.substr(0, many.size() - 1));
+}
+
 } // namespace rasterwalk

@@ -45,7 +45,11 @@ std::string decimals(double value, int digits);
 /// A digit, so many behind the point, and the power of ten: "4.62e-05".
 std::string scientific(double value, int digits);
 
-/// "1 edge", "3 edges".
+/// "1 edge", "3 edges", "2 vertices": every count with its word is made here.
 std::string counted(std::int64_t count, std::string_view one, std::string_view many);
+
+/// The word that goes with a number as it is written: of "samples" it is "sample" for "1", and
+/// "samples" for every other.
+std::string unit_for(std::string_view number, std::string_view many);
 
 } // namespace rasterwalk

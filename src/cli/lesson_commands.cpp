@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "cli/json.h"
 #include "facts/facts.h"
 #include "laboratory/bug.h"
@@ -117,16 +118,12 @@ ExitCode check_command(const CheckOptions& options, std::ostream& out, std::ostr
     int faults = 0;
     for (const std::string& file : files)
         faults += check_file(file, session, out);
-    const auto counted = [](std::size_t count, const char* word) {
-        return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
-    };
-    const std::string sum =
-        counted(static_cast<std::size_t>(faults), "fault") + " in " + counted(files.size(), "file");
+    const std::string in_files = counted(static_cast<std::int64_t>(files.size()), "file", "files");
     if (faults > 0) {
-        err << "rasterwalk: " << sum << ".\n";
+        err << "rasterwalk: " << counted(faults, "fault", "faults") << " in " << in_files << ".\n";
         return ExitCode::difference;
     }
-    out << counted(files.size(), "file") << ", no faults.\n";
+    out << in_files << ", no faults.\n";
     return ExitCode::done;
 }
 

@@ -4,6 +4,7 @@
 #include <ostream>
 #include <string_view>
 
+#include "base/numbers.h"
 #include "cli/json.h"
 #include "inspect/stats.h"
 #include "picture/view_image.h"
@@ -17,7 +18,7 @@ void report_left_out(const LeftOut& left_out, std::ostream& err) {
     for (const RejectionWords& reason : rejection_list) {
         const int count = left_out.of(reason.rejection);
         if (count == 0) continue;
-        err << "rasterwalk: " << count << (count == 1 ? " triangle is" : " triangles are")
+        err << "rasterwalk: " << counted(count, "triangle is", "triangles are")
             << " left out: " << reason.sentence << ".\n";
     }
 }

@@ -7,7 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "base/element_names.h"
 #include "base/error.h"
+#include "base/numbers.h"
 #include "cli/json.h"
 #include "inspect/pixel_history.h"
 
@@ -117,7 +119,7 @@ std::string entry_line(const Scene& scene, const PixelHistory& history, std::siz
     std::string line =
         fmt::format("{:>3}  {:<15}  {}  {:>9.6f}  {:>9.6f}  {:>+9.6f}  {:>+9.6f}  {:<7}  {:.4f} "
                     "{:.4f} {:.4f}",
-                    i + 1, to_text(entry.cursor), name, entry.zinv, entry.stored, entry.margin,
+                    i, to_text(entry.cursor), name, entry.zinv, entry.stored, entry.margin,
                     entry.margin_to_winner, entry.fate == Fate::written ? "written" : "hidden",
                     colour.r, colour.g, colour.b);
     if (static_cast<int>(i) == history.winner) line += "  stays";
@@ -135,13 +137,13 @@ void print_text(const Frame& frame, const PixelHistory& history, const Cursor& t
         out << "nothing falls on it.\n" << uncovered_text(frame, history.pixel) << '\n';
         for (const NearTriangle& near : history.nearest) {
             const std::string rules = rules_text(near, history.pixel);
-            out << "t" << near.triangle << " " << part_name(scene, near.triangle) << ": "
-                << miss_text(near) << (rules.empty() ? "" : "; ") << rules << ".\n";
+            out << short_triangle_name(near.triangle) << " " << part_name(scene, near.triangle)
+                << ": " << miss_text(near) << (rules.empty() ? "" : "; ") << rules << ".\n";
         }
         return;
     }
     const char* const what = has_fragments(stage) ? "fragment" : "mark";
-    out << history.entries.size() << ' ' << what << (history.entries.size() == 1 ? "" : "s")
+    out << counted(static_cast<std::int64_t>(history.entries.size()), what, std::string(what) + "s")
         << ".\n"
         << "  #  moment           part                   1/z     stored     margin  to winner  "
            "fate     colour after\n";

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/element_names.h"
 #include "base/error.h"
 #include "base/numbers.h"
 #include "cli/json.h"
@@ -96,10 +97,10 @@ void rows_command(const RowsOptions& options, std::ostream& out, std::ostream& e
         out << rows_text(history.rows);
     }
     for (const OutsideSample& sample : history.outside) {
-        err << fmt::format("rasterwalk: sample {} of edge {} at ({}, {}) falls in row {}, outside "
-                           "the table; it is not written.\n",
-                           sample.sample, sample.edge, nine_digits(sample.x), nine_digits(sample.y),
-                           sample.row);
+        err << fmt::format("rasterwalk: {} at ({}, {}) falls in row {}, outside the table; it is "
+                           "not written.\n",
+                           sample_name(sample.edge, sample.sample), nine_digits(sample.x),
+                           nine_digits(sample.y), sample.row);
     }
 }
 

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/element_names.h"
 #include "base/error.h"
 #include "base/numbers.h"
 #include "cli/json.h"
@@ -123,7 +124,7 @@ void print_vertices(std::ostream& out, const TriangleReport& report, bool is_pro
     };
     out << fmt::format("{:<23}", "Vertices");
     for (std::size_t v = 0; v < report.vertices.size(); ++v)
-        out << fmt::format(" {:>13}", fmt::format("v{}", v));
+        out << fmt::format(" {:>13}", vertex_name(static_cast<int>(v)));
     out << '\n';
     print_vector(is_projected_scene ? "world" : "given", "world");
     if (is_projected_scene) {
@@ -147,18 +148,18 @@ void print_edges(std::ostream& out, const TriangleReport& report) {
     out << "\nEdges\n";
     for (std::size_t e = 0; e < report.edges.size(); ++e) {
         const EdgeReport& edge = report.edges[e];
-        out << fmt::format("  e{} from ({},{}) to ({},{}): {} sample{}", e, edge.from.column,
-                           edge.from.row, edge.to.column, edge.to.row, edge.count,
-                           edge.count == 1 ? "" : "s");
+        out << fmt::format("  {} from ({},{}) to ({},{}): {}", edge_name(static_cast<int>(e)),
+                           edge.from.column, edge.from.row, edge.to.column, edge.to.row,
+                           counted(edge.count, "sample", "samples"));
         if (static_cast<int>(edge.samples.size()) < edge.count)
             out << fmt::format(", {} of them so far", edge.samples.size());
         out << '\n';
     }
     out << "\nSamples outside the row table: " << report.rows.outside.size() << '\n';
     for (const OutsideSample& sample : report.rows.outside) {
-        out << fmt::format("  e{}/s{} at ({}, {}) falls in row {}; it is not written\n",
-                           sample.edge, sample.sample, nine_digits(sample.x), nine_digits(sample.y),
-                           sample.row);
+        out << fmt::format("  {} at ({}, {}) falls in row {}; it is not written\n",
+                           sample_name(sample.edge, sample.sample), nine_digits(sample.x),
+                           nine_digits(sample.y), sample.row);
     }
 }
 
@@ -188,8 +189,8 @@ void print_rows(std::ostream& out, const RowHistory& history) {
 }
 
 void print_text(std::ostream& out, const TriangleReport& report, const Scene& scene) {
-    out << "Triangle " << report.triangle << " (" << part_name(scene, report.triangle)
-        << "), counted from 0, one of " << scene.triangle_count() << "\n\n";
+    out << element_name_of(triangle_form, report.triangle, scene.triangle_count()) << " ("
+        << part_name(scene, report.triangle) << ")\n\n";
     print_vertices(out, report, scene.space == SceneSpace::world);
     if (report.rejection != Rejection::none) {
         out << "\nIt is left out: " << words(report.rejection).sentence << ".\n";

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "base/element_names.h"
 #include "base/numbers.h"
 #include "inspect/row_history.h"
 #include "picture/view_image.h"
@@ -38,10 +39,6 @@ std::string triple(const glm::vec3& v, int digits) {
 
 std::string pixel_text(int column, int row) {
     return fmt::format("pixel ({}, {})", column, row);
-}
-
-std::string numbered(std::string_view what, int index, int count) {
-    return fmt::format("{} {} of {}", what, index + 1, count);
 }
 
 std::string_view stage_name(const Frame& frame) {
@@ -139,8 +136,7 @@ std::string varying_text(const VertexEvent& a, const VertexEvent& b) {
 }
 
 std::string vertex_text(const Frame& a, const Frame& b, const PairMoment& moment) {
-    const auto corners = static_cast<int>(a.triangle_vertices(moment.cursor.triangle).size());
-    const std::string vertex = numbered("vertex", moment.cursor.index, corners);
+    const std::string vertex = vertex_name(moment.cursor.index);
     const VertexEvent &in_a = *moment.a.vertex, &in_b = *moment.b.vertex;
     const bool differs = in_a.pixel.column != in_b.pixel.column || in_a.pixel.row != in_b.pixel.row;
     if (differs && (a.is_cut(moment.cursor.triangle) || b.is_cut(moment.cursor.triangle))) {
@@ -198,16 +194,17 @@ int sample_count(const Frame& frame, const Cursor& cursor) {
 
 std::string sample_text(const Frame& a, const Frame& b, const PairMoment& moment) {
     const Cursor& cursor = moment.cursor;
-    const int edge = cursor.index + 1;
     const int count_a = sample_count(a, cursor), count_b = sample_count(b, cursor);
     if (moment.a.sample == nullptr || moment.b.sample == nullptr) {
-        return fmt::format("edge {} has {} samples in A and {} in B.", edge, count_a, count_b);
+        return fmt::format("{} has {} in A and {} in B.", edge_name(cursor.index),
+                           counted(count_a, "sample", "samples"), count_b);
     }
     const EdgeSample &p = moment.a.sample->sample, &q = moment.b.sample->sample;
     const bool with_y = p.fragment.row != q.fragment.row || p.write.inside != q.write.inside;
     const bool with_x = p.fragment.column != q.fragment.column || !with_y;
     const int digits = std::max(digits_for(p.x, q.x), digits_for(p.y, q.y));
-    return fmt::format("edge {}, {}. A: {}. B: {}.", edge, numbered("sample", cursor.step, count_a),
+    return fmt::format("{}, {}. A: {}. B: {}.", edge_name(cursor.index),
+                       element_name_of(sample_form, cursor.step, count_a),
                        sample_side(a, *moment.a.sample, with_x, with_y, digits),
                        sample_side(b, *moment.b.sample, with_x, with_y, digits));
 }
@@ -217,7 +214,7 @@ std::string row_ends(const Frame& frame, const Cursor& cursor) {
     PolygonRows rows;
     compute_rows(frame, cursor.triangle, rows);
     if (cursor.index >= rows.size()) {
-        return fmt::format("has only {} rows", rows.size());
+        return fmt::format("has only {}", counted(rows.size(), "row", "rows"));
     }
     const int row = rows.first_row + cursor.index;
     if (rows.is_empty_row(cursor.index)) return fmt::format("has nothing in row {}", row);

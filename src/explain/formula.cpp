@@ -190,6 +190,23 @@ bool shows_minus(const std::string& text) {
 
 } // namespace
 
+std::string function_help(std::string_view expression) {
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 5> helps{{
+        {"int(", "int(x): x without what stands behind the point, so it goes toward 0."},
+        {"clamp(", "clamp(x, low, high): x, or the bound that it lies beyond."},
+        {"wrap(", "wrap(x, n): what x leaves when it is divided by n."},
+        {"accumulate(", "accumulate(start, step, n): begins with start and adds step n times, one "
+                        "by one. Each sum is rounded to a float, as on the way along a line."},
+        {"max(0,", "max(0, x): x, or 0 where x is below it."},
+    }};
+    std::string text;
+    for (const auto& [function, help] : helps) {
+        if (expression.find(function) == expression.npos) continue;
+        text.append(text.empty() ? "" : "\n").append(help);
+    }
+    return text;
+}
+
 std::string shown(const Number& number) {
     const float value = number.value;
     if (std::isnan(value)) return "not a number";

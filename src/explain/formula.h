@@ -44,6 +44,10 @@ struct Formula {
     Number result; ///< as the drawing has it
 };
 
+/// What the functions of an expression do, a line for each that does not go without saying:
+/// "int(x): x without what stands behind the point". Empty if it has none of them.
+std::string function_help(std::string_view expression);
+
 /// Works the expression out from the inputs. Throws std::invalid_argument if it cannot be read.
 float evaluate(const Formula& formula);
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/element_names.h"
 #include "explain/light_formulas.h"
 #include "pipeline/draw.h"
 
@@ -13,6 +14,11 @@ constexpr std::array<Interpolation, interpolation_count> ways{
     Interpolation::perspective, Interpolation::affine, Interpolation::zinv_twice};
 
 using Carried = std::array<Fragment, interpolation_count>; ///< indexed by Interpolation
+
+/// Which fragment of its row it is.
+std::string column_words(int step) {
+    return element_name(fragment_form, step) + " of the row, from its left end";
+}
 
 /// Keeps the event of one fragment, and who wrote on its pixel before.
 class Watcher : public Observer {
@@ -38,19 +44,18 @@ class Watcher : public Observer {
 Formula along_row(const FragmentReport& report, std::string id, std::string name, std::string help,
                   float left, float right, float result) {
     const CarriedRow& row = report.row;
-    Formula formula{std::move(id),
-                    std::move(name),
-                    std::move(help),
-                    "",
-                    {{"left", {left}, from_row_end(row.triangle, row.row, false)},
-                     {"right", {right}, from_row_end(row.triangle, row.row, true)},
-                     {"n",
-                      {static_cast<float>(row.count), true},
-                      from_words("pixels of the row, both ends included")},
-                     {"i",
-                      {static_cast<float>(report.step), true},
-                      from_words("column in the row, counted from 0")}},
-                    {result}};
+    Formula formula{
+        std::move(id),
+        std::move(name),
+        std::move(help),
+        "",
+        {{"left", {left}, from_row_end(row.triangle, row.row, false)},
+         {"right", {right}, from_row_end(row.triangle, row.row, true)},
+         {"n",
+          {static_cast<float>(row.count), true},
+          from_words("pixels of the row, both ends included")},
+         {"i", {static_cast<float>(report.step), true}, from_words(column_words(report.step))}},
+        {result}};
     switch (row.walk) {
     case LineWalk::accumulate:
     case LineWalk::integer_step: // only the place's step is cut, and along a row it is 1
@@ -100,7 +105,7 @@ void add_depths(FragmentReport& report, const Carried& carried) {
          {{"left",
            {static_cast<float>(ends.left.column), true},
            from_row_end(report.row.triangle, report.row.row, false)},
-          {"i", {static_cast<float>(report.step), true}, from_words("column in the row")}},
+          {"i", {static_cast<float>(report.step), true}, from_words(column_words(report.step))}},
          {static_cast<float>(report.pixel.x), true}});
     report.formulas.push_back(along_row(report, "zinv", "1/z",
                                         std::string(quantity_info(Quantity::zinv).words.help),

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "base/element_names.h"
+
 namespace rasterwalk {
 
 Source from_words(std::string words) {
@@ -56,8 +58,7 @@ std::string source_text(const Source& source) {
     case SourceKind::setting:
         return "setting " + source.name;
     case SourceKind::vertex:
-        return "vertex " + std::to_string(source.vertex + 1) + " of triangle " +
-               std::to_string(source.triangle + 1);
+        return vertex_name(source.vertex) + " of " + triangle_name(source.triangle);
     case SourceKind::row_end:
         return std::string(source.is_right ? "right" : "left") + " end of row " +
                std::to_string(source.row);

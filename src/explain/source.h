@@ -39,8 +39,8 @@ Source from_row_end(int triangle, int row, bool is_right);
 Source from_moment(const Cursor& moment);
 Source from_formula(std::string id);
 
-/// The place in words, counted from 1: "left end of row 20", "setting light.power", "vertex 2 of
-/// triangle 8".
+/// The place in words, counted from 0: "left end of row 20", "setting light.power", "vertices[1] of
+/// triangles[7]".
 std::string source_text(const Source& source);
 
 } // namespace rasterwalk

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/element_names.h"
 #include "explain/light_formulas.h"
 
 namespace rasterwalk {
@@ -20,8 +21,8 @@ struct Made {
 };
 
 std::string given_text(const Made& made) {
-    return fmt::format("given by the scene: vertex {} of triangle {}, {}", made.report.vertex + 1,
-                       made.report.triangle + 1,
+    return fmt::format("given by the scene: {} of {}, {}", vertex_name(made.report.vertex),
+                       triangle_name(made.report.triangle),
                        part_name(*made.frame.scene, made.report.triangle));
 }
 
@@ -59,14 +60,14 @@ void add_camera_space(Made& made) {
 }
 
 std::string rotation_id(int row, int column) {
-    return fmt::format("R.{}.{}", row + 1, column + 1);
+    return fmt::format("R.{}.{}", row, column);
 }
 std::string rotation_symbol(int row, int column) {
-    static constexpr const char* digits[] = {"₁", "₂", "₃"};
+    static constexpr const char* digits[] = {"₀", "₁", "₂"};
     return fmt::format("R{}{}", digits[row], digits[column]);
 }
 
-/// R of the camera for row vectors: row and column from 1, each a product of sines and cosines.
+/// R of the camera for row vectors: row and column from 0, each a product of sines and cosines.
 void add_rotation(Made& made) {
     static constexpr const char* expressions[3][3] = {
         {"cos(yaw)", "sin(pitch) · sin(yaw)", "cos(pitch) · sin(yaw)"},

@@ -15,7 +15,7 @@ namespace rasterwalk {
 
 /// One vertex of a triangle on its way to a pixel.
 ///
-/// Ids of its formulas: world.x .y .z, minus_camera.x ..., R.1.1 to R.3.3 (of the camera, row and
+/// Ids of its formulas: world.x .y .z, minus_camera.x ..., R.0.0 to R.2.2 (of the camera, row and
 /// column), rotated.x ..., zinv, projected.x .y, pixel.column .row, normal.x ..., reflectance.red
 /// ..., and the light's with prefix `light.`, see light_formulas.h. Of a rejected vertex those
 /// from zinv on may be missing.

@@ -2,6 +2,9 @@
 #include <array>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "base/element_names.h"
 #include "base/limits.h"
 #include "facts/fact_values.h"
 #include "facts/facts.h"
@@ -51,10 +54,11 @@ Value cursor_pixel(const Facts& facts, int axis) {
 void add_cursor_facts(std::vector<Fact>& table) {
     table.push_back({"cursor", "The moment: what comes next. `end` after everything.", moment(),
                      [](const Facts& f, int) { return Value(f.results().a.cursor); }});
-    table.push_back({"cursor.triangle", "Triangle of the moment.", count, [](const Facts& f, int) {
-                         const Cursor& cursor = f.results().a.cursor;
-                         return cursor == cursor_end ? Value() : number(cursor.triangle);
-                     }});
+    table.push_back(
+        {"cursor.triangle", "Triangle of the moment, from 0.", count, [](const Facts& f, int) {
+             const Cursor& cursor = f.results().a.cursor;
+             return cursor == cursor_end ? Value() : number(cursor.triangle);
+         }});
     table.push_back(
         {"cursor.phase", "What kind of work comes next.", words(phase_words), cursor_phase});
     table.push_back(
@@ -67,7 +71,8 @@ void add_cursor_facts(std::vector<Fact>& table) {
                          const Cursor* const at = cursor_in(f, Phase::edges);
                          return at != nullptr ? number(at->index) : Value();
                      }});
-    table.push_back({"cursor.sample", "Sample of that edge.", count, [](const Facts& f, int) {
+    table.push_back({"cursor.sample", "Sample of that edge, from 0: line[...].", count,
+                     [](const Facts& f, int) {
                          const Cursor* const at = cursor_in(f, Phase::edges);
                          return at != nullptr ? number(at->step) : Value();
                      }});
@@ -80,13 +85,13 @@ void add_cursor_facts(std::vector<Fact>& table) {
 // --- what is looked at
 
 void add_session_facts(std::vector<Fact>& table) {
-    table.push_back({"triangle", "Selected triangle.", count,
+    table.push_back({"triangle", "Selected triangle, from 0.", count,
                      [](const Facts& f, int) { return number(f.session().selection.triangle); }});
     table.push_back({"triangle.count", "Triangles of the scene.", count, [](const Facts& f, int) {
                          return number(f.results().a.frame.triangle_count());
                      }});
     table.push_back({"triangle.shown",
-                     "Triangle that the inspector shows: the selected one, or "
+                     "Triangle that the inspector shows, from 0: the selected one, or "
                      "the one that was just drawn.",
                      count, [](const Facts& f, int) { return number(f.results().a.triangle); }});
     table.push_back({"row", "Selected row of the picture.", whole(-endless, endless),
@@ -270,11 +275,10 @@ void add_table_facts(std::vector<Fact>& table) {
                          return row ? number(f.table()->rows.pixel_count(*row)) : Value();
                      }});
     for (int edge = 0; edge < triangle_corners; ++edge) {
-        const std::string name = "edge" + std::to_string(edge + 1);
-        table.push_back({"table." + name + ".samples",
-                         "Samples of edge " + std::to_string(edge + 1) +
-                             " of the triangle on show, counted from 1.",
-                         count, edge_samples, edge});
+        table.push_back(
+            {fmt::format("table.e{}.samples", edge),
+             fmt::format("How many samples {} of the triangle on show has.", edge_name(edge)),
+             count, edge_samples, edge});
     }
 }
 

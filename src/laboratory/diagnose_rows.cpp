@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/element_names.h"
 #include "laboratory/bug_rule.h"
 #include "laboratory/diagnose.h"
 #include "pipeline/frame.h"
@@ -79,7 +80,8 @@ TablePolygon nearest_polygon(const Rows& rows, const Scene& scene, const Setting
     const int count = std::min(frame.triangle_count(), tried);
     for (int t = 0; t < count; ++t) {
         if (!frame.is_drawn(t)) continue;
-        const TablePolygon polygon{{}, t, fmt::format("triangle {} ({})", t, part_name(scene, t))};
+        const TablePolygon polygon{
+            {}, t, fmt::format("{} ({})", triangle_name(t), part_name(scene, t))};
         PolygonRows table;
         compute_rows(frame, t, table);
         const double distance = rows_distance(printed(table), rows).mean;

@@ -57,7 +57,10 @@ void judge_number(const LessonPrediction& prediction, const Facts& facts, double
     const double slack = std::abs(tolerance) + 1e-6 * std::max(1.0, std::abs(number));
     result.is_right = std::abs(given - number) <= slack;
     result.answer = answer_text(number);
-    if (!prediction.unit.empty()) result.answer += " " + prediction.unit;
+    if (!prediction.unit.empty()) {
+        const std::string unit = unit_for(result.answer, prediction.unit);
+        result.answer.append(" ").append(unit);
+    }
 }
 
 void judge_choice(const LessonPrediction& prediction, const Facts& facts, int given,
@@ -146,7 +149,7 @@ std::string answer_words(const LessonPrediction& prediction, const GivenAnswer& 
         return prediction.choices[static_cast<std::size_t>(*choice)];
     }
     return prediction.unit.empty() ? std::string(typed)
-                                   : fmt::format("{} {}", typed, prediction.unit);
+                                   : fmt::format("{} {}", typed, unit_for(typed, prediction.unit));
 }
 
 std::optional<GivenAnswer> answer_in_words(const LessonPrediction& prediction,
@@ -159,8 +162,10 @@ std::optional<GivenAnswer> answer_in_words(const LessonPrediction& prediction,
         return GivenAnswer{static_cast<int>(found - choices.begin())};
     }
     case PredictionKind::number: {
-        if (!prediction.unit.empty() && said.ends_with(prediction.unit)) {
-            said.remove_suffix(prediction.unit.size());
+        for (const std::string& unit : {prediction.unit, unit_for("1", prediction.unit)}) {
+            if (unit.empty() || !said.ends_with(unit)) continue;
+            said.remove_suffix(unit.size());
+            break;
         }
         const std::optional<double> number = read_answer(said);
         return number ? std::optional(GivenAnswer{*number}) : std::nullopt;

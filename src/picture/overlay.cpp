@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/element_names.h"
 #include "base/numbers.h"
 #include "picture/colour_map.h"
 
@@ -354,17 +355,17 @@ std::string overlay_value(Overlay overlay, const Frame& frame, const Framebuffer
     case Overlay::wireframe: {
         const WireEdge* const wire = nearest_wire(picture, pixel, static_cast<double>(reach));
         if (wire == nullptr) return "no edge";
-        return fmt::format("edge {} of triangle {}", wire->edge + 1, wire->triangle + 1);
+        return fmt::format("{} of {}", edge_name(wire->edge), triangle_name(wire->triangle));
     }
     case Overlay::owner:
         if (owner < 0) return "none";
-        return fmt::format("triangle {}, {}", owner + 1, part_name(*frame.scene, owner));
+        return fmt::format("{}, {}", triangle_name(owner), part_name(*frame.scene, owner));
     case Overlay::overdraw:
         return counted(framebuffer.overdraw[at], "fragment", "fragments");
     case Overlay::drawn_twice: {
         const DrawnTwice& twice = picture.facts.drawn_twice[at];
         if (!twice) return "no";
-        return fmt::format("triangles {} and {}", twice.first + 1, twice.second + 1);
+        return fmt::format("{} and {}", triangle_name(twice.first), triangle_name(twice.second));
     }
     case Overlay::depth:
         if (picture.facts.depth.empty()) return {};

@@ -47,6 +47,14 @@ std::string to_text(const Cursor& cursor) {
     return text;
 }
 
+std::string short_place(const Cursor& cursor) {
+    const PhaseInfo& phase = phase_info(cursor.phase);
+    if (!phase.is_numbered) return std::string(1, phase.letter);
+    std::string text = numbered(phase.letter, cursor.index);
+    if (phase.step_letter != 0) text.append(" [").append(std::to_string(cursor.step)).append("]");
+    return text;
+}
+
 std::optional<Cursor> parse_cursor(std::string_view text) {
     if (text == "end") return cursor_end;
     Cursor cursor;

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/element_names.h"
 #include "base/enum_words.h"
 
 namespace rasterwalk {
@@ -23,18 +24,18 @@ struct PhaseInfo {
     std::string_view word;  ///< in data: "edges"
     char letter;            ///< in the text of a moment: t12/e2
     bool is_numbered;       ///< the letter is followed by the number of the piece
-    std::string_view piece; ///< what a piece is called: "edge"
+    std::string_view piece; ///< what a piece is called, with '#' for its number: "edge #"
     char step_letter;       ///< t12/e2/s14; 0: a piece is a single moment
-    std::string_view step;  ///< what a step is called: "sample"; empty if there are none
+    std::string_view step;  ///< what a step is called: "line[#]"; empty if there are none
 };
 
 /// Every phase; indexed by Phase.
 inline constexpr std::array phase_list{
-    PhaseInfo{Phase::vertices, "vertices", 'v', true, "vertex", 0, ""},
-    PhaseInfo{Phase::clip, "clip", 'p', true, "plane", 's', "edge"},
+    PhaseInfo{Phase::vertices, "vertices", 'v', true, vertex_form, 0, ""},
+    PhaseInfo{Phase::clip, "clip", 'p', true, plane_form, 's', edge_form},
     PhaseInfo{Phase::cull, "cull", 'k', false, "sign of the area", 0, ""},
-    PhaseInfo{Phase::edges, "edges", 'e', true, "edge", 's', "sample"},
-    PhaseInfo{Phase::rows, "rows", 'r', true, "row", 'c', "fragment"},
+    PhaseInfo{Phase::edges, "edges", 'e', true, edge_form, 's', sample_form},
+    PhaseInfo{Phase::rows, "rows", 'r', true, entry_form, 'c', fragment_form},
 };
 inline constexpr int phase_count = static_cast<int>(phase_list.size());
 
@@ -79,6 +80,10 @@ inline constexpr Cursor cursor_end{INT_MAX, Phase::vertices, 0, 0, INT_MAX};
 /// The text form: `t12/v1`, `t12/p0/s2`, `t12/k`, `t12/e2/s14`, `t12/r37/c5`, `end`; before it the
 /// pass where it is not 0: `p1:t12/v1`.
 std::string to_text(const Cursor& cursor);
+
+/// The piece and the step alone, where room is short: "v1", "e2 [14]" for edge 2, line[14], "r37
+/// [5]" for entry [37], fragments[5]; "k" for a phase whose piece has no number.
+std::string short_place(const Cursor& cursor);
 
 /// Reads the text form; what is left away is 0: `t12` is `t12/v0`, `t12/r37` is `t12/r37/c0`.
 std::optional<Cursor> parse_cursor(std::string_view text);

@@ -7,8 +7,9 @@
 
 namespace rasterwalk {
 
-/// A moment in words, counted from 1: "triangle 21 of 30 (tall block) · edge 2 of 3 · sample 14 of
-/// 104". The moment must exist in the frame and not be the end.
+/// A moment in words, counted from 0: "triangles[20] of 30 (tall block) · edge 1 · line[13] of
+/// 104". A row is told by its place in the picture and in the table. The moment must exist in the
+/// frame and not be the end.
 std::string describe_moment(const Frame& frame, const Cursor& cursor);
 
 } // namespace rasterwalk

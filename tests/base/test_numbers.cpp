@@ -67,3 +67,18 @@ TEST_CASE("Numbers are written as people write them") {
     CHECK(number_text(0.0001f) == "0.0001");
     CHECK(number_text(1e-10f) == "1e-10");
 }
+
+TEST_CASE("One of a thing is told by its word for one") {
+    CHECK(counted(0, "sample", "samples") == "0 samples");
+    CHECK(counted(1, "sample", "samples") == "1 sample");
+    CHECK(counted(2, "vertex", "vertices") == "2 vertices");
+    CHECK(unit_for("1", "samples") == "sample");
+    CHECK(unit_for(" 1 ", "pixels") == "pixel");
+    CHECK(unit_for("1", "vertices") == "vertex");
+    CHECK(unit_for("1", "less") == "less");
+    CHECK(unit_for("1", "m") == "m");
+    for (const char* many : {"0", "2", "11", "1.5", "-1", ""}) {
+        INFO(many);
+        CHECK(unit_for(many, "samples") == "samples");
+    }
+}

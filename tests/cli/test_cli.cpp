@@ -54,7 +54,7 @@ TEST_CASE("rows --json says who wrote each end and which samples fell outside") 
                               "\"sample\":1},\"right\":3,"));
     CHECK_THAT(json, Contains("\"outside\":[{\"column\":3,\"edge\":0,\"row\":0,\"sample\":3,"
                               "\"x\":3.0,\"y\":0.99999988079071045}]"));
-    CHECK_THAT(result.err, Contains("sample 3 of edge 0 at (3, 0.999999881) falls in row 0"));
+    CHECK_THAT(result.err, Contains("edge 0, line[3] at (3, 0.999999881) falls in row 0"));
 }
 
 TEST_CASE("rows follows the rules it is given") {

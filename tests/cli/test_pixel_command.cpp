@@ -32,11 +32,11 @@ TEST_CASE("pixel tells the history of a pixel of the room, line by line") {
           "pixel 240,300, stage pixel_light: 3 fragments.\n"
           "  #  moment           part                   1/z     stored     margin  to winner  "
           "fate     colour after\n"
-          "  1  t8/r174/c114     back wall          0.249938   0.000000  +0.249938  -0.079533  "
+          "  0  t8/r174/c114     back wall          0.249938   0.000000  +0.249938  -0.079533  "
           "written  0.3906 0.3906 0.3906\n"
-          "  2  t21/r82/c39      tall block         0.329470   0.249938  +0.079533  +0.000000  "
+          "  1  t21/r82/c39      tall block         0.329470   0.249938  +0.079533  +0.000000  "
           "written  0.0823 0.0823 0.4115  stays\n"
-          "  3  t23/r80/c8       tall block         0.290940   0.329470  -0.038530  -0.038530  "
+          "  2  t23/r80/c8       tall block         0.290940   0.329470  -0.038530  -0.038530  "
           "hidden   0.0823 0.0823 0.4115\n");
 }
 
@@ -89,7 +89,7 @@ TEST_CASE("pixel says why nothing falls on the black border") {
 
 TEST_CASE("pixel follows the view: stage, settings, size and scene") {
     CHECK_THAT(run({"pixel", "126,126", "--stage", "edges"}).out,
-               Contains("stage edges: 10 marks.\n") && Contains("  1  t3/e1/s125 "));
+               Contains("stage edges: 10 marks.\n") && Contains("  0  t3/e1/s125 "));
     CHECK_THAT(run({"pixel", "240,300", "--stage", "rows"}).out,
                Contains("draws the two ends of each row only"));
     const std::string fill = run({"pixel", "240,300", "--stage", "fill"}).out;

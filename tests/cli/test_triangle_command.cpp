@@ -46,12 +46,12 @@ TEST_CASE("triangle tells the bench triangle's vertices, edges and rows in words
     const CliRun result = run({"triangle", "0", "--scene", bench_file});
     CHECK(result.exit_code == 0);
     CHECK(result.err.empty());
-    CHECK_THAT(result.out, Contains("Triangle 0 (triangle), counted from 0, one of 1\n"));
+    CHECK_THAT(result.out, Contains("triangles[0] of 1 (triangle)\n"));
     CHECK_THAT(result.out, Contains("  pixel          column            10             5"
                                     "            15\n"));
-    CHECK_THAT(result.out, Contains("  e0 from (10,5) to (5,10): 6 samples\n"
-                                    "  e1 from (5,10) to (15,15): 11 samples\n"
-                                    "  e2 from (15,15) to (10,5): 11 samples\n"));
+    CHECK_THAT(result.out, Contains("  edge 0 from (10,5) to (5,10): 6 samples\n"
+                                    "  edge 1 from (5,10) to (15,15): 11 samples\n"
+                                    "  edge 2 from (15,15) to (10,5): 11 samples\n"));
     CHECK_THAT(result.out, Contains("Samples outside the row table: 0\n"));
     CHECK_THAT(result.out,
                Contains("     5         10         10       1   e0/s0                  e0/s0\n"));
@@ -103,7 +103,7 @@ TEST_CASE("A triangle with samples outside names them") {
 
 TEST_CASE("triangle --to stops in the middle of the row table") {
     const CliRun text = run({"triangle", "0", "--scene", bench_file, "--to", "t0/e1/s2"});
-    CHECK_THAT(text.out, Contains("e1 from (5,10) to (15,15): 11 samples, 2 of them so far\n"));
+    CHECK_THAT(text.out, Contains("edge 1 from (5,10) to (15,15): 11 samples, 2 of them so far\n"));
     CHECK_THAT(text.out, Contains("    15   +INT_MAX   -INT_MAX       0   -"));
     const std::string json = json_of({"0", "--scene", bench_file, "--to", "t0/e1/s2"});
     CHECK_THAT(json, Contains("\"edge\":2,\"from\":[15,15],\"samples\":[],"));

@@ -351,18 +351,18 @@ std::string cause(const Scene& scene, const StripStep& stage, const std::string&
 TEST_CASE("The cause is told in words and numbers") {
     const Scene steep = pixel_scene({{{{0, 2, 1}, {3, 1, 1}, {6, 2, 1}}}}, {10, 6});
     CHECK(cause(steep, {Stage::fill}, "line_walk=exact") ==
-          "t0/e0/s3: edge 1, sample 4 of 4. A: y = 0.9999999 is cut to 0, above the first row 1. "
+          "t0/e0/s3: edge 0, line[3] of 4. A: y = 0.9999999 is cut to 0, above the first row 1. "
           "B: y = 1.");
     CHECK(cause(steep, {Stage::fill}, "edge_samples=rows") ==
-          "t0/e0/s1: edge 1, sample 2 of 4. A: x = 1. B: x = 3.");
+          "t0/e0/s1: edge 0, line[1] of 4. A: x = 1. B: x = 3.");
     const Scene room = lab_room();
     CHECK(cause(room, {Stage::depth}, "depth_test=off") ==
           "t1/r0/c0: pixel (126, 374): 1/z = 0.249938 is hidden by 0.249938 in A; 0.249938 is "
           "written without a test in B.");
     CHECK(cause(room, {Stage::fill}, "line_walk=exact") ==
-          "t0/e0/s373: edge 1, sample 374 of 374. A: y = 498.997 is cut to 498. B: y = 499.");
+          "t0/e0/s373: edge 0, line[373] of 374. A: y = 498.997 is cut to 498. B: y = 499.");
     CHECK(cause(room, {Stage::edges}, "rounding=floor") ==
-          "t0/v0: vertex 1 of 3: in A projected to (-124.969, 124.969) from the middle, cut to "
+          "t0/v0: vertices[0]: in A projected to (-124.969, 124.969) from the middle, cut to "
           "pixel (126, 374); in B projected to (-124.969, 124.969) from the middle, rounded down "
           "to pixel (125, 374).");
     CHECK(cause(room, {Stage::depth}, "depth_test=linear_z") ==
@@ -374,7 +374,7 @@ TEST_CASE("The cause is told in words and numbers") {
     CHECK(cause(room, {Stage::edges}, "stage=fill") ==
           "t0/e0/s0: only A puts a mark on the picture; stage edges against fill.");
     CHECK(cause(room, StripStep::vertex_light, "light.power=2.2") ==
-          "t0/v0: vertex 1 of 3: its light is (0.0762945, 0.381473, 0.0762945) in A, (0.0775891, "
+          "t0/v0: vertices[0]: its light is (0.0762945, 0.381473, 0.0762945) in A, (0.0775891, "
           "0.387945, 0.0775891) in B.");
     CHECK(cause(room, StripStep::pixel_light, "light.power=2.2") ==
           "t0/r0/c0: pixel (126, 374): the colour is (0.0762945, 0.381473, 0.0762945) in A, "

@@ -82,6 +82,15 @@ TEST_CASE("Accumulate adds its step as often as it says, with every rounding err
     CHECK(evaluate(formula("accumulate(0, a, 1000)", {input("a", 0.1f)})) == sum);
 }
 
+TEST_CASE("What a function in a formula does is told where it stands") {
+    using Catch::Matchers::Contains;
+    CHECK_THAT(function_help("accumulate(left, (right − left) / (n − 1), i)"),
+               Contains("accumulate(start, step, n): begins with start and adds step n times"));
+    CHECK_THAT(function_help("max(0, a · b)"), Contains("max(0, x)") && !Contains("\n"));
+    CHECK_THAT(function_help("int(clamp(x, 0, 1))"), Contains("int(x): ") && Contains("\nclamp("));
+    CHECK(function_help("f · x / z").empty());
+}
+
 TEST_CASE("Nothing at all is more than a number that is none, as in the light") {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     CHECK(evaluate(formula("max(0, a)", {input("a", nan)})) == 0.0f);

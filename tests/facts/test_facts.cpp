@@ -171,8 +171,9 @@ TEST_CASE("The table's facts are of the finished table of the triangle on show")
     const RowHistory rows = row_history(bench.results.a.frame, 0);
     CHECK(bench.number("table.rows") == rows.rows.size());
     CHECK(bench.number("table.first_row") == rows.rows.first_row);
-    CHECK(bench.number("table.edge1.samples") + bench.number("table.edge2.samples") +
-              bench.number("table.edge3.samples") ==
+    CHECK(bench.number("table.e0.samples") == 6);
+    CHECK(bench.number("table.e0.samples") + bench.number("table.e1.samples") +
+              bench.number("table.e2.samples") ==
           rows.sample_count);
     double sum = 0.0;
     for (int i = 0; i < rows.rows.size(); ++i) {

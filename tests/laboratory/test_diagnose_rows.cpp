@@ -72,7 +72,7 @@ TEST_CASE("The right table has no difference, and its polygon is found") {
     const std::span<const ScreenVertex> vertices = frame.triangle_vertices(14);
     const std::string text = table_text({vertices.begin(), vertices.end()}, handout);
     CHECK(diagnose(text, {}, &about).is_same());
-    CHECK(about == "triangle 14 (short block)");
+    CHECK(about == "triangles[14] (short block)");
     CHECK(diagnose(table_text(shallow, handout), shallow_points).is_same());
 }
 

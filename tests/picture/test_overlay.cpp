@@ -229,7 +229,7 @@ TEST_CASE("Each overlay says of a pixel what is so") {
     update(session, results);
     CHECK(value(Overlay::uncovered, results, 0, 0) == "uncovered");
     CHECK(value(Overlay::uncovered, results, 250, 250) == "covered");
-    CHECK(value(Overlay::owner, results, 250, 350) == "triangle 11, short block");
+    CHECK(value(Overlay::owner, results, 250, 350) == "triangles[10], short block");
     CHECK(value(Overlay::overdraw, results, 0, 0) == "0 fragments");
     const std::size_t at = results.a.framebuffer->at(250, 350);
     const DepthVerdicts verdicts = results.overlay.facts.depth[at];
@@ -241,7 +241,8 @@ TEST_CASE("Each overlay says of a pixel what is so") {
     int twice = 0;
     for (int i = 136; i < 364; ++i) {
         for (const int column : {i, 499 - i}) {
-            twice += value(Overlay::drawn_twice, results, column, i) == "triangles 9 and 10";
+            twice +=
+                value(Overlay::drawn_twice, results, column, i) == "triangles[8] and triangles[9]";
         }
     }
     CHECK(twice > 50);
@@ -277,7 +278,7 @@ TEST_CASE("An edge that two triangles have in common is one edge") {
     Results results;
     update(session, results);
     CHECK(total(Overlay::wireframe, results) == "5 edges");
-    CHECK(value(Overlay::wireframe, results, 6, 5) == "edge 2 of triangle 1");
+    CHECK(value(Overlay::wireframe, results, 6, 5) == "edge 1 of triangles[0]");
 }
 
 TEST_CASE("Overlays are told apart without colour: no two patterns are the same") {

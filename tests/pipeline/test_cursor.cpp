@@ -59,6 +59,13 @@ TEST_CASE("Every moment is read back from its text") {
     }
 }
 
+TEST_CASE("Where room is short a place cannot be mistaken for a decimal") {
+    CHECK(short_place({12, Phase::vertices, 1, 0}) == "v1");
+    CHECK(short_place({12, Phase::edges, 2, 14}) == "e2 [14]");
+    CHECK(short_place({12, Phase::rows, 37, 5}) == "r37 [5]");
+    CHECK(short_place({12, Phase::cull, 0, 0}) == "k");
+}
+
 TEST_CASE("Text that is no moment is refused") {
     for (const char* text : {"",
                              " ",

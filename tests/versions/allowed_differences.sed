@@ -11,6 +11,7 @@
     }
     /"name" *: *"(vertex_rounding|line_rounding)"/d
     /"name" *: *"shading".*"takes" *: *"unlit/d
+    /"name" *: *"table\.e(dge)?[0-9]\.samples"/d
     s/"name"( *: *)"depth_order"/"name"\1"shading"/
 }
 /^  (shading=(unlit|gouraud|phong)|vertex_rounding=|line_rounding=)/,/^      Takes /d
@@ -30,3 +31,26 @@ s/^(err: rasterwalk: shading cannot be '[^']*': it takes ).*/\1its words./
 
 # Time has two phases more, clip and cull; so far nothing happens in them.
 s/One of: vertices clip cull edges rows end/One of: vertices edges rows end/
+
+# Text counts triangles, vertices, edges and samples from 0, as JSON and the text of moments did before, and spells their
+# names as in C++: triangles[7], vertices[0], edge 1, line[4]. Numbers that sed cannot count down by one go.
+s/\bedge [0-9]+, (sample [0-9]+|line\[[0-9]+\]) of [0-9]+\. A: /a sample. A: /
+s/\bedge [0-9]+ has ([0-9]+) samples? in A and /an edge has \1 in A and /
+s/\b(vertex [0-9]+ of [0-9]+|vertices\[[0-9]+\]): /a vertex: /
+s/^Triangle ([0-9]+) \((.*)\), counted from 0, one of ([0-9]+)$/triangles[\1] of \3 (\2)/
+s/\btriangle ([0-9]+) \(/triangles[\1] (/
+s/^Vertices +(v0 +v1 +v2|vertices\[0\] +vertices\[1\] +vertices\[2\])$/Vertices/
+s/^  e([0-9]+) from \(/  edge \1 from (/
+s/^  e([0-9]+)\/s([0-9]+) at \(/  edge \1, line[\2] at (/
+s/^err: rasterwalk: sample ([0-9]+) of edge ([0-9]+) at \(/err: rasterwalk: edge \2, line[\1] at (/
+/^>>> (own )?rasterwalk pixel/,/^<<< exit/s/^ *[0-9]+  (t[0-9]+\/)/\1/
+
+# The facts on an edge's samples are named as the text of a moment names the edge; their old names counted from 1.
+/^table\.e(dge)?[0-9]\.samples /{
+    N
+    d
+}
+s/(Triangle of the moment|Sample of that edge|Selected triangle|Triangle that the inspector shows), from 0(: line\[\.\.\.\])?/\1/
+
+# One of a thing is told by its word for one.
+s/\bhas only 1 rows\b/has only 1 row/

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/numbers.h"
 #include "laboratory/quiz.h"
 #include "session/walk.h"
 #include "settings/setting_table.h"
@@ -172,7 +173,8 @@ std::string grouped(std::int64_t number) {
 
 std::string work_words(const Results& results) {
     const auto words = [](const char* what, int done, int of) {
-        return std::string(what) + " " + grouped(done) + " of " + grouped(of) + " triangles";
+        return std::string(what) + " " + grouped(done) + " of " + grouped(of) + " " +
+               unit_for(grouped(of), "triangles");
     };
     const auto drawn = [&](const char* what, const RunResults& run) {
         const int triangles = run.frame.triangle_count();

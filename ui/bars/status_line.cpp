@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/element_names.h"
 #include "ui/actions/compare.h"
 #include "ui/bars/bars.h"
 #include "ui/ui.h"
@@ -43,7 +44,7 @@ std::string describe_pixel(const Ui& ui) {
     if (depth > 0.0f) {
         words += fmt::format("   1/z {:.4f}   z {:.4f}", depth, 1.0 / static_cast<double>(depth));
     }
-    return fmt::format("{}   triangle {}, {}   drawn {}x", words, owner + 1,
+    return fmt::format("{}   {}, {}   drawn {}x", words, triangle_name(owner),
                        part_name(*ui.results.a.scene, owner), framebuffer.overdraw[at]);
 }
 
@@ -57,7 +58,9 @@ std::string trouble_text(const Ui& ui) {
     for (const std::string& message : ui.results.a.messages) {
         all += (all.empty() ? "" : "; ") + message;
     }
-    return all;
+    if (all.empty()) return all;
+    // The panels tell of one triangle, and of it what is done so far.
+    return (ui.results.a.has_all_messages ? "whole frame: " : "so far: ") + all;
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/element_names.h"
 #include "session/bench.h"
 #include "ui/canvas/canvas.h"
 #include "ui/ui.h"
@@ -223,6 +224,25 @@ void draw_samples(const Marks& m, int triangle) {
     }
 }
 
+/// From here on, in screen pixels for each pixel, there is room for "vertices[0]".
+constexpr float full_name_zoom = 24.0f;
+
+/// The name of a vertex beside it, at the left where the canvas ends at the right.
+void draw_vertex_label(const Marks& m, int vertex, ImVec2 pixel) {
+    ImFont* const font = m.ui.fonts.bold;
+    const bool is_full = m.scale >= full_name_zoom * m.u;
+    const std::string name = is_full ? vertex_name(vertex) : short_vertex_name(vertex);
+    const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, name.c_str()).x;
+    const float gap = 9.0f * m.u;
+    const bool fits = pixel.x + gap + width <= m.high.x;
+    const ImVec2 at{fits ? pixel.x + gap : pixel.x - gap - width, pixel.y - 1.35f * font->FontSize};
+    // The pixel below may be as bright as the letters.
+    m.list->AddRectFilled({at.x - 3.0f * m.u, at.y},
+                          {at.x + width + 3.0f * m.u, at.y + font->FontSize},
+                          IM_COL32(12, 13, 16, 215), 3.0f * m.u);
+    m.list->AddText(font, font->FontSize, at, m.colour(Meaning::current), name.c_str());
+}
+
 /// Where each vertex fell before it was rounded, joined to the pixel it became.
 void draw_vertices(const Marks& m, int triangle, std::span<const ScreenVertex> vertices) {
     const Frame& frame = m.run.frame;
@@ -248,16 +268,7 @@ void draw_vertices(const Marks& m, int triangle, std::span<const ScreenVertex> v
             m.list->AddCircle(real, 4.0f * m.u, m.colour(Meaning::current), 0, 1.5f * m.u);
         }
         m.list->AddCircleFilled(pixel, 5.5f * m.u, m.colour(Meaning::current));
-        const std::string name = std::to_string(v + 1);
-        const ImVec2 at{pixel.x + 9.0f * m.u, pixel.y - 1.35f * m.ui.fonts.bold->FontSize};
-        // The pixel below may be as bright as the letters.
-        const ImFont* const font = m.ui.fonts.bold;
-        const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, name.c_str()).x;
-        m.list->AddRectFilled({at.x - 3.0f * m.u, at.y},
-                              {at.x + width + 3.0f * m.u, at.y + font->FontSize},
-                              IM_COL32(12, 13, 16, 215), 3.0f * m.u);
-        m.list->AddText(m.ui.fonts.bold, m.ui.fonts.bold->FontSize, at, m.colour(Meaning::current),
-                        name.c_str());
+        draw_vertex_label(m, v, pixel);
     }
 }
 

@@ -230,7 +230,8 @@ void draw_compare_bar(Ui& ui) {
             {std::max(right - ends - gap - width, left), ImGui::GetCursorScreenPos().y});
         text_in(p.dim, shown);
         name_widget(ui, "compare.counts",
-                    words + "\nAt the cursor; in linear colour, of the channel that differs most. "
+                    words + "\nOf what is drawn up to this moment; in linear colour, of the "
+                            "channel that differs most. "
                             "The Compare tab has more.");
         note_text(ui, "compare.counts", words);
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/numbers.h"
 #include "picture/colour_map.h"
 #include "picture/view_image.h"
 #include "session/depth_view.h"
@@ -145,7 +146,7 @@ std::string bar_text(const Plot& plot, float x) {
     const float left = plot.low.x + width * static_cast<float>(bin);
     const std::int64_t pixels = histogram.bins[static_cast<std::size_t>(bin)];
     return "1/z from " + fixed(plot.value(left), 4) + " to " + fixed(plot.value(left + width), 4) +
-           ": " + std::to_string(pixels) + (pixels == 1 ? " pixel" : " pixels") +
+           ": " + counted(pixels, "pixel", "pixels") +
            (pixels > histogram.full ? ". The bar is cut off." : ".");
 }
 

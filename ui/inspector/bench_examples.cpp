@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <string>
 
+#include "base/element_names.h"
 #include "session/bench.h"
 #include "ui/inspector/panels.h"
 #include "ui/ui.h"
@@ -10,24 +12,37 @@ namespace rasterwalk {
 
 namespace {
 
+/// One coordinate of a vertex, with its label in the box: "x0 10".
+bool edit_coordinate(Ui& ui, const char* axis, int vertex, float width, int& value) {
+    const std::string label = axis + std::to_string(vertex);
+    ImGui::SetNextItemWidth(width);
+    const bool is_changed = ImGui::DragInt(("##" + label).c_str(), &value, 0.1f, -1000, 1000,
+                                           (label + " %d").c_str(), ImGuiSliderFlags_AlwaysClamp);
+    const char* const what = *axis == 'x' ? "Column x of " : "Row y of ";
+    name_widget(ui, "bench.vertex." + std::to_string(vertex) + "." + axis,
+                what + vertex_name(vertex) +
+                    ". Drag, double click to type, or drag the vertex itself in the picture.");
+    return is_changed;
+}
+
+/// All six on one line, or where that is too narrow a line for x and one for y.
 void edit_vertices(Ui& ui) {
     const std::array<Vertex, 3> vertices = corners_of(*ui.session.scene, 0);
-    const float width =
-        (ImGui::GetContentRegionAvail().x - 2.0f * ImGui::GetStyle().ItemSpacing.x) / 3.0f;
-    for (int v = 0; v < 3; ++v) {
-        int place[2] = {static_cast<int>(vertices[v].position.x),
-                        static_cast<int>(vertices[v].position.y)};
-        ImGui::PushID(v);
-        ImGui::SetNextItemWidth(width);
-        if (ImGui::DragInt2("##vertex", place, 0.1f, -1000, 1000, "%d",
-                            ImGuiSliderFlags_AlwaysClamp)) {
-            move_bench_vertex(ui.session, 0, v, {place[0], place[1]});
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float room = ImGui::GetContentRegionAvail().x;
+    const float needed = ImGui::CalcTextSize("x0 -10").x + 2.0f * ImGui::GetStyle().FramePadding.x;
+    const bool is_one_line = room >= 6.0f * needed + 5.0f * gap;
+    const int columns = is_one_line ? 6 : 3;
+    const float width = std::max(
+        (room - static_cast<float>(columns - 1) * gap) / static_cast<float>(columns), 1.0f);
+    for (int i = 0; i < 6; ++i) {
+        const int v = is_one_line ? i / 2 : i % 3;
+        const int axis = is_one_line ? i % 2 : i / 3;
+        glm::ivec2 place(vertices[v].position.x, vertices[v].position.y);
+        if (i % columns > 0) ImGui::SameLine(0.0f, gap);
+        if (edit_coordinate(ui, axis == 0 ? "x" : "y", v, width, place[axis])) {
+            move_bench_vertex(ui.session, 0, v, place);
         }
-        name_widget(ui, "bench.vertex." + std::to_string(v),
-                    "Column and row of a vertex. Drag, double click to type, or drag the vertex "
-                    "itself in the picture.");
-        ImGui::PopID();
-        if (v < 2) ImGui::SameLine();
     }
 }
 

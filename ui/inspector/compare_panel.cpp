@@ -2,6 +2,7 @@
 #include <array>
 #include <string>
 
+#include "base/element_names.h"
 #include "session/moment_text.h"
 #include "settings/setting_table.h"
 #include "ui/actions/actions.h"
@@ -167,7 +168,7 @@ void draw_counts(Ui& ui) {
     ImGui::TableSetupColumn("", 0, 1.0f);
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     header_cell(ui, "what differs", "compare.header.what", "How far the two runs lie apart.", true);
-    header_cell(ui, "at the cursor", "compare.header.here", "In what is drawn so far.", false);
+    header_cell(ui, "so far", "compare.header.here", "In what is drawn up to this moment.", false);
     header_cell(ui, "whole frame", "compare.header.whole", "When everything is drawn.", false);
     const auto number = [](double value, int digits) { return fixed(value, digits); };
     const bool is_known = comparison.work.is_done();
@@ -186,9 +187,10 @@ void draw_counts(Ui& ui) {
                "The mean over all pixels of the channel that differs most.");
     count_line(ui, "rows", "compare.count.rows", "", found(comparison.whole().different_rows),
                "Rows of row tables whose left or right end differs.");
-    count_line(ui, "moments", "compare.count.moments", "",
-               found(comparison.whole().divergences.count),
-               "Moments at which the runs do something different.");
+    count_line(
+        ui, "moments", "compare.count.moments", "", found(comparison.whole().divergences.count),
+        "A moment is the smallest piece of work: a vertex, a sample of an edge, a fragment of "
+        "a row. So many of them do something different in the two runs.");
     ImGui::EndTable();
 }
 
@@ -235,7 +237,7 @@ void draw_first(Ui& ui) {
     if (comparison.here && comparison.here->cursor != list.first->cursor &&
         !(has_more && comparison.here->cursor == list.first_beyond_rounding->cursor)) {
         ImGui::Spacing();
-        draw_divergence(ui, "at the cursor", "compare.here", *comparison.here);
+        draw_divergence(ui, "at this moment", "compare.here", *comparison.here);
     }
     end_card(ui);
     if (button(ui, "compare.previous", "‹ previous", Look::plain, tooltip_of("compare.previous"))) {
@@ -262,13 +264,12 @@ void draw_group(Ui& ui, const DivergenceGroup& group, int index) {
     ImGui::PopID();
     const std::string part = part_name(*ui.results.a.scene, group.triangle);
     name_widget(ui, "compare.group." + std::to_string(index),
-                "Triangle " + std::to_string(group.triangle + 1) + ", " + part + ": from " +
-                    to_text(group.first) + " to " + to_text(group.last) +
-                    ".\nClick: stands at the first of them.");
+                triangle_name(group.triangle) + ", " + part + ": from " + to_text(group.first) +
+                    " to " + to_text(group.last) + ".\nClick: stands at the first of them.");
     ImGui::SameLine(0.0f, 0.0f);
-    ImGui::TextUnformatted(
-        shortened(std::to_string(group.triangle + 1) + " " + part, ImGui::GetContentRegionAvail().x)
-            .c_str());
+    ImGui::TextUnformatted(shortened(short_triangle_name(group.triangle) + " " + part,
+                                     ImGui::GetContentRegionAvail().x)
+                               .c_str());
     ImGui::TableNextColumn();
     text_in(p.dim, phase_info(group.phase).word);
     ImGui::TableNextColumn();
@@ -300,7 +301,8 @@ void draw_groups(Ui& ui) {
     header_cell(ui, "phase", "compare.header.phase", "Vertices, edges or rows.", true);
     header_cell(ui, "how", "compare.header.kind",
                 "Missing in B: only A does something there. Extra in B: only B does.", true);
-    header_cell(ui, "moments", "compare.header.moments", "How many pieces of work differ.", false);
+    header_cell(ui, "moments", "compare.header.moments",
+                "How many moments differ: vertices, samples of edges, fragments of rows.", false);
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(groups.size()));
     while (clipper.Step()) {

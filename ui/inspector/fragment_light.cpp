@@ -1,5 +1,6 @@
 #include <string>
 
+#include "base/element_names.h"
 #include "explain/light_formulas.h"
 #include "picture/view_image.h"
 #include "ui/inspector/fragment_parts.h"
@@ -54,7 +55,7 @@ void draw_vertex_light(Ui& ui) {
     for (int v = 0; v < triangle_corners; ++v) {
         FormulaLine line(ui, 0.0f);
         const glm::vec3& light = report.at_vertex[static_cast<std::size_t>(v)].reflected;
-        line.text("R at vertex " + std::to_string(v + 1) + "  ", p.dim);
+        line.text("R at " + vertex_name(v) + "  ", p.dim);
         for (int i = 0; i < 3; ++i) {
             const std::string channel = channel_names[static_cast<std::size_t>(i)];
             const ImVec4 colour =

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <string>
 
+#include "base/element_names.h"
 #include "explain/light_formulas.h"
 #include "picture/view_image.h"
 #include "session/walk.h"
@@ -65,26 +66,22 @@ void draw_title(Ui& ui) {
     const bool can_follow = ui.session.selection.pixel && !is_done && ui.results.a.done &&
                             ui.results.a.done->phase == Phase::rows;
     if (can_follow &&
-        link_at_right(ui, "fragment.follow", "follow the cursor",
-                      "Lets the picked pixel go and shows the fragment that was drawn last.")) {
+        link_at_right(ui, "fragment.follow", "the one drawn last",
+                      "Lets the picked pixel go: from moment to moment the fragment that was drawn "
+                      "last is shown.")) {
         ui.session.selection.pixel = std::nullopt;
     }
-    std::string place = "triangle " + std::to_string(triangle + 1) + " · row " +
-                        std::to_string(report.row.index + 1) + " of " +
-                        std::to_string(report.row.row_count) + " · fragment " +
-                        std::to_string(report.step + 1) + " of " + std::to_string(report.row.count);
-    if (ui.inspector.is_narrow) {
-        place = "t" + std::to_string(triangle + 1) + " · row " +
-                std::to_string(report.row.index + 1) + "/" + std::to_string(report.row.row_count) +
-                " · fragment " + std::to_string(report.step + 1) + "/" +
-                std::to_string(report.row.count);
-    }
+    const std::string place =
+        (ui.inspector.is_narrow ? short_triangle_name(triangle) : triangle_name(triangle)) + " · " +
+        element_name_of(entry_form, report.row.index, report.row.row_count) + " · " +
+        element_name_of(fragment_form, report.step, report.row.count);
     text_in(p.dim, shortened(place, ImGui::GetContentRegionAvail().x));
-    name_widget(ui, "fragment.place",
-                "Whose fragment it is: its triangle, the row of the triangle's table, and how far "
-                "along that row.");
+    name_widget(
+        ui, "fragment.place",
+        "Whose fragment it is: its triangle, the entry of the triangle's row table, and how "
+        "far along that row; each from 0.");
     if (!is_done && link_at_right(ui, "fragment.go", "go to it",
-                                  "Moves the cursor to just after this fragment is drawn.")) {
+                                  "Goes to the moment just after this fragment is drawn.")) {
         go_to_source(ui, from_moment(report.cursor));
     }
 }

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "base/element_names.h"
 #include "base/numbers.h"
 #include "settings/setting_table.h"
 #include "ui/inspector/history_parts.h"
@@ -25,8 +26,7 @@ std::string capitalized(std::string text) {
 }
 
 std::string triangle_words(const Ui& ui, int triangle) {
-    return "triangle " + std::to_string(triangle + 1) + " (" +
-           part_name(*ui.results.a.scene, triangle) + ")";
+    return triangle_name(triangle) + " (" + part_name(*ui.results.a.scene, triangle) + ")";
 }
 
 /// 1 where the larger value in the depth buffer wins, -1 where the smaller one does.
@@ -56,7 +56,7 @@ std::array<std::string, 2> verdict(const Ui& ui, const PixelHistory& history) {
                 ""};
     }
     const PixelEntry& winner = history.entries[history.winner];
-    std::string text = capitalized(triangle_words(ui, winner.cursor.triangle)) + " stays";
+    std::string text = triangle_words(ui, winner.cursor.triangle) + " stays";
     if (history.entries.size() == 1) return {text + ": it is alone.", ""};
     if (!history.depth_tested)
         return {text + ": there is no depth test, so the last one wins.", ""};
@@ -87,18 +87,16 @@ void draw_title(Ui& ui, const PixelHistory& history) {
     const int owner = ui.results.a.framebuffer->owner[at];
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
-    const std::string shows = owner < 0
-                                  ? "not drawn" + std::string(history.entries.empty() ? "" : " yet")
-                                  : "now triangle " + std::to_string(owner + 1) + ", " +
-                                        part_name(*ui.results.a.scene, owner);
+    const std::string shows =
+        owner < 0 ? "not drawn" + std::string(history.entries.empty() ? "" : " yet")
+                  : "now " + triangle_name(owner) + ", " + part_name(*ui.results.a.scene, owner);
     text_in(p.dim, shortened(shows, ImGui::GetContentRegionAvail().x));
 }
 
 /// A triangle that passes by: its name leads to it, the sentence says by how much it does.
 void draw_near(Ui& ui, const NearTriangle& near, int index, const glm::ivec2& pixel) {
-    if (button(ui, "history.near." + std::to_string(index),
-               capitalized(triangle_words(ui, near.triangle)), Look::link,
-               "Selects this triangle.")) {
+    if (button(ui, "history.near." + std::to_string(index), triangle_words(ui, near.triangle),
+               Look::link, "Selects this triangle.")) {
         ui.session.selection.triangle = near.triangle;
     }
     ImGui::TextUnformatted((capitalized(miss_text(near)) + ".").c_str());

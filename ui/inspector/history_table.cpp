@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "base/element_names.h"
 #include "base/numbers.h"
 #include "picture/view_image.h"
 #include "session/moment_text.h"
@@ -59,17 +60,17 @@ Columns measure_columns(const Ui& ui, const PixelHistory& history, float room) {
         const char* least_name;
     };
     // From roomy to narrow; the last one is taken if none fits.
-    const Form forms[] = {{true, true, 7.0f, "00 tall block"},
-                          {true, true, 4.0f, "00 tall block"},
-                          {false, true, 5.0f, "00 tall block"},
-                          {false, true, 4.0f, "00 tall bl"},
-                          {false, false, 4.0f, "000"}};
+    const Form forms[] = {{true, true, 7.0f, "t00 tall block"},
+                          {true, true, 4.0f, "t00 tall block"},
+                          {false, true, 5.0f, "t00 tall block"},
+                          {false, true, 4.0f, "t00 tall bl"},
+                          {false, false, 4.0f, "t000"}};
     Columns columns;
     for (const Form& form : forms) {
         columns.padding = form.padding * ui.options.text_scale;
         columns.widths = {form.has_number ? text_width(mono, "00") : 0.0f,
                           text_width(ui.fonts.bold, form.least_name),
-                          form.has_place ? text_width(mono, "000, 000") : 0.0f,
+                          form.has_place ? text_width(mono, "r000 [000]") : 0.0f,
                           text_width(mono, "0.0000"),
                           history.depth_tested ? text_width(mono, "+0.0000") : 0.0f,
                           text_width(ui.fonts.small, "✓ written"),
@@ -94,20 +95,17 @@ bool is_linear_z(const Ui& ui) {
     return depth_rule(ui.results.a.frame.settings) == DepthTest::linear_z;
 }
 
-/// Where the fragment lies in its triangle, counted from 1 as everywhere in the interface: row and
-/// column in the row's span, edge and sample, or vertex.
+/// Where the fragment lies in its triangle: vertex, edge and sample, or entry and column. The right
+/// end of a row has the moment of its left end.
 std::string place_text(const PixelEntry& entry) {
-    const Cursor& cursor = entry.cursor;
-    if (cursor.phase == Phase::vertices) return std::to_string(cursor.index + 1);
-    const int second = cursor.phase == Phase::edges ? cursor.step : entry.column;
-    // A sample as everywhere else, "2.14"; a row and a column must not read like a decimal.
-    const char* const between = cursor.phase == Phase::edges ? "." : ", ";
-    return std::to_string(cursor.index + 1) + between + std::to_string(second + 1);
+    Cursor cursor = entry.cursor;
+    if (cursor.phase == Phase::rows) cursor.step = entry.column;
+    return short_place(cursor);
 }
 
 const char* place_header(Stage stage) {
     if (stage == Stage::points) return "vertex";
-    return stage == Stage::edges ? "sample" : "row, col";
+    return stage == Stage::edges ? "edge [line]" : "row [column]";
 }
 
 std::string tooltip(const Ui& ui, const PixelHistory& history, int index) {
@@ -180,10 +178,10 @@ void draw_entry(Ui& ui, const PixelHistory& history, int index, const Columns& c
     if (ui.follow_cursor && is_now && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
     ImGui::SameLine(0.0f, 0.0f);
     if (columns.has(number_column)) {
-        right_aligned(std::to_string(index + 1), colour);
+        right_aligned(std::to_string(index), colour);
         ImGui::TableNextColumn();
     }
-    const std::string number = std::to_string(entry.cursor.triangle + 1);
+    const std::string number = short_triangle_name(entry.cursor.triangle);
     ImGui::PushFont(stays(history, index) ? ui.fonts.bold : ui.fonts.text);
     text_in(colour, shortened(number + " " + part_name(*ui.results.a.scene, entry.cursor.triangle),
                               columns.widths[name_column]));
@@ -223,11 +221,12 @@ void draw_history_headers(Ui& ui, const Columns& columns) {
         const char* help;
     };
     const Header headers[] = {
-        {"number", "#", "Number of the fragment, in the order of drawing."},
+        {"number", "#", "Number of the fragment, in the order of drawing, from 0."},
         {"triangle", "triangle", "The triangle that it belongs to, and the part of the scene."},
         {"place", place_header(ui.results.a.frame.settings.stage),
-         "Where in its triangle it lies: row of the row table and column from the row's left end, "
-         "or edge and sample, or vertex; counted from 1."},
+         "Where in its triangle it lies, each from 0: v1 is vertices[1]; e1 [4] is edge 1, "
+         "line[4]; "
+         "r7 [4] is entry [7] of the row table and column 4 from the row's left end."},
         {"zinv", is_linear_z(ui) ? "1/lin z" : "1/z",
          is_linear_z(ui) ? "One over the z that is interpolated in equal steps: what this depth "
                            "test compares, and wrong between the ends."

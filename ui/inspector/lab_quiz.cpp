@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <string>
 
+#include "base/numbers.h"
 #include "laboratory/quiz.h"
 #include "session/second_run.h"
 #include "ui/actions/lab.h"
@@ -31,9 +32,8 @@ std::string titled(Ui& ui, const std::string& id) {
 void draw_score(Ui& ui) {
     const QuizScore& score = ui.options.score;
     if (score.rounds == 0) return;
-    text_in(palette(ui.options.theme).dim, std::to_string(score.points) + " points in " +
-                                               std::to_string(score.rounds) +
-                                               (score.rounds == 1 ? " round" : " rounds"));
+    text_in(palette(ui.options.theme).dim, counted(score.points, "point", "points") + " in " +
+                                               counted(score.rounds, "round", "rounds"));
     name_widget(ui, "lab.points",
                 score.is_kept ? "In all rounds since you began to keep the score."
                               : "Since the program was opened.");

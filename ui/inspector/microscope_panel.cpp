@@ -2,6 +2,8 @@
 #include <string>
 #include <utility>
 
+#include "base/element_names.h"
+#include "base/numbers.h"
 #include "session/walk.h"
 #include "ui/inspector/microscope_parts.h"
 #include "ui/inspector/panels.h"
@@ -18,8 +20,9 @@ std::string place_text(int column, int row) {
     return "(" + whole_text(column) + "," + whole_text(row) + ")";
 }
 
-std::string counted(std::size_t count, int of) {
-    return std::to_string(count) + " of " + std::to_string(of) + (of == 1 ? " sample" : " samples");
+/// "3 of 11 samples"
+std::string some_samples(std::size_t count, int of) {
+    return std::to_string(count) + " of " + counted(of, "sample", "samples");
 }
 
 /// The edge that was picked, until the cursor comes to another.
@@ -63,12 +66,11 @@ void draw_buttons(Ui& ui) {
     const auto edges =
         static_cast<int>(ui.results.a.frame.triangle_vertices(*ui.results.a.triangle).size());
     for (int e = 0; e < edges; ++e) {
-        const std::string label = (is_narrow ? "" : "edge ") + std::to_string(e + 1);
+        const std::string label = is_narrow ? "e" + std::to_string(e) : edge_name(e);
         if (e > 0) same_line_if_room(label, 6.0f * u);
         if (button(ui, "microscope.edge." + std::to_string(e), label,
                    e == view.edge ? Look::chosen : Look::plain,
-                   "Puts edge " + std::to_string(e + 1) +
-                       " of the triangle under the microscope.")) {
+                   "Puts " + edge_name(e) + " of the triangle under the microscope.")) {
             view.edge = e;
             view.picked_at = ui.results.a.cursor;
         }
@@ -132,7 +134,7 @@ void draw_verdict(const Ui& ui) {
     draw_statement(ui, differing == 0,
                    differing == 0
                        ? "every sample is on its exact pixel"
-                       : counted(differing, edge.count) + " on another pixel than exact");
+                       : some_samples(differing, edge.count) + " on another pixel than exact");
 }
 
 const char* walk_text(LineWalk walk) {
@@ -156,7 +158,7 @@ void draw_summary(Ui& ui) {
     const Palette& p = palette(ui.options.theme);
     begin_card(ui);
     text_in(colour_of(edge_meaning(ui.inspector.microscope.edge), ui.options.theme),
-            "edge " + std::to_string(ui.inspector.microscope.edge + 1));
+            edge_name(ui.inspector.microscope.edge));
     ImGui::SameLine(0.0f, 0.0f);
     ImGui::TextUnformatted((" from " + place_text(edge.a.column, edge.a.row) + " to " +
                             place_text(edge.b.column, edge.b.row))
@@ -175,7 +177,7 @@ void draw_summary(Ui& ui) {
     draw_statement(ui, reverse == 0,
                    reverse == 0 ? "walked backwards it has the same pixels"
                                 : "walked backwards: " +
-                                      counted(static_cast<std::size_t>(reverse), edge.count) +
+                                      some_samples(static_cast<std::size_t>(reverse), edge.count) +
                                       " on another pixel");
     end_card(ui);
 }

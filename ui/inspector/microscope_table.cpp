@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "base/element_names.h"
 #include "base/numbers.h"
 #include "ui/inspector/microscope_parts.h"
 #include "ui/ui.h"
@@ -57,14 +58,14 @@ void draw_sample(Ui& ui, int index, int current, int walked) {
     }
     const bool hovered = ImGui::IsItemHovered();
     if (hovered) ui.inspector.hovered_row = sample.y.pixel;
-    const std::string tooltip = hovered ? "Sample " + std::to_string(index + 1) + "\n" +
+    const std::string tooltip = hovered ? sample_name(ui.inspector.microscope.edge, index) + "\n" +
                                               coordinate_words("x", "column", sample.x) + "\n" +
                                               coordinate_words("y", "row", sample.y) +
                                               "\nClick: to the moment in which it was entered."
                                         : std::string();
     name_widget(ui, "microscope.sample." + std::to_string(index), tooltip);
     ImGui::SameLine(0.0f, 0.0f);
-    right_aligned(std::to_string(index + 1), ink);
+    right_aligned(std::to_string(index), ink);
     ImGui::PopID();
     ImGui::TableNextColumn();
     right_aligned(float_text(c.walked), ink);
@@ -99,7 +100,7 @@ std::array<SampleColumn, 6> columns_of(const Ui& ui) {
     const int whole = sign + digits(std::max(std::abs(a), std::abs(b)));
     const int fraction = denominator == 1 ? 0 : 2 + 2 * digits(denominator);
     const int exact = std::max(5, whole + fraction);
-    return {{{"#", "Number of the sample along the edge, counted from 1.",
+    return {{{"i", "Number of the sample along the edge, from 0: line[i].",
               std::max(2, digits(edge.count))},
              {x ? "x float" : "y float",
               "The value that the walk carries, in nine digits: enough to tell every float from "

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "base/element_names.h"
 #include "base/numbers.h"
 #include "ui/inspector/panels.h"
 #include "ui/inspector/rows_parts.h"
@@ -25,11 +26,13 @@ void draw_last_sample(Ui& ui) {
         return;
     }
     const EdgeSample& last = *history.last;
-    text_in(p.dim, "last sample: edge ");
+    text_in(p.dim, "last sample: ");
     ImGui::SameLine(0.0f, 0.0f);
-    text_in(colour_of(edge_meaning(last.edge), ui.options.theme), std::to_string(last.edge + 1));
+    text_in(colour_of(edge_meaning(last.edge), ui.options.theme), edge_name(last.edge));
     ImGui::SameLine(0.0f, 0.0f);
-    text_in(p.dim, ", sample " + std::to_string(last.sample + 1));
+    text_in(p.dim,
+            ", " + element_name_of(sample_form, last.sample,
+                                   history.edge_samples[static_cast<std::size_t>(last.edge)]));
     ImGui::PushFont(ui.fonts.mono);
     const auto show = [](const char* axis, float place, int pixel) {
         const std::string line = fmt::format("{} = {} → {}", axis, nine_digits(place), pixel);
@@ -38,7 +41,11 @@ void draw_last_sample(Ui& ui) {
     show("x", last.x, last.fragment.column);
     show("y", last.y, last.fragment.row);
     ImGui::PopFont();
-    std::string words = "row " + std::to_string(last.fragment.row) + ": ";
+    std::string words = "row " + std::to_string(last.fragment.row);
+    if (last.write.inside) {
+        words += ", " + element_name(entry_form, last.fragment.row - history.rows.first_row);
+    }
+    words += ": ";
     if (!last.write.inside) {
         words += "outside the table, not written";
         text_in(colour_of(Meaning::fail, ui.options.theme), words);
@@ -81,9 +88,13 @@ void draw_rows_panel(Ui& ui) {
         ui.inspector.shows_end_values = !ui.inspector.shows_end_values;
     }
     ImGui::SameLine();
-    const std::size_t outside = history.outside.size();
+    const auto outside = static_cast<std::int64_t>(history.outside.size());
+    const bool is_finished = history.samples == history.sample_count;
     text_in(outside > 0 ? colour_of(Meaning::fail, ui.options.theme) : p.dim,
-            std::to_string(outside) + (outside == 1 ? " sample outside" : " samples outside"));
+            counted(outside, "sample outside", "samples outside") + (is_finished ? "" : " so far"));
+    name_widget(ui, "rows.outside",
+                "Samples of this triangle, up to this moment, that fell in no row of the table. "
+                "The line at the bottom of the window counts those of the whole frame.");
 }
 
 } // namespace rasterwalk

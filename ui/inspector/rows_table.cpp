@@ -3,9 +3,11 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "base/element_names.h"
 #include "base/numbers.h"
 #include "session/walk.h"
 #include "ui/inspector/rows_parts.h"
@@ -17,21 +19,20 @@ namespace rasterwalk {
 
 namespace {
 
-/// "2.4": edge 2, sample 4, both counted from 1.
-std::string writer_text(const EndWriter& writer) {
-    std::string text = std::to_string(writer.edge + 1) + "." + std::to_string(writer.sample + 1);
-    if (writer.replaced > 0) text += " ↻" + std::to_string(writer.replaced);
-    return text;
+/// "e1 [4]": edge 1, line[4].
+std::string sample_text(int edge, int sample) {
+    return short_place({0, Phase::edges, edge, sample});
+}
+
+std::string replaced_tooltip(const EndWriter& writer) {
+    return "↻: an earlier sample stood here and was replaced, " +
+           counted(writer.replaced, "time", "times") + " so far.";
 }
 
 std::string writer_tooltip(const EndWriter& writer) {
-    std::string text = "Edge " + std::to_string(writer.edge + 1) + ", sample " +
-                       std::to_string(writer.sample + 1) + ".";
-    if (writer.replaced > 0) {
-        text += " It replaced what stood here; that has happened " +
-                std::to_string(writer.replaced) + (writer.replaced == 1 ? " time." : " times.");
-    }
-    return text + "\nClick: to the moment in which it was written.";
+    return "Written by " + sample_name(writer.edge, writer.sample) + "." +
+           (writer.replaced > 0 ? "\n" + replaced_tooltip(writer) : "") +
+           "\nClick: to the moment in which it was written.";
 }
 
 /// To the moment just after a sample was entered, so that its cell is the one that lights up.
@@ -72,9 +73,29 @@ void draw_writer_cell(Ui& ui, const std::string& name, const EndWriter& writer) 
         right_aligned("—", p.dim);
         return;
     }
-    right_aligned(writer_text(writer), colour_of(edge_meaning(writer.edge), ui.options.theme));
+    // How often it was replaced stands apart, small and behind who wrote it; where there is no room
+    // for it, the tooltip says it.
+    const std::string text = sample_text(writer.edge, writer.sample);
+    const std::vector<int>& counts = ui.results.a.rows.edge_samples;
+    const std::string widest = sample_text(0, *std::max_element(counts.begin(), counts.end()));
+    const float gap = 4.0f * ui.options.text_scale;
+    ImGui::PushFont(ui.fonts.small);
+    const float sign_width = gap + ImGui::CalcTextSize("↻0").x;
+    ImGui::PopFont();
+    const float width = ImGui::CalcTextSize(text.c_str()).x;
+    const float room = ImGui::GetContentRegionAvail().x;
+    const bool has_sign = room >= ImGui::CalcTextSize(widest.c_str()).x + sign_width;
+    const float before = room - width - (has_sign ? sign_width : 0.0f);
+    if (before > 0.0f) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + before);
+    text_in(colour_of(edge_meaning(writer.edge), ui.options.theme), text);
     name_widget(ui, name, writer_tooltip(writer));
     if (ImGui::IsItemClicked()) go_to_sample(ui, writer.edge, writer.sample);
+    if (!has_sign || writer.replaced == 0 || writer.replaced > 9) return;
+    ImGui::SameLine(0.0f, gap);
+    ImGui::PushFont(ui.fonts.small);
+    text_in(p.dim, "↻" + std::to_string(writer.replaced));
+    ImGui::PopFont();
+    name_widget(ui, name + ".replaced", replaced_tooltip(writer));
 }
 
 /// The varying that the stage uses; where it uses none, the first: the place in the room.
@@ -133,7 +154,9 @@ void draw_row(Ui& ui, int index) {
         ui.session.selection.row = row;
     }
     if (ImGui::IsItemHovered()) ui.inspector.hovered_row = row;
-    name_widget(ui, name);
+    name_widget(ui, name,
+                "Row " + std::to_string(row) + " of the picture: " +
+                    element_name(entry_form, index) + " of leftPixels and rightPixels.");
     ImGui::SameLine(0.0f, 0.0f);
     right_aligned(std::to_string(row), p.text);
     ImGui::PopID();
@@ -168,9 +191,10 @@ void draw_outside(Ui& ui, const OutsideSample& sample, int number) {
                                                ImGuiSelectableFlags_AllowItemOverlap);
     const std::string value = "y = " + nine_digits(sample.y);
     const std::string tooltip = fmt::format(
-        "Edge {}, sample {}: {} becomes row {}, which the table does not have. A program without a "
-        "guard writes outside its array here.",
-        sample.edge + 1, sample.sample + 1, value, sample.row);
+        "{}: {} becomes row {}, which the table does not have. A program without a guard writes to "
+        "{} here, outside its arrays.",
+        sample_name(sample.edge, sample.sample), value, sample.row,
+        element_name(entry_form, sample.row - ui.results.a.rows.rows.first_row));
     name_widget(ui, "rows.outside." + std::to_string(number), tooltip);
     ImGui::PopID();
     ImGui::SameLine(0.0f, 0.0f);
@@ -187,8 +211,7 @@ void draw_outside(Ui& ui, const OutsideSample& sample, int number) {
     ImGui::PopClipRect();
     if (!ui.inspector.shows_end_values) {
         ImGui::TableSetColumnIndex(5);
-        right_aligned(std::to_string(sample.edge + 1) + "." + std::to_string(sample.sample + 1),
-                      red);
+        right_aligned(sample_text(sample.edge, sample.sample), red);
     }
     if (pressed) go_to_sample(ui, sample.edge, sample.sample);
 }
@@ -199,15 +222,17 @@ void draw_row_headers(Ui& ui) {
         const char* help;
     };
     static constexpr Header who[] = {
-        {"row", "Row of the picture."},
+        {"row", "Row of the picture. Row minus first row is the entry i of both arrays."},
         {"left", "Column of the row's left end: leftPixels[i].x"},
         {"right", "Column of the row's right end: rightPixels[i].x"},
         {"count", "Pixels from the left to the right end, both included."},
-        {"left by", "Who wrote the left end: edge.sample, and how often it was replaced (↻)."},
-        {"right by", "Who wrote the right end: edge.sample, and how often it was replaced (↻)."},
+        {"left by",
+         "Who wrote the left end: e1 [4] is edge 1, line[4]. ↻ tells how often it was replaced."},
+        {"right by",
+         "Who wrote the right end: e1 [4] is edge 1, line[4]. ↻ tells how often it was replaced."},
     };
     static constexpr Header values[] = {
-        {"row", "Row of the picture."},
+        {"row", "Row of the picture. Row minus first row is the entry i of both arrays."},
         {"left", "Column of the row's left end: leftPixels[i].x"},
         {"1/z", "1/z of the left end."},
         {"x", "Varying of the left end; q/z with perspective correction."},
@@ -284,7 +309,8 @@ void draw_row_table(Ui& ui, float height) {
     ImGui::PopStyleVar();
     if (!open) return;
     ImGui::TableSetupScrollFreeze(1, 1);
-    static constexpr float roomy[] = {46, 84, 84, 48, 92, 92}, narrow[] = {34, 46, 46, 34, 78, 78};
+    static constexpr float roomy[] = {44, 78, 78, 46, 104, 104},
+                           narrow[] = {34, 46, 46, 34, 78, 78};
     const float* const widths = is_narrow ? narrow : roomy;
     for (int i = 0; i < columns; ++i) {
         // Of the ends' values those of the left end are in sight at once.

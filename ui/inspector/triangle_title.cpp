@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "base/element_names.h"
 #include "ui/actions/actions.h"
 #include "ui/inspector/panels.h"
 #include "ui/ui.h"
@@ -17,8 +18,11 @@ void draw_triangle_title(Ui& ui) {
     const Palette& p = palette(ui.options.theme);
     ImGui::AlignTextToFramePadding();
     ImGui::PushFont(ui.fonts.bold);
-    ImGui::Text("Triangle %d", triangle + 1);
+    ImGui::TextUnformatted(triangle_name(triangle).c_str());
     ImGui::PopFont();
+    name_widget(ui, "triangle.name",
+                "The triangle that the inspector shows; the scene's triangles count from 0, as in "
+                "a C++ program.");
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     const float gap = ImGui::GetStyle().ItemSpacing.x;
@@ -26,12 +30,13 @@ void draw_triangle_title(Ui& ui) {
     const bool can_follow =
         !follows && ui.results.a.done && ui.results.a.done->triangle != triangle;
     const std::string follow_label =
-        ui.inspector.is_low ? "follow"
-                            : "follow the cursor: triangle " +
-                                  std::to_string(can_follow ? ui.results.a.done->triangle + 1 : 0);
+        ui.inspector.is_low
+            ? "follow"
+            : "the one being drawn: " + triangle_name(can_follow ? ui.results.a.done->triangle : 0);
     const auto follow = [&] {
         if (button(ui, "triangle.follow", follow_label, Look::link,
-                   "Shows the triangle that is being drawn instead of the picked one.")) {
+                   "Lets the picked triangle go: from moment to moment the one that is being drawn "
+                   "is shown.")) {
             ui.session.selection.triangle = std::nullopt;
         }
     };
@@ -39,7 +44,8 @@ void draw_triangle_title(Ui& ui) {
     float width = count > 1 ? 2.0f * ImGui::GetFrameHeight() + gap : 0.0f;
     if (can_follow && ui.inspector.is_low) width += button_width(follow_label);
     const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
-    text_in(p.dim, shortened("of " + std::to_string(count) + " · " +
+    const bool is_last = triangle == count - 1 && count > 1;
+    text_in(p.dim, shortened((is_last ? "the last of " : "of ") + std::to_string(count) + " · " +
                                  part_name(*ui.results.a.scene, triangle),
                              std::max(ImGui::GetContentRegionAvail().x - width - gap, 0.0f)));
     ImGui::SameLine();

@@ -2,6 +2,7 @@
 #include <cfloat>
 #include <string>
 
+#include "base/element_names.h"
 #include "ui/inspector/panels.h"
 #include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
@@ -68,8 +69,7 @@ void draw_header(Ui& ui, int chosen) {
     ImGui::TableNextRow();
     for (int v = 0; v < triangle_corners; ++v) {
         ImGui::TableSetColumnIndex(label_columns(ui) + v);
-        const std::string label =
-            (ui.inspector.is_narrow ? "v" : "vertex ") + std::to_string(v + 1);
+        const std::string label = ui.inspector.is_narrow ? short_vertex_name(v) : vertex_name(v);
         const std::string name = "vertices.v" + std::to_string(v);
         if (number_cell(ui, name, label, palette(ui.options.theme).dim, v == chosen,
                         "Shows this vertex's formula below.")) {
@@ -227,12 +227,11 @@ void draw_formula_card(Ui& ui, const VertexReport& vertex) {
     const Formula* formula = find_formula(vertex.formulas, ui.inspector.chosen.vertex_number);
     if (formula == nullptr) formula = find_formula(vertex.formulas, "rotated.z");
     // Where lines are few the formula itself says whose it is.
-    const std::string number = std::to_string(vertex.vertex + 1);
     Formula said = *formula;
     if (ui.inspector.is_low) {
-        said.name = "v" + number + " " + said.name;
+        said.name = short_vertex_name(vertex.vertex) + " " + said.name;
     } else {
-        text_in(palette(ui.options.theme).dim, "vertex " + number + ": " + formula->help);
+        text_in(palette(ui.options.theme).dim, vertex_name(vertex.vertex) + ": " + formula->help);
         name_widget(ui, "vertices.formula", formula->help);
     }
     ImGui::PushFont(ui.inspector.is_low ? ui.fonts.small : ui.fonts.text);

@@ -27,6 +27,12 @@ std::string input_tooltip(const FormulaInput& input) {
     return text + place;
 }
 
+/// The functions in a formula, behind what is said of it.
+std::string with_function_help(std::string text, const Formula& formula) {
+    const std::string functions = function_help(formula.expression);
+    return functions.empty() ? text : text.append("\n").append(functions);
+}
+
 /// The numbers of a formula, one after the other, with the signs between them.
 std::optional<Source> draw_numbers(FormulaLine& line, const Palette& p, const Formula& formula,
                                    const std::string& name) {
@@ -122,11 +128,14 @@ std::optional<Source> draw_formula(Ui& ui, const Formula& formula, const std::st
     const float indent = ImGui::CalcTextSize("= ").x;
     ImGui::PopFont();
     const float begin = ImGui::GetCursorPosX();
+    ImGui::BeginGroup();
     {
         FormulaLine line(ui, indent);
         line.text(formula.name + " ", p.text);
         line.text("= " + formula.expression, p.dim);
     }
+    ImGui::EndGroup();
+    name_widget(ui, name + ".expression", with_function_help(formula.help, formula));
     std::optional<Source> clicked;
     {
         FormulaLine line(ui, indent);
@@ -177,8 +186,9 @@ std::optional<Source> draw_formula_line(Ui& ui, const Formula& formula, const st
     line.text(" = ", p.dim);
     const ImVec4 colour = warns ? colour_of(Meaning::fail, ui.options.theme) : p.text;
     if (line.link(result, name,
-                  formula.help + "\n" + formula.name + " = " + formula.expression + " = " +
-                      exact_text(formula.result),
+                  with_function_help(formula.help + "\n" + formula.name + " = " +
+                                         formula.expression + " = " + exact_text(formula.result),
+                                     formula),
                   colour)) {
         clicked = from_formula(formula.id);
     }

@@ -270,7 +270,7 @@ TEST_CASE("A moment in words names triangle, part, edge and sample, counted from
     Driver driver;
     driver.hand.click("stage.edges");
     CHECK(describe_moment(driver.ui.results.a.frame, {20, Phase::edges, 1, 13}) ==
-          "triangle 21 of 30 (tall block) · edge 2 of 3 · sample 14 of 98");
+          "triangles[20] of 30 (tall block) · edge 1 · line[13] of 98");
 }
 
 } // namespace rasterwalk

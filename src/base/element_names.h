@@ -1,0 +1,38 @@
+#pragma once
+
+// What the pieces of a frame are called. Each is counted from 0 and written as in a C++ program:
+// "triangles[29]", "vertices[0]", "edge 1", "line[4]". Every text that names one takes the name
+// from here, so that the screen, the messages and the student's own program count alike.
+
+#include <string>
+#include <string_view>
+
+namespace rasterwalk {
+
+/// How a name is written; '#' is where the number goes. What a program keeps in an array has
+/// brackets.
+inline constexpr std::string_view triangle_form = "triangles[#]";
+inline constexpr std::string_view vertex_form = "vertices[#]";
+inline constexpr std::string_view plane_form = "plane #";
+inline constexpr std::string_view edge_form = "edge #";
+inline constexpr std::string_view sample_form = "line[#]";  ///< of an edge: the array of the lab
+inline constexpr std::string_view entry_form = "entry [#]"; ///< of leftPixels and rightPixels
+inline constexpr std::string_view fragment_form = "fragments[#]"; ///< of a row, from its left end
+
+/// The name with its number; a form without a '#' as it is.
+std::string element_name(std::string_view form, int index);
+
+/// The same, and of how many: "line[4] of 11". Only brackets are said to be of how many: "edge 1 of
+/// 3" would read as if it counted from 1, and is "edge 1".
+std::string element_name_of(std::string_view form, int index, int count);
+
+std::string triangle_name(int triangle);       ///< "triangles[29]"
+std::string vertex_name(int vertex);           ///< "vertices[0]"
+std::string edge_name(int edge);               ///< "edge 1"
+std::string sample_name(int edge, int sample); ///< "edge 1, line[4]"
+
+/// In tables and on the canvas, where room is short: "t29" and "v0", as in the text of a moment.
+std::string short_triangle_name(int triangle);
+std::string short_vertex_name(int vertex);
+
+} // namespace rasterwalk

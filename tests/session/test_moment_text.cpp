@@ -1,0 +1,85 @@
+#include "session/moment_text.h"
+
+#include <regex>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "pipeline/timeline.h"
+#include "session/content.h"
+#include "session/scene_file.h"
+#include "support/effort.h"
+
+using namespace rasterwalk;
+using namespace rasterwalk::test;
+
+namespace {
+
+/// The moment that the words tell, put together from their numbers; what is wrong with them, if
+/// they do not count from 0.
+std::string told_moment(const std::string& words, int triangles) {
+    static const std::regex form(
+        "triangles\\[(\\d+)\\] of (\\d+) \\([^)]*\\) · "
+        "(?:vertices\\[(\\d+)\\] of (\\d+)"
+        "|edge (\\d+) · line\\[(\\d+)\\] of (\\d+)"
+        "|row (-?\\d+), entry \\[(\\d+)\\] of (\\d+)(?:: its two ends| · fragments\\[(\\d+)\\] of "
+        "(\\d+)))");
+    std::smatch match;
+    if (!std::regex_match(words, match, form)) return "not of that form";
+    const auto number = [&](std::size_t group) {
+        return match[group].matched ? std::stoi(match[group]) : -1;
+    };
+    // Of everything counted, which of how many: the last is one less than there are.
+    for (const auto& [index, count] : {std::pair(1, 2), {3, 4}, {6, 7}, {9, 10}, {11, 12}}) {
+        if (number(index) >= 0 && number(index) >= number(count)) return "beyond the last";
+    }
+    if (number(2) != triangles) return "another number of triangles";
+    if (number(5) > 2) return "a triangle has the edges 0 to 2";
+    std::string text = "t" + match[1].str() + "/";
+    if (match[3].matched) return text + "v" + match[3].str();
+    if (match[5].matched) return text + "e" + match[5].str() + "/s" + match[6].str();
+    return text + "r" + match[9].str() + "/c" + (match[11].matched ? match[11].str() : "0");
+}
+
+/// Every moment of the frame at this granularity, told in words and read back.
+void tell_all(const std::string& scene, StripStep step, Granularity granularity) {
+    const Scene read = read_scene_file(lessons_folder() + "/scenes/" + scene);
+    Settings settings = default_settings(read);
+    set_step(settings, step);
+    const Frame frame = prepare_frame(read, settings);
+    const Timeline timeline(frame);
+    std::int64_t moments = 0;
+    std::string last;
+    for (Cursor at = timeline.first(); at != cursor_end; at = timeline.next(at, granularity)) {
+        const std::string words = describe_moment(frame, at);
+        const std::string told = told_moment(words, frame.triangle_count());
+        ++moments;
+        if (told != to_text(at)) FAIL(to_text(at) << " is told as '" << words << "': " << told);
+        last = words;
+    }
+    CHECK(moments > frame.triangle_count());
+    const int last_triangle = frame.triangle_count() - 1;
+    CHECK(last.starts_with("triangles[" + std::to_string(last_triangle) + "] of "));
+}
+
+} // namespace
+
+TEST_CASE("Every moment of the bench and the room is told counted from 0, as its text is") {
+    for (const StageInfo& info : stage_list()) {
+        INFO(info.name);
+        tell_all("one-triangle.toml", info.step, Granularity::moment);
+        tell_all("lab-room.toml", info.step,
+                 has_fragments(info.step.stage) ? Granularity::line : Granularity::moment);
+    }
+}
+
+TEST_CASE("A moment in words") {
+    const Scene room = read_scene_file(lessons_folder() + "/scenes/lab-room.toml");
+    Settings settings = default_settings(room);
+    set_step(settings, StripStep::pixel_light);
+    const Frame frame = prepare_frame(room, settings);
+    CHECK(describe_moment(frame, {20, Phase::edges, 1, 13}) ==
+          "triangles[20] of 30 (tall block) · edge 1 · line[13] of 98");
+    CHECK(describe_moment(frame, {0, Phase::vertices, 2, 0}) ==
+          "triangles[0] of 30 (floor) · vertices[2] of 3");
+}

@@ -1,0 +1,94 @@
+#include "tests/ui/screen_text.h"
+
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+namespace rasterwalk {
+
+namespace {
+
+struct Letter {
+    const ImFont* font;
+    const ImFontGlyph* glyph;
+};
+
+using Letters = std::map<std::pair<float, float>, Letter>;
+
+/// The letters of all fonts by the corner at which they begin in the fonts' picture.
+Letters letters_of(const ImFontAtlas& atlas) {
+    Letters letters;
+    for (const ImFont* const font : atlas.Fonts) {
+        for (const ImFontGlyph& glyph : font->Glyphs) {
+            if (glyph.Visible != 0) letters[{glyph.U0, glyph.V0}] = {font, &glyph};
+        }
+    }
+    return letters;
+}
+
+std::string utf8(unsigned codepoint) {
+    char text[5];
+    return ImTextCharToUtf8(text, codepoint);
+}
+
+/// Puts letters together to lines.
+class Reader {
+  public:
+    Reader(std::string window, std::vector<ScreenText>& lines)
+        : window_(std::move(window)), lines_(lines) {}
+    ~Reader() { end_line(); }
+    Reader(const Reader&) = delete;
+    Reader& operator=(const Reader&) = delete;
+
+    void add(const Letter& letter, const ImDrawVert& low, const ImDrawVert& high) {
+        const ImFontGlyph& glyph = *letter.glyph;
+        const float scale = (high.pos.x - low.pos.x) / (glyph.X1 - glyph.X0);
+        const float pen = low.pos.x - scale * glyph.X0, top = low.pos.y - scale * glyph.Y0;
+        const float blank = scale * letter.font->GetCharAdvance(' ');
+        const float gap = pen - pen_;
+        const bool goes_on = std::abs(top - top_) < 1.5f && gap > -1.5f && gap < 1.5f * blank;
+        if (!goes_on) end_line();
+        if (goes_on && gap > 0.6f * blank) words_ += ' ';
+        words_ += utf8(glyph.Codepoint);
+        pen_ = pen + scale * glyph.AdvanceX;
+        top_ = top;
+    }
+
+  private:
+    void end_line() {
+        if (!words_.empty()) lines_.push_back({window_, words_});
+        words_.clear();
+    }
+
+    std::string window_;
+    std::vector<ScreenText>& lines_;
+    std::string words_;
+    float pen_ = 0.0f, top_ = -1e9f;
+};
+
+} // namespace
+
+std::vector<ScreenText> screen_text() {
+    const Letters letters = letters_of(*ImGui::GetIO().Fonts);
+    std::vector<ScreenText> lines;
+    const ImDrawData* const data = ImGui::GetDrawData();
+    for (int list = 0; data != nullptr && list < data->CmdListsCount; ++list) {
+        const ImDrawList& drawn = *data->CmdLists[list];
+        Reader reader(drawn._OwnerName != nullptr ? drawn._OwnerName : "", lines);
+        // A letter is a rectangle: two of its four corners tell which.
+        for (int i = 0; i + 3 < drawn.VtxBuffer.Size;) {
+            const ImDrawVert &low = drawn.VtxBuffer[i], &high = drawn.VtxBuffer[i + 2];
+            const auto found = letters.find({low.uv.x, low.uv.y});
+            const bool is_letter = found != letters.end() && found->second.glyph->U1 == high.uv.x &&
+                                   found->second.glyph->V1 == high.uv.y;
+            if (is_letter) reader.add(found->second, low, high);
+            i += is_letter ? 4 : 1;
+        }
+    }
+    return lines;
+}
+
+} // namespace rasterwalk
