@@ -4,6 +4,7 @@
 #include <regex>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "pipeline/timeline.h"
 #include "session/tabs.h"
@@ -73,6 +74,15 @@ void rest(Driver& driver) {
     driver.hand.frames(frames_to_rest);
 }
 
+/// The beginnings of the pieces of this size, and the end.
+std::vector<Cursor> moments_of(const Driver& driver, Granularity granularity) {
+    const Timeline timeline(driver.ui.results.a.frame);
+    std::vector<Cursor> moments{timeline.first()};
+    while (moments.back() != cursor_end)
+        moments.push_back(timeline.next(moments.back(), granularity));
+    return moments;
+}
+
 /// Rests the pointer on everything that is drawn and was not pointed at before, and looks at what
 /// it tells.
 void read_tooltips(Driver& driver, Looker& looker, const std::string& where) {
@@ -108,15 +118,17 @@ TEST_CASE("In the bench nothing on the screen counts from 1, at any moment and i
         open_tab(driver.ui, std::string(tab));
         driver.ui.session.cursor = cursor_begin;
         rest(driver);
-        const Timeline timeline(driver.ui.results.a.frame);
-        for (Cursor at = timeline.first();; at = timeline.next(at, Granularity::moment)) {
+        for (const Cursor& at : test::some_of(moments_of(driver, Granularity::moment), 12)) {
             driver.ui.session.cursor = at;
             driver.hand.frames(1);
             looker.look(std::string(tab) + " at " + to_text(at));
-            if (at == cursor_end) break;
         }
         read_tooltips(driver, looker, std::string(tab));
     }
+    open_tab(driver.ui, "rows");
+    driver.ui.session.cursor = {0, Phase::edges, 1, 5};
+    rest(driver);
+    looker.look("half way along edge 1");
     for (const char* shown :
          {"vertices[0]", "vertices[2]", "edge 0", "edge 2", "line[4] of 11", "e1 [4]", "entry [10]",
           "fragments[0]", "triangles[0]", "x0 10", "y2 15"}) {
@@ -137,19 +149,18 @@ TEST_CASE(
         driver.ui.session.overlays.set(Overlay::wireframe, true);
         driver.ui.session.overlays.set(Overlay::drawn_twice, true);
         rest(driver);
-        const Timeline timeline(driver.ui.results.a.frame);
+        // Of the triangles one in the middle and the last.
+        std::vector<Cursor> phases = moments_of(driver, Granularity::phase);
+        std::erase_if(phases,
+                      [](const Cursor& at) { return at.triangle % 15 != 14 && at != cursor_end; });
         for (const std::string_view tab : tab_names()) {
             open_tab(driver.ui, std::string(tab));
-            for (Cursor at = timeline.first();; at = timeline.next(at, Granularity::phase)) {
-                const bool is_asked = at == cursor_end || at.triangle % 15 == 14;
-                if (is_asked) {
-                    driver.ui.session.cursor = at;
-                    driver.ui.session.selection.triangle = std::nullopt;
-                    driver.hand.frames(2);
-                    looker.look(std::string(stage.name) + ", " + std::string(tab) + " at " +
-                                to_text(at));
-                }
-                if (at == cursor_end) break;
+            for (const Cursor& at : test::some_of(phases, 3)) {
+                driver.ui.session.cursor = at;
+                driver.ui.session.selection.triangle = std::nullopt;
+                driver.hand.frames(2);
+                looker.look(std::string(stage.name) + ", " + std::string(tab) + " at " +
+                            to_text(at));
             }
         }
         CHECK(looker.has("triangles[29]"));

@@ -126,8 +126,8 @@ TEST_CASE("A click on the legend picks no pixel under it, one beside it does") {
     const std::string named =
         overlay_value(Overlay::owner, driver.ui.results.a.frame, *driver.ui.results.a.framebuffer,
                       driver.ui.results.overlay, {250, 350});
-    CHECK(named == "triangle " + std::to_string(*driver.ui.session.selection.triangle + 1) +
-                       ", short block");
+    CHECK(named ==
+          "triangles[" + std::to_string(*driver.ui.session.selection.triangle) + "], short block");
 }
 
 TEST_CASE("The ends of the depth range are dragged, undone as one step, and fitted again") {
