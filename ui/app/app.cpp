@@ -124,6 +124,7 @@ void draw_everything(Ui& ui) {
                   ui.options.inspector_width, true);
     guarded(ui, [&] { draw_key_sheet(ui, window); });
     guarded(ui, [&] { draw_glossary_sheet(ui, window); });
+    guarded(ui, [&] { draw_event_sheet(ui, window); });
     guarded(ui, [&] { draw_file_sheet(ui, window); });
     release_pointed(ui);
 }
