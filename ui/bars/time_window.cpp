@@ -8,7 +8,7 @@ namespace rasterwalk {
 namespace {
 
 /// The least part of a triangle's line that a piece gets.
-constexpr double least_share = 0.1;
+constexpr double least_share = 0.16;
 
 /// Into the frame.
 void keep_inside(TimeWindow& window) {

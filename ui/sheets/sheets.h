@@ -15,6 +15,12 @@ void draw_key_sheet(Ui& ui, ImVec2 window);
 /// clicked meanwhile.
 void draw_file_sheet(Ui& ui, ImVec2 window);
 
+/// What the triangle on show does, moment by moment, as text.
+void draw_event_sheet(Ui& ui, ImVec2 window);
+
+/// As many moments it lists at once; of more, those around the cursor.
+inline constexpr int most_events = 100'000;
+
 /// The words of the lab (F2).
 void draw_glossary_sheet(Ui& ui, ImVec2 window);
 

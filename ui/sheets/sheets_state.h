@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "inspect/event_list.h"
+
 namespace rasterwalk {
 
 /// A file or folder that the sheet for files lists.
@@ -29,12 +31,26 @@ struct FileSheet {
     bool early_enter = false;                 ///< and the key after them
 };
 
+/// The sheet that lists what a triangle does, moment by moment.
+struct EventSheet {
+    bool is_open = false;
+    std::string search; ///< what it is filtered by
+
+    // What is listed, and for what.
+    EventList list;
+    int first = 0;                  ///< of very many moments it lists some; this is the first
+    std::vector<int> found;         ///< numbers of the moments that have the words
+    std::uint64_t frame_number = 0; ///< of run A
+    std::string searched;
+};
+
 /// The sheets that lie over the window.
 struct SheetsState {
     FileSheet files;
     bool shows_glossary = false; ///< the glossary is open
     std::string glossary_search; ///< what it is filtered by
     bool shows_keys = false;     ///< the sheet of keys is open
+    EventSheet events;
 };
 
 } // namespace rasterwalk

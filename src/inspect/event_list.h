@@ -1,0 +1,39 @@
+#pragma once
+
+// What a triangle does, moment by moment, as lines of text: to be read, searched and copied.
+
+#include <string>
+#include <vector>
+
+#include "inspect/row_history.h"
+#include "pipeline/timeline.h"
+
+namespace rasterwalk {
+
+/// All moments of a triangle. Their lines are made when they are asked for.
+struct EventList {
+    int triangle = -1;
+    TriangleMoments moments; ///< none where the triangle is left out
+    std::vector<ScreenVertex> vertices;
+    std::vector<EdgeSample> samples; ///< of all edges, in order
+    bool has_fragments = false;      ///< rows are filled, not only bounded
+
+    int count() const { return moments.count; }
+};
+
+/// @param triangle of the scene
+EventList list_events(const Frame& frame, int triangle);
+
+/// A moment of the list.
+/// @param ordinal 0 to count() - 1
+Cursor event_cursor(const EventList& list, int ordinal);
+
+/// The line of a moment, as "t0/e1/s4  edge 1, sample 4: (9.000, 12.000) is column 9, row 12: left
+/// end".
+std::string event_text(const EventList& list, int ordinal);
+
+/// The moments of [first, behind) in whose lines the words stand, in capitals or not.
+std::vector<int> find_events(const EventList& list, const std::string& words, int first,
+                             int behind);
+
+} // namespace rasterwalk

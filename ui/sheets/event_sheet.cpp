@@ -1,0 +1,159 @@
+#include <algorithm>
+#include <string>
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include "base/numbers.h"
+#include "session/walk.h"
+#include "ui/actions/keys.h"
+#include "ui/sheets/sheets.h"
+#include "ui/ui.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// Of the triangle on show, the moment that was done last; -1 if none of it is done.
+int last_done(const Ui& ui, int triangle) {
+    const RunResults& run = ui.results.a;
+    if (!run.done || run.done->triangle != triangle) return -1;
+    return Timeline(run.frame).ordinal(*run.done);
+}
+
+/// Lists the triangle on show, if another is listed or other words are searched for.
+void renew_list(const Ui& ui, EventSheet& sheet) {
+    const int triangle = ui.results.a.triangle.value_or(-1);
+    const bool is_same_triangle =
+        sheet.frame_number == ui.results.a.frame_number && sheet.list.triangle == triangle;
+    if (!is_same_triangle) {
+        sheet.list = list_events(ui.results.a.frame, triangle);
+        sheet.frame_number = ui.results.a.frame_number;
+    }
+    const int first = std::max(last_done(ui, triangle), 0) / most_events * most_events;
+    if (is_same_triangle && first == sheet.first && sheet.search == sheet.searched) return;
+    sheet.first = first;
+    sheet.searched = sheet.search;
+    sheet.found = find_events(sheet.list, sheet.search, first, first + most_events);
+}
+
+void copy_events(Ui& ui) {
+    const EventSheet& sheet = ui.sheets.events;
+    std::string text;
+    for (const int moment : sheet.found)
+        text.append(event_text(sheet.list, moment)).append("\n");
+    ImGui::SetClipboardText(text.c_str());
+    ui.session.notice =
+        "Copied: " + counted(static_cast<int>(sheet.found.size()), "moment", "moments") + ".";
+}
+
+void draw_event(Ui& ui, int index, int done) {
+    const EventSheet& sheet = ui.sheets.events;
+    const int moment = sheet.found[static_cast<std::size_t>(index)];
+    ImGui::PushID(moment);
+    const bool is_clicked =
+        ImGui::Selectable(event_text(sheet.list, moment).c_str(), moment == done);
+    ImGui::PopID();
+    name_widget(ui, "events." + std::to_string(moment), "Goes to just after this moment.");
+    if (!is_clicked) return;
+    const Timeline timeline(ui.results.a.frame);
+    go_to(ui.session, timeline.next(event_cursor(sheet.list, moment), Granularity::moment));
+}
+
+/// The line of the moment done last comes into view when time has moved.
+void follow_line(const Ui& ui, int done) {
+    const EventSheet& sheet = ui.sheets.events;
+    const bool appears = ImGui::IsWindowAppearing();
+    if (!(ui.follow_cursor || appears) || done < 0) return;
+    const auto place = std::lower_bound(sheet.found.begin(), sheet.found.end(), done);
+    const float line = ImGui::GetTextLineHeightWithSpacing();
+    const float y = line * static_cast<float>(place - sheet.found.begin());
+    const float height = ImGui::GetWindowHeight();
+    const bool is_seen = y >= ImGui::GetScrollY() && y + line <= ImGui::GetScrollY() + height;
+    if (!is_seen) ImGui::SetScrollY(std::max(y - 0.4f * height, 0.0f));
+}
+
+void draw_event_lines(Ui& ui) {
+    const EventSheet& sheet = ui.sheets.events;
+    const Palette& p = palette(ui.options.theme);
+    if (sheet.list.count() == 0) {
+        text_in(p.dim, "This triangle is left out: it has no moments.");
+        return;
+    }
+    if (sheet.found.empty()) {
+        text_in(p.dim, "No moment has these words.");
+        return;
+    }
+    const int done = last_done(ui, sheet.list.triangle);
+    ImGui::PushFont(ui.fonts.mono);
+    ImGui::BeginChild("events", {0, 0}, false, ImGuiWindowFlags_HorizontalScrollbar);
+    follow_line(ui, done);
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(sheet.found.size()), ImGui::GetTextLineHeightWithSpacing());
+    while (clipper.Step()) {
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+            draw_event(ui, i, done);
+    }
+    ImGui::EndChild();
+    ImGui::PopFont();
+}
+
+void draw_event_head(Ui& ui) {
+    const EventSheet& sheet = ui.sheets.events;
+    const float gap = 24.0f * ui.options.text_scale;
+    ImGui::PushFont(ui.fonts.title);
+    ImGui::TextUnformatted("Moments");
+    ImGui::PopFont();
+    ImGui::SameLine(0.0f, gap);
+    if (button(ui, "events.copy", "Copy", Look::plain, "Copies the lines that are listed.")) {
+        copy_events(ui);
+    }
+    ImGui::SameLine();
+    if (button(ui, "events.close", "Close", Look::plain, "Closes this sheet.")) {
+        ui.sheets.events.is_open = false;
+    }
+    ImGui::PushFont(ui.fonts.mono);
+    const int listed = static_cast<int>(sheet.found.size());
+    text_in(palette(ui.options.theme).dim, "triangles[" + std::to_string(sheet.list.triangle) +
+                                               "]: " + std::to_string(listed) + " of " +
+                                               counted(sheet.list.count(), "moment", "moments"));
+    ImGui::PopFont();
+    name_widget(ui, "events.count",
+                "The triangle on show, and how many of its moments are listed. Of very many only "
+                "those around the cursor are.");
+}
+
+} // namespace
+
+void draw_event_sheet(Ui& ui, ImVec2 window) {
+    EventSheet& sheet = ui.sheets.events;
+    if (!sheet.is_open) return;
+    renew_list(ui, sheet);
+    const float u = ui.options.text_scale;
+    // At the right, so that the picture can be seen beside it.
+    ImGui::SetNextWindowPos({window.x - 10.0f, 0.5f * window.y}, ImGuiCond_Always, {1.0f, 0.5f});
+    ImGui::SetNextWindowSize(
+        {std::min(700.0f * u, window.x - 20.0f), std::min(480.0f * u, window.y - 20.0f)});
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.options.theme).card);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6.0f * u);
+    ImGui::Begin("moments", nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize);
+    if (ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows) &&
+        ImGui::IsKeyPressed(key::escape)) {
+        sheet.is_open = false;
+    }
+    draw_event_head(ui);
+    ImGui::SetNextItemWidth(-1.0f);
+    ImGui::InputTextWithHint("##search", "search: edge 1, row 12, left end", &sheet.search);
+    name_widget(ui, "events.search", "Lists only the moments whose line has these words.");
+    draw_event_lines(ui);
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+    ImGui::PopStyleColor();
+}
+
+} // namespace rasterwalk
