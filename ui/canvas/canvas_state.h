@@ -13,10 +13,10 @@ class OutsideDrawing; // outside/outside_drawing.h
 
 /// What the canvas keeps from one frame to the next.
 struct CanvasState {
-    PictureTexture picture;   ///< shows Results::picture
-    PictureTexture overlay;   ///< shows Results::overlay
-    PicturePlace place;       ///< of the picture in this frame
-    PictureTexture outside;   ///< shows the drawing of the scene from outside
+    PictureTexture picture; ///< shows Results::picture
+    PictureTexture overlay; ///< shows Results::overlay
+    PicturePlace place;     ///< of the picture in this frame
+    PictureTexture outside; ///< shows the drawing of the scene from outside
     std::shared_ptr<OutsideDrawing> outside_drawing; ///< none before it was shown first
     bool shows_legend = true; ///< of the overlays; or else only their swatches
     float depth_grip = 0.0f;  ///< from a handle of the depth view that is held to the pointer

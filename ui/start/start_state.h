@@ -24,7 +24,7 @@ struct StagePictures {
 /// The page with which the program begins the first time.
 struct StartPage {
     bool is_open = false;
-    Way chosen = Way::lessons;           ///< the card that Enter takes
+    Way chosen = Way::lessons; ///< the card that Enter takes
     /// What lies behind the page since the first frame in which it is open: what changes it closes
     /// the page.
     std::optional<SessionInputs> behind;

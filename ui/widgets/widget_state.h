@@ -24,7 +24,7 @@ struct Fonts {
     ImFont* title = nullptr;
     ImFont* small = nullptr;
     ImFont* headline = nullptr; ///< of the start page
-    std::string notice; ///< why the built-in font had to do; empty if it did not
+    std::string notice;         ///< why the built-in font had to do; empty if it did not
 };
 
 } // namespace rasterwalk
