@@ -67,13 +67,23 @@ SeenPolygon clipped_to_near(std::span<const glm::dvec3> corners, double near_dis
 
 PolygonSpans::PolygonSpans(const OutsideEye& eye, std::span<const glm::dvec3> corners,
                            glm::ivec2 size)
-    : count_(static_cast<int>(corners.size())), width_(size.x) {
+    : width_(size.x) {
     double top = std::numeric_limits<double>::infinity(), bottom = -top;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        pixels_[i] = eye.pixel(corners[i]);
-        if (!std::isfinite(pixels_[i].x) || !std::isfinite(pixels_[i].y)) return;
-        top = std::min(top, pixels_[i].y);
-        bottom = std::max(bottom, pixels_[i].y);
+    glm::dvec2 last = eye.pixel(corners.back());
+    for (const glm::dvec3& corner : corners) {
+        const glm::dvec2 pixel = eye.pixel(corner);
+        if (!std::isfinite(pixel.x) || !std::isfinite(pixel.y)) return;
+        top = std::min(top, pixel.y);
+        bottom = std::max(bottom, pixel.y);
+        // Always from above to below, so that neighbours meet at the same place.
+        const bool is_down = last.y < pixel.y;
+        const glm::dvec2& upper = is_down ? last : pixel;
+        const glm::dvec2& lower = is_down ? pixel : last;
+        if (upper.y < lower.y) {
+            edges_[static_cast<std::size_t>(count_++)] = {
+                upper.y, lower.y, upper.x, (lower.x - upper.x) / (lower.y - upper.y)};
+        }
+        last = pixel;
     }
     first_row_ = first_sample(top, size.y);
     end_row_ = first_sample(bottom, size.y);
@@ -83,12 +93,9 @@ SampleSpan PolygonSpans::row(int row) const {
     const double y = row + 0.5;
     double left = std::numeric_limits<double>::infinity(), right = -left;
     for (int i = 0; i < count_; ++i) {
-        // Always from above to below, so that neighbours meet at the same place.
-        glm::dvec2 a = pixels_[static_cast<std::size_t>(i)];
-        glm::dvec2 b = pixels_[static_cast<std::size_t>((i + 1) % count_)];
-        if (a.y > b.y || (a.y == b.y && a.x > b.x)) std::swap(a, b);
-        if (y < a.y || y >= b.y) continue;
-        const double x = a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x);
+        const Edge& edge = edges_[static_cast<std::size_t>(i)];
+        if (y < edge.top || y >= edge.bottom) continue;
+        const double x = edge.x + (y - edge.top) * edge.slope;
         left = std::min(left, x);
         right = std::max(right, x);
     }

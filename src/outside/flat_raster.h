@@ -87,7 +87,12 @@ class PolygonSpans {
     SampleSpan row(int row) const;
 
   private:
-    std::array<glm::dvec2, 8> pixels_{};
+    /// From its upper end down to before its lower one.
+    struct Edge {
+        double top, bottom, x, slope; ///< x at the upper end, and how it grows with y
+    };
+
+    std::array<Edge, 8> edges_;
     int count_ = 0, width_ = 0;
     int first_row_ = 0, end_row_ = 0;
 };

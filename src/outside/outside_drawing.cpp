@@ -22,7 +22,10 @@ constexpr std::int64_t most_samples = 3'000'000;
 constexpr std::int64_t most_work = 2'000'000'000;
 
 /// What a triangle costs before its first sample, samples.
-constexpr std::int64_t triangle_work = 40;
+constexpr std::int64_t triangle_work = 100;
+
+/// A small scene is drawn whole, unless its triangles are hostile: half a room is no room.
+constexpr std::int64_t small_scene_factor = 6;
 
 /// A surface must win against the same surface, worked out once more.
 constexpr double same_surface = 1.0005;
@@ -45,15 +48,21 @@ OutsideEye scaled(OutsideEye eye, double scale) {
     return eye;
 }
 
+/// So many triangles of a large scene follow each other as in the mesh, because they lie beside
+/// each other in memory.
+constexpr int triangles_in_a_row = 64;
+
 /// The n-th triangle to be drawn. Those of a large scene come from everywhere in turn, so that the
 /// first of them show the whole.
 int triangle_in_turn(int n, int count) {
-    if (count <= most_ordered) return n;
-    // About the golden section of the count, and without a divisor in common with it.
-    auto step = static_cast<std::int64_t>(0.6180339887 * count);
-    while (std::gcd(step, static_cast<std::int64_t>(count)) != 1)
+    const int groups = count / triangles_in_a_row;
+    const int group = n / triangles_in_a_row;
+    if (count <= most_ordered || group >= groups) return n;
+    // About the golden section of their number, and without a divisor in common with it.
+    auto step = static_cast<std::int64_t>(0.6180339887 * groups);
+    while (std::gcd(step, static_cast<std::int64_t>(groups)) != 1)
         ++step;
-    return static_cast<int>(n * step % count);
+    return static_cast<int>(group * step % groups) * triangles_in_a_row + n % triangles_in_a_row;
 }
 
 struct WorldTriangle {
@@ -198,7 +207,8 @@ void OutsideDrawing::begin_base(const OutsideLook& look) {
 void OutsideDrawing::draw_base(const OutsideSubject& subject, const OutsideStyle& style,
                                std::int64_t work_at_once) {
     const int count = subject.scene->triangle_count();
-    const std::int64_t end = work_ + work_at_once;
+    const std::int64_t end =
+        work_ + work_at_once * (count <= most_ordered ? small_scene_factor : 1);
     while (next_ < count && work_ < end)
         work_ += triangle_work + draw_triangle(subject, style, triangle_in_turn(next_++, count));
     base_is_done_ = next_ >= count || work_ >= most_work;
@@ -301,23 +311,23 @@ void OutsideDrawing::draw_picture(const OutsideSubject& subject) {
 void OutsideDrawing::resolve() {
     image_.rgba.resize(4 * static_cast<std::size_t>(image_.width) *
                        static_cast<std::size_t>(image_.height));
-    const std::uint32_t share = static_cast<std::uint32_t>(samples_ * samples_);
+    // One sample a pixel, or four: their mean is a shift. Red and blue are summed in one number.
+    const int shift = samples_ == 2 ? 2 : 0;
     std::size_t byte = 0;
     for (int row = 0; row < image_.height; ++row) {
         for (int column = 0; column < image_.width; ++column) {
-            std::uint32_t red = 0, green = 0, blue = 0;
+            std::uint32_t red_blue = 0, green = 0;
             for (int y = 0; y < samples_; ++y) {
                 const std::size_t first = grid_.at(samples_ * column, samples_ * row + y);
                 for (int x = 0; x < samples_; ++x) {
                     const std::uint32_t colour = grid_.colour[first + static_cast<std::size_t>(x)];
-                    red += colour & 0xFFU;
+                    red_blue += colour & 0xFF00FFU;
                     green += (colour >> 8) & 0xFFU;
-                    blue += (colour >> 16) & 0xFFU;
                 }
             }
-            image_.rgba[byte++] = static_cast<std::uint8_t>(red / share);
-            image_.rgba[byte++] = static_cast<std::uint8_t>(green / share);
-            image_.rgba[byte++] = static_cast<std::uint8_t>(blue / share);
+            image_.rgba[byte++] = static_cast<std::uint8_t>((red_blue & 0xFFFFU) >> shift);
+            image_.rgba[byte++] = static_cast<std::uint8_t>(green >> shift);
+            image_.rgba[byte++] = static_cast<std::uint8_t>((red_blue >> 16) >> shift);
             image_.rgba[byte++] = 255;
         }
     }

@@ -62,7 +62,7 @@ inline constexpr int most_ordered = 5'000;
 
 /// What one update draws at most, samples; that takes some 10 ms. A triangle costs as much as some
 /// of them before its first.
-inline constexpr std::int64_t outside_work_at_once = 6'000'000;
+inline constexpr std::int64_t outside_work_at_once = 2'500'000;
 
 class OutsideDrawing {
   public:

@@ -189,7 +189,7 @@ TEST_CASE("At rest the view from outside is neither drawn nor uploaded again") {
 
 TEST_CASE("A large scene is drawn from outside over several frames, and then rests") {
     Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
-    set_scene(session, test::made_scene(160'000));
+    set_scene(session, test::made_scene(60'000));
     Driver driver(std::move(session));
     driver.hand.press('8');
     driver.ui.session.canvas.outside.yaw = 0.3f;
