@@ -135,7 +135,7 @@ void draw_event_sheet(Ui& ui, ImVec2 window) {
     // At the right, so that the picture can be seen beside it.
     ImGui::SetNextWindowPos({window.x - 10.0f, 0.5f * window.y}, ImGuiCond_Always, {1.0f, 0.5f});
     ImGui::SetNextWindowSize(
-        {std::min(700.0f * u, window.x - 20.0f), std::min(480.0f * u, window.y - 20.0f)});
+        {std::min(740.0f * u, window.x - 20.0f), std::min(480.0f * u, window.y - 20.0f)});
     ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.options.theme).card);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6.0f * u);
