@@ -104,8 +104,7 @@ void draw_splitter(Ui& ui, const char* name, float x, const Area& middle, float&
 
 void draw_everything(Ui& ui) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
-    const Layout layout = compute_layout(window, ui.options, stage_strip_lines(ui, window.x),
-                                         transport_lines(ui, window.x));
+    const Layout layout = compute_layout(window, ui.options, transport_lines(ui, window.x));
     // One that fails leaves the others on the screen.
     guarded(ui, [&] { draw_menu_bar(ui, layout.menu); });
     guarded(ui, [&] { draw_stage_strip(ui, layout.strip); });
@@ -168,6 +167,7 @@ bool build_pass(Ui& ui, float seconds) {
     guarded(ui, [&] {
         advance_play(ui.session, Timeline(ui.results.a.frame), seconds);
         carry_changes_to_b(ui.session);
+        follow_stage(ui.session);
     });
     if (is_blinking(ui)) ui.compare.blink_seconds += seconds;
     const Cursor before = ui.results.a.cursor;

@@ -52,6 +52,7 @@ struct LessonView {
     LessonSearch found;            ///< what it has found
     bool shows_list = false;       ///< the list of lessons instead of a lesson
     bool shows_stage = false;      ///< the page about the stage instead of the lesson
+    bool is_tab = false;           ///< of the inspector, for want of room for a column
     bool covers_inspector = false; ///< where the lesson is a tab of the inspector: it is in front
     std::string pointed_at;        ///< widget that a link points at: it is outlined; empty: none
     bool is_held = false;          ///< it stays outlined after the pointer has left the link

@@ -65,7 +65,7 @@ int draw_page_footer(Ui& ui, const PageFooter& footer, float width, const std::s
         label += "  ›";
         room -= button_width(label) + 8.0f * u;
         ImGui::SetCursorScreenPos({start.x + width - button_width(label), y});
-        if (button(ui, "lesson.next", label, Look::chosen, "To the next page.")) {
+        if (button(ui, "lesson.next", label, Look::main, "To the next page.")) {
             wanted = footer.current + 1;
         }
     }

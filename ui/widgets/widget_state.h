@@ -23,6 +23,7 @@ struct Fonts {
     ImFont* italic = nullptr; ///< the text font where the slanted one is not installed
     ImFont* title = nullptr;
     ImFont* small = nullptr;
+    ImFont* mono_small = nullptr;
     std::string notice; ///< why the built-in font had to do; empty if it did not
 };
 
