@@ -92,11 +92,17 @@ bool is_in_lessons_folder(const Lesson& lesson) {
 
 std::vector<Fault> open_step(Session& session, const Lesson& lesson, int step) {
     const int last = static_cast<int>(lesson.steps.size()) - 1;
+    // Another step leaves the student the tab of their own choice; the same step again does not.
+    const bool keeps_tab = session.tab_guide.is_own && session.lesson == lesson.id &&
+                           session.step != std::clamp(step, 0, last);
+    const std::string own_tab(tab_below(session));
     session.lesson = lesson.id;
     session.lesson_folder = is_in_lessons_folder(lesson) ? "" : lesson.folder;
     session.step = std::clamp(step, 0, last);
     const LessonStep& shown = lesson.steps[static_cast<std::size_t>(session.step)];
-    return show_state(session, shown.state, lesson.folder);
+    std::vector<Fault> faults = show_state(session, shown.state, lesson.folder);
+    if (keeps_tab) keep_own_tab(session, own_tab);
+    return faults;
 }
 
 bool is_done(const LessonTask& task, const Facts& facts) {

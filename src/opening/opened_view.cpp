@@ -92,8 +92,9 @@ Start start_of_scene(const ViewOptions& options, const std::optional<Bug>& bug) 
     return start;
 }
 
-/// The lesson beside a saved view. One that is not there any more keeps nobody from the view.
-void take_lesson(const SavedView& saved, Session& session) {
+/// The lesson beside a saved view, whose step says which panels are shown. One that is not there
+/// any more keeps nobody from the view.
+void take_lesson(const SavedView& saved, Session& session, ViewState& state) {
     if (saved.lesson.empty()) return;
     try {
         const bool is_file = saved.lesson.ends_with(".md");
@@ -102,6 +103,7 @@ void take_lesson(const SavedView& saved, Session& session) {
         session.lesson = lesson.id;
         session.step = std::min(saved.step, static_cast<int>(lesson.steps.size()) - 1);
         if (!is_in_lessons_folder(lesson)) session.lesson_folder = lesson.folder;
+        state.panels = lesson.steps[static_cast<std::size_t>(session.step)].state.panels;
     } catch (const Error& fault) {
         session.notice = std::string("The lesson of this view is not here: ") + fault.what();
     }
@@ -113,7 +115,7 @@ Start start_of_saved_view(const std::string& path) {
     start.path = saved.path;
     start.state = saved.state;
     start.session = open_session(find_file(saved, "scene", saved.scene));
-    take_lesson(saved, start.session);
+    take_lesson(saved, start.session, start.state);
     return start;
 }
 

@@ -12,6 +12,7 @@ Session open_session(const std::string& scene_path) {
     session.presets = read_presets(lessons_folder() + "/presets.toml");
     session.glossary = read_glossary(lessons_folder() + "/glossary.toml");
     set_scene(session, read_scene_file(scene_path));
+    guide_to_tab(session, {});
     return session;
 }
 

@@ -22,6 +22,7 @@
 #include "session/selection.h"
 #include "session/side_page.h"
 #include "session/speed.h"
+#include "session/tabs.h"
 #include "session/undo.h"
 #include "settings/preset.h"
 #include "settings/settings.h"
@@ -54,8 +55,9 @@ struct Session : SessionInputs {
     std::optional<Quiz> quiz; ///< while it goes on the settings are hidden
     Play play;
     CanvasView canvas;
-    std::string tab = "rows"; ///< of the inspector, by name
-    int jumps = 0;            ///< grows with every go_to(); steps and scrubbing do not count
+    std::string tab = "rows"; ///< of the inspector, by name; see tabs.h
+    TabGuide tab_guide;
+    int jumps = 0; ///< grows with every go_to(); steps and scrubbing do not count
     UndoStack undo;
     PlaceHistory places;
     std::string lesson;               ///< id of the lesson that is open; empty: none

@@ -1,14 +1,178 @@
 #include "session/tabs.h"
 
-#include <array>
+#include <algorithm>
+
+#include "session/session.h"
 
 namespace rasterwalk {
 
+namespace {
+
+constexpr std::array tabs{
+    TabInfo{"vertices", "Vertices",
+            "The corners of the triangle in every space on their way to a pixel.",
+            TabGroup::triangle},
+    TabInfo{"rows", "Rows", "The triangle's row table: leftPixels and rightPixels.",
+            TabGroup::triangle},
+    TabInfo{"microscope", "Floats",
+            "An edge's samples in float beside the exact fractions: what the additions lose.",
+            TabGroup::triangle},
+    TabInfo{"fragment", "Fragment",
+            "Every number on a fragment's way to its colour, with its formula.", TabGroup::pixel},
+    TabInfo{"history", "History",
+            "Everything that falls on the picked pixel, in the order of drawing.", TabGroup::pixel},
+    TabInfo{"graph", "Graph",
+            "A value along a row: the truth, and the straight line between its ends.",
+            TabGroup::pixel},
+    TabInfo{"compare", "Compare",
+            "Two runs with other settings: what differs, where first, and why.", TabGroup::runs},
+    TabInfo{"lab", "Mistakes",
+            "The mistakes that rasterizers make: turn one on, and see what it does.",
+            TabGroup::runs},
+};
+
+bool contains(const std::vector<std::string>& names, std::string_view name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Puts a tab in front of those of its group.
+void show(Session& session, std::string_view tab) {
+    session.tab = tab;
+    session.tab_guide.under_settings.clear();
+    if (const TabInfo* const info = find_tab(tab)) {
+        session.tab_guide.last[static_cast<std::size_t>(info->group)] = tab;
+    }
+}
+
+void open_settings(Session& session) {
+    if (session.tab == settings_tab) return;
+    session.tab_guide.under_settings = session.tab;
+    session.tab = settings_tab;
+}
+
+} // namespace
+
+std::span<const TabInfo> tab_list() {
+    return tabs;
+}
+
+const TabInfo* find_tab(std::string_view name) {
+    const auto* const found = std::find_if(tabs.begin(), tabs.end(),
+                                           [&](const TabInfo& tab) { return tab.name == name; });
+    return found == tabs.end() ? nullptr : found;
+}
+
 std::span<const std::string_view> tab_names() {
-    static constexpr std::array<std::string_view, 9> names{"vertices",   "rows",    "fragment",
-                                                           "history",    "graph",   "settings",
-                                                           "microscope", "compare", "lab"};
+    static constexpr auto names = [] {
+        std::array<std::string_view, tabs.size() + 1> list;
+        std::transform(tabs.begin(), tabs.end(), list.begin(),
+                       [](const TabInfo& tab) { return tab.name; });
+        list.back() = settings_tab;
+        return list;
+    }();
     return names;
+}
+
+std::string_view usual_tab(const Session& session) {
+    const std::string_view of_stage = stage_info(session.a.settings).tab;
+    const std::vector<std::string>& panels = session.tab_guide.panels;
+    if (!hides_tabs(session) || contains(panels, of_stage)) return of_stage;
+    return panels.front();
+}
+
+std::string_view tab_of_guide(const Session& session) {
+    const std::string& of_step = session.tab_guide.of_step;
+    return session.lesson.empty() || of_step.empty() ? usual_tab(session) : of_step;
+}
+
+void guide_to_tab(Session& session, std::string_view tab) {
+    TabGuide& guide = session.tab_guide;
+    guide.of_step = tab;
+    guide.stage = step_of(session.a.settings);
+    const bool is_tab = !tab.empty() && tab != settings_tab;
+    guide.is_own = session.lesson.empty() && is_tab;
+    show(session, std::string(is_tab ? tab : usual_tab(session)));
+    if (tab == settings_tab) open_settings(session);
+}
+
+void lead_to_tab(Session& session, std::string_view tab) {
+    TabGuide& guide = session.tab_guide;
+    if (tab == settings_tab) {
+        open_settings(session);
+        return;
+    }
+    guide.is_own = false;
+    guide.of_step = tab;
+    show(session, tab);
+}
+
+void choose_tab(Session& session, std::string_view tab) {
+    if (tab == settings_tab) {
+        open_settings(session);
+        return;
+    }
+    session.tab_guide.is_own = true;
+    show(session, tab);
+}
+
+void keep_own_tab(Session& session, std::string_view tab) {
+    const bool shows_settings = session.tab == settings_tab;
+    choose_tab(session, tab);
+    if (shows_settings) open_settings(session);
+}
+
+void follow_guide(Session& session) {
+    guide_to_tab(session, std::string(session.tab_guide.of_step));
+    session.tab_guide.is_own = false;
+}
+
+void close_settings(Session& session) {
+    if (session.tab == settings_tab) show(session, std::string(tab_below(session)));
+}
+
+void follow_stage(Session& session) {
+    TabGuide& guide = session.tab_guide;
+    const StripStep now = step_of(session.a.settings);
+    if (guide.stage == now) return;
+    const bool is_first = !guide.stage;
+    guide.stage = now;
+    const bool lesson_has_chosen = !session.lesson.empty() && !guide.of_step.empty();
+    // Two runs are compared whatever the stage, and a mistake may bring a stage of its own.
+    const TabInfo* const below = find_tab(tab_below(session));
+    const bool is_of_runs = below != nullptr && below->group == TabGroup::runs;
+    if (is_first || guide.is_own || lesson_has_chosen || is_of_runs) return;
+    if (session.tab == settings_tab) {
+        guide.under_settings = usual_tab(session);
+    } else {
+        show(session, std::string(usual_tab(session)));
+    }
+}
+
+std::string_view tab_below(const Session& session) {
+    if (session.tab != settings_tab) return session.tab;
+    const std::string& under = session.tab_guide.under_settings;
+    return under.empty() ? usual_tab(session) : std::string_view(under);
+}
+
+std::string_view tab_of_group(const Session& session, TabGroup group) {
+    const std::string& last = session.tab_guide.last[static_cast<std::size_t>(group)];
+    std::string_view first;
+    for (const TabInfo& tab : tabs) {
+        if (tab.group != group || !is_offered(session, tab)) continue;
+        if (tab.name == last) return tab.name;
+        if (first.empty()) first = tab.name;
+    }
+    return first;
+}
+
+bool hides_tabs(const Session& session) {
+    return !session.lesson.empty() && !session.tab_guide.panels.empty() &&
+           !session.tab_guide.shows_all;
+}
+
+bool is_offered(const Session& session, const TabInfo& tab) {
+    if (!hides_tabs(session) || tab.name == tab_below(session)) return true;
+    return contains(session.tab_guide.panels, tab.name);
 }
 
 } // namespace rasterwalk

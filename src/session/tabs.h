@@ -1,11 +1,93 @@
 #pragma once
 
+// The tabs of the inspector, the groups in which they stand, and who chose the one on show: the
+// lesson or the stage, until the student does.
+
+#include <array>
+#include <cstdint>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
+
+#include "base/enum_words.h"
+#include "stages/stages.h"
 
 namespace rasterwalk {
 
-/// The tabs of the inspector, by the names that lessons, files and options use.
+struct Session;
+
+/// What the tabs of the inspector speak of.
+enum class TabGroup : std::uint8_t { triangle, pixel, runs };
+template <>
+inline constexpr auto enum_words<TabGroup> = word_list("triangle", "pixel", "runs");
+static_assert(words_match<TabGroup>);
+
+inline constexpr std::size_t tab_group_count = enum_words<TabGroup>.size();
+
+/// A tab of the inspector.
+struct TabInfo {
+    std::string_view name; ///< as lessons, files and options say it
+    std::string_view title;
+    std::string_view help; ///< one sentence
+    TabGroup group = TabGroup::triangle;
+};
+
+/// The tabs in their order, group by group.
+std::span<const TabInfo> tab_list();
+
+/// The tab of this name; null for the settings, and where there is none.
+const TabInfo* find_tab(std::string_view name);
+
+/// Lies over the inspector instead of being one of its tabs; otherwise it is named like them.
+inline constexpr std::string_view settings_tab = "settings";
+
+/// All names: those of the tabs, and the settings.
 std::span<const std::string_view> tab_names();
+
+/// Who chose the tab that is on show, and what else stands in the inspector.
+struct TabGuide {
+    bool is_own = false;        ///< the student: lesson and stage leave it alone
+    std::string of_step;        ///< the tab that the lesson's step shows; empty: it names none
+    std::string under_settings; ///< the tab below the settings; empty: the usual one
+    std::array<std::string, tab_group_count> last; ///< of each group the tab shown last, or empty
+    std::vector<std::string> panels; ///< tabs that the lesson's step shows; empty: all of them
+    bool shows_all = false;          ///< all the same: the student asked for it
+    std::optional<StripStep> stage;  ///< that was followed last
+};
+
+/// The tab where nobody has said which: the one that suits the stage, or, if the lesson's step
+/// hides that one, the first that it shows.
+std::string_view usual_tab(const Session& session);
+/// The tab that the lesson's step asks for, or else the usual one.
+std::string_view tab_of_guide(const Session& session);
+
+/// The lesson's step, or whoever opens a view, shows this tab; empty: the usual one. Where no
+/// lesson is open, a tab that is named is the student's own.
+void guide_to_tab(Session& session, std::string_view tab);
+/// A link leads to this tab, which is no choice of the student's.
+void lead_to_tab(Session& session, std::string_view tab);
+/// The student asks for this tab. The settings are laid over the tab on show.
+void choose_tab(Session& session, std::string_view tab);
+/// The lesson has gone on, and the tab is still the one that the student chose before; if the step
+/// shows the settings, below them.
+void keep_own_tab(Session& session, std::string_view tab);
+/// Lesson and stage choose the tab again.
+void follow_guide(Session& session);
+/// Closes the settings: the tab below them is back.
+void close_settings(Session& session);
+/// Where the stage has changed, its tab comes, unless the student or the lesson has chosen, or runs
+/// are on show, which belong to no stage. To be called once a frame.
+void follow_stage(Session& session);
+
+/// The tab on show, or the one below the settings.
+std::string_view tab_below(const Session& session);
+/// The tab that a click on the group opens: the one shown last, or the first that is not hidden.
+std::string_view tab_of_group(const Session& session, TabGroup group);
+/// Does the inspector offer this tab? A lesson's step may hide it, though never the one on show.
+bool is_offered(const Session& session, const TabInfo& tab);
+/// Does the lesson's step hide any tab?
+bool hides_tabs(const Session& session);
 
 } // namespace rasterwalk

@@ -50,7 +50,8 @@ struct SizeSetting {
 /// One setting: what it is called, what it means, which values it takes.
 struct Setting {
     std::string_view name;    ///< lower_case with dots: `light.power`
-    std::string_view group;   ///< heading it stands under in the settings panel
+    std::string_view title;   ///< in the words of a student: "Lamp power"
+    std::string_view group;   ///< heading it stands under on the sheet of settings
     std::string_view help;    ///< one sentence
     std::string_view section; ///< section of the lab
     std::string_view unit;    ///< "pixels", "radians" ...; empty for words
@@ -63,7 +64,7 @@ struct Setting {
     std::string_view words_moved_to{};
 };
 
-/// Every setting, in the order of the settings panel.
+/// Every setting, in the order of the sheet of settings.
 std::span<const Setting> setting_table();
 
 /// The setting of this name, or null.

@@ -5,41 +5,56 @@ namespace rasterwalk {
 const std::array<StageInfo, stage_count>& stage_list() {
     static constexpr std::array<StageInfo, stage_count> list{{
         {{Stage::points},
+         StripJoin::begins_group,
+         false,
          "points",
          "Points",
          "Every vertex, projected to one pixel.",
          "Every vertex, projected to one pixel.",
-         "Drawing points"},
+         "Drawing points",
+         "vertices"},
         {{Stage::edges},
+         StripJoin::follows,
+         false,
          "edges",
          "Edges",
          "The outline of every triangle, sample by sample.",
          "The outline of every triangle.",
-         "Drawing edges"},
+         "Drawing edges",
+         "microscope"},
         {{Stage::rows},
+         StripJoin::follows,
+         false,
          "rows",
          "Rows",
          "Where every row of every triangle begins and ends.",
          "Where every row of every triangle begins and ends.",
-         "Filled triangles"},
+         "Filled triangles",
+         "rows"},
         {{Stage::fill},
+         StripJoin::follows,
+         false,
          "fill",
          "Fill",
          "Every row filled from its left to its right end; whoever comes last covers the rest.",
          "Every row filled; the last one drawn covers the rest.",
-         "Filled triangles"},
+         "Filled triangles",
+         "rows"},
         {{Stage::depth},
+         StripJoin::begins_group,
+         true,
          "depth",
          "Depth",
          "A fragment is drawn only if it is nearer: 1/z is larger.",
          "A fragment is drawn only if it is nearer.",
-         "Depth buffer"},
-        {StripStep::vertex_light, "vertex_light", "Vertex light",
+         "Depth buffer",
+         "history"},
+        {StripStep::vertex_light, StripJoin::begins_group, true, "vertex_light", "Vertex light",
          "Light computed at the vertices and interpolated between them.",
-         "Light at the vertices, interpolated between them.", "Light per vertex"},
-        {StripStep::pixel_light, "pixel_light", "Pixel light",
+         "Light at the vertices, interpolated between them.", "Light per vertex", "fragment"},
+        {StripStep::pixel_light, StripJoin::alternative, true, "pixel_light", "Pixel light",
          "Light computed anew at every pixel, from its own place in the room.",
-         "Light computed anew at every pixel.", "Light per pixel"},
+         "Light computed anew at every pixel.", "Light per pixel", "fragment"},
     }};
     return list;
 }
@@ -52,6 +67,19 @@ int strip_place(const StripStep& step) {
         if (one.stage == step.stage) place = i;
     }
     return place;
+}
+
+bool is_of_use(const StageInfo& info, const Scene& scene) {
+    return !info.needs_depth || scene.space == SceneSpace::world;
+}
+
+bool is_computed_in(int place, const StripStep& step) {
+    int last = strip_place(step);
+    // Of alternatives only the one that is drawn.
+    if (place == last) return true;
+    while (stage_list()[static_cast<std::size_t>(last)].join == StripJoin::alternative)
+        --last;
+    return place < last;
 }
 
 const StageInfo* find_stage(std::string_view name) {

@@ -28,14 +28,24 @@ struct StripStep {
 inline constexpr StripStep StripStep::vertex_light{Stage::shade, Shading::gouraud};
 inline constexpr StripStep StripStep::pixel_light{Stage::shade, Shading::phong};
 
+/// How a step of the strip is joined to the one before it.
+enum class StripJoin : std::uint8_t {
+    begins_group, ///< another part of the work begins
+    follows,      ///< it goes on from there
+    alternative,  ///< it takes that one's place
+};
+
 /// What the interface says of a step of the strip.
 struct StageInfo {
     StripStep step;
+    StripJoin join = StripJoin::begins_group;
+    bool needs_depth = false;   ///< of no use to a scene in pixels, which has no depth and no light
     std::string_view name;      ///< as in settings and on the command line: "vertex_light"
     std::string_view title;     ///< on the button
     std::string_view summary;   ///< one sentence
     std::string_view menu_help; ///< a shorter one, in the menu
     std::string_view section;   ///< where the lab treats it
+    std::string_view tab;       ///< of the inspector, which speaks of what it draws
 };
 
 inline constexpr int stage_count = 7;
@@ -47,7 +57,14 @@ const std::array<StageInfo, stage_count>& stage_list();
 /// last step of its stage.
 int strip_place(const StripStep& step);
 
-/// The same by its name; null if there is no such step.
+/// Can the scene use this step?
+bool is_of_use(const StageInfo& info, const Scene& scene);
+
+/// Does the picture of a step contain the work of this place of the list? It is that step itself,
+/// or comes before it and is no other way to do what it does.
+bool is_computed_in(int place, const StripStep& step);
+
+/// The step of this name; null if there is no such step.
 const StageInfo* find_stage(std::string_view name);
 
 /// Does the stage fill triangles, so that there are fragments?

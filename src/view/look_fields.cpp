@@ -30,18 +30,45 @@ ViewField tab_field() {
     form.parse = [](const GivenOption& given, const std::string& word) {
         return std::string(tab_names()[option_index(given, tab_names(), word)]);
     };
-    form.word = [](const auto& tab) { return tab.value_or(Session().tab); };
     form.tell = [](const Session& session) {
-        return session.tab != Session().tab ? std::optional(session.tab) : std::nullopt;
+        // In a lesson the usual one may be another next time: its author may hide other panels.
+        const bool is_usual = session.lesson.empty() && session.tab == usual_tab(session);
+        return is_usual ? std::nullopt : std::optional(session.tab);
     };
-    form.show = [](const auto& tab, Session& session) { session.tab = tab.value_or("rows"); };
-    const ViewOption option{"tab", "NAME",
-                            "Tab of the inspector: vertices, rows, fragment, microscope, history, "
-                            "graph, settings, compare or lab"};
+    form.show = [](const auto& tab, Session& session) {
+        guide_to_tab(session, tab.value_or(std::string()));
+    };
+    const ViewOption option{"tab", "NAME", "Tab of the inspector: " + one_of(tab_names())};
     ViewField field = make_field("tab", ViewPart::panel, option, form);
-    field.link = word_link("tab", "tab", {tab_names().begin(), tab_names().end()},
-                           [](Session& session, const std::string& tab) { session.tab = tab; });
+    // Which tab is meant where none is named follows from the stage.
+    field.words = [](const ViewChange& change) -> std::vector<std::string> {
+        if (change.to.tab == change.from.tab) return {};
+        return {change.to.tab.value_or(std::string(usual_tab(change.to_session)))};
+    };
+    field.link = word_link("tab", "tab", {tab_names().begin(), tab_names().end()}, lead_to_tab);
     return field;
+}
+
+ViewField panels_field() {
+    ViewForm<std::vector<std::string>> form{&ViewState::panels};
+    form.read = [](const TomlBlock& block, const toml::node& node) {
+        std::vector<std::string_view> names;
+        for (const TabInfo& tab : tab_list())
+            names.push_back(tab.name);
+        std::vector<std::string> panels;
+        block.for_each_text(node, names.size(), [&](const std::string& name) {
+            if (std::find(names.begin(), names.end(), name) == names.end()) {
+                throw UsageError(no_such_name("panel", name, names));
+            }
+            panels.push_back(name);
+        });
+        return panels;
+    };
+    form.show = [](const auto& panels, Session& session) {
+        session.tab_guide.panels = panels.value_or(std::vector<std::string>());
+        session.tab_guide.shows_all = false;
+    };
+    return make_field("panels", ViewPart::panel, {}, form);
 }
 
 namespace {

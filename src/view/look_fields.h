@@ -9,6 +9,7 @@ namespace rasterwalk {
 // Planes and panels.
 ViewField tab_field();
 ViewField page_field();
+ViewField panels_field();
 ViewField plane_field();
 ViewField overlays_field();
 ViewField depth_range_field();

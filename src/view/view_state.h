@@ -29,8 +29,9 @@ struct ViewState {
     std::optional<Cursor> cursor;                        ///< none: the end
     std::optional<glm::ivec2> pixel;
     std::optional<int> triangle, row, vertex;
-    std::optional<std::string> tab; ///< of the inspector; none: rows
-    std::optional<SidePage> page;   ///< beside the picture; none: the lesson
+    std::optional<std::string> tab; ///< of the inspector; none: the one that suits the stage
+    std::optional<std::vector<std::string>> panels; ///< tabs that are not hidden; none: all
+    std::optional<SidePage> page;                   ///< beside the picture; none: the lesson
     std::optional<View> view;
     std::optional<OverlaySet> overlays;
     std::optional<float> zoom; ///< screen pixels a picture pixel; 0, and none: it fits

@@ -232,6 +232,7 @@ std::vector<ViewField> make_table() {
                      largest_viewport, rows_of, &ViewState::row, &Selection::row),
         number_field("vertex", "vertices", "Vertex that is selected, 0 to 2, or none",
                      triangle_corners - 1, vertices_of, &ViewState::vertex, &Selection::vertex),
+        panels_field(), // before the tab, which may follow from them
         tab_field(),
         page_field(),
         plane_field(),

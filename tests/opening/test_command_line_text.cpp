@@ -65,8 +65,10 @@ TEST_CASE("A command line says only what differs") {
     CHECK(command_line_text(session) == "rasterwalk");
     session.a.settings.stage = Stage::depth;
     session.selection.pixel = glm::ivec2(250, 400);
-    session.tab = "history";
-    CHECK(command_line_text(session) == "rasterwalk --stage depth --pixel 250,400 --tab history");
+    session.tab = "graph";
+    CHECK(command_line_text(session) == "rasterwalk --stage depth --pixel 250,400 --tab graph");
+    session.tab = "history"; // which suits the stage
+    CHECK(command_line_text(session) == "rasterwalk --stage depth --pixel 250,400");
     session = open_session(own_scene("one-triangle.toml"));
     session.cursor = Cursor{0, Phase::edges, 1, 5};
     move_bench_vertex(session, 0, 0, {10, 4});

@@ -37,4 +37,16 @@ void Driver::resize(ImVec2 window) {
     hand.frames(frames_to_rest);
 }
 
+void Driver::open(std::string_view tab) {
+    const std::string name = std::string("tab.").append(tab);
+    hand.leave();
+    if (ui.widgets.count("settings.close") > 0) hand.click("settings.close");
+    if (ui.widgets.count("tabs") > 0) {
+        hand.click("tabs");
+    } else if (const TabInfo* const info = find_tab(tab); ui.widgets.count(name) == 0 && info) {
+        hand.click(std::string("group.").append(word_of(info->group)));
+    }
+    hand.click(name);
+}
+
 } // namespace rasterwalk

@@ -37,6 +37,10 @@ class Driver {
 
     void resize(ImVec2 window);
 
+    /// Clicks whatever leads to a tab of the inspector: its group or the list of tabs, then the
+    /// tab.
+    void open(std::string_view tab);
+
     Ui ui;
     KeptTextures textures;
     Hand hand;

@@ -85,6 +85,7 @@ TEST_CASE("A saved view reads well") {
           "]\n"
           "cursor = 't0/e1/s5'\n"
           "row = 9\n"
+          "tab = 'rows'\n"
           "overlays = [\n"
           "    'wireframe',\n"
           "]\n"

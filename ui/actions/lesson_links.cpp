@@ -8,6 +8,7 @@
 #include "ui/actions/open_lesson.h"
 #include "ui/actions/open_tab.h"
 #include "ui/ui.h"
+#include "ui/widgets/layout.h"
 
 namespace rasterwalk {
 
@@ -16,7 +17,7 @@ namespace {
 /// A widget that has not been drawn for so many frames is not on the screen.
 constexpr int frames_to_appear = 3;
 
-/// The tab of the inspector in which a widget stands; empty if it stands elsewhere.
+/// The tab of the inspector in which a widget stands, or which it is; empty if it stands elsewhere.
 std::string tab_of(std::string_view widget) {
     struct Place {
         std::string_view start, tab;
@@ -40,16 +41,40 @@ std::string tab_of(std::string_view widget) {
     for (const Place& place : places) {
         if (widget.starts_with(place.start)) return std::string(place.tab);
     }
-    return {};
+    constexpr std::string_view tab = "tab.";
+    const bool is_tab = widget.starts_with(tab) && widget.substr(tab.size()) != lesson_tab_name;
+    return std::string(is_tab ? widget.substr(tab.size()) : std::string_view());
+}
+
+/// Do the lesson or the settings lie over the inspector's tabs?
+bool is_covered(const Ui& ui) {
+    return (ui.lesson.is_tab && ui.lesson.covers_inspector) || is_settings_open(ui);
+}
+
+/// What must be clicked first to see a tab.
+std::string door_to(const Ui& ui, const std::string& tab) {
+    const TabInfo* const wanted = find_tab(tab);
+    const TabInfo* const shown = find_tab(tab_below(ui.session));
+    if (wanted == nullptr) return "tab." + tab;
+    if (is_compact(ImGui::GetIO().DisplaySize, ui.options)) return "tabs";
+    const bool is_in_line = !is_covered(ui) && shown != nullptr && shown->group == wanted->group;
+    return is_in_line ? "tab." + tab : std::string("group.").append(word_of(wanted->group));
+}
+
+/// Is what the widget stands in on show? Tabs themselves may be behind a door.
+bool is_on_show(const Ui& ui, const std::string& widget) {
+    const std::string tab = tab_of(widget);
+    if (tab.empty()) return true;
+    if (widget == "tab." + tab) return false;
+    if (tab == settings_tab) return is_settings_open(ui);
+    return !is_covered(ui) && ui.session.tab == tab;
 }
 
 } // namespace
 
 void point_at_widget(Ui& ui, const std::string& widget, bool is_held) {
     LessonView& lesson = ui.lesson;
-    const std::string tab = tab_of(widget);
-    const bool is_closed = !tab.empty() && ui.session.tab != tab;
-    const std::string target = is_closed ? "tab." + tab : widget;
+    const std::string target = is_on_show(ui, widget) ? widget : door_to(ui, tab_of(widget));
     if (lesson.pointed_at != target || is_held) lesson.frames_unseen = 0;
     lesson.pointed_at = target;
     lesson.is_held = lesson.is_held || is_held;
@@ -57,7 +82,6 @@ void point_at_widget(Ui& ui, const std::string& widget, bool is_held) {
 }
 
 void follow_link(Ui& ui, const std::string& target) {
-    constexpr std::string_view tab_widget = "tab.";
     try {
         const LessonLink link = parse_lesson_link(target);
         ui.session.notice.clear();
@@ -66,10 +90,8 @@ void follow_link(Ui& ui, const std::string& target) {
         follow_lesson_link(ui.session, ui.results.a.frame, link);
         switch (link.kind) {
         case LessonLink::Kind::show: {
-            const bool is_tab = link.argument.starts_with(tab_widget);
-            const std::string tab =
-                is_tab ? link.argument.substr(tab_widget.size()) : tab_of(link.argument);
-            if (!tab.empty()) open_tab(ui, tab);
+            const std::string tab = tab_of(link.argument);
+            if (!tab.empty()) open_tab_by_link(ui, tab);
             point_at_widget(ui, link.argument, true);
             break;
         }
@@ -77,7 +99,7 @@ void follow_link(Ui& ui, const std::string& target) {
             ui.lab.chosen = ui.session.replaced->bug;
             break;
         case LessonLink::Kind::field:
-            if (link.is_of("tab")) open_tab(ui, link.argument);
+            if (link.is_of("tab")) open_tab_by_link(ui, link.argument);
             break;
         case LessonLink::Kind::term:
             ui.sheets.shows_glossary = true;

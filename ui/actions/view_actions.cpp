@@ -6,6 +6,7 @@
 #include "ui/actions/action_menus.h"
 #include "ui/actions/compare.h"
 #include "ui/actions/keys.h"
+#include "ui/actions/open_tab.h"
 #include "ui/actions/outside.h"
 #include "ui/actions/zoom.h"
 #include "ui/ui.h"
@@ -122,6 +123,13 @@ std::vector<Action> view_actions() {
          {'X'},
          zoom_to_triangle,
          nullptr},
+        {"view.settings",
+         "View",
+         "Settings",
+         "Every choice that changes the picture, on a sheet over the inspector.",
+         {key::comma, true},
+         toggle_settings,
+         is_settings_open},
         {"view.larger_text",
          "View",
          "Larger text",

@@ -124,8 +124,8 @@ void draw_workplace(Ui& ui, const Layout& layout) {
 
 void draw_everything(Ui& ui) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
-    const Layout layout = compute_layout(window, ui.options, stage_strip_lines(ui, window.x),
-                                         transport_height(ui, window.x), wants_wide_canvas(ui));
+    const Layout layout =
+        compute_layout(window, ui.options, transport_height(ui, window.x), wants_wide_canvas(ui));
     // One that fails leaves the others on the screen.
     guarded(ui, [&] { draw_menu_bar(ui, layout.menu); });
     if (ui.start.is_open) {
@@ -180,6 +180,7 @@ bool build_pass(Ui& ui, float seconds) {
     guarded(ui, [&] {
         advance_play(ui.session, Timeline(ui.results.a.frame), ui.results.length, seconds);
         carry_changes_to_b(ui.session);
+        follow_stage(ui.session);
     });
     guarded(ui, [&] { follow_start_page(ui); });
     if (is_blinking(ui)) advance_blinking(ui, seconds);

@@ -8,12 +8,15 @@ namespace rasterwalk {
 
 struct Ui;
 
-/// Scene, settings, views, help.
+/// Files, views, scenes, lessons, help; at the right end the settings.
 void draw_menu_bar(Ui& ui, const Area& area);
 
-/// The stages in order and the two switches, in as many lines as the width asks for.
+/// In an open menu or popup: the scenes that come with the program, to be opened.
+void draw_scene_list(Ui& ui);
+
+/// The stages that the scene can use, how they are joined, and how far the picture is computed; at
+/// the right end the switches that matter and the scene. As much as fits on one line.
 void draw_stage_strip(Ui& ui, const Area& area);
-int stage_strip_lines(const Ui& ui, float width);
 
 /// Time: first, back, play, step, last; size of a step; speed; the time lines; where it stands.
 void draw_transport(Ui& ui, const Area& area);

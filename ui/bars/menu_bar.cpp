@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "settings/preset.h"
 #include "ui/actions/actions.h"
 #include "ui/actions/open_lesson.h"
+#include "ui/actions/open_tab.h"
 #include "ui/bars/bars.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
@@ -53,7 +55,9 @@ void read_scene_list(Ui& ui) {
               [](const SceneEntry& a, const SceneEntry& b) { return a.title < b.title; });
 }
 
-void draw_scene_menu(Ui& ui) {
+} // namespace
+
+void draw_scene_list(Ui& ui) {
     if (ImGui::IsWindowAppearing()) read_scene_list(ui);
     for (const auto& [file, title] : ui.scene_files) {
         const bool open = file == fs::path(ui.session.scene->path);
@@ -69,6 +73,12 @@ void draw_scene_menu(Ui& ui) {
         name_widget(ui, name, "Opens this scene: " + file.filename().string());
         note_text(ui, name, title);
     }
+}
+
+namespace {
+
+void draw_scene_menu(Ui& ui) {
+    draw_scene_list(ui);
     ImGui::Separator();
     for (const Preset& preset : ui.session.presets) {
         if (ImGui::MenuItem(("Preset: " + preset.name).c_str()) && !refuses_settings(ui.session)) {
@@ -166,10 +176,52 @@ void draw_corner_buttons(Ui& ui) {
     }
 }
 
+/// A wheel with eight teeth.
+void draw_wheel(ImVec2 middle, float radius, ImU32 colour) {
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    constexpr int teeth = 8;
+    for (int i = 0; i < teeth; ++i) {
+        const float angle = 6.2831853f * static_cast<float>(i) / teeth;
+        const ImVec2 way{std::cos(angle), std::sin(angle)};
+        list->AddLine({middle.x + 0.7f * radius * way.x, middle.y + 0.7f * radius * way.y},
+                      {middle.x + 1.15f * radius * way.x, middle.y + 1.15f * radius * way.y},
+                      colour, 0.36f * radius);
+    }
+    list->AddCircle(middle, 0.72f * radius, colour, 0, 0.34f * radius);
+}
+
+/// Opens the settings, which lie over the inspector.
+void draw_gear(Ui& ui, const Area& area) {
+    const Palette& p = palette(ui.options.theme);
+    ImGui::SetNextWindowPos(area.position);
+    ImGui::SetNextWindowSize(area.size);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, p.bar);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+    ImGui::Begin("gear", nullptr, panel_flags);
+    const std::string name = std::string("tab.").append(settings_tab);
+    if (ImGui::InvisibleButton(name.c_str(), area.size)) toggle_settings(ui);
+    const bool hovered = ImGui::IsItemHovered();
+    name_widget(ui, name, tooltip_of("view.settings"));
+    const bool open = is_settings_open(ui);
+    const ImVec2 end{area.position.x + area.size.x, area.position.y + area.size.y};
+    if (open || hovered) {
+        ImGui::GetWindowDrawList()->AddRectFilled(area.position, end,
+                                                  packed(open ? p.chosen : p.button_hovered));
+    }
+    draw_wheel({0.5f * (area.position.x + end.x), 0.5f * (area.position.y + end.y)},
+               7.0f * ui.options.text_scale, packed(open || hovered ? p.text : p.dim));
+    ImGui::End();
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor();
+}
+
 } // namespace
 
-void draw_menu_bar(Ui& ui, const Area& area) {
+void draw_menu_bar(Ui& ui, const Area& whole) {
     const float u = ui.options.text_scale;
+    const float gear = std::round(44.0f * u);
+    const Area area{whole.position, {whole.size.x - gear, whole.size.y}};
+    draw_gear(ui, {{whole.position.x + area.size.x, whole.position.y}, {gear, whole.size.y}});
     ImGui::SetNextWindowPos(area.position);
     ImGui::SetNextWindowSize(area.size);
     const Palette& p = palette(ui.options.theme);

@@ -4,11 +4,9 @@
 #include <vector>
 
 #include "ui/actions/actions.h"
-#include "ui/actions/compare.h"
 #include "ui/actions/keys.h"
 #include "ui/bars/bars.h"
 #include "ui/ui.h"
-#include "ui/widgets/flow.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -16,239 +14,196 @@ namespace rasterwalk {
 
 namespace {
 
-/// A button of the strip: a stage with its number, or a switch with its state.
-struct StripItem {
-    std::string name;    ///< of the widget, and of the action that it runs
-    std::string first;   ///< shown first
-    std::string second;  ///< shown after it
-    bool first_is_main;  ///< the other one is quieter, or in the colour of a state
-    bool chosen = false; ///< the stage on show
-    bool is_on = false;  ///< switches
-    bool is_switch = false;
-    bool has_state = true;             ///< switches: says whether it is on
-    bool matters = true;               ///< switches: does it change anything at this stage?
-    const ComparePair* pair = nullptr; ///< two runs that a click compares; in small letters
+/// How much the strip says; each form needs less room than the one before. The last is the
+/// narrowest and always fits where the layout does.
+struct Form {
+    float padding;       ///< around the name of a stage, design pixels
+    bool has_few_stages; ///< only the one on show and its neighbours, and a list of all
+    bool is_short;       ///< the switches are abbreviated
+    bool has_scene_word; ///< "scene" before its name
+    float scene_width;   ///< of the name at most, design pixels; 0: the menu alone has the scenes
 };
 
-/// How much the strip says; each form needs less room than the one before.
-enum class Form : std::uint8_t {
-    with_pairs, ///< the pairs of runs have a button each
-    full,
-    short_switches, ///< the switches are abbreviated
-    few_names,      ///< and only the stage on show says its name
+constexpr Form forms[] = {
+    {12.0f, false, false, true, 340.0f}, {10.0f, false, false, false, 190.0f},
+    {8.0f, false, true, false, 130.0f},  {7.0f, false, true, false, 0.0f},
+    {8.0f, true, true, false, 130.0f},   {8.0f, true, true, false, 0.0f},
 };
 
-std::vector<StripItem> strip_items(const Ui& ui, Form form) {
-    std::vector<StripItem> items;
-    const Settings& settings = ui.session.a.settings;
-    const StripStep here = step_of(settings);
+/// Between two stages, design pixels.
+constexpr float chevron_gap = 16.0f;
+constexpr float bar_gap = 21.0f;
+
+/// A word at the right of the strip that can be clicked.
+struct StripWord {
+    std::string name;  ///< of the widget, and of the action that it runs
+    std::string quiet; ///< said first, quietly
+    std::string loud;  ///< said after it
+    std::string help;
+    bool chosen = false;
+    bool is_unusual = false; ///< what is said loudly is not as the handout has it
+    std::string widest;      ///< of what it may say loudly: a click must not shift its neighbours
+};
+
+/// The stages that the strip shows.
+std::vector<const StageInfo*> shown_stages(const Ui& ui, const Form& form) {
+    const StripStep here = step_of(ui.session.a.settings);
+    std::vector<const StageInfo*> stages;
+    std::size_t chosen = 0;
     for (const StageInfo& info : stage_list()) {
-        items.push_back({.name = "stage." + std::string(info.name),
-                         .first = std::to_string(strip_place(info.step) + 1),
-                         .second = form == Form::few_names && info.step != here
-                                       ? std::string()
-                                       : std::string(info.title),
-                         .first_is_main = false,
-                         .chosen = info.step == here});
+        if (info.step == here) chosen = stages.size();
+        // One that the scene cannot use is said while it is on show all the same.
+        if (is_of_use(info, *ui.session.scene) || info.step == here) stages.push_back(&info);
     }
-    const bool perspective = settings.interpolation == Interpolation::perspective;
-    items.push_back({.name = "switch.perspective",
-                     .first = form > Form::full ? "Persp." : "Perspective",
-                     .second = perspective                                           ? "on"
-                               : settings.interpolation == Interpolation::zinv_twice ? "twice"
-                                                                                     : "off",
-                     .first_is_main = true,
-                     .is_on = perspective,
-                     .is_switch = true,
-                     .matters = settings.stage >= Stage::depth});
-    const DepthTest depth = settings.depth_test;
-    items.push_back({.name = "switch.depth_test",
-                     .first = form > Form::full ? "Depth" : "Depth test",
-                     .second = depth == DepthTest::off         ? "off"
-                               : depth == DepthTest::inverse_z ? "1/z"
-                               : depth == DepthTest::reversed  ? "reversed"
-                                                               : "z",
-                     .first_is_main = true,
-                     .is_on = depth != DepthTest::off,
-                     .is_switch = true,
-                     .matters = settings.stage >= Stage::depth});
-    if (hides_settings(ui.session)) {
-        for (StripItem& item : items) {
-            if (!item.is_switch) continue;
-            item.second = "?";
-            item.is_on = false;
-        }
+    if (!form.has_few_stages) return stages;
+    constexpr std::size_t few_count = 3;
+    const std::size_t last_first = std::max(stages.size(), few_count) - few_count;
+    const std::size_t first = std::min(chosen > 0 ? chosen - 1 : 0, last_first);
+    std::vector<const StageInfo*> few;
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+        const bool is_near = i >= first && i < first + few_count;
+        const bool is_meant = ui.lesson.pointed_at == std::string("stage.").append(stages[i]->name);
+        if (is_near || is_meant) few.push_back(stages[i]);
     }
-    items.push_back({.name = "switch.compare",
-                     .first = form > Form::full ? "A | B" : "Compare",
-                     .second = "",
-                     .first_is_main = true,
-                     .chosen = ui.session.b.has_value(),
-                     .is_switch = true,
-                     .has_state = false});
-    if (form == Form::with_pairs) {
-        const ComparePair* const on_show = pair_on_show(ui.session);
-        for (const ComparePair& pair : compare_pairs()) {
-            items.push_back({.name = std::string("compare.strip.").append(pair.name),
-                             .first = std::string(pair.left),
-                             .second = "",
-                             .first_is_main = true,
-                             .chosen = on_show == &pair,
-                             .is_switch = true,
-                             .has_state = false,
-                             .pair = &pair});
-        }
-        return items;
-    }
-    items.push_back({.name = "compare.pairs",
-                     .first = "▾",
-                     .second = "",
-                     .first_is_main = true,
-                     .is_switch = true,
-                     .has_state = false});
-    return items;
+    return few;
 }
 
-float text_width(const std::string& text) {
-    return ImGui::CalcTextSize(text.c_str()).x;
+float text_width(std::string_view text) {
+    return text.empty() ? 0.0f : ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
 }
 
-/// Between the two texts of an item.
-float between(const StripItem& item, float unit) {
-    return item.second.empty() ? 0.0f : 7.0f * unit;
-}
-
-float item_width(const StripItem& item, float unit) {
-    const float padding = (item.pair != nullptr ? 14.0f : 23.0f) * unit;
-    return text_width(item.first) + between(item, unit) + text_width(item.second) + padding;
-}
-
-/// A pair stands close to what is left of it.
-float gap_before(const StripItem& item, float gap) {
-    return item.pair != nullptr ? 0.25f * gap : gap;
-}
-
-std::vector<float> item_widths(const Ui& ui, const std::vector<StripItem>& items) {
-    const float unit = ui.options.text_scale;
-    std::vector<float> widths;
-    for (const StripItem& item : items) {
-        if (item.pair != nullptr) {
-            ImGui::PushFont(ui.fonts.small);
-            widths.push_back(item_width(item, unit));
-            ImGui::PopFont();
-            continue;
-        }
-        // The widest common state counts, so that a switch does not shift its neighbours.
-        StripItem usual = item;
-        if (item.is_switch && item.has_state) usual.second = "off";
-        widths.push_back(std::max(item_width(usual, unit), item_width(item, unit)));
-    }
-    return widths;
-}
-
-float gap(const Ui& ui) {
-    return 8.0f * ui.options.text_scale;
-}
-
-int lines_of(const Ui& ui, Form form, float width) {
-    const std::vector<float> widths = item_widths(ui, strip_items(ui, form));
-    return line_count(flow(widths, gap(ui), width - 2.0f * bar_margin(ui)));
-}
-
-/// Between two stages that are joined by an arrow, beside the gap; design pixels.
-constexpr float arrow_width = 12.0f;
-
-/// What the items need on one line with arrows between the stages.
-float wide_width(const Ui& ui, const std::vector<StripItem>& items) {
-    const std::vector<float> widths = item_widths(ui, items);
-    float total = stage_count * arrow_width * ui.options.text_scale;
-    for (std::size_t i = 0; i < items.size(); ++i)
-        total += widths[i] + gap_before(items[i], gap(ui));
-    return total;
-}
-
-/// The first form that fits on one line; only small windows have no height to spare for a second.
-Form strip_form(const Ui& ui, float width) {
-    const float room = width - 2.0f * bar_margin(ui);
-    if (wide_width(ui, strip_items(ui, Form::with_pairs)) < room) return Form::with_pairs;
-    for (const Form form : {Form::full, Form::short_switches}) {
-        if (lines_of(ui, form, width) == 1) return form;
-    }
-    return is_compact(ImGui::GetIO().DisplaySize, ui.options) ? Form::few_names
-                                                              : Form::short_switches;
-}
-
-/// The pairs of runs that are often compared: a click each.
-void draw_pairs(Ui& ui) {
-    const float gap = 4.0f * ui.options.text_scale;
-    ImGui::SetNextWindowPos({ImGui::GetItemRectMax().x, ImGui::GetItemRectMax().y + gap}, 0,
-                            {1.0f, 0.0f});
-    if (!ImGui::BeginPopup("compare pairs")) return;
-    const ComparePair* const on_show = pair_on_show(ui.session);
-    for (const ComparePair& pair : compare_pairs()) {
-        const std::string label = std::string(pair.left)
-                                      .append("  |  ")
-                                      .append(pair.right)
-                                      .append("###")
-                                      .append(pair.name);
-        if (ImGui::Selectable(label.c_str(), on_show == &pair)) start_pair(ui.session, pair);
-        name_widget(ui, std::string("compare.pair.").append(pair.name), pair.help);
-    }
-    if (ImGui::IsKeyPressed(key::escape, false)) ImGui::CloseCurrentPopup();
-    ImGui::EndPopup();
-}
-
-std::string tooltip_of_item(const StripItem& item) {
-    if (item.name == "compare.pairs") return "Which two runs are compared.";
-    if (!item.matters) {
-        return tooltip_of(item.name) + "\nAt this stage it changes nothing: it has no depth.";
-    }
-    if (item.pair == nullptr) return tooltip_of(item.name);
-    std::string text = "Compares ";
-    text.append(item.pair->left).append(" with ").append(item.pair->right);
-    return text.append(". ").append(item.pair->help).append("\nAgain: back to one run.");
-}
-
-void draw_item(Ui& ui, const StripItem& item, ImVec2 at, ImVec2 size) {
-    const bool is_list = item.name == "compare.pairs";
-    const Palette& p = palette(ui.options.theme);
+/// Between a stage and the one before it, screen pixels.
+float gap_before(const Ui& ui, const StageInfo& info) {
     const float u = ui.options.text_scale;
-    ImGui::SetCursorScreenPos(at);
-    const bool pressed = ImGui::InvisibleButton(item.name.c_str(), size);
-    const bool hovered = ImGui::IsItemHovered();
-    name_widget(ui, item.name, tooltip_of_item(item));
-    ImDrawList* const list = ImGui::GetWindowDrawList();
-    const ImVec2 end{at.x + size.x, at.y + size.y};
-    const ImVec4& fill = item.chosen ? p.accent : hovered ? p.button_hovered : p.button;
-    if (!item.is_switch || hovered || item.chosen)
-        list->AddRectFilled(at, end, packed(fill), 5.0f * u);
-    if (item.is_switch) list->AddRect(at, end, packed(p.dim, 0.6f), 5.0f * u);
-    const ImVec4& main = item.chosen ? p.accent_text : item.matters ? p.text : p.dim;
-    const ImVec4 state = !item.matters ? p.dim : item.is_on ? p.link : p.changed;
-    const ImVec4& side = item.is_switch ? state : item.chosen ? p.accent_text : p.dim;
-    if (item.pair != nullptr) ImGui::PushFont(ui.fonts.small);
-    const float y = at.y + 0.5f * (size.y - ImGui::GetFontSize());
-    const float content = text_width(item.first) + between(item, u) + text_width(item.second);
-    const float x = at.x + 0.5f * (size.x - content);
-    list->AddText({x, y}, packed(item.first_is_main ? main : side), item.first.c_str());
-    list->AddText({x + text_width(item.first) + 7.0f * u, y},
-                  packed(item.first_is_main ? side : main), item.second.c_str());
-    if (item.pair != nullptr) {
-        ImGui::PopFont();
-        if (pressed && item.chosen) {
-            end_comparison(ui.session);
-        } else if (pressed && !hides_settings(ui.session)) {
-            start_pair(ui.session, *item.pair);
-        }
-    } else if (is_list) {
-        if (pressed && !hides_settings(ui.session)) ImGui::OpenPopup("compare pairs");
-        draw_pairs(ui);
-    } else if (pressed) {
-        find_action(item.name).run(ui);
+    switch (info.join) {
+    case StripJoin::begins_group:
+        return bar_gap * u;
+    case StripJoin::follows:
+        return chevron_gap * u;
+    case StripJoin::alternative:
+        return 0.0f;
+    }
+    return 0.0f;
+}
+
+std::string word_of_perspective(const Settings& settings) {
+    switch (settings.interpolation) {
+    case Interpolation::perspective:
+        return "on";
+    case Interpolation::affine:
+        return "off";
+    case Interpolation::zinv_twice:
+        return "twice";
+    }
+    return {};
+}
+
+std::string word_of_depth_test(const Settings& settings) {
+    switch (settings.depth_test) {
+    case DepthTest::off:
+        return "off";
+    case DepthTest::inverse_z:
+        return "1/z";
+    case DepthTest::reversed:
+        return "reversed";
+    default:
+        return "z";
     }
 }
 
-void draw_chevron(Ui& ui, ImVec2 middle) {
+/// Do the switches change anything at a step of the strip?
+bool needs_switches(const StripStep& step) {
+    return step.stage >= Stage::depth;
+}
+
+/// The switches, and what begins a comparison.
+std::vector<StripWord> strip_words(const Ui& ui, const Form& form, bool has_switches) {
+    std::vector<StripWord> words;
+    const Settings& settings = ui.session.a.settings;
+    if (has_switches) {
+        const bool is_hidden = hides_settings(ui.session);
+        const auto add = [&](const char* name, const char* title, const std::string& state,
+                             bool is_usual, const char* widest) {
+            words.push_back({.name = name,
+                             .quiet = title,
+                             .loud = is_hidden ? "?" : state,
+                             .help = tooltip_of(name),
+                             .is_unusual = !is_hidden && !is_usual,
+                             .widest = widest});
+        };
+        add("switch.perspective", form.is_short ? "Persp." : "Perspective",
+            word_of_perspective(settings), settings.interpolation == Interpolation::perspective,
+            "off");
+        add("switch.depth_test", form.is_short ? "Depth" : "Depth test",
+            word_of_depth_test(settings), settings.depth_test == DepthTest::inverse_z, "1/z");
+    }
+    words.push_back({.name = "switch.compare",
+                     .quiet = "",
+                     .loud = form.is_short ? "A | B" : "Compare",
+                     .help = tooltip_of("switch.compare"),
+                     .chosen = ui.session.b.has_value(),
+                     .widest = ""});
+    return words;
+}
+
+float word_width(const Ui& ui, const StripWord& word) {
+    const float u = ui.options.text_scale;
+    const float between = word.quiet.empty() || word.loud.empty() ? 0.0f : 6.0f * u;
+    return text_width(word.quiet) + between +
+           std::max(text_width(word.loud), text_width(word.widest)) + 16.0f * u;
+}
+
+StripWord scene_word(const Ui& ui, const Form& form) {
+    const std::string& name = ui.session.scene->name;
+    return {.name = "scenes",
+            .quiet = form.has_scene_word ? "scene" : "",
+            .loud = shortened(name.empty() ? "unnamed" : name,
+                              form.scene_width * ui.options.text_scale) +
+                    " ▾",
+            .help = "The scene on show: " + name + ".\nClick: opens another.",
+            .widest = ""};
+}
+
+StripWord stages_word() {
+    return {.name = "stages", .quiet = "", .loud = "▾", .help = "All stages.", .widest = ""};
+}
+
+float segment_width(const Ui& ui, const Form& form, const StageInfo& info) {
+    return text_width(info.title) + 2.0f * form.padding * ui.options.text_scale;
+}
+
+/// What a form needs on one line, screen pixels.
+float form_width(const Ui& ui, const Form& form) {
+    const float u = ui.options.text_scale;
+    float width = 0.0f;
+    for (const StageInfo* info : shown_stages(ui, form))
+        width += (width > 0.0f ? gap_before(ui, *info) : 0.0f) + segment_width(ui, form, *info);
+    if (form.has_few_stages) width += word_width(ui, stages_word());
+    // Another stage must not bring another form: there is room for all that any of them needs.
+    const std::vector<const StageInfo*> all = shown_stages(ui, forms[0]);
+    const bool has_switches = std::any_of(
+        all.begin(), all.end(), [](const StageInfo* info) { return needs_switches(info->step); });
+    for (const StripWord& word : strip_words(ui, form, has_switches))
+        width += word_width(ui, word);
+    if (form.scene_width > 0.0f) width += bar_gap * u + word_width(ui, scene_word(ui, form));
+    return width + 2.0f * bar_gap * u; // between both ends
+}
+
+const Form& fitting_form(const Ui& ui, float room) {
+    const auto* const found =
+        std::find_if(std::begin(forms), std::end(forms),
+                     [&](const Form& form) { return form_width(ui, form) <= room; });
+    return found == std::end(forms) ? *std::prev(std::end(forms)) : *found;
+}
+
+/// Where the strip is, and where what is drawn stands in it.
+struct Band {
+    float top;    ///< of the buttons
+    float height; ///< of them
+    float bottom; ///< of the strip
+};
+
+void draw_chevron(const Ui& ui, ImVec2 middle) {
     const float r = 3.0f * ui.options.text_scale;
     const ImVec2 points[] = {{middle.x - 0.5f * r, middle.y - r},
                              {middle.x + 0.5f * r, middle.y},
@@ -257,11 +212,156 @@ void draw_chevron(Ui& ui, ImVec2 middle) {
                                             1.3f * ui.options.text_scale);
 }
 
-} // namespace
-
-int stage_strip_lines(const Ui& ui, float width) {
-    return lines_of(ui, strip_form(ui, width), width);
+/// How a stage is joined to the one before it.
+void draw_join(const Ui& ui, StripJoin join, float middle, const Band& band) {
+    const float y = band.top + 0.5f * band.height;
+    if (join == StripJoin::follows) draw_chevron(ui, {middle, y});
+    if (join == StripJoin::begins_group) {
+        const float half = 9.0f * ui.options.text_scale;
+        const float x = std::round(middle) + 0.5f;
+        ImGui::GetWindowDrawList()->AddLine({x, y - half}, {x, y + half},
+                                            packed(palette(ui.options.theme).dim, 0.7f));
+    }
 }
+
+void draw_stage(Ui& ui, const StageInfo& info, float x, float width, const Band& band) {
+    const Palette& p = palette(ui.options.theme);
+    const float u = ui.options.text_scale;
+    const std::string name = std::string("stage.").append(info.name);
+    const StripStep here = step_of(ui.session.a.settings);
+    const bool chosen = info.step == here;
+    const bool computed = is_computed_in(strip_place(info.step), here);
+    ImGui::SetCursorScreenPos({x, band.top});
+    const bool pressed = ImGui::InvisibleButton(name.c_str(), {width, band.height});
+    const bool hovered = ImGui::IsItemHovered();
+    name_widget(ui, name, tooltip_of(name));
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    if (chosen || hovered) {
+        list->AddRectFilled({x, band.top}, {x + width, band.top + band.height},
+                            packed(chosen ? p.chosen : p.button_hovered), 4.0f * u);
+    }
+    const float text = text_width(info.title);
+    list->AddText(
+        {x + 0.5f * (width - text), band.top + 0.5f * (band.height - ImGui::GetFontSize())},
+        packed(computed || hovered ? p.text : p.dim), info.title.data(),
+        info.title.data() + info.title.size());
+    if (computed) {
+        const float inset = 2.0f * u;
+        list->AddRectFilled({x + inset, band.bottom - 3.0f * u}, {x + width - inset, band.bottom},
+                            packed(chosen ? p.link : p.accent));
+    }
+    if (pressed) find_action(name).run(ui);
+}
+
+/// A hair around stages that take each other's place.
+void draw_box(const Ui& ui, float left, float right, const Band& band) {
+    ImGui::GetWindowDrawList()->AddRect(
+        {left - 0.5f, band.top - 0.5f}, {right + 0.5f, band.top + band.height + 0.5f},
+        packed(palette(ui.options.theme).dim, 0.45f), 5.0f * ui.options.text_scale);
+}
+
+/// Returns where the last one ends.
+float draw_stages(Ui& ui, const Form& form, float left, const Band& band) {
+    const std::vector<const StageInfo*> stages = shown_stages(ui, form);
+    float x = left, box = left;
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+        const float width = segment_width(ui, form, *stages[i]);
+        if (i > 0) {
+            const float gap = gap_before(ui, *stages[i]);
+            draw_join(ui, stages[i]->join, x + 0.5f * gap, band);
+            x += gap;
+        }
+        const bool is_alternative = i > 0 && stages[i]->join == StripJoin::alternative;
+        if (!is_alternative) box = x;
+        draw_stage(ui, *stages[i], x, width, band);
+        x += width;
+        const bool goes_on = i + 1 < stages.size() && stages[i + 1]->join == StripJoin::alternative;
+        if (is_alternative && !goes_on) draw_box(ui, box, x, band);
+    }
+    return x;
+}
+
+/// Returns true if it is pressed.
+bool draw_word(Ui& ui, const StripWord& word, float x, float width, const Band& band) {
+    const Palette& p = palette(ui.options.theme);
+    const float u = ui.options.text_scale;
+    ImGui::SetCursorScreenPos({x, band.top});
+    const bool pressed = ImGui::InvisibleButton(word.name.c_str(), {width, band.height});
+    const bool hovered = ImGui::IsItemHovered();
+    name_widget(ui, word.name, word.help);
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    if (word.chosen || hovered) {
+        list->AddRectFilled({x, band.top}, {x + width, band.top + band.height},
+                            packed(word.chosen ? p.chosen : p.button_hovered), 4.0f * u);
+    }
+    const float y = band.top + 0.5f * (band.height - ImGui::GetFontSize());
+    const float between = word.quiet.empty() ? 0.0f : 6.0f * u;
+    const float content =
+        text_width(word.quiet) + between + std::max(text_width(word.loud), text_width(word.widest));
+    const float begin = x + 0.5f * (width - content);
+    list->AddText({begin, y}, packed(p.dim), word.quiet.c_str());
+    list->AddText({begin + text_width(word.quiet) + between, y},
+                  packed(word.is_unusual ? p.changed : p.text), word.loud.c_str());
+    return pressed;
+}
+
+/// Below the item drawn last, or so that it ends where that one ends.
+void open_below(const Ui& ui, bool at_right) {
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    ImGui::SetNextWindowPos({at_right ? high.x : low.x, high.y + 4.0f * ui.options.text_scale}, 0,
+                            {at_right ? 1.0f : 0.0f, 0.0f});
+}
+
+void close_by_escape() {
+    if (ImGui::IsKeyPressed(key::escape, false)) ImGui::CloseCurrentPopup();
+}
+
+/// All stages that the scene can use, where the strip shows only a few.
+void draw_stage_list(Ui& ui) {
+    open_below(ui, false);
+    if (!ImGui::BeginPopup("all stages")) return;
+    for (const StageInfo* info : shown_stages(ui, forms[0])) {
+        const std::string action = std::string("stage.").append(info->name);
+        const bool chosen = info->step == step_of(ui.session.a.settings);
+        if (ImGui::MenuItem(std::string(info->title).c_str(), nullptr, chosen)) {
+            find_action(action).run(ui);
+        }
+        name_widget(ui, "stages." + std::string(info->name), tooltip_of(action));
+    }
+    close_by_escape();
+    ImGui::EndPopup();
+}
+
+void draw_scenes(Ui& ui) {
+    open_below(ui, true);
+    if (!ImGui::BeginPopup("scene list")) return;
+    draw_scene_list(ui);
+    close_by_escape();
+    ImGui::EndPopup();
+}
+
+/// From right to left: the scene, a bar, the comparison, the switches.
+void draw_right_end(Ui& ui, const Form& form, float right, const Band& band) {
+    float x = right;
+    if (form.scene_width > 0.0f) {
+        const StripWord word = scene_word(ui, form);
+        const float width = word_width(ui, word);
+        x -= width;
+        if (draw_word(ui, word, x, width, band)) ImGui::OpenPopup("scene list");
+        draw_scenes(ui);
+        x -= bar_gap * ui.options.text_scale;
+        draw_join(ui, StripJoin::begins_group, x + 0.5f * bar_gap * ui.options.text_scale, band);
+    }
+    const std::vector<StripWord> words =
+        strip_words(ui, form, needs_switches(step_of(ui.session.a.settings)));
+    for (auto word = words.rbegin(); word != words.rend(); ++word) {
+        const float width = word_width(ui, *word);
+        x -= width;
+        if (draw_word(ui, *word, x, width, band)) find_action(word->name).run(ui);
+    }
+}
+
+} // namespace
 
 void draw_stage_strip(Ui& ui, const Area& area) {
     const float u = ui.options.text_scale;
@@ -270,35 +370,22 @@ void draw_stage_strip(Ui& ui, const Area& area) {
     ImGui::SetNextWindowSize(area.size);
     ImGui::PushStyleColor(ImGuiCol_WindowBg, p.ground);
     ImGui::Begin("strip", nullptr, panel_flags);
-    const std::vector<StripItem> items = strip_items(ui, strip_form(ui, area.size.x));
-    const std::vector<float> widths = item_widths(ui, items);
-    const float room = area.size.x - 2.0f * bar_margin(ui);
-    // Where there is room the stages are joined by arrows and the switches stand at the right.
-    const float arrow = arrow_width * u;
-    const bool wide = wide_width(ui, items) < room;
-    const std::vector<FlowPlace> places = flow(widths, wide ? gap(ui) + arrow : gap(ui), room);
-    const float height = 34.0f * u;
-    float switch_x = room;
-    for (std::size_t i = stage_count; i < items.size(); ++i)
-        switch_x -= widths[i] + gap_before(items[i], gap(ui));
-    for (std::size_t i = 0; i < items.size(); ++i) {
-        float x = places[i].x;
-        if (wide && items[i].is_switch) {
-            x = switch_x + gap_before(items[i], gap(ui));
-            switch_x = x + widths[i];
-        }
-        const ImVec2 at{area.position.x + bar_margin(ui) + x,
-                        area.position.y + 9.0f * u +
-                            static_cast<float>(places[i].line) * 42.0f * u};
-        draw_item(ui, items[i], at, {widths[i], height});
-        if (wide && i + 1 < stage_count) {
-            draw_chevron(ui, {at.x + widths[i] + 0.5f * (gap(ui) + arrow), at.y + 0.5f * height});
-        }
+    const float height = 32.0f * u;
+    const Band band{area.position.y + std::round(0.5f * (area.size.y - height)), height,
+                    area.position.y + area.size.y};
+    const float left = area.position.x + bar_margin(ui);
+    const float right = area.position.x + area.size.x - bar_margin(ui);
+    const Form& form = fitting_form(ui, right - left);
+    const float line = band.bottom - 0.5f;
+    ImGui::GetWindowDrawList()->AddLine({area.position.x, line},
+                                        {area.position.x + area.size.x, line}, packed(p.line));
+    const float end = draw_stages(ui, form, left, band);
+    if (form.has_few_stages) {
+        const StripWord word = stages_word();
+        if (draw_word(ui, word, end, word_width(ui, word), band)) ImGui::OpenPopup("all stages");
+        draw_stage_list(ui);
     }
-    ImDrawList* const list = ImGui::GetWindowDrawList();
-    const float bottom = area.position.y + area.size.y - 0.5f;
-    list->AddLine({area.position.x, bottom}, {area.position.x + area.size.x, bottom},
-                  packed(p.line));
+    draw_right_end(ui, form, right, band);
     ImGui::End();
     ImGui::PopStyleColor();
 }

@@ -76,7 +76,7 @@ void draw_title(Ui& ui, ImDrawList* list, bool of_b, float left, float right, fl
     ImGui::Dummy({width, side});
     name_widget(ui, of_b ? "compare.title_b" : "compare.title_a",
                 (of_b ? "Run B: what it has otherwise than A.\n"
-                      : "Run A: what it has otherwise than B. The switches and the Settings tab "
+                      : "Run A: what it has otherwise than B. The switches and the settings "
                         "set this run.\n") +
                     run_words(ui.session, of_b, false));
     note_text(ui, of_b ? "compare.title_b" : "compare.title_a", words);

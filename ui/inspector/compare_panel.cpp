@@ -18,10 +18,18 @@ namespace rasterwalk {
 
 namespace {
 
+std::string tooltip_of_pair(const ComparePair& pair, bool is_on_show) {
+    std::string text("Compares ");
+    text.append(pair.left).append(" (run A) with ").append(pair.right).append(" (run B). ");
+    text.append(pair.help);
+    return is_on_show ? text.append("\nAgain: back to one run.") : text;
+}
+
 /// A button for each pair of runs that are often compared, in as many lines as they need.
 void draw_pairs(Ui& ui) {
     const ComparePair* const on_show = pair_on_show(ui.session);
     ImGui::PushFont(ui.fonts.small);
+    text_in(palette(ui.options.theme).dim, "Compare");
     std::vector<std::string> labels;
     std::vector<float> widths;
     for (const ComparePair& pair : compare_pairs()) {
@@ -37,8 +45,13 @@ void draw_pairs(Ui& ui) {
         ImGui::SetCursorScreenPos(
             {start.x + places[i].x, start.y + static_cast<float>(places[i].line) * line});
         if (button(ui, std::string("compare.tab.").append(pair.name), labels[i],
-                   &pair == on_show ? Look::chosen : Look::plain, pair.help)) {
-            start_pair(ui.session, pair);
+                   &pair == on_show ? Look::chosen : Look::plain,
+                   tooltip_of_pair(pair, &pair == on_show))) {
+            if (&pair == on_show) {
+                end_comparison(ui.session);
+            } else {
+                start_pair(ui.session, pair);
+            }
         }
     }
     ImGui::PopFont();

@@ -1,11 +1,12 @@
+#include <algorithm>
 #include <string>
-#include <vector>
 
+#include "ui/actions/keys.h"
 #include "ui/actions/open_tab.h"
+#include "ui/inspector/inspector_parts.h"
 #include "ui/inspector/panels.h"
 #include "ui/lesson/lesson_column.h"
 #include "ui/ui.h"
-#include "ui/widgets/flow.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -13,115 +14,67 @@ namespace rasterwalk {
 
 namespace {
 
-struct Tab {
-    const char* name;
-    const char* title;
-    const char* help;
+/// What draws a tab.
+struct TabPage {
+    std::string_view name;
     void (*draw)(Ui&);
 };
 
-const Tab lesson_tab{"lesson", "Lesson",
-                     "The lesson, the page about this stage, or the list of lessons.",
-                     draw_lesson_tab};
-const Tab tabs[] = {
-    {"vertices", "Vertices", "The corners of the triangle in every space on their way to a pixel.",
-     draw_vertices_panel},
-    {"rows", "Rows", "The triangle's row table: leftPixels and rightPixels.", draw_rows_panel},
-    {"fragment", "Fragment", "Every number on a fragment's way to its colour, with its formula.",
-     draw_fragment_panel},
-    {"microscope", "Floats",
-     "An edge's samples in float beside the exact fractions: what the additions lose.",
-     draw_microscope_panel},
-    {"history", "History", "Everything that falls on the picked pixel, in the order of drawing.",
-     draw_history_panel},
-    {"graph", "Graph", "A value along a row: the truth, and the straight line between its ends.",
-     draw_graph_panel},
-    {"compare", "Compare", "Two runs with other settings: what differs, where first, and why.",
-     draw_compare_panel},
-    {"lab", "Lab", "The mistakes that rasterizers make: turn one on, and see what it does.",
-     draw_lab_panel},
-    {"settings", "Settings", "Every choice that changes the picture.", draw_settings_panel},
+constexpr TabPage pages[] = {
+    {"vertices", draw_vertices_panel},     {"rows", draw_rows_panel},
+    {"microscope", draw_microscope_panel}, {"fragment", draw_fragment_panel},
+    {"history", draw_history_panel},       {"graph", draw_graph_panel},
+    {"compare", draw_compare_panel},       {"lab", draw_lab_panel},
 };
-
-void draw_tab(Ui& ui, const Tab& tab, ImVec2 at, float width, float height, bool chosen) {
-    const Palette& p = palette(ui.options.theme);
-    const std::string name = std::string("tab.") + tab.name;
-    ImGui::SetCursorScreenPos(at);
-    if (ImGui::InvisibleButton(name.c_str(), {width, height})) open_tab(ui, tab.name);
-    const bool hovered = ImGui::IsItemHovered();
-    name_widget(ui, name, tab.help);
-    ImDrawList* const list = ImGui::GetWindowDrawList();
-    const float text = ImGui::CalcTextSize(tab.title).x;
-    list->AddText({at.x + 0.5f * (width - text), at.y + 0.5f * (height - ImGui::GetFontSize())},
-                  packed(chosen || hovered ? p.text : p.dim), tab.title);
-    if (chosen) {
-        list->AddRectFilled({at.x, at.y + height - 2.0f * ui.options.text_scale},
-                            {at.x + width, at.y + height}, packed(p.link));
-    }
-}
 
 /// A page below this size is one of little room, design pixels.
 constexpr float low_page = 330.0f;
 constexpr float narrow_page = 345.0f;
 
-using Tabs = std::vector<const Tab*>;
+/// Below this height of the inspector the groups keep their subjects to themselves, design pixels.
+constexpr float low_inspector = 520.0f;
 
-/// Around a tab's title, design pixels: as it should be, and where room is short.
-constexpr float roomy_padding = 15.0f;
-constexpr float tight_padding = 8.0f;
-
-std::vector<float> tab_widths(const Ui& ui, const Tabs& shown, float padding) {
-    std::vector<float> widths;
-    for (const Tab* tab : shown) {
-        widths.push_back(ImGui::CalcTextSize(tab->title).x + padding * ui.options.text_scale);
-    }
-    return widths;
+/// The tab on show; one of another name, as from a file of a later version, is the first.
+const TabInfo& shown_tab(const Session& session) {
+    const std::span<const TabInfo> tabs = tab_list();
+    const auto found = std::find_if(tabs.begin(), tabs.end(), [&](const TabInfo& tab) {
+        return tab.name == tab_below(session);
+    });
+    return found == tabs.end() ? tabs.front() : *found;
 }
 
-/// The tabs side by side, in as many lines as they need. Returns where the page begins.
-float draw_tab_lines(Ui& ui, const Tabs& shown, const Tab* chosen, float padding) {
+InspectorLook look_of(const Ui& ui, const Layout& layout) {
+    InspectorLook look;
+    look.has_lesson = layout.lesson_is_tab;
+    look.has_two_lines = layout.inspector.size.y >= low_inspector * ui.options.text_scale;
+    look.is_covered = is_settings_open(ui);
+    const bool lesson_is_seen = look.has_lesson && ui.lesson.covers_inspector;
+    if (!lesson_is_seen || look.is_covered) look.group = shown_tab(ui.session).group;
+    return look;
+}
+
+/// Groups and tabs in the largest form that fits. Returns where the page begins.
+float draw_head(Ui& ui, const InspectorLook& look, const Area& area) {
     const float u = ui.options.text_scale;
-    const ImVec2 start = ImGui::GetCursorScreenPos();
-    const std::vector<float> widths = tab_widths(ui, shown, padding);
-    const std::vector<FlowPlace> places = flow(widths, 0.0f, ImGui::GetContentRegionAvail().x);
-    const float height = 32.0f * u;
-    for (std::size_t i = 0; i < shown.size(); ++i) {
-        const ImVec2 at{start.x + places[i].x,
-                        start.y + static_cast<float>(places[i].line) * height};
-        draw_tab(ui, *shown[i], at, widths[i], height, shown[i] == chosen);
+    if (is_compact(ImGui::GetIO().DisplaySize, ui.options)) {
+        if (look.is_covered) return ImGui::GetCursorScreenPos().y; // every line counts
+        return draw_tab_list(ui, look) + 2.0f * u;
     }
-    return start.y + static_cast<float>(line_count(places)) * height;
+    const float height = group_row_height(ui, look.has_two_lines);
+    draw_group_buttons(ui, look, {area.position, {area.size.x, height}});
+    const float bottom = area.position.y + height + 4.0f * u;
+    if (look.is_covered) return bottom + 6.0f * u;
+    ImGui::SetCursorScreenPos({area.position.x + ImGui::GetStyle().WindowPadding.x, bottom});
+    if (!look.group) return bottom + 5.0f * u; // the lesson has no tabs below it
+    return draw_tab_line(ui, look) + 9.0f * u;
 }
 
-/// One list instead of tabs, where every line of the window counts.
-float draw_tab_list(Ui& ui, const Tabs& shown, const Tab* chosen) {
-    ImGui::SetNextItemWidth(-1.0f);
-    const bool open = ImGui::BeginCombo("##tabs", chosen->title, ImGuiComboFlags_HeightLargest);
-    name_widget(ui, "tabs", "What the inspector shows.");
-    const float bottom = ImGui::GetItemRectMax().y + ImGui::GetStyle().ItemSpacing.y;
-    if (open) {
-        for (const Tab* tab : shown) {
-            if (ImGui::Selectable(tab->title, tab == chosen)) open_tab(ui, tab->name);
-            name_widget(ui, std::string("tab.") + tab->name, tab->help);
-        }
-        ImGui::EndCombo();
-    }
-    return bottom;
-}
-
-/// The tabs in the largest form that fits. Returns where the page begins.
-float draw_tabs(Ui& ui, const Tabs& shown, const Tab* chosen) {
-    const float room = ImGui::GetContentRegionAvail().x;
-    const auto fits = [&](float padding) {
-        return line_count(flow(tab_widths(ui, shown, padding), 0.0f, room)) == 1;
-    };
-    if (fits(roomy_padding)) return draw_tab_lines(ui, shown, chosen, roomy_padding);
-    ImGui::PushFont(ui.fonts.small);
-    const float padding = fits(roomy_padding) ? roomy_padding : tight_padding;
-    const bool as_list = !fits(padding) && is_compact(ImGui::GetIO().DisplaySize, ui.options);
-    const float bottom = as_list ? 0.0f : draw_tab_lines(ui, shown, chosen, padding);
-    ImGui::PopFont();
-    return as_list ? draw_tab_list(ui, shown, chosen) : bottom;
+/// Escape closes the settings, unless something that lies over them takes the key.
+bool is_dismissed(const Ui& ui) {
+    const SheetsState& sheets = ui.sheets;
+    return ImGui::IsKeyPressed(key::escape, false) && !ImGui::IsAnyItemActive() &&
+           !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup) && !sheets.shows_keys &&
+           !sheets.shows_glossary && sheets.files.kind == FileSheet::Kind::closed;
 }
 
 } // namespace
@@ -129,32 +82,32 @@ float draw_tabs(Ui& ui, const Tabs& shown, const Tab* chosen) {
 void draw_inspector(Ui& ui, const Layout& layout) {
     const Area& area = layout.inspector;
     const float u = ui.options.text_scale;
+    ui.lesson.is_tab = layout.lesson_is_tab;
+    if (is_settings_open(ui) && is_dismissed(ui)) close_settings_sheet(ui);
     ImGui::SetNextWindowPos(area.position);
     ImGui::SetNextWindowSize(area.size);
     ImGui::Begin("inspector", nullptr, panel_flags);
-    Tabs shown;
-    if (layout.lesson_is_tab) shown.push_back(&lesson_tab);
-    for (const Tab& tab : tabs)
-        shown.push_back(&tab);
-    const Tab* chosen = nullptr;
-    for (const Tab* tab : shown) {
-        if (ui.session.tab == tab->name) chosen = tab;
-    }
-    if (layout.lesson_is_tab && ui.lesson.covers_inspector) chosen = &lesson_tab;
-    if (chosen == nullptr) chosen = shown.front();
-
-    const ImVec2 start = ImGui::GetCursorScreenPos();
-    const float room = ImGui::GetContentRegionAvail().x;
-    const float bottom = draw_tabs(ui, shown, chosen);
-    ImGui::GetWindowDrawList()->AddLine({start.x, bottom}, {start.x + room, bottom},
-                                        packed(palette(ui.options.theme).line));
-    ImGui::SetCursorScreenPos({start.x, bottom + 9.0f * u});
+    const InspectorLook look = look_of(ui, layout);
+    const float top = draw_head(ui, look, area);
+    ImGui::SetCursorScreenPos({area.position.x + ImGui::GetStyle().WindowPadding.x, top});
     const ImVec2 page = ImGui::GetContentRegionAvail();
     ui.inspector.is_low = page.y < low_page * u;
     ui.inspector.is_narrow = page.x < narrow_page * u;
-    // The page scrolls, the tabs stay.
-    ImGui::BeginChild(chosen->name, {0, 0}, false, ImGuiWindowFlags_NoNav);
-    chosen->draw(ui);
+    const std::string_view name = look.is_covered ? settings_tab
+                                  : look.group    ? shown_tab(ui.session).name
+                                                  : lesson_tab_name;
+    // The page scrolls, its head stays.
+    ImGui::BeginChild(std::string(name).c_str(), {0, 0}, false, ImGuiWindowFlags_NoNav);
+    if (look.is_covered) {
+        draw_settings_sheet(ui);
+    } else if (!look.group) {
+        draw_lesson_tab(ui);
+    } else {
+        const TabPage* const shown =
+            std::find_if(std::begin(pages), std::end(pages),
+                         [&](const TabPage& one) { return one.name == name; });
+        if (shown != std::end(pages)) shown->draw(ui);
+    }
     ImGui::EndChild();
     ImGui::End();
 }

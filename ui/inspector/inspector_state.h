@@ -2,7 +2,9 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "inspect/microscope.h"
 #include "pipeline/cursor.h"
@@ -42,11 +44,14 @@ struct InspectorState {
     bool is_narrow = false; ///< and few letters a line
     MicroscopeView microscope;
     InspectView chosen;
-    std::string setting_search;     ///< what the settings panel is filtered by
-    std::optional<int> hovered_row; ///< row of the picture pointed at in the row table
-    bool shows_end_values = false;  ///< further columns in the row table
-    bool scroll_to_row = false;     ///< the row table brings a row into view
-    RowsPlace rows_place;           ///< for which it did so last
+    std::string setting_search;                     ///< what the sheet of settings is filtered by
+    std::vector<std::string_view> changed_settings; ///< when the sheet was opened: they come first
+    int settings_frame = -2;                        ///< of ImGui, in which the sheet was drawn last
+    bool settings_over_lesson = false; ///< they were opened over the lesson, where that is a tab
+    std::optional<int> hovered_row;    ///< row of the picture pointed at in the row table
+    bool shows_end_values = false;     ///< further columns in the row table
+    bool scroll_to_row = false;        ///< the row table brings a row into view
+    RowsPlace rows_place;              ///< for which it did so last
 };
 
 } // namespace rasterwalk

@@ -75,7 +75,7 @@ void draw_list(Ui& ui) {
 /// In a low page the buttons come first: they are what must be in sight.
 void draw_buttons(Ui& ui, const Bug& bug) {
     if (is_on(ui.session, bug.id)) {
-        if (button(ui, "lab.off", "turn off", Look::chosen,
+        if (button(ui, "lab.off", "turn off", Look::main,
                    "Back to one run and to what was set before.")) {
             end_comparison(ui.session);
         }

@@ -65,7 +65,7 @@ void draw_beginning(Ui& ui) {
     name_widget(ui, "lab.seed",
                 "The same number makes the same quiz, for everyone. 0: the program takes one.");
     ImGui::Spacing();
-    if (button(ui, "lab.quiz.start", "begin", Look::chosen,
+    if (button(ui, "lab.quiz.start", "begin", Look::main,
                "Makes a mistake. What is set now comes back when the quiz is ended.")) {
         begin_quiz(ui);
     }
@@ -131,7 +131,7 @@ void draw_question_card(Ui& ui) {
     const std::string label = has_choice               ? "it is " + ui.lab.chosen
                               : ui.inspector.is_narrow ? "choose"
                                                        : "choose one above";
-    if (button(ui, "lab.guess", label, Look::chosen,
+    if (button(ui, "lab.guess", label, Look::main,
                "Takes the guess. A wrong one costs " + std::to_string(cost_of_wrong_guess) +
                    " points.")) {
         guess(quiz, ui.lab.chosen);
@@ -172,8 +172,7 @@ void draw_answer(Ui& ui) {
         wrapped_text("Cure: " + bug->cure);
         ImGui::PopStyleColor();
     }
-    if (button(ui, "lab.quiz.again", "another one", Look::chosen,
-               "Ends this one and begins anew.")) {
+    if (button(ui, "lab.quiz.again", "another one", Look::main, "Ends this one and begins anew.")) {
         finish_quiz(ui);
         begin_quiz(ui);
     }

@@ -30,7 +30,7 @@ void draw_file(Ui& ui) {
     ImGui::SameLine();
     ImGui::BeginDisabled(lab.result_path.empty());
     const bool pressed =
-        button(ui, "lab.diagnose", "diagnose", Look::chosen,
+        button(ui, "lab.diagnose", "diagnose", Look::main,
                "Holds it against the lab's rules with the camera, light and stage that are set, "
                "and carries out every mistake to see which comes nearest.");
     ImGui::EndDisabled();

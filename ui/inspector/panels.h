@@ -12,7 +12,7 @@ struct Ui;
 
 // The inspector and its panels: one file, one free function each.
 
-/// The tabs on the right, and what is in them.
+/// The groups on the right with their subjects, their tabs, and what is in them.
 void draw_inspector(Ui& ui, const Layout& layout);
 /// Which triangle the inspector shows, with buttons to its neighbours. There must be one.
 void draw_triangle_title(Ui& ui);
@@ -30,7 +30,8 @@ void draw_compare_panel(Ui& ui);
 void draw_lab_panel(Ui& ui);
 /// In a bench scene: its examples, and its vertices to be typed. Otherwise nothing.
 void draw_bench_examples(Ui& ui);
-void draw_settings_panel(Ui& ui);
+/// All settings, those that were changed first. It lies over the inspector's tabs.
+void draw_settings_sheet(Ui& ui);
 /// The field in which a setting of one of the runs is changed, under a name for tests.
 void edit_setting(Ui& ui, Settings& settings, const Setting& setting, const std::string& name);
 

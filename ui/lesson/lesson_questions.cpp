@@ -84,7 +84,7 @@ void draw_number_field(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
     ImGui::SameLine(0.0f, 10.0f * u);
     if (ImGui::GetContentRegionAvail().x < button_width("answer")) ImGui::NewLine();
     const bool pressed =
-        button(ui, name + ".answer", "answer", Look::chosen, "Then the program tells its own.");
+        button(ui, name + ".answer", "answer", Look::main, "Then the program tells its own.");
     if (view.is_no_number) {
         text_in(colour_of(Meaning::fail, ui.options.theme),
                 view.typed.empty() ? "Type a number first." : "That is not a number.");
@@ -139,7 +139,7 @@ void draw_pixel_answer(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
         text_in(palette(ui.options.theme).dim, "Click a pixel in the picture.");
         return;
     }
-    if (button(ui, name + ".answer", "answer " + pixel_words(*pixel), Look::chosen,
+    if (button(ui, name + ".answer", "answer " + pixel_words(*pixel), Look::main,
                "Answers with the pixel that is picked in the picture.")) {
         answer_prediction(ui, lesson, prediction, {*pixel}, answer_words(prediction, {*pixel}));
     }

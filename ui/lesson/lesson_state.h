@@ -51,6 +51,7 @@ struct LessonView {
     std::string shown;             ///< which page is on show; the scroll position belongs to it
     std::string search;            ///< what the list of lessons is searched for
     LessonSearch found;            ///< what it has found
+    bool is_tab = false;           ///< of the inspector, for want of room for a column
     bool covers_inspector = false; ///< where the lesson is a tab of the inspector: it is in front
     std::string pointed_at;        ///< widget that a link points at: it is outlined; empty: none
     bool is_held = false;          ///< it stays outlined after the pointer has left the link

@@ -68,7 +68,7 @@ int draw_page_footer(Ui& ui, const PageFooter& footer, float width, const std::s
         const std::string help = "To the next page: " + label;
         label = fitting_label(label, "next", half) + "  ›";
         ImGui::SetCursorScreenPos({start.x + width - half, y});
-        if (button(ui, "lesson.next", label, Look::chosen, help, {half, 0.0f})) {
+        if (button(ui, "lesson.next", label, Look::main, help, {half, 0.0f})) {
             wanted = footer.current + 1;
         }
     }

@@ -208,7 +208,7 @@ bool draw_buttons(Ui& ui) {
     }
     ImGui::SameLine();
     ImGui::BeginDisabled(sheet.path.empty());
-    const bool pressed = button(ui, "files.do", action, Look::chosen,
+    const bool pressed = button(ui, "files.do", action, Look::main,
                                 replaces           ? "Overwrites the file. Key: Enter"
                                 : is_saving(sheet) ? "Writes the file. Key: Enter"
                                                    : "Opens the file. Key: Enter");

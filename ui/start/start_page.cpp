@@ -184,7 +184,7 @@ void draw_way_button(Ui& ui, const Card& card, ImVec2 size) {
     const std::string label = shortened(button_label(ui, card.way, size.x),
                                         size.x - 2.0f * ImGui::GetStyle().FramePadding.x);
     const std::string name = std::string("start.").append(word_of(card.way));
-    if (button(ui, name, label, is_chosen ? Look::chosen : Look::plain,
+    if (button(ui, name, label, is_chosen ? Look::main : Look::plain,
                is_chosen ? std::string(card.help) + "\nKey: Enter" : std::string(card.help),
                size)) {
         take_way(ui, card.way);

@@ -203,20 +203,20 @@ void go_to_source(Ui& ui, const Source& source) {
         return;
     case SourceKind::setting:
         ui.inspector.setting_search = source.name;
-        ui.session.tab = "settings";
+        choose_tab(ui.session, settings_tab);
         return;
     case SourceKind::vertex:
         selection.triangle = source.triangle;
         selection.vertex = source.vertex;
         ui.inspector.chosen.vertex_number = source.name;
-        ui.session.tab = "vertices";
+        choose_tab(ui.session, "vertices");
         return;
     case SourceKind::row_end:
         selection.triangle = source.triangle;
         selection.row = source.row;
         ui.inspector.shows_end_values = true;
         ui.inspector.scroll_to_row = true;
-        ui.session.tab = "rows";
+        choose_tab(ui.session, "rows");
         return;
     case SourceKind::moment:
         selection.triangle = source.moment.triangle;

@@ -38,15 +38,15 @@ float fitting_text_scale(ImVec2 window, float wished) {
     return std::min(wished, std::max(largest, 0.5f));
 }
 
-Layout compute_layout(ImVec2 window, const UiOptions& options, int strip_lines,
-                      float transport_height, bool wide_canvas) {
+Layout compute_layout(ImVec2 window, const UiOptions& options, float transport_height,
+                      bool wide_canvas) {
     Layout layout;
     const float u = options.text_scale;
     layout.unit = u;
     const float width = window.x;
     const bool compact = is_compact(window, options);
-    const float menu = std::round((compact ? 28.0f : 32.0f) * u);
-    const float strip = std::round((10.0f + 42.0f * static_cast<float>(strip_lines)) * u);
+    const float menu = std::round((compact ? 28.0f : 34.0f) * u);
+    const float strip = std::round((compact ? 42.0f : 48.0f) * u);
     const float transport = std::round(transport_height);
     const float status = std::round((compact ? 24.0f : 28.0f) * u);
     const float top = menu + strip;

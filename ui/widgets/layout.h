@@ -22,7 +22,7 @@ struct Area {
 /// Where everything is. A pure function of the window's size and the text size.
 struct Layout {
     Area menu;      ///< top line
-    Area strip;     ///< the stages and the switches
+    Area strip;     ///< the stages, the switches and the scene
     Area lesson;    ///< left column; without width if the lesson is a tab of the inspector
     Area canvas;    ///< middle
     Area inspector; ///< right column
@@ -35,17 +35,16 @@ struct Layout {
 /// The rulers around the canvas: their width, design pixels.
 inline constexpr float canvas_ruler = 26.0f;
 
-/// True for a window so small, measured in text, that the bars must make do with less: stages by
-/// number, the size of a step as a list.
+/// True for a window so small, measured in text, that the bars must make do with less: tabs and the
+/// size of a step are lists.
 bool is_compact(ImVec2 window, const UiOptions& options);
 
 /// The largest text scale up to the wished one at which the window still holds everything.
 float fitting_text_scale(ImVec2 window, float wished);
 
-/// @param strip_lines how many lines the stage strip needs at this width (1 or more)
 /// @param transport_height screen pixels
 /// @param wide_canvas the lesson makes room for the canvas, as in a small window
-Layout compute_layout(ImVec2 window, const UiOptions& options, int strip_lines,
-                      float transport_height, bool wide_canvas = false);
+Layout compute_layout(ImVec2 window, const UiOptions& options, float transport_height,
+                      bool wide_canvas = false);
 
 } // namespace rasterwalk

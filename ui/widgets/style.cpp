@@ -30,6 +30,7 @@ const Palette dark_palette{.ground = hex(0x14161A),
                            .dim = hex(0x969CA8),
                            .link = hex(0x6FBFF0),
                            .row_lit = hex(0x20303D),
+                           .chosen = hex(0x2B3A49),
                            .changed = hex(0xE69F00)};
 
 const Palette light_palette{.ground = hex(0xFAFAF8),
@@ -45,6 +46,7 @@ const Palette light_palette{.ground = hex(0xFAFAF8),
                             .dim = hex(0x5A616B),
                             .link = hex(0x0A5C94),
                             .row_lit = hex(0xD9E9F5),
+                            .chosen = hex(0xC9DDEE),
                             .changed = hex(0x8A5600)};
 
 const char* const font_folders[] = {"/usr/share/fonts/truetype/dejavu/", "/usr/share/fonts/TTF/",
@@ -160,7 +162,7 @@ Fonts load_fonts(float text_scale) {
     const std::string folder = find_font_folder();
     if (folder.empty()) {
         fonts.text = fonts.mono = fonts.bold = fonts.italic = fonts.title = fonts.small =
-            fonts.headline = io.Fonts->AddFontDefault();
+            fonts.headline = fonts.mono_small = io.Fonts->AddFontDefault();
         fonts.notice = "The DejaVu fonts are not installed: text is shown in the built-in font, "
                        "without mathematical signs.";
         io.Fonts->Build();
@@ -185,6 +187,7 @@ Fonts load_fonts(float text_scale) {
     fonts.title = load("DejaVuSans-Bold.ttf", 21.0f);
     fonts.small = load("DejaVuSans.ttf", 13.5f);
     fonts.headline = load("DejaVuSans-Bold.ttf", 32.0f);
+    fonts.mono_small = load("DejaVuSansMono.ttf", 13.0f);
     io.Fonts->Build();
     return fonts;
 }

@@ -34,12 +34,13 @@ struct Palette {
     ImVec4 line;   ///< borders and rules
     ImVec4 button;
     ImVec4 button_hovered;
-    ImVec4 accent; ///< the chosen button
+    ImVec4 accent; ///< the main action
     ImVec4 accent_text;
     ImVec4 text;
     ImVec4 dim; ///< text that may be overlooked; still 4.5 : 1
     ImVec4 link;
     ImVec4 row_lit; ///< a table's row that is pointed at or current
+    ImVec4 chosen;  ///< behind the chosen one of several segments; quieter than the main action
     ImVec4 changed; ///< a setting that differs from the preset
 };
 

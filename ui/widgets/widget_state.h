@@ -24,7 +24,8 @@ struct Fonts {
     ImFont* title = nullptr;
     ImFont* small = nullptr;
     ImFont* headline = nullptr; ///< of the start page
-    std::string notice;         ///< why the built-in font had to do; empty if it did not
+    ImFont* mono_small = nullptr;
+    std::string notice; ///< why the built-in font had to do; empty if it did not
 };
 
 } // namespace rasterwalk

@@ -131,12 +131,14 @@ bool button(Ui& ui, std::string_view name, std::string_view label, Look look,
     const Palette& p = palette(ui.options.theme);
     const ImVec4 none(0, 0, 0, 0);
     const bool bare = look == Look::outline || look == Look::quiet || look == Look::link;
-    ImGui::PushStyleColor(ImGuiCol_Button, look == Look::chosen ? p.accent
-                                           : bare               ? none
-                                                                : p.button);
-    ImGui::PushStyleColor(ImGuiCol_ButtonHovered,
-                          look == Look::chosen ? p.accent : p.button_hovered);
-    ImGui::PushStyleColor(ImGuiCol_Text, look == Look::chosen ? p.accent_text
+    ImGui::PushStyleColor(ImGuiCol_Button, look == Look::main     ? p.accent
+                                           : look == Look::chosen ? p.chosen
+                                           : bare                 ? none
+                                                                  : p.button);
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, look == Look::main     ? p.accent
+                                                  : look == Look::chosen ? p.chosen
+                                                                         : p.button_hovered);
+    ImGui::PushStyleColor(ImGuiCol_Text, look == Look::main   ? p.accent_text
                                          : look == Look::link ? p.link
                                                               : p.text);
     const ImVec2 padding = ImGui::GetStyle().FramePadding;

@@ -27,7 +27,8 @@ void note_text(Ui& ui, std::string_view name, std::string_view text);
 /// How a button looks.
 enum class Look : std::uint8_t {
     plain,   ///< filled
-    chosen,  ///< filled with the accent
+    main,    ///< filled with the accent: the one main action of its place
+    chosen,  ///< filled quietly: the one chosen of several, or a switch that is on
     outline, ///< a border only
     quiet,   ///< text only
     link,    ///< text in the colour of links, without space around it

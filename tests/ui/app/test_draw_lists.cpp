@@ -65,6 +65,7 @@ TEST_CASE("No draw list gets more corners than can be numbered, however many tri
 
 TEST_CASE("Points are ringed once each as long as they can be told apart") {
     Driver few("lab-room.toml");
+    few.open("vertices"); // which stays, and is the same at both stages
     few.hand.click("stage.edges");
     const int edges = ImGui::GetDrawData()->TotalVtxCount;
     few.hand.click("stage.points");

@@ -114,8 +114,9 @@ TEST_CASE("The folder of the lessons disappears: the window goes on, and nothing
         driver.hand.press(key::escape);
     }
     for (const std::string& name : driver.hand.names()) {
-        const bool is_opener = name.starts_with("tab.") || name.starts_with("menu.") ||
-                               name.starts_with("lesson.") || name.starts_with("stage.");
+        const bool is_opener = name.starts_with("tab.") || name.starts_with("group.") ||
+                               name.starts_with("menu.") || name.starts_with("lesson.") ||
+                               name.starts_with("stage.");
         if (!is_opener || !driver.hand.is_visible(name)) continue;
         INFO(name);
         CHECK_NOTHROW(driver.hand.click(name));

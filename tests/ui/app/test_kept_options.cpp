@@ -66,7 +66,7 @@ TEST_CASE("What is changed in one run is there in the next") {
     {
         Driver driver;
         keep_options(driver.ui, path);
-        driver.hand.click("tab.lab");
+        driver.open("lab");
         driver.hand.click("lab.mode.quiz");
         driver.hand.click("lab.keep_score");
         driver.ui.options.score.points = 70;
@@ -77,7 +77,7 @@ TEST_CASE("What is changed in one run is there in the next") {
     keep_options(driver.ui, path);
     CHECK(driver.ui.options.score.is_kept);
     CHECK(driver.ui.options.score.points == 70);
-    driver.hand.click("tab.lab");
+    driver.open("lab");
     driver.hand.click("lab.mode.quiz");
     CHECK(driver.hand.find("lab.points").visible);
     driver.hand.click("lab.reset_score");

@@ -25,7 +25,7 @@ TEST_CASE("The parts of the window cover it without overlapping") {
         UiOptions options;
         options.text_scale = fitting_text_scale({w.width, w.height}, w.scale);
         const Layout layout =
-            compute_layout({w.width, w.height}, options, 1, 80.0f * options.text_scale);
+            compute_layout({w.width, w.height}, options, 80.0f * options.text_scale);
         CHECK(layout.menu.size.y == layout.strip.position.y);
         CHECK(layout.strip.position.y + layout.strip.size.y == layout.canvas.position.y);
         CHECK(layout.lesson.size.x == layout.canvas.position.x);
@@ -45,8 +45,9 @@ TEST_CASE("Every button of the bars is whole in every window and at every text s
         for (const auto& [name, place] : driver.ui.widgets) {
             const bool in_bar = name.starts_with("stage.") || name.starts_with("switch.") ||
                                 name.starts_with("walk.") || name.starts_with("step.") ||
-                                name.starts_with("tab.") || name.starts_with("menu.") ||
-                                name.starts_with("canvas.");
+                                name.starts_with("tab.") || name.starts_with("tabs") ||
+                                name.starts_with("group.") || name.starts_with("scenes") ||
+                                name.starts_with("menu.") || name.starts_with("canvas.");
             if (!in_bar) continue;
             INFO(name << " at " << w.width << " x " << w.height << ", text " << w.scale);
             CHECK(place.visible);

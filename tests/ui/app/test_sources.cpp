@@ -9,7 +9,7 @@ namespace rasterwalk {
 TEST_CASE("A value of a fragment leads to the row end that it comes from, and Back returns") {
     Driver driver;
     driver.hand.click_picture(398, 121);
-    driver.hand.click("tab.fragment");
+    driver.open("fragment");
     const Selection picked = driver.ui.session.selection;
     driver.hand.click("fragment.zinv");
     driver.hand.click("fragment.formula.left");
@@ -25,7 +25,7 @@ TEST_CASE("A value of a fragment leads to the row end that it comes from, and Ba
 TEST_CASE("The lamp's power in the light terms leads to its setting") {
     Driver driver;
     driver.hand.click_picture(398, 121);
-    driver.hand.click("tab.fragment");
+    driver.open("fragment");
     driver.hand.click("fragment.pixel_light.D.red.P");
     CHECK(driver.ui.session.tab == "settings");
     CHECK(driver.hand.is_visible("setting.light.power"));
@@ -35,7 +35,7 @@ TEST_CASE("The lamp's power in the light terms leads to its setting") {
 TEST_CASE("The graph shows the quantity that is chosen, along the row that is picked") {
     Driver driver;
     driver.hand.click_picture(300, 121);
-    driver.hand.click("tab.graph");
+    driver.open("graph");
     CHECK(driver.ui.session.selection.row == 121);
     CHECK(driver.hand.is_visible("graph.plot"));
     for (const char* quantity : {"zinv", "z", "x"}) {

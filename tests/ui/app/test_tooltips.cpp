@@ -46,16 +46,19 @@ void walk(Driver& driver, std::set<std::string>& bare, std::set<std::string>& se
     const std::vector<std::string> first = driver.hand.names();
     collect(driver, bare, seen);
     for (const std::string& name : first) {
-        if (name.starts_with("tab.")) {
-            driver.hand.click(name);
-            collect(driver, bare, seen);
-        }
         if (name.starts_with("menu.") || name == "canvas.view" || name == "canvas.overlays") {
             driver.hand.click(name);
             collect(driver, bare, seen);
             driver.hand.press(key::escape);
         }
     }
+    for (const TabInfo& tab : tab_list()) {
+        driver.open(tab.name);
+        collect(driver, bare, seen);
+    }
+    driver.hand.click("tab.settings");
+    collect(driver, bare, seen);
+    driver.hand.click("settings.close");
     for (const int sheet : {key::f1, key::f1 + 1}) {
         driver.hand.press(sheet);
         collect(driver, bare, seen);

@@ -10,10 +10,10 @@ TEST_CASE("Ten edits are undone one by one, and done again") {
     Driver driver;
     driver.hand.click("stage.depth");
     std::vector<Settings> states{driver.ui.session.a.settings};
-    const char* const edits[] = {"stage.points",      "stage.rows",         "switch.perspective",
-                                 "switch.depth_test", "stage.fill",         "stage.pixel_light",
-                                 "switch.depth_test", "switch.perspective", "stage.edges",
-                                 "stage.vertex_light"};
+    const char* const edits[] = {"stage.points",       "stage.rows",         "stage.pixel_light",
+                                 "switch.perspective", "switch.depth_test",  "stage.fill",
+                                 "stage.vertex_light", "switch.perspective", "switch.depth_test",
+                                 "stage.edges"};
     for (const char* edit : edits) {
         driver.hand.click(edit);
         states.push_back(driver.ui.session.a.settings);

@@ -34,6 +34,7 @@ class Tour {
         small_triangle();
         small_window();
         from_outside();
+        groups();
     }
 
   private:
@@ -114,7 +115,22 @@ class Tour {
     }
 
     void small_window() {
-        Driver driver("lab-room.toml", {1024, 640});
+        for (const auto& [window, text_scale] :
+             {std::pair{ImVec2{1024, 640}, 1.0f}, {ImVec2{800, 600}, 1.5f}}) {
+            Driver driver("lab-room.toml", window, text_scale);
+            look(driver);
+        }
+    }
+
+    /// Whoever chose the tab, and what a lesson hides.
+    void groups() {
+        Driver driver;
+        for (std::size_t i = 0; i < tab_group_count; ++i) {
+            const std::string group(word_of(static_cast<TabGroup>(i)));
+            driver.hand.click("group." + group);
+            look(driver);
+        }
+        open_lesson(driver.ui, "01-pinhole-camera", 0);
         look(driver);
     }
 };

@@ -1,7 +1,10 @@
+#include <cmath>
+
 #include <catch2/catch.hpp>
 
 #include "pipeline/draw.h"
 #include "tests/ui/driver.h"
+#include "ui/actions/keys.h"
 #include "ui/ui.h"
 
 namespace rasterwalk {
@@ -79,6 +82,76 @@ TEST_CASE("Without the depth test the blue block covers the red one") {
     CHECK(owner_in_front() == "tall block");
     driver.hand.press('Z');
     CHECK(owner_in_front() == "short block");
+}
+
+TEST_CASE("Alternatives touch in the strip; what follows or begins a group stands apart") {
+    Driver driver;
+    const WidgetPlace* before = nullptr;
+    for (const StageInfo& info : stage_list()) {
+        INFO(info.name);
+        const WidgetPlace& place = driver.ui.widgets.at("stage." + std::string(info.name));
+        if (before != nullptr) {
+            const float gap = place.top_left.x - before->bottom_right.x;
+            const bool touches = info.join == StripJoin::alternative;
+            CHECK((touches ? std::abs(gap) < 0.5f : gap > 10.0f));
+            CHECK(place.top_left.y == before->top_left.y);
+        }
+        before = &place;
+    }
+}
+
+TEST_CASE("The strip leaves out what the scene cannot use, but never what is on show") {
+    Driver driver("one-triangle.toml");
+    const auto is_there = [&](const char* name) { return driver.ui.widgets.count(name) > 0; };
+    CHECK(is_there("stage.fill"));
+    for (const char* name : {"stage.depth", "stage.vertex_light", "stage.pixel_light",
+                             "switch.perspective", "switch.depth_test"}) {
+        INFO(name);
+        CHECK_FALSE(is_there(name));
+    }
+    driver.hand.press('5');
+    CHECK(driver.ui.session.a.settings.stage == Stage::depth);
+    driver.hand.leave();
+    CHECK(is_there("stage.depth"));
+    CHECK_FALSE(is_there("stage.pixel_light"));
+}
+
+TEST_CASE("The switches are there from the depth stage on, where they change something") {
+    Driver driver;
+    for (const StageInfo& info : stage_list()) {
+        INFO(info.name);
+        driver.hand.click("stage." + std::string(info.name));
+        driver.hand.leave();
+        const bool matter = info.step.stage >= Stage::depth;
+        CHECK((driver.ui.widgets.count("switch.perspective") > 0) == matter);
+        CHECK((driver.ui.widgets.count("switch.depth_test") > 0) == matter);
+        CHECK(driver.ui.widgets.count("switch.compare") > 0);
+    }
+}
+
+TEST_CASE("The scene's name at the end of the strip opens the list of scenes") {
+    Driver driver;
+    driver.hand.click("scenes");
+    driver.hand.click("scene.one-triangle");
+    CHECK(driver.ui.session.scene->name == "One triangle");
+    driver.hand.click("scenes");
+    CHECK(driver.hand.is_visible("scene.lab-room"));
+    driver.hand.press(key::escape);
+    driver.hand.frames(2);
+    CHECK_FALSE(driver.hand.is_visible("scene.lab-room"));
+}
+
+TEST_CASE("Where only three stages have room, a list leads to all of them") {
+    Driver driver("lab-room.toml", {800, 600}, 1.5f);
+    REQUIRE(driver.ui.widgets.count("stages") > 0);
+    for (const StageInfo& info : stage_list()) {
+        INFO(info.name);
+        driver.hand.click("stages");
+        driver.hand.click("stages." + std::string(info.name));
+        CHECK(step_of(driver.ui.session.a.settings) == info.step);
+        driver.hand.leave();
+        CHECK(driver.hand.is_visible("stage." + std::string(info.name)));
+    }
 }
 
 TEST_CASE("A picture is drawn again only when something changed") {

@@ -40,39 +40,25 @@ TEST_CASE("One click compares affine with perspective, and one ends it as it was
     CHECK(driver.ui.session.a.settings == before);
 }
 
-TEST_CASE("Every pair is compared by one click in the strip, and a second one ends it") {
-    Driver driver(lit_room());
-    for (const ComparePair& pair : compare_pairs()) {
-        const std::string name = std::string("compare.strip.").append(pair.name);
-        INFO(name);
-        driver.hand.click(name);
-        CHECK(pair_on_show(driver.ui.session) == &pair);
-        CHECK(driver.ui.results.comparison.whole().pixels.different > 0);
+TEST_CASE("Every pair is compared by one click in the Compare tab, and a second one ends it") {
+    for (const ImVec2 window : {ImVec2{1600, 1000}, ImVec2{1280, 800}}) {
+        Driver driver(lit_room(), window);
+        driver.hand.click("group.runs");
+        for (const ComparePair& pair : compare_pairs()) {
+            const std::string name = std::string("compare.tab.").append(pair.name);
+            INFO(name);
+            driver.hand.click(name);
+            CHECK(pair_on_show(driver.ui.session) == &pair);
+            CHECK(driver.ui.results.comparison.whole().pixels.different > 0);
+            CHECK(driver.ui.session.tab == "compare");
+        }
+        driver.hand.click("compare.tab.exact");
+        CHECK_FALSE(driver.ui.session.b);
+        CHECK(driver.ui.session.a.settings == lit_room().a.settings);
+        driver.hand.click("compare.tab.exact");
+        driver.hand.click("compare.end");
+        CHECK(driver.ui.session.a.settings == lit_room().a.settings);
     }
-    driver.hand.click("compare.strip.exact");
-    CHECK_FALSE(driver.ui.session.b);
-    CHECK(driver.ui.session.a.settings == lit_room().a.settings);
-}
-
-TEST_CASE("In a narrow window every pair is begun from the list in the strip and from the tab") {
-    Driver driver(lit_room(), {1280, 800});
-    for (const ComparePair& pair : compare_pairs()) {
-        const std::string name(pair.name);
-        INFO(name);
-        driver.hand.click("compare.pairs");
-        driver.hand.click("compare.pair." + name);
-        CHECK(pair_on_show(driver.ui.session) == &pair);
-        CHECK(driver.ui.results.comparison.whole().pixels.different > 0);
-    }
-    driver.hand.click("tab.compare");
-    for (const ComparePair& pair : compare_pairs()) {
-        const std::string name(pair.name);
-        INFO(name);
-        driver.hand.click("compare.tab." + name);
-        CHECK(pair_on_show(driver.ui.session) == &pair);
-    }
-    driver.hand.click("compare.end");
-    CHECK(driver.ui.session.a.settings == lit_room().a.settings);
 }
 
 TEST_CASE("Both pictures stand side by side with the same zoom, and each can be pointed at") {
@@ -183,7 +169,7 @@ TEST_CASE("The difference has a scale, and the number under the pointer is B min
 
 TEST_CASE("The tab leads to the first divergence, to the next, and back; a click on a group too") {
     Driver driver(lit_room());
-    driver.hand.click("tab.compare");
+    driver.open("compare");
     driver.hand.click("compare.tab.exact");
     const DivergenceList& list = driver.ui.results.comparison.whole().divergences;
     REQUIRE(list.first);
@@ -209,7 +195,7 @@ TEST_CASE("The tab leads to the first divergence, to the next, and back; a click
 
 TEST_CASE("The counts of the tab are those of the comparison") {
     Driver driver(lit_room());
-    driver.hand.click("tab.compare");
+    driver.open("compare");
     driver.hand.click("compare.tab.affine");
     const Comparison& whole = driver.ui.results.comparison.whole();
     CHECK(shown_text(driver, "compare.count.pixels") == grouped(whole.pixels.different));
@@ -222,7 +208,7 @@ TEST_CASE("The counts of the tab are those of the comparison") {
 
 TEST_CASE("Run B is set in the tab, and what is changed in A is changed in both") {
     Driver driver(lit_room());
-    driver.hand.click("tab.compare");
+    driver.open("compare");
     driver.hand.click("compare.another");
     driver.hand.click("compare.another.rounding");
     REQUIRE(driver.ui.session.b);

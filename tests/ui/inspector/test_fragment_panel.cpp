@@ -29,7 +29,7 @@ double value_of(const FragmentReport& report, const std::string& id) {
 
 TEST_CASE("The values of a clicked pixel are those of the report, right and wrong side by side") {
     Driver driver;
-    driver.hand.click("tab.fragment");
+    driver.open("fragment");
     driver.hand.click_picture(398, 121);
     const FragmentReport report = report_on_picked(driver);
     for (const std::string quantity : {"z", "x", "y", "z_world"}) {
@@ -49,7 +49,7 @@ TEST_CASE("The values of a clicked pixel are those of the report, right and wron
 
 TEST_CASE("The way in force is marked, and the switch changes it but not the numbers") {
     Driver driver;
-    driver.hand.click("tab.fragment");
+    driver.open("fragment");
     driver.hand.click_picture(398, 121);
     const std::string affine = shown_text(driver, "fragment.z_world.affine");
     const std::string right = shown_text(driver, "fragment.z_world.perspective");
@@ -62,7 +62,7 @@ TEST_CASE("The way in force is marked, and the switch changes it but not the num
 
 TEST_CASE("The light term by term is that of the report, of the lighting in force and the other") {
     Driver driver;
-    driver.hand.click("tab.fragment");
+    driver.open("fragment");
     driver.hand.click_picture(398, 121);
     const FragmentReport report = report_on_picked(driver);
     for (const std::string id : {"pixel_light.r2", "pixel_light.cosine", "pixel_light.area",
@@ -86,7 +86,7 @@ TEST_CASE("The light term by term is that of the report, of the lighting in forc
 
 TEST_CASE("The panel follows the cursor again when the picked pixel is let go") {
     Driver driver;
-    driver.hand.click("tab.fragment");
+    driver.open("fragment");
     driver.hand.click_picture(398, 121);
     driver.ui.session.cursor = *parse_cursor("t20/r5/c3");
     driver.hand.frames(2);
@@ -101,7 +101,7 @@ TEST_CASE("The panel follows the cursor again when the picked pixel is let go") 
 
 TEST_CASE("Where there is no fragment the panel says why") {
     Driver driver;
-    driver.hand.click("tab.fragment");
+    driver.open("fragment");
     driver.hand.click_picture(0, 250);
     CHECK(driver.hand.is_visible("fragment.none"));
     driver.hand.click("stage.edges");

@@ -8,7 +8,7 @@ namespace rasterwalk {
 
 TEST_CASE("The graph is that of the row of the clicked pixel, and its buttons lead to others") {
     Driver driver;
-    driver.hand.click("tab.graph");
+    driver.open("graph");
     driver.hand.click_picture(398, 121);
     REQUIRE(driver.ui.results.a.inspected.graph);
     CHECK(driver.ui.results.a.inspected.graph->row.row == 121);
@@ -22,7 +22,7 @@ TEST_CASE("The graph is that of the row of the clicked pixel, and its buttons le
 
 TEST_CASE("The curves have the values of the fragments along the row") {
     Driver driver;
-    driver.hand.click("tab.graph");
+    driver.open("graph");
     driver.hand.click_picture(398, 121);
     const RowGraph& graph = *driver.ui.results.a.inspected.graph;
     const Frame& frame = driver.ui.results.a.frame;
@@ -40,7 +40,7 @@ TEST_CASE("The curves have the values of the fragments along the row") {
 
 TEST_CASE("A quantity is chosen by its button; a varying has the lines it is carried by below") {
     Driver driver;
-    driver.hand.click("tab.graph");
+    driver.open("graph");
     driver.hand.click_picture(398, 121);
     for (const QuantityInfo& info : shown_quantities(driver.ui.results.a.frame)) {
         const std::string name = "graph." + std::string(info.words.id);
@@ -54,7 +54,7 @@ TEST_CASE("A quantity is chosen by its button; a varying has the lines it is car
 
 TEST_CASE("A click into the graph goes to the fragment of that column") {
     Driver driver;
-    driver.hand.click("tab.graph");
+    driver.open("graph");
     driver.hand.click_picture(398, 121);
     const int triangle = driver.ui.results.a.inspected.graph->row.triangle;
     driver.hand.click("graph.plot");
@@ -66,7 +66,7 @@ TEST_CASE("A click into the graph goes to the fragment of that column") {
 
 TEST_CASE("A stage without rows says so, and leads to one that has them") {
     Driver driver;
-    driver.hand.click("tab.graph");
+    driver.open("graph");
     driver.hand.click("stage.edges");
     CHECK(driver.hand.is_visible("graph.none"));
     driver.hand.click("graph.rows");

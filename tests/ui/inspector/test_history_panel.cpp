@@ -22,7 +22,7 @@ glm::vec3 picked_colour(const Driver& driver) {
 
 TEST_CASE("Without a picked pixel the history asks for one, and so do the keys for its changes") {
     Driver driver;
-    driver.hand.click("tab.history");
+    driver.open("history");
     CHECK(driver.hand.is_visible("history.empty"));
     for (const int key : {'N', 'B'}) {
         driver.ui.session.notice.clear();
@@ -37,7 +37,7 @@ TEST_CASE("Without a picked pixel the history asks for one, and so do the keys f
 
 TEST_CASE("A click on a line of the history goes to the moment just after that fragment") {
     Driver driver;
-    driver.hand.click("tab.history");
+    driver.open("history");
     driver.hand.click_picture(240, 300);
     REQUIRE(driver.ui.results.history);
     const std::vector<PixelEntry> entries = driver.ui.results.history->entries;
@@ -78,7 +78,7 @@ TEST_CASE("The keys and the buttons of the transport walk through the changes of
 
 TEST_CASE("An uncovered pixel says which triangle comes nearest, and lets its remedy be tried") {
     Driver driver;
-    driver.hand.click("tab.history");
+    driver.open("history");
     driver.hand.click_picture(0, 250);
     REQUIRE(driver.ui.results.history);
     REQUIRE(driver.ui.results.history->entries.empty());
@@ -97,7 +97,7 @@ TEST_CASE("An uncovered pixel says which triangle comes nearest, and lets its re
 
 TEST_CASE("The history follows the stage: marks have their lines too") {
     Driver driver;
-    driver.hand.click("tab.history");
+    driver.open("history");
     driver.hand.click_picture(126, 126);
     driver.hand.click("stage.edges");
     REQUIRE(driver.ui.results.history);

@@ -41,7 +41,7 @@ Image picture_with(const Bug& bug, const Session& session) {
 TEST_CASE("A mistake is turned on and compared with the correct run at once, and turned off") {
     Driver driver(lit_room());
     const Settings before = driver.ui.session.a.settings;
-    driver.hand.click("tab.lab");
+    driver.open("lab");
     driver.hand.click("lab.B9");
     CHECK(driver.ui.lab.chosen == "B9");
     driver.hand.click("lab.on");
@@ -60,7 +60,7 @@ TEST_CASE("A mistake is turned on and compared with the correct run at once, and
 TEST_CASE("Every mistake is described and shows on its own scene, from which one comes back") {
     Driver driver(lit_room());
     const std::shared_ptr<const Scene> room = driver.ui.session.scene;
-    driver.hand.click("tab.lab");
+    driver.open("lab");
     const std::vector<Bug> bugs = lab_bugs(driver.ui);
     REQUIRE(bugs.size() > 25);
     for (const Bug& bug : test::some_of(bugs, 8)) {
@@ -77,7 +77,7 @@ TEST_CASE("Every mistake is described and shows on its own scene, from which one
 TEST_CASE("A round of the quiz is won: hint, wrong guess, right guess, and all is as before") {
     Driver driver(lit_room());
     const Settings before = driver.ui.session.a.settings;
-    driver.hand.click("tab.lab");
+    driver.open("lab");
     driver.hand.click("lab.mode.quiz");
     driver.ui.lab.seed = 7;
     driver.hand.click("lab.quiz.start");
@@ -90,7 +90,7 @@ TEST_CASE("A round of the quiz is won: hint, wrong guess, right guess, and all i
     const Settings hidden = driver.ui.session.a.settings;
     driver.hand.click("switch.perspective");
     CHECK(driver.ui.session.a.settings == hidden);
-    driver.hand.click("tab.lab");
+    driver.open("lab");
     driver.hand.click("lab.quiz.compare");
     REQUIRE(driver.ui.results.b);
     CHECK(driver.ui.results.comparison.pixels.different > 0);
@@ -125,7 +125,7 @@ TEST_CASE("A picture with a mistake is diagnosed when its path is named, and the
     const std::vector<Bug> bugs = read_bugs();
     write_png(picture_with(find_bug(bugs, "B9"), session), path);
     Driver driver(session);
-    driver.hand.click("tab.lab");
+    driver.open("lab");
     driver.hand.click("lab.mode.result");
     driver.hand.enter("lab.path", path);
     REQUIRE(driver.ui.lab.diagnosis);
@@ -158,7 +158,7 @@ TEST_CASE("What cannot be read is said in the laboratory, and rows of the lab ar
 
 TEST_CASE("While a quiz hides the settings nothing can set them, and nothing tells them") {
     Driver driver(lit_room());
-    driver.hand.click("tab.lab");
+    driver.open("lab");
     driver.hand.click("lab.mode.quiz");
     driver.hand.enter("lab.seed", "7");
     driver.hand.click("lab.quiz.start");
@@ -166,7 +166,8 @@ TEST_CASE("While a quiz hides the settings nothing can set them, and nothing tel
     driver.hand.click("lab.quiz.compare");
     REQUIRE(driver.ui.session.b);
     driver.hand.click("compare.swap");
-    driver.hand.click("compare.strip.exact");
+    driver.open("compare");
+    CHECK_FALSE(driver.hand.is_visible("compare.tab.exact"));
     driver.hand.press('P');
     driver.hand.press('Z');
     follow_link(driver.ui, "set:interpolation=affine");
@@ -186,7 +187,7 @@ TEST_CASE("While a quiz hides the settings nothing can set them, and nothing tel
 TEST_CASE("The key C ends a mistake as the button does") {
     Driver driver(lit_room());
     const Settings before = driver.ui.session.a.settings;
-    driver.hand.click("tab.lab");
+    driver.open("lab");
     driver.hand.click("lab.B5");
     driver.hand.click("lab.on");
     driver.hand.press('C');

@@ -16,7 +16,7 @@ void open_outside_example(Driver& driver) {
         if (example.name == "A sample outside") show_bench_example(driver.ui.session, example);
     }
     driver.hand.frames();
-    driver.hand.click("tab.microscope");
+    driver.open("microscope");
     driver.hand.click("microscope.edge.0");
     REQUIRE(driver.ui.inspector.microscope.shown.count == 4);
 }
@@ -95,7 +95,7 @@ TEST_CASE("The current sample is in view, in every window and text size") {
 
 TEST_CASE("The microscope has a word for a triangle that is left out, and for none at all") {
     Driver driver;
-    driver.hand.click("tab.microscope");
+    driver.open("microscope");
     driver.ui.session.a.settings.camera.position = {0.0f, 0.0f, 0.0f};
     driver.ui.session.selection.triangle = 0;
     driver.hand.frames(2);

@@ -21,7 +21,7 @@ std::string cell(const std::string& id, int vertex) {
 TEST_CASE("Each number of the vertices is that of the report, and a click shows its formula") {
     Driver driver;
     driver.ui.session.selection.triangle = 7;
-    driver.hand.click("tab.vertices");
+    driver.open("vertices");
     for (int v = 0; v < 3; ++v) {
         const VertexReport report = vertex_report(driver.ui.results.a.frame, 7, v);
         for (const std::string id : numbers) {
@@ -43,7 +43,7 @@ TEST_CASE("Each number of the vertices is that of the report, and a click shows 
 TEST_CASE("The inputs of a vertex's formula lead on: to another formula, and to a setting") {
     Driver driver;
     driver.ui.session.selection.triangle = 7;
-    driver.hand.click("tab.vertices");
+    driver.open("vertices");
     driver.hand.click(cell("pixel.column", 1));
     driver.hand.click("vertices.formula.x");
     CHECK(driver.ui.inspector.chosen.vertex_number == "rotated.x");
@@ -58,7 +58,7 @@ TEST_CASE("The inputs of a vertex's formula lead on: to another formula, and to 
 TEST_CASE("The vertices follow the camera, and say what the other rounding and order would give") {
     Driver driver;
     driver.ui.session.selection.triangle = 7;
-    driver.hand.click("tab.vertices");
+    driver.open("vertices");
     driver.hand.click(cell("pixel.column", 0));
     const std::string before = shown_text(driver, cell("pixel.column", 0));
     driver.ui.session.a.settings.camera.yaw = 0.3f;

@@ -42,7 +42,7 @@ triangle = 20
 id = "affine"
 done = "interpolation == affine"
 recipe = ["set:interpolation=affine"]
-hint = "There is a switch above the picture."
+hint = "The key P does it."
 -->
 > **Task.** Make it affine.
 
@@ -133,10 +133,10 @@ TEST_CASE("A task is ticked off when it is solved, and stays so") {
     room.driver.hand.click("lesson.next");
     room.driver.hand.click("lesson.task.affine.hint");
     CHECK_FALSE(ui.lesson.progress.is_task_done("01-tiny", "affine"));
-    room.driver.hand.click("switch.perspective");
+    room.driver.hand.press('P');
     CHECK(ui.session.a.settings.interpolation == Interpolation::affine);
     CHECK(ui.lesson.progress.is_task_done("01-tiny", "affine"));
-    room.driver.hand.click("switch.perspective");
+    room.driver.hand.press('P');
     CHECK(ui.lesson.progress.is_task_done("01-tiny", "affine"));
 }
 
@@ -255,7 +255,7 @@ TEST_CASE("In a small window the lesson stays in front when a step opens a tab")
     room.driver.hand.click("lesson.next");
     CHECK(room.driver.ui.session.tab == "vertices");
     CHECK(room.driver.ui.widgets.count("lesson.previous") == 1);
-    room.driver.hand.click("tab.vertices");
+    room.driver.open("vertices");
     CHECK(room.driver.ui.widgets.count("lesson.previous") == 0);
 }
 

@@ -150,7 +150,7 @@ TEST_CASE(
     Driver driver(room_at({Stage::rows}));
     CHECK(driver.ui.lesson.pointed_at.empty());
     driver.hand.hover("lesson.link.0");
-    CHECK(driver.ui.lesson.pointed_at == "tab.history");
+    CHECK(driver.ui.lesson.pointed_at == "group.pixel"); // behind which the tab is
     driver.hand.leave();
     driver.hand.frames(frames_to_rest);
     CHECK(driver.ui.lesson.pointed_at.empty());

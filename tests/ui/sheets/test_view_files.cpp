@@ -47,7 +47,7 @@ void open(Driver& driver, const std::string& path) {
 void set_up_view(Driver& driver) {
     driver.hand.click("stage.depth");
     driver.hand.click_picture(250, 400);
-    driver.hand.click("tab.history");
+    driver.open("history");
     driver.hand.press('C'); // compares
     driver.hand.press(key::comma);
 }

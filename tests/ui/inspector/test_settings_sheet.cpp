@@ -1,0 +1,153 @@
+#include <catch2/catch.hpp>
+
+#include "settings/setting_table.h"
+#include "tests/ui/driver.h"
+#include "ui/actions/keys.h"
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+TEST_CASE("A number typed into a setting takes effect at once") {
+    Driver driver;
+    driver.hand.click("tab.settings");
+    driver.hand.enter("setting.camera.focal_length", "300");
+    CHECK(driver.ui.session.a.settings.camera.focal_length == 300.0f);
+    CHECK(driver.ui.results.a.frame.settings.camera.focal_length == 300.0f);
+}
+
+TEST_CASE("A typed number is kept within its range") {
+    Driver driver;
+    driver.hand.click("tab.settings");
+    const auto& range = std::get<NumberSetting>(find_setting("camera.focal_length")->kind);
+    driver.hand.enter("setting.camera.focal_length", "1e30");
+    CHECK(driver.ui.session.a.settings.camera.focal_length == range.largest);
+    driver.hand.enter("setting.camera.focal_length", "-5");
+    CHECK(driver.ui.session.a.settings.camera.focal_length == range.smallest);
+}
+
+TEST_CASE("A word is chosen from a list, is marked as changed, and is reset") {
+    Driver driver;
+    driver.hand.click("tab.settings");
+    CHECK_FALSE(driver.hand.is_visible("reset.rounding"));
+    driver.hand.click("setting.rounding");
+    driver.hand.click("setting.rounding=floor");
+    CHECK(common_rounding(driver.ui.session.a.settings) == Rounding::floor);
+    driver.hand.click("reset.rounding");
+    CHECK(common_rounding(driver.ui.session.a.settings) == Rounding::truncate);
+}
+
+TEST_CASE("Vertices and lines are rounded in different ways, and again in one") {
+    Driver driver;
+    driver.hand.click("tab.settings");
+    driver.hand.click("setting.vertex_rounding");
+    driver.hand.click("setting.vertex_rounding=truncate_sum");
+    const Settings& settings = driver.ui.session.a.settings;
+    CHECK(settings.vertex_rounding == VertexRounding::truncate_sum);
+    CHECK(settings.line_rounding == Rounding::truncate);
+    driver.hand.click("setting.rounding");
+    driver.hand.click("setting.rounding=floor");
+    CHECK(common_rounding(settings) == Rounding::floor);
+}
+
+TEST_CASE("Every setting can be reached in the panel, and the search leaves only what fits") {
+    Driver driver;
+    driver.hand.click("tab.settings");
+    for (const Setting& setting : setting_table()) {
+        INFO(setting.name);
+        CHECK_NOTHROW(driver.hand.find("setting." + std::string(setting.name)));
+    }
+    driver.hand.enter("settings.search", "focal");
+    CHECK(driver.hand.is_visible("setting.camera.focal_length"));
+    CHECK_FALSE(driver.hand.is_visible("setting.rounding"));
+}
+
+TEST_CASE("The settings lie on a sheet that the gear, Escape and the cross close") {
+    Driver driver;
+    driver.open("rows");
+    const auto is_open = [&] { return driver.hand.is_visible("settings.search"); };
+    driver.hand.click("tab.settings");
+    CHECK(is_open());
+    CHECK_FALSE(driver.hand.is_visible("rows.copy"));
+    driver.hand.press(key::escape);
+    driver.hand.frames(1);
+    CHECK_FALSE(is_open());
+    CHECK(driver.ui.session.tab == "rows");
+    driver.hand.press(key::comma, {.ctrl = true});
+    CHECK(is_open());
+    driver.hand.click("tab.settings");
+    CHECK_FALSE(is_open());
+    driver.hand.click("tab.settings");
+    driver.hand.click("settings.close");
+    CHECK(driver.ui.session.tab == "rows");
+    // A group below the sheet is one click away.
+    driver.hand.click("tab.settings");
+    driver.hand.click("group.pixel");
+    CHECK_FALSE(is_open());
+    CHECK(driver.ui.session.tab == "fragment");
+}
+
+TEST_CASE("Escape ends the typing of a search before it closes the settings") {
+    Driver driver;
+    driver.hand.click("tab.settings");
+    driver.hand.click("settings.search");
+    driver.hand.press(key::escape);
+    driver.hand.frames(1);
+    CHECK(driver.hand.is_visible("settings.search"));
+    driver.hand.press(key::escape);
+    driver.hand.frames(1);
+    CHECK_FALSE(driver.hand.is_visible("settings.search"));
+}
+
+TEST_CASE(
+    "What differs from the handout stands first, and stays in its place while it is changed") {
+    Driver driver;
+    const auto top = [&](const std::string& name) {
+        return driver.ui.widgets.at("setting." + name).top_left.y;
+    };
+    driver.hand.click("tab.settings");
+    driver.hand.leave();
+    REQUIRE(top("stage") < top("rounding"));
+    const float before = top("rounding");
+    driver.hand.click("setting.rounding");
+    driver.hand.click("setting.rounding=floor");
+    driver.hand.leave();
+    CHECK(top("rounding") == before);
+    driver.hand.press(key::escape);
+    driver.hand.click("tab.settings");
+    driver.hand.leave();
+    CHECK(top("rounding") < top("shading"));
+}
+
+TEST_CASE("Name and value of every setting stand on one line, and nothing is cut off at the side") {
+    for (const auto& [window, scale] : {std::pair{ImVec2{1600, 1000}, 1.0f},
+                                        {ImVec2{1600, 1000}, 1.5f},
+                                        {ImVec2{1024, 640}, 1.5f},
+                                        {ImVec2{800, 600}, 1.5f}}) {
+        Driver driver("lab-room.toml", window, scale);
+        driver.hand.click("tab.settings");
+        for (const Setting& setting : setting_table()) {
+            INFO(setting.name << " at " << window.x << " x " << window.y << ", text " << scale);
+            const WidgetPlace field = driver.hand.find("setting." + std::string(setting.name));
+            const WidgetPlace name = driver.hand.find("setting_name." + std::string(setting.name));
+            CHECK(field.is_whole);
+            CHECK(name.is_whole);
+            CHECK(field.bottom_right.x <= window.x);
+            if (scale > 1.0f) continue; // where a line is too short, a field of three stands below
+            CHECK(name.top_left.y >= field.top_left.y);
+            CHECK(name.bottom_right.y <= field.bottom_right.y);
+            CHECK(name.bottom_right.x < field.top_left.x);
+        }
+    }
+}
+
+TEST_CASE("A preset's button sets what the preset names") {
+    Driver driver;
+    driver.hand.click("tab.settings");
+    driver.hand.click("settings.preset.exact");
+    CHECK(driver.ui.session.a.settings.line_walk == LineWalk::exact);
+    CHECK(common_rounding(driver.ui.session.a.settings) == Rounding::floor);
+    driver.hand.click("settings.preset.handout");
+    CHECK(driver.ui.session.a.settings.line_walk == LineWalk::accumulate);
+}
+
+} // namespace rasterwalk

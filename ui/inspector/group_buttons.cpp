@@ -1,0 +1,166 @@
+#include <algorithm>
+#include <array>
+#include <cfloat>
+#include <cmath>
+#include <string>
+
+#include "ui/actions/open_tab.h"
+#include "ui/inspector/inspector_parts.h"
+#include "ui/ui.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// What stands on a button of the row.
+struct GroupButton {
+    std::string name; ///< of the widget
+    std::string title;
+    std::string subject;      ///< what its tabs speak of just now
+    bool has_subject = false; ///< false: the subject says that there is none
+    std::string tab;          ///< that a click opens
+    std::string help;
+    bool chosen = false;
+};
+
+constexpr std::array group_help{
+    "The triangle on show: its vertices, its rows, and what floats do to its edges.",
+    "The picked pixel: the fragment on it, all that fell on it, and values along its row.",
+    "The run on show, a second one beside it, and the mistakes that rasterizers make.",
+};
+constexpr std::array group_titles{"Triangle", "Pixel", "Runs"};
+static_assert(group_help.size() == tab_group_count && group_titles.size() == tab_group_count);
+
+std::string subject_of_runs(const Session& session) {
+    if (session.quiz) return "quiz";
+    if (!session.b) return "one run";
+    const bool is_mistake = session.replaced && !session.replaced->bug.empty();
+    return is_mistake ? session.replaced->bug : "A | B";
+}
+
+void tell_subject(const Ui& ui, TabGroup group, GroupButton& button) {
+    const auto& pixel = ui.session.selection.pixel;
+    const auto& triangle = ui.results.a.triangle;
+    button.has_subject = true;
+    if (group == TabGroup::runs) {
+        button.subject = subject_of_runs(ui.session);
+    } else if (group == TabGroup::triangle && triangle) {
+        button.subject = "triangles[" + std::to_string(*triangle) + "]";
+    } else if (group == TabGroup::pixel && pixel) {
+        button.subject = "(" + std::to_string(pixel->x) + ", " + std::to_string(pixel->y) + ")";
+    } else {
+        button.subject = "none picked";
+        button.has_subject = false;
+    }
+}
+
+GroupButton lesson_button(const Ui& ui, bool chosen) {
+    const Session& session = ui.session;
+    return {.name = std::string("tab.").append(lesson_tab_name),
+            .title = "Lesson",
+            .subject =
+                session.lesson.empty() ? "none open" : "step " + std::to_string(session.step),
+            .has_subject = !session.lesson.empty(),
+            .tab = std::string(lesson_tab_name),
+            .help = "The lesson, the page about this stage, or the list of lessons.",
+            .chosen = chosen};
+}
+
+std::vector<GroupButton> buttons_of(const Ui& ui, const InspectorLook& look) {
+    std::vector<GroupButton> buttons;
+    if (look.has_lesson) buttons.push_back(lesson_button(ui, look.group == std::nullopt));
+    for (std::size_t i = 0; i < tab_group_count; ++i) {
+        const auto group = static_cast<TabGroup>(i);
+        const std::string_view tab = tab_of_group(ui.session, group);
+        if (tab.empty()) continue; // the lesson hides all of its tabs
+        GroupButton button;
+        button.name = std::string("group.").append(word_of(group));
+        button.title = group_titles[i];
+        button.tab = tab;
+        button.help = group_help[i];
+        button.chosen = look.group == group && !look.is_covered;
+        tell_subject(ui, group, button);
+        buttons.push_back(button);
+    }
+    return buttons;
+}
+
+/// Around the words of a button: as around those of the page, where there is room.
+float padding(float width) {
+    return std::min(ImGui::GetStyle().WindowPadding.x, 0.12f * width);
+}
+
+void draw_button(Ui& ui, const GroupButton& button, ImVec2 at, ImVec2 size, bool has_two_lines) {
+    const Palette& p = palette(ui.options.theme);
+    const float u = ui.options.text_scale;
+    ImGui::SetCursorScreenPos(at);
+    if (ImGui::InvisibleButton(button.name.c_str(), size)) open_tab(ui, button.tab);
+    const bool hovered = ImGui::IsItemHovered();
+    name_widget(ui, button.name,
+                has_two_lines ? button.help : button.help + "\nNow: " + button.subject);
+    note_text(ui, button.name, button.subject);
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    const ImVec2 end{at.x + size.x, at.y + size.y};
+    if (button.chosen) {
+        list->AddRectFilled(at, end, packed(p.ground));
+        list->AddRectFilled(at, {end.x, at.y + 2.0f * u}, packed(p.link));
+    }
+    const float room = std::max(size.x - 2.0f * padding(size.x), 1.0f);
+    const float x = at.x + padding(size.x);
+    const float title_height = ui.fonts.text->FontSize;
+    const float subject_height = ui.fonts.mono_small->FontSize;
+    const float gap = 2.0f * u;
+    const float height = has_two_lines ? title_height + gap + subject_height : title_height;
+    const float y = at.y + 0.5f * (size.y - height);
+    list->PushClipRect(at, end, true);
+    ImFont* const font = button.chosen ? ui.fonts.bold : ui.fonts.text;
+    const float wide = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, button.title.c_str()).x;
+    ImGui::PushFont(wide <= room ? font : ui.fonts.small);
+    list->AddText({x, y}, packed(button.chosen || hovered ? p.text : p.dim),
+                  shortened(button.title, room).c_str());
+    ImGui::PopFont();
+    if (has_two_lines) {
+        ImGui::PushFont(ui.fonts.mono_small);
+        const ImVec4& colour = button.chosen && button.has_subject ? p.link : p.dim;
+        list->AddText({x, y + title_height + gap}, packed(colour),
+                      shortened(button.subject, room).c_str());
+        ImGui::PopFont();
+    }
+    list->PopClipRect();
+}
+
+} // namespace
+
+float group_row_height(const Ui& ui, bool has_two_lines) {
+    return std::round((has_two_lines ? 52.0f : 32.0f) * ui.options.text_scale);
+}
+
+void draw_group_buttons(Ui& ui, const InspectorLook& look, const Area& area) {
+    const Palette& p = palette(ui.options.theme);
+    const float u = ui.options.text_scale;
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    const ImVec2 end{area.position.x + area.size.x, area.position.y + area.size.y};
+    // The margin of the window belongs to the row.
+    ImGui::PushClipRect(area.position, end, false);
+    list->AddRectFilled(area.position, end, packed(p.bar));
+    const std::vector<GroupButton> buttons = buttons_of(ui, look);
+    const float width = area.size.x / static_cast<float>(std::max<std::size_t>(buttons.size(), 1));
+    for (std::size_t i = 0; i < buttons.size(); ++i) {
+        const float x = std::round(area.position.x + static_cast<float>(i) * width);
+        const float next = std::round(area.position.x + static_cast<float>(i + 1) * width);
+        draw_button(ui, buttons[i], {x, area.position.y}, {next - x, area.size.y},
+                    look.has_two_lines);
+        // A hair between two of which neither stands out by itself.
+        const bool at_chosen =
+            buttons[i].chosen || (i + 1 < buttons.size() && buttons[i + 1].chosen);
+        if (i + 1 < buttons.size() && !at_chosen) {
+            const float inset = 12.0f * u;
+            list->AddLine({next, area.position.y + inset}, {next, end.y - inset}, packed(p.line));
+        }
+    }
+    ImGui::PopClipRect();
+}
+
+} // namespace rasterwalk

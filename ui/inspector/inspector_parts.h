@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+
+#include "session/tabs.h"
+#include "ui/widgets/layout.h"
+
+namespace rasterwalk {
+
+struct Ui;
+
+/// What the head of the inspector shows, and in which form.
+struct InspectorLook {
+    bool has_lesson = false;       ///< the lesson is a tab of the inspector
+    bool has_two_lines = false;    ///< the buttons of the groups say their subjects
+    bool is_covered = false;       ///< by the settings
+    std::optional<TabGroup> group; ///< on show; none: the lesson
+};
+
+/// Screen pixels.
+float group_row_height(const Ui& ui, bool has_two_lines);
+
+/// A button for each group, with what it speaks of; a click opens the tab of the group that was
+/// shown last.
+void draw_group_buttons(Ui& ui, const InspectorLook& look, const Area& area);
+
+/// The tabs of the group on show, and who chose the one that is. Returns where the page begins.
+float draw_tab_line(Ui& ui, const InspectorLook& look);
+
+/// All groups and tabs in one list, where every line of the window counts. Returns where the page
+/// begins.
+float draw_tab_list(Ui& ui, const InspectorLook& look);
+
+} // namespace rasterwalk
