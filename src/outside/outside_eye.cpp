@@ -87,17 +87,17 @@ std::optional<glm::dvec2> OutsideEye::pixel_of(const glm::dvec3& world) const {
     return std::isfinite(at.x) && std::isfinite(at.y) ? std::optional(at) : std::nullopt;
 }
 
-OutsideView settled(const OutsideView& asked, const OutsideThings& things, glm::ivec2 size,
+OutsideView settled(const OutsideView& view, const OutsideThings& things, glm::ivec2 size,
                     double margin) {
-    OutsideView view = within_ranges(asked);
-    if (view.distance > 0.0f && !view.is_camera) return view;
-    if (view.is_camera) {
+    OutsideView whole = within_ranges(view);
+    if (whole.distance > 0.0f && !whole.is_camera) return whole;
+    if (whole.is_camera) {
         const glm::dmat3& r = things.plane.rotation;
-        view.yaw = static_cast<float>(std::atan2(r[2].x, r[2].z));
-        view.pitch = static_cast<float>(std::asin(std::clamp(-r[2].y, -1.0, 1.0)));
-        view.is_camera = false;
+        whole.yaw = static_cast<float>(std::atan2(r[2].x, r[2].z));
+        whole.pitch = static_cast<float>(std::asin(std::clamp(-r[2].y, -1.0, 1.0)));
+        whole.is_camera = false;
     }
-    const glm::dmat3 rotation = rotation_of(view);
+    const glm::dmat3 rotation = rotation_of(whole);
     const double focal_length = usual_focal_length(size);
     const auto slope = [&](int side) {
         return std::max(0.5 * side - margin, 0.2 * side) / focal_length;
@@ -113,21 +113,21 @@ OutsideView settled(const OutsideView& asked, const OutsideThings& things, glm::
     // The target lies as deep as the middle of the scene: about it the eye turns.
     const double target_z = (things.box.middle() * rotation).z;
     const double distance = std::max(target_z - eye_z, 0.1 * things.box.radius());
-    view.distance = static_cast<float>(distance);
-    view.target = rotation * glm::dvec3(across.middle(), down.middle(), eye_z + distance);
-    return within_ranges(view);
+    whole.distance = static_cast<float>(distance);
+    whole.target = rotation * glm::dvec3(across.middle(), down.middle(), eye_z + distance);
+    return within_ranges(whole);
 }
 
-OutsideEye eye_of(const OutsideView& view, const OutsideThings& things, glm::ivec2 asked_size,
+OutsideEye eye_of(const OutsideView& view, const OutsideThings& things, glm::ivec2 size,
                   double margin) {
-    const glm::ivec2 size = glm::max(asked_size, glm::ivec2(1));
+    const glm::ivec2 sides = glm::max(size, glm::ivec2(1));
     OutsideEye eye;
-    eye.middle = 0.5 * glm::dvec2(size);
+    eye.middle = 0.5 * glm::dvec2(sides);
     if (view.is_camera) {
         const PicturePlane& plane = things.plane;
         eye.position = plane.eye;
         eye.rotation = plane.rotation;
-        eye.focal_length = camera_focal_length(plane, size, margin);
+        eye.focal_length = camera_focal_length(plane, sides, margin);
         // The middle of an odd number of pixels is not that of the picture.
         const double scale = eye.focal_length / plane.focal_length;
         eye.middle +=
@@ -135,10 +135,10 @@ OutsideEye eye_of(const OutsideView& view, const OutsideThings& things, glm::ive
         eye.near_distance = near_share * things.box.radius();
         return eye;
     }
-    const OutsideView whole = settled(view, things, size, margin);
+    const OutsideView whole = settled(view, things, sides, margin);
     eye.rotation = rotation_of(whole);
     eye.position = glm::dvec3(whole.target) - static_cast<double>(whole.distance) * eye.rotation[2];
-    eye.focal_length = usual_focal_length(size);
+    eye.focal_length = usual_focal_length(sides);
     eye.near_distance = near_share * static_cast<double>(whole.distance);
     return eye;
 }

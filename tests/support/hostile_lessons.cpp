@@ -117,7 +117,8 @@ std::vector<HostileLesson> hostile_lessons() {
     add("101 tasks", tasks, first + 7 * 100, "a lesson has at most 100 tasks and predictions.");
     add("a file outside", "[a](../../../../etc/passwd)", first,
         "the link '../../../../etc/passwd' leads nowhere: links begin with set: cursor: show: "
-        "compare: pixel: triangle: row: vertex: tab: view: overlay: preset: bug: term: or name "
+        "compare: pixel: triangle: row: vertex: tab: view: overlay: canvas: outside: preset: bug: "
+        "term: or name "
         "another lesson, NN-name.md.");
     add("a picture outside", "![a](../../../../etc/passwd.png)", first,
         "the picture '../../../../etc/passwd.png' must be a PNG in the folder of the lessons or in "

@@ -147,14 +147,11 @@ void draw_caption(Ui& ui, ImDrawList* list, const Pane& pane) {
     ImGui::PopFont();
 }
 
-/// Which triangles are still to come, while they are darker.
 void draw_coming(const Ui& ui, ImDrawList* list, const Pane& pane) {
-    const RunResults& a = ui.results.a;
-    const int count = a.frame.triangle_count(), first = a.cursor.triangle + 1;
-    if (count > most_ordered || first >= count) return;
+    const std::string words =
+        coming_words(ui.results.a.frame.triangle_count(), ui.results.a.cursor);
+    if (words.empty()) return;
     const float u = ui.options.text_scale;
-    std::string words = "dark: still to come, triangles[" + std::to_string(first) + "]";
-    if (first + 1 < count) words += " to triangles[" + std::to_string(count - 1) + "]";
     ImFont* const font = ui.fonts.small;
     ImGui::PushFont(font);
     const float room = pane.room().x - 20.0f * u;
@@ -202,6 +199,14 @@ void draw_outside(Ui& ui, const Pane& pane) {
 bool is_outside_working(const Ui& ui) {
     return shown_on_canvas(ui) != CanvasShows::picture && ui.canvas.outside_drawing &&
            ui.canvas.outside_drawing->is_working();
+}
+
+std::string coming_words(int triangles, const Cursor& cursor) {
+    if (triangles > most_ordered || cursor.triangle >= triangles - 1) return {};
+    const int first = cursor.triangle + 1;
+    std::string words = "dark: still to come, triangles[" + std::to_string(first) + "]";
+    if (first + 1 < triangles) words += " to triangles[" + std::to_string(triangles - 1) + "]";
+    return words;
 }
 
 CanvasHalves canvas_halves(const Ui& ui, const Pane& canvas) {

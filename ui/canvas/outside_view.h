@@ -1,7 +1,10 @@
 #pragma once
 
+#include <string>
+
 #include <imgui.h>
 
+#include "pipeline/cursor.h"
 #include "ui/canvas/compare_view.h"
 
 namespace rasterwalk {
@@ -14,6 +17,10 @@ void draw_outside(Ui& ui, const Pane& pane);
 
 /// Is there something left to be drawn of what is shown from outside?
 bool is_outside_working(const Ui& ui);
+
+/// Which triangles are still to come at a moment, and therefore darker; empty if none is.
+/// @param triangles of the scene
+std::string coming_words(int triangles, const Cursor& cursor);
 
 /// The parts of the canvas in which the picture and the scene from outside stand while both are
 /// shown: beside each other, or one above the other where that makes them larger.

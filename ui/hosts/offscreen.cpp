@@ -13,6 +13,7 @@
 #include "base/quoted.h"
 #include "ui/actions/open_tab.h"
 #include "ui/app/app.h"
+#include "ui/canvas/outside_view.h"
 #include "ui/hand/hand.h"
 #include "ui/hand/key_names.h"
 #include "ui/hand/report.h"
@@ -116,9 +117,12 @@ Image draw_offscreen(Session session, const OffscreenOptions& options) {
     Hand hand(screen.ui, [&] { screen.frame(); });
     // Work that a window would spread over many frames is done at once.
     const auto settle = [&] {
-        if (!is_working(screen.ui.results)) return;
-        finish(screen.ui.session, screen.ui.results);
-        hand.frames(frames_to_rest);
+        if (is_working(screen.ui.results)) {
+            finish(screen.ui.session, screen.ui.results);
+            hand.frames(frames_to_rest);
+        }
+        while (is_outside_working(screen.ui))
+            hand.frames(1);
     };
     hand.frames(frames_to_rest);
     settle();

@@ -200,6 +200,18 @@ TEST_CASE("A large scene is drawn from outside over several frames, and then res
     CHECK_FALSE(is_outside_working(driver.ui));
 }
 
+TEST_CASE("The view from outside says which triangles are still to come") {
+    CHECK(coming_words(30, cursor_begin) == "dark: still to come, triangles[1] to triangles[29]");
+    CHECK(coming_words(30, {22, Phase::rows, 3, 1}) ==
+          "dark: still to come, triangles[23] to triangles[29]");
+    CHECK(coming_words(30, {28, Phase::vertices, 0, 0}) == "dark: still to come, triangles[29]");
+    CHECK(coming_words(30, {29, Phase::vertices, 0, 0}).empty());
+    CHECK(coming_words(30, cursor_end).empty());
+    CHECK(coming_words(0, cursor_begin).empty());
+    // Of a large scene none is darker.
+    CHECK(coming_words(most_ordered + 1, cursor_begin).empty());
+}
+
 TEST_CASE("Links and another scene set what the canvas shows") {
     Driver driver;
     follow_link(driver.ui, "canvas:both");
