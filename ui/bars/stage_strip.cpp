@@ -352,12 +352,13 @@ void draw_right_end(Ui& ui, const Form& form, float right, const Band& band) {
         x -= bar_gap * ui.options.text_scale;
         draw_join(ui, StripJoin::begins_group, x + 0.5f * bar_gap * ui.options.text_scale, band);
     }
-    const std::vector<StripWord> words =
+    std::vector<StripWord> words =
         strip_words(ui, form, needs_switches(step_of(ui.session.a.settings)));
-    for (auto word = words.rbegin(); word != words.rend(); ++word) {
-        const float width = word_width(ui, *word);
+    std::reverse(words.begin(), words.end());
+    for (const StripWord& word : words) {
+        const float width = word_width(ui, word);
         x -= width;
-        if (draw_word(ui, *word, x, width, band)) find_action(word->name).run(ui);
+        if (draw_word(ui, word, x, width, band)) find_action(word.name).run(ui);
     }
 }
 
