@@ -2,6 +2,7 @@
 
 #include <imgui_internal.h>
 
+#include "ui/actions/open_tab.h"
 #include "ui/ui.h"
 
 namespace rasterwalk {
@@ -12,8 +13,12 @@ void close_topmost(Ui& ui) {
         ImGui::ClosePopupToLevel(open - 1, true);
     } else if (ui.sheets.shows_keys) {
         ui.sheets.shows_keys = false;
-    } else {
+    } else if (ui.sheets.shows_glossary) {
         ui.sheets.shows_glossary = false;
+    } else if (ui.sheets.events.is_open) {
+        ui.sheets.events.is_open = false;
+    } else if (is_settings_open(ui)) {
+        close_settings_sheet(ui);
     }
 }
 

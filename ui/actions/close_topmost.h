@@ -4,8 +4,8 @@ namespace rasterwalk {
 
 struct Ui;
 
-/// Closes what lies on top: a menu or list that is open, or else the sheet of keys, or else the
-/// glossary.
+/// Closes what lies on top, the first that is open of: a menu or list, the sheet of keys, the
+/// glossary, the list of moments, the settings.
 void close_topmost(Ui& ui);
 
 } // namespace rasterwalk

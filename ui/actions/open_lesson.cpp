@@ -88,7 +88,7 @@ void close_lesson(Ui& ui) {
     session.lesson_folder.clear();
     session.step = 0;
     session.page = SidePage::lesson;
-    session.tab = Session().tab;
+    guide_to_tab(session, {});
     take_up_lesson(ui);
 }
 

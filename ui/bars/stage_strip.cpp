@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "ui/actions/actions.h"
-#include "ui/actions/keys.h"
 #include "ui/bars/bars.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
@@ -312,10 +311,6 @@ void open_below(const Ui& ui, bool at_right) {
                             {at_right ? 1.0f : 0.0f, 0.0f});
 }
 
-void close_by_escape() {
-    if (ImGui::IsKeyPressed(key::escape, false)) ImGui::CloseCurrentPopup();
-}
-
 /// All stages that the scene can use, where the strip shows only a few.
 void draw_stage_list(Ui& ui) {
     open_below(ui, false);
@@ -328,7 +323,6 @@ void draw_stage_list(Ui& ui) {
         }
         name_widget(ui, "stages." + std::string(info->name), tooltip_of(action));
     }
-    close_by_escape();
     ImGui::EndPopup();
 }
 
@@ -336,7 +330,6 @@ void draw_scenes(Ui& ui) {
     open_below(ui, true);
     if (!ImGui::BeginPopup("scene list")) return;
     draw_scene_list(ui);
-    close_by_escape();
     ImGui::EndPopup();
 }
 

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/element_names.h"
 #include "base/numbers.h"
 #include "pipeline/timeline.h"
 #include "session/walk.h"
@@ -295,7 +296,7 @@ void add_pieces(const Strips& s, int triangle, std::vector<Piece>& pieces) {
                 Piece& piece = add(first + phase.before[e], first + phase.before[e + 1]);
                 piece.colour = colour_of(edge_meaning(static_cast<int>(e)), s.ui.options.theme);
                 piece.brief = std::to_string(e);
-                piece.name = std::string(info.piece).append(" ").append(piece.brief);
+                piece.name = element_name(info.piece, static_cast<int>(e));
                 piece.count = phase.pieces[e].count;
             }
             continue;

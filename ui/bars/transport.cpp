@@ -205,11 +205,11 @@ void draw_step_choice(Ui& ui, ImVec2 at, ImVec2 size) {
         name_widget(ui, name, choice.help);
         if (chosen || hovered) {
             list->AddRectFilled({x, at.y}, {x + width, at.y + size.y},
-                                packed(chosen ? p.accent : p.button_hovered), 5.0f * u);
+                                packed(chosen ? p.chosen : p.button_hovered), 5.0f * u);
         }
         list->AddText({x + 0.5f * (width - text_width(choice.name)),
                        at.y + 0.5f * (size.y - ImGui::GetFontSize())},
-                      packed(chosen ? p.accent_text : p.text), choice.name);
+                      packed(p.text), choice.name);
         x += width;
     }
 }

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <string>
 
-#include "ui/actions/keys.h"
 #include "ui/actions/open_tab.h"
 #include "ui/inspector/inspector_parts.h"
 #include "ui/inspector/panels.h"
@@ -69,21 +68,12 @@ float draw_head(Ui& ui, const InspectorLook& look, const Area& area) {
     return draw_tab_line(ui, look) + 9.0f * u;
 }
 
-/// Escape closes the settings, unless something that lies over them takes the key.
-bool is_dismissed(const Ui& ui) {
-    const SheetsState& sheets = ui.sheets;
-    return ImGui::IsKeyPressed(key::escape, false) && !ImGui::IsAnyItemActive() &&
-           !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup) && !sheets.shows_keys &&
-           !sheets.shows_glossary && sheets.files.kind == FileSheet::Kind::closed;
-}
-
 } // namespace
 
 void draw_inspector(Ui& ui, const Layout& layout) {
     const Area& area = layout.inspector;
     const float u = ui.options.text_scale;
     ui.lesson.is_tab = layout.lesson_is_tab;
-    if (is_settings_open(ui) && is_dismissed(ui)) close_settings_sheet(ui);
     ImGui::SetNextWindowPos(area.position);
     ImGui::SetNextWindowSize(area.size);
     ImGui::Begin("inspector", nullptr, panel_flags);
