@@ -38,7 +38,7 @@ TEST_CASE("A difference is exit code 1, with its place, its cause and its size")
     CHECK(result.exit_code == 1);
     CHECK(result.err.empty());
     CHECK_THAT(result.out, Contains("\"first_divergence\" : \"t0/v0\""));
-    CHECK_THAT(result.out, Contains("\"cause\" : \"vertex 1 of 3: in A projected to ("));
+    CHECK_THAT(result.out, Contains("\"cause\" : \"vertices[0]: in A projected to ("));
     CHECK_THAT(result.out, Contains("\"rounding=truncate\""));
     CHECK_THAT(result.out, Contains("\"rounding=floor\""));
     CHECK_THAT(result.out, Contains("\"kind\" : \"other\""));
