@@ -105,6 +105,10 @@ const std::map<std::string_view, void (*)(const LessonLink&, const Student&)> pr
      [](const LessonLink& link, const Student& student) {
          CHECK(student.session.view == value_of_word<View>(link.argument));
      }},
+    {"canvas",
+     [](const LessonLink& link, const Student& student) {
+         CHECK(student.session.canvas.shows == value_of_word<CanvasShows>(link.argument));
+     }},
     {"overlays",
      [](const LessonLink& link, const Student& student) {
          CHECK(student.session.overlays.empty() == (link.argument == "none"));

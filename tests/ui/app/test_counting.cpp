@@ -164,6 +164,10 @@ TEST_CASE(
             }
         }
         CHECK(looker.has("triangles[29]"));
+        driver.ui.session.selection.triangle = 29;
+        open_tab(driver.ui, "vertices");
+        driver.hand.frames(2);
+        looker.look("the last triangle");
         CHECK(looker.has("the last of 30"));
     }
 }

@@ -207,7 +207,7 @@ TEST_CASE("The numbers of the vertices stand on dark ground, however bright the 
         CHECK(low.y <= at.y);
         CHECK(at.y <= high.y);
     }
-    CHECK(letters == 3 * 4);
+    CHECK(letters == 3 * 11 * 4); // "vertices[0]", four corners a letter
 }
 
 } // namespace rasterwalk

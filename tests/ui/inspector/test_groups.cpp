@@ -162,6 +162,7 @@ TEST_CASE("Where the lesson is a tab of the inspector, it has a button beside th
     driver.hand.click("tab.settings");
     driver.hand.click("settings.close");
     CHECK_FALSE(driver.hand.is_visible("lesson.next"));
+    driver.hand.find("rows.copy"); // scrolls to it
     CHECK(driver.hand.is_visible("rows.copy"));
 }
 

@@ -22,7 +22,7 @@ TEST_CASE("A scene from the menu closes the lesson that speaks of another, and i
     driver.hand.click("scene.corridor");
     CHECK(driver.ui.session.scene->name == "In the corridor");
     CHECK(driver.ui.session.lesson.empty());
-    CHECK(driver.ui.session.tab == Session().tab);
+    CHECK(driver.ui.session.tab == usual_tab(driver.ui.session));
     CHECK_FALSE(driver.hand.is_visible("lesson.open"));
     CHECK(driver.ui.lesson.shown.find("12-float-traps") == std::string::npos);
     // The lesson is found again where it was left.
