@@ -189,6 +189,7 @@ TEST_CASE("The tab leads to the first divergence, to the next, and back; a click
     driver.hand.press('K');
     CHECK(driver.ui.session.cursor == second);
     const int last = static_cast<int>(list.groups.size()) - 1;
+    driver.hand.wheel("compare.group.0", -1000.0f);
     driver.hand.click("compare.group." + std::to_string(last));
     CHECK(driver.ui.session.cursor == list.groups.back().first);
 }

@@ -118,7 +118,7 @@ TEST_CASE("Another page begins at its top; the same page keeps its place") {
     driver.hand.wheel("lesson.link.0", -3.0f);
     const float scrolled = top_of(driver, "lesson.link.0");
     CHECK(scrolled < top);
-    driver.hand.click("switch.perspective");
+    driver.hand.press('P');
     CHECK(top_of(driver, "lesson.link.0") == scrolled);
     driver.hand.click("stage.fill");
     driver.hand.click("stage.rows");
