@@ -95,9 +95,13 @@ std::vector<int> find_events(const EventList& list, const std::string& words, in
     };
     std::vector<int> found;
     for (int i = std::max(first, 0); i < std::min(behind, list.count()); ++i) {
+        if (words.empty()) {
+            found.push_back(i);
+            continue;
+        }
         const std::string line = event_text(list, i);
         const auto place = std::search(line.begin(), line.end(), words.begin(), words.end(), same);
-        if (words.empty() || place != line.end()) found.push_back(i);
+        if (place != line.end()) found.push_back(i);
     }
     return found;
 }

@@ -298,10 +298,14 @@ void OutsideDrawing::draw_picture(const OutsideSubject& subject) {
                  sample_eye_.near_distance);
     const ShrunkenPicture shown = shrunken(picture, subject.framebuffer, samples_a_pixel, glass);
     for_each_sample(sample_eye_, seen.all(), grid_.size, [&](const SampleHit& hit) {
-        if (hit.inv_z < static_cast<double>(grid_.inv_z[hit.index])) return;
+        // Seen almost along itself the pane has no depth that could be worked out.
+        if (!(hit.inv_z > 0.0) || hit.inv_z < static_cast<double>(grid_.inv_z[hit.index])) return;
         const glm::dvec3 place = hit.place() - corners[0];
-        const int column = std::clamp(static_cast<int>(glm::dot(place, across)), 0, size.width - 1);
-        const int row = std::clamp(static_cast<int>(glm::dot(place, along)), 0, size.height - 1);
+        const double x = glm::dot(place, across), y = glm::dot(place, along);
+        if (!std::isfinite(x) || !std::isfinite(y)) return;
+        const int column =
+            static_cast<int>(std::clamp(x, 0.0, static_cast<double>(size.width - 1)));
+        const int row = static_cast<int>(std::clamp(y, 0.0, static_cast<double>(size.height - 1)));
         grid_.inv_z[hit.index] = static_cast<float>(hit.inv_z);
         grid_.id[hit.index] = first_pixel_id - (row * size.width + column);
         grid_.colour[hit.index] = laid_over(shown.at(column, row), grid_.colour[hit.index]);

@@ -13,7 +13,10 @@ bool move_between(Session& session, std::vector<Choices>& from, std::vector<Choi
     to.push_back(stack.now);
     stack.now = from.back();
     from.pop_back();
-    if (session.scene != stack.now.scene) session.selection = {};
+    if (session.scene != stack.now.scene) {
+        session.selection = {};
+        session.canvas.zoom = session.canvas.outside.distance = 0.0f;
+    }
     Choices& choices = session;
     choices = stack.now;
     session.runs_before = std::nullopt;

@@ -13,6 +13,7 @@
 #include "session/content.h"
 #include "settings/setting_table.h"
 #include "tests/cli/run.h"
+#include "tests/support/effort.h"
 #include "tests/support/random_session.h"
 #include "tests/support/temporary_folder.h"
 
@@ -53,7 +54,7 @@ std::string words_of_shell(const std::string& line) {
 
 TEST_CASE("A copied command line opens the same view, for many sessions") {
     Random random(11);
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < test::rounds(300, 60); ++i) {
         const Session session = random_session(random);
         INFO("session " << i << "\n" << command_line_text(session));
         check_same_view(opened_again(session), session);

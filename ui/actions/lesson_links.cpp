@@ -144,8 +144,16 @@ void release_pointed(Ui& ui) {
         std::any_of(held.begin(), held.end(), [](float seconds) { return seconds == 0.0f; });
     if (lesson.is_held && is_pressed && !is_new) lesson.is_held = false;
     if (++lesson.frames_unseen > frames_to_appear && lesson.is_held) {
-        ui.session.notice = "'" + lesson.pointed_at.substr(0, 60) + "' is not on the screen now.";
-        lesson.is_held = false;
+        // Behind the lesson, where both share a place, or on another tab: then the way to it.
+        const std::string tab = tab_of(lesson.pointed_at);
+        const std::string door = tab.empty() ? "" : door_to(ui, tab);
+        if (door.empty() || door == lesson.pointed_at) {
+            ui.session.notice = "What is pointed at is not on the screen now.";
+            lesson.is_held = false;
+        } else {
+            lesson.pointed_at = door;
+            lesson.frames_unseen = 0;
+        }
     }
     if (!lesson.is_held && !is_hovered) lesson.pointed_at.clear();
 }

@@ -135,8 +135,16 @@ void answer_prediction(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
     ui.lesson.progress.note_answer(lesson.id, prediction.id, {said, view.judged->is_right});
     view.said = std::move(said);
     if (!prediction.then) return;
-    const std::vector<Fault> faults = show_state(ui.session, *prediction.then, lesson.folder);
-    if (!faults.empty()) ui.session.notice = fault_text(lesson, faults.front());
+    Session& session = ui.session;
+    const ViewState& step = lesson.steps[static_cast<std::size_t>(session.step)].state;
+    // The answer's own state may lead to a tab; the step's leaves the student's alone.
+    const bool keeps_tab = session.tab_guide.is_own && prediction.then->tab == step.tab;
+    const bool shows_all = session.tab_guide.shows_all;
+    const std::string own_tab(tab_below(session));
+    const std::vector<Fault> faults = show_state(session, *prediction.then, lesson.folder);
+    if (keeps_tab) keep_own_tab(session, own_tab);
+    session.tab_guide.shows_all = shows_all;
+    if (!faults.empty()) session.notice = fault_text(lesson, faults.front());
 }
 
 void take_up_answer(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction) {

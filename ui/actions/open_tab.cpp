@@ -8,7 +8,9 @@ namespace {
 
 /// The lesson, where it is a tab, gives way; the settings remember that they lie over it.
 void uncover(Ui& ui, std::string_view name) {
-    if (name == settings_tab && !is_settings_open(ui)) {
+    if (name != settings_tab) {
+        ui.inspector.settings_over_lesson = false;
+    } else if (!is_settings_open(ui)) {
         ui.inspector.settings_over_lesson = ui.lesson.covers_inspector;
     }
     ui.lesson.covers_inspector = false;

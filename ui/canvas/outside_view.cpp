@@ -197,8 +197,8 @@ void draw_outside(Ui& ui, const Pane& pane) {
 }
 
 bool is_outside_working(const Ui& ui) {
-    return shown_on_canvas(ui) != CanvasShows::picture && ui.canvas.outside_drawing &&
-           ui.canvas.outside_drawing->is_working();
+    return !ui.start.is_open && shown_on_canvas(ui) != CanvasShows::picture &&
+           ui.canvas.outside_drawing && ui.canvas.outside_drawing->is_working();
 }
 
 std::string coming_words(int triangles, const Cursor& cursor) {

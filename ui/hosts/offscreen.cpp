@@ -110,6 +110,9 @@ void carry_out(const HandAction& action, Hand& hand) {
     }
 }
 
+/// The view from outside is finished long before.
+constexpr int most_frames_of_work = 10'000;
+
 } // namespace
 
 Image draw_offscreen(Session session, const OffscreenOptions& options) {
@@ -121,7 +124,7 @@ Image draw_offscreen(Session session, const OffscreenOptions& options) {
             finish(screen.ui.session, screen.ui.results);
             hand.frames(frames_to_rest);
         }
-        while (is_outside_working(screen.ui))
+        for (int i = 0; i < most_frames_of_work && is_outside_working(screen.ui); ++i)
             hand.frames(1);
     };
     hand.frames(frames_to_rest);

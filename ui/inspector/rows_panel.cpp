@@ -79,7 +79,7 @@ void draw_rows_panel(Ui& ui) {
     if (button(ui, "rows.copy", "copy as text", Look::plain,
                "Copies the table in the form that the lab prints.")) {
         ImGui::SetClipboardText(rows_text(history.rows).c_str());
-        ui.session.notice = "The row table is in the clipboard.";
+        tell(ui.session, "The row table is in the clipboard.");
     }
     ImGui::SameLine();
     if (button(ui, "rows.values", "ends' values",

@@ -30,9 +30,10 @@ void draw_triangle_title(Ui& ui) {
     const bool can_follow =
         !follows && ui.results.a.done && ui.results.a.done->triangle != triangle;
     const std::string follow_label =
-        ui.inspector.is_low
-            ? "follow"
-            : "the one being drawn: " + triangle_name(can_follow ? ui.results.a.done->triangle : 0);
+        ui.inspector.is_low ? "follow"
+                            : (ui.results.a.cursor == cursor_end ? "the one drawn last: "
+                                                                 : "the one being drawn: ") +
+                                  triangle_name(can_follow ? ui.results.a.done->triangle : 0);
     const auto follow = [&] {
         if (button(ui, "triangle.follow", follow_label, Look::link,
                    "Lets the picked triangle go: from moment to moment the one that is being drawn "

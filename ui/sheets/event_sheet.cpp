@@ -45,8 +45,8 @@ void copy_events(Ui& ui) {
     for (const int moment : sheet.found)
         text.append(event_text(sheet.list, moment)).append("\n");
     ImGui::SetClipboardText(text.c_str());
-    ui.session.notice =
-        "Copied: " + counted(static_cast<int>(sheet.found.size()), "moment", "moments") + ".";
+    tell(ui.session,
+         "Copied: " + counted(static_cast<int>(sheet.found.size()), "moment", "moments") + ".");
 }
 
 void draw_event(Ui& ui, int index, int done) {
@@ -142,7 +142,8 @@ void draw_event_sheet(Ui& ui, ImVec2 window) {
     ImGui::Begin("moments", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize);
-    if (ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows) &&
+    // While words are typed the key is not one of the actions.
+    if (ImGui::GetIO().WantTextInput && ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows) &&
         ImGui::IsKeyPressed(key::escape)) {
         sheet.is_open = false;
     }

@@ -5,22 +5,17 @@
 
 #include "picture/view_image.h"
 #include "pipeline/draw.h"
+#include "pipeline/work.h"
 #include "ui/ui.h"
 
 namespace rasterwalk {
 
 namespace {
 
-/// What is drawn seven times within one frame of the window.
-constexpr int most_triangles = 2000;
 constexpr int largest_side = 400; ///< pixels
 
-/// The scene with these settings at a step of the strip, `side` pixels high or wide, whichever is
-/// more. A point is one pixel large: they are drawn half as far from each other, and shown twice as
-/// large.
-Image stage_picture(const Scene& scene, Settings settings, const StripStep& step, int side) {
-    const int pixels = std::max(1, step.stage == Stage::points ? side / 2 : side);
-    set_step(settings, step);
+/// The settings for a picture of so many pixels, the higher or the wider.
+Settings scaled_to(const Scene& scene, Settings settings, int pixels) {
     const Viewport whole = settings.viewport;
     // Vertices that are given in pixels stay where they are.
     const float scale =
@@ -32,6 +27,23 @@ Image stage_picture(const Scene& scene, Settings settings, const StripStep& step
     };
     settings.viewport = {scaled(whole.width), scaled(whole.height)};
     settings.camera.focal_length *= scale;
+    return settings;
+}
+
+/// What it costs to draw the scene once, with everything.
+double work_of(const Scene& scene, const Settings& settings, int side) {
+    const Frame frame = prepare_frame(scene, scaled_to(scene, settings, side));
+    FrameWork work;
+    work.begin(frame);
+    return work.total();
+}
+
+/// The scene with these settings at a step of the strip. A point is one pixel large: they are drawn
+/// half as far from each other, and shown twice as large.
+Image stage_picture(const Scene& scene, Settings settings, const StripStep& step, int side) {
+    set_step(settings, step);
+    settings =
+        scaled_to(scene, settings, step.stage == Stage::points ? std::max(1, side / 2) : side);
     return view_image(draw_frame(prepare_frame(scene, settings)), View::colour);
 }
 
@@ -50,10 +62,10 @@ void renew_stage_pictures(Ui& ui, int side) {
     if (pictures.scene == scene && pictures.side == side) return;
     pictures.scene = scene;
     pictures.side = side;
-    pictures.is_drawn = scene->triangle_count() <= most_triangles;
-    if (!pictures.is_drawn) return;
     Settings settings = default_settings(*scene);
     light_up(ui.session, settings);
+    pictures.is_drawn = work_of(*scene, settings, side) * stage_count <= frame_limit.at_once;
+    if (!pictures.is_drawn) return;
     for (std::size_t i = 0; i < pictures.textures.size(); ++i) {
         const Image image = stage_picture(*scene, settings, stage_list()[i].step, side);
         pictures.textures[i] = ui.host.textures->upload(pictures.textures[i], image);

@@ -7,6 +7,8 @@
 
 #include "base/numbers.h"
 #include "lessons/progress.h"
+#include "session/content.h"
+#include "ui/actions/close_topmost.h"
 #include "ui/actions/compare.h"
 #include "ui/actions/keys.h"
 #include "ui/actions/open_lesson.h"
@@ -60,9 +62,14 @@ const Lesson* next_lesson(Ui& ui) {
     return id.empty() ? nullptr : ui.lesson.lessons.find(id);
 }
 
+/// Is the scene of the session the one with which the program begins?
+bool is_room(const Ui& ui) {
+    return ui.session.scene->path.ends_with(usual_scene);
+}
+
 /// What stands on a button of this width.
 std::string button_label(Ui& ui, Way way, float width) {
-    if (way == Way::stages) return "Open the room";
+    if (way == Way::stages) return "Open " + std::string(is_room(ui) ? "the room" : "the scene");
     if (way == Way::picture) return "Choose a file …";
     const Lesson* const lesson = next_lesson(ui);
     if (lesson == nullptr) return "There are no lessons";
@@ -302,10 +309,14 @@ void choose_next(StartPage& start, int distance) {
 }
 
 void take_keys(Ui& ui) {
-    const bool is_covered = ui.sheets.files.kind != FileSheet::Kind::closed ||
-                            ui.sheets.shows_keys || ui.sheets.shows_glossary;
-    if (is_covered || ImGui::GetIO().WantTextInput ||
-        ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
+    const SheetsState& sheets = ui.sheets;
+    const bool lies_below_text =
+        sheets.files.kind != FileSheet::Kind::closed || ImGui::GetIO().WantTextInput;
+    if (lies_below_text) return;
+    const bool is_covered = sheets.shows_keys || sheets.shows_glossary || sheets.events.is_open ||
+                            ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+    if (is_covered) {
+        if (ImGui::IsKeyPressed(key::escape, false)) close_topmost(ui);
         return;
     }
     const bool is_back = ImGui::GetIO().KeyShift;
@@ -333,12 +344,13 @@ void begin_at_start(Ui& ui) {
 void take_way(Ui& ui, Way way) {
     ui.start.is_open = false;
     ui.options.way = way;
+    if (way != Way::lessons) close_lesson(ui);
     switch (way) {
     case Way::lessons:
         open_lesson_to_go_on(ui);
         break;
     case Way::stages:
-        light_up(ui.session, ui.session.a.settings);
+        if (!hides_settings(ui.session)) light_up(ui.session, ui.session.a.settings);
         break;
     case Way::picture:
         ui.lab.mode = LabMode::result;

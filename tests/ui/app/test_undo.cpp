@@ -40,6 +40,21 @@ TEST_CASE("A drag of the camera is one step to undo") {
     CHECK(driver.ui.session.a.settings.camera == before);
 }
 
+TEST_CASE("Undoing a change of scene shows the scene before as a whole, from outside too") {
+    Driver driver;
+    driver.ui.session.canvas.shows = CanvasShows::both;
+    driver.hand.frames(frames_to_rest);
+    driver.hand.click("menu.Scene");
+    driver.hand.click("scene.corridor");
+    driver.ui.session.canvas.outside.distance = 1000.0f;
+    driver.ui.session.canvas.zoom = 16.0f;
+    driver.hand.frames(frames_to_rest);
+    driver.hand.press('Z', {.ctrl = true});
+    REQUIRE(driver.ui.session.scene->path.ends_with("lab-room.toml"));
+    CHECK(driver.ui.session.canvas.outside.distance == 0.0f);
+    CHECK(driver.ui.session.canvas.zoom == 0.0f);
+}
+
 TEST_CASE("Back and forward lead through the places visited") {
     Driver driver;
     driver.hand.click("stage.depth");

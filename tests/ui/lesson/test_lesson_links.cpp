@@ -121,7 +121,7 @@ TEST_CASE("A widget that is not on the screen is told") {
     Driver driver;
     point_at_widget(driver.ui, "depth.histogram", true);
     driver.hand.frames(6);
-    CHECK(driver.ui.session.notice == "'depth.histogram' is not on the screen now.");
+    CHECK(driver.ui.session.notice == "What is pointed at is not on the screen now.");
     CHECK(driver.ui.lesson.pointed_at.empty());
 }
 

@@ -114,6 +114,36 @@ TEST_CASE("Tab and the arrows choose a way, Enter goes it, Escape leaves the pag
     CHECK_FALSE(driver.ui.options.way);
 }
 
+TEST_CASE("Over the start page one Escape closes one thing") {
+    Driver driver;
+    begin(driver);
+    driver.hand.press(key::f1);
+    REQUIRE(driver.ui.sheets.shows_keys);
+    driver.hand.press(key::escape);
+    CHECK_FALSE(driver.ui.sheets.shows_keys);
+    REQUIRE(is_open(driver));
+    driver.hand.click("menu.Scene");
+    REQUIRE(driver.hand.is_visible("scene.fence"));
+    driver.hand.press(key::escape);
+    CHECK_FALSE(driver.hand.is_visible("scene.fence"));
+    REQUIRE(is_open(driver));
+    driver.hand.press(key::escape);
+    CHECK_FALSE(is_open(driver));
+}
+
+TEST_CASE("Who goes another way than the lessons leaves the lesson that was open") {
+    for (const Way way : {Way::stages, Way::picture}) {
+        Driver driver;
+        open_lesson(driver.ui, "05-row-table", 0);
+        driver.ui.start.is_open = true;
+        driver.hand.frames(frames_to_rest);
+        driver.hand.click(std::string("start.").append(word_of(way)));
+        driver.hand.frames(frames_to_rest);
+        CHECK(driver.ui.session.lesson.empty());
+        CHECK(driver.ui.options.way == way);
+    }
+}
+
 TEST_CASE("Behind the start page no key moves anything") {
     Driver driver;
     begin(driver);
@@ -233,7 +263,7 @@ TEST_CASE("The stages are drawn once, and each is another picture") {
 TEST_CASE("A scene that takes long to draw leaves the pictures out, and the ways stay") {
     Driver driver;
     auto scene = std::make_shared<Scene>(*driver.ui.session.scene);
-    for (int i = 0; i < 2100; ++i)
+    for (int i = 0; i < 100'000; ++i)
         scene->mesh.add_triangle({0, 1, 2});
     driver.ui.session.scene = scene;
     driver.hand.frames(frames_to_rest);
