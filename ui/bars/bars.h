@@ -9,7 +9,7 @@ namespace rasterwalk {
 struct Ui;
 
 /// Files, views, scenes, lessons, help; at the right end the settings.
-void draw_menu_bar(Ui& ui, const Area& area);
+void draw_menu_bar(Ui& ui, const Area& whole);
 
 /// In an open menu or popup: the scenes that come with the program, to be opened.
 void draw_scene_list(Ui& ui);
