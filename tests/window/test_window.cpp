@@ -114,6 +114,9 @@ TEST_CASE("A stage is clicked with the mouse in a real window, which is then clo
     // The room's walls fill a quarter of a million pixels; as points they are gone.
     CHECK(count_differences(before, after) > 100000);
 
+    open.click("stage.depth");
+    REQUIRE(open.says("setting stage depth"));
+    REQUIRE(open.shows("switch.perspective"));
     open.click("switch.perspective");
     CHECK(open.says("setting interpolation affine"));
 
