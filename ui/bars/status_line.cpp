@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/element_names.h"
+#include "base/numbers.h"
 #include "ui/actions/compare.h"
 #include "ui/bars/bars.h"
 #include "ui/ui.h"
@@ -44,8 +45,9 @@ std::string describe_pixel(const Ui& ui) {
     if (depth > 0.0f) {
         words += fmt::format("   1/z {:.4f}   z {:.4f}", depth, 1.0 / static_cast<double>(depth));
     }
-    return fmt::format("{}   {}, {}   drawn {}x", words, triangle_name(owner),
-                       part_name(*ui.results.a.scene, owner), framebuffer.overdraw[at]);
+    return fmt::format("{}   {}, {}   {}", words, triangle_name(owner),
+                       part_name(*ui.results.a.scene, owner),
+                       counted(framebuffer.overdraw[at], "fragment", "fragments"));
 }
 
 std::string trouble_text(const Ui& ui) {

@@ -222,9 +222,10 @@ void draw_divergence(Ui& ui, const char* title, const std::string& name,
     }
     ImGui::PopStyleVar();
     ImGui::SameLine();
-    text_in(p.dim, shortened(kind_text(divergence.kind) +
-                                 (divergence.only_rounding ? ", by rounding alone" : ""),
-                             ImGui::CalcItemWidth() - ImGui::GetItemRectSize().x));
+    text_in(p.dim,
+            shortened(kind_text(divergence.kind) +
+                          (divergence.only_rounding ? ", no larger than rounding errors" : ""),
+                      ImGui::CalcItemWidth() - ImGui::GetItemRectSize().x));
     wrapped_text(divergence.text);
 }
 
@@ -244,8 +245,8 @@ void draw_first(Ui& ui) {
         list.first_beyond_rounding && list.first_beyond_rounding->cursor != list.first->cursor;
     if (has_more) {
         ImGui::Spacing();
-        draw_divergence(ui, "first that is more than rounding", "compare.first_beyond_rounding",
-                        *list.first_beyond_rounding);
+        draw_divergence(ui, "first that is larger than rounding errors",
+                        "compare.first_beyond_rounding", *list.first_beyond_rounding);
     }
     if (comparison.here && comparison.here->cursor != list.first->cursor &&
         !(has_more && comparison.here->cursor == list.first_beyond_rounding->cursor)) {

@@ -54,7 +54,8 @@ void draw_title(Ui& ui) {
     const Scene& scene = *ui.results.a.scene;
     const int triangle = report.cursor.triangle;
     ImGui::PushFont(ui.fonts.bold);
-    ImGui::Text("Pixel %d, %d", report.pixel.x, report.pixel.y);
+    ImGui::Text(ui.session.selection.pixel ? "Pixel (%d, %d)" : "Drawn last: pixel (%d, %d)",
+                report.pixel.x, report.pixel.y);
     ImGui::PopFont();
     name_widget(ui, "fragment.pixel", "Column and row of the picture on which the fragment fell.");
     ImGui::SameLine();

@@ -244,6 +244,15 @@ void draw_formula_card(Ui& ui, const VertexReport& vertex) {
     go_to_source(ui, *clicked);
 }
 
+/// The vertex that is explained: the one picked, or else the one just projected.
+int vertex_on_show(const Ui& ui) {
+    const std::optional<Cursor>& done = ui.results.a.done;
+    const bool is_vertex =
+        done && done->phase == Phase::vertices && done->triangle == *ui.results.a.triangle;
+    const int followed = is_vertex ? done->index : 0;
+    return std::clamp(ui.session.selection.vertex.value_or(followed), 0, triangle_corners - 1);
+}
+
 } // namespace
 
 void draw_vertices_panel(Ui& ui) {
@@ -252,7 +261,7 @@ void draw_vertices_panel(Ui& ui) {
         text_in(palette(ui.options.theme).dim, "The scene has no triangles.");
         return;
     }
-    const int chosen = std::clamp(ui.session.selection.vertex.value_or(0), 0, triangle_corners - 1);
+    const int chosen = vertex_on_show(ui);
     draw_triangle_title(ui);
     draw_with_card(
         "vertices", [&] { draw_table(ui, chosen); },

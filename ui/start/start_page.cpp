@@ -36,12 +36,12 @@ constexpr std::array<Card, way_count> cards{{
     {Way::lessons,
      "Begin the lessons",
      "Read a little, predict, try.",
-     {"Every answer is checked by the program itself.", "Each step shows only what it needs.",
+     {"Every answer is checked by the program itself.", "Each step sets the scene for you.",
       "What you have done is kept for the next time."},
      "Opens the lesson with which you go on."},
     {Way::stages,
      "Walk the stages",
-     "No text to read: press play, stop anywhere, and look.",
+     "Press play, stop anywhere, and look.",
      {"Time runs both ways, down to the single edge sample.",
       "Click a pixel or a triangle: every number says where it comes from.",
       "Turn perspective or the depth test off, and see what breaks."},
@@ -70,7 +70,7 @@ bool is_room(const Ui& ui) {
 /// What stands on a button of this width.
 std::string button_label(Ui& ui, Way way, float width) {
     if (way == Way::stages) return "Open " + std::string(is_room(ui) ? "the room" : "the scene");
-    if (way == Way::picture) return "Choose a file …";
+    if (way == Way::picture) return "Name a file …";
     const Lesson* const lesson = next_lesson(ui);
     if (lesson == nullptr) return "There are no lessons";
     const std::string title =

@@ -1,7 +1,13 @@
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include <catch2/catch.hpp>
 
 #include "explain/vertex_report.h"
+#include "tests/ui/screen_text.h"
 #include "tests/ui/shown_number.h"
+#include "ui/actions/keys.h"
 #include "ui/ui.h"
 
 namespace rasterwalk {
@@ -17,6 +23,27 @@ std::string cell(const std::string& id, int vertex) {
 }
 
 } // namespace
+
+TEST_CASE("The vertex just projected is explained, until one is picked") {
+    Driver driver;
+    driver.hand.press('1');
+    driver.open("vertices");
+    driver.hand.press(key::home);
+    const auto explains = [](const std::string& vertex) {
+        const std::vector<ScreenText> lines = screen_text();
+        return std::any_of(lines.begin(), lines.end(), [&](const ScreenText& line) {
+            return line.words.starts_with(vertex + ": ");
+        });
+    };
+    for (const char* vertex : {"vertices[0]", "vertices[1]", "vertices[2]", "vertices[0]"}) {
+        driver.hand.press(key::period);
+        INFO(vertex);
+        CHECK(explains(vertex));
+    }
+    driver.hand.click("vertices.pixel.column.v2");
+    driver.hand.press(key::period);
+    CHECK(explains("vertices[2]"));
+}
 
 TEST_CASE("Each number of the vertices is that of the report, and a click shows its formula") {
     Driver driver;
