@@ -271,7 +271,7 @@ class RayCaster {
 TEST_CASE("Fragments of the room report what draw used, and follow from it") {
     const Scene room = test::lab_room();
     const int of_each = test::rounds(40, 12);
-    const std::vector<Case> cases = test::some_of(cases_of(room), 24);
+    const std::vector<Case> cases = test::some_of(cases_of(room), 12);
     int fragments = 0, written = 0, failed = 0, stored_by_someone = 0;
     for (const Case& c : cases) {
         const Frame frame = prepare_frame(room, c.settings);
@@ -359,7 +359,8 @@ TEST_CASE(
     double largest_shift = 0.0, largest_distance = 0.0, largest_affine = 0.0,
            largest_disagreement = 0.0;
     int fragments = 0;
-    for (const FragmentEvent& event : some_fragments(frame, 4000)) {
+    const int wanted = test::rounds(4000, 1000);
+    for (const FragmentEvent& event : some_fragments(frame, wanted)) {
         const std::optional<FragmentReport> report = fragment_report(frame, event.cursor);
         REQUIRE(report);
         const double x = report->pixel.x - settings.viewport.width / 2;
@@ -381,7 +382,7 @@ TEST_CASE(
     // Measured: 0.74 pixels, 0.082 world units, 0.0084 world units. The first is the price of row
     // ends and vertices that are whole pixels, and the second the same seen on the blocks' steep
     // sides. The affine place is wrong by 0.48.
-    CHECK(fragments > 3000);
+    CHECK(4 * fragments > 3 * wanted);
     CHECK(largest_shift < 1.0);
     CHECK(largest_distance < 0.1);
     CHECK(largest_affine > 0.4);

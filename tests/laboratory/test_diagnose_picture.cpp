@@ -20,11 +20,12 @@ Image picture_of(const Scene& scene, const Settings& settings) {
     return view_image(draw_frame(prepare_frame(scene, settings)), View::colour);
 }
 
-/// The room, seen small.
-Settings small(const Scene& scene, Viewport size = {200, 200}) {
+/// The room, seen small, and smaller where little effort is asked for.
+Settings small(const Scene& scene) {
+    const int side = effort() < 1.0 ? 120 : 200;
     Settings settings = default_settings(scene);
-    settings.viewport = size;
-    settings.camera.focal_length = static_cast<float>(size.height);
+    settings.viewport = {side, side};
+    settings.camera.focal_length = static_cast<float>(side);
     settings.light.power = glm::vec3(14.0f);
     return settings;
 }
@@ -139,7 +140,8 @@ TEST_CASE("What is no bug is told too") {
     CHECK(verdict(flipped(right, false, true)) == "Upside down makes this very picture.");
     CHECK(verdict(flipped(right, true, true)) == "Turned by half a turn makes this very picture.");
     Image shifted = right;
-    std::rotate(shifted.rgba.begin(), shifted.rgba.begin() + 4L * 200, shifted.rgba.end());
+    std::rotate(shifted.rgba.begin(), shifted.rgba.begin() + 4L * shifted.width,
+                shifted.rgba.end());
     CHECK_THAT(verdict(shifted), Contains("Shifted by a pixel up"));
     Settings other = reference;
     other.stage = Stage::depth;

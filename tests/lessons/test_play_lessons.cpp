@@ -127,7 +127,8 @@ void check_kept(const LessonLink& link, const Student& student) {
 
 TEST_CASE("Every lesson has no fault") {
     const Session session = empty_session();
-    for (const Lesson& lesson : all_lessons()) {
+    // Without sanitizers the program itself checks all of them.
+    for (const Lesson& lesson : test::some_of(all_lessons(), 5)) {
         for (const Fault& fault : check_lesson(lesson, session)) {
             // A lesson may speak of one that is not written yet.
             if (fault.sentence.starts_with("there is no lesson '")) {

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "support/effort.h"
 #include "support/project_root.h"
 #include "tests/ui/shown_number.h"
 #include "ui/actions/compare.h"
@@ -41,7 +42,7 @@ TEST_CASE("One click compares affine with perspective, and one ends it as it was
 }
 
 TEST_CASE("Every pair is compared by one click in the Compare tab, and a second one ends it") {
-    for (const ImVec2 window : {ImVec2{1600, 1000}, ImVec2{1280, 800}}) {
+    for (const ImVec2 window : test::some_of(std::vector<ImVec2>{{1600, 1000}, {1280, 800}}, 1)) {
         Driver driver(lit_room(), window);
         driver.hand.click("group.runs");
         for (const ComparePair& pair : compare_pairs()) {
@@ -237,7 +238,7 @@ TEST_CASE("Comparing is undone and done again") {
 }
 
 TEST_CASE("In a small window every way to show two runs has room") {
-    for (const SmallWindow& window : small_windows) {
+    for (const SmallWindow& window : test::some_of(small_windows, 2)) {
         Driver driver(lit_room(), window.size, window.text_scale);
         driver.hand.click("switch.compare");
         driver.ui.session.tab = "compare";
