@@ -82,6 +82,22 @@ int unset_row_pixels(const Frame& frame) {
     return row_span(frame.stages, rows, 0).count;
 }
 
+/// Makes the picture anew, or only what the replay has just changed of it.
+/// @param is_same_view it shows the same of the framebuffer as before
+void update_picture(View view, const std::optional<DepthRange>& depths, bool is_same_view,
+                    RunResults& results) {
+    if (is_same_view && is_by_pixel(view)) {
+        results.picture_before = results.picture_number;
+        results.picture_changed = results.replay.changed();
+        update_view_image(*results.framebuffer, view, results.picture_changed, results.picture);
+    } else {
+        results.picture_before = 0;
+        results.picture = view_image(*results.framebuffer, view, depths);
+    }
+    results.view = view;
+    results.depth_range = depths;
+}
+
 } // namespace
 
 std::vector<std::string> describe_troubles(const Frame& frame, const DrawTally& tally) {
@@ -129,17 +145,19 @@ RunChanges update_run(const Session& session, const Run& run, const SharedView* 
     if (changes.frame) results.frame_number = ++numbers;
     changes.moment = update_cursor(session.cursor, changes.frame, results);
     const bool draws_on = changes.moment || !results.is_drawn();
+    const std::optional<DepthRange> depths =
+        shared != nullptr ? shared->depths : session.depth_range;
+    const bool is_same_view =
+        !changes.frame && results.view == session.view && results.depth_range == depths;
+    changes.picture = draws_on || !is_same_view;
+    // Noted as shown only when it is: what throws is made whole next time.
+    if (changes.picture) results.view = std::nullopt;
     if (draws_on) {
         results.framebuffer = &results.replay.toward(results.cursor, limit);
         if (changes.frame || !results.has_all_messages) update_messages(limit, results);
     }
-    const std::optional<DepthRange> depths =
-        shared != nullptr ? shared->depths : session.depth_range;
-    changes.picture = draws_on || results.view != session.view || results.depth_range != depths;
     if (changes.picture) {
-        results.view = session.view;
-        results.depth_range = depths;
-        results.picture = view_image(*results.framebuffer, session.view, depths);
+        update_picture(session.view, depths, is_same_view, results);
         results.picture_number = ++numbers;
     }
     const std::optional<int> triangle =

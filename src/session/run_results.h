@@ -31,6 +31,9 @@ struct RunResults {
     const Framebuffer* framebuffer = nullptr; ///< at the cursor, or as far as it is drawn
     Image picture;                            ///< the view of the framebuffer
     std::uint64_t picture_number = 0;         ///< another one whenever `picture` is another
+    std::uint64_t picture_before = 0;         ///< the picture with this number differs from it only
+                                              ///< in these pixels; 0: nothing is known
+    Rectangle picture_changed;
     std::optional<int> triangle; ///< that the inspector shows: selected, or of the picked pixel in
                                  ///< a whole picture, or being drawn, or first
     RowHistory rows;             ///< row table of that triangle, as far as it is made at the cursor
