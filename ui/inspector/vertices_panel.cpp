@@ -3,6 +3,7 @@
 #include <string>
 
 #include "base/element_names.h"
+#include "ui/actions/go_to_source.h"
 #include "ui/inspector/panels.h"
 #include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
