@@ -216,7 +216,7 @@ TEST_CASE("What is too much work for one update is done by several, and comes to
     Results expected;
     finish(session, expected);
     CHECK_FALSE(is_working(expected));
-    REQUIRE(expected.a.messages.size() == 1);
+    REQUIRE(expected.a.troubles.size() == 1);
     const WorkLimit limit{5'000.0, 3'000.0};
     Results results;
     int updates = 0;
@@ -228,9 +228,9 @@ TEST_CASE("What is too much work for one update is done by several, and comes to
     } while (is_working(results));
     CHECK(updates > 20);
     CHECK(results.a.picture == expected.a.picture);
-    CHECK(results.a.messages == expected.a.messages);
+    CHECK(results.a.troubles == expected.a.troubles);
     CHECK(results.b->picture == expected.b->picture);
-    CHECK(results.b->messages == expected.b->messages);
+    CHECK(results.b->troubles == expected.b->troubles);
     CHECK(results.comparison.whole().pixels == expected.comparison.whole().pixels);
     CHECK(results.comparison.whole().divergences.count ==
           expected.comparison.whole().divergences.count);
@@ -246,7 +246,7 @@ TEST_CASE("The room of the lab, and its comparison, take one update") {
     Results results;
     update(session, results);
     CHECK_FALSE(is_working(results));
-    CHECK(results.a.has_all_messages);
+    CHECK(results.a.has_all_troubles);
 }
 
 TEST_CASE("Overlays wait for the picture that they mark") {
@@ -269,13 +269,13 @@ TEST_CASE("What is out of order is told of the whole frame, wherever the cursor 
     Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
     Results end;
     update(session, end);
-    REQUIRE_FALSE(end.a.messages.empty());
+    REQUIRE_FALSE(end.a.troubles.empty());
     for (const Cursor& cursor : {cursor_begin, Cursor{12, Phase::vertices, 0, 0},
                                  Cursor{12, Phase::edges, 1, 4}, Cursor{3, Phase::rows, 20, 2}}) {
         session.cursor = cursor;
         Results results;
         update(session, results);
-        CHECK(results.a.messages == end.a.messages);
+        CHECK(results.a.troubles == end.a.troubles);
         session.cursor = cursor_end;
     }
 }
