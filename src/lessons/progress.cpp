@@ -98,15 +98,23 @@ void Progress::note_step(const std::string& lesson, int step) {
     last_lesson = lesson;
     lessons[lesson].last_step = step;
     lessons[lesson].steps.insert(step);
+    touch();
 }
 
 void Progress::note_task(const std::string& lesson, const std::string& task) {
     lessons[lesson].tasks.insert(task);
+    touch();
 }
 
 void Progress::note_answer(const std::string& lesson, const std::string& prediction,
                            const FirstAnswer& answer) {
     lessons[lesson].answers.try_emplace(prediction, answer);
+    touch();
+}
+
+void Progress::touch() {
+    static std::uint64_t last = 0;
+    number_ = ++last;
 }
 
 LessonScore score_of(const Progress& progress, const Lesson& lesson) {
@@ -176,6 +184,7 @@ Progress parse_progress(std::string_view text, const std::string& path) {
         progress.lessons[std::string(id.str())] =
             parse_lesson_progress(table.table(node, "a lesson"));
     }
+    progress.touch();
     return progress;
 }
 
@@ -188,6 +197,7 @@ Progress read_progress(const std::string& path) {
 Progress merged(const Progress& before, const Progress& after, const Progress& theirs) {
     if (theirs == before) return after;
     Progress result = theirs;
+    result.touch();
     if (after.last_lesson != before.last_lesson) result.last_lesson = after.last_lesson;
     std::set<std::string> ids;
     for (const Progress* const one : {&before, &after, &theirs}) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <set>
 #include <string>
@@ -43,7 +44,17 @@ struct Progress {
     void note_answer(const std::string& lesson, const std::string& prediction,
                      const FirstAnswer& answer);
 
-    friend bool operator==(const Progress&, const Progress&) = default;
+    /// To be called whenever one of the members above was set directly.
+    void touch();
+    /// Another number whenever the rest may be another, also than that of any other progress.
+    std::uint64_t number() const { return number_; }
+
+    friend bool operator==(const Progress& a, const Progress& b) {
+        return a.lessons == b.lessons && a.last_lesson == b.last_lesson;
+    }
+
+  private:
+    std::uint64_t number_ = 0; ///< 0: nothing was ever done
 };
 
 /// How far a lesson is done.

@@ -37,7 +37,9 @@ constexpr int said_by_options = -1;
 struct Start {
     Session session;
     ViewState state;
-    std::string path; ///< of the lesson or the saved view; empty: neither
+    std::string path;    ///< of the lesson or the saved view; empty: neither
+    std::string own_tab; ///< of a saved view: the student's, instead of the lesson's; empty: none
+    bool covers_tab = false; ///< the settings lie over it
 };
 
 std::string sentence_of(const std::string& path, const Fault& fault) {
@@ -92,10 +94,12 @@ Start start_of_scene(const ViewOptions& options, const std::optional<Bug>& bug) 
     return start;
 }
 
-/// The lesson beside a saved view, whose step says which panels are shown. One that is not there
-/// any more keeps nobody from the view.
-void take_lesson(const SavedView& saved, Session& session, ViewState& state) {
+/// The lesson beside a saved view, whose step says which panels are shown, and to which tab the
+/// student can go back from their own. One that is not there any more keeps nobody from the view.
+void take_lesson(const SavedView& saved, Start& start) {
     if (saved.lesson.empty()) return;
+    Session& session = start.session;
+    ViewState& state = start.state;
     try {
         const bool is_file = saved.lesson.ends_with(".md");
         const Lesson lesson =
@@ -103,7 +107,10 @@ void take_lesson(const SavedView& saved, Session& session, ViewState& state) {
         session.lesson = lesson.id;
         session.step = std::min(saved.step, static_cast<int>(lesson.steps.size()) - 1);
         if (!is_in_lessons_folder(lesson)) session.lesson_folder = lesson.folder;
-        state.panels = lesson.steps[static_cast<std::size_t>(session.step)].state.panels;
+        const ViewState& step = lesson.steps[static_cast<std::size_t>(session.step)].state;
+        state.panels = step.panels;
+        start.own_tab = saved.own_tab;
+        if (!start.own_tab.empty()) state.tab = step.tab;
     } catch (const Error& fault) {
         session.notice = std::string("The lesson of this view is not here: ") + fault.what();
     }
@@ -115,8 +122,15 @@ Start start_of_saved_view(const std::string& path) {
     start.path = saved.path;
     start.state = saved.state;
     start.session = open_session(find_file(saved, "scene", saved.scene));
-    take_lesson(saved, start.session, start.state);
+    take_lesson(saved, start);
+    start.covers_tab = saved.state.tab == settings_tab;
     return start;
+}
+
+/// Over the lesson's tab comes the student's own, and the settings over that.
+void show_own_tab(const Start& start, Session& session) {
+    choose_tab(session, start.own_tab);
+    if (start.covers_tab) choose_tab(session, settings_tab);
 }
 
 /// Puts the scene that the options name into the place of the lesson's: its rules stay, its places
@@ -255,6 +269,7 @@ Session open_view(const ViewOptions& given) {
     refuse_faults(start.path, place_vertices(session, state));
     if (changes_picture(options)) fit(session, state);
     refuse_faults(start.path, show_on_scene(session, state));
+    if (!start.own_tab.empty() && options.given.count("tab") == 0) show_own_tab(start, session);
     const Frame frame = prepare_frame(*session.scene, session.a.settings);
     const auto to = options.given.find("cursor");
     if (to != options.given.end()) session.cursor = moment_of(frame, to->second.back());

@@ -19,10 +19,10 @@ glm::dvec3 mix(const glm::dvec3& a, const glm::dvec3& b, double t) {
     return a + t * (b - a);
 }
 
-/// The first sample whose middle does not lie before this place, 0 to `size`.
-int first_sample(double place, int size) {
+/// The first sample whose middle does not lie before this place, `low` to `high`.
+int first_sample(double place, int low, int high) {
     const double first = std::ceil(place - 0.5);
-    return first >= size ? size : first > 0.0 ? static_cast<int>(first) : 0;
+    return first >= high ? high : first > low ? static_cast<int>(first) : low;
 }
 
 } // namespace
@@ -66,8 +66,8 @@ SeenPolygon clipped_to_near(std::span<const glm::dvec3> corners, double near_dis
 }
 
 PolygonSpans::PolygonSpans(const OutsideEye& eye, std::span<const glm::dvec3> corners,
-                           glm::ivec2 size)
-    : width_(size.x) {
+                           const Rectangle& area)
+    : left_(area.left), right_(area.right) {
     double top = std::numeric_limits<double>::infinity(), bottom = -top;
     glm::dvec2 last = eye.pixel(corners.back());
     for (const glm::dvec3& corner : corners) {
@@ -85,8 +85,8 @@ PolygonSpans::PolygonSpans(const OutsideEye& eye, std::span<const glm::dvec3> co
         }
         last = pixel;
     }
-    first_row_ = first_sample(top, size.y);
-    end_row_ = first_sample(bottom, size.y);
+    first_row_ = first_sample(top, area.top, area.bottom);
+    end_row_ = first_sample(bottom, area.top, area.bottom);
 }
 
 SampleSpan PolygonSpans::row(int row) const {
@@ -100,7 +100,33 @@ SampleSpan PolygonSpans::row(int row) const {
         right = std::max(right, x);
     }
     if (!(left < right)) return {};
-    return {first_sample(left, width_), first_sample(right, width_)};
+    return {first_sample(left, left_, right_), first_sample(right, left_, right_)};
+}
+
+Rectangle box_around(const OutsideEye& eye, std::span<const glm::dvec3> corners,
+                     const Rectangle& area) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    glm::dvec2 low(infinity), high(-infinity);
+    for (const glm::dvec3& corner : corners) {
+        const glm::dvec2 pixel = eye.pixel(corner);
+        if (!std::isfinite(pixel.x) || !std::isfinite(pixel.y)) return {};
+        low = glm::min(low, pixel);
+        high = glm::max(high, pixel);
+    }
+    // A place between two corners may be rounded beyond them.
+    low -= 1.0;
+    high += 1.0;
+    const Rectangle box{
+        first_sample(low.x, area.left, area.right), first_sample(low.y, area.top, area.bottom),
+        first_sample(high.x, area.left, area.right), first_sample(high.y, area.top, area.bottom)};
+    return is_empty(box) ? Rectangle{} : box;
+}
+
+Rectangle around(const Rectangle& a, const Rectangle& b) {
+    if (is_empty(a)) return b;
+    if (is_empty(b)) return a;
+    return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right),
+            std::max(a.bottom, b.bottom)};
 }
 
 SeenLine seen_line(const OutsideEye& eye, glm::dvec3 from, glm::dvec3 to) {

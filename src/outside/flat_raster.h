@@ -22,6 +22,7 @@
 #include <glm/vec3.hpp>
 
 #include "outside/outside_eye.h"
+#include "stages/rectangle.h"
 
 namespace rasterwalk {
 
@@ -29,13 +30,15 @@ namespace rasterwalk {
 struct SampleGrid {
     glm::ivec2 size{0, 0};
     std::vector<float> inv_z;          ///< 1/z of the eye's space, larger is nearer; 0: nothing
-    std::vector<std::uint32_t> colour; ///< bytes red, green, blue from the lowest
+    std::vector<std::uint32_t> colour; ///< bytes red, green, blue from the lowest; the fourth is
+                                       ///< for whoever draws, and is not seen
     std::vector<std::int32_t> id;      ///< of what is seen; -1: nothing
 
     std::size_t at(int column, int row) const {
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(size.x) +
                static_cast<std::size_t>(column);
     }
+    Rectangle all() const { return {0, 0, size.x, size.y}; }
 };
 
 /// Makes all samples see nothing but this colour.
@@ -78,8 +81,9 @@ struct SampleSpan {
 /// A convex polygon as it is cut into rows of samples.
 class PolygonSpans {
   public:
-    /// @param corners three or four, in the space of the eye
-    PolygonSpans(const OutsideEye& eye, std::span<const glm::dvec3> corners, glm::ivec2 size);
+    /// @param corners three or more, in the space of the eye
+    /// @param area    the samples that are asked for
+    PolygonSpans(const OutsideEye& eye, std::span<const glm::dvec3> corners, const Rectangle& area);
 
     int first_row() const { return first_row_; }
     int end_row() const { return end_row_; }
@@ -93,29 +97,41 @@ class PolygonSpans {
     };
 
     std::array<Edge, 8> edges_;
-    int count_ = 0, width_ = 0;
+    int count_ = 0, left_ = 0, right_ = 0;
     int first_row_ = 0, end_row_ = 0;
 };
 
+/// The smallest rectangle of samples that no sample covered by a polygon lies outside of, or one
+/// that is a little larger.
+/// @param corners three or more, in the space of the eye
+/// @param area    the samples that are asked for
+Rectangle box_around(const OutsideEye& eye, std::span<const glm::dvec3> corners,
+                     const Rectangle& area);
+
+/// The smallest rectangle around both.
+Rectangle around(const Rectangle& a, const Rectangle& b);
+
 /// Calls paint(const SampleHit&) for every sample that a flat convex polygon covers, in front of
-/// others or not.
-/// @param corners three or four, in the space of the eye
+/// others or not. Of which area a sample is asked makes no difference to it.
+/// @param corners three or more, in the space of the eye
+/// @param width   of the grid, samples
+/// @param area    the samples that are asked for
 /// @return how many samples were asked
 template <class Paint>
-std::int64_t for_each_sample(const OutsideEye& eye, std::span<const glm::dvec3> corners,
-                             glm::ivec2 size, Paint&& paint) {
+std::int64_t for_each_sample(const OutsideEye& eye, std::span<const glm::dvec3> corners, int width,
+                             const Rectangle& area, Paint&& paint) {
     // All of the plane lies at n . p = d.
     const glm::dvec3 n = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
     const double d = glm::dot(n, corners[0]);
     if (!(d > 0.0 || d < 0.0)) return 0; // seen from its edge
-    const PolygonSpans spans(eye, corners, size);
+    const PolygonSpans spans(eye, corners, area);
     std::int64_t count = 0;
     for (int row = spans.first_row(); row < spans.end_row(); ++row) {
         const SampleSpan span = spans.row(row);
         SampleHit hit;
         hit.ray = {0.0, (row + 0.5 - eye.middle.y) / eye.focal_length, 1.0};
         for (int column = span.first; column < span.end; ++column) {
-            hit.index = static_cast<std::size_t>(row) * static_cast<std::size_t>(size.x) +
+            hit.index = static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
                         static_cast<std::size_t>(column);
             hit.ray.x = (column + 0.5 - eye.middle.x) / eye.focal_length;
             hit.inv_z = glm::dot(n, hit.ray) / d;

@@ -7,9 +7,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "outside/shrunken_picture.h"
-#include "stages/polygon_rows.h"
-#include "stages/stages.h"
+#include "outside/filled_part.h"
+#include "outside/seen_pane.h"
 
 namespace rasterwalk {
 
@@ -30,17 +29,15 @@ constexpr std::int64_t small_scene_factor = 6;
 /// A surface must win against the same surface, worked out once more.
 constexpr double same_surface = 1.0005;
 
-/// The smallest share of its colour that a side turned away from the light has.
-constexpr double shaded = 0.72;
-
-const glm::dvec3 light_direction(0.36, -0.80, -0.48);
-
 /// How much is seen of the picture where nothing is drawn: it is a pane of glass there.
 constexpr float glass = 0.4f;
 
 /// The ids of what is no triangle: pixels of the picture.
 constexpr std::int32_t nothing = -1;
 constexpr std::int32_t first_pixel_id = -2;
+
+/// In the fourth byte of a sample's colour: a line of the outline.
+constexpr std::uint32_t line_flag = std::uint32_t{1} << 24;
 
 OutsideEye scaled(OutsideEye eye, double scale) {
     eye.focal_length *= scale;
@@ -65,43 +62,6 @@ int triangle_in_turn(int n, int count) {
     return static_cast<int>(group * step % groups) * triangles_in_a_row + n % triangles_in_a_row;
 }
 
-struct WorldTriangle {
-    std::array<glm::dvec3, triangle_corners> corners;
-    glm::dvec3 normal{0.0}; ///< into the room and out of the blocks; not of unit length
-};
-
-WorldTriangle world_triangle(const Scene& scene, int triangle) {
-    WorldTriangle world;
-    for (int i = 0; i < triangle_corners; ++i)
-        world.corners[static_cast<std::size_t>(i)] = scene.corner(triangle, i).position;
-    const auto& [a, b, c] = world.corners;
-    world.normal = glm::cross(c - a, b - a);
-    return world;
-}
-
-/// Is this a wall that the eye would see from its back, and the camera from its front? It stands
-/// between the eye and the room.
-bool is_culled(const WorldTriangle& triangle, const glm::dvec3& eye, const glm::dvec3& camera) {
-    const glm::dvec3& corner = triangle.corners[0];
-    return glm::dot(triangle.normal, eye - corner) <= 0.0 &&
-           glm::dot(triangle.normal, camera - corner) > 0.0;
-}
-
-glm::vec3 own_colour(const Scene& scene, int triangle) {
-    glm::vec3 sum(0.0f);
-    for (int i = 0; i < triangle_corners; ++i)
-        sum += scene.corner(triangle, i).reflectance;
-    return sum / static_cast<float>(triangle_corners);
-}
-
-/// Lighter or darker by where it faces, so that neighbouring sides are told apart.
-float shade_of(const glm::dvec3& normal) {
-    const double length = glm::length(normal);
-    if (!(length > 0.0)) return 1.0f;
-    const double cosine = std::abs(glm::dot(normal, light_direction)) / length;
-    return static_cast<float>(shaded + (1.0 - shaded) * cosine);
-}
-
 glm::vec3 over_ground(const OutsideStyle& style, const glm::vec3& colour, float share) {
     return glm::mix(style.ground, glm::clamp(colour, 0.0f, 1.0f), share);
 }
@@ -114,64 +74,109 @@ SeenPolygon seen_triangle(const WorldTriangle& triangle, const OutsideEye& eye) 
     return clipped_to_near(corners, eye.near_distance);
 }
 
-/// Which part of the triangle at work is filled.
-class FilledPart {
-  public:
-    FilledPart(const OutsideSubject& subject, int triangle)
-        : subject_(subject), triangle_(triangle) {
-        const Frame& frame = subject.frame;
-        is_whole_ = frame.is_drawn(triangle) && triangle < subject.cursor.triangle;
-        // One that has not come to its rows yet is not filled at all.
-        has_rows_ = !is_whole_ && frame.is_drawn(triangle) && frame.settings.stage >= Stage::rows &&
-                    subject.cursor > Cursor{triangle, Phase::rows, 0, 0};
-        if (has_rows_) compute_rows(frame, triangle, rows_, nullptr, VaryingSet());
-    }
-    bool is_whole() const { return is_whole_; }
-    bool is_empty() const { return !is_whole_ && (!has_rows_ || rows_.size() == 0); }
-
-    /// Is what the camera sees in this place of its picture filled?
-    /// @param pixel from its corner
-    bool has(const glm::dvec2& pixel) const {
-        const double row = std::floor(pixel.y) - rows_.first_row;
-        const auto index = static_cast<int>(std::clamp(row, 0.0, rows_.size() - 1.0));
-        int step = 0;
-        if (has_fragments(subject_.frame.settings.stage)) {
-            const double column =
-                std::floor(pixel.x) - rows_.left[static_cast<std::size_t>(index)].column;
-            const int last = std::max(rows_.pixel_count(index) - 1, 0);
-            step = static_cast<int>(std::clamp(column, 0.0, static_cast<double>(last)));
-        }
-        return Cursor{triangle_, Phase::rows, index, step} < subject_.cursor;
-    }
-
-  private:
-    const OutsideSubject& subject_;
-    int triangle_;
-    bool is_whole_ = false, has_rows_ = false;
-    PolygonRows rows_;
-};
-
 } // namespace
 
 bool OutsideDrawing::update(const OutsideSubject& subject, const OutsideLook& look,
                             std::int64_t work_at_once) {
     take_scene(subject);
+    const BaseKey base{subject.frame_number, look};
     const int count = subject.scene->triangle_count();
-    const int begun = std::clamp(subject.cursor.triangle, 0, count);
-    const BaseKey base{subject.frame_number, look, count <= most_ordered ? begun : count};
-    const bool is_new = base_key_ != base;
-    if (is_new) begin_base(look);
+    const int begun = count <= most_ordered ? std::clamp(subject.cursor.triangle, 0, count) : count;
+    if (base_key_ != base) {
+        begin_base(look);
+        begun_ = begun;
+    }
     base_key_ = base;
     const MomentKey moment{subject.cursor, subject.triangle, subject.picture_number};
     if (base_is_done_ && moment_key_ == moment) return false;
+    // What has changed since the image was made. Nothing is known of one that is not made yet.
+    const bool is_whole = !moment_key_ || !base_is_done_;
+    Rectangle changed = is_whole ? base_.all() : changed_by(subject, moment, *moment_key_);
+    moment_key_ = std::nullopt;
+    changed = around(changed, colour_anew(subject, look.style, begun));
     if (!base_is_done_) draw_base(subject, look.style, work_at_once);
+    compose(subject, look.style, changed);
     moment_key_ = moment;
-    grid_ = base_;
-    draw_triangle_at_work(subject, look.style);
-    draw_picture(subject);
-    resolve();
     ++number_;
     return true;
+}
+
+/// The samples in which this moment may look different from the last one, beside the colours of
+/// the scene's triangles.
+Rectangle OutsideDrawing::changed_by(const OutsideSubject& subject, const MomentKey& now,
+                                     const MomentKey& last) const {
+    Rectangle changed;
+    if (now.cursor != last.cursor || now.triangle != last.triangle) {
+        changed = around(box_of_triangle(last.triangle), box_of_triangle(now.triangle));
+    }
+    if (now.picture_number == last.picture_number) return changed;
+    const std::optional<SeenPane> pane = seen_pane(things_.plane, sample_eye_);
+    if (!pane) return changed;
+    const Viewport size = things_.plane.size;
+    const bool is_known = subject.picture_before == last.picture_number &&
+                          shown_.block == block_size(subject.picture, pane->samples_a_pixel);
+    Rectangle pixels{0, 0, size.width, size.height};
+    if (is_known && !is_empty(subject.picture_changed)) {
+        const auto down = [&](int pixel) { return pixel / shown_.block * shown_.block; };
+        const auto up = [&](int pixel) { return down(pixel + shown_.block - 1); };
+        const Rectangle& p = subject.picture_changed;
+        pixels = {down(p.left), down(p.top), up(p.right), up(p.bottom)};
+    } else if (is_known) {
+        pixels = {};
+    }
+    return around(changed, box_of_pixels(*pane, sample_eye_, pixels, base_.all()));
+}
+
+Rectangle OutsideDrawing::box_of_triangle(std::optional<int> triangle) const {
+    if (!triangle || *triangle < 0 || *triangle >= scene_->triangle_count()) return {};
+    const SeenPolygon seen = seen_triangle(world_triangle(*scene_, *triangle), sample_eye_);
+    if (seen.count < triangle_corners) return {};
+    return box_around(sample_eye_, seen.all(), base_.all());
+}
+
+/// Gives those triangles another colour that have been begun since, or are still to come again.
+/// @return the samples among which they lie
+Rectangle OutsideDrawing::colour_anew(const OutsideSubject& subject, const OutsideStyle& style,
+                                      int begun) {
+    const int first = std::min(begun, begun_), end = std::max(begun, begun_);
+    begun_ = begun;
+    Rectangle box;
+    std::vector<std::uint32_t> colours;
+    for (int triangle = first; triangle < end; ++triangle) {
+        box = around(box, box_of_triangle(triangle));
+        colours.push_back(base_colour(subject, style, triangle, world_triangle(*scene_, triangle)));
+    }
+    for (int row = box.top; row < box.bottom; ++row) {
+        for (int column = box.left; column < box.right; ++column) {
+            const std::size_t sample = base_.at(column, row);
+            const std::int32_t id = base_.id[sample];
+            if (id < first || id >= end || (base_.colour[sample] & line_flag) != 0) continue;
+            base_.colour[sample] = colours[static_cast<std::size_t>(id - first)];
+        }
+    }
+    return box;
+}
+
+/// Lays over these samples of the base what belongs to the moment.
+void OutsideDrawing::compose(const OutsideSubject& subject, const OutsideStyle& style,
+                             const Rectangle& samples) {
+    grid_.size = base_.size;
+    grid_.inv_z.resize(base_.inv_z.size());
+    grid_.colour.resize(base_.colour.size());
+    grid_.id.resize(base_.id.size());
+    const auto count = static_cast<std::size_t>(samples.right - samples.left);
+    for (int row = samples.top; row < samples.bottom; ++row) {
+        const auto first = static_cast<std::ptrdiff_t>(base_.at(samples.left, row));
+        const auto copy = [&](const auto& from, auto& to) {
+            std::copy_n(from.begin() + first, count, to.begin() + first);
+        };
+        copy(base_.inv_z, grid_.inv_z);
+        copy(base_.colour, grid_.colour);
+        copy(base_.id, grid_.id);
+    }
+    draw_triangle_at_work(subject, style, samples);
+    draw_picture(subject, samples);
+    resolve(samples);
 }
 
 void OutsideDrawing::take_scene(const OutsideSubject& subject) {
@@ -180,6 +185,7 @@ void OutsideDrawing::take_scene(const OutsideSubject& subject) {
         things_.box = box_of(*scene_);
         outline_ = outline_of(*scene_);
         base_key_ = std::nullopt;
+        shown_number_ = 0; // pictures of another session may have the same numbers
     }
     const Settings& settings = subject.frame.settings;
     things_.plane = picture_plane(settings.camera, settings.viewport, things_.box);
@@ -200,6 +206,7 @@ void OutsideDrawing::begin_base(const OutsideLook& look) {
     clear(base_, samples_ * glm::ivec2(image_.width, image_.height),
           packed_colour(look.style.ground));
     base_is_done_ = false;
+    moment_key_ = std::nullopt;
     next_ = 0;
     work_ = 0;
 }
@@ -222,46 +229,51 @@ std::int64_t OutsideDrawing::draw_triangle(const OutsideSubject& subject, const 
     if (is_culled(world, eye_.position, things_.plane.eye)) return 0;
     const SeenPolygon seen = seen_triangle(world, sample_eye_);
     if (seen.count < triangle_corners) return 0;
-    const bool is_coming =
-        !subject.frame.is_drawn(triangle) ||
-        (scene.triangle_count() <= most_ordered && triangle >= subject.cursor.triangle);
-    const std::uint32_t colour =
-        packed_colour(over_ground(style, own_colour(scene, triangle) * shade_of(world.normal),
-                                  is_coming ? style.coming : style.drawn));
-    return for_each_sample(sample_eye_, seen.all(), base_.size, [&](const SampleHit& hit) {
-        const auto inv_z = static_cast<float>(hit.inv_z);
-        if (!(inv_z > base_.inv_z[hit.index])) return;
-        base_.inv_z[hit.index] = inv_z;
-        base_.colour[hit.index] = colour;
-        base_.id[hit.index] = triangle;
-    });
+    const std::uint32_t colour = base_colour(subject, style, triangle, world);
+    return for_each_sample(sample_eye_, seen.all(), base_.size.x, base_.all(),
+                           [&](const SampleHit& hit) {
+                               const auto inv_z = static_cast<float>(hit.inv_z);
+                               if (!(inv_z > base_.inv_z[hit.index])) return;
+                               base_.inv_z[hit.index] = inv_z;
+                               base_.colour[hit.index] = colour;
+                               base_.id[hit.index] = triangle;
+                           });
+}
+
+/// The colour of a triangle that is not the one at work.
+std::uint32_t OutsideDrawing::base_colour(const OutsideSubject& subject, const OutsideStyle& style,
+                                          int triangle, const WorldTriangle& world) const {
+    const bool is_coming = !subject.frame.is_drawn(triangle) ||
+                           (scene_->triangle_count() <= most_ordered && triangle >= begun_);
+    return packed_colour(over_ground(style, own_colour(*scene_, triangle) * shade_of(world),
+                                     is_coming ? style.coming : style.drawn));
 }
 
 void OutsideDrawing::draw_outline(const OutsideStyle& style) {
-    const std::uint32_t colour = packed_colour(style.line);
+    const std::uint32_t colour = packed_colour(style.line) | line_flag;
     for (const OutlineEdge& edge : outline_) {
         draw_line(sample_eye_, sample_eye_.seen(edge.from), sample_eye_.seen(edge.to), colour,
                   samples_, base_);
     }
 }
 
-void OutsideDrawing::draw_triangle_at_work(const OutsideSubject& subject,
-                                           const OutsideStyle& style) {
+void OutsideDrawing::draw_triangle_at_work(const OutsideSubject& subject, const OutsideStyle& style,
+                                           const Rectangle& samples) {
     const Scene& scene = *subject.scene;
     if (!subject.triangle || *subject.triangle < 0 || *subject.triangle >= scene.triangle_count()) {
         return;
     }
     const int triangle = *subject.triangle;
-    const FilledPart filled(subject, triangle);
     const SeenPolygon seen = seen_triangle(world_triangle(scene, triangle), sample_eye_);
     if (seen.count < triangle_corners) return;
+    const FilledPart filled(subject.frame, subject.cursor, triangle);
     const glm::vec3 own = own_colour(scene, triangle);
     const std::uint32_t lit = packed_colour(over_ground(style, own, 1.0f));
     const std::uint32_t dark = packed_colour(over_ground(style, own, style.drawn));
     const PicturePlane& plane = things_.plane;
     // From the space of the eye outside to that of the camera.
     const glm::dvec3 shift = (sample_eye_.position - plane.eye) * plane.rotation;
-    for_each_sample(sample_eye_, seen.all(), grid_.size, [&](const SampleHit& hit) {
+    for_each_sample(sample_eye_, seen.all(), grid_.size.x, samples, [&](const SampleHit& hit) {
         if (hit.inv_z * same_surface < static_cast<double>(grid_.inv_z[hit.index])) return;
         bool is_filled = filled.is_whole();
         if (!is_filled && !filled.is_empty()) {
@@ -275,51 +287,58 @@ void OutsideDrawing::draw_triangle_at_work(const OutsideSubject& subject,
     });
 }
 
-void OutsideDrawing::draw_picture(const OutsideSubject& subject) {
-    const Viewport size = things_.plane.size;
+/// The picture in blocks, of which no more than what has changed is made anew.
+void OutsideDrawing::shrink_picture(const OutsideSubject& subject, double samples_a_pixel) {
     const Image& picture = subject.picture;
-    if (picture.width != size.width || picture.height != size.height || size.width < 1 ||
-        size.height < 1) {
-        return;
+    const int block = block_size(picture, samples_a_pixel);
+    const bool is_same_size = shown_number_ != 0 && shown_.block == block;
+    if (is_same_size && shown_number_ == subject.picture_number) return;
+    const bool is_known = is_same_size && shown_number_ == subject.picture_before;
+    shown_number_ = 0;
+    if (is_known) {
+        shrink_again(picture, subject.framebuffer, glass, subject.picture_changed, shown_);
+    } else {
+        shown_ = shrunken(picture, subject.framebuffer, block, glass);
     }
-    std::array<glm::dvec3, 4> corners = things_.plane.corners();
-    for (glm::dvec3& corner : corners)
-        corner = sample_eye_.seen(corner);
-    const SeenPolygon seen = clipped_to_near(corners, sample_eye_.near_distance);
-    if (seen.count < triangle_corners) return;
-    // One pixel to the right and one down, as they lie on the pane.
-    const glm::dvec3 right = (corners[1] - corners[0]) / static_cast<double>(size.width);
-    const glm::dvec3 down = (corners[3] - corners[0]) / static_cast<double>(size.height);
-    const glm::dvec3 across = right / glm::dot(right, right);
-    const glm::dvec3 along = down / glm::dot(down, down);
-    const double samples_a_pixel =
-        sample_eye_.focal_length * glm::length(right) /
-        std::max(0.25 * (corners[0].z + corners[1].z + corners[2].z + corners[3].z),
-                 sample_eye_.near_distance);
-    const ShrunkenPicture shown = shrunken(picture, subject.framebuffer, samples_a_pixel, glass);
-    for_each_sample(sample_eye_, seen.all(), grid_.size, [&](const SampleHit& hit) {
-        // Seen almost along itself the pane has no depth that could be worked out.
-        if (!(hit.inv_z > 0.0) || hit.inv_z < static_cast<double>(grid_.inv_z[hit.index])) return;
-        const glm::dvec3 place = hit.place() - corners[0];
-        const double x = glm::dot(place, across), y = glm::dot(place, along);
-        if (!std::isfinite(x) || !std::isfinite(y)) return;
-        const int column =
-            static_cast<int>(std::clamp(x, 0.0, static_cast<double>(size.width - 1)));
-        const int row = static_cast<int>(std::clamp(y, 0.0, static_cast<double>(size.height - 1)));
-        grid_.inv_z[hit.index] = static_cast<float>(hit.inv_z);
-        grid_.id[hit.index] = first_pixel_id - (row * size.width + column);
-        grid_.colour[hit.index] = laid_over(shown.at(column, row), grid_.colour[hit.index]);
-    });
+    shown_number_ = subject.picture_number;
 }
 
-void OutsideDrawing::resolve() {
+void OutsideDrawing::draw_picture(const OutsideSubject& subject, const Rectangle& samples) {
+    const Viewport size = things_.plane.size;
+    const Image& picture = subject.picture;
+    if (picture.width != size.width || picture.height != size.height) return;
+    const std::optional<SeenPane> pane = seen_pane(things_.plane, sample_eye_);
+    if (!pane) return;
+    shrink_picture(subject, pane->samples_a_pixel);
+    const auto paint = [&](const SampleHit& hit) {
+        // Seen almost along itself the pane has no depth that could be worked out.
+        if (!(hit.inv_z > 0.0) || hit.inv_z < static_cast<double>(grid_.inv_z[hit.index])) return;
+        const glm::dvec2 place = pane->pixel_of(hit.place());
+        if (!std::isfinite(place.x) || !std::isfinite(place.y)) return;
+        const auto column =
+            static_cast<int>(std::clamp(place.x, 0.0, static_cast<double>(size.width - 1)));
+        const auto row =
+            static_cast<int>(std::clamp(place.y, 0.0, static_cast<double>(size.height - 1)));
+        grid_.inv_z[hit.index] = static_cast<float>(hit.inv_z);
+        grid_.id[hit.index] = first_pixel_id - (row * size.width + column);
+        grid_.colour[hit.index] = laid_over(shown_.at(column, row), grid_.colour[hit.index]);
+    };
+    for_each_sample(sample_eye_, pane->polygon.all(), grid_.size.x, samples, paint);
+}
+
+/// Makes those pixels of the image anew that these samples lie in.
+void OutsideDrawing::resolve(const Rectangle& samples) {
     image_.rgba.resize(4 * static_cast<std::size_t>(image_.width) *
                        static_cast<std::size_t>(image_.height));
     // One sample a pixel, or four: their mean is a shift. Red and blue are summed in one number.
     const int shift = samples_ == 2 ? 2 : 0;
-    std::size_t byte = 0;
-    for (int row = 0; row < image_.height; ++row) {
-        for (int column = 0; column < image_.width; ++column) {
+    const int left = samples.left / samples_, right = (samples.right + samples_ - 1) / samples_;
+    const int top = samples.top / samples_, bottom = (samples.bottom + samples_ - 1) / samples_;
+    for (int row = top; row < bottom; ++row) {
+        std::size_t byte =
+            4 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(image_.width) +
+                 static_cast<std::size_t>(left));
+        for (int column = left; column < right; ++column) {
             std::uint32_t red_blue = 0, green = 0;
             for (int y = 0; y < samples_; ++y) {
                 const std::size_t first = grid_.at(samples_ * column, samples_ * row + y);

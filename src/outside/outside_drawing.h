@@ -12,6 +12,8 @@
 #include "outside/flat_raster.h"
 #include "outside/outline.h"
 #include "outside/outside_eye.h"
+#include "outside/shrunken_picture.h"
+#include "outside/world_triangle.h"
 #include "pipeline/cursor.h"
 #include "pipeline/frame.h"
 #include "pipeline/framebuffer.h"
@@ -27,7 +29,9 @@ struct OutsideSubject {
     std::optional<int> triangle; ///< at work, or selected
     const Image& picture;        ///< of the moment
     std::uint64_t picture_number = 0;
-    const Framebuffer& framebuffer; ///< of which the picture was made
+    const Framebuffer& framebuffer;   ///< of which the picture was made
+    std::uint64_t picture_before = 0; ///< the picture with this number differs from it only in
+    Rectangle picture_changed;        ///< these pixels; 0: nothing is known
 };
 
 /// Its colours, 0..1.
@@ -86,15 +90,14 @@ class OutsideDrawing {
     OutsidePick at(glm::vec2 place) const;
 
   private:
-    /// What the triangles of the scene look like follows from this.
+    /// Where the triangles of the scene are seen follows from this.
     struct BaseKey {
         std::uint64_t frame_number = 0;
         OutsideLook look;
-        int triangles_begun = 0;
 
         friend bool operator==(const BaseKey&, const BaseKey&) = default;
     };
-    /// And this lies over them.
+    /// What lies over them, and which of them are still to come.
     struct MomentKey {
         Cursor cursor;
         std::optional<int> triangle;
@@ -110,9 +113,19 @@ class OutsideDrawing {
     std::int64_t draw_triangle(const OutsideSubject& subject, const OutsideStyle& style,
                                int triangle);
     void draw_outline(const OutsideStyle& style);
-    void draw_triangle_at_work(const OutsideSubject& subject, const OutsideStyle& style);
-    void draw_picture(const OutsideSubject& subject);
-    void resolve();
+    std::uint32_t base_colour(const OutsideSubject& subject, const OutsideStyle& style,
+                              int triangle, const WorldTriangle& world) const;
+    Rectangle box_of_triangle(std::optional<int> triangle) const;
+    Rectangle colour_anew(const OutsideSubject& subject, const OutsideStyle& style, int begun);
+    Rectangle changed_by(const OutsideSubject& subject, const MomentKey& now,
+                         const MomentKey& last) const;
+    void compose(const OutsideSubject& subject, const OutsideStyle& style,
+                 const Rectangle& samples);
+    void draw_triangle_at_work(const OutsideSubject& subject, const OutsideStyle& style,
+                               const Rectangle& samples);
+    void shrink_picture(const OutsideSubject& subject, double samples_a_pixel);
+    void draw_picture(const OutsideSubject& subject, const Rectangle& samples);
+    void resolve(const Rectangle& samples);
 
     std::shared_ptr<const Scene> scene_; ///< to which box and outline belong
     std::vector<OutlineEdge> outline_;
@@ -125,9 +138,12 @@ class OutsideDrawing {
     SampleGrid grid_; ///< and what lies over them
     bool base_is_done_ = true;
     int next_ = 0;          ///< how many triangles are drawn
+    int begun_ = 0;         ///< those before have the colour of what is drawn
     std::int64_t work_ = 0; ///< on this base so far, samples
     int samples_ = 1;       ///< across a pixel of the image
     int pixel_size_ = 1;
+    ShrunkenPicture shown_;
+    std::uint64_t shown_number_ = 0; ///< of the picture that it was made of; 0: of none
     Image image_;
     std::uint64_t number_ = 0;
 };

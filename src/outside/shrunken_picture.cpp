@@ -62,23 +62,35 @@ PanePixel block_pixel(const Image& picture, const Framebuffer& framebuffer, int 
 
 } // namespace
 
-ShrunkenPicture shrunken(const Image& picture, const Framebuffer& framebuffer, double samples,
+int block_size(const Image& picture, double samples) {
+    if (!(samples < 1.0)) return 1;
+    const int largest = std::max(std::min(picture.width, picture.height), 1);
+    return static_cast<int>(std::min(std::floor(1.0 / std::max(samples, 1e-6)), 1.0 * largest));
+}
+
+ShrunkenPicture shrunken(const Image& picture, const Framebuffer& framebuffer, int block,
                          float see_through) {
     ShrunkenPicture shown;
-    const int largest = std::max(std::min(picture.width, picture.height), 1);
-    shown.block =
-        samples < 1.0
-            ? static_cast<int>(std::min(std::floor(1.0 / std::max(samples, 1e-6)), 1.0 * largest))
-            : 1;
-    shown.width = (picture.width + shown.block - 1) / shown.block;
-    shown.blocks.reserve(static_cast<std::size_t>(shown.width) *
-                         static_cast<std::size_t>(picture.height / shown.block + 1));
-    for (int top = 0; top < picture.height; top += shown.block) {
-        for (int left = 0; left < picture.width; left += shown.block)
-            shown.blocks.push_back(
-                block_pixel(picture, framebuffer, left, top, shown.block, see_through));
-    }
+    shown.block = block;
+    shown.width = (picture.width + block - 1) / block;
+    shown.blocks.resize(static_cast<std::size_t>(shown.width) *
+                        static_cast<std::size_t>((picture.height + block - 1) / block));
+    shrink_again(picture, framebuffer, see_through, {0, 0, picture.width, picture.height}, shown);
     return shown;
+}
+
+void shrink_again(const Image& picture, const Framebuffer& framebuffer, float see_through,
+                  const Rectangle& pixels, ShrunkenPicture& shown) {
+    const int block = shown.block;
+    const auto first = [&](int pixel) { return pixel / block * block; };
+    for (int top = first(pixels.top); top < pixels.bottom; top += block) {
+        for (int left = first(pixels.left); left < pixels.right; left += block) {
+            const auto index =
+                static_cast<std::size_t>(top / block) * static_cast<std::size_t>(shown.width) +
+                static_cast<std::size_t>(left / block);
+            shown.blocks[index] = block_pixel(picture, framebuffer, left, top, block, see_through);
+        }
+    }
 }
 
 std::uint32_t laid_over(const PanePixel& pixel, std::uint32_t colour) {

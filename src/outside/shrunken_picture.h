@@ -5,6 +5,7 @@
 
 #include "base/image.h"
 #include "pipeline/framebuffer.h"
+#include "stages/rectangle.h"
 
 namespace rasterwalk {
 
@@ -27,14 +28,24 @@ struct ShrunkenPicture {
     }
 };
 
+/// How many pixels wide a block must be for no more than one of them to lie on a sample.
+/// @param samples how many of the eye's samples a pixel of the picture is wide
+int block_size(const Image& picture, double samples);
+
 /// Makes it. A line of a pixel's width does not fade with the size: where something is drawn in a
 /// block it counts for more than where nothing is.
 /// @param framebuffer of which the picture, which is not empty, was made: pixels without an owner
 ///                    are glass
-/// @param samples     how many of the eye's samples a pixel of the picture is wide
-/// @param see_through      opacity where nothing is drawn, 0..1
-ShrunkenPicture shrunken(const Image& picture, const Framebuffer& framebuffer, double samples,
+/// @param block       pixels, at least 1
+/// @param see_through opacity where nothing is drawn, 0..1
+ShrunkenPicture shrunken(const Image& picture, const Framebuffer& framebuffer, int block,
                          float see_through);
+
+/// The same where the picture has changed since: only the blocks that these pixels lie in are made
+/// anew.
+/// @param pixels that have changed, inside of the picture
+void shrink_again(const Image& picture, const Framebuffer& framebuffer, float see_through,
+                  const Rectangle& pixels, ShrunkenPicture& shown);
 
 /// The colour with the pixel before it; as the samples have it, see packed_colour().
 std::uint32_t laid_over(const PanePixel& pixel, std::uint32_t colour);

@@ -19,6 +19,56 @@ Rgb depth_colour(float depth, const DepthRange& range) {
     return viridis(place > 0.0f ? place : 0.0f);
 }
 
+/// From what to what the colours go, over the whole picture.
+struct Scales {
+    DepthRange depths;
+    std::uint32_t most = 1; ///< fragments on a pixel
+};
+
+/// @param i index of the pixel in the planes
+Rgb pixel_colour(const Framebuffer& framebuffer, View view, const Scales& scales, std::size_t i) {
+    switch (view) {
+    case View::colour: {
+        const glm::vec3& c = framebuffer.colour[i];
+        const auto to_byte = framebuffer.rules.to_byte;
+        return {to_byte(c.r), to_byte(c.g), to_byte(c.b)};
+    }
+    case View::depth: {
+        const auto width = static_cast<std::size_t>(framebuffer.size.width);
+        const int column = framebuffer.origin.x + static_cast<int>(i % width);
+        const int row = framebuffer.origin.y + static_cast<int>(i / width);
+        return depth_colour(stored_depth(framebuffer, column, row), scales.depths);
+    }
+    case View::triangle:
+        if (framebuffer.owner[i] >= 0) return distinct_colour(framebuffer.owner[i]);
+        break;
+    case View::overdraw:
+        if (framebuffer.overdraw[i] > 0) {
+            return viridis(static_cast<float>(framebuffer.overdraw[i]) /
+                           static_cast<float>(scales.most));
+        }
+        break;
+    }
+    return {0, 0, 0};
+}
+
+/// @param pixels of the planes
+void paint(const Framebuffer& framebuffer, View view, const Scales& scales, const Rectangle& pixels,
+           Image& image) {
+    const auto width = static_cast<std::size_t>(framebuffer.size.width);
+    for (int row = pixels.top; row < pixels.bottom; ++row) {
+        const std::size_t first = static_cast<std::size_t>(row) * width;
+        for (int column = pixels.left; column < pixels.right; ++column) {
+            const std::size_t i = first + static_cast<std::size_t>(column);
+            const Rgb rgb = pixel_colour(framebuffer, view, scales, i);
+            image.rgba[4 * i + 0] = rgb.r;
+            image.rgba[4 * i + 1] = rgb.g;
+            image.rgba[4 * i + 2] = rgb.b;
+            image.rgba[4 * i + 3] = 255;
+        }
+    }
+}
+
 } // namespace
 
 const std::array<ViewInfo, view_count>& view_list() {
@@ -54,46 +104,26 @@ std::optional<DepthRange> present_depths(const Framebuffer& framebuffer) {
 Image view_image(const Framebuffer& framebuffer, View view,
                  const std::optional<DepthRange>& depths) {
     Image image{framebuffer.size.width, framebuffer.size.height, {}};
-    const std::size_t count = framebuffer.colour.size();
-    image.rgba.resize(4 * count);
-    DepthRange range;
-    if (view == View::depth) range = depths ? *depths : present_depths(framebuffer).value_or(range);
-    std::uint32_t most = 1;
-    for (const std::uint32_t overdraw : framebuffer.overdraw)
-        most = std::max(most, overdraw);
-    const auto depth_of = [&](std::size_t i) {
-        const auto width = static_cast<std::size_t>(framebuffer.size.width);
-        return stored_depth(framebuffer, framebuffer.origin.x + static_cast<int>(i % width),
-                            framebuffer.origin.y + static_cast<int>(i / width));
-    };
-    for (std::size_t i = 0; i < count; ++i) {
-        Rgb rgb{0, 0, 0};
-        switch (view) {
-        case View::colour: {
-            const glm::vec3& c = framebuffer.colour[i];
-            const auto to_byte = framebuffer.rules.to_byte;
-            rgb = {to_byte(c.r), to_byte(c.g), to_byte(c.b)};
-            break;
-        }
-        case View::depth:
-            rgb = depth_colour(depth_of(i), range);
-            break;
-        case View::triangle:
-            if (framebuffer.owner[i] >= 0) rgb = distinct_colour(framebuffer.owner[i]);
-            break;
-        case View::overdraw:
-            if (framebuffer.overdraw[i] > 0) {
-                rgb =
-                    viridis(static_cast<float>(framebuffer.overdraw[i]) / static_cast<float>(most));
-            }
-            break;
-        }
-        image.rgba[4 * i + 0] = rgb.r;
-        image.rgba[4 * i + 1] = rgb.g;
-        image.rgba[4 * i + 2] = rgb.b;
-        image.rgba[4 * i + 3] = 255;
+    image.rgba.resize(4 * framebuffer.colour.size());
+    Scales scales;
+    if (view == View::depth) {
+        scales.depths = depths ? *depths : present_depths(framebuffer).value_or(scales.depths);
     }
+    if (view == View::overdraw) {
+        for (const std::uint32_t overdraw : framebuffer.overdraw)
+            scales.most = std::max(scales.most, overdraw);
+    }
+    paint(framebuffer, view, scales, {0, 0, image.width, image.height}, image);
     return image;
+}
+
+bool is_by_pixel(View view) {
+    return view == View::colour || view == View::triangle;
+}
+
+void update_view_image(const Framebuffer& framebuffer, View view, const Rectangle& pixels,
+                       Image& image) {
+    paint(framebuffer, view, {}, pixels, image);
 }
 
 } // namespace rasterwalk

@@ -13,6 +13,7 @@
 #include "base/image.h"
 #include "picture/view_image.h"
 #include "pipeline/framebuffer.h"
+#include "stages/rectangle.h"
 
 namespace rasterwalk {
 
@@ -62,5 +63,15 @@ glm::vec3 shown_colour(const glm::vec3& colour, float (*visible_channel)(float))
 /// @param depths range for View::depth; none: from the smallest to the largest 1/z present
 Image view_image(const Framebuffer& framebuffer, View view,
                  const std::optional<DepthRange>& depths = std::nullopt);
+
+/// Does each pixel of the view follow from the same pixel of the planes alone?
+bool is_by_pixel(View view);
+
+/// Brings an image of this view up to date where the planes have changed.
+/// @param view   one that is by pixel
+/// @param pixels of the planes, inside of them
+/// @param image  of the view, of the size of the planes
+void update_view_image(const Framebuffer& framebuffer, View view, const Rectangle& pixels,
+                       Image& image);
 
 } // namespace rasterwalk

@@ -1,9 +1,9 @@
 // The pipeline from the polygons on the screen to the picture; what comes before, prepare_frame()
 // has done. For each polygon, in this order:
 //
-//   show_vertices    stage `points`: a mark for each corner
+//   show_vertices    stage `points`: a mark for each corner                     (draw_marks.cpp)
 //   cover            the row table; stage `edges` shows the samples that make it
-//   show_row_ends    stage `rows`: both ends of each row
+//   show_row_ends    stage `rows`: both ends of each row                        (draw_marks.cpp)
 //   fill_rows        for each row:
 //     interpolate_row    its fragments, from the left to the right end
 //     pass_over_hidden   a row that is hidden altogether is only counted, without varyings
@@ -15,31 +15,14 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <vector>
+#include <span>
+
+#include "pipeline/draw_marks.h"
+#include "pipeline/drawing.h"
 
 namespace rasterwalk {
 
 namespace {
-
-/// What is drawn with, and what is drawn into.
-struct Drawing {
-    const Frame& frame;
-    const Stages& stages;
-    DrawWindow window;
-    Rectangle scissor; ///< what is drawn of the picture: the framebuffer, cut by the window's
-    PixelRules pixels;
-    VaryingSet carried; ///< those that edges and rows carry
-    bool is_depth_tested;
-    bool all_have_cells; ///< each pixel of the picture has a depth cell: nothing to ask
-    bool shades_first;   ///< the pixel shader comes before the depth test
-    bool draws_unset;    ///< rows that no edge sample has reached are drawn like the others
-    bool skips_hidden;   ///< rows that are hidden altogether go without varyings: nobody reads them
-    Framebuffer& target;
-    Observer* observer;
-    PolygonRows rows;                  ///< the row table of the triangle
-    std::vector<LineSample> fragments; ///< of the row, and room for those of longer ones
-    DrawTally tally;
-};
 
 Rectangle intersection(const Rectangle& a, const Rectangle& b) {
     return {std::max(a.left, b.left), std::max(a.top, b.top), std::min(a.right, b.right),
@@ -64,49 +47,6 @@ bool can_reach(const Drawing& d, int triangle) {
         1 + static_cast<int>(0x1p-23f * static_cast<float>(steps) * static_cast<float>(largest));
     return box.left - stray < d.scissor.right && box.right + stray > d.scissor.left &&
            box.top - stray < d.scissor.bottom && box.bottom + stray > d.scissor.top;
-}
-
-/// The part [first, last) of `count` pieces of a phase that begin in the window. `piece` is the
-/// first piece of the phase; `field` is the member of the cursor that counts its pieces.
-struct Range {
-    int first, last;
-};
-Range clamp_to_window(const DrawWindow& window, Cursor piece, int Cursor::*field, int count) {
-    // A cursor of this triangle and phase bounds the loop by its own count; any other lies wholly
-    // before or wholly after all pieces.
-    const auto begun_before = [&](const Cursor& bound) {
-        const bool same_line = bound.pass == piece.pass && bound.triangle == piece.triangle &&
-                               bound.phase == piece.phase &&
-                               (field == &Cursor::index || bound.index == piece.index);
-        if (!same_line) return bound > piece ? count : 0;
-        const int whole = std::clamp(bound.*field, 0, count);
-        const bool within_piece = field == &Cursor::index && bound.step > 0;
-        return within_piece ? std::min(whole + 1, count) : whole;
-    };
-    return {begun_before(window.from), begun_before(window.to)};
-}
-
-bool is_in(const Rectangle& area, glm::ivec2 pixel) {
-    return pixel.x >= area.left && pixel.x < area.right && pixel.y >= area.top &&
-           pixel.y < area.bottom;
-}
-
-/// Points, edges and row ends are marks: one colour, no depth.
-/// @param told gives the fragment that an observer is told of
-template <class Told>
-void put_mark(Drawing& d, const Cursor& cursor, glm::ivec2 place, const glm::vec3& colour,
-              Told told) {
-    if (!is_in(d.scissor, place)) return;
-    const std::size_t pixel = d.target.at(place.x, place.y);
-    const float depth = d.target.rules.depth_clear, stored = d.target.depth[pixel];
-    const glm::vec3 before = d.target.colour[pixel];
-    ++d.tally.fragments;
-    ++d.target.overdraw[pixel];
-    d.target.colour[pixel] = colour;
-    d.target.depth[pixel] = depth;
-    d.target.owner[pixel] = cursor.triangle;
-    if (d.observer == nullptr) return;
-    d.observer->fragment({cursor, told(), Fate::written, depth, stored, before, colour});
 }
 
 DepthResult test_depth(Drawing& d, const Fragment& fragment, std::size_t pixel) {
@@ -169,49 +109,6 @@ void draw_fragments(Drawing& d, Cursor cursor, std::span<const LineSample> fragm
     }
 }
 
-constexpr glm::vec3 white{1.0f};
-
-void show_vertices(Drawing& d, int triangle) {
-    const std::span<const ScreenVertex> vertices = d.frame.triangle_vertices(triangle);
-    const Range range = clamp_to_window(d.window, {triangle, Phase::vertices, 0, 0}, &Cursor::index,
-                                        static_cast<int>(vertices.size()));
-    for (int v = range.first; v < range.last; ++v) {
-        const Cursor cursor{triangle, Phase::vertices, v, 0};
-        if (d.observer != nullptr) d.observer->vertex(cursor, vertices[v]);
-        if (d.frame.settings.stage != Stage::points) continue;
-        put_mark(d, cursor, {vertices[v].column, vertices[v].row}, white,
-                 [&] { return mark_of(vertices[v]); });
-    }
-}
-
-/// Listens to the coverage of one triangle: shows the samples of its edges, and tells the observer.
-class EdgeDrawing : public SampleSink {
-  public:
-    EdgeDrawing(Drawing& drawing, int triangle)
-        : d_(drawing), triangle_(triangle), shown_(d_.frame.settings.stage == Stage::edges),
-          watched_(d_.observer != nullptr && d_.observer->wants_edge_samples()) {}
-
-    /// Is there anyone to tell, and does a sample lie in the window?
-    bool is_wanted() const {
-        return (shown_ || watched_) && d_.window.from < Cursor{triangle_, Phase::rows, 0, 0} &&
-               d_.window.to > Cursor{triangle_, Phase::edges, 0, 0};
-    }
-
-    void edge_sample(const EdgeSample& sample) override {
-        const Cursor cursor{triangle_, Phase::edges, sample.edge, sample.sample};
-        if (cursor < d_.window.from || cursor >= d_.window.to) return;
-        if (watched_) d_.observer->edge_sample({cursor, sample});
-        if (!shown_) return;
-        put_mark(d_, cursor, {sample.fragment.column, sample.fragment.row}, white,
-                 [&] { return sample.fragment; });
-    }
-
-  private:
-    Drawing& d_;
-    int triangle_;
-    bool shown_, watched_;
-};
-
 /// What the row table took, and what is wrong with it.
 void count_rows(const PolygonRows& rows, bool draws_unset, DrawTally& tally) {
     tally.samples_outside += rows.outside;
@@ -237,29 +134,10 @@ void cover(Drawing& d, int triangle) {
     }
 }
 
-void show_row_end(Drawing& d, const Cursor& cursor, const RowEnd& end, const glm::vec3& colour) {
-    const int row = d.rows.first_row + cursor.index;
-    put_mark(d, cursor, {end.column, row}, colour, [&] { return mark_of(end, row); });
-}
-
-/// Stage `rows`: both ends of each row, the left one first.
-void show_row_ends(Drawing& d, int triangle) {
-    const Range range =
-        clamp_to_window(d.window, {triangle, Phase::rows, 0, 0}, &Cursor::index, d.rows.size());
-    const int first = std::max(range.first, d.scissor.top - d.rows.first_row);
-    const int last = std::min(range.last, d.scissor.bottom - d.rows.first_row);
-    for (int r = first; r < last; ++r) {
-        if (d.rows.is_empty_row(r)) continue;
-        const Cursor cursor{triangle, Phase::rows, r, 0};
-        show_row_end(d, cursor, d.rows.left[r], left_end_colour);
-        show_row_end(d, cursor, d.rows.right[r], right_end_colour);
-    }
-}
-
 /// The columns of a row that lie in the window and in the scissor, counted from its left end.
-Range columns_in_window(const Drawing& d, const Cursor& row, const RowSpan& span) {
+PieceRange columns_in_window(const Drawing& d, const Cursor& row, const RowSpan& span) {
     if (span.drawn <= 0) return {0, 0};
-    const Range columns = clamp_to_window(d.window, row, &Cursor::step, span.drawn);
+    const PieceRange columns = clamp_to_window(d.window, row, &Cursor::step, span.drawn);
     // In 64 bits: a row that no sample has reached begins at INT_MAX.
     const std::int64_t left = span.left;
     const std::int64_t first = std::max<std::int64_t>(columns.first, d.scissor.left - left);
@@ -270,7 +148,7 @@ Range columns_in_window(const Drawing& d, const Cursor& row, const RowSpan& span
 
 /// The fragments of a row of the table that stand in these of its columns.
 std::span<const LineSample> interpolate_row(Drawing& d, int index, const RowSpan& span,
-                                            const Range& columns, VaryingSet carried) {
+                                            const PieceRange& columns, VaryingSet carried) {
     const auto i = static_cast<std::size_t>(index);
     const Row row{d.rows.left[i], d.rows.right[i], d.rows.first_row + index, span.count};
     const std::span<LineSample> fragments = samples_of(d.fragments, columns.last - columns.first);
@@ -298,14 +176,14 @@ void fill_rows(Drawing& d, int triangle) {
     const PolygonRows& rows = d.rows;
     const Vertex& corner = d.frame.scene->corner(triangle, 0);
     const Surface surface{corner.normal, corner.reflectance};
-    const Range range =
+    const PieceRange range =
         clamp_to_window(d.window, {triangle, Phase::rows, 0, 0}, &Cursor::index, rows.size());
     // The row above the first that begins in the window may end in it; its columns will tell.
     const int first_row = std::max({range.first - 1, d.scissor.top - rows.first_row, 0});
     const int last_row = std::min(range.last, d.scissor.bottom - rows.first_row);
     for (int r = first_row; r < last_row; ++r) {
         const RowSpan span = row_span(d.stages, rows, r);
-        const Range columns = columns_in_window(d, {triangle, Phase::rows, r, 0}, span);
+        const PieceRange columns = columns_in_window(d, {triangle, Phase::rows, r, 0}, span);
         if (columns.first >= columns.last) continue;
         if (d.skips_hidden && pass_over_hidden(d, interpolate_row(d, r, span, columns, {})))
             continue;

@@ -69,6 +69,7 @@ void Replay::place_marks() {
 
 const Framebuffer& Replay::toward(const Cursor& cursor, const WorkLimit& limit) {
     const Mark* const mark = last_laid(cursor);
+    const Cursor before = cursor_;
     if (cursor < cursor_) {
         go_back(cursor, mark, limit);
     } else if (mark != nullptr && mark->cursor > cursor_) {
@@ -76,6 +77,10 @@ const Framebuffer& Replay::toward(const Cursor& cursor, const WorkLimit& limit) 
         cursor_ = mark->cursor;
     }
     lay_and_draw(part_end(cursor, limit));
+    changed_ = Rectangle{};
+    if (before != cursor_) {
+        changed_ = changed_between(std::min(before, cursor_), std::max(before, cursor_));
+    }
     return framebuffer_;
 }
 

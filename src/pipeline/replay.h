@@ -8,6 +8,7 @@
 #include "pipeline/frame.h"
 #include "pipeline/framebuffer.h"
 #include "pipeline/work.h"
+#include "stages/rectangle.h"
 
 namespace rasterwalk {
 
@@ -32,6 +33,9 @@ class Replay {
     /// drawn() drawn; valid until the next call.
     const Framebuffer& toward(const Cursor& cursor, const WorkLimit& limit);
     const Cursor& drawn() const { return cursor_; }
+
+    /// All pixels that the last call has changed lie in this rectangle, of any plane.
+    const Rectangle& changed() const { return changed_; }
 
     /// What has been drawn of the frame so far, everything once, and the moment up to which that
     /// was.
@@ -65,6 +69,7 @@ class Replay {
     FrameWork work_;
     Framebuffer framebuffer_;
     Cursor cursor_ = cursor_begin;
+    Rectangle changed_;
     DrawTally tally_;
     Cursor tallied_ = cursor_begin;
     std::vector<Mark> marks_; ///< in order of time

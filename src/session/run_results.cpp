@@ -62,16 +62,16 @@ bool update_cursor(const Cursor& wanted, bool new_frame, RunResults& results) {
 
 /// Tells what is out of order in the whole frame. Row tables that have not been drawn are counted,
 /// unless that is too much work: then only of what has been drawn.
-void update_messages(const WorkLimit& limit, RunResults& results) {
+void update_troubles(const WorkLimit& limit, RunResults& results) {
     DrawTally tally = results.replay.tally();
     const FrameWork& work = results.replay.work();
     const Cursor& to = results.replay.tallied();
-    results.has_all_messages = work.total() - work.before(to) <= limit.at_once;
-    if (results.has_all_messages && to < cursor_end) {
+    results.has_all_troubles = work.total() - work.before(to) <= limit.at_once;
+    if (results.has_all_troubles && to < cursor_end) {
         const bool has_begun = to > Cursor{to.triangle, Phase::vertices, 0, 0};
         tally += tally_rows(results.frame, has_begun ? to.triangle + 1 : to.triangle);
     }
-    results.messages = describe_troubles(results.frame, tally);
+    results.troubles = describe_troubles(results.frame, tally);
 }
 
 /// How many pixels the stages give to a row that no edge sample has reached.
@@ -82,39 +82,57 @@ int unset_row_pixels(const Frame& frame) {
     return row_span(frame.stages, rows, 0).count;
 }
 
+/// Makes the picture anew, or only what the replay has just changed of it.
+/// @param is_same_view it shows the same of the framebuffer as before
+void update_picture(View view, const std::optional<DepthRange>& depths, bool is_same_view,
+                    RunResults& results) {
+    if (is_same_view && is_by_pixel(view)) {
+        results.picture_before = results.picture_number;
+        results.picture_changed = results.replay.changed();
+        update_view_image(*results.framebuffer, view, results.picture_changed, results.picture);
+    } else {
+        results.picture_before = 0;
+        results.picture = view_image(*results.framebuffer, view, depths);
+    }
+    results.view = view;
+    results.depth_range = depths;
+}
+
 } // namespace
 
-std::vector<std::string> describe_troubles(const Frame& frame, const DrawTally& tally) {
-    std::vector<std::string> messages;
+std::vector<Trouble> describe_troubles(const Frame& frame, const DrawTally& tally) {
+    std::vector<Trouble> troubles;
     const LeftOut left_out = count_left_out(frame);
     for (const RejectionWords& reason : rejection_list) {
         const int count = left_out.of(reason.rejection);
         if (count == 0) continue;
-        messages.push_back(
-            fmt::format("{} left out: {}", counted(count, "triangle", "triangles"), reason.cause));
+        troubles.push_back({fmt::format("{} left out: {}", counted(count, "triangle", "triangles"),
+                                        reason.cause)});
     }
     const std::int64_t unset = tally.unset_rows;
     if (unset > 0) {
-        messages.push_back(
-            fmt::format("{} that no edge sample reached: right − left + 1 is {} there; nothing of "
-                        "it is in the picture",
-                        counted(unset, "row", "rows"), unset_row_pixels(frame)));
+        troubles.push_back(
+            {fmt::format("{} that no edge sample reached: right − left + 1 is {} there; nothing of "
+                         "it is in the picture",
+                         counted(unset, "row", "rows"), unset_row_pixels(frame)),
+             true});
     }
     const Viewport size = frame.settings.viewport;
     if (frame.settings.depth_index == DepthIndex::transposed && size.width != size.height &&
         depth_rule(frame.settings) != DepthTest::off) {
-        messages.push_back(
-            fmt::format("[x][y] lies outside the depth buffer for every pixel with x ≥ {} or y ≥ "
-                        "{}: not written there",
-                        size.height, size.width));
+        troubles.push_back(
+            {fmt::format("[x][y] lies outside the depth buffer for every pixel with x ≥ {} or y ≥ "
+                         "{}: not written there",
+                         size.height, size.width)});
     }
     if (tally.samples_outside > 0) {
-        messages.push_back(
-            fmt::format("{} outside the row table of {}; not written",
-                        counted(tally.samples_outside, "edge sample", "edge samples"),
-                        counted(tally.triangles_outside, "triangle", "triangles")));
+        troubles.push_back(
+            {fmt::format("{} outside the row table of {}; not written",
+                         counted(tally.samples_outside, "edge sample", "edge samples"),
+                         counted(tally.triangles_outside, "triangle", "triangles")),
+             true});
     }
-    return messages;
+    return troubles;
 }
 
 RowHistory rows_at_cursor(const Frame& frame, int triangle, const Cursor& cursor) {
@@ -129,17 +147,19 @@ RunChanges update_run(const Session& session, const Run& run, const SharedView* 
     if (changes.frame) results.frame_number = ++numbers;
     changes.moment = update_cursor(session.cursor, changes.frame, results);
     const bool draws_on = changes.moment || !results.is_drawn();
-    if (draws_on) {
-        results.framebuffer = &results.replay.toward(results.cursor, limit);
-        if (changes.frame || !results.has_all_messages) update_messages(limit, results);
-    }
     const std::optional<DepthRange> depths =
         shared != nullptr ? shared->depths : session.depth_range;
-    changes.picture = draws_on || results.view != session.view || results.depth_range != depths;
+    const bool is_same_view =
+        !changes.frame && results.view == session.view && results.depth_range == depths;
+    changes.picture = draws_on || !is_same_view;
+    // Noted as shown only when it is: what throws is made whole next time.
+    if (changes.picture) results.view = std::nullopt;
+    if (draws_on) {
+        results.framebuffer = &results.replay.toward(results.cursor, limit);
+        if (changes.frame || !results.has_all_troubles) update_troubles(limit, results);
+    }
     if (changes.picture) {
-        results.view = session.view;
-        results.depth_range = depths;
-        results.picture = view_image(*results.framebuffer, session.view, depths);
+        update_picture(session.view, depths, is_same_view, results);
         results.picture_number = ++numbers;
     }
     const std::optional<int> triangle =

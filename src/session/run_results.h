@@ -17,6 +17,14 @@
 
 namespace rasterwalk {
 
+/// What is out of order in a frame.
+struct Trouble {
+    std::string sentence;
+    bool is_of_rows = false; ///< it speaks of row tables, which not everyone has met yet
+
+    friend bool operator==(const Trouble&, const Trouble&) = default;
+};
+
 /// What is shown of one run. Written by update() alone; not to be copied or moved, because its
 /// parts refer to each other.
 struct RunResults {
@@ -31,13 +39,15 @@ struct RunResults {
     const Framebuffer* framebuffer = nullptr; ///< at the cursor, or as far as it is drawn
     Image picture;                            ///< the view of the framebuffer
     std::uint64_t picture_number = 0;         ///< another one whenever `picture` is another
+    std::uint64_t picture_before = 0;         ///< the picture with this number differs from it only
+                                              ///< in these pixels; 0: nothing is known
+    Rectangle picture_changed;
     std::optional<int> triangle; ///< that the inspector shows: selected, or of the picked pixel in
                                  ///< a whole picture, or being drawn, or first
     RowHistory rows;             ///< row table of that triangle, as far as it is made at the cursor
     Inspected inspected; ///< the vertices, the fragment and the row on show, with their formulas
-    std::vector<std::string> messages; ///< what is out of order: triangles left out, samples
-                                       ///< outside
-    bool has_all_messages = false;     ///< false: only of what has been drawn so far
+    std::vector<Trouble> troubles; ///< triangles left out, samples outside
+    bool has_all_troubles = false; ///< false: only of what has been drawn so far
 
     // Of what this was made.
     std::shared_ptr<const Scene> scene; ///< keeps the frame's scene alive; null before the first
@@ -60,9 +70,9 @@ struct RunChanges {
                           ///< further
 };
 
-/// What is out of order in a frame, a sentence each: triangles left out, samples outside.
+/// What is out of order in a frame: triangles left out, samples outside.
 /// @param tally what its row tables come to
-std::vector<std::string> describe_troubles(const Frame& frame, const DrawTally& tally);
+std::vector<Trouble> describe_troubles(const Frame& frame, const DrawTally& tally);
 
 /// The row table of a triangle, as far as it is made at the cursor; empty if it is not drawn.
 RowHistory rows_at_cursor(const Frame& frame, int triangle, const Cursor& cursor);

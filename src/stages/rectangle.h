@@ -9,4 +9,9 @@ struct Rectangle {
     friend bool operator==(const Rectangle&, const Rectangle&) = default;
 };
 
+/// Are there no pixels in it?
+constexpr bool is_empty(const Rectangle& r) {
+    return r.left >= r.right || r.top >= r.bottom;
+}
+
 } // namespace rasterwalk

@@ -15,6 +15,7 @@
 #include "base/toml_input.h"
 #include "session/bench.h"
 #include "session/content.h"
+#include "session/tabs.h"
 #include "view/view_form.h"
 #include "view/view_table.h"
 
@@ -88,6 +89,7 @@ std::string view_text(const Session& session, const std::string& path) {
     if (!lesson.empty()) {
         add_line(text, "lesson", toml_text(lesson));
         add_line(text, "step", std::to_string(session.step));
+        if (session.tab_guide.is_own) add_line(text, "own_tab", toml_text(tab_below(session)));
     }
     const ViewState state = state_of(session, original);
     if (state.vertices && state.vertices->size() > most_placed_triangles) {
@@ -118,6 +120,15 @@ SavedView parse_view(std::string_view text, const std::string& path) {
     if (input.find("step") != nullptr && view.lesson.empty()) {
         input.fail(*input.find("step"), "'step' belongs to a 'lesson', and there is none.");
     }
+    view.own_tab = input.text_or_empty("own_tab");
+    if (const toml::node* const node = input.find("own_tab")) {
+        if (view.lesson.empty()) {
+            input.fail(*node, "'own_tab' belongs to a 'lesson', and there is none.");
+        }
+        if (find_tab(view.own_tab) == nullptr) {
+            input.fail(*node, "there is no tab " + in_quotes(view.own_tab) + ".");
+        }
+    }
     for (const ViewField& field : view_table()) {
         const toml::node* const node = input.find(field.key);
         if (node != nullptr && field.key != "scene" && !field.write) {
@@ -132,6 +143,7 @@ SavedView parse_view(std::string_view text, const std::string& path) {
     }
     root.erase("lesson");
     root.erase("step");
+    root.erase("own_tab");
     FaultList faults(path);
     view.state = read_view_state(root, 1, faults, "the view");
     for (const auto& [key, line] : lines)

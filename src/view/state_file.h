@@ -15,7 +15,9 @@ struct SavedView {
     std::string scene;  ///< file beside it or in a folder below, or one of the program's own
     std::string lesson; ///< id, or a file (.md) beside it; empty: none
     int step = 0;       ///< of the lesson
-    ViewState state;    ///< on that scene; its lines are those of the file
+    std::string
+        own_tab;     ///< of the inspector: chosen by the student, against the lesson; empty: none
+    ViewState state; ///< on that scene; its lines are those of the file
 };
 
 /// The view as text. Scene and lesson are named from the folder in which the file is to lie.

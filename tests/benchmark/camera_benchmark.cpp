@@ -100,6 +100,14 @@ Session made() {
     return session;
 }
 
+/// The room on a picture of 4096 x 4096 pixels.
+Session wide() {
+    Session session = room();
+    set_from_text(session.a.settings, "viewport.size=4096x4096");
+    set_from_text(session.a.settings, "camera.focal_length=4096");
+    return session;
+}
+
 void compare_with_affine(Session& session) {
     Settings other = session.a.settings;
     set_from_text(other, "interpolation=affine");
@@ -138,14 +146,18 @@ class NoTextures : public TextureHost {
     }
 };
 
-/// Whole frames of the window: at rest, and while the camera turns; beside it the scene from
-/// outside, at rest and while it is turned.
+/// Whole frames of the window: at rest, while the camera turns, and one moment after another;
+/// beside it the scene from outside, at rest, while it is turned, and one moment after another.
 void take_frame_figures(const Figures& figures, const std::string& scene, Session (*open)()) {
-    const std::string rest = scene + "-frame-at-rest", turning = scene + "-frame-turning";
-    const std::string outside_rest = scene + "-outside-at-rest",
-                      outside_turning = scene + "-outside-turning";
-    if (!figures.is_wanted(rest) && !figures.is_wanted(turning) &&
-        !figures.is_wanted(outside_rest) && !figures.is_wanted(outside_turning)) {
+    const std::string rest = scene + "-frame-at-rest", turning = scene + "-frame-turning",
+                      moment = scene + "-frame-moment", outside_rest = scene + "-outside-at-rest",
+                      outside_turning = scene + "-outside-turning",
+                      outside_moment = scene + "-outside-moment",
+                      outside_triangle = scene + "-outside-triangle";
+    const auto all = {rest,           turning,         moment, outside_rest, outside_turning,
+                      outside_moment, outside_triangle};
+    if (std::none_of(all.begin(), all.end(),
+                     [&](const std::string& name) { return figures.is_wanted(name); })) {
         return;
     }
     NoTextures textures;
@@ -162,15 +174,32 @@ void take_frame_figures(const Figures& figures, const std::string& scene, Sessio
     };
     for (int i = 0; i < 4 || !ui.results.a.is_drawn(); ++i)
         frame(); // sizes of windows and columns settle, and all is drawn
+    const auto walk = [&](Granularity granularity) {
+        return [&, granularity] {
+            const Timeline timeline(ui.results.a.frame);
+            ui.session.cursor = timeline.next(ui.session.cursor, granularity);
+            frame();
+        };
+    };
+    const auto settle = [&] {
+        do
+            frame();
+        while (is_animating(ui));
+    };
     figures.take(rest, frame);
     figures.take(turning, [&] {
         ui.session.a.settings.camera.yaw += turn;
         frame();
     });
+    ui.session.cursor = Timeline(ui.results.a.frame).at_place(0.7);
+    settle();
+    figures.take(moment, walk(Granularity::moment));
     ui.session.canvas.shows = CanvasShows::both;
-    do
-        frame();
-    while (is_animating(ui));
+    settle();
+    figures.take(outside_moment, walk(Granularity::moment));
+    figures.take(outside_triangle, walk(Granularity::triangle));
+    ui.session.cursor = cursor_end;
+    settle();
     figures.take(outside_rest, frame);
     figures.take(outside_turning, [&] {
         ui.session.canvas.outside.yaw += turn;
@@ -194,6 +223,19 @@ constexpr const char* figure_names[] = {
     "made-frame-turning",
     "room-outside-at-rest",
     "room-outside-turning",
+    "room-frame-moment",
+    "room-outside-moment",
+    "room-outside-triangle",
+    "made-frame-moment",
+    "made-outside-moment",
+    "made-outside-triangle",
+    "wide-frame-at-rest",
+    "wide-frame-turning",
+    "wide-frame-moment",
+    "wide-outside-at-rest",
+    "wide-outside-turning",
+    "wide-outside-moment",
+    "wide-outside-triangle",
     "made-outside-at-rest",
     "made-outside-turning",
 };
@@ -212,6 +254,7 @@ void print_camera_times(const CameraBenchmark& options) {
     take_frame_figures(figures, "room", room);
     take_session_figures(figures, "made", made);
     take_frame_figures(figures, "made", made);
+    take_frame_figures(figures, "wide", wide);
 }
 
 } // namespace rasterwalk

@@ -307,8 +307,8 @@ TEST_CASE("B7: rows that nobody has set are counted, and nothing of them is draw
     CHECK(row_pixel_count_wrapped(500, 0) == -499);
     Results results;
     update(runs.session, results);
-    REQUIRE(results.a.messages.size() == 1);
-    CHECK(results.a.messages[0] ==
+    REQUIRE(results.a.troubles.size() == 1);
+    CHECK(results.a.troubles[0].sentence ==
           "5 rows that no edge sample reached: right − left + 1 is 3 there; "
           "nothing of it is in the picture");
 }
@@ -501,8 +501,9 @@ TEST_CASE("B17c: in a picture that is not square the cells outside are not writt
         CHECK(runs.wrong_stats.depth_outside == outside);
         Results results;
         update(runs.session, results);
-        REQUIRE_FALSE(results.a.messages.empty());
-        CHECK_THAT(results.a.messages[0], Contains("[x][y] lies outside the depth buffer"));
+        REQUIRE_FALSE(results.a.troubles.empty());
+        CHECK_THAT(results.a.troubles[0].sentence,
+                   Contains("[x][y] lies outside the depth buffer"));
     }
 }
 

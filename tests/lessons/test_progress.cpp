@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/error.h"
+#include "lessons/lesson_scores.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace rasterwalk;
@@ -114,6 +115,54 @@ TEST_CASE("The student goes on with the lesson that was left, or the first that 
     CHECK(lesson_to_open(progress, lessons) == "01-a");
     progress.last_lesson = "99-gone";
     CHECK(lesson_to_open(progress, lessons) == "01-a");
+}
+
+TEST_CASE("How far all lessons are done is worked out again only after an answer") {
+    const test::TemporaryFolder folder;
+    for (const char* name : {"01-a.md", "02-b.md"})
+        folder.write(name, "# A\n\nText.\n\n## B\n\nMore.\n");
+    LessonList lessons;
+    lessons.read_folder(folder.file(""));
+    REQUIRE(lessons.all().size() == 2);
+    Progress progress;
+    LessonScores scores;
+    const auto are_right = [&] {
+        bool is_right = scores.to_open() == lesson_to_open(progress, lessons.all());
+        for (std::size_t i = 0; i < lessons.all().size(); ++i) {
+            const LessonScore score = score_of(progress, lessons.all()[i]);
+            is_right = is_right && scores.of(i).is_done == score.is_done &&
+                       scores.of(i).done == score.done && scores.of(i).all == score.all &&
+                       scores.of(i).last_step == score.last_step;
+        }
+        return is_right;
+    };
+    scores.renew(progress, lessons);
+    CHECK(are_right());
+    const std::uint64_t first = scores.number();
+    for (int frame = 0; frame < 10; ++frame)
+        scores.renew(progress, lessons);
+    CHECK(scores.number() == first);
+    for (const int step : {0, 1}) {
+        progress.note_step("01-a", step);
+        scores.renew(progress, lessons);
+        CHECK(are_right());
+    }
+    CHECK(scores.of(0).is_done);
+    CHECK(scores.number() == first + 2);
+    // Other progress, whatever it says; also what another window has kept.
+    for (const Progress& other :
+         {Progress{}, parse_progress(progress_text(some_progress()), "p.toml"), progress,
+          merged({}, progress, some_progress())}) {
+        progress = other;
+        scores.renew(progress, lessons);
+        CHECK(are_right());
+    }
+    // A lesson that was read again may have more steps.
+    const std::uint64_t before = scores.number();
+    lessons.read_folder(folder.file(""));
+    scores.renew(progress, lessons);
+    CHECK(scores.number() > before);
+    CHECK(are_right());
 }
 
 TEST_CASE("A file of progress that is damaged is refused with its line") {

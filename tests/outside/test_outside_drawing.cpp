@@ -300,6 +300,100 @@ TEST_CASE("Nothing is drawn again where nothing has changed") {
     CHECK_FALSE(redraws());
 }
 
+namespace {
+
+/// The same picture as one drawn by itself, and the same things under every fifth place.
+void require_as_if_drawn_anew(const OutsideDrawing& drawing, const Moment& moment,
+                              const OutsideLook& look) {
+    OutsideDrawing anew;
+    draw_all(anew, moment, look);
+    REQUIRE(drawing.image() == anew.image());
+    for (int y = 0; y < look.size.y; y += 5) {
+        for (int x = 0; x < look.size.x; x += 5) {
+            const OutsidePick a = drawing.at({x, y}), b = anew.at({x, y});
+            REQUIRE((a.triangle == b.triangle && a.pixel == b.pixel));
+        }
+    }
+}
+
+/// The room, and two triangles so large that they go far beyond every view.
+Scene room_with_large_triangles() {
+    Scene scene = lab_room();
+    const float far = 400.0f;
+    const auto add = [&](const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+        std::array<Vertex, triangle_corners> corners;
+        corners[0].position = a;
+        corners[1].position = b;
+        corners[2].position = c;
+        scene.mesh.add_triangle_of(corners);
+        ++scene.parts.back().triangle_count;
+    };
+    add({-far, 3.0f, -far}, {far, 3.0f, -far}, {0.0f, 3.0f, far});
+    add({-far, 4.0f, far}, {0.0f, 4.0f, -far}, {far, 4.0f, far});
+    return scene;
+}
+
+} // namespace
+
+TEST_CASE("After any walk the view from outside is, bit by bit, as if drawn anew") {
+    Random random(66);
+    const Scene scene = room_with_large_triangles();
+    const int triangles = scene.triangle_count();
+    for (const int side : {60, 500, 800}) {
+        Settings settings = default_settings(scene);
+        settings.viewport = {side, side + 3};
+        settings.camera.focal_length = static_cast<float>(side);
+        Moment moment(scene, settings, cursor_begin);
+        OutsideDrawing drawing;
+        OutsideLook look = look_at(-0.75f, -0.4f, {320, 240});
+        int walked = 0;
+        for (int i = 0; i < rounds(60, 30); ++i) {
+            const int way = random.integer(0, 9);
+            if (way == 0) {
+                look = random.integer(0, 2) == 0
+                           ? camera_look({320, 240})
+                           : look_at(random.number(-4, 4), random.number(-1.5, 1.5), {320, 240});
+            } else if (way == 1) {
+                moment.triangle = random.integer(-1, triangles);
+            } else if (way == 2) {
+                settings.stage = static_cast<Stage>(random.integer(0, 3));
+                moment.take(settings);
+            } else if (way == 3) {
+                moment.forget_before();
+            } else if (way == 4) {
+                // Several moments pass while the view is not shown.
+                moment.go_to({random.integer(0, triangles), Phase::rows, 3, 1});
+                moment.go_to({random.integer(0, triangles), Phase::rows, 5, 0});
+            } else {
+                const Timeline timeline(moment.frame());
+                moment.go_to(random.integer(0, 1) == 0
+                                 ? timeline.at_place(random.number(0, 1))
+                                 : timeline.next(moment.subject().cursor, Granularity::moment));
+                if (random.integer(0, 1) == 0) moment.triangle = moment.subject().cursor.triangle;
+            }
+            // Sometimes it is still being drawn when the next moment comes.
+            drawing.update(moment.subject(), look, way == 5 ? 20'000 : 2'500'000);
+            if (drawing.is_working()) continue;
+            INFO("side " << side << ", round " << i << ", way " << way);
+            require_as_if_drawn_anew(drawing, moment, look);
+            ++walked;
+        }
+        CHECK(walked > 15);
+    }
+}
+
+TEST_CASE("A triangle that is begun later does not begin the view anew") {
+    Moment moment(lab_room(), cursor_begin);
+    OutsideDrawing drawing;
+    const OutsideLook look = look_at(-0.75f, -0.4f, {320, 240});
+    draw_all(drawing, moment, look);
+    // So little work a call that a view begun anew would not be done by one.
+    moment.go_to({17, Phase::vertices, 0, 0});
+    CHECK(drawing.update(moment.subject(), look, 1));
+    CHECK_FALSE(drawing.is_working());
+    require_as_if_drawn_anew(drawing, moment, look);
+}
+
 TEST_CASE("A large scene is drawn in parts, the first of which shows all of it") {
     const Moment moment(made_scene(60'000));
     OutsideDrawing drawing;

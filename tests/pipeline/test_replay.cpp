@@ -71,6 +71,75 @@ TEST_CASE("Every moment reached forwards, backwards or at random is as if drawn 
     }
 }
 
+TEST_CASE("Outside of the rectangle that a call is said to have changed no pixel is another") {
+    const Scene scene = small_scene();
+    Random random(44);
+    for (const Variant& variant : some_of(rule_variants(), 4)) {
+        for (int stage = 0; stage < stage_count; ++stage) {
+            Settings settings = default_settings(scene);
+            set_step(settings, stage_list()[static_cast<std::size_t>(stage)].step);
+            variant.apply(settings);
+            const Frame frame = prepare_frame(scene, settings);
+            CAPTURE(variant.name, stage);
+            std::vector<Cursor> moments = all_moments(frame);
+            moments.push_back(cursor_end);
+            Replay replay;
+            replay.begin(frame);
+            Framebuffer before = replay.at(cursor_begin);
+            std::size_t place = 0;
+            for (int i = 0; i < rounds(60, 15); ++i) {
+                // A step, or a jump; some of them in parts.
+                const std::size_t last = moments.size() - 1;
+                place = random.integer(0, 2) == 0
+                            ? static_cast<std::size_t>(random.integer(0, static_cast<int>(last)))
+                            : std::min(place + 1, last);
+                const bool is_part = random.integer(0, 3) == 0;
+                Framebuffer now =
+                    replay.toward(moments[place], is_part ? WorkLimit{30.0, 20.0} : WorkLimit{});
+                const Rectangle& changed = replay.changed();
+                REQUIRE((changed.left >= 0 && changed.top >= 0));
+                REQUIRE((changed.right <= now.size.width && changed.bottom <= now.size.height));
+                const Framebuffer after = now;
+                for (int row = changed.top; row < changed.bottom; ++row) {
+                    for (int column = changed.left; column < changed.right; ++column) {
+                        const std::size_t at = now.at(column, row);
+                        now.colour[at] = before.colour[at];
+                        now.depth[at] = before.depth[at];
+                        now.owner[at] = before.owner[at];
+                        now.overdraw[at] = before.overdraw[at];
+                    }
+                }
+                CAPTURE(to_text(replay.drawn()));
+                REQUIRE(first_difference(before, now).empty());
+                before = after;
+            }
+        }
+    }
+}
+
+TEST_CASE("A step changes no more pixels than it draws on") {
+    const Scene scene = lab_room();
+    Settings settings = default_settings(scene);
+    const Frame frame = prepare_frame(scene, settings);
+    Replay replay;
+    replay.begin(frame);
+    PolygonRows rows;
+    compute_rows(frame, 1, rows);
+    int row = 0;
+    while (row < rows.size() - 1 && rows.pixel_count(row) < 10)
+        ++row;
+    REQUIRE(rows.pixel_count(row) >= 10);
+    const int column = rows.left[static_cast<std::size_t>(row)].column + 3;
+    replay.at({1, Phase::rows, row, 3});
+    for (const int step : {4, 3}) { // on and back
+        replay.at({1, Phase::rows, row, step});
+        const Rectangle pixel{column, rows.first_row + row, column + 1, rows.first_row + row + 1};
+        CHECK(replay.changed() == pixel);
+    }
+    replay.at({1, Phase::rows, row, 3});
+    CHECK(is_empty(replay.changed()));
+}
+
 TEST_CASE("Keyframes never take more than their budget, and never change a picture") {
     const Scene scene = crowded_scene(1500);
     for (const StripStep& stage :

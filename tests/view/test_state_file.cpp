@@ -8,6 +8,7 @@
 #include "laboratory/quiz.h"
 #include "opening/opened_view.h"
 #include "session/content.h"
+#include "session/tabs.h"
 #include "tests/support/random_session.h"
 #include "tests/support/temporary_folder.h"
 #include "view/state_file.h"
@@ -137,6 +138,57 @@ TEST_CASE("Scene and lesson of a view are found beside it") {
     }
 }
 
+TEST_CASE("A tab that the student chose against the lesson is still theirs when a view is opened") {
+    const TemporaryFolder folder;
+    const std::string path = folder.file("own.walk.toml");
+    ViewOptions options;
+    options.lesson = "05-row-table";
+    options.step = "3";
+    Session session = open_view(options);
+    const std::string of_lesson(tab_of_guide(session));
+    REQUIRE(of_lesson == "rows");
+    REQUIRE_FALSE(session.tab_guide.is_own);
+    write_view(session, path);
+    CHECK_FALSE(opened_file(path).tab_guide.is_own);
+    choose_tab(session, "graph");
+
+    SECTION("and the way back leads to the lesson's") {
+        write_view(session, path);
+        Session again = opened_file(path);
+        CHECK(again.tab == "graph");
+        CHECK(again.tab_guide.is_own);
+        CHECK(view_text(again, path) == bytes_of(path));
+        follow_guide(again);
+        CHECK(again.tab == of_lesson);
+        CHECK_FALSE(again.tab_guide.is_own);
+    }
+    SECTION("below the settings too") {
+        choose_tab(session, settings_tab);
+        write_view(session, path);
+        Session again = opened_file(path);
+        CHECK(again.tab == settings_tab);
+        CHECK(view_text(again, path) == bytes_of(path));
+        close_settings(again);
+        CHECK(again.tab == "graph");
+        CHECK(again.tab_guide.is_own);
+    }
+    SECTION("but not where the command line names another") {
+        write_view(session, path);
+        ViewOptions with_tab;
+        with_tab.file = path;
+        with_tab.given["tab"] = {"history"};
+        const Session again = open_view(with_tab);
+        CHECK(again.tab == "history");
+        CHECK_FALSE(again.tab_guide.is_own);
+    }
+    SECTION("nor where its lesson is gone") {
+        const std::string text = "lesson = \"99-gone\"\ntab = \"graph\"\nown_tab = \"graph\"\n";
+        const Session again = opened_file(folder.write("gone.walk.toml", head + text));
+        CHECK(again.tab == "graph");
+        CHECK(again.lesson.empty());
+    }
+}
+
 TEST_CASE("A view is not saved in a quiz, nor without a scene file") {
     Session session = open_session(scene_of_program("lab-room.toml"));
     Session made = session;
@@ -191,6 +243,10 @@ TEST_CASE("What is wrong in a saved view is told with its line") {
          "v.walk.toml:2: stage cannot be 'x': it takes points, edges, rows, fill, depth, "
          "vertex_light or pixel_light.");
     says(head + "step = 1\n", "v.walk.toml:2: 'step' belongs to a 'lesson', and there is none.");
+    says(head + "own_tab = \"rows\"\n",
+         "v.walk.toml:2: 'own_tab' belongs to a 'lesson', and there is none.");
+    says(head + "lesson = \"05-row-table\"\nown_tab = \"settings\"\n",
+         "v.walk.toml:3: there is no tab 'settings'.");
     says(head + "lesson = \"05-row-table\"\nstep = -1\n",
          "v.walk.toml:3: 'step' of the view must be a whole number between 0 and 64.");
     says("scene = 5\n", "v.walk.toml:1: 'scene' of the view must be text in quotes.");

@@ -11,12 +11,8 @@ void close_topmost(Ui& ui) {
     const int open = ImGui::GetCurrentContext()->OpenPopupStack.Size;
     if (open > 0) {
         ImGui::ClosePopupToLevel(open - 1, true);
-    } else if (ui.sheets.shows_keys) {
-        ui.sheets.shows_keys = false;
-    } else if (ui.sheets.shows_glossary) {
-        ui.sheets.shows_glossary = false;
-    } else if (ui.sheets.events.is_open) {
-        ui.sheets.events.is_open = false;
+    } else if (const std::optional<Sheet> sheet = ui.sheets.topmost()) {
+        ui.sheets.show(*sheet, false);
     } else if (is_settings_open(ui)) {
         close_settings_sheet(ui);
     }

@@ -102,8 +102,8 @@ void follow_link(Ui& ui, const std::string& target) {
             if (link.is_of("tab")) open_tab_by_link(ui, link.argument);
             break;
         case LessonLink::Kind::term:
-            ui.sheets.shows_glossary = true;
-            ui.sheets.glossary_search = link.argument;
+            ui.sheets.show(Sheet::glossary);
+            ui.sheets.search_of(Sheet::glossary) = link.argument;
             break;
         case LessonLink::Kind::lesson:
             open_lesson(ui, link.argument, 0);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <imgui.h>
+
 #include "base/error.h"
 #include "session/content.h"
 #include "ui/actions/kept_file.h"
@@ -147,16 +149,28 @@ void answer_prediction(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
     if (!faults.empty()) session.notice = fault_text(lesson, faults.front());
 }
 
-void take_up_answer(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction) {
+bool take_up_answer(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction) {
     PredictionView& view = ui.lesson.predictions[prediction.id];
-    if (std::exchange(view.is_taken_up, true) || view.judged) return;
+    if (view.is_taken_up || view.judged) return true;
+    view.is_taken_up = true;
     const auto& answers = ui.lesson.progress.of(lesson.id).answers;
     const auto kept = answers.find(prediction.id);
-    if (kept == answers.end()) return;
+    if (kept == answers.end()) return true;
     const std::optional<GivenAnswer> answer = answer_in_words(prediction, kept->second.said);
-    if (!answer) return;
+    if (!answer) return true;
+    if (ui.lesson.frame_of_answer == ImGui::GetFrameCount()) {
+        ui.lesson.frame_of_waiting = ImGui::GetFrameCount();
+        view.is_taken_up = false;
+        return false;
+    }
+    ui.lesson.frame_of_answer = ImGui::GetFrameCount();
     view.judged = judge(lesson, prediction, *answer, ui.session);
     view.said = kept->second.said;
+    return true;
+}
+
+bool is_answer_waiting(const Ui& ui) {
+    return ui.lesson.frame_of_waiting == ImGui::GetFrameCount();
 }
 
 std::string lesson_after(Ui& ui, std::string_view id) {

@@ -45,8 +45,13 @@ void answer_prediction(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
 
 /// Shows the answer that the progress has of a prediction, judged anew, as if it had just been
 /// given; the picture stays as it is. Does nothing the second time, so that it can be answered
-/// again.
-void take_up_answer(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction);
+/// again. To judge one may mean to draw a frame: no more than one is judged in each frame of the
+/// window.
+/// @return false if it waits for the next frame
+bool take_up_answer(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction);
+
+/// Was an answer left for the next frame?
+bool is_answer_waiting(const Ui& ui);
 
 /// Id of the lesson that follows this one; empty after the last.
 std::string lesson_after(Ui& ui, std::string_view id);

@@ -20,6 +20,7 @@
 #include "ui/lesson/lesson_column.h"
 #include "ui/sheets/sheets.h"
 #include "ui/start/start_page.h"
+#include "ui/start/ways.h"
 #include "ui/ui.h"
 #include "ui/widgets/layout.h"
 #include "ui/widgets/style.h"
@@ -253,7 +254,7 @@ void keep_everything(Ui& ui) {
 
 bool is_animating(const Ui& ui) {
     return ui.session.play.running || is_moving_by_key() || ui.lab.frames_to_result > 0 ||
-           is_working(ui.results) || is_outside_working(ui);
+           is_working(ui.results) || is_outside_working(ui) || is_answer_waiting(ui);
 }
 
 } // namespace rasterwalk

@@ -91,8 +91,11 @@ void draw_scene_menu(Ui& ui) {
 void draw_lesson_menu(Ui& ui) {
     // The copy outlives the list, which opening a lesson may read anew.
     std::string wanted;
-    for (const Lesson& lesson : ui.lesson.lessons.all()) {
-        const bool is_done = score_of(ui.lesson.progress, lesson).is_done;
+    ui.lesson.scores.renew(ui.lesson.progress, ui.lesson.lessons);
+    const std::vector<Lesson>& lessons = ui.lesson.lessons.all();
+    for (std::size_t i = 0; i < lessons.size(); ++i) {
+        const Lesson& lesson = lessons[i];
+        const bool is_done = ui.lesson.scores.of(i).is_done;
         std::string title = std::to_string(lesson_number(lesson.id));
         title.append("  ").append(lesson.title);
         if (ImGui::MenuItem(title.c_str(), is_done ? "✓ done" : nullptr,

@@ -4,6 +4,7 @@
 
 #include "base/element_names.h"
 #include "base/numbers.h"
+#include "session/tabs.h"
 #include "ui/actions/compare.h"
 #include "ui/bars/bars.h"
 #include "ui/ui.h"
@@ -56,13 +57,17 @@ std::string trouble_text(const Ui& ui) {
     if (is_working(ui.results)) return work_words(ui.results);
     // What a message says may be the answer.
     if (hides_settings(ui.session)) return {};
+    // Of row tables nothing is told before there are any, nor in a lesson that comes before them.
+    const bool knows_rows = ui.results.a.frame.settings.stage >= Stage::rows &&
+                            is_offered(ui.session, *find_tab("rows"));
     std::string all;
-    for (const std::string& message : ui.results.a.messages) {
-        all += (all.empty() ? "" : "; ") + message;
+    for (const Trouble& trouble : ui.results.a.troubles) {
+        if (trouble.is_of_rows && !knows_rows) continue;
+        all += (all.empty() ? "" : "; ") + trouble.sentence;
     }
     if (all.empty()) return all;
     // The panels tell of one triangle, and of it what is done so far.
-    return (ui.results.a.has_all_messages ? "whole frame: " : "so far: ") + all;
+    return (ui.results.a.has_all_troubles ? "whole frame: " : "so far: ") + all;
 }
 
 } // namespace

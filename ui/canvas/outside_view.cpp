@@ -178,8 +178,9 @@ void draw_outside(Ui& ui, const Pane& pane) {
     ImGui::SetItemAllowOverlap(); // the caption's button lies on it
     name_widget(ui, "canvas.outside");
     const RunResults& a = ui.results.a;
-    const OutsideSubject subject{a.scene,    a.frame,   a.frame_number,   a.cursor,
-                                 a.triangle, a.picture, a.picture_number, *a.framebuffer};
+    const OutsideSubject subject{
+        a.scene,   a.frame,          a.frame_number, a.cursor,         a.triangle,
+        a.picture, a.picture_number, *a.framebuffer, a.picture_before, a.picture_changed};
     // What lies under the pointer is asked of what was seen last.
     if (drawing.number() > 0) handle_pointer(ui, pane);
     drawing.update(subject, look_of(ui, pane));

@@ -26,7 +26,7 @@
 #include "ui/app/kept_options.h"
 #include "ui/hand/report.h"
 #include "ui/hosts/gl2.h"
-#include "ui/start/start_page.h"
+#include "ui/start/ways.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
 

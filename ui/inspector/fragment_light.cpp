@@ -3,6 +3,7 @@
 #include "base/element_names.h"
 #include "explain/light_formulas.h"
 #include "picture/view_image.h"
+#include "ui/actions/go_to_source.h"
 #include "ui/inspector/fragment_parts.h"
 #include "ui/ui.h"
 #include "ui/widgets/formula_view.h"

@@ -5,6 +5,7 @@
 #include "explain/light_formulas.h"
 #include "picture/view_image.h"
 #include "session/walk.h"
+#include "ui/actions/go_to_source.h"
 #include "ui/inspector/fragment_parts.h"
 #include "ui/inspector/panels.h"
 #include "ui/ui.h"

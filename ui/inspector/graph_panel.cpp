@@ -2,6 +2,7 @@
 #include <cmath>
 #include <string>
 
+#include "ui/actions/go_to_source.h"
 #include "ui/inspector/panels.h"
 #include "ui/ui.h"
 #include "ui/widgets/flow.h"

@@ -57,6 +57,45 @@ void same_line_if_room(const std::string& label, float gap) {
     if (ImGui::GetItemRectMax().x + gap + button_width(label) <= right) ImGui::SameLine(0, gap);
 }
 
+/// Which of the two numbers that every sample has is looked at: each says what it decides, and
+/// where nothing was lost of one, it is said beside it.
+void draw_axis_choice(Ui& ui, float gap) {
+    MicroscopeView& view = ui.inspector.microscope;
+    const float u = ui.options.text_scale;
+    const Palette& p = palette(ui.options.theme);
+    const char* const caption = "value";
+    const std::string x = "x → column", y = "y → row";
+    // The words and the two buttons stay together.
+    const float between = 6.0f * u;
+    const float width =
+        ImGui::CalcTextSize(caption).x + button_width(x) + button_width(y) + 2.0f * between;
+    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    if (ImGui::GetItemRectMax().x + gap + width <= right) ImGui::SameLine(0.0f, gap);
+    ImGui::AlignTextToFramePadding();
+    text_in(p.dim, caption);
+    name_widget(ui, "microscope.axis",
+                "Each sample has an x and a y, and each has its own step. Table and curve below "
+                "show one of the two.");
+    ImGui::SameLine(0.0f, between);
+    if (button(ui, "microscope.x", x, view.shows_x ? Look::chosen : Look::plain,
+               "Shows x, which decides the column of a sample.")) {
+        view.shows_x = true;
+    }
+    same_line_if_room(y, between);
+    if (button(ui, "microscope.y", y, view.shows_x ? Look::plain : Look::chosen,
+               "Shows y, which decides the row of a sample.")) {
+        view.shows_x = false;
+    }
+    const MicroscopeSummary& summary = view.shown.summary;
+    const bool x_drifts = summary.largest_drift_x != 0.0, y_drifts = summary.largest_drift_y != 0.0;
+    if (x_drifts == y_drifts) return;
+    const char* const note = x_drifts ? "only x drifts" : "only y drifts";
+    const float room = right - ImGui::GetItemRectMax().x - 2.0f * between;
+    if (ImGui::CalcTextSize(note).x > room) return;
+    ImGui::SameLine(0.0f, 2.0f * between);
+    text_in(p.dim, note);
+}
+
 void draw_buttons(Ui& ui) {
     MicroscopeView& view = ui.inspector.microscope;
     const float u = ui.options.text_scale;
@@ -75,16 +114,7 @@ void draw_buttons(Ui& ui) {
             view.picked_at = ui.results.a.cursor;
         }
     }
-    same_line_if_room("x", gap);
-    if (button(ui, "microscope.x", "x", view.shows_x ? Look::chosen : Look::plain,
-               "Shows x, which decides the column of a sample.")) {
-        view.shows_x = true;
-    }
-    same_line_if_room("y", 6.0f * u);
-    if (button(ui, "microscope.y", "y", view.shows_x ? Look::plain : Look::chosen,
-               "Shows y, which decides the row of a sample.")) {
-        view.shows_x = false;
-    }
+    draw_axis_choice(ui, gap);
     if (view.shown.differing.empty()) return;
     const char* const next_label = is_narrow ? "≠" : "next ≠";
     same_line_if_room(next_label, gap);

@@ -3,6 +3,9 @@
 #include <string>
 
 #include "base/element_names.h"
+#include "session/tabs.h"
+#include "stages/project.h"
+#include "ui/actions/go_to_source.h"
 #include "ui/inspector/panels.h"
 #include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
@@ -58,6 +61,23 @@ int digits_of(const Ui& ui, const Line& line) {
     return std::string_view(line.space) == "projected" || line.id == std::string_view("projected.y")
                ? 1
                : line.digits - 1;
+}
+
+/// Does the camera look another way than along z?
+bool is_turned(const Ui& ui) {
+    return camera_rotation(ui.results.a.frame.settings.camera) != glm::mat3(1.0f);
+}
+
+/// Is a line of the table shown? A lesson that hides tabs keeps to what it speaks of: before light
+/// is a subject there is none, and as long as the camera is not turned, it is not "rotated".
+bool is_shown(const Ui& ui, const Line& line) {
+    const bool keeps_short = hides_tabs(ui.session);
+    if (line.is_light) {
+        return shading_rule(ui.results.a.frame.settings) != Shading::unlit &&
+               (!keeps_short || is_offered(ui.session, *find_tab("fragment")));
+    }
+    const bool is_rotated = std::string_view(line.id).starts_with("rotated.");
+    return !is_rotated || !keeps_short || is_turned(ui);
 }
 
 /// How many columns of words stand before the numbers.
@@ -128,7 +148,6 @@ void draw_cell(Ui& ui, const Line& line, int v, int chosen) {
 }
 
 void draw_table(Ui& ui, int chosen) {
-    const bool lights = shading_rule(ui.results.a.frame.settings) != Shading::unlit;
     const float padding = (ui.inspector.is_narrow ? 2.0f : 6.0f) * ui.options.text_scale;
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {padding, ImGui::GetStyle().CellPadding.y});
     if (!ImGui::BeginTable("vertices", label_columns(ui) + triangle_corners,
@@ -155,7 +174,7 @@ void draw_table(Ui& ui, int chosen) {
     }
     draw_header(ui, chosen);
     for (const Line& line : lines) {
-        if (line.is_light && !lights) continue;
+        if (!is_shown(ui, line)) continue;
         ImGui::TableNextRow();
         draw_labels(ui, line);
         ImGui::PushFont(ui.fonts.mono);
@@ -209,11 +228,12 @@ void draw_what_else(Ui& ui, const VertexReport& vertex, const Formula& formula) 
                     "moves negative numbers the other way than positive ones.");
     }
     const bool has_camera = ui.results.a.scene->space == SceneSpace::world;
-    if (has_camera && depends_on_rotation(formula.id)) {
+    // As long as nothing is turned there is no R to speak of.
+    if (has_camera && is_turned(ui) && depends_on_rotation(formula.id)) {
         wrapped_text(other_convention(vertex, formula, settings.rotation));
         name_widget(ui, "vertices.other_convention",
                     "A vector before the matrix or behind it: one is the transpose of the other, "
-                    "and turns the camera the other way. Without a turn they are the same.");
+                    "and turns the camera the other way.");
     }
     ImGui::PopStyleColor();
 }

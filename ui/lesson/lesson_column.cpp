@@ -94,6 +94,30 @@ void draw_footer(Ui& ui, const Lesson* lesson, SidePage page, float width) {
     if (page == SidePage::stage) draw_stage_footer(ui, width);
 }
 
+/// In its window: the text stays where the student reads. Where it moves to another part of the
+/// window, as when both views are shown, it is scrolled to the same share of its length there.
+void keep_place(LessonView& view, const std::string& page) {
+    // How long the text is there is not known before it was laid out.
+    constexpr int frames_to_lay_out = 3;
+    const ImGuiID place = ImGui::GetID("place");
+    const float last = ImGui::GetScrollMaxY();
+    if (view.shown != page) {
+        view.shown = page;
+        view.frames_to_scroll = 0;
+        view.scroll_share = 0.0f;
+        ImGui::SetScrollY(0.0f);
+    } else if (view.place != place) {
+        view.frames_to_scroll = frames_to_lay_out;
+    }
+    view.place = place;
+    if (view.frames_to_scroll > 0) {
+        --view.frames_to_scroll;
+        ImGui::SetScrollY(view.scroll_share * last);
+    } else if (last > 0.0f) {
+        view.scroll_share = ImGui::GetScrollY() / last;
+    }
+}
+
 /// @param gutter space for the scroll bar at the right of the text
 void draw_page(Ui& ui, float gutter) {
     const Lesson* const lesson = open_lesson_of(ui);
@@ -108,10 +132,7 @@ void draw_page(Ui& ui, float gutter) {
     ImGui::BeginChild("lesson.text", {room.x, std::max(room.y - footer, 1.0f)}, false,
                       ImGuiWindowFlags_NoNav);
     const std::string name = name_of_page(ui, lesson, page);
-    if (ui.lesson.shown != name) {
-        ImGui::SetScrollY(0.0f);
-        ui.lesson.shown = name;
-    }
+    keep_place(ui.lesson, name);
     draw_text(ui, lesson, page, width);
     if (is_low) draw_footer(ui, lesson, page, width);
     draw_fade(ui, width);

@@ -57,10 +57,11 @@ bool draw_entry(Ui& ui, const std::string& name, const std::string& mark, const 
 
 void draw_lessons(Ui& ui, float width) {
     const Palette& p = palette(ui.options.theme);
-    int number = 0;
-    for (const Lesson& lesson : ui.lesson.lessons.all()) {
-        ++number;
-        const LessonScore score = score_of(ui.lesson.progress, lesson);
+    ui.lesson.scores.renew(ui.lesson.progress, ui.lesson.lessons);
+    const std::vector<Lesson>& lessons = ui.lesson.lessons.all();
+    for (std::size_t i = 0; i < lessons.size(); ++i) {
+        const Lesson& lesson = lessons[i];
+        const LessonScore score = ui.lesson.scores.of(i);
         const bool is_open = lesson.id == ui.session.lesson;
         const ImVec4 colour = score.is_done ? colour_of(Meaning::pass, ui.options.theme)
                               : is_open     ? p.link
@@ -72,7 +73,7 @@ void draw_lessons(Ui& ui, float width) {
         } else {
             right.append(std::to_string(lesson.minutes)).append(" min");
         }
-        if (draw_entry(ui, "lesson.item." + lesson.id, score.is_done ? "✓" : std::to_string(number),
+        if (draw_entry(ui, "lesson.item." + lesson.id, score.is_done ? "✓" : std::to_string(i + 1),
                        colour, lesson.title, lesson.about, right, width, "Opens this lesson.")) {
             const int step = score.is_done ? 0 : score.last_step;
             open_lesson(ui, std::string(lesson.id), step);
@@ -122,8 +123,8 @@ void draw_hits(Ui& ui, float width) {
             continue;
         }
         if (is_term) {
-            ui.sheets.shows_glossary = true;
-            ui.sheets.glossary_search = hit.title;
+            ui.sheets.show(Sheet::glossary);
+            ui.sheets.search_of(Sheet::glossary) = hit.title;
         } else {
             open_lesson(ui, hit.lesson, hit.step);
         }

@@ -222,8 +222,9 @@ void draw_prediction(Ui& ui, const Lesson& lesson, const LessonPrediction& predi
         name_widget(ui, name, "Answer first; then the program shows.");
         box.markdown(name + ".text", ui.lesson.pages[name], without_label(prediction.text));
         ImGui::Dummy({0.0f, 2.0f * ui.options.text_scale});
-        take_up_answer(ui, lesson, prediction);
-        if (ui.lesson.predictions[prediction.id].judged) {
+        if (!take_up_answer(ui, lesson, prediction)) {
+            text_in(palette(ui.options.theme).dim, "Your answer comes back …");
+        } else if (ui.lesson.predictions[prediction.id].judged) {
             draw_reveal(ui, box, prediction, name);
         } else if (prediction.kind == LessonPrediction::Kind::number) {
             draw_number_field(ui, lesson, prediction, name);

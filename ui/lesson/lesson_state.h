@@ -11,6 +11,7 @@
 #include "facts/facts.h"
 #include "lessons/lesson_list.h"
 #include "lessons/lesson_run.h"
+#include "lessons/lesson_scores.h"
 #include "lessons/lesson_search.h"
 #include "lessons/progress.h"
 #include "lessons/stage_note.h"
@@ -44,11 +45,15 @@ struct LessonView {
     Progress progress;
     Progress kept_progress; ///< as this window last read or wrote it
     KeptFile progress_file;
+    LessonScores scores;
     FactCache facts; ///< that the conditions of the tasks ask for
     std::map<std::string, std::shared_ptr<MarkdownPage>> pages; ///< of the step on show, by name
     std::map<std::string, PredictionView> predictions;          ///< of the lesson, by id
     std::set<std::string> open_hints;                           ///< ids of tasks
     std::string shown;             ///< which page is on show; the scroll position belongs to it
+    float scroll_share = 0.0f;     ///< how far it is scrolled, 0 to 1
+    unsigned place = 0;            ///< in which window of ImGui it stands
+    int frames_to_scroll = 0;      ///< in which it goes back to that share, in another place
     std::string search;            ///< what the list of lessons is searched for
     LessonSearch found;            ///< what it has found
     bool is_tab = false;           ///< of the inspector, for want of room for a column
@@ -58,6 +63,8 @@ struct LessonView {
     bool is_new = false;           ///< by the click or key of this frame, which does not end it
     bool is_hovered = false;       ///< the pointer rests on such a link in this frame
     int frames_unseen = 0;         ///< since the widget pointed at was last on the screen
+    int frame_of_answer = -1;      ///< in which an answer that was kept was judged last
+    int frame_of_waiting = -1;     ///< in which another one was left for the next frame
 };
 
 } // namespace rasterwalk

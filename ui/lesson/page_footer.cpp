@@ -72,6 +72,16 @@ int draw_page_footer(Ui& ui, const PageFooter& footer, float width, const std::s
             wanted = footer.current + 1;
         }
     }
+    // Where there is no way back there is room for the title of what comes.
+    if (footer.current == 0 && last > 0) {
+        const ImFont* const small = ui.fonts.small;
+        ImGui::PushFont(ui.fonts.small);
+        const std::string words = shortened(title(1), half);
+        ImGui::PopFont();
+        const float middle = 0.5f * (ImGui::GetFrameHeight() - small->FontSize);
+        ImGui::GetWindowDrawList()->AddText(small, small->FontSize, {start.x, y + middle},
+                                            packed(palette(ui.options.theme).dim), words.c_str());
+    }
     if (footer.current > 0) {
         const std::string& before = title(footer.current - 1);
         const std::string label = "‹  " + fitting_label(before, "back", half);

@@ -2,11 +2,10 @@
 #include <string>
 
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include "base/numbers.h"
 #include "session/walk.h"
-#include "ui/actions/keys.h"
+#include "ui/sheets/reading_sheet.h"
 #include "ui/sheets/sheets.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
@@ -16,6 +15,14 @@ namespace rasterwalk {
 
 namespace {
 
+const SheetLook events_look{.sheet = Sheet::events,
+                            .window = "moments",
+                            .widgets = "events",
+                            .title = "Moments",
+                            .close_help = "Closes this sheet. Key: Esc",
+                            .size = {740.0f, 480.0f},
+                            .is_aside = true};
+
 /// Of the triangle on show, the moment that was done last; -1 if none of it is done.
 int last_done(const Ui& ui, int triangle) {
     const RunResults& run = ui.results.a;
@@ -24,7 +31,7 @@ int last_done(const Ui& ui, int triangle) {
 }
 
 /// Lists the triangle on show, if another is listed or other words are searched for.
-void renew_list(const Ui& ui, EventSheet& sheet) {
+void renew_list(const Ui& ui, const std::string& search, EventSheet& sheet) {
     const int triangle = ui.results.a.triangle.value_or(-1);
     const bool is_same_triangle =
         sheet.frame_number == ui.results.a.frame_number && sheet.list.triangle == triangle;
@@ -33,10 +40,10 @@ void renew_list(const Ui& ui, EventSheet& sheet) {
         sheet.frame_number = ui.results.a.frame_number;
     }
     const int first = std::max(last_done(ui, triangle), 0) / most_events * most_events;
-    if (is_same_triangle && first == sheet.first && sheet.search == sheet.searched) return;
+    if (is_same_triangle && first == sheet.first && search == sheet.searched) return;
     sheet.first = first;
-    sheet.searched = sheet.search;
-    sheet.found = find_events(sheet.list, sheet.search, first, first + most_events);
+    sheet.searched = search;
+    sheet.found = find_events(sheet.list, search, first, first + most_events);
 }
 
 void copy_events(Ui& ui) {
@@ -102,17 +109,9 @@ void draw_event_lines(Ui& ui) {
 
 void draw_event_head(Ui& ui) {
     const EventSheet& sheet = ui.sheets.events;
-    const float gap = 24.0f * ui.options.text_scale;
-    ImGui::PushFont(ui.fonts.title);
-    ImGui::TextUnformatted("Moments");
-    ImGui::PopFont();
-    ImGui::SameLine(0.0f, gap);
+    ImGui::SameLine();
     if (button(ui, "events.copy", "Copy", Look::plain, "Copies the lines that are listed.")) {
         copy_events(ui);
-    }
-    ImGui::SameLine();
-    if (button(ui, "events.close", "Close", Look::plain, "Closes this sheet.")) {
-        ui.sheets.events.is_open = false;
     }
     ImGui::PushFont(ui.fonts.mono);
     const int listed = static_cast<int>(sheet.found.size());
@@ -128,33 +127,14 @@ void draw_event_head(Ui& ui) {
 } // namespace
 
 void draw_event_sheet(Ui& ui, ImVec2 window) {
-    EventSheet& sheet = ui.sheets.events;
-    if (!sheet.is_open) return;
-    renew_list(ui, sheet);
-    const float u = ui.options.text_scale;
-    // At the right, so that the picture can be seen beside it.
-    ImGui::SetNextWindowPos({window.x - 10.0f, 0.5f * window.y}, ImGuiCond_Always, {1.0f, 0.5f});
-    ImGui::SetNextWindowSize(
-        {std::min(740.0f * u, window.x - 20.0f), std::min(480.0f * u, window.y - 20.0f)});
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.options.theme).card);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6.0f * u);
-    ImGui::Begin("moments", nullptr,
-                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize);
-    // While words are typed the key is not one of the actions.
-    if (ImGui::GetIO().WantTextInput && ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows) &&
-        ImGui::IsKeyPressed(key::escape)) {
-        sheet.is_open = false;
-    }
+    if (!ui.sheets.is_open(Sheet::events)) return;
+    renew_list(ui, ui.sheets.search_of(Sheet::events), ui.sheets.events);
+    begin_sheet(ui, events_look, window);
     draw_event_head(ui);
-    ImGui::SetNextItemWidth(-1.0f);
-    ImGui::InputTextWithHint("##search", "search: edge 1, row 12, left end", &sheet.search);
-    name_widget(ui, "events.search", "Lists only the moments whose line has these words.");
+    draw_sheet_search(ui, events_look, "search: edge 1, row 12, left end",
+                      "Lists only the moments whose line has these words.");
     draw_event_lines(ui);
-    ImGui::End();
-    ImGui::PopStyleVar(2);
-    ImGui::PopStyleColor();
+    end_sheet();
 }
 
 } // namespace rasterwalk

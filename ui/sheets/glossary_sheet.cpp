@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cctype>
+#include <string>
 
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
-#include "ui/actions/keys.h"
+#include "ui/sheets/reading_sheet.h"
 #include "ui/sheets/sheets.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
@@ -13,6 +13,13 @@
 namespace rasterwalk {
 
 namespace {
+
+const SheetLook glossary_look{.sheet = Sheet::glossary,
+                              .window = "glossary",
+                              .widgets = "glossary",
+                              .title = "Glossary",
+                              .close_help = "Closes the glossary. Keys: F2, Esc",
+                              .size = {520.0f, 640.0f}};
 
 bool has_word(const Term& term, const std::string& search) {
     const auto same = [](char a, char b) {
@@ -42,42 +49,21 @@ void draw_term(Ui& ui, const Term& term) {
 } // namespace
 
 void draw_glossary_sheet(Ui& ui, ImVec2 window) {
-    if (!ui.sheets.shows_glossary) return;
-    const float u = ui.options.text_scale;
-    ImGui::SetNextWindowPos({0.5f * window.x, 0.5f * window.y}, ImGuiCond_Always, {0.5f, 0.5f});
-    ImGui::SetNextWindowSize(
-        {std::min(520.0f * u, window.x - 20.0f), std::min(640.0f * u, window.y - 20.0f)});
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.options.theme).card);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6.0f * u);
-    ImGui::Begin("glossary", nullptr,
-                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize);
-    ImGui::PushFont(ui.fonts.title);
-    ImGui::TextUnformatted("Glossary");
-    ImGui::PopFont();
-    ImGui::SameLine(0.0f, 24.0f * u);
-    if (button(ui, "glossary.close", "Close", Look::plain, "Closes the glossary. Keys: F2, Esc")) {
-        ui.sheets.shows_glossary = false;
-    }
-    ImGui::SetNextItemWidth(-1.0f);
-    ImGui::InputTextWithHint("##search", "search the glossary", &ui.sheets.glossary_search);
-    const bool is_left = ImGui::IsItemDeactivated();
-    name_widget(ui, "glossary.search", "Shows only the terms that have this word.");
-    // The field had the keyboard, and with it the key.
-    if (is_left && ImGui::IsKeyPressed(key::escape, false)) ui.sheets.shows_glossary = false;
+    if (!ui.sheets.is_open(Sheet::glossary)) return;
+    begin_sheet(ui, glossary_look, window);
+    draw_sheet_search(ui, glossary_look, "search the glossary",
+                      "Shows only the terms that have this word.");
+    const std::string& search = ui.sheets.search_of(Sheet::glossary);
     ImGui::BeginChild("terms");
     bool any = false;
     for (const Term& term : ui.session.glossary) {
-        if (!has_word(term, ui.sheets.glossary_search)) continue;
+        if (!has_word(term, search)) continue;
         any = true;
         draw_term(ui, term);
     }
     if (!any) text_in(palette(ui.options.theme).dim, "No term has that word.");
     ImGui::EndChild();
-    ImGui::End();
-    ImGui::PopStyleVar(2);
-    ImGui::PopStyleColor();
+    end_sheet();
 }
 
 } // namespace rasterwalk

@@ -1,4 +1,5 @@
 #include "ui/actions/actions.h"
+#include "ui/sheets/reading_sheet.h"
 #include "ui/sheets/sheets.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
@@ -7,6 +8,12 @@
 namespace rasterwalk {
 
 namespace {
+
+const SheetLook keys_look{.sheet = Sheet::keys,
+                          .window = "keys",
+                          .widgets = "keys",
+                          .title = "Keys",
+                          .close_help = "Closes this sheet. Keys: F1, Esc"};
 
 struct HeldKeyLine {
     const char* keys;
@@ -36,24 +43,8 @@ void draw_line(const Ui& ui, const std::string& keys, const char* help) {
 } // namespace
 
 void draw_key_sheet(Ui& ui, ImVec2 window) {
-    if (!ui.sheets.shows_keys) return;
-    const float u = ui.options.text_scale;
-    ImGui::SetNextWindowPos({0.5f * window.x, 0.5f * window.y}, ImGuiCond_Always, {0.5f, 0.5f});
-    ImGui::SetNextWindowSizeConstraints({0, 0}, {window.x - 20.0f, window.y - 20.0f});
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.options.theme).card);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6.0f * u);
-    ImGui::SetNextWindowFocus();
-    ImGui::Begin("keys", nullptr,
-                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove);
-    ImGui::PushFont(ui.fonts.title);
-    ImGui::TextUnformatted("Keys");
-    ImGui::PopFont();
-    ImGui::SameLine(0.0f, 24.0f * u);
-    if (button(ui, "keys.close", "Close", Look::plain, "Closes this sheet. Keys: F1, Esc")) {
-        ui.sheets.shows_keys = false;
-    }
+    if (!ui.sheets.is_open(Sheet::keys)) return;
+    begin_sheet(ui, keys_look, window);
     ImGui::Spacing();
     if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
         for (const HeldKeyLine& line : held_lines)
@@ -64,9 +55,7 @@ void draw_key_sheet(Ui& ui, ImVec2 window) {
         }
         ImGui::EndTable();
     }
-    ImGui::End();
-    ImGui::PopStyleVar(2);
-    ImGui::PopStyleColor();
+    end_sheet();
 }
 
 } // namespace rasterwalk

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,12 +33,12 @@ struct FileSheet {
     bool early_enter = false;                 ///< and the key after them
 };
 
-/// The sheet that lists what a triangle does, moment by moment.
-struct EventSheet {
-    bool is_open = false;
-    std::string search; ///< what it is filtered by
+/// The sheets to read in, beside which one can go on working; the one that lies on top first.
+enum class Sheet : std::uint8_t { keys, glossary, events };
+inline constexpr std::size_t sheet_count = 3;
 
-    // What is listed, and for what.
+/// What the sheet of moments lists, and for what.
+struct EventSheet {
     EventList list;
     int first = 0;                  ///< of very many moments it lists some; this is the first
     std::vector<int> found;         ///< numbers of the moments that have the words
@@ -47,10 +49,23 @@ struct EventSheet {
 /// The sheets that lie over the window.
 struct SheetsState {
     FileSheet files;
-    bool shows_glossary = false; ///< the glossary is open
-    std::string glossary_search; ///< what it is filtered by
-    bool shows_keys = false;     ///< the sheet of keys is open
+    std::array<bool, sheet_count> open{};          ///< by Sheet
+    std::array<std::string, sheet_count> search{}; ///< what each is filtered by
     EventSheet events;
+
+    bool is_open(Sheet sheet) const { return open[static_cast<std::size_t>(sheet)]; }
+    void show(Sheet sheet, bool is_shown = true) {
+        open[static_cast<std::size_t>(sheet)] = is_shown;
+    }
+    void toggle(Sheet sheet) { show(sheet, !is_open(sheet)); }
+    /// The one that lies on top; none if none is open.
+    std::optional<Sheet> topmost() const {
+        for (std::size_t i = 0; i < sheet_count; ++i) {
+            if (open[i]) return static_cast<Sheet>(i);
+        }
+        return std::nullopt;
+    }
+    std::string& search_of(Sheet sheet) { return search[static_cast<std::size_t>(sheet)]; }
 };
 
 } // namespace rasterwalk

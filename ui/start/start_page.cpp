@@ -12,8 +12,8 @@
 #include "ui/actions/compare.h"
 #include "ui/actions/keys.h"
 #include "ui/actions/open_lesson.h"
-#include "ui/actions/open_tab.h"
 #include "ui/start/stage_pictures.h"
+#include "ui/start/ways.h"
 #include "ui/ui.h"
 #include "ui/widgets/layout.h"
 #include "ui/widgets/style.h"
@@ -58,7 +58,8 @@ static_assert(is_indexed_by(cards, &Card::way));
 
 /// The lesson of the main button; null if there is none.
 const Lesson* next_lesson(Ui& ui) {
-    const std::string id = lesson_to_open(ui.lesson.progress, ui.lesson.lessons.all());
+    ui.lesson.scores.renew(ui.lesson.progress, ui.lesson.lessons);
+    const std::string& id = ui.lesson.scores.to_open();
     return id.empty() ? nullptr : ui.lesson.lessons.find(id);
 }
 
@@ -169,10 +170,11 @@ void draw_lesson_cells(Ui& ui, float width) {
     const float cell =
         (width - gap * static_cast<float>(lessons.size() - 1)) / static_cast<float>(lessons.size());
     float x = low.x;
-    for (const Lesson& lesson : lessons) {
-        const bool is_done = score_of(ui.lesson.progress, lesson).is_done;
+    ui.lesson.scores.renew(ui.lesson.progress, ui.lesson.lessons);
+    for (std::size_t i = 0; i < lessons.size(); ++i) {
+        const bool is_done = ui.lesson.scores.of(i).is_done;
         done += is_done ? 1 : 0;
-        minutes += lesson.minutes;
+        minutes += lessons[i].minutes;
         const ImVec4& colour = is_done ? p.link : p.button_hovered;
         ImGui::GetWindowDrawList()->AddRectFilled({x, low.y}, {x + cell, low.y + 5.0f * u},
                                                   packed(colour), 2.0f * u);
@@ -313,8 +315,8 @@ void take_keys(Ui& ui) {
     const bool lies_below_text =
         sheets.files.kind != FileSheet::Kind::closed || ImGui::GetIO().WantTextInput;
     if (lies_below_text) return;
-    const bool is_covered = sheets.shows_keys || sheets.shows_glossary || sheets.events.is_open ||
-                            ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+    const bool is_covered =
+        sheets.topmost().has_value() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     if (is_covered) {
         if (ImGui::IsKeyPressed(key::escape, false)) close_topmost(ui);
         return;
@@ -331,47 +333,6 @@ void take_keys(Ui& ui) {
 }
 
 } // namespace
-
-void begin_at_start(Ui& ui) {
-    const bool was_in_a_lesson = !ui.lesson.progress.last_lesson.empty();
-    if (!ui.options.way && !was_in_a_lesson) {
-        ui.start.is_open = true;
-        return;
-    }
-    take_way(ui, ui.options.way.value_or(Way::lessons));
-}
-
-void take_way(Ui& ui, Way way) {
-    ui.start.is_open = false;
-    ui.options.way = way;
-    if (way != Way::lessons) close_lesson(ui);
-    switch (way) {
-    case Way::lessons:
-        open_lesson_to_go_on(ui);
-        break;
-    case Way::stages:
-        if (!hides_settings(ui.session)) light_up(ui.session, ui.session.a.settings);
-        break;
-    case Way::picture:
-        ui.lab.mode = LabMode::result;
-        open_tab(ui, "lab");
-        break;
-    }
-}
-
-void follow_start_page(Ui& ui) {
-    if (!ui.session.lesson.empty()) ui.options.way = Way::lessons;
-    StartPage& start = ui.start;
-    if (start.is_open && !start.behind) {
-        const SessionInputs& now = ui.session;
-        ui.session.play.running = false;
-        start.behind = now;
-        start.lesson = ui.session.lesson;
-    }
-    const bool is_same = start.behind == ui.session && start.lesson == ui.session.lesson;
-    if (!is_same || ui.lab.frames_to_result > 0) start.is_open = false;
-    if (!start.is_open) start.behind.reset();
-}
 
 void draw_start_page(Ui& ui, ImVec2 low, ImVec2 high) {
     if (!ui.start.is_open) return;

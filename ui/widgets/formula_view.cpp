@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "base/numbers.h"
-#include "session/walk.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -193,36 +192,6 @@ std::optional<Source> draw_formula_line(Ui& ui, const Formula& formula, const st
         clicked = from_formula(formula.id);
     }
     return clicked;
-}
-
-void go_to_source(Ui& ui, const Source& source) {
-    Selection& selection = ui.session.selection;
-    switch (source.kind) {
-    case SourceKind::given:
-    case SourceKind::formula:
-        return;
-    case SourceKind::setting:
-        ui.inspector.setting_search = source.name;
-        choose_tab(ui.session, settings_tab);
-        return;
-    case SourceKind::vertex:
-        selection.triangle = source.triangle;
-        selection.vertex = source.vertex;
-        ui.inspector.chosen.vertex_number = source.name;
-        choose_tab(ui.session, "vertices");
-        return;
-    case SourceKind::row_end:
-        selection.triangle = source.triangle;
-        selection.row = source.row;
-        ui.inspector.shows_end_values = true;
-        ui.inspector.scroll_to_row = true;
-        choose_tab(ui.session, "rows");
-        return;
-    case SourceKind::moment:
-        selection.triangle = source.moment.triangle;
-        go_to(ui.session, Timeline(ui.results.a.frame).next(source.moment, Granularity::moment));
-        return;
-    }
 }
 
 void draw_with_card(const char* name, const std::function<void()>& page,

@@ -47,10 +47,6 @@ std::optional<Source> draw_formula(Ui& ui, const Formula& formula, const std::st
 std::optional<Source> draw_formula_line(Ui& ui, const Formula& formula, const std::string& name,
                                         std::string_view label = {}, bool warns = false);
 
-/// Shows the place that a number comes from: selects it and opens its tab. A formula or a given
-/// number has none.
-void go_to_source(Ui& ui, const Source& source);
-
 /// A page that scrolls, and below it what must stay in view: the formula of what was clicked there.
 /// @param name by which both keep their sizes from one frame to the next
 void draw_with_card(const char* name, const std::function<void()>& page,

@@ -30,7 +30,7 @@ TEST_CASE("Escape closes every menu and list, and nothing else") {
         REQUIRE(open_popups() == 1);
         driver.hand.press(key::escape);
         CHECK(open_popups() == 0);
-        CHECK(driver.ui.sheets.shows_glossary);
+        CHECK(driver.ui.sheets.is_open(Sheet::glossary));
         CHECK(driver.ui.session.a.settings == before.a.settings);
         CHECK(driver.ui.session.scene == before.scene);
     }
@@ -42,10 +42,10 @@ TEST_CASE("Escape closes the sheet of keys and the glossary, the upper one first
     driver.hand.press(key::f1);
     REQUIRE(driver.hand.is_visible("keys.close"));
     driver.hand.press(key::escape);
-    CHECK_FALSE(driver.ui.sheets.shows_keys);
-    CHECK(driver.ui.sheets.shows_glossary);
+    CHECK_FALSE(driver.ui.sheets.is_open(Sheet::keys));
+    CHECK(driver.ui.sheets.is_open(Sheet::glossary));
     driver.hand.press(key::escape);
-    CHECK_FALSE(driver.ui.sheets.shows_glossary);
+    CHECK_FALSE(driver.ui.sheets.is_open(Sheet::glossary));
 
     // One press is enough, too, while something is typed there.
     driver.hand.press(key::f1 + 1);
@@ -53,7 +53,7 @@ TEST_CASE("Escape closes the sheet of keys and the glossary, the upper one first
     driver.hand.type_text("edge");
     REQUIRE(ImGui::GetIO().WantTextInput);
     driver.hand.press(key::escape);
-    CHECK_FALSE(driver.ui.sheets.shows_glossary);
+    CHECK_FALSE(driver.ui.sheets.is_open(Sheet::glossary));
 }
 
 TEST_CASE("In a field elsewhere Escape is the field's own") {
@@ -65,9 +65,9 @@ TEST_CASE("In a field elsewhere Escape is the field's own") {
     driver.hand.click("settings.search");
     REQUIRE(ImGui::GetIO().WantTextInput);
     driver.hand.press(key::escape);
-    CHECK(driver.ui.sheets.shows_glossary);
+    CHECK(driver.ui.sheets.is_open(Sheet::glossary));
     driver.hand.press(key::escape);
-    CHECK_FALSE(driver.ui.sheets.shows_glossary);
+    CHECK_FALSE(driver.ui.sheets.is_open(Sheet::glossary));
 }
 
 } // namespace rasterwalk

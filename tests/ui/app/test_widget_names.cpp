@@ -30,6 +30,7 @@ class Tour {
 
     void all() {
         every_tab();
+        turned();
         compared();
         small_triangle();
         small_window();
@@ -82,6 +83,13 @@ class Tour {
             driver.ui.inspector.setting_search = std::string(setting.name);
             look(driver);
         }
+    }
+
+    void turned() {
+        Driver driver;
+        driver.ui.session.a.settings.camera.yaw = 0.3f; // there is an R to speak of
+        follow_link(driver.ui, "tab:vertices");
+        look(driver);
     }
 
     void compared() {

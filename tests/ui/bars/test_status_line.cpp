@@ -7,12 +7,37 @@
 #include "tests/ui/shown_colours.h"
 #include "ui/actions/compare.h"
 #include "ui/actions/keys.h"
+#include "ui/actions/open_lesson.h"
 #include "ui/app/app.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
 
 using namespace rasterwalk;
 using Catch::Matchers::Contains;
+
+TEST_CASE("Of row tables nothing is told before they are a subject") {
+    Driver driver;
+    const auto tells = [&] {
+        driver.hand.frames(frames_to_rest);
+        return driver.hand.is_visible("status.trouble");
+    };
+    REQUIRE(driver.ui.results.a.troubles.size() == 1);
+    REQUIRE(driver.ui.results.a.troubles[0].is_of_rows);
+    CHECK(tells());
+    driver.hand.click("stage.edges");
+    CHECK_FALSE(tells());
+    driver.hand.click("stage.rows");
+    CHECK(tells());
+    // The whole picture is shown, but the lesson has no panel of row tables.
+    open_lesson(driver.ui, "01-pinhole-camera", 0);
+    CHECK_FALSE(tells());
+    driver.ui.session.tab_guide.shows_all = true;
+    CHECK(tells());
+    // That triangles are left out is told in every lesson.
+    driver.ui.session.tab_guide.shows_all = false;
+    driver.ui.session.a.settings.camera.position.z = -0.5f;
+    CHECK(tells());
+}
 
 TEST_CASE("What is too much work for one frame of the window goes on in the next ones") {
     Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");

@@ -1,7 +1,12 @@
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include <catch2/catch.hpp>
 
 #include "session/bench.h"
 #include "tests/ui/driver.h"
+#include "tests/ui/screen_text.h"
 #include "ui/actions/keys.h"
 #include "ui/ui.h"
 
@@ -69,6 +74,24 @@ TEST_CASE("The microscope opens on the coordinate that drifts, and shows the one
     CHECK_FALSE(driver.ui.inspector.microscope.shows_x);
     driver.hand.click("microscope.x");
     CHECK(driver.ui.inspector.microscope.shows_x);
+}
+
+TEST_CASE("What is chosen of a sample says what it decides, and which of both drifts") {
+    Driver driver("one-triangle.toml");
+    open_outside_example(driver);
+    const auto says = [&](const std::string& words) {
+        driver.hand.frames(frames_to_rest);
+        const std::vector<ScreenText> texts = screen_text();
+        return std::any_of(texts.begin(), texts.end(), [&](const ScreenText& text) {
+            return text.words.find(words) != std::string::npos;
+        });
+    };
+    CHECK(driver.hand.is_visible("microscope.axis"));
+    CHECK(says("x → column"));
+    CHECK(says("y → row"));
+    CHECK(says("only y drifts")); // (0,2) to (3,1): x steps by whole pixels
+    driver.hand.click("microscope.edge.1");
+    CHECK(says("only x drifts"));
 }
 
 TEST_CASE("The current sample is in view, in every window and text size") {

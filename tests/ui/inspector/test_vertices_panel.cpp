@@ -8,6 +8,7 @@
 #include "tests/ui/screen_text.h"
 #include "tests/ui/shown_number.h"
 #include "ui/actions/keys.h"
+#include "ui/actions/open_lesson.h"
 #include "ui/ui.h"
 
 namespace rasterwalk {
@@ -97,11 +98,51 @@ TEST_CASE("The vertices follow the camera, and say what the other rounding and o
     CHECK_FALSE(driver.hand.is_visible("vertices.other_roundings"));
 }
 
+TEST_CASE("R is not spoken of before the camera is turned") {
+    Driver driver;
+    driver.ui.session.selection.triangle = 7;
+    driver.open("vertices");
+    driver.hand.click(cell("pixel.column", 0));
+    CHECK_FALSE(driver.hand.is_visible("vertices.other_convention"));
+    CHECK(driver.hand.is_visible(cell("rotated.x", 0))); // the table is whole without a lesson
+    driver.ui.session.a.settings.camera.yaw = 0.3f;
+    driver.hand.frames(2);
+    CHECK(driver.hand.is_visible("vertices.other_convention"));
+}
+
+TEST_CASE("The first lessons show the numbers that they speak of, and all of them on request") {
+    Driver driver;
+    open_lesson(driver.ui, "01-pinhole-camera", 0);
+    driver.hand.frames(frames_to_rest);
+    REQUIRE(shading_rule(driver.ui.session.a.settings) != Shading::unlit);
+    const auto shows = [&](const char* line) { return driver.hand.is_visible(cell(line, 0)); };
+    for (const char* line : {"world.x", "minus_camera.z", "projected.y", "pixel.column", "zinv"}) {
+        INFO(line);
+        CHECK(shows(line));
+    }
+    for (const char* line : {"rotated.x", "normal.y", "light.R.red"}) {
+        INFO(line);
+        CHECK_FALSE(shows(line));
+    }
+    // The camera is turned: then there is something to be seen of it.
+    driver.ui.session.a.settings.camera.yaw = 0.2f;
+    driver.hand.frames(2);
+    CHECK(shows("rotated.x"));
+    driver.ui.session.tab_guide.shows_all = true;
+    driver.ui.session.a.settings.camera.yaw = 0.0f;
+    driver.hand.frames(2);
+    for (const char* line : {"rotated.x", "normal.y", "light.R.red"}) {
+        INFO(line);
+        CHECK(shows(line));
+    }
+}
+
 TEST_CASE("In a small window the formula is in sight, and all of the panel can be reached") {
     for (const SmallWindow& window : small_windows) {
         INFO(window.size.x << " x " << window.size.y << ", text " << window.text_scale);
         Driver driver("lab-room.toml", window.size, window.text_scale);
         driver.ui.session.selection.triangle = 7;
+        driver.ui.session.a.settings.camera.yaw = 0.1f; // there is an R to speak of
         driver.ui.session.tab = "vertices";
         driver.hand.frames(4);
         driver.hand.click(cell("pixel.column", 0));

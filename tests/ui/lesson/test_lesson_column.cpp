@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <fstream>
 #include <map>
 #include <set>
@@ -8,10 +9,12 @@
 #include "tests/support/effort.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/driver.h"
+#include "tests/ui/screen_text.h"
 #include "tests/ui/shown_colours.h"
 #include "ui/actions/keys.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/actions/open_lesson.h"
+#include "ui/app/app.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
 
@@ -332,6 +335,86 @@ TEST_CASE("Answers that were given before are shown again with what the program 
     CHECK_FALSE(ui.lesson.predictions.at("who").judged);
     room.driver.hand.click("lesson.prediction.who.choice.1");
     CHECK(ui.lesson.predictions.at("who").judged->is_right);
+}
+
+TEST_CASE("The text stays where it is read while the lesson moves to make room for both views") {
+    Classroom room({1600, 640});
+    Hand& hand = room.driver.hand;
+    Ui& ui = room.driver.ui;
+    room.open();
+    hand.click("lesson.next");
+    const auto is_at_the_end = [&] {
+        hand.frames(6);
+        return hand.is_visible("lesson.prediction.black") && !hand.is_visible("lesson.task.affine");
+    };
+    const auto is_at_the_start = [&] {
+        hand.frames(6);
+        return hand.is_visible("lesson.task.affine") && !hand.is_visible("lesson.prediction.black");
+    };
+    REQUIRE(is_at_the_start());
+    hand.find("lesson.prediction.black"); // scrolls there
+    hand.wheel("lesson.prediction.black", -20.0f);
+    REQUIRE(is_at_the_end());
+    for (int i = 0; i < 2; ++i) {
+        hand.press('9');
+        REQUIRE(ui.lesson.is_tab);
+        CHECK(is_at_the_end());
+        hand.press('9');
+        if (ui.lesson.is_tab) hand.press('8');
+        REQUIRE_FALSE(ui.lesson.is_tab);
+        CHECK(is_at_the_end());
+        CHECK(ui.session.step == 1);
+    }
+    // Another step begins at its start.
+    hand.press(key::page_up);
+    hand.press(key::page_down);
+    CHECK(is_at_the_start());
+}
+
+TEST_CASE("The first page of a lesson says what the next one is about") {
+    Driver driver;
+    for (const Lesson& lesson : std::vector<Lesson>(driver.ui.lesson.lessons.all())) {
+        open_lesson(driver.ui, lesson.id, 0);
+        driver.hand.frames(frames_to_rest);
+        INFO(lesson.id);
+        const std::vector<ScreenText> texts = screen_text();
+        CHECK(std::any_of(texts.begin(), texts.end(), [&](const ScreenText& text) {
+            // Where it is too long, as far as it fits.
+            return text.window.starts_with("lesson") &&
+                   text.words.find(lesson.steps[1].heading.substr(0, 6)) != std::string::npos;
+        }));
+    }
+}
+
+TEST_CASE("Of the answers that were kept no frame judges more than one") {
+    Classroom room;
+    Ui& ui = room.driver.ui;
+    for (const char* const id : {"how-many", "who", "black"}) {
+        const char* const said = std::string_view(id) == "how-many" ? "12 triangles"
+                                 : std::string_view(id) == "who"    ? "the floor"
+                                                                    : "pixel (250, 250)";
+        ui.lesson.progress.note_answer("01-tiny", id, {said, false});
+    }
+    const auto judged = [&] {
+        int count = 0;
+        for (const auto& [id, view] : ui.lesson.predictions)
+            count += view.judged ? 1 : 0;
+        return count;
+    };
+    room.open();
+    open_lesson(ui, "01-tiny", 1);
+    int before = judged(), most = 0;
+    REQUIRE(before == 0);
+    int frames = 0;
+    do {
+        room.driver.hand.frames(1);
+        most = std::max(most, judged() - before);
+        before = judged();
+    } while (is_answer_waiting(ui) && ++frames < 20);
+    CHECK(judged() == 3);
+    CHECK(most == 1);
+    CHECK_FALSE(is_animating(ui));
+    room.driver.hand.find("lesson.prediction.black.verdict");
 }
 
 TEST_CASE("The main button of the question whether to forget all is the one that keeps it") {

@@ -56,9 +56,9 @@ TEST_CASE("Each kind of link does what it says") {
     follow("preset:visible%20light");
     follow("preset:exact");
     follow("term:1/z");
-    CHECK(ui.sheets.shows_glossary);
-    CHECK(ui.sheets.glossary_search == "1/z");
-    ui.sheets.shows_glossary = false;
+    CHECK(ui.sheets.is_open(Sheet::glossary));
+    CHECK(ui.sheets.search_of(Sheet::glossary) == "1/z");
+    ui.sheets.show(Sheet::glossary, false);
     driver.hand.frames(frames_to_rest);
     follow("bug:B3");
     CHECK(is_on(ui.session, "B3"));

@@ -13,7 +13,7 @@
 #include "ui/actions/actions.h"
 #include "ui/actions/keys.h"
 #include "ui/actions/open_lesson.h"
-#include "ui/start/start_page.h"
+#include "ui/start/ways.h"
 #include "ui/ui.h"
 
 namespace rasterwalk {
@@ -46,6 +46,16 @@ TEST_CASE("The first start shows the start page, and nothing of the workplace") 
         CHECK_FALSE(driver.hand.is_visible(behind));
     }
     CHECK(driver.hand.is_visible("menu.Scene"));
+}
+
+TEST_CASE("While nothing is answered the page does not count the lessons that are done again") {
+    Driver driver;
+    begin(driver);
+    REQUIRE(is_open(driver));
+    const std::uint64_t number = driver.ui.lesson.scores.number();
+    REQUIRE(number > 0);
+    driver.hand.frames(10);
+    CHECK(driver.ui.lesson.scores.number() == number);
 }
 
 TEST_CASE("A click on the first card begins the first lesson") {
@@ -120,9 +130,9 @@ TEST_CASE("Over the start page one Escape closes one thing") {
     Driver driver;
     begin(driver);
     driver.hand.press(key::f1);
-    REQUIRE(driver.ui.sheets.shows_keys);
+    REQUIRE(driver.ui.sheets.is_open(Sheet::keys));
     driver.hand.press(key::escape);
-    CHECK_FALSE(driver.ui.sheets.shows_keys);
+    CHECK_FALSE(driver.ui.sheets.is_open(Sheet::keys));
     REQUIRE(is_open(driver));
     driver.hand.click("menu.Scene");
     REQUIRE(driver.hand.is_visible("scene.fence"));

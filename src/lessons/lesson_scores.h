@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "lessons/lesson_list.h"
+#include "lessons/progress.h"
+
+namespace rasterwalk {
+
+/// How far each lesson of a list is done; worked out again only after an answer, or when a lesson
+/// was read again.
+class LessonScores {
+  public:
+    /// Brings them up to date; costs nothing where nothing has changed.
+    void renew(const Progress& progress, LessonList& lessons);
+
+    /// Of the lesson with this index in the list, at the last renew().
+    const LessonScore& of(std::size_t lesson) const { return scores_[lesson]; }
+    /// The id of the lesson with which to go on, see lesson_to_open().
+    const std::string& to_open() const { return to_open_; }
+    /// How often they were worked out.
+    std::uint64_t number() const { return number_; }
+
+  private:
+    std::uint64_t number_ = 0;
+    std::uint64_t progress_ = 0, lessons_ = 0; ///< numbers of what they were worked out from
+    std::vector<LessonScore> scores_;
+    std::string to_open_;
+};
+
+} // namespace rasterwalk

@@ -1,0 +1,86 @@
+#include "pipeline/draw_marks.h"
+
+#include <algorithm>
+#include <span>
+
+namespace rasterwalk {
+
+namespace {
+
+constexpr glm::vec3 white{1.0f};
+
+bool is_in(const Rectangle& area, glm::ivec2 pixel) {
+    return pixel.x >= area.left && pixel.x < area.right && pixel.y >= area.top &&
+           pixel.y < area.bottom;
+}
+
+/// Points, edges and row ends are marks: one colour, no depth.
+/// @param told gives the fragment that an observer is told of
+template <class Told>
+void put_mark(Drawing& d, const Cursor& cursor, glm::ivec2 place, const glm::vec3& colour,
+              Told told) {
+    if (!is_in(d.scissor, place)) return;
+    const std::size_t pixel = d.target.at(place.x, place.y);
+    const float depth = d.target.rules.depth_clear, stored = d.target.depth[pixel];
+    const glm::vec3 before = d.target.colour[pixel];
+    ++d.tally.fragments;
+    ++d.target.overdraw[pixel];
+    d.target.colour[pixel] = colour;
+    d.target.depth[pixel] = depth;
+    d.target.owner[pixel] = cursor.triangle;
+    if (d.observer == nullptr) return;
+    d.observer->fragment({cursor, told(), Fate::written, depth, stored, before, colour});
+}
+
+void show_row_end(Drawing& d, const Cursor& cursor, const RowEnd& end, const glm::vec3& colour) {
+    const int row = d.rows.first_row + cursor.index;
+    put_mark(d, cursor, {end.column, row}, colour, [&] { return mark_of(end, row); });
+}
+
+} // namespace
+
+void show_vertices(Drawing& d, int triangle) {
+    const std::span<const ScreenVertex> vertices = d.frame.triangle_vertices(triangle);
+    const PieceRange range = clamp_to_window(d.window, {triangle, Phase::vertices, 0, 0},
+                                             &Cursor::index, static_cast<int>(vertices.size()));
+    for (int v = range.first; v < range.last; ++v) {
+        const Cursor cursor{triangle, Phase::vertices, v, 0};
+        if (d.observer != nullptr) d.observer->vertex(cursor, vertices[v]);
+        if (d.frame.settings.stage != Stage::points) continue;
+        put_mark(d, cursor, {vertices[v].column, vertices[v].row}, white,
+                 [&] { return mark_of(vertices[v]); });
+    }
+}
+
+EdgeDrawing::EdgeDrawing(Drawing& drawing, int triangle)
+    : d_(drawing), triangle_(triangle), shown_(d_.frame.settings.stage == Stage::edges),
+      watched_(d_.observer != nullptr && d_.observer->wants_edge_samples()) {}
+
+bool EdgeDrawing::is_wanted() const {
+    return (shown_ || watched_) && d_.window.from < Cursor{triangle_, Phase::rows, 0, 0} &&
+           d_.window.to > Cursor{triangle_, Phase::edges, 0, 0};
+}
+
+void EdgeDrawing::edge_sample(const EdgeSample& sample) {
+    const Cursor cursor{triangle_, Phase::edges, sample.edge, sample.sample};
+    if (cursor < d_.window.from || cursor >= d_.window.to) return;
+    if (watched_) d_.observer->edge_sample({cursor, sample});
+    if (!shown_) return;
+    put_mark(d_, cursor, {sample.fragment.column, sample.fragment.row}, white,
+             [&] { return sample.fragment; });
+}
+
+void show_row_ends(Drawing& d, int triangle) {
+    const PieceRange range =
+        clamp_to_window(d.window, {triangle, Phase::rows, 0, 0}, &Cursor::index, d.rows.size());
+    const int first = std::max(range.first, d.scissor.top - d.rows.first_row);
+    const int last = std::min(range.last, d.scissor.bottom - d.rows.first_row);
+    for (int r = first; r < last; ++r) {
+        if (d.rows.is_empty_row(r)) continue;
+        const Cursor cursor{triangle, Phase::rows, r, 0};
+        show_row_end(d, cursor, d.rows.left[r], left_end_colour);
+        show_row_end(d, cursor, d.rows.right[r], right_end_colour);
+    }
+}
+
+} // namespace rasterwalk

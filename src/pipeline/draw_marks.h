@@ -1,0 +1,32 @@
+#pragma once
+
+// Marks: what the stages before there are fragments put into the picture, in one colour and without
+// a depth.
+
+#include "pipeline/drawing.h"
+
+namespace rasterwalk {
+
+/// Stage `points`: the corners of a triangle. In every stage an observer is told of them.
+void show_vertices(Drawing& d, int triangle);
+
+/// Listens to the coverage of one triangle: shows the samples of its edges, and tells the observer.
+class EdgeDrawing : public SampleSink {
+  public:
+    EdgeDrawing(Drawing& drawing, int triangle);
+
+    /// Is there anyone to tell, and does a sample lie in the window?
+    bool is_wanted() const;
+
+    void edge_sample(const EdgeSample& sample) override;
+
+  private:
+    Drawing& d_;
+    int triangle_;
+    bool shown_, watched_;
+};
+
+/// Stage `rows`: both ends of each row of the table that the drawing holds, the left one first.
+void show_row_ends(Drawing& d, int triangle);
+
+} // namespace rasterwalk

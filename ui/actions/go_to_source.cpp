@@ -1,0 +1,41 @@
+#include "ui/actions/go_to_source.h"
+
+#include "pipeline/timeline.h"
+#include "session/tabs.h"
+#include "session/walk.h"
+#include "ui/actions/open_tab.h"
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+void go_to_source(Ui& ui, const Source& source) {
+    Selection& selection = ui.session.selection;
+    switch (source.kind) {
+    case SourceKind::given:
+    case SourceKind::formula:
+        return;
+    case SourceKind::setting:
+        ui.inspector.setting_search = source.name;
+        open_tab(ui, settings_tab);
+        return;
+    case SourceKind::vertex:
+        selection.triangle = source.triangle;
+        selection.vertex = source.vertex;
+        ui.inspector.chosen.vertex_number = source.name;
+        open_tab(ui, "vertices");
+        return;
+    case SourceKind::row_end:
+        selection.triangle = source.triangle;
+        selection.row = source.row;
+        ui.inspector.shows_end_values = true;
+        ui.inspector.scroll_to_row = true;
+        open_tab(ui, "rows");
+        return;
+    case SourceKind::moment:
+        selection.triangle = source.moment.triangle;
+        go_to(ui.session, Timeline(ui.results.a.frame).next(source.moment, Granularity::moment));
+        return;
+    }
+}
+
+} // namespace rasterwalk

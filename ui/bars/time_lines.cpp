@@ -1,0 +1,47 @@
+#include "ui/bars/time_lines.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/bars/time_window.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// How much wider the window gets with one turn of the wheel.
+constexpr double wheel_factor = 1.3;
+/// So few moments fill the window at the narrowest.
+constexpr double fewest_moments = 8.0;
+
+} // namespace
+
+double place_in_triangles(const Timeline& timeline, const Cursor& cursor) {
+    if (cursor == cursor_end) return std::max(timeline.frame().triangle_count(), 1);
+    const int count = std::max(timeline.moments(cursor.triangle).count, 1);
+    return cursor.triangle + static_cast<double>(timeline.ordinal(cursor)) / count;
+}
+
+double place_in_scale(const Timeline& timeline, const Cursor& cursor) {
+    if (cursor == cursor_end) return place_in_triangles(timeline, cursor);
+    const TriangleScale scale = triangle_scale(timeline.moments(cursor.triangle));
+    return cursor.triangle + scale.share_of(timeline.ordinal(cursor));
+}
+
+void zoom_by_wheel(const TimeLines& s, double about) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.MouseWheelH != 0.0f) {
+        const double turns = std::clamp(io.MouseWheelH, -5.0f, 5.0f);
+        pan_window(s.window(), -0.1 * turns * s.window().width);
+    }
+    if (io.MouseWheel == 0.0f) return;
+    const double turns = std::clamp(io.MouseWheel, -10.0f, 10.0f);
+    const int triangle = static_cast<int>(std::clamp(about, 0.0, s.triangles() - 1.0));
+    const Frame& frame = s.timeline.frame();
+    const bool is_drawn = triangle < frame.triangle_count() && frame.is_drawn(triangle);
+    const int moments = is_drawn ? s.timeline.moments(triangle).count : 1;
+    const double least = std::min(1.0, fewest_moments / std::max(moments, 1));
+    zoom_window(s.window(), std::pow(wheel_factor, -turns), about, least);
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,257 @@
+#include "ui/bars/window_line.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/element_names.h"
+#include "session/walk.h"
+#include "ui/bars/time_window.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// A triangle narrower than this is not divided into its pieces, design pixels.
+constexpr float divided_triangle = 40.0f;
+
+/// The moment at a place of the enlarged part.
+Cursor moment_in_scale(const Timeline& timeline, double place) {
+    const Frame& frame = timeline.frame();
+    if (place >= frame.triangle_count()) return cursor_end;
+    const int triangle = static_cast<int>(std::max(place, 0.0));
+    if (frame.is_drawn(triangle)) {
+        const TriangleMoments& moments = timeline.moments(triangle);
+        const int ordinal = triangle_scale(moments).ordinal_at(place - triangle);
+        if (ordinal < moments.count) return timeline.at_ordinal(triangle, ordinal);
+    }
+    const int next = frame.is_drawn(triangle) ? triangle + 1 : triangle;
+    return timeline.at_or_after({next, Phase::vertices, 0, 0});
+}
+
+void draw_bracket(const TimeLines& s) {
+    const Palette& p = s.colours();
+    const float u = s.unit();
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    const TimeWindow& window = s.window();
+    float left = s.on_frame(window.begin), right = s.on_frame(window.begin + window.width);
+    list->AddQuadFilled({left, s.bottom + 2.0f * u}, {right, s.bottom + 2.0f * u},
+                        {s.at.x + s.width, s.window_top}, {s.at.x, s.window_top},
+                        packed(p.button, 0.45f));
+    const float widen = std::max(0.0f, 3.0f * u - 0.5f * (right - left));
+    left -= widen;
+    right += widen;
+    list->AddRect({left - u, s.top - 2.0f * u}, {right + u, s.bottom + 2.0f * u}, packed(p.text),
+                  2.0f * u, 0, 1.5f * u);
+    if (window.width >= s.triangles()) return;
+
+    const float grip = std::min(std::max(right - left, 26.0f * u), s.width);
+    const float middle =
+        std::clamp(0.5f * (left + right), s.at.x + 0.5f * grip, s.at.x + s.width - 0.5f * grip);
+    const float top = s.bottom + 2.0f * u;
+    ImGui::SetCursorScreenPos({middle - 0.5f * grip, top});
+    ImGui::InvisibleButton("bracket", {grip, s.window_top - top - u});
+    const bool is_held = ImGui::IsItemActive();
+    const bool is_lit = is_held || ImGui::IsItemHovered();
+    if (is_held) {
+        pan_window(s.window(), ImGui::GetIO().MouseDelta.x / s.width * s.triangles());
+    }
+    if (is_lit) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    if (is_lit) zoom_by_wheel(s, window.begin + 0.5 * window.width);
+    name_widget(s.ui, "walk.bracket",
+                "What the line below enlarges. Drag it along the frame; the wheel makes it "
+                "narrower or wider.");
+    const float y = top + 3.5f * u;
+    list->AddRectFilled({middle - 0.5f * grip, y - 1.5f * u}, {middle + 0.5f * grip, y + 1.5f * u},
+                        packed(is_lit ? p.text : p.dim), 1.5f * u);
+}
+
+/// A stretch of the enlarged part under one name and in one colour.
+struct Piece {
+    double begin, end; ///< in triangles
+    ImVec4 colour;
+    std::string name;         ///< "edge 1"; may be empty
+    std::string brief;        ///< where the name is too long; may be empty
+    int count = 0;            ///< said behind the name; 0: not
+    std::vector<int> between; ///< moments of it before each of its parts but the first
+    int moments = 1;          ///< that it has; evenly long
+};
+
+/// Where ticks stand in a phase: between its rows; they are too narrow to be seen one by one.
+std::vector<int> begins_of_rows(const PhaseMoments& phase) {
+    return {phase.before.begin() + 1, phase.before.end() - 1};
+}
+
+void add_pieces(const TimeLines& s, int triangle, std::vector<Piece>& pieces) {
+    const TriangleMoments& moments = s.timeline.moments(triangle);
+    const TriangleScale scale = triangle_scale(moments);
+    const auto add = [&](int first, int last) -> Piece& {
+        Piece& piece = pieces.emplace_back();
+        piece.begin = triangle + scale.share_of(first);
+        piece.end = last < moments.count ? triangle + scale.share_of(last) : triangle + 1.0;
+        piece.moments = last - first;
+        return piece;
+    };
+    int before = 0;
+    for (const PhaseInfo& info : phase_list) {
+        const PhaseMoments& phase = moments.of(info.phase);
+        const int first = before;
+        before += phase.count();
+        if (phase.count() == 0) continue;
+        if (info.phase == Phase::edges) {
+            for (std::size_t e = 0; e < phase.pieces.size(); ++e) {
+                if (phase.pieces[e].count == 0) continue;
+                Piece& piece = add(first + phase.before[e], first + phase.before[e + 1]);
+                piece.colour = colour_of(edge_meaning(static_cast<int>(e)), s.ui.options.theme);
+                piece.brief = std::to_string(e);
+                piece.name = element_name(info.piece, static_cast<int>(e));
+                piece.count = phase.pieces[e].count;
+            }
+            continue;
+        }
+        Piece& piece = add(first, before);
+        piece.name = info.word;
+        piece.count =
+            static_cast<int>(std::count_if(phase.pieces.begin(), phase.pieces.end(),
+                                           [](const auto& part) { return part.count > 0; }));
+        const bool is_rows = info.phase == Phase::rows;
+        piece.colour = is_rows ? s.colours().accent : s.colours().dim;
+        if (is_rows) piece.between = begins_of_rows(phase);
+    }
+}
+
+/// What the enlarged part is made of. Of very many triangles it is one piece.
+std::vector<Piece> pieces_in_window(const TimeLines& s) {
+    const TimeWindow& window = s.window();
+    const Frame& frame = s.timeline.frame();
+    const Palette& p = s.colours();
+    const double end = window.begin + window.width;
+    const float each = s.width / static_cast<float>(window.width);
+    std::vector<Piece> pieces;
+    if (each < 3.0f * s.unit()) return {{window.begin, end, p.accent, "", "", 0, {}, 1}};
+    const int last = std::min(static_cast<int>(std::ceil(end)), frame.triangle_count());
+    for (int t = static_cast<int>(window.begin); t < last; ++t) {
+        const double first = t;
+        const std::string index = fmt::format("[{}]", t);
+        if (!frame.is_drawn(t)) {
+            pieces.push_back({first, first + 1.0, p.line, "left out", index, 0, {}, 1});
+        } else if (each < divided_triangle * s.unit()) {
+            pieces.push_back({first, first + 1.0, p.accent, "triangles" + index, index, 0, {}, 1});
+        } else {
+            add_pieces(s, t, pieces);
+        }
+    }
+    return pieces;
+}
+
+/// The longest of what can be said of a piece that fits.
+std::string fitting_label(const Piece& piece, float room) {
+    const auto fits = [&](const std::string& text) {
+        return ImGui::CalcTextSize(text.c_str()).x <= room;
+    };
+    const std::string whole =
+        piece.count > 0 ? fmt::format("{} · {}", piece.name, piece.count) : piece.name;
+    for (const std::string& text : {whole, piece.name, piece.brief}) {
+        if (fits(text)) return text;
+    }
+    return {};
+}
+
+/// Ticks between moments if they are far enough apart, or else between rows.
+void draw_ticks(const TimeLines& s, const Piece& piece) {
+    const float u = s.unit();
+    const double length = piece.end - piece.begin;
+    const double pixels = static_cast<double>(s.width) * length / s.window().width;
+    const auto least = static_cast<double>(time_tick_distance * u);
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    const float line = s.window_bottom - 3.0f * u;
+    const auto tick = [&](int moment) {
+        const float x = std::round(s.in_window(piece.begin + length * moment / piece.moments) - u);
+        list->AddLine({x, line - 4.0f * u}, {x, line}, packed(s.colours().dim, 0.55f), u);
+    };
+    // Of the piece, only what is in the window.
+    const auto moment_at = [&](double place) {
+        const double share = std::clamp((place - piece.begin) / length, 0.0, 1.0);
+        return static_cast<int>(share * piece.moments);
+    };
+    const int first = moment_at(s.window().begin) + 1;
+    const int last = std::min(moment_at(s.window().begin + s.window().width), piece.moments - 1);
+    if (pixels / piece.moments >= least) {
+        for (int i = first; i <= last; ++i)
+            tick(i);
+    } else if (pixels / static_cast<double>(piece.between.size() + 1) >= least) {
+        const auto from = std::lower_bound(piece.between.begin(), piece.between.end(), first);
+        for (auto i = from; i != piece.between.end() && *i <= last; ++i)
+            tick(*i);
+    }
+}
+
+void draw_piece(const TimeLines& s, const Piece& piece) {
+    const Palette& p = s.colours();
+    const float u = s.unit();
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    const float left = s.in_window(piece.begin), right = s.in_window(piece.end) - u;
+    if (right <= s.at.x || left >= s.at.x + s.width) return;
+    const float done = std::clamp(s.in_window(s.in_scale), left, std::max(left, right));
+    const bool has_begun = s.in_scale > piece.begin;
+    const float line = s.window_bottom - 3.0f * u;
+    list->AddRectFilled({left, s.window_top}, {right, s.window_bottom}, packed(p.button));
+    if (has_begun) {
+        list->AddRectFilled({left, s.window_top}, {done, line}, packed(piece.colour, 0.38f));
+    }
+    list->AddRectFilled({left, line}, {right, s.window_bottom},
+                        packed(piece.colour, has_begun ? 1.0f : 0.5f));
+    if (piece.moments > 1) draw_ticks(s, piece);
+    const float text_left = std::max(left, s.at.x) + 6.0f * u;
+    const std::string label =
+        fitting_label(piece, std::min(right, s.at.x + s.width) - text_left - 4.0f * u);
+    const float y = 0.5f * (s.window_top + line - ImGui::GetFontSize());
+    list->AddText({text_left, y}, packed(has_begun ? p.text : p.dim), label.c_str());
+}
+
+void draw_pieces(const TimeLines& s) {
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    ImGui::PushFont(s.ui.fonts.small);
+    list->PushClipRect({s.at.x, s.window_top - 4.0f * s.unit()},
+                       {s.at.x + s.width, s.window_bottom + 4.0f * s.unit()}, true);
+    for (const Piece& piece : pieces_in_window(s))
+        draw_piece(s, piece);
+    list->PopClipRect();
+    ImGui::PopFont();
+}
+
+void use_window_line(const TimeLines& s) {
+    TimeWindow& window = s.window();
+    ImGui::SetCursorScreenPos({s.at.x, s.window_top});
+    ImGui::InvisibleButton("window", {s.width, s.window_bottom - s.window_top});
+    window.is_dragged = ImGui::IsItemActive();
+    const double place = window.begin + s.pointer() * window.width;
+    const bool is_hovered = ImGui::IsItemHovered();
+    const bool is_moved = ImGui::IsItemActivated() || ImGui::GetIO().MouseDelta.x != 0.0f;
+    if (window.is_dragged && is_moved) {
+        scrub_to(s.ui.session, moment_in_scale(s.timeline, place));
+    }
+    if (is_hovered) zoom_by_wheel(s, place);
+    if (is_hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+        show_triangle(window, place);
+    }
+    name_widget(
+        s.ui, "walk.window",
+        "The part in the bracket, enlarged: what a triangle is made of, each piece about as "
+        "long as it has moments. Drag to go to any of them; the wheel enlarges, and a double "
+        "click shows the whole triangle again.");
+}
+
+} // namespace
+
+void draw_window_line(const TimeLines& s) {
+    draw_bracket(s);
+    draw_pieces(s);
+    use_window_line(s);
+}
+
+} // namespace rasterwalk

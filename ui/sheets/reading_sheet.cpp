@@ -1,0 +1,67 @@
+#include "ui/sheets/reading_sheet.h"
+
+#include <algorithm>
+#include <string>
+
+#include <imgui_stdlib.h>
+
+#include "ui/actions/keys.h"
+#include "ui/ui.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// Between a sheet and the border of the program's window, screen pixels.
+constexpr float border = 10.0f;
+
+} // namespace
+
+void begin_sheet(Ui& ui, const SheetLook& look, ImVec2 window) {
+    const float u = ui.options.text_scale;
+    const float side = look.is_aside ? 1.0f : 0.5f;
+    ImGui::SetNextWindowPos({look.is_aside ? window.x - border : 0.5f * window.x, 0.5f * window.y},
+                            ImGuiCond_Always, {side, 0.5f});
+    ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoSavedSettings |
+                             ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize;
+    const ImVec2 room{window.x - 2.0f * border, window.y - 2.0f * border};
+    if (look.size.x > 0.0f) {
+        ImGui::SetNextWindowSize(
+            {std::min(look.size.x * u, room.x), std::min(look.size.y * u, room.y)});
+    } else {
+        ImGui::SetNextWindowSizeConstraints({0, 0}, room);
+        flags |= ImGuiWindowFlags_AlwaysAutoResize;
+    }
+    // The upper one of two sheets that are open is in front.
+    if (look.sheet == Sheet::keys) ImGui::SetNextWindowFocus();
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.options.theme).card);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6.0f * u);
+    ImGui::Begin(look.window, nullptr, flags);
+    ImGui::PushFont(ui.fonts.title);
+    ImGui::TextUnformatted(look.title);
+    ImGui::PopFont();
+    ImGui::SameLine(0.0f, 24.0f * u);
+    if (button(ui, std::string(look.widgets) + ".close", "Close", Look::plain, look.close_help)) {
+        ui.sheets.show(look.sheet, false);
+    }
+}
+
+void end_sheet() {
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+    ImGui::PopStyleColor();
+}
+
+void draw_sheet_search(Ui& ui, const SheetLook& look, const char* hint, const char* help) {
+    ImGui::SetNextItemWidth(-1.0f);
+    ImGui::InputTextWithHint("##search", hint, &ui.sheets.search_of(look.sheet));
+    // The field has the keyboard, and with it the key.
+    const bool is_left = ImGui::IsItemDeactivated();
+    name_widget(ui, std::string(look.widgets) + ".search", help);
+    if (is_left && ImGui::IsKeyPressed(key::escape, false)) ui.sheets.show(look.sheet, false);
+}
+
+} // namespace rasterwalk

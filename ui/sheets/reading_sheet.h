@@ -1,0 +1,33 @@
+#pragma once
+
+// How a sheet to read in is opened, closed and searched: all of them alike.
+
+#include <imgui.h>
+
+#include "ui/sheets/sheets_state.h"
+
+namespace rasterwalk {
+
+struct Ui;
+
+/// A sheet as it is laid over the window.
+struct SheetLook {
+    Sheet sheet;
+    const char* window; ///< name for ImGui; the widgets' names begin with `widgets`
+    const char* widgets;
+    const char* title;
+    const char* close_help;
+    ImVec2 size{0.0f, 0.0f}; ///< design pixels, at most; 0: as large as what it holds
+    bool is_aside = false;   ///< at the right, so that the picture can be seen beside it
+};
+
+/// Begins the window of an open sheet, with its title and the button that closes it. What follows
+/// on the same line stands behind that button. To be ended by end_sheet().
+/// @param window size of the program's window, screen pixels
+void begin_sheet(Ui& ui, const SheetLook& look, ImVec2 window);
+void end_sheet();
+
+/// The field by which the sheet is filtered. Escape closes the sheet while it has the keyboard.
+void draw_sheet_search(Ui& ui, const SheetLook& look, const char* hint, const char* help);
+
+} // namespace rasterwalk
