@@ -21,6 +21,9 @@ namespace {
 constexpr float largest_height = 170.0f, wished_least = 84.0f, least_height = 44.0f;
 constexpr float card_padding = 8.0f, words_width = 92.0f;
 
+/// Of a card, for its words.
+constexpr float largest_words_share = 0.42f;
+
 /// Of the room for picture and row.
 constexpr float largest_share = 0.25f;
 
@@ -110,7 +113,8 @@ CardLayout card_layout(const Ui& ui, ImVec2 card, const Image& image) {
         return scale >= 1.0f ? std::floor(scale) : scale; // pixels stay equally large
     };
     const float above = scale_in(card.x - 2.0f * pad, card.y - line - 2.0f * pad);
-    const float beside = scale_in(card.x - words_width * u - 3.0f * pad, card.y - 2.0f * pad);
+    const float words = std::min(words_width * u, largest_words_share * card.x);
+    const float beside = scale_in(card.x - words - 3.0f * pad, card.y - 2.0f * pad);
     CardLayout layout{};
     layout.is_above = above >= beside;
     layout.scale = std::max(above, beside);
