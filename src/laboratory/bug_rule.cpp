@@ -11,4 +11,10 @@ void apply_bug_rule(const Bug& bug, Settings& settings) {
     }
 }
 
+bool is_made_by(const Bug& bug, const Settings& settings) {
+    Settings made = settings;
+    apply_bug_rule(bug, made);
+    return made == settings;
+}
+
 } // namespace rasterwalk

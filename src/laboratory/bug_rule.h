@@ -9,4 +9,8 @@ namespace rasterwalk {
 /// else the laboratory sets so that the mistake is easy to see.
 void apply_bug_rule(const Bug& bug, Settings& settings);
 
+/// Do these settings make the mistake already? The lab's own make some, which are mistakes only
+/// beside better rules.
+bool is_made_by(const Bug& bug, const Settings& settings);
+
 } // namespace rasterwalk

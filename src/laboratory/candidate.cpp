@@ -86,6 +86,8 @@ void rank_candidates(std::vector<Hypothesis> hypotheses, std::string_view same,
                                    candidate.ids.end();
                         });
         if (is_listed || diagnosis.candidates.size() == most_candidates) continue;
+        // Beside what makes the very same, nothing else explains anything more.
+        if (!leaders.empty() && leaders.front()->distance == 0.0) continue;
         const double explained =
             diagnosis.distance > 0.0 ? 1.0 - h.distance / diagnosis.distance : 0.0;
         // What brings nothing nearer is not worth naming, unless there is nothing else.

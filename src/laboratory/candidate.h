@@ -30,8 +30,9 @@ struct Diagnosis {
 /// A candidate before it is known which others come to the same.
 struct Hypothesis {
     std::string id{}, name{}, remark{};
-    int assumptions = 1; ///< how many things differ from the reference
-    bool is_bug = false; ///< of the laboratory
+    int assumptions = 1;       ///< how many things differ from the reference
+    bool is_bug = false;       ///< of the laboratory
+    bool explains_more = true; ///< than what it assumes beside the mistake does alone
     double distance = 0.0;
     std::int64_t different = 0;
     std::uint64_t result = 0; ///< the same number for the same result

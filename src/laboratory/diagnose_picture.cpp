@@ -27,7 +27,7 @@ void try_bases(PictureTrial& trial, const std::vector<Base>& bases) {
         }
         trial.add({.id = other_power ? "light_power" : "stage",
                    .name = std::move(name),
-                   .remark = base.remark,
+                   .remark = other_power ? base.remark : "", // the name says the stage
                    .assumptions = base.assumptions},
                   trial.drawn(base.settings));
     }
@@ -67,11 +67,22 @@ void try_shifts(PictureTrial& trial, const std::vector<Base>& bases) {
     }
 }
 
+/// What a mistake must take away from the distance to explain anything: this part of it.
+constexpr double least_gain = 0.01;
+
+bool is_clearly_nearer(const Drawn& one, double distance) {
+    return one.distance.mean <= (1.0 - least_gain) * distance;
+}
+
 /// The settings with a bug, unless it changes nothing about the picture.
 void try_settings(PictureTrial& trial, Hypothesis hypothesis, const Settings& settings,
                   const Settings& without) {
     const Drawn& one = trial.drawn(settings);
-    if (one.print != trial.drawn(without).print) trial.add(std::move(hypothesis), one, settings);
+    const Drawn& other = trial.drawn(without);
+    if (one.print == other.print) return;
+    hypothesis.explains_more =
+        hypothesis.assumptions == 1 || is_clearly_nearer(one, other.distance.mean);
+    trial.add(std::move(hypothesis), one, settings);
 }
 
 Hypothesis suspicion(const Bug& bug, const std::string& remark, int assumptions) {
@@ -84,30 +95,26 @@ Hypothesis suspicion(const Bug& bug, const std::string& remark, int assumptions)
 
 void try_bug(PictureTrial& trial, const std::vector<Base>& bases, const Bug& bug) {
     const Settings& reference = bases.front().settings;
-    // As the laboratory shows it, with its own stage and lamp.
-    const Settings shown = wrong_run(bug, reference);
-    Settings changed = reference;
-    apply_bug_rule(bug, changed);
-    if (changed == reference) {
-        // The reference makes this mistake itself: not to be told from it at the same stage.
-        Hypothesis hypothesis = suspicion(bug, "", 1);
-        hypothesis.is_bug = false;
-        if (!(shown == reference)) trial.add(std::move(hypothesis), trial.drawn(shown));
-        return;
-    }
+    // The reference makes this mistake itself: it is not what makes the picture another one.
+    if (is_made_by(bug, reference)) return;
     for (const Base& base : bases) {
         Settings settings = base.settings;
         apply_bug_rule(bug, settings);
         try_settings(trial, suspicion(bug, base.remark, base.assumptions + 1), settings,
                      base.settings);
     }
-    try_settings(trial, suspicion(bug, "", 1), shown, correct_run(bug, reference));
+    // As the laboratory shows it, with its own stage and lamp.
+    try_settings(trial, suspicion(bug, "", 1), wrong_run(bug, reference),
+                 correct_run(bug, reference));
 }
 
 /// With a mistake in the picture the lamp's power was not fitted well: again with the mistakes that
 /// come nearest.
-void try_powers_again(PictureTrial& trial) {
+void try_powers_again(PictureTrial& trial, const std::vector<Base>& bases) {
     constexpr std::size_t most_tried = 4;
+    double without = trial.drawn(bases.front().settings).distance.mean;
+    for (const Base& base : bases)
+        without = std::min(without, trial.drawn(base.settings).distance.mean);
     std::vector<PictureTrial::Tried> nearest = trial.tried;
     std::sort(nearest.begin(), nearest.end(),
               [&](const PictureTrial::Tried& a, const PictureTrial::Tried& b) {
@@ -127,7 +134,9 @@ void try_powers_again(PictureTrial& trial) {
             hypothesis.remark = power_remark(hypothesis.remark, *lit);
             ++hypothesis.assumptions;
         }
-        trial.add(std::move(hypothesis), trial.drawn(*lit));
+        const Drawn& drawn = trial.drawn(*lit);
+        hypothesis.explains_more = is_clearly_nearer(drawn, without);
+        trial.add(std::move(hypothesis), drawn);
     }
 }
 
@@ -185,12 +194,13 @@ Diagnosis diagnose_picture(const Image& picture, const Scene& scene, const Setti
             std::any_of(trial.hypotheses.begin(), trial.hypotheses.end(),
                         [](const Hypothesis& h) { return h.is_bug && h.distance == 0.0; });
         if (!is_found) {
-            try_powers_again(trial);
+            try_powers_again(trial, bases);
             try_choices(trial, bases);
             try_orientations(trial, bases);
             try_shifts(trial, bases);
         }
     }
+    std::erase_if(trial.hypotheses, [](const Hypothesis& h) { return !h.explains_more; });
     rank_candidates(std::move(trial.hypotheses), "this very picture", diagnosis);
     return diagnosis;
 }

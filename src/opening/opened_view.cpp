@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/image.h"
 #include "base/nearest_name.h"
 #include "base/numbers.h"
 #include "base/quoted.h"
@@ -84,6 +85,16 @@ Start start_of_lesson(const ViewOptions& options) {
     }
     if (!is_in_lessons_folder(lesson)) start.session.lesson_folder = lesson.folder;
     return start;
+}
+
+/// A picture in the place of a scene: what was meant is another command.
+void refuse_picture(const std::string& path) {
+    std::error_code fault;
+    // What is no file, as a pipe, could not be read a second time.
+    if (!fs::is_regular_file(path, fault) || !is_image_file(path)) return;
+    throw UsageError(in_quotes(path) +
+                     " is a picture, not a scene: 'rasterwalk diagnose FILE' tells what may be "
+                     "wrong with it, and so does the window when the picture is dropped there.");
 }
 
 Start start_of_scene(const ViewOptions& options, const std::optional<Bug>& bug) {
@@ -247,6 +258,7 @@ ViewOptions with_file_sorted(ViewOptions options) {
 
 Session open_view(const ViewOptions& given) {
     const ViewOptions options = with_file_sorted(given);
+    if (!options.scene.empty()) refuse_picture(find_scene_file(options.scene));
     if (!options.step.empty() && options.lesson.empty()) {
         throw UsageError("--step belongs to --lesson.");
     }

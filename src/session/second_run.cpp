@@ -25,19 +25,39 @@ void apply(std::span<const std::string_view> assignments, Settings& settings) {
         set_from_text(settings, assignment);
 }
 
+std::string_view name_of(std::string_view assignment) {
+    return assignment.substr(0, assignment.find('='));
+}
+
+/// Have the settings all these values already?
+bool has_all(const Settings& settings, std::span<const std::string_view> assignments) {
+    Settings set = settings;
+    apply(assignments, set);
+    return std::all_of(assignments.begin(), assignments.end(), [&](std::string_view assignment) {
+        return has_same_value(*find_setting(name_of(assignment)), settings, set);
+    });
+}
+
+bool names(std::span<const std::string_view> assignments, std::string_view setting) {
+    return std::any_of(assignments.begin(), assignments.end(),
+                       [&](std::string_view assignment) { return name_of(assignment) == setting; });
+}
+
 } // namespace
 
 const std::array<CompareViewInfo, compare_view_count>& compare_view_list() {
     static constexpr std::array<CompareViewInfo, compare_view_count> list{{
-        {CompareView::side_by_side, "Side by side", "Both pictures, one beside the other.",
-         "Both pictures, one beside the other."},
-        {CompareView::wipe, "Wipe", "A left of the divider, B right of it; drag it.",
-         "A left of a divider, B right of it."},
-        {CompareView::blink, "Blink", "A and B in turn: what differs seems to move.",
-         "A and B in turn, once a second."},
-        {CompareView::difference, "Difference",
-         "B minus A: blue where B is darker, orange where it is brighter.",
-         "B minus A, with a scale."},
+        {CompareView::run_a, "A", "Run A alone",
+         "The picture of run A alone, large. The switches and the settings set this run."},
+        {CompareView::run_b, "B", "Run B alone", "The picture of run B alone, large."},
+        {CompareView::difference, "Difference", "The difference, B minus A",
+         "B minus A, with a scale: blue where B is less, orange where it is more."},
+        {CompareView::side_by_side, "Side by side", "Side by side",
+         "Both pictures, side by side or one above the other, whichever leaves them larger."},
+        {CompareView::wipe, "Divider", "A divider to drag",
+         "A left of a divider, B right of it; drag it."},
+        {CompareView::blink, "In turn", "A and B in turn",
+         "A and B in turn, once a second: what differs seems to move. H holds one of them."},
     }};
     static_assert(is_indexed_by(list, &CompareViewInfo::view));
     return list;
@@ -121,44 +141,67 @@ std::vector<RunDifference> run_differences(const Session& session) {
 
 std::span<const ComparePair> compare_pairs() {
     static constexpr ComparePair pairs[] = {
-        {"affine", "affine", "perspective",
-         "Values carried straight across the picture, against values divided by z on the way.",
-         StripStep::vertex_light, StripStep::pixel_light, affine, perspective},
-        {"light", "per vertex", "per pixel",
-         "Light worked out at the corners and spread over the triangle, against light worked out "
-         "at every pixel.",
-         StripStep::vertex_light, StripStep::pixel_light, per_vertex, per_pixel},
+        {"affine",
+         {"affine interpolation", "Values are carried straight across the picture.", affine},
+         {"perspective correction", "Values are divided by z on the way.", perspective},
+         StripStep::vertex_light,
+         StripStep::pixel_light},
+        {"light",
+         {"light per vertex", "Light is worked out at the corners and spread over the triangle.",
+          per_vertex},
+         {"light per pixel", "Light is worked out at every pixel.", per_pixel},
+         StripStep::vertex_light,
+         StripStep::pixel_light},
         {"depth",
-         "no depth",
-         "depth",
-         "The last triangle drawn stays on top, against the nearest one.",
+         {"no depth test", "The last triangle drawn stays on top.", no_depth},
+         {"a depth test", "The nearest triangle stays on top.", with_depth},
          {Stage::depth},
-         StripStep::pixel_light,
-         no_depth,
-         with_depth},
+         StripStep::pixel_light},
         {"exact",
-         "handout",
-         "exact",
-         "Coordinates cut toward zero and steps added up, against coordinates rounded down and "
-         "lines walked without error.",
+         {"the handout's edges", "Coordinates are cut toward zero, and steps are added up.",
+          handout},
+         {"exact edges", "Coordinates are rounded down, and lines walked without error.", exact},
          {Stage::points},
-         StripStep::pixel_light,
-         handout,
-         exact},
+         StripStep::pixel_light},
     };
     return pairs;
 }
 
+const PairWay& offer_of(const ComparePair& pair, const Settings& a) {
+    return has_all(a, pair.right.sets) ? pair.left : pair.right;
+}
+
+Settings offered_settings(const ComparePair& pair, const Settings& a) {
+    Settings b = a;
+    apply(offer_of(pair, a).sets, b);
+    return b;
+}
+
+Settings at_step_of(const ComparePair& pair, const Settings& settings) {
+    Settings moved = settings;
+    if (step_of(settings) < pair.first_step) set_step(moved, pair.first_step);
+    if (step_of(settings) > pair.last_step) set_step(moved, pair.last_step);
+    return moved;
+}
+
+const ComparePair* pair_of_runs(const Session& session) {
+    const std::vector<RunDifference> differences = run_differences(session);
+    if (differences.empty()) return nullptr;
+    for (const ComparePair& pair : compare_pairs()) {
+        const PairWay& way = offer_of(pair, session.a.settings);
+        const bool is_all =
+            std::all_of(differences.begin(), differences.end(),
+                        [&](const RunDifference& d) { return names(way.sets, d.setting); });
+        if (is_all && has_all(session.b->settings, way.sets)) return &pair;
+    }
+    return nullptr;
+}
+
 void start_pair(Session& session, const ComparePair& pair) {
     end_comparison(session);
-    Settings& a = session.a.settings;
     const Run before = session.a;
-    if (step_of(a) < pair.first_step) set_step(a, pair.first_step);
-    if (step_of(a) > pair.last_step) set_step(a, pair.last_step);
-    Run b = session.a;
-    apply(pair.a, a);
-    apply(pair.b, b.settings);
-    compare_with(session, b);
+    session.a.settings = at_step_of(pair, session.a.settings);
+    compare_with(session, offered_settings(pair, session.a.settings));
     session.replaced = ReplacedRun{before, session.a, nullptr, {}};
 }
 

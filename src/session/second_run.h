@@ -21,15 +21,17 @@ struct Session;
 
 /// How the two pictures are shown.
 enum class CompareView : std::uint8_t {
-    side_by_side,
-    wipe,       ///< A left of a divider, B right of it
-    blink,      ///< one after the other
+    run_a,      ///< A alone
+    run_b,      ///< B alone
     difference, ///< B minus A
+    side_by_side,
+    wipe,  ///< A left of a divider, B right of it
+    blink, ///< one after the other
 };
 
 template <>
-inline constexpr auto enum_words<CompareView> = word_list("side_by_side", "wipe", "blink",
-                                                          "difference");
+inline constexpr auto enum_words<CompareView> = word_list("run_a", "run_b", "difference",
+                                                          "side_by_side", "wipe", "blink");
 static_assert(words_match<CompareView>);
 
 inline constexpr int compare_view_count = static_cast<int>(enum_words<CompareView>.size());
@@ -38,8 +40,8 @@ inline constexpr int compare_view_count = static_cast<int>(enum_words<CompareVie
 struct CompareViewInfo {
     CompareView view;
     std::string_view title;                ///< on the switch
+    std::string_view menu_title;           ///< in the menu
     std::string_view help;                 ///< one sentence
-    std::string_view menu_help;            ///< another, in the menu
     std::string_view name = word_of(view); ///< for tests and lessons
 };
 
@@ -94,21 +96,39 @@ std::vector<RunDifference> run_differences(const Settings& a, const Settings& b)
 /// Those of the session's two runs; none unless comparing.
 std::vector<RunDifference> run_differences(const Session& session);
 
-/// Two runs that are often compared: a button each.
+/// One of two ways of drawing.
+struct PairWay {
+    std::string_view title;                 ///< "affine interpolation"
+    std::string_view words;                 ///< what it does, a sentence
+    std::span<const std::string_view> sets; ///< name=value
+};
+
+/// Two ways of drawing that are often compared: a button each.
 struct ComparePair {
-    std::string_view name;           ///< for tests and links: `affine`
-    std::string_view left, right;    ///< on the button: "affine", "perspective"
-    std::string_view help;           ///< one sentence
+    std::string_view name; ///< for tests and links: `affine`
+    PairWay left, right;
     StripStep first_step, last_step; ///< steps in which the pair shows; from others one of them is
                                      ///< taken
-    std::span<const std::string_view> a, b; ///< what each run sets, name=value
 };
 
 /// The pairs, in the order of their buttons.
 std::span<const ComparePair> compare_pairs();
 
-/// Sets both runs as the pair says; everything else stays as it is in A. A comparison that is going
-/// on is ended first.
+/// The way that run B takes: the right one, unless run A has that already.
+const PairWay& offer_of(const ComparePair& pair, const Settings& a);
+
+/// Run B for this run A, which must be at a step in which the pair shows.
+Settings offered_settings(const ComparePair& pair, const Settings& a);
+
+/// These settings at the nearest step in which the pair shows.
+Settings at_step_of(const ComparePair& pair, const Settings& settings);
+
+/// The pair of which run B has one way and run A has not, if they differ in nothing else; null:
+/// none.
+const ComparePair* pair_of_runs(const Session& session);
+
+/// Compares run A, which stays as it is but for a step in which the pair shows, with a run B that
+/// takes the other way of the pair. A comparison that is going on is ended first.
 void start_pair(Session& session, const ComparePair& pair);
 
 } // namespace rasterwalk

@@ -50,7 +50,7 @@ struct Session : SessionInputs {
     std::vector<Preset> presets;
     std::vector<Term> glossary;
     std::optional<RunPair> runs_before; ///< for carry_changes_to_b() alone
-    CompareView compare_view = CompareView::side_by_side;
+    CompareView compare_view = CompareView::run_a;
     float wipe = 0.5f;        ///< place of the divider, 0 left to 1 right
     std::optional<Quiz> quiz; ///< while it goes on the settings are hidden
     Play play;

@@ -44,6 +44,27 @@ TEST_CASE("diagnose names the mistake, exit code 1") {
     CHECK_THAT(json.out, Contains("\"B3\""));
 }
 
+TEST_CASE("A picture in the place of a scene is told what it is for, exit code 2") {
+    const test::TemporaryFolder folder;
+    const std::string path = folder.file("mine.png");
+    REQUIRE(render(path, {}).exit_code == 0);
+    const std::vector<std::vector<std::string>> wrong = {
+        {path},
+        {"--scene", path},
+        {"--lesson", "05-row-table", "--scene", path},
+        {"stats", "--scene", path}};
+    for (const std::vector<std::string>& arguments : wrong) {
+        const CliRun result = run(arguments);
+        INFO(result.err);
+        CHECK(result.exit_code == 2);
+        CHECK(result.out.empty());
+        CHECK_FALSE(result.request.open_window);
+        CHECK_THAT(result.err, Contains("mine.png' is a picture, not a scene"));
+        CHECK_THAT(result.err, Contains("'rasterwalk diagnose FILE'"));
+    }
+    CHECK(run({folder.file("none.png")}).exit_code == 4);
+}
+
 TEST_CASE("diagnose reads a printed row table") {
     const test::TemporaryFolder folder;
     const CliRun rows = run({"rows", "2,3", "30,8", "11,19", "--set", "edge_samples=rows"});

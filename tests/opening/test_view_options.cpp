@@ -225,8 +225,8 @@ TEST_CASE("Values that a view cannot have are refused with a sentence") {
             "stage cannot be 'dept': it takes points, edges, rows, fill, depth, vertex_light or "
             "pixel_light.");
     refuses({"--compare-view", "wip"}, 2,
-            "--compare-view is side_by_side, wipe, blink or difference, not 'wip'. Did you mean "
-            "'wipe'?");
+            "--compare-view is run_a, run_b, difference, side_by_side, wipe or blink, not 'wip'. "
+            "Did you mean 'wipe'?");
     refuses({"--grid", "yes"}, 2, "--grid is off or on, not 'yes'.");
     refuses({"--canvas", "outsid"}, 2,
             "--canvas is picture, outside or both, not 'outsid'. Did you mean 'outside'?");

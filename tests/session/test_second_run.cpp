@@ -32,23 +32,51 @@ std::string settings_of(const Session& session) {
 
 } // namespace
 
-TEST_CASE("Each pair sets what it says, in a stage in which it shows") {
+TEST_CASE("Each pair leaves run A as it is and gives B what A has not, where the stage shows it") {
     const std::string expected[] = {
-        "interpolation affine perspective; ", "stage vertex_light pixel_light; ",
-        "depth_test off inverse_z; ", "rounding truncate floor; line_walk accumulate exact; "};
+        "interpolation perspective affine; ", "stage vertex_light pixel_light; ",
+        "depth_test inverse_z off; ", "rounding truncate floor; line_walk accumulate exact; "};
     std::size_t i = 0;
     for (const ComparePair& pair : compare_pairs()) {
-        for (int stage = 0; stage < stage_count; ++stage) {
+        for (const StageInfo& stage : stage_list()) {
+            INFO(pair.name << " at " << stage.name);
             Session session = room();
-            set_step(session.a.settings, stage_list()[static_cast<std::size_t>(stage)].step);
+            set_step(session.a.settings, stage.step);
+            const Settings before = session.a.settings;
             start_pair(session, pair);
-            CHECK(settings_of(session) == expected[i]);
+            const bool shows = pair.first_step <= stage.step && stage.step <= pair.last_step;
+            if (shows) CHECK(session.a.settings == before);
+            const bool is_lit = pair.name == "light" && stage.step == StripStep::pixel_light;
+            CHECK(settings_of(session) ==
+                  (is_lit ? std::string("stage pixel_light vertex_light; ") : expected[i]));
             CHECK(step_of(session.a.settings) >= pair.first_step);
             CHECK(step_of(session.a.settings) <= pair.last_step);
+            CHECK(pair_of_runs(session) == &pair);
+            swap_runs(session);
+            CHECK(pair_of_runs(session) == &pair);
         }
         ++i;
     }
     CHECK(i == 4);
+}
+
+TEST_CASE("A pair offers what run A has not, also where A has neither way") {
+    const ComparePair& affine = compare_pairs()[0];
+    Session session = room();
+    set_step(session.a.settings, StripStep::pixel_light);
+    const auto offered = [&](const char* interpolation) {
+        set_from_text(session.a.settings, std::string("interpolation=") + interpolation);
+        const std::string offer(offer_of(affine, session.a.settings).title);
+        start_pair(session, affine);
+        CHECK(pair_of_runs(session) == &affine);
+        CHECK(settings_of(session).starts_with(std::string("interpolation ") + interpolation));
+        return offer;
+    };
+    CHECK(offered("perspective") == "affine interpolation");
+    CHECK(offered("affine") == "perspective correction");
+    CHECK(offered("zinv_twice") == "perspective correction");
+    set_from_text(session.b->settings, "rounding=floor"); // another difference: no pair any more
+    CHECK(pair_of_runs(session) == nullptr);
 }
 
 TEST_CASE("What only B has of a setting with parts stays B's, and the rest follows A") {
@@ -80,7 +108,8 @@ TEST_CASE("The end of a comparison brings back a picture without light") {
     set_from_text(session.a.settings, "stage=pixel_light");
     set_from_text(session.a.settings, "shading=unlit");
     start_pair(session, compare_pairs()[1]);
-    CHECK(session.a.settings.shading == Shading::gouraud);
+    CHECK(session.a.settings.shading == Shading::unlit); // run A stays as it is
+    CHECK(session.b->settings.shading != Shading::unlit);
     end_comparison(session);
     CHECK(session.a.settings.stage == Stage::shade);
     CHECK(session.a.settings.shading == Shading::unlit);
@@ -93,9 +122,9 @@ TEST_CASE("What changes in A changes in B too, unless they differ in it") {
     session.a.settings.camera.yaw = 0.25f;
     set_from_text(session.a.settings, "stage=vertex_light");
     carry_changes_to_b(session);
-    CHECK(settings_of(session) == "interpolation affine perspective; ");
+    CHECK(settings_of(session) == "interpolation perspective affine; ");
     CHECK(session.b->settings.camera.yaw == 0.25f);
-    set_from_text(session.a.settings, "interpolation=perspective");
+    set_from_text(session.a.settings, "interpolation=affine");
     carry_changes_to_b(session);
     CHECK(settings_of(session).empty());
     set_from_text(session.b->settings, "rounding=floor");
@@ -119,7 +148,7 @@ TEST_CASE("The runs are swapped") {
     start_pair(session, compare_pairs()[0]);
     swap_runs(session);
     carry_changes_to_b(session);
-    CHECK(settings_of(session) == "interpolation perspective affine; ");
+    CHECK(settings_of(session) == "interpolation affine perspective; ");
 }
 
 TEST_CASE("Undo takes back the second run, and follows nothing") {
@@ -128,16 +157,16 @@ TEST_CASE("Undo takes back the second run, and follows nothing") {
     start_pair(session, compare_pairs()[0]);
     carry_changes_to_b(session);
     note_choices(session);
-    set_from_text(session.a.settings, "interpolation=perspective");
+    set_from_text(session.a.settings, "interpolation=affine");
     carry_changes_to_b(session);
     note_choices(session);
     REQUIRE(undo(session));
     carry_changes_to_b(session);
-    CHECK(settings_of(session) == "interpolation affine perspective; ");
+    CHECK(settings_of(session) == "interpolation perspective affine; ");
     REQUIRE(undo(session));
     CHECK_FALSE(session.b);
     REQUIRE(redo(session));
-    CHECK(settings_of(session) == "interpolation affine perspective; ");
+    CHECK(settings_of(session) == "interpolation perspective affine; ");
 }
 
 TEST_CASE("Another scene brings its view to both runs") {
@@ -145,7 +174,7 @@ TEST_CASE("Another scene brings its view to both runs") {
     start_pair(session, compare_pairs()[0]);
     session.a.settings.camera.yaw = 1.0f;
     set_scene(session, read_scene(lessons_folder() + "/scenes/one-triangle.toml"));
-    CHECK(settings_of(session) == "interpolation affine perspective; ");
+    CHECK(settings_of(session) == "interpolation perspective affine; ");
     CHECK(session.b->settings.viewport == Viewport{20, 20});
 }
 
@@ -202,7 +231,7 @@ TEST_CASE("Undo brings back which mistake was on") {
     note_choices(session);
     REQUIRE(undo(session));
     CHECK_FALSE(is_on(session, "B5"));
-    CHECK(session.a.settings.interpolation == Interpolation::affine);
+    CHECK(session.b->settings.interpolation == Interpolation::affine);
     REQUIRE(redo(session));
     CHECK(is_on(session, "B5"));
 }

@@ -1,6 +1,7 @@
 #include "ui/actions/compare.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 
@@ -8,6 +9,7 @@
 #include "laboratory/quiz.h"
 #include "session/walk.h"
 #include "settings/setting_table.h"
+#include "settings/value_words.h"
 #include "ui/ui.h"
 #include "ui/widgets/widgets.h"
 
@@ -17,27 +19,6 @@ namespace {
 
 /// Seconds from one showing of A to the next.
 constexpr float blink_period = 1.0f;
-
-/// The value that an assignment `name=value` gives, as value_text() writes it.
-std::string value_of(std::string_view assignment, Settings settings) {
-    set_from_text(settings, assignment);
-    const Setting* const setting = find_setting(assignment.substr(0, assignment.find('=')));
-    return setting == nullptr ? std::string() : value_text(*setting, settings);
-}
-
-bool has_all(const Settings& settings, std::span<const std::string_view> assignments) {
-    return std::all_of(assignments.begin(), assignments.end(), [&](std::string_view assignment) {
-        const Setting* const setting = find_setting(assignment.substr(0, assignment.find('=')));
-        return setting != nullptr &&
-               value_text(*setting, settings) == value_of(assignment, settings);
-    });
-}
-
-bool names(std::span<const std::string_view> assignments, std::string_view setting) {
-    return std::any_of(assignments.begin(), assignments.end(), [&](std::string_view assignment) {
-        return assignment.substr(0, assignment.find('=')) == setting;
-    });
-}
 
 const ComparePair& pair_for(const StripStep& step) {
     const std::span<const ComparePair> pairs = compare_pairs();
@@ -60,18 +41,7 @@ std::optional<glm::ivec2> pixel_of(const Frame& frame, const Cursor& cursor) {
 
 const ComparePair* pair_on_show(const Session& session) {
     // While a quiz goes on it would give the mistake away.
-    if (!session.b || hides_settings(session)) return nullptr;
-    const std::vector<RunDifference> differences = run_differences(session);
-    for (const ComparePair& pair : compare_pairs()) {
-        const bool is_all =
-            std::all_of(differences.begin(), differences.end(),
-                        [&](const RunDifference& d) { return names(pair.a, d.setting); });
-        if (!differences.empty() && is_all && has_all(session.a.settings, pair.a) &&
-            has_all(session.b->settings, pair.b)) {
-            return &pair;
-        }
-    }
-    return nullptr;
+    return hides_settings(session) ? nullptr : pair_of_runs(session);
 }
 
 void toggle_compare(Ui& ui) {
@@ -144,23 +114,40 @@ double seconds_to_blink(const Ui& ui) {
     return static_cast<double>(half - std::fmod(ui.compare.blink_seconds, half));
 }
 
-std::string run_words(const Session& session, bool of_b, bool one_line) {
+std::string run_words(const Session& session, bool of_b) {
     if (hides_settings(session)) return of_b ? "the correct run" : "with a mistake";
-    constexpr std::size_t most_on_a_line = 2;
+    constexpr std::size_t most_named = 2;
     const std::vector<RunDifference> differences = run_differences(session);
     if (differences.empty()) return "the same settings";
+    const Settings& settings = of_b ? session.b->settings : session.a.settings;
     std::string words;
-    for (std::size_t i = 0; i < differences.size(); ++i) {
-        if (one_line && i == most_on_a_line) {
-            return words.append(" and ")
-                .append(std::to_string(differences.size() - i))
-                .append(" more");
-        }
-        if (i > 0) words += one_line ? ", " : "\n";
-        words.append(differences[i].setting).append(" = ");
-        words += of_b ? differences[i].b : differences[i].a;
+    for (std::size_t i = 0; i < std::min(differences.size(), most_named); ++i) {
+        const Setting& setting = *find_setting(differences[i].setting);
+        std::string title(setting.title);
+        title.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(title.front())));
+        words.append(i > 0 ? ", " : "").append(title).append(": ");
+        words += said_value(setting, settings);
     }
+    if (differences.size() > most_named)
+        words += " and " + std::to_string(differences.size() - most_named) + " more";
     return words;
+}
+
+std::string run_assignments(const Session& session, bool of_b) {
+    if (hides_settings(session)) return run_words(session, of_b);
+    std::string lines;
+    for (const RunDifference& difference : run_differences(session)) {
+        lines.append(lines.empty() ? "" : "\n").append(difference.setting).append(" = ");
+        lines += of_b ? difference.b : difference.a;
+    }
+    return lines.empty() ? "the same settings" : lines;
+}
+
+std::string comparison_offered(const Session& session) {
+    if (session.quiz) return "A: with the mistake, B: the correct run";
+    const Settings& a = session.a.settings;
+    return "A: the picture as it is, B: with " +
+           std::string(offer_of(pair_for(step_of(a)), a).title);
 }
 
 std::string grouped(std::int64_t number) {

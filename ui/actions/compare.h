@@ -42,9 +42,14 @@ void advance_blinking(Ui& ui, float seconds);
 /// How long the picture that is shown now stays; infinite where nothing blinks.
 double seconds_to_blink(const Ui& ui);
 
-/// A run's settings that the other has not: "interpolation = affine"; all of them, a line each, or
-/// as many as fit on one line.
-std::string run_words(const Session& session, bool of_b, bool one_line);
+/// What a run has that the other has not, in words on one line: "between the vertices: affine".
+std::string run_words(const Session& session, bool of_b);
+
+/// The same as settings are written, a line each: "interpolation = affine".
+std::string run_assignments(const Session& session, bool of_b);
+
+/// What toggle_compare() would do now: "A: the picture as it is, B: with light per vertex".
+std::string comparison_offered(const Session& session);
 
 /// How far the work is that one update did not finish: "compared 40 of 200 000 triangles". Empty if
 /// nothing is left to do.

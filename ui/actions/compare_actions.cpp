@@ -15,8 +15,8 @@ std::vector<Action> compare_view_choices() {
         actions.push_back(
             {std::string("compare.view.").append(info.name),
              "Compare",
-             std::string(info.title),
-             std::string(info.menu_help),
+             std::string(info.menu_title),
+             std::string(info.help),
              {},
              [view](Ui& ui) {
                  if (!ui.session.b) toggle_compare(ui);
@@ -34,9 +34,9 @@ std::vector<Action> compare_actions() {
         {"switch.compare",
          "Compare",
          "Compare two runs",
-         "Shows the picture beside that of other settings: with affine interpolation, with other "
-         "light "
-         "or rounding, as suits the stage. Again: back to one run.",
+         "Compares the picture as it is, run A, with one that is drawn otherwise, run B: with "
+         "other "
+         "interpolation, light, depth test or edges, as suits the stage. Again: back to one run.",
          {'C'},
          toggle_compare,
          [](const Ui& ui) { return ui.session.b.has_value(); }},

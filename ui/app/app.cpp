@@ -123,10 +123,17 @@ void draw_workplace(Ui& ui, const Layout& layout) {
                   ui.options.inspector_width, true);
 }
 
+/// The layout, without the lesson's column where the canvas wants its width.
+Layout layout_of(const Ui& ui, ImVec2 window) {
+    const float transport = transport_height(ui, window.x);
+    const Layout narrow = compute_layout(window, ui.options, transport);
+    const Layout wide = compute_layout(window, ui.options, transport, true);
+    return wants_wide_canvas(ui, narrow.canvas.size, wide.canvas.size) ? wide : narrow;
+}
+
 void draw_everything(Ui& ui) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
-    const Layout layout =
-        compute_layout(window, ui.options, transport_height(ui, window.x), wants_wide_canvas(ui));
+    const Layout layout = layout_of(ui, window);
     // One that fails leaves the others on the screen.
     guarded(ui, [&] { draw_menu_bar(ui, layout.menu); });
     if (ui.start.is_open) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ui/actions/actions.h"
+#include "ui/actions/compare.h"
 #include "ui/bars/bars.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
@@ -139,7 +140,8 @@ std::vector<StripWord> strip_words(const Ui& ui, const Form& form, bool has_swit
     words.push_back({.name = "switch.compare",
                      .quiet = "",
                      .loud = form.is_short ? "A | B" : "Compare",
-                     .help = tooltip_of("switch.compare"),
+                     .help = tooltip_of("switch.compare") +
+                             (ui.session.b ? "" : "\nNow: " + comparison_offered(ui.session) + "."),
                      .chosen = ui.session.b.has_value(),
                      .widest = ""});
     return words;

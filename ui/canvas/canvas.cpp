@@ -13,6 +13,7 @@
 #include "ui/actions/outside.h"
 #include "ui/actions/zoom.h"
 #include "ui/canvas/canvas_marks.h"
+#include "ui/canvas/compare_variants.h"
 #include "ui/canvas/compare_view.h"
 #include "ui/canvas/depth_legend.h"
 #include "ui/canvas/difference_legend.h"
@@ -32,6 +33,9 @@ constexpr float share_kept = 0.95f;
 
 /// How far the camera turns for each screen pixel of a drag, radians.
 constexpr float turn_per_pixel = 0.004f;
+
+/// Around everything in the canvas, design pixels.
+constexpr glm::vec2 canvas_padding{12.0f, 10.0f};
 
 float fit_zoom(const Ui& ui, ImVec2 room) {
     const Viewport size = ui.results.a.frame.settings.viewport;
@@ -81,8 +85,12 @@ ImVec2 pointer_in_a(const Ui& ui) {
     const std::optional<PicturePlace>& b = ui.compare.place_of_b;
     if (!b) return pointer;
     const WidgetPlace& canvas = ui.widgets.at("canvas");
-    const float middle = 0.5f * (canvas.top_left.x + canvas.bottom_right.x);
-    if (pointer.x >= middle) pointer.x -= b->origin.x - ui.canvas.place.origin.x;
+    const ImVec2 a = ui.canvas.place.origin;
+    const ImVec2 aside{b->origin.x - a.x, b->origin.y - a.y};
+    const bool is_over_b = aside.x > 0.0f
+                               ? pointer.x >= 0.5f * (canvas.top_left.x + canvas.bottom_right.x)
+                               : pointer.y >= 0.5f * (canvas.top_left.y + canvas.bottom_right.y);
+    if (is_over_b) pointer = {pointer.x - aside.x, pointer.y - aside.y};
     return pointer;
 }
 
@@ -251,14 +259,15 @@ void draw_header(Ui& ui, float right_edge) {
     }
 }
 
-/// Where the pictures of both runs lie; that of B only while it stands beside A's.
+/// Where the pictures of both runs lie; that of B only while it stands beside or below A's.
 void place_pictures(Ui& ui, ImVec2 low, ImVec2 room, const Panes& panes) {
     ui.canvas.place = place_picture(ui, low, room);
     ui.compare.place_of_b = std::nullopt;
-    const float aside = panes.b.low.x - panes.a.low.x;
-    if (aside <= 0.0f) return;
+    const ImVec2 aside{panes.b.low.x - panes.a.low.x, panes.b.low.y - panes.a.low.y};
+    if (aside.x <= 0.0f && aside.y <= 0.0f) return;
     ui.compare.place_of_b = ui.canvas.place;
-    ui.compare.place_of_b->origin.x += aside;
+    ui.compare.place_of_b->origin.x += aside.x;
+    ui.compare.place_of_b->origin.y += aside.y;
 }
 
 /// Space around a picture that fits: for the numbers if it is enlarged, or else only a little.
@@ -266,7 +275,25 @@ float border_width(const Ui& ui, ImVec2 room) {
     const float u = ui.options.text_scale;
     const bool numbered = fit_zoom(ui, {room.x - 2.0f * canvas_ruler * u,
                                         room.y - 2.0f * canvas_ruler * u}) >= grid_zoom;
-    return (numbered ? canvas_ruler : 10.0f) * u;
+    return (numbered ? canvas_ruler : picture_border) * u;
+}
+
+/// Between the picture and what stands below it, screen pixels.
+float gap_below(const Ui& ui) {
+    return std::round(8.0f * ui.options.text_scale);
+}
+
+/// The room that two pictures have in a canvas of this size: without the lines above them, and the
+/// small pictures below.
+ImVec2 room_of_pictures(const Ui& ui, ImVec2 canvas) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float u = ui.options.text_scale;
+    const float header = ImGui::GetFrameHeight() + style.ItemSpacing.y;
+    const float bar = ui.fonts.small->FontSize + 2.0f * style.FramePadding.y + style.ItemSpacing.y;
+    const ImVec2 room{std::max(canvas.x - 2.0f * canvas_padding.x * u, 1.0f),
+                      std::max(canvas.y - 2.0f * canvas_padding.y * u - header - bar, 1.0f)};
+    const float row = variants_height(ui, room);
+    return {room.x, row > 0.0f ? room.y - row - gap_below(ui) : room.y};
 }
 
 /// The picture in a part of the canvas, with the legend of what it shows below it.
@@ -277,8 +304,11 @@ void draw_picture(Ui& ui, const Pane& pane) {
     const ImVec2 frame_low = pane.low;
     const float difference = difference_legend_height(ui, space.y);
     const float legend = difference > 0.0f ? difference : depth_legend_height(ui, space.y);
-    const float legend_gap = legend > 0.0f ? 8.0f * u : 0.0f;
-    const ImVec2 frame_room{std::max(space.x, 1.0f), std::max(space.y - legend - legend_gap, 1.0f)};
+    const float legend_gap = legend > 0.0f ? gap_below(ui) : 0.0f;
+    const float above_row = space.y - legend - legend_gap - gap_below(ui);
+    const float row = variants_height(ui, {space.x, above_row});
+    const float below = legend + legend_gap + (row > 0.0f ? row + gap_below(ui) : 0.0f);
+    const ImVec2 frame_room{std::max(space.x, 1.0f), std::max(space.y - below, 1.0f)};
     const ImVec2 frame_high{frame_low.x + frame_room.x, frame_low.y + frame_room.y};
     const Pane canvas{frame_low, frame_high};
     const Panes panes = panes_of(ui, canvas);
@@ -315,12 +345,20 @@ void draw_picture(Ui& ui, const Pane& pane) {
     } else if (legend > 0.0f) {
         draw_depth_legend(ui, {frame_low.x, legend_top}, {frame_high.x, legend_top + legend});
     }
+    if (row > 0.0f) draw_variants(ui, {{pane.low.x, pane.high.y - row}, pane.high});
 }
 
 } // namespace
 
-bool wants_wide_canvas(const Ui& ui) {
-    return shown_on_canvas(ui) == CanvasShows::both;
+bool wants_wide_canvas(const Ui& ui, ImVec2 narrow, ImVec2 wide) {
+    const CanvasShows shows = shown_on_canvas(ui);
+    if (shows == CanvasShows::both) return true;
+    if (!is_comparing(ui) || ui.session.compare_view != CompareView::side_by_side ||
+        shows == CanvasShows::outside) {
+        return false;
+    }
+    const float zoom = pair_zoom(ui, room_of_pictures(ui, narrow));
+    return zoom < 1.0f && pair_zoom(ui, room_of_pictures(ui, wide)) > zoom;
 }
 
 void pick_on_picture(Ui& ui, glm::ivec2 pixel, bool triangle_only) {
@@ -345,10 +383,11 @@ void draw_canvas(Ui& ui, const Area& area) {
     const float u = ui.options.text_scale;
     ImGui::SetNextWindowPos(area.position);
     ImGui::SetNextWindowSize(area.size);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(12.0f * u, 10.0f * u));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
+                        ImVec2(canvas_padding.x * u, canvas_padding.y * u));
     ImGui::Begin("canvas", nullptr,
                  panel_flags | ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoScrollbar);
-    draw_header(ui, area.position.x + area.size.x - 12.0f * u);
+    draw_header(ui, area.position.x + area.size.x - canvas_padding.x * u);
 
     draw_compare_bar(ui);
 

@@ -12,8 +12,11 @@ struct Ui;
 /// both.
 void draw_canvas(Ui& ui, const Area& area);
 
-/// Both halves want the width that a lesson's column would take.
-bool wants_wide_canvas(const Ui& ui);
+/// Does what the canvas shows want the width that a lesson's column would take? Picture and outside
+/// do; two pictures side by side do where they would be made smaller without it.
+/// @param narrow size of the canvas beside the lesson's column, screen pixels
+/// @param wide   its size without that column
+bool wants_wide_canvas(const Ui& ui, ImVec2 narrow, ImVec2 wide);
 
 /// A click on a pixel of the picture, wherever it is shown: picks it, its row and its triangle.
 void pick_on_picture(Ui& ui, glm::ivec2 pixel, bool triangle_only);

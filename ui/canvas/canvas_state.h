@@ -1,10 +1,14 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include <glm/vec2.hpp>
 
+#include "scene/scene.h"
+#include "settings/settings.h"
 #include "ui/widgets/picture_state.h"
 
 namespace rasterwalk {
@@ -24,11 +28,22 @@ struct CanvasState {
     int dragged_vertex = -1;                 ///< of the bench triangle; -1: none
 };
 
+/// What run B of each pair would look like, small.
+struct OfferPictures {
+    std::shared_ptr<const Scene> scene;   ///< that they show
+    std::optional<Settings> settings;     ///< of run A, of which they follow
+    int side = 0;                         ///< for which they were made, screen pixels
+    bool is_drawn = false;                ///< false: there are none, the scene is too large
+    std::vector<PictureTexture> textures; ///< in the order of compare_pairs()
+};
+
 /// What only concerns the screen while two runs are compared.
 struct CompareLook {
     PictureTexture picture;                 ///< shows run B
     PictureTexture difference;              ///< shows B minus A
-    std::optional<PicturePlace> place_of_b; ///< of its picture, while both stand side by side
+    std::array<PictureTexture, 3> small;    ///< the small pictures of A, B and B minus A
+    OfferPictures offers;                   ///< before anything is compared
+    std::optional<PicturePlace> place_of_b; ///< of its picture, while both are large
     float blink_seconds = 0.0f;             ///< since A was last shown anew
     bool blink_is_held = false;
 };

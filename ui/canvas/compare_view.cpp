@@ -39,6 +39,14 @@ Span visible_span(const Ui& ui, const Pane& canvas) {
     return {low, std::max(std::min(place.origin.x + width, canvas.high.x), low + 1.0f)};
 }
 
+/// How large the picture may get in a part of the canvas of this size.
+float pane_zoom(const Ui& ui, ImVec2 room) {
+    const Viewport size = ui.results.a.frame.settings.viewport;
+    const float border = 2.0f * picture_border * ui.options.text_scale;
+    return std::min((room.x - border) / static_cast<float>(size.width),
+                    (room.y - border) / static_cast<float>(size.height));
+}
+
 float divider_x(const Ui& ui, const Pane& canvas) {
     const Span span = visible_span(ui, canvas);
     return std::round(span.low + std::clamp(ui.session.wipe, 0.0f, 1.0f) * (span.high - span.low));
@@ -54,7 +62,7 @@ void draw_title(Ui& ui, ImDrawList* list, bool of_b, float left, float right, fl
     const float side = std::round(20.0f * u);
     ImGui::PushFont(font);
     const float room = right - left - side - 22.0f * u;
-    const std::string words = shortened(run_words(ui.session, of_b, true), std::max(room, 0.0f));
+    const std::string words = shortened(run_words(ui.session, of_b), std::max(room, 0.0f));
     const float width = side + ImGui::CalcTextSize(words.c_str()).x + 16.0f * u;
     ImGui::PopFont();
     const float x = is_at_right ? right - width : left;
@@ -62,14 +70,14 @@ void draw_title(Ui& ui, ImDrawList* list, bool of_b, float left, float right, fl
     ImVec4 ground = p.card;
     ground.w = 0.92f;
     list->AddRectFilled(low, {low.x + width, low.y + side}, packed(ground), 4.0f * u);
-    list->AddRectFilled(low, {low.x + side, low.y + side}, packed(p.accent), 4.0f * u);
+    list->AddRectFilled(low, {low.x + side, low.y + side}, packed(p.chosen), 4.0f * u);
     const char* const letter = of_b ? "B" : "A";
     ImFont* const bold = ui.fonts.bold;
     const float letter_size = font->FontSize;
     const float letter_width = bold->CalcTextSizeA(letter_size, FLT_MAX, 0.0f, letter).x;
     const float text_y = low.y + 0.5f * (side - letter_size);
-    list->AddText(bold, letter_size, {low.x + 0.5f * (side - letter_width), text_y},
-                  packed(p.accent_text), letter);
+    list->AddText(bold, letter_size, {low.x + 0.5f * (side - letter_width), text_y}, packed(p.text),
+                  letter);
     list->AddText(font, font->FontSize, {low.x + side + 8.0f * u, text_y}, packed(p.text),
                   words.c_str());
     ImGui::SetCursorScreenPos(low);
@@ -78,7 +86,7 @@ void draw_title(Ui& ui, ImDrawList* list, bool of_b, float left, float right, fl
                 (of_b ? "Run B: what it has otherwise than A.\n"
                       : "Run A: what it has otherwise than B. The switches and the settings "
                         "set this run.\n") +
-                    run_words(ui.session, of_b, false));
+                    run_assignments(ui.session, of_b));
     note_text(ui, of_b ? "compare.title_b" : "compare.title_a", words);
 }
 
@@ -118,12 +126,15 @@ void draw_side_by_side(Ui& ui, ImDrawList* list, const Pane& canvas) {
     const float u = ui.options.text_scale;
     draw_run(ui, list, false, ui.canvas.place, panes.a.low, panes.a.high);
     draw_run(ui, list, true, *ui.compare.place_of_b, panes.b.low, panes.b.high);
-    const float middle = std::round(panes.b.low.x) - 0.5f;
-    list->AddLine({middle, canvas.low.y}, {middle, canvas.high.y},
-                  packed(palette(ui.options.theme).line), u);
+    const bool is_stacked = panes.b.low.x == panes.a.low.x;
+    const float top_of_b = panes.b.low.y - (panes.a.low.y - canvas.low.y);
+    const ImVec2 from = is_stacked ? ImVec2{canvas.low.x, std::round(top_of_b) - 0.5f}
+                                   : ImVec2{std::round(panes.b.low.x) - 0.5f, canvas.low.y};
+    const ImVec2 to = is_stacked ? ImVec2{canvas.high.x, from.y} : ImVec2{from.x, canvas.high.y};
+    list->AddLine(from, to, packed(palette(ui.options.theme).line), u);
     const float inset = 8.0f * u;
     draw_title(ui, list, false, panes.a.low.x + inset, panes.a.high.x - inset, canvas.low.y, false);
-    draw_title(ui, list, true, panes.b.low.x + inset, panes.b.high.x - inset, canvas.low.y, false);
+    draw_title(ui, list, true, panes.b.low.x + inset, panes.b.high.x - inset, top_of_b, false);
 }
 
 void draw_wipe(Ui& ui, ImDrawList* list, const Pane& canvas) {
@@ -137,11 +148,17 @@ void draw_wipe(Ui& ui, ImDrawList* list, const Pane& canvas) {
     draw_title(ui, list, true, middle + inset, canvas.high.x - inset, canvas.low.y, true);
 }
 
-void draw_blink(Ui& ui, ImDrawList* list, const Pane& canvas) {
-    const bool of_b = blink_shows_b(ui);
+/// One run in the whole canvas.
+void draw_alone(Ui& ui, ImDrawList* list, const Pane& canvas, bool of_b, bool is_at_right) {
     draw_run(ui, list, of_b, ui.canvas.place, canvas.low, canvas.high);
     const float inset = 8.0f * ui.options.text_scale;
-    draw_title(ui, list, of_b, canvas.low.x + inset, canvas.high.x - inset, canvas.low.y, of_b);
+    draw_title(ui, list, of_b, canvas.low.x + inset, canvas.high.x - inset, canvas.low.y,
+               is_at_right);
+}
+
+void draw_blink(Ui& ui, ImDrawList* list, const Pane& canvas) {
+    const bool of_b = blink_shows_b(ui);
+    draw_alone(ui, list, canvas, of_b, of_b);
 }
 
 void draw_difference(Ui& ui, ImDrawList* list, const Pane& canvas) {
@@ -157,13 +174,15 @@ void show_textures(Ui& ui) {
     const RunResults& b = *ui.results.b;
     const ComparisonResults& comparison = ui.results.comparison;
     const float scale = ui.canvas.place.scale;
-    if (ui.session.compare_view == CompareView::difference) {
+    const CompareView view = ui.session.compare_view;
+    if (view == CompareView::difference) {
         show_texture(ui, ui.compare.difference, comparison.difference, comparison.difference_number,
                      scale);
         return;
     }
-    show_ground(ui);
-    show_texture(ui, ui.compare.picture, b.picture, b.picture_number, scale);
+    if (view != CompareView::run_b) show_ground(ui);
+    if (view != CompareView::run_a)
+        show_texture(ui, ui.compare.picture, b.picture, b.picture_number, scale);
 }
 
 void draw_views(Ui& ui, bool as_list) {
@@ -175,7 +194,7 @@ void draw_views(Ui& ui, bool as_list) {
         name_widget(ui, "compare.view", "In which way the two pictures are shown.");
         if (!open) return;
         for (const CompareViewInfo& info : compare_view_list()) {
-            if (ImGui::Selectable(info.title.data(), info.view == chosen))
+            if (ImGui::Selectable(info.menu_title.data(), info.view == chosen))
                 ui.session.compare_view = info.view;
             name_widget(ui, std::string("compare.").append(info.name), info.help);
         }
@@ -183,7 +202,7 @@ void draw_views(Ui& ui, bool as_list) {
         return;
     }
     for (const CompareViewInfo& info : compare_view_list()) {
-        if (info.view != CompareView::side_by_side) ImGui::SameLine(0.0f, 0.0f);
+        if (info.view != compare_view_list().front().view) ImGui::SameLine(0.0f, 0.0f);
         if (button(ui, std::string("compare.").append(info.name), info.title,
                    info.view == chosen ? Look::chosen : Look::plain, info.help)) {
             ui.session.compare_view = info.view;
@@ -207,7 +226,7 @@ void draw_compare_bar(Ui& ui) {
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     ImGui::PushFont(ui.fonts.small);
-    const float ends = button_width("swap") + button_width("×") + gap;
+    const float ends = button_width("swap") + button_width("end") + gap;
     const float counts = ImGui::CalcTextSize("000 000 pixels differ").x;
     const bool as_list =
         views_width() + counts + ends + 2.0f * gap > ImGui::GetContentRegionAvail().x;
@@ -241,22 +260,44 @@ void draw_compare_bar(Ui& ui) {
         find_action("compare.swap").run(ui);
     }
     ImGui::SameLine();
-    if (button(ui, "compare.end", "×", Look::quiet, "Ends the comparison.\nKey: C"))
+    if (button(ui, "compare.end", "end", Look::quiet, "Ends the comparison.\nKey: C"))
         end_comparison(ui.session);
     ImGui::PopFont();
+}
+
+float height_at_full_size(const Ui& ui, float width) {
+    const Viewport size = ui.results.a.frame.settings.viewport;
+    const float u = ui.options.text_scale;
+    const float border = 2.0f * picture_border * u;
+    const float one = static_cast<float>(size.height) + std::ceil(title_height * u) + border;
+    const bool is_stacked =
+        is_side_by_side(ui) && 0.5f * width - border < static_cast<float>(size.width);
+    return is_stacked ? 2.0f * one : one;
+}
+
+float pair_zoom(const Ui& ui, ImVec2 canvas) {
+    return pane_zoom(ui, panes_of(ui, {{0.0f, 0.0f}, canvas}).a.room());
 }
 
 Panes panes_of(const Ui& ui, const Pane& canvas) {
     if (!is_comparing(ui)) return {canvas, canvas};
     const float u = ui.options.text_scale;
     Pane below = canvas;
-    if (canvas.room().y >= low_canvas * u) below.low.y += std::round(title_height * u);
+    const float title = canvas.room().y >= low_canvas * u ? std::round(title_height * u) : 0.0f;
+    below.low.y += title;
     if (!is_side_by_side(ui)) return {below, below};
-    const float middle = std::round(0.5f * (canvas.low.x + canvas.high.x));
-    Panes panes{below, below};
-    panes.a.high.x = middle;
-    panes.b.low.x = middle;
-    return panes;
+    Panes beside{below, below};
+    beside.a.high.x = beside.b.low.x = std::round(0.5f * (canvas.low.x + canvas.high.x));
+    Panes stacked{below, below};
+    const float middle = std::round(0.5f * (canvas.low.y + canvas.high.y));
+    stacked.a.high.y = middle;
+    stacked.b.low.y = middle + title;
+    const float side_zoom = pane_zoom(ui, beside.a.room());
+    const float stack_zoom = pane_zoom(ui, stacked.b.room());
+    const float side_whole = std::floor(side_zoom), stack_whole = std::floor(stack_zoom);
+    const bool is_stacked =
+        stack_whole != side_whole ? stack_whole > side_whole : stack_zoom > side_zoom;
+    return is_stacked ? stacked : beside;
 }
 
 void draw_wipe_handle(Ui& ui, const Pane& canvas) {
@@ -276,6 +317,12 @@ void draw_wipe_handle(Ui& ui, const Pane& canvas) {
 void draw_compared(Ui& ui, ImDrawList* list, const Pane& canvas) {
     show_textures(ui);
     switch (ui.session.compare_view) {
+    case CompareView::run_a:
+        draw_alone(ui, list, canvas, false, false);
+        break;
+    case CompareView::run_b:
+        draw_alone(ui, list, canvas, true, false);
+        break;
     case CompareView::side_by_side:
         draw_side_by_side(ui, list, canvas);
         break;

@@ -21,12 +21,22 @@ inline constexpr float low_canvas = 200.0f;
 /// they lie apart, and the ends of it. Where they cannot be compared it says why.
 void draw_compare_bar(Ui& ui);
 
-/// The two halves of the canvas while both pictures stand side by side, or else the whole of it
-/// twice.
+/// The parts of the canvas in which the two pictures stand: beside each other, or one above the
+/// other where that leaves them larger. Otherwise each is the whole canvas.
 struct Panes {
     Pane a, b;
 };
 Panes panes_of(const Ui& ui, const Pane& canvas);
+
+/// What a picture needs around it that fits: the space at its border, design pixels.
+inline constexpr float picture_border = 10.0f;
+
+/// The height that the canvas needs so that what is compared is not made smaller, screen pixels.
+float height_at_full_size(const Ui& ui, float width);
+
+/// How large the pictures come out that stand side by side in a canvas of this size, screen pixels
+/// a picture pixel.
+float pair_zoom(const Ui& ui, ImVec2 canvas);
 
 /// The divider of the wipe, to be dragged. To be called before the canvas itself, which else would
 /// take the mouse.

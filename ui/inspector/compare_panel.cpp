@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 
 #include "base/element_names.h"
@@ -8,54 +9,15 @@
 #include "ui/actions/actions.h"
 #include "ui/actions/compare.h"
 #include "ui/actions/open_tab.h"
+#include "ui/inspector/compare_parts.h"
 #include "ui/inspector/panels.h"
 #include "ui/ui.h"
-#include "ui/widgets/flow.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
 
 namespace {
-
-std::string tooltip_of_pair(const ComparePair& pair, bool is_on_show) {
-    std::string text("Compares ");
-    text.append(pair.left).append(" (run A) with ").append(pair.right).append(" (run B). ");
-    text.append(pair.help);
-    return is_on_show ? text.append("\nAgain: back to one run.") : text;
-}
-
-/// A button for each pair of runs that are often compared, in as many lines as they need.
-void draw_pairs(Ui& ui) {
-    const ComparePair* const on_show = pair_on_show(ui.session);
-    ImGui::PushFont(ui.fonts.small);
-    text_in(palette(ui.options.theme).dim, "Compare");
-    std::vector<std::string> labels;
-    std::vector<float> widths;
-    for (const ComparePair& pair : compare_pairs()) {
-        labels.push_back(std::string(pair.left).append(" | ").append(pair.right));
-        widths.push_back(button_width(labels.back()));
-    }
-    const float gap = 4.0f * ui.options.text_scale;
-    const std::vector<FlowPlace> places = flow(widths, gap, ImGui::GetContentRegionAvail().x);
-    const ImVec2 start = ImGui::GetCursorScreenPos();
-    const float line = ImGui::GetFrameHeight() + gap;
-    for (std::size_t i = 0; i < labels.size(); ++i) {
-        const ComparePair& pair = compare_pairs()[i];
-        ImGui::SetCursorScreenPos(
-            {start.x + places[i].x, start.y + static_cast<float>(places[i].line) * line});
-        if (button(ui, std::string("compare.tab.").append(pair.name), labels[i],
-                   &pair == on_show ? Look::chosen : Look::plain,
-                   tooltip_of_pair(pair, &pair == on_show))) {
-            if (&pair == on_show) {
-                end_comparison(ui.session);
-            } else {
-                start_pair(ui.session, pair);
-            }
-        }
-    }
-    ImGui::PopFont();
-}
 
 /// The word after the present one: another value of a setting of few words.
 void set_next_word(Settings& settings, const ChoiceSetting& choice) {
@@ -73,25 +35,25 @@ void draw_choice_of_difference(Ui& ui, const char* title) {
         const auto* const choice = std::get_if<ChoiceSetting>(&setting.kind);
         if (choice == nullptr) continue;
         const std::string name(setting.name);
-        if (ImGui::Selectable(name.c_str())) {
+        if (ImGui::Selectable((std::string(setting.title) + "##" + name).c_str())) {
             Run other = ui.session.b.value_or(ui.session.a);
             set_next_word(other.settings, *choice);
             compare_with(ui.session, other);
         }
-        name_widget(ui, "compare.another." + name, setting.help);
+        name_widget(ui, "compare.another." + name, name + "\n" + std::string(setting.help));
     }
     ImGui::EndCombo();
 }
 
 void draw_no_comparison(Ui& ui) {
     const Palette& p = palette(ui.options.theme);
-    wrapped_text("Two runs of the same scene, side by side: where do they part, and why?");
+    wrapped_text("Two runs of the same scene: where do they part, and why?");
     ImGui::Spacing();
-    draw_pairs(ui);
+    draw_offers(ui);
     ImGui::Spacing();
     ImGui::PushStyleColor(ImGuiCol_Text, p.dim);
-    wrapped_text("Run A is what the switches and settings say. Run B begins as a copy in which one "
-                 "thing is otherwise; what you change from now on changes both.");
+    wrapped_text("Run A is the picture as it is. Run B is a copy in which one thing is otherwise; "
+                 "what you change from then on changes both.");
     ImGui::PopStyleColor();
     ImGui::Spacing();
     draw_choice_of_difference(ui, "or compare by a setting …");
@@ -120,9 +82,8 @@ void draw_settings(Ui& ui) {
         return;
     }
     if (!ImGui::BeginTable("compare.settings", 3, ImGuiTableFlags_SizingStretchProp)) return;
-    ImGui::TableSetupColumn("", 0, 1.3f);
-    ImGui::TableSetupColumn("", 0, 1.0f);
-    ImGui::TableSetupColumn("", 0, 1.0f);
+    for (int column = 0; column < 3; ++column)
+        ImGui::TableSetupColumn("", 0, 1.0f);
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     header_cell(ui, "setting", "compare.header.setting", "What is set otherwise in run B.", true);
     header_cell(ui, "A", "compare.header.a", "Run A, which the switches and settings set.", true);
@@ -131,14 +92,17 @@ void draw_settings(Ui& ui) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         const std::string name(difference.setting);
+        const Setting& setting = *find_setting(name);
         ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
-        if (button(ui, "compare.setting." + name, name, Look::link,
-                   std::string(find_setting(name)->help) + "\nClick: shows it in the settings.")) {
+        const std::string title =
+            shortened(std::string(setting.title), ImGui::GetContentRegionAvail().x);
+        if (button(ui, "compare.setting." + name, title, Look::link,
+                   name + "\n" + std::string(setting.help) +
+                       "\nClick: shows it in the settings.")) {
             ui.inspector.setting_search = name;
             open_tab(ui, "settings");
         }
         ImGui::PopStyleVar();
-        const Setting& setting = *find_setting(name);
         ImGui::PushID(name.c_str());
         const auto edit = [&](Settings& settings, const char* run) {
             ImGui::TableNextColumn();
@@ -263,6 +227,9 @@ void draw_first(Ui& ui) {
     }
 }
 
+/// The list of groups has so many lines at least; where they have no room, the page scrolls.
+constexpr float least_lines = 5.0f;
+
 void draw_group(Ui& ui, const DivergenceGroup& group, int index) {
     const Palette& p = palette(ui.options.theme);
     ImGui::TableNextRow();
@@ -298,9 +265,12 @@ void draw_groups(Ui& ui) {
     const std::vector<DivergenceGroup>& groups = ui.results.comparison.whole().divergences.groups;
     if (groups.empty()) return;
     const float line = ImGui::GetTextLineHeight() + 2.0f * ImGui::GetStyle().CellPadding.y;
-    const float needed = line * static_cast<float>(groups.size() + 1) + 4.0f;
-    const float height =
-        std::max(std::min(needed, ImGui::GetContentRegionAvail().y), std::min(needed, 6.0f * line));
+    // As many whole lines as have room: none is cut.
+    const float head = ui.fonts.small->FontSize + 2.0f * ImGui::GetStyle().CellPadding.y;
+    const float whole = std::floor((ImGui::GetContentRegionAvail().y - head) / line);
+    const auto all = static_cast<float>(groups.size());
+    const float lines = std::min(all, std::max(whole, least_lines));
+    const float height = head + lines * line;
     if (!ImGui::BeginTable("compare.groups", 4,
                            ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH |
                                ImGuiTableFlags_SizingStretchProp,

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <string>
 
+#include "laboratory/bug_rule.h"
 #include "ui/actions/lab.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/inspector/lab_parts.h"
@@ -43,18 +44,23 @@ void draw_line(Ui& ui, const Bug& bug) {
     if (ImGui::Selectable(("##" + name).c_str(), ui.lab.chosen == bug.id)) ui.lab.chosen = bug.id;
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) turn_on(ui, bug, false);
     keep_in_sight(ui, bug);
-    name_widget(ui, name, bug.sentence + "\nClick: describes it. Double click: turns it on.");
+    const bool is_made = !on && is_made_by(bug, ui.session.a.settings);
+    name_widget(ui, name,
+                bug.sentence + (is_made ? "\nRun A does so as it is set now.\nClick: describes it. "
+                                          "Double click: compares it with the cure."
+                                        : "\nClick: describes it. Double click: turns it on."));
     const float u = ui.options.text_scale;
     ImDrawList* const list = ImGui::GetWindowDrawList();
     const ImVec4& ink = on ? colour_of(Meaning::fail, ui.options.theme) : p.dim;
     list->AddText(ui.fonts.mono, ui.fonts.mono->FontSize, at, packed(ink), bug.id.c_str());
     const float left = at.x + 52.0f * u;
-    const float room = at.x + ImGui::GetContentRegionAvail().x - left - 30.0f * u;
+    const std::string state = on ? "on" : is_made ? "as it is" : "";
+    const float width = ImGui::CalcTextSize(state.c_str()).x + 4.0f * u;
+    const float right = at.x + ImGui::GetContentRegionAvail().x;
+    const float room = right - left - std::max(width, 26.0f * u) - 4.0f * u;
     list->AddText({left, at.y}, packed(p.text), shortened(bug.name, room).c_str());
-    if (!on) return;
-    const float width = ImGui::CalcTextSize("on").x;
-    list->AddText({at.x + ImGui::GetContentRegionAvail().x - width - 4.0f * u, at.y}, packed(ink),
-                  "on");
+    list->AddText({right - width, at.y}, packed(ink), state.c_str());
+    note_text(ui, name, state);
 }
 
 /// The mistakes by the lab's sections.
@@ -79,9 +85,15 @@ void draw_buttons(Ui& ui, const Bug& bug) {
                    "Back to one run and to what was set before.")) {
             end_comparison(ui.session);
         }
-    } else if (button(ui, "lab.on", "turn on", Look::plain,
-                      "Makes the mistake in run A, and compares it with the correct run B.")) {
-        turn_on(ui, bug, false);
+    } else {
+        const bool is_made = is_made_by(bug, ui.session.a.settings);
+        const char* const cure = ui.inspector.is_narrow ? "compare" : "compare with the cure";
+        if (button(ui, "lab.on", is_made ? cure : "turn on", Look::plain,
+                   is_made ? "Run A makes the mistake already; run B is the correct one."
+                           : "Makes the mistake in run A, and compares it with the correct run "
+                             "B.")) {
+            turn_on(ui, bug, false);
+        }
     }
     ImGui::SameLine();
     if (button(ui, "lab.scene", ui.inspector.is_narrow ? "its scene" : "on its own scene",
@@ -97,6 +109,12 @@ void draw_card(Ui& ui, const Bug& bug) {
     ImGui::TextUnformatted((bug.id + "  " + bug.name).c_str());
     ImGui::PopFont();
     draw_buttons(ui, bug);
+    if (!is_on(ui.session, bug.id) && is_made_by(bug, ui.session.a.settings)) {
+        ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
+        wrapped_text("It is on already: the program on show does so by itself.");
+        ImGui::PopStyleColor();
+        name_widget(ui, "lab.made", "What is set now makes this mistake without being told to.");
+    }
     const float width = ImGui::CalcItemWidth();
     const MarkdownEvents events = draw_markdown(ui, ui.lab.page, page_of(bug), width, "lab.link.");
     answer_links(ui, document_of(*ui.lab.page), events);

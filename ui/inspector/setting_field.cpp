@@ -4,26 +4,48 @@
 #include <imgui.h>
 
 #include "settings/setting_table.h"
+#include "settings/value_words.h"
 #include "ui/inspector/panels.h"
 #include "ui/ui.h"
+#include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
 
 namespace {
 
-void edit_choice(Ui& ui, Settings& settings, const std::string& name, const std::string& help,
+/// A word in the list: as it is said, and at the right as it is written.
+bool word_line(const Ui& ui, const std::string& said, const std::string& word, bool is_chosen) {
+    const Palette& p = palette(ui.options.theme);
+    const float u = ui.options.text_scale;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImFont* const mono = ui.fonts.mono_small;
+    const float width = mono->CalcTextSizeA(mono->FontSize, FLT_MAX, 0.0f, word.c_str()).x;
+    const float needed = ImGui::CalcTextSize(said.c_str()).x + 18.0f * u + width;
+    const ImVec2 size{std::max(needed, ImGui::GetContentRegionAvail().x), 0.0f};
+    const bool is_pressed = ImGui::Selectable(("##" + word).c_str(), is_chosen, 0, size);
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    list->AddText(at, packed(p.text), said.c_str());
+    const float below = ImGui::GetFontSize() - mono->FontSize;
+    list->AddText(mono, mono->FontSize, {at.x + size.x - width, at.y + 0.7f * below}, packed(p.dim),
+                  word.c_str());
+    return is_pressed;
+}
+
+void edit_choice(Ui& ui, Settings& settings, const Setting& setting, const std::string& name,
                  const ChoiceSetting& choice) {
     const int now = choice.read(settings);
-    const std::string shown(now == no_word ? std::string_view("mixed") : choice.words[now]);
-    const bool open = ImGui::BeginCombo("##value", shown.c_str());
-    name_widget(ui, name, help);
+    const std::string help(setting.help), code(setting.name);
+    const bool open = ImGui::BeginCombo("##value", said_value(setting, settings).c_str());
+    name_widget(ui, name,
+                now == no_word ? help
+                               : help + "\nWritten " + code + " = " +
+                                     std::string(choice.words[static_cast<std::size_t>(now)]));
     if (!open) return;
     for (int i = 0; i < static_cast<int>(choice.words.size()); ++i) {
-        if (ImGui::Selectable(std::string(choice.words[i]).c_str(), i == now)) {
-            choice.write(settings, i);
-        }
-        name_widget(ui, name + "=" + std::string(choice.words[i]), help);
+        const std::string word(choice.words[static_cast<std::size_t>(i)]);
+        if (word_line(ui, said_word(setting, word), word, i == now)) choice.write(settings, i);
+        name_widget(ui, name + "=" + word, help);
     }
     ImGui::EndCombo();
 }
@@ -64,7 +86,7 @@ void edit_size(Ui& ui, Settings& settings, const std::string& name, const std::s
 void edit_setting(Ui& ui, Settings& settings, const Setting& setting, const std::string& name) {
     const std::string help(setting.help);
     if (const auto* choice = std::get_if<ChoiceSetting>(&setting.kind)) {
-        edit_choice(ui, settings, name, help, *choice);
+        edit_choice(ui, settings, setting, name, *choice);
     } else if (const auto* number = std::get_if<NumberSetting>(&setting.kind)) {
         edit_number(ui, settings, name, help, *number);
     } else if (const auto* vector = std::get_if<VectorSetting>(&setting.kind)) {

@@ -7,6 +7,7 @@
 #include <imgui_stdlib.h>
 
 #include "settings/setting_table.h"
+#include "settings/value_words.h"
 #include "ui/actions/open_tab.h"
 #include "ui/inspector/panels.h"
 #include "ui/ui.h"
@@ -86,24 +87,32 @@ void draw_setting(Ui& ui, const Setting& setting, const Settings& usual,
         ImGui::SameLine();
         ImGui::SetCursorPosX(begin + columns.reset);
         if (button(ui, "reset." + name, "↺", Look::link,
-                   "Differs from the handout; sets it back to " + usual_text + ".")) {
+                   "Differs from the handout; sets it back to " + said_value(setting, usual) +
+                       ".")) {
             set_value(ui.session.a.settings, setting, usual_text);
         }
     }
     ImGui::PopID();
 }
 
-/// Which settings differ is asked when the sheet opens, so that none leaves its place under the
-/// student's hand.
+/// Which settings come first is asked when the sheet opens, so that none leaves its place under the
+/// student's hand. One that is set back is changed no more, and goes.
 void note_changed(Ui& ui, const Settings& usual) {
     InspectorState& state = ui.inspector;
+    const Settings& now = ui.session.a.settings;
     const int frame = ImGui::GetFrameCount();
     const bool was_open = state.settings_frame + 1 >= frame;
     state.settings_frame = frame;
-    if (was_open) return;
+    if (was_open) {
+        if (ImGui::IsAnyItemActive()) return; // a number that is dragged may pass its default
+        std::erase_if(state.changed_settings, [&](std::string_view name) {
+            return has_same_value(*find_setting(name), usual, now);
+        });
+        return;
+    }
     state.changed_settings.clear();
     for (const Setting& setting : setting_table()) {
-        if (has_same_value(setting, usual, ui.session.a.settings)) continue;
+        if (has_same_value(setting, usual, now)) continue;
         state.changed_settings.push_back(setting.name);
     }
 }

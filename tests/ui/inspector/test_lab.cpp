@@ -8,6 +8,7 @@
 #include "opening/opened_view.h"
 #include "picture/view_image.h"
 #include "pipeline/draw.h"
+#include "settings/setting_table.h"
 #include "support/effort.h"
 #include "support/project_root.h"
 #include "tests/support/temporary_folder.h"
@@ -57,6 +58,38 @@ TEST_CASE("A mistake is turned on and compared with the correct run at once, and
     CHECK(driver.ui.session.a.settings == before);
 }
 
+TEST_CASE("What the lab does by itself is said to be on already, and compared with the cure") {
+    Driver driver;
+    driver.open("lab");
+    for (const Bug& bug : lab_bugs(driver.ui)) {
+        // By the data alone: each thing that the mistake sets is what the lab has.
+        const Settings lab = default_settings(*driver.ui.session.scene);
+        Settings set = lab;
+        for (const auto& [name, value] : bug.set) {
+            if (name != "stage") set_value(set, *find_setting(name), value);
+        }
+        const bool is_lab = set == lab;
+        INFO(bug.id);
+        driver.hand.find("lab." + bug.id);
+        CHECK(shown_text(driver, "lab." + bug.id) == (is_lab ? "as it is" : ""));
+    }
+    for (const char* id : {"B1", "B2", "B19"}) {
+        INFO(id);
+        driver.hand.click(std::string("lab.") + id);
+        driver.hand.find("lab.on");
+        CHECK(driver.hand.is_visible("lab.made"));
+        driver.hand.click("lab.on");
+        CHECK(is_on(driver.ui.session, id));
+        driver.hand.leave();
+        CHECK_FALSE(driver.hand.is_visible("lab.made"));
+        CHECK(shown_text(driver, std::string("lab.") + id) == "on");
+        driver.hand.click("lab.off");
+    }
+    driver.hand.click("lab.B9");
+    driver.hand.leave();
+    CHECK_FALSE(driver.hand.is_visible("lab.made"));
+}
+
 TEST_CASE("Every mistake is described and shows on its own scene, from which one comes back") {
     Driver driver(lit_room());
     const std::shared_ptr<const Scene> room = driver.ui.session.scene;
@@ -94,6 +127,7 @@ TEST_CASE("A round of the quiz is won: hint, wrong guess, right guess, and all i
     driver.hand.click("lab.quiz.compare");
     REQUIRE(driver.ui.results.b);
     CHECK(driver.ui.results.comparison.pixels.different > 0);
+    driver.hand.click("compare.run_b");
     CHECK(shown_text(driver, "compare.title_b") == "the correct run");
     driver.hand.click("lab.hint");
     CHECK(driver.ui.session.quiz->questions[0].hints == 1);

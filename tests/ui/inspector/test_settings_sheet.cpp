@@ -1,6 +1,9 @@
+#include <set>
+
 #include <catch2/catch.hpp>
 
 #include "settings/setting_table.h"
+#include "settings/value_words.h"
 #include "tests/ui/driver.h"
 #include "ui/actions/keys.h"
 #include "ui/ui.h"
@@ -116,6 +119,46 @@ TEST_CASE(
     driver.hand.click("tab.settings");
     driver.hand.leave();
     CHECK(top("rounding") < top("shading"));
+}
+
+TEST_CASE("Nothing stands under 'Changed' that is as the handout has it") {
+    Driver driver;
+    set_from_text(driver.ui.session.a.settings, "rounding=floor");
+    set_from_text(driver.ui.session.a.settings, "spans=last_dropped");
+    const auto top = [&](const char* name) {
+        driver.hand.leave();
+        return driver.ui.widgets.at(std::string("setting.") + name).top_left.y;
+    };
+    driver.hand.click("tab.settings");
+    REQUIRE(top("rounding") < top("stage"));
+    REQUIRE(top("spans") < top("stage"));
+    driver.hand.click("setting.rounding");
+    driver.hand.click("setting.rounding=truncate"); // the default, chosen
+    CHECK(top("rounding") > top("stage"));
+    CHECK(top("spans") < top("stage"));
+    driver.hand.click("reset.spans");
+    CHECK(top("spans") > top("stage"));
+    CHECK_FALSE(driver.hand.is_visible("reset.spans"));
+}
+
+TEST_CASE("Values are said in words, each another one, and how they are written stands beside") {
+    for (const Setting& setting : setting_table()) {
+        const auto* const choice = std::get_if<ChoiceSetting>(&setting.kind);
+        if (choice == nullptr) continue;
+        std::set<std::string> said;
+        for (const std::string_view word : choice->words) {
+            INFO(setting.name << " = " << word);
+            const std::string words = said_word(setting, word);
+            CHECK(words.find('_') == std::string::npos);
+            CHECK(said.insert(words).second);
+        }
+    }
+    Settings settings;
+    CHECK(said_value(*find_setting("rounding"), settings) == "cut toward 0");
+    settings.vertex_rounding = VertexRounding::floor;
+    CHECK(said_value(*find_setting("rounding"), settings) == "mixed");
+    CHECK(said_value(*find_setting("depth_index"), settings) == "[y][x]");
+    CHECK(said_value(*find_setting("rotation"), settings) == "v R");
 }
 
 TEST_CASE("Name and value of every setting stand on one line, and nothing is cut off at the side") {

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "base/image.h"
+#include "scene/scene.h"
+#include "settings/settings.h"
+
+namespace rasterwalk {
+
+/// The settings for a picture that is so many pixels high or wide, whichever is more, and shows
+/// the same. Vertices that are given in pixels stay where they are.
+/// @param side 1 or more
+Settings scaled_to(const Scene& scene, const Settings& settings, int side);
+
+/// The finished picture, drawn small; with so many pixels on its longer side at most.
+Image thumbnail(const Scene& scene, const Settings& settings, int side);
+
+/// What it costs to draw it, see FrameWork::total().
+double thumbnail_work(const Scene& scene, const Settings& settings, int side);
+
+} // namespace rasterwalk

@@ -1,0 +1,85 @@
+#include "settings/value_words.h"
+
+#include <algorithm>
+
+namespace rasterwalk {
+
+namespace {
+
+/// What does not explain itself.
+struct SaidWord {
+    std::string_view setting; ///< empty: any
+    std::string_view word, said;
+};
+
+constexpr SaidWord said_words[] = {
+    {"", "truncate", "cut toward 0"},
+    {"", "floor", "rounded down"},
+    {"", "round", "to the nearest"},
+    {"vertex_rounding", "truncate_sum", "moved, then cut"},
+    {"shading", "unlit", "nowhere"},
+    {"shading", "gouraud", "at the vertices"},
+    {"shading", "phong", "at every pixel"},
+    {"line_walk", "accumulate", "steps added up"},
+    {"line_walk", "multiply", "steps multiplied"},
+    {"line_walk", "exact", "without error"},
+    {"line_walk", "integer_step", "whole steps"},
+    {"edge_samples", "longest_axis", "the longer axis"},
+    {"edge_samples", "rows", "one a row"},
+    {"edge_samples", "shifted", "|a − b + 1|"},
+    {"row_start", "extreme", "the extremes"},
+    {"row_start", "window", "the borders"},
+    {"row_search", "indexed", "by its number"},
+    {"row_search", "all_rows", "among all rows"},
+    {"empty_rows", "overflow", "drawn"},
+    {"spans", "inclusive", "with both ends"},
+    {"spans", "single_skipped", "no single ones"},
+    {"spans", "last_dropped", "without the last"},
+    {"depth_test", "inverse_z", "by 1/z"},
+    {"depth_test", "linear_z", "by z"},
+    {"depth_test", "reversed", "farther wins"},
+    {"depth_index", "row_major", "[y][x]"},
+    {"depth_index", "transposed", "[x][y]"},
+    {"depth_order", "after_depth_test", "after the test"},
+    {"depth_order", "before_depth_test", "before the test"},
+    {"interpolation", "zinv_twice", "1/z twice"},
+    {"rotation", "row_vector", "v R"},
+    {"rotation", "transposed", "R v"},
+    {"image_axes", "right_way", "plus"},
+    {"image_axes", "mirrored", "minus"},
+    {"behind_camera", "mark_minus_one", "marked by −1"},
+    {"outside_picture", "clamped", "moved inside"},
+    {"light.direction", "to_light", "to the lamp"},
+    {"light.direction", "from_light", "from the lamp"},
+    {"light.falloff", "sphere", "4 π r²"},
+    {"light.falloff", "no_4pi", "r²"},
+    {"light.falloff", "cubed", "4 π r³"},
+    {"light.sum", "reflectance_times", "ρ (D + N)"},
+    {"light.sum", "reflectance_plus", "D + ρ"},
+    {"bounds", "inside", "from 0 on"},
+    {"bounds", "excludes_zero", "above 0"},
+    {"colour_over_one", "clamp", "1"},
+    {"colour_over_one", "wrap", "its low 8 bits"},
+};
+
+} // namespace
+
+std::string said_word(const Setting& setting, std::string_view word) {
+    const auto* const found =
+        std::find_if(std::begin(said_words), std::end(said_words), [&](const SaidWord& said) {
+            return said.word == word && (said.setting.empty() || said.setting == setting.name);
+        });
+    std::string said(found != std::end(said_words) ? found->said : word);
+    std::replace(said.begin(), said.end(), '_', ' ');
+    return said;
+}
+
+std::string said_value(const Setting& setting, const Settings& settings) {
+    const auto* const choice = std::get_if<ChoiceSetting>(&setting.kind);
+    if (choice == nullptr) return value_text(setting, settings);
+    const int now = choice->read(settings);
+    return now == no_word ? "mixed"
+                          : said_word(setting, choice->words[static_cast<std::size_t>(now)]);
+}
+
+} // namespace rasterwalk

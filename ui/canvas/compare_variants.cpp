@@ -1,0 +1,231 @@
+#include "ui/canvas/compare_variants.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+#include "picture/resample.h"
+#include "ui/actions/compare.h"
+#include "ui/ui.h"
+#include "ui/widgets/picture_texture.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// Design pixels.
+constexpr float largest_height = 170.0f, wished_least = 84.0f, least_height = 44.0f;
+constexpr float card_padding = 8.0f, words_width = 92.0f;
+
+/// Of a card, for its words.
+constexpr float largest_words_share = 0.42f;
+
+/// Of the room for picture and row.
+constexpr float largest_share = 0.25f;
+
+/// One of the small pictures.
+struct Variant {
+    CompareView view;
+    std::string_view letter, title; ///< "A", and what it is called; the letter may be missing
+    std::string words;              ///< what is otherwise in it
+    const Image* image;
+    std::uint64_t number; ///< of the image
+};
+
+std::array<Variant, 3> variants_of(const Ui& ui) {
+    const Results& results = ui.results;
+    const ComparisonResults& comparison = results.comparison;
+    const std::int64_t count = comparison.pixels.different;
+    const std::string differ =
+        count == 0 ? "no pixel" : grouped(count) + (count == 1 ? " pixel" : " pixels");
+    return {{{CompareView::run_a, "A", "", run_words(ui.session, false), &results.a.picture,
+              results.a.picture_number},
+             {CompareView::run_b, "B", "", run_words(ui.session, true), &results.b->picture,
+              results.b->picture_number},
+             {CompareView::difference, "", "Difference", differ, &comparison.difference,
+              comparison.difference_number}}};
+}
+
+/// The image without most of its columns and rows, if it is so large that looking at all of them
+/// would take too long; and by how much it is smaller.
+struct Thinned {
+    Image image;
+    int step = 1;
+};
+Thinned thinned(const Image& image) {
+    Thinned thin;
+    const auto pixels_at = [&](int step) {
+        return static_cast<std::int64_t>(image.width / step) * (image.height / step);
+    };
+    while (pixels_at(thin.step) > largest_looked_through)
+        ++thin.step;
+    if (thin.step == 1) return thin;
+    thin.image.width = std::max(image.width / thin.step, 1);
+    thin.image.height = std::max(image.height / thin.step, 1);
+    thin.image.rgba.reserve(4 * static_cast<std::size_t>(thin.image.width) *
+                            static_cast<std::size_t>(thin.image.height));
+    for (int row = 0; row < thin.image.height; ++row) {
+        for (int column = 0; column < thin.image.width; ++column) {
+            // The middle of the square that it stands for.
+            const auto at = [&](int place, int side) {
+                return static_cast<std::size_t>(
+                    std::min(place * thin.step + thin.step / 2, side - 1));
+            };
+            const std::size_t from =
+                4 * (at(row, image.height) * static_cast<std::size_t>(image.width) +
+                     at(column, image.width));
+            for (std::size_t c = 0; c < 4; ++c)
+                thin.image.rgba.push_back(image.rgba[from + c]);
+        }
+    }
+    return thin;
+}
+
+/// Brings the texture up to date. At rest there is nothing to do.
+void show_small(Ui& ui, PictureTexture& texture, const Variant& variant, float scale) {
+    if (texture.number == variant.number && texture.scale == scale) return;
+    const Image small = small_picture(*variant.image, scale);
+    texture.id = ui.host.textures->upload(texture.id, small);
+    texture.number = variant.number;
+    texture.scale = scale;
+    texture.size = {static_cast<float>(small.width), static_cast<float>(small.height)};
+}
+
+/// Where a small picture and its words stand on its card.
+struct CardLayout {
+    ImVec2 picture; ///< from the card's corner
+    float scale;    ///< screen pixels a picture pixel
+    ImVec2 words;   ///< from the card's corner
+    float room;     ///< for the words
+    bool is_above;  ///< the words are one line above the picture, or else stand beside it
+};
+
+CardLayout card_layout(const Ui& ui, ImVec2 card, const Image& image) {
+    const float u = ui.options.text_scale, pad = std::round(card_padding * u);
+    const float line = std::round(1.3f * ui.fonts.small->FontSize);
+    const ImVec2 size{static_cast<float>(image.width), static_cast<float>(image.height)};
+    const auto scale_in = [&](float width, float height) {
+        const float scale = std::max(std::min(width / size.x, height / size.y), 1e-4f);
+        return scale >= 1.0f ? std::floor(scale) : scale; // pixels stay equally large
+    };
+    const float above = scale_in(card.x - 2.0f * pad, card.y - line - 2.0f * pad);
+    const float words = std::min(words_width * u, largest_words_share * card.x);
+    const float beside = scale_in(card.x - words - 3.0f * pad, card.y - 2.0f * pad);
+    CardLayout layout{};
+    layout.is_above = above >= beside;
+    layout.scale = std::max(above, beside);
+    const ImVec2 shown{layout.scale * size.x, layout.scale * size.y};
+    layout.words = {pad, std::round(0.6f * pad)};
+    layout.room = card.x - 2.0f * pad;
+    if (layout.is_above) {
+        layout.picture = {std::round(0.5f * (card.x - shown.x)),
+                          std::round(line + 0.5f * (card.y - line - shown.y))};
+        return layout;
+    }
+    layout.picture = {pad, std::round(0.5f * (card.y - shown.y))};
+    layout.words = {std::round(2.0f * pad + shown.x), pad};
+    layout.room = card.x - layout.words.x - pad;
+    return layout;
+}
+
+/// The name, and as many lines of words as have room.
+void draw_words(const Ui& ui, ImDrawList* list, const Variant& variant, const CardLayout& layout,
+                ImVec2 low, ImVec2 high) {
+    const Palette& p = palette(ui.options.theme);
+    const float size = ui.fonts.small->FontSize, line = std::round(1.3f * size);
+    const std::string name(variant.letter.empty() ? variant.title : variant.letter);
+    float x = low.x + layout.words.x, y = low.y + layout.words.y;
+    list->AddText(ui.fonts.bold, size, {x, y}, packed(p.text), name.c_str());
+    const float width = ui.fonts.bold->CalcTextSizeA(size, FLT_MAX, 0.0f, name.c_str()).x;
+    ImGui::PushFont(ui.fonts.small);
+    if (layout.is_above) {
+        x += width + 8.0f * ui.options.text_scale;
+        const float room = low.x + layout.words.x + layout.room - x;
+        list->AddText({x, y}, packed(p.dim), shortened(variant.words, room).c_str());
+    } else {
+        const std::string lines = broken_into_lines(variant.words, layout.room);
+        for (std::size_t from = 0; from <= lines.size() && y + 2.0f * line <= high.y;) {
+            const std::size_t end = std::min(lines.find('\n', from), lines.size());
+            y += line;
+            // The last that has room says that there is more.
+            const bool is_last = y + 2.0f * line > high.y;
+            std::string words = lines.substr(from, is_last ? std::string::npos : end - from);
+            std::replace(words.begin(), words.end(), '\n', ' ');
+            list->AddText({x, y}, packed(p.dim), shortened(words, layout.room).c_str());
+            from = is_last ? lines.size() + 1 : end + 1;
+        }
+    }
+    ImGui::PopFont();
+}
+
+std::string tooltip_of_variant(const Ui& ui, const Variant& variant) {
+    const CompareViewInfo& info = compare_view_list()[static_cast<std::size_t>(variant.view)];
+    std::string text(info.menu_title);
+    text += ".\n";
+    text += variant.view == CompareView::difference
+                ? variant.words + " differ, of what is drawn up to this moment"
+                : run_assignments(ui.session, variant.view == CompareView::run_b);
+    return text + "\nClick: shows it large.";
+}
+
+void draw_variant(Ui& ui, std::size_t index, const Variant& variant, ImVec2 low, ImVec2 high) {
+    const Palette& p = palette(ui.options.theme);
+    const float u = ui.options.text_scale;
+    const ImVec2 size{high.x - low.x, high.y - low.y};
+    const std::string name = std::string("compare.small.").append(word_of(variant.view));
+    ImGui::SetCursorScreenPos(low);
+    if (ImGui::InvisibleButton(name.c_str(), size)) ui.session.compare_view = variant.view;
+    const bool is_hovered = ImGui::IsItemHovered();
+    name_widget(ui, name, tooltip_of_variant(ui, variant));
+    note_text(ui, name, variant.words);
+    const bool is_chosen = ui.session.compare_view == variant.view;
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    list->AddRectFilled(low, high, packed(is_hovered ? p.button_hovered : p.card), 4.0f * u);
+    const CardLayout layout = card_layout(ui, size, *variant.image);
+    PictureTexture& texture = ui.compare.small[index];
+    show_small(ui, texture, variant, layout.scale);
+    list->PushClipRect(low, high, true);
+    const ImVec2 at{low.x + layout.picture.x, low.y + layout.picture.y};
+    list->AddImage(texture.id, at, {at.x + texture.size.x, at.y + texture.size.y});
+    draw_words(ui, list, variant, layout, low, high);
+    list->PopClipRect();
+    if (is_chosen) list->AddRect(low, high, packed(p.link), 4.0f * u);
+}
+
+} // namespace
+
+Image small_picture(const Image& image, float scale) {
+    const Thinned thin = thinned(image);
+    if (thin.step == 1) return resampled(image, scale);
+    return resampled(thin.image, scale * static_cast<float>(thin.step));
+}
+
+float variants_height(const Ui& ui, ImVec2 room) {
+    if (!is_comparing(ui)) return 0.0f;
+    const float u = ui.options.text_scale;
+    const float largest = std::min(largest_share * room.y, largest_height * u);
+    if (largest < least_height * u) return 0.0f;
+    const float needed = height_at_full_size(ui, room.x);
+    // The large picture is made smaller anyway: the row takes its share.
+    if (needed > room.y) return std::round(largest);
+    const float least = std::min(largest, wished_least * u);
+    return std::floor(std::clamp(room.y - needed, least, largest));
+}
+
+void draw_variants(Ui& ui, const Pane& row) {
+    const float gap = std::round(8.0f * ui.options.text_scale);
+    const std::array<Variant, 3> variants = variants_of(ui);
+    const auto count = static_cast<float>(variants.size());
+    const float width = std::floor((row.room().x - (count - 1.0f) * gap) / count);
+    if (width < 1.0f) return;
+    for (std::size_t i = 0; i < variants.size(); ++i) {
+        const float left = row.low.x + static_cast<float>(i) * (width + gap);
+        draw_variant(ui, i, variants[i], {left, row.low.y}, {left + width, row.high.y});
+    }
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,191 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "picture/thumbnail.h"
+#include "pipeline/work.h"
+#include "ui/actions/compare.h"
+#include "ui/actions/held_keys.h"
+#include "ui/inspector/compare_parts.h"
+#include "ui/ui.h"
+#include "ui/widgets/flow.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// Design pixels.
+constexpr float largest_picture = 132.0f, offer_padding = 8.0f;
+
+constexpr int largest_side = 300; ///< of what is drawn, screen pixels
+
+/// Run B of a pair as it would be drawn.
+Settings offered(const ComparePair& pair, const Settings& a) {
+    return offered_settings(pair, at_step_of(pair, a));
+}
+
+bool is_something_held() {
+    return ImGui::IsAnyItemActive() || ImGui::IsAnyMouseDown() || is_moving_by_key();
+}
+
+/// Brings the pictures up to date, unless something is being moved: then the next frame at rest
+/// does.
+void renew(Ui& ui, int side) {
+    OfferPictures& offers = ui.compare.offers;
+    const std::shared_ptr<const Scene>& scene = ui.session.scene;
+    const Settings& a = ui.session.a.settings;
+    side = std::clamp(side, 1, largest_side);
+    const bool is_new = offers.scene != scene || offers.side != side || !offers.settings;
+    if (!is_new && (*offers.settings == a || is_something_held())) return;
+    offers.scene = scene;
+    offers.settings = a;
+    offers.side = side;
+    const auto pairs = compare_pairs();
+    offers.is_drawn = thumbnail_work(*scene, at_step_of(pairs.front(), a), side) *
+                          static_cast<double>(pairs.size()) <=
+                      frame_limit.at_once;
+    if (!offers.is_drawn) return;
+    offers.textures.resize(pairs.size());
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const Image image = thumbnail(*scene, offered(pairs[i], a), side);
+        PictureTexture& texture = offers.textures[i];
+        texture.id = ui.host.textures->upload(texture.id, image);
+        texture.size = {static_cast<float>(image.width), static_cast<float>(image.height)};
+    }
+}
+
+/// Where everything stands on a card, screen pixels.
+struct CardSize {
+    float width, picture, height;
+};
+
+/// Returns true if it is pressed.
+bool draw_offer(Ui& ui, const ComparePair& pair, std::size_t index, ImVec2 low,
+                const CardSize& card) {
+    const Palette& p = palette(ui.options.theme);
+    const float u = ui.options.text_scale, pad = offer_padding * u;
+    const std::string name = std::string("compare.tab.").append(pair.name);
+    const PairWay& way = offer_of(pair, ui.session.a.settings);
+    ImGui::SetCursorScreenPos(low);
+    const bool is_pressed = ImGui::InvisibleButton(name.c_str(), {card.width, card.height});
+    const bool is_hovered = ImGui::IsItemHovered();
+    name_widget(ui, name, tooltip_of_pair(ui.session, pair, false));
+    note_text(ui, name, way.title);
+    const ImVec2 high{low.x + card.width, low.y + card.height};
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    list->AddRectFilled(low, high, packed(is_hovered ? p.button_hovered : p.card), 4.0f * u);
+    const PictureTexture& texture = ui.compare.offers.textures[index];
+    // A scene of a few pixels is shown in whole multiples.
+    float scale = card.picture / std::max(texture.size.x, texture.size.y);
+    if (scale >= 1.0f) scale = std::floor(scale);
+    const ImVec2 shown{scale * texture.size.x, scale * texture.size.y};
+    const ImVec2 at{std::round(low.x + 0.5f * (card.width - shown.x)),
+                    std::round(low.y + pad + 0.5f * (card.picture - shown.y))};
+    list->AddImage(texture.id, at, {at.x + shown.x, at.y + shown.y});
+    float y = low.y + card.picture + 1.6f * pad;
+    ImGui::PushFont(ui.fonts.small);
+    const float room = card.width - 2.0f * pad;
+    list->AddText({low.x + pad, y}, packed(p.text),
+                  shortened(std::string(way.title), room).c_str());
+    y += std::round(1.3f * ImGui::GetFontSize());
+    list->AddText({low.x + pad, y}, packed(p.dim), broken_into_lines(way.words, room).c_str());
+    ImGui::PopFont();
+    return is_pressed;
+}
+
+/// So many lines of the small font have the words of a pair at most.
+int lines_of_words(const Ui& ui, float room) {
+    std::ptrdiff_t lines = 1;
+    for (const ComparePair& pair : compare_pairs()) {
+        const std::string words =
+            broken_into_lines(offer_of(pair, ui.session.a.settings).words, room);
+        lines = std::max(lines, 1 + std::count(words.begin(), words.end(), '\n'));
+    }
+    return static_cast<int>(lines);
+}
+
+CardSize card_size(const Ui& ui, float width) {
+    const float u = ui.options.text_scale, pad = offer_padding * u;
+    CardSize card{};
+    card.width = width;
+    card.picture = std::round(std::min(width - 2.0f * pad, largest_picture * u));
+    ImGui::PushFont(ui.fonts.small);
+    const float line = std::round(1.3f * ImGui::GetFontSize());
+    card.height =
+        card.picture + 2.2f * pad + line +
+        static_cast<float>(lines_of_words(ui, width - 2.0f * pad)) * ImGui::GetTextLineHeight();
+    ImGui::PopFont();
+    card.height = std::round(card.height);
+    return card;
+}
+
+} // namespace
+
+std::string tooltip_of_pair(const Session& session, const ComparePair& pair, bool is_on_show) {
+    const Settings& a = session.a.settings;
+    const PairWay& way = offer_of(pair, a);
+    std::string text("Compares the picture as it is (run A) with one with ");
+    text.append(way.title).append(" (run B).\n").append(way.words);
+    if (!(at_step_of(pair, a) == a))
+        text.append("\nIt does not show at this stage: both go to one at which it does.");
+    return is_on_show ? text.append("\nAgain: back to one run.") : text;
+}
+
+void draw_offers(Ui& ui) {
+    const float u = ui.options.text_scale;
+    const float gap = std::round(8.0f * u);
+    const float room = ImGui::GetContentRegionAvail().x;
+    const CardSize card = card_size(ui, std::floor(0.5f * (room - gap)));
+    if (card.picture >= 1.0f) renew(ui, static_cast<int>(card.picture));
+    if (card.picture < 1.0f || !ui.compare.offers.is_drawn) {
+        draw_pairs(ui);
+        return;
+    }
+    ImGui::PushFont(ui.fonts.small);
+    text_in(palette(ui.options.theme).dim, "Compare the picture as it is with");
+    ImGui::PopFont();
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    const auto pairs = compare_pairs();
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const auto column = static_cast<float>(i % 2), line = static_cast<float>(i / 2);
+        const ImVec2 low{start.x + column * (card.width + gap),
+                         start.y + line * (card.height + gap)};
+        if (draw_offer(ui, pairs[i], i, low, card)) start_pair(ui.session, pairs[i]);
+    }
+}
+
+void draw_pairs(Ui& ui) {
+    const ComparePair* const on_show = pair_on_show(ui.session);
+    ImGui::PushFont(ui.fonts.small);
+    text_in(palette(ui.options.theme).dim, "Compare the picture as it is with");
+    std::vector<std::string> labels;
+    std::vector<float> widths;
+    for (const ComparePair& pair : compare_pairs()) {
+        labels.emplace_back(offer_of(pair, ui.session.a.settings).title);
+        widths.push_back(button_width(labels.back()));
+    }
+    const float gap = 4.0f * ui.options.text_scale;
+    const std::vector<FlowPlace> places = flow(widths, gap, ImGui::GetContentRegionAvail().x);
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    const float line = ImGui::GetFrameHeight() + gap;
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        const ComparePair& pair = compare_pairs()[i];
+        ImGui::SetCursorScreenPos(
+            {start.x + places[i].x, start.y + static_cast<float>(places[i].line) * line});
+        if (button(ui, std::string("compare.tab.").append(pair.name), labels[i],
+                   &pair == on_show ? Look::chosen : Look::plain,
+                   tooltip_of_pair(ui.session, pair, &pair == on_show))) {
+            if (&pair == on_show) {
+                end_comparison(ui.session);
+            } else {
+                start_pair(ui.session, pair);
+            }
+        }
+    }
+    ImGui::PopFont();
+}
+
+} // namespace rasterwalk

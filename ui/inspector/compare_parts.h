@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "session/second_run.h"
+
+namespace rasterwalk {
+
+struct Ui;
+
+// The parts of the Compare tab; see compare_panel.cpp.
+
+/// What the button of a pair does, in words.
+std::string tooltip_of_pair(const Session& session, const ComparePair& pair, bool is_on_show);
+
+/// The pairs as small pictures of what each would make of the picture, each with its name and what
+/// is otherwise; only the names where the scene is too large to be drawn at once.
+void draw_offers(Ui& ui);
+
+/// The same as a line of buttons.
+void draw_pairs(Ui& ui);
+
+} // namespace rasterwalk
