@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "session/content.h"
+#include "ui/actions/open_tab.h"
 #include "ui/app/app.h"
 #include "ui/ui.h"
 
@@ -41,6 +42,7 @@ void Driver::open(std::string_view tab) {
     const std::string name = std::string("tab.").append(tab);
     hand.leave();
     if (ui.widgets.count("settings.close") > 0) hand.click("settings.close");
+    if (is_drawer_open(ui)) hand.click("lesson.whole");
     if (ui.widgets.count("tabs") > 0) {
         hand.click("tabs");
     } else if (const TabInfo* const info = find_tab(tab); ui.widgets.count(name) == 0 && info) {

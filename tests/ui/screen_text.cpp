@@ -51,6 +51,7 @@ class Reader {
         const float gap = pen - pen_;
         const bool goes_on = std::abs(top - top_) < 1.5f && gap > -1.5f && gap < 1.5f * blank;
         if (!goes_on) end_line();
+        size_ = scale * letter.font->FontSize;
         if (goes_on && gap > 0.6f * blank) words_ += ' ';
         words_ += utf8(glyph.Codepoint);
         pen_ = pen + scale * glyph.AdvanceX;
@@ -59,14 +60,14 @@ class Reader {
 
   private:
     void end_line() {
-        if (!words_.empty()) lines_.push_back({window_, words_});
+        if (!words_.empty()) lines_.push_back({window_, words_, size_});
         words_.clear();
     }
 
     std::string window_;
     std::vector<ScreenText>& lines_;
     std::string words_;
-    float pen_ = 0.0f, top_ = -1e9f;
+    float pen_ = 0.0f, top_ = -1e9f, size_ = 0.0f;
 };
 
 } // namespace

@@ -9,6 +9,7 @@ namespace rasterwalk {
 struct ScreenText {
     std::string window; ///< whose it is, as ImGui names it: "canvas", "inspector/..."
     std::string words;
+    float size; ///< of the letters, screen pixels: what their font is called by
 };
 
 /// All text of the last frame, read back from its triangles: each letter is known by its place in

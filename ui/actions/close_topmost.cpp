@@ -2,19 +2,39 @@
 
 #include <imgui_internal.h>
 
+#include "ui/actions/lecture.h"
 #include "ui/actions/open_tab.h"
 #include "ui/ui.h"
 
 namespace rasterwalk {
 
+namespace {
+
+/// How many menus and lists stay open: a menu within a menu, which the pointer would open again at
+/// once, takes those along from which it came.
+int popups_that_stay() {
+    const ImVector<ImGuiPopupData>& open = ImGui::GetCurrentContext()->OpenPopupStack;
+    int level = open.Size - 1;
+    while (level > 0 && open[level].Window != nullptr &&
+           (open[level].Window->Flags & ImGuiWindowFlags_ChildMenu) != 0) {
+        --level;
+    }
+    return level;
+}
+
+} // namespace
+
 void close_topmost(Ui& ui) {
-    const int open = ImGui::GetCurrentContext()->OpenPopupStack.Size;
-    if (open > 0) {
-        ImGui::ClosePopupToLevel(open - 1, true);
+    if (const int level = popups_that_stay(); level >= 0) {
+        ImGui::ClosePopupToLevel(level, true);
     } else if (const std::optional<Sheet> sheet = ui.sheets.topmost()) {
         ui.sheets.show(*sheet, false);
     } else if (is_settings_open(ui)) {
         close_settings_sheet(ui);
+    } else if (is_drawer_open(ui)) {
+        close_drawer(ui);
+    } else if (ui.options.is_lecture) {
+        toggle_lecture(ui);
     }
 }
 

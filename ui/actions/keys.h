@@ -28,10 +28,12 @@ inline constexpr int page_down = 267;
 inline constexpr int home = 268;
 inline constexpr int end = 269;
 inline constexpr int f1 = 290;
+inline constexpr int f5 = 294;
 inline constexpr int f12 = 301;
 inline constexpr int keypad_add = 334;
 inline constexpr int keypad_subtract = 333;
 inline constexpr int keypad_enter = 335;
+inline constexpr int first_modifier = 340; ///< Shift, Ctrl, Alt and their like are from here on
 } // namespace key
 
 } // namespace rasterwalk

@@ -1,26 +1,44 @@
 #include "ui/actions/action_menus.h"
 #include "ui/actions/close_topmost.h"
 #include "ui/actions/keys.h"
+#include "ui/actions/lecture.h"
 #include "ui/actions/open_lesson.h"
+#include "ui/actions/open_tab.h"
 #include "ui/ui.h"
 
 namespace rasterwalk {
+
+namespace {
+
+/// Shows the list of lessons, or what was read before.
+void toggle_list(Ui& ui) {
+    SidePage& page = ui.session.page;
+    const bool is_seen = page == SidePage::list && (!ui.lesson.is_strip || is_drawer_open(ui));
+    page = is_seen ? SidePage::lesson : SidePage::list;
+    if (is_seen) {
+        close_drawer(ui);
+    } else {
+        open_drawer(ui);
+    }
+}
+
+} // namespace
 
 std::vector<Action> lesson_actions() {
     return {
         {"lesson.on",
          "Lesson",
          "Next step",
-         "Goes on to the next step of the lesson.",
+         "Goes on to the next step of the lesson; in a lecture without one, to the next moment.",
          {key::page_down},
-         [](Ui& ui) { open_neighbour_step(ui, 1); },
+         walk_on,
          nullptr},
         {"lesson.back",
          "Lesson",
          "Step before",
-         "Returns to the step before.",
+         "Returns to the step before; in a lecture without a lesson, to the moment before.",
          {key::page_up},
-         [](Ui& ui) { open_neighbour_step(ui, -1); },
+         walk_back,
          nullptr},
         {"lesson.again",
          "Lesson",
@@ -29,16 +47,25 @@ std::vector<Action> lesson_actions() {
          {'R'},
          [](Ui& ui) { open_neighbour_step(ui, 0); },
          nullptr},
+        {"lesson.whole",
+         "Lesson",
+         "The whole text",
+         "In a small window, lays the whole text of the lesson over the inspector.",
+         {'T'},
+         [](Ui& ui) {
+             if (is_drawer_open(ui)) {
+                 close_drawer(ui);
+             } else {
+                 open_drawer(ui);
+             }
+         },
+         is_drawer_open},
         {"lesson.all",
          "Lesson",
          "All lessons",
          "The list of lessons, with a search.",
          {'L'},
-         [](Ui& ui) {
-             SidePage& page = ui.session.page;
-             page = page == SidePage::list ? SidePage::lesson : SidePage::list;
-             ui.lesson.covers_inspector = true;
-         },
+         toggle_list,
          [](const Ui& ui) { return ui.session.page == SidePage::list; }},
     };
 }
@@ -69,7 +96,7 @@ std::vector<Action> help_actions() {
         {"help.close",
          "",
          "Close what is open",
-         "Closes the menu or sheet that lies on top.",
+         "Closes the menu or sheet that lies on top, or ends the lecture.",
          {key::escape},
          close_topmost,
          nullptr},

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "lessons/lesson_link.h"
+#include "ui/actions/keys.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/actions/open_tab.h"
 #include "ui/ui.h"
@@ -42,40 +43,75 @@ std::string tab_of(std::string_view widget) {
         if (widget.starts_with(place.start)) return std::string(place.tab);
     }
     constexpr std::string_view tab = "tab.";
-    const bool is_tab = widget.starts_with(tab) && widget.substr(tab.size()) != lesson_tab_name;
-    return std::string(is_tab ? widget.substr(tab.size()) : std::string_view());
+    return std::string(widget.starts_with(tab) ? widget.substr(tab.size()) : std::string_view());
 }
 
-/// Do the lesson or the settings lie over the inspector's tabs?
+/// Do the lesson's whole text or the settings lie over the inspector's tabs?
 bool is_covered(const Ui& ui) {
-    return (ui.lesson.is_tab && ui.lesson.covers_inspector) || is_settings_open(ui);
+    return is_drawer_open(ui) || is_settings_open(ui);
 }
 
 /// What must be clicked first to see a tab.
-std::string door_to(const Ui& ui, const std::string& tab) {
+std::string door_to_tab(const Ui& ui, const std::string& tab) {
     const TabInfo* const wanted = find_tab(tab);
     const TabInfo* const shown = find_tab(tab_below(ui.session));
     if (wanted == nullptr) return "tab." + tab;
-    if (is_compact(ImGui::GetIO().DisplaySize, ui.options)) return "tabs";
+    if (is_compact(ImGui::GetIO().DisplaySize, ui.options)) {
+        return is_drawer_open(ui)     ? "lesson.whole"
+               : is_settings_open(ui) ? "settings.close"
+                                      : "tabs";
+    }
     const bool is_in_line = !is_covered(ui) && shown != nullptr && shown->group == wanted->group;
     return is_in_line ? "tab." + tab : std::string("group.").append(word_of(wanted->group));
 }
 
 /// Is what the widget stands in on show? Tabs themselves may be behind a door.
-bool is_on_show(const Ui& ui, const std::string& widget) {
-    const std::string tab = tab_of(widget);
-    if (tab.empty()) return true;
+bool is_tab_on_show(const Ui& ui, const std::string& widget, const std::string& tab) {
     if (widget == "tab." + tab) return false;
     if (tab == settings_tab) return is_settings_open(ui);
     return !is_covered(ui) && ui.session.tab == tab;
+}
+
+/// The widget itself, or what must be clicked first to see it.
+std::string way_to(const Ui& ui, const std::string& widget) {
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    const bool is_menu = widget.starts_with("menu.");
+    if (is_menu && is_narrow(window, ui.options) && ui.widgets.count(widget) == 0) return "menu";
+    const bool is_size = widget.starts_with("step.");
+    if (is_size && is_compact(window, ui.options) && ui.widgets.count(widget) == 0) {
+        return "step.list";
+    }
+    const std::string tab = tab_of(widget);
+    return tab.empty() || is_tab_on_show(ui, widget, tab) ? widget : door_to_tab(ui, tab);
+}
+
+/// Is a click or a key of this frame a step on the way to what is pointed at?
+bool leads_on(const Ui& ui) {
+    const LessonView& lesson = ui.lesson;
+    if (lesson.pointed_at == lesson.meant) return false;
+    if (way_to(ui, lesson.meant) != lesson.pointed_at) return true;
+    const auto door = ui.widgets.find(lesson.pointed_at);
+    if (door == ui.widgets.end() || !ImGui::IsMouseClicked(0)) return false;
+    const ImVec2 at = ImGui::GetIO().MousePos;
+    const ImVec2 low = door->second.top_left, high = door->second.bottom_right;
+    return at.x >= low.x && at.x < high.x && at.y >= low.y && at.y < high.y;
+}
+
+bool is_pressed() {
+    const std::span<const float> keys = ImGui::GetIO().KeysDownDuration;
+    // Ctrl and its like are held for another key.
+    const std::span<const float> held = keys.first(key::first_modifier);
+    return ImGui::IsMouseClicked(0) ||
+           std::any_of(held.begin(), held.end(), [](float seconds) { return seconds == 0.0f; });
 }
 
 } // namespace
 
 void point_at_widget(Ui& ui, const std::string& widget, bool is_held) {
     LessonView& lesson = ui.lesson;
-    const std::string target = is_on_show(ui, widget) ? widget : door_to(ui, tab_of(widget));
+    const std::string target = way_to(ui, widget);
     if (lesson.pointed_at != target || is_held) lesson.frames_unseen = 0;
+    lesson.meant = widget;
     lesson.pointed_at = target;
     lesson.is_held = lesson.is_held || is_held;
     lesson.is_new = lesson.is_new || is_held;
@@ -137,25 +173,24 @@ void release_pointed(Ui& ui) {
     const bool is_hovered = lesson.is_hovered, is_new = lesson.is_new;
     lesson.is_hovered = lesson.is_new = false;
     if (lesson.pointed_at.empty()) return;
-    // The key that led here may still be held: only another one that goes down ends it.
-    const std::span<const float> held = ImGui::GetIO().KeysDownDuration;
-    const bool is_pressed =
-        ImGui::IsMouseClicked(0) ||
-        std::any_of(held.begin(), held.end(), [](float seconds) { return seconds == 0.0f; });
-    if (lesson.is_held && is_pressed && !is_new) lesson.is_held = false;
-    if (++lesson.frames_unseen > frames_to_appear && lesson.is_held) {
-        // Behind the lesson, where both share a place, or on another tab: then the way to it.
-        const std::string tab = tab_of(lesson.pointed_at);
-        const std::string door = tab.empty() ? "" : door_to(ui, tab);
-        if (door.empty() || door == lesson.pointed_at) {
+    // The key that led here may still be held: only another one that goes down ends it, unless it
+    // leads to what is meant.
+    if (lesson.is_held && is_pressed() && !is_new && !leads_on(ui)) lesson.is_held = false;
+    ++lesson.frames_unseen;
+    if (lesson.is_held) {
+        const std::string way = way_to(ui, lesson.meant);
+        if (way != lesson.pointed_at) {
+            lesson.pointed_at = way;
+            lesson.frames_unseen = 0;
+        } else if (lesson.frames_unseen > frames_to_appear) {
             ui.session.notice = "What is pointed at is not on the screen now.";
             lesson.is_held = false;
-        } else {
-            lesson.pointed_at = door;
-            lesson.frames_unseen = 0;
         }
     }
-    if (!lesson.is_held && !is_hovered) lesson.pointed_at.clear();
+    if (!lesson.is_held && !is_hovered) {
+        lesson.meant.clear();
+        lesson.pointed_at.clear();
+    }
 }
 
 } // namespace rasterwalk

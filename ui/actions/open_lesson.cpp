@@ -19,14 +19,10 @@ namespace {
 void forget_step(LessonView& view) {
     view.pages.clear();
     view.open_hints.clear();
+    view.meant.clear();
     view.pointed_at.clear();
     view.is_held = false;
-}
-
-/// The same, because another comes.
-void leave_step(LessonView& view) {
-    forget_step(view);
-    view.covers_inspector = true;
+    view.strip.card = std::nullopt;
 }
 
 /// What belongs to the step that is on show now.
@@ -61,7 +57,7 @@ void take_up_lesson(Ui& ui) {
         return;
     }
     session.step = std::clamp(session.step, 0, static_cast<int>(lesson->steps.size()) - 1);
-    leave_step(view);
+    forget_step(view);
     enter_step(ui, *lesson);
 }
 
@@ -76,8 +72,11 @@ void open_lesson(Ui& ui, std::string_view id, int step) {
         ui.session.notice = fault_text(*lesson, lesson->faults.front());
         return;
     }
-    if (ui.session.lesson != lesson->id) view.predictions.clear();
-    leave_step(view);
+    const bool is_another = ui.session.lesson != lesson->id;
+    if (is_another) view.predictions.clear();
+    // Who chooses a lesson, or a place in one, wants to see it.
+    if (is_another || ui.session.page == SidePage::list) view.drawer_is_open = false;
+    forget_step(view);
     const std::vector<Fault> faults = rasterwalk::open_step(ui.session, *lesson, step);
     ui.session.notice = faults.empty() ? "" : fault_text(*lesson, faults.front());
     enter_step(ui, *lesson);

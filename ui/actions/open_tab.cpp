@@ -6,23 +6,19 @@ namespace rasterwalk {
 
 namespace {
 
-/// The lesson, where it is a tab, gives way; the settings remember that they lie over it.
+/// The lesson's whole text gives way; the settings remember that they lie over it.
 void uncover(Ui& ui, std::string_view name) {
     if (name != settings_tab) {
-        ui.inspector.settings_over_lesson = false;
+        ui.inspector.settings_over_drawer = false;
     } else if (!is_settings_open(ui)) {
-        ui.inspector.settings_over_lesson = ui.lesson.covers_inspector;
+        ui.inspector.settings_over_drawer = is_drawer_open(ui);
     }
-    ui.lesson.covers_inspector = false;
+    ui.lesson.drawer_is_open = false;
 }
 
 } // namespace
 
 void open_tab(Ui& ui, std::string_view name) {
-    if (name == lesson_tab_name) {
-        ui.lesson.covers_inspector = true;
-        return;
-    }
     uncover(ui, name);
     choose_tab(ui.session, name);
 }
@@ -32,15 +28,20 @@ void open_tab_by_link(Ui& ui, std::string_view name) {
     lead_to_tab(ui.session, name);
 }
 
+bool offers_tab(const Ui& ui, const TabInfo& tab) {
+    const Session& session = ui.session;
+    const bool shows_few = ui.options.is_lecture && session.tab_guide.panels.empty();
+    return shows_few ? tab.name == tab_below(session) : is_offered(session, tab);
+}
+
 bool is_settings_open(const Ui& ui) {
-    const bool is_behind = ui.lesson.covers_inspector && ui.lesson.is_tab;
-    return ui.session.tab == settings_tab && !is_behind;
+    return ui.session.tab == settings_tab && !is_drawer_open(ui);
 }
 
 void close_settings_sheet(Ui& ui) {
     close_settings(ui.session);
-    ui.lesson.covers_inspector = ui.inspector.settings_over_lesson;
-    ui.inspector.settings_over_lesson = false;
+    ui.lesson.drawer_is_open = ui.inspector.settings_over_drawer;
+    ui.inspector.settings_over_drawer = false;
 }
 
 void toggle_settings(Ui& ui) {
@@ -49,6 +50,21 @@ void toggle_settings(Ui& ui) {
     } else {
         open_tab(ui, settings_tab);
     }
+}
+
+bool is_drawer_open(const Ui& ui) {
+    return ui.lesson.is_strip && ui.lesson.drawer_is_open;
+}
+
+void open_drawer(Ui& ui) {
+    ui.lesson.drawer_is_open = ui.lesson.is_strip;
+}
+
+void close_drawer(Ui& ui) {
+    ui.lesson.drawer_is_open = false;
+    // The list of lessons is read in the drawer alone.
+    SidePage& page = ui.session.page;
+    if (page == SidePage::list) page = SidePage::lesson;
 }
 
 } // namespace rasterwalk

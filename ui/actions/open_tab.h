@@ -2,19 +2,20 @@
 
 #include <string_view>
 
+#include "session/tabs.h"
+
 namespace rasterwalk {
 
 struct Ui;
 
-/// The lesson as a tab of the inspector, where the window is too narrow for a column.
-inline constexpr std::string_view lesson_tab_name = "lesson";
-
-/// Brings a tab to the front because the student asks for it. `lesson` lies before the tab that the
-/// session names, where it is a tab, so that a lesson may open tabs and still be read.
+/// Brings a tab to the front because the student asks for it.
 void open_tab(Ui& ui, std::string_view name);
 
 /// The same because a link leads there: it is no choice of the student's.
 void open_tab_by_link(Ui& ui, std::string_view name);
+
+/// Does the inspector offer this tab? In a lecture only what the lesson's step shows.
+bool offers_tab(const Ui& ui, const TabInfo& tab);
 
 /// Are the settings on show, over whatever the inspector shows?
 bool is_settings_open(const Ui& ui);
@@ -24,5 +25,13 @@ void close_settings_sheet(Ui& ui);
 
 /// Opens the settings, or closes them.
 void toggle_settings(Ui& ui);
+
+/// Does the whole text of the lesson, which is a strip, lie over the inspector?
+bool is_drawer_open(const Ui& ui);
+
+/// Lays the whole text of the lesson over the inspector, and takes it away again. Where the lesson
+/// has a column nothing is seen of it.
+void open_drawer(Ui& ui);
+void close_drawer(Ui& ui);
 
 } // namespace rasterwalk

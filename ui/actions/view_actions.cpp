@@ -6,6 +6,7 @@
 #include "ui/actions/action_menus.h"
 #include "ui/actions/compare.h"
 #include "ui/actions/keys.h"
+#include "ui/actions/lecture.h"
 #include "ui/actions/open_tab.h"
 #include "ui/actions/outside.h"
 #include "ui/actions/zoom.h"
@@ -130,6 +131,13 @@ std::vector<Action> view_actions() {
          {key::comma, true},
          toggle_settings,
          is_settings_open},
+        {"view.lecture",
+         "View",
+         "Lecture mode",
+         "For a projector: everything is large, and Page down walks. Escape ends it.",
+         {key::f5},
+         toggle_lecture,
+         [](const Ui& ui) { return ui.options.is_lecture; }},
         {"view.larger_text",
          "View",
          "Larger text",

@@ -18,6 +18,7 @@
 #include "ui/canvas/outside_view.h"
 #include "ui/inspector/panels.h"
 #include "ui/lesson/lesson_column.h"
+#include "ui/lesson/lesson_strip.h"
 #include "ui/sheets/sheets.h"
 #include "ui/start/start_page.h"
 #include "ui/start/ways.h"
@@ -62,15 +63,19 @@ void map_keys() {
 }
 
 void renew_style(Ui& ui) {
-    const float scale =
-        fitting_text_scale(ImGui::GetIO().DisplaySize, ui.options.wished_text_scale);
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    const UiOptions& options = ui.options;
+    const float wished = options.is_lecture ? lecture_text_scale(window, options.wished_text_scale)
+                                            : options.wished_text_scale;
+    const float scale = fitting_text_scale(window, wished);
     if (scale != ui.options.text_scale) {
         ui.options.text_scale = scale;
         ui.style_is_stale = true;
     }
     if (!ui.style_is_stale) return;
     apply_style(ui.options);
-    ui.fonts = load_fonts(ui.options.text_scale);
+    ui.fonts =
+        load_fonts(options.text_scale, options.is_lecture ? least_lecture_letters(window) : 0.0f);
     ui.host.fonts_changed = true;
     ui.style_is_stale = false;
 }
@@ -107,15 +112,21 @@ void draw_splitter(Ui& ui, const char* name, float x, const Area& middle, float&
 
 /// The window with a scene in it.
 void draw_workplace(Ui& ui, const Layout& layout) {
-    guarded(ui, [&] { draw_stage_strip(ui, layout.strip); });
+    guarded(ui, [&] { draw_stage_strip(ui, layout); });
     guarded(ui, [&] {
-        if (!layout.lesson_is_tab) draw_lesson_column(ui, layout.lesson);
+        if (layout.lesson_is_strip) {
+            draw_lesson_strip(ui, layout.lesson);
+        } else {
+            draw_lesson_column(ui, layout.lesson);
+        }
     });
     guarded(ui, [&] { draw_canvas(ui, layout.canvas); });
-    guarded(ui, [&] { draw_inspector(ui, layout); });
+    guarded(ui, [&] { draw_inspector(ui, layout.inspector); });
     guarded(ui, [&] { draw_transport(ui, layout.transport); });
-    guarded(ui, [&] { draw_status_line(ui, layout.status); });
-    if (!layout.lesson_is_tab) {
+    guarded(ui, [&] {
+        if (layout.status.size.y > 0.0f) draw_status_line(ui, layout.status);
+    });
+    if (!layout.lesson_is_strip) {
         draw_splitter(ui, "splitter.lesson", layout.canvas.position.x, layout.canvas,
                       ui.options.lesson_width, false);
     }
@@ -123,21 +134,33 @@ void draw_workplace(Ui& ui, const Layout& layout) {
                   ui.options.inspector_width, true);
 }
 
+/// In a lecture, and where every line counts, it only comes to say something.
+bool has_status_line(const Ui& ui, ImVec2 window) {
+    const bool is_spared = ui.options.is_lecture || is_low(window, ui.options);
+    return !is_spared || !ui.session.notice.empty();
+}
+
 /// The layout, without the lesson's column where the canvas wants its width.
 Layout layout_of(const Ui& ui, ImVec2 window) {
-    const float transport = transport_height(ui, window.x);
-    const Layout narrow = compute_layout(window, ui.options, transport);
-    const Layout wide = compute_layout(window, ui.options, transport, true);
+    LayoutNeeds needs{.transport = transport_height(ui, window.x),
+                      .lesson_strip = lesson_strip_height(ui),
+                      .menu_end = menu_end_width(ui, window.x),
+                      .has_stages = !ui.start.is_open,
+                      .has_status = has_status_line(ui, window)};
+    const Layout narrow = compute_layout(window, ui.options, needs);
+    needs.wide_canvas = true;
+    const Layout wide = compute_layout(window, ui.options, needs);
     return wants_wide_canvas(ui, narrow.canvas.size, wide.canvas.size) ? wide : narrow;
 }
 
 void draw_everything(Ui& ui) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const Layout layout = layout_of(ui, window);
+    ui.lesson.is_strip = layout.lesson_is_strip;
     // One that fails leaves the others on the screen.
-    guarded(ui, [&] { draw_menu_bar(ui, layout.menu); });
+    guarded(ui, [&] { draw_menu_bar(ui, layout); });
     if (ui.start.is_open) {
-        guarded(ui, [&] { draw_start_page(ui, layout.strip.position, window); });
+        guarded(ui, [&] { draw_start_page(ui, {0.0f, layout.menu.size.y}, window); });
     } else {
         draw_workplace(ui, layout);
     }

@@ -35,6 +35,7 @@ struct UiOptions {
     float wished_text_scale = 1.0f; ///< 1: 16 pixels
     float text_scale = 1.0f;        ///< in force: smaller than wished where the window is too small
     Theme theme = Theme::dark;
+    bool is_lecture = false;   ///< for a projector: large, and nothing that distracts; not kept
     float lesson_width = 0.0f; ///< columns, share of the window's width; 0: the layout decides
     float inspector_width = 0.0f;
     QuizScore score;

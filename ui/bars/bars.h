@@ -8,15 +8,22 @@ namespace rasterwalk {
 
 struct Ui;
 
-/// Files, views, scenes, lessons, help; at the right end the settings.
-void draw_menu_bar(Ui& ui, const Area& whole);
+/// Files, views, scenes, lessons, help; at the right end the settings. In a narrow window the menus
+/// stand behind a button, and the stages between both ends.
+void draw_menu_bar(Ui& ui, const Layout& layout);
+
+/// What the right end of the top line takes in a narrow window of this width, screen pixels.
+float menu_end_width(const Ui& ui, float window_width);
 
 /// In an open menu or popup: the scenes that come with the program, to be opened.
 void draw_scene_list(Ui& ui);
 
 /// The stages that the scene can use, how they are joined, and how far the picture is computed; at
 /// the right end the switches that matter and the scene. As much as fits on one line.
-void draw_stage_strip(Ui& ui, const Area& area);
+void draw_stage_strip(Ui& ui, const Layout& layout);
+
+/// The stages in their narrowest form, whichever of them is on show, screen pixels.
+float least_strip_width(const Ui& ui);
 
 /// Time: first, back, play, step, last; size of a step; speed; the time lines; where it stands.
 void draw_transport(Ui& ui, const Area& area);

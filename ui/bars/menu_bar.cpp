@@ -1,17 +1,13 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <filesystem>
 #include <string>
-#include <vector>
 
-#include "base/error.h"
-#include "session/content.h"
-#include "session/scene_file.h"
-#include "settings/preset.h"
 #include "ui/actions/actions.h"
-#include "ui/actions/open_lesson.h"
+#include "ui/actions/lecture.h"
 #include "ui/actions/open_tab.h"
 #include "ui/bars/bars.h"
+#include "ui/bars/menus.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -20,163 +16,103 @@ namespace rasterwalk {
 
 namespace {
 
-void draw_action_item(Ui& ui, const Action& action) {
-    const bool on = action.is_on != nullptr && action.is_on(ui);
-    if (ImGui::MenuItem(action.title.c_str(), chord_text(action.chord).c_str(), on)) action.run(ui);
-    name_widget(ui, "menu." + action.name, action.help);
-}
-
-namespace fs = std::filesystem;
-
-/// A broken scene is listed too: opening it says what is wrong.
-std::string title_of_scene(const fs::path& file) {
-    try {
-        return read_scene_file(file.string()).name;
-    } catch (const Error&) {
-        return file.filename().string();
-    }
-}
-
-/// The scenes that come with the program; the folder may be gone while it runs.
-void read_scene_list(Ui& ui) {
-    ui.scene_files.clear();
-    try {
-        std::error_code fault;
-        const fs::path folder = fs::path(lessons_folder()) / "scenes";
-        for (fs::directory_iterator entry(folder, fault), end; !fault && entry != end;
-             entry.increment(fault)) {
-            if (entry->path().extension() != ".toml") continue;
-            ui.scene_files.push_back({entry->path(), title_of_scene(entry->path())});
-        }
-    } catch (const Error& fault) {
-        ui.session.notice = fault.what();
-    }
-    std::sort(ui.scene_files.begin(), ui.scene_files.end(),
-              [](const SceneEntry& a, const SceneEntry& b) { return a.title < b.title; });
-}
-
-} // namespace
-
-void draw_scene_list(Ui& ui) {
-    if (ImGui::IsWindowAppearing()) read_scene_list(ui);
-    for (const auto& [file, title] : ui.scene_files) {
-        const bool open = file == fs::path(ui.session.scene->path);
-        const std::string name = "scene." + file.stem().string();
-        // Two scenes may have the same title.
-        if (ImGui::MenuItem((title + "###" + name).c_str(), nullptr, open)) {
-            try {
-                open_scene(ui, file.string());
-            } catch (const Error& fault) {
-                ui.session.notice = fault.what();
-            }
-        }
-        name_widget(ui, name, "Opens this scene: " + file.filename().string());
-        note_text(ui, name, title);
-    }
-}
-
-namespace {
-
-void draw_scene_menu(Ui& ui) {
-    draw_scene_list(ui);
-    ImGui::Separator();
-    for (const Preset& preset : ui.session.presets) {
-        if (ImGui::MenuItem(("Preset: " + preset.name).c_str()) && !refuses_settings(ui.session)) {
-            apply_preset(preset, ui.session.a.settings);
-        }
-        name_widget(ui, "preset." + preset.name, preset.about);
-    }
-}
-
-void draw_lesson_menu(Ui& ui) {
-    // The copy outlives the list, which opening a lesson may read anew.
-    std::string wanted;
-    ui.lesson.scores.renew(ui.lesson.progress, ui.lesson.lessons);
-    const std::vector<Lesson>& lessons = ui.lesson.lessons.all();
-    for (std::size_t i = 0; i < lessons.size(); ++i) {
-        const Lesson& lesson = lessons[i];
-        const bool is_done = ui.lesson.scores.of(i).is_done;
-        std::string title = std::to_string(lesson_number(lesson.id));
-        title.append("  ").append(lesson.title);
-        if (ImGui::MenuItem(title.c_str(), is_done ? "✓ done" : nullptr,
-                            lesson.id == ui.session.lesson)) {
-            wanted = lesson.id;
-        }
-        name_widget(ui, "menu.lesson." + lesson.id, lesson.about);
-    }
-    ImGui::Separator();
-    if (!wanted.empty()) open_lesson(ui, wanted, ui.lesson.progress.of(wanted).last_step);
-}
-
-struct MenuTitle {
-    const char* title;
-    const char* help;
+/// A button at the right end of the menu.
+struct Corner {
+    const char* name;
+    const char* label;
+    const char* action;
+    bool enabled;
+    int rank; ///< 0 is the last to go; those of the same rank go together
 };
 
-const MenuTitle menus[] = {{"File", "Views to open and save, pictures, and the way out."},
-                           {"Edit", "Undo, redo, and the places visited."},
-                           {"View", "What the canvas shows, text size and theme."},
-                           {"Scene", "The scenes that come with the program, and presets."},
-                           {"Lesson", "The lessons, and what is done of them."},
-                           {"Stage", "The stages of the pipeline and the two switches."},
-                           {"Compare", "Two runs of the scene, and where they differ."},
-                           {"Walk", "Through time: steps, play, beginning and end."},
-                           {"Help", "All keys, and what the words mean."}};
-
-void draw_menu(Ui& ui, const MenuTitle& menu) {
-    const char* const title = menu.title;
-    const bool open = ImGui::BeginMenu(title);
-    // An open menu speaks for itself.
-    name_widget(ui, std::string("menu.") + title, open ? "" : menu.help);
-    if (!open) return;
-    if (std::string_view(title) == "Scene") draw_scene_menu(ui);
-    if (std::string_view(title) == "Lesson") draw_lesson_menu(ui);
-    for (const Action& action : action_table()) {
-        if (action.menu == title) draw_action_item(ui, action);
-    }
-    ImGui::EndMenu();
+std::array<Corner, 6> corners_of(const Ui& ui) {
+    const Session& s = ui.session;
+    return {{{"corner.back", "‹ back", "go.back", !s.places.past.empty(), 3},
+             {"corner.forward", "forward ›", "go.forward", !s.places.future.empty(), 3},
+             {"corner.undo", "undo", "edit.undo", !s.undo.past.empty(), 0},
+             {"corner.redo", "redo", "edit.redo", !s.undo.future.empty(), 1},
+             {"text.smaller", "A−", "view.smaller_text", true, 2},
+             {"text.larger", "A+", "view.larger_text", true, 2}}};
 }
 
-/// What stands at the right end of the menu. Where there is not room for all, what is needed most
-/// stays: undo before redo, and both before the rest.
-void draw_corner_buttons(Ui& ui) {
-    struct Corner {
-        const char* name;
-        const char* label;
-        const char* action;
-        bool enabled;
-        int rank; ///< 0 is the last to go; those of the same rank go together
-    };
-    const Session& s = ui.session;
-    const Corner corners[] = {
-        {"corner.back", "‹ back", "go.back", !s.places.past.empty(), 3},
-        {"corner.forward", "forward ›", "go.forward", !s.places.future.empty(), 3},
-        {"corner.undo", "undo", "edit.undo", !s.undo.past.empty(), 0},
-        {"corner.redo", "redo", "edit.redo", !s.undo.future.empty(), 1},
-        {"text.smaller", "A−", "view.smaller_text", true, 2},
-        {"text.larger", "A+", "view.larger_text", true, 2}};
-    constexpr int ranks = 4;
-    const float room = ImGui::GetContentRegionAvail().x;
-    float width = 0.0f;
-    int shown = 0; // ranks
-    for (; shown < ranks; ++shown) {
-        float wider = width;
-        for (const Corner& corner : corners) {
-            if (corner.rank != shown) continue;
+/// Where there is not room for all buttons, what is needed most stays: undo before redo, and both
+/// before the rest.
+struct CornerRoom {
+    int ranks = 0;      ///< that are shown
+    float width = 0.0f; ///< of their buttons, screen pixels
+};
+
+CornerRoom fitting_corners(const Ui& ui, float room, int most_ranks) {
+    CornerRoom fitting;
+    for (; fitting.ranks < most_ranks; ++fitting.ranks) {
+        float wider = fitting.width;
+        for (const Corner& corner : corners_of(ui)) {
+            if (corner.rank != fitting.ranks) continue;
             wider += button_width(corner.label) + ImGui::GetStyle().ItemSpacing.x;
         }
         if (wider > room) break;
-        width = wider;
+        fitting.width = wider;
     }
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room - width);
-    for (const Corner& corner : corners) {
-        if (corner.rank >= shown) continue;
+    return fitting;
+}
+
+constexpr int all_ranks = 4;
+constexpr int ranks_of_narrow = 2; ///< undo and redo; the menus have the rest
+
+/// At the right end of the room that is left in the line.
+void draw_corner_buttons(Ui& ui, int most_ranks) {
+    const float room = ImGui::GetContentRegionAvail().x;
+    const CornerRoom fitting = fitting_corners(ui, room, most_ranks);
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room - fitting.width);
+    for (const Corner& corner : corners_of(ui)) {
+        if (corner.rank >= fitting.ranks) continue;
         ImGui::BeginDisabled(!corner.enabled);
         if (button(ui, corner.name, corner.label, Look::quiet, tooltip_of(corner.action))) {
             find_action(corner.action).run(ui);
         }
         ImGui::EndDisabled();
+        ImGui::SameLine();
     }
+}
+
+/// How a lecture is left, as long as there is room for it.
+std::string leaving_words(float room) {
+    for (const char* words : {"Esc ends the lecture", "Esc ends it"}) {
+        if (button_width(words) <= room) return words;
+    }
+    return "Esc";
+}
+
+float gear_width(const Ui& ui) {
+    return std::round(44.0f * ui.options.text_scale);
+}
+
+/// What a narrow window has for the buttons between the stages and the gear, screen pixels.
+float corner_room(const Ui& ui, float window_width) {
+    return window_width - menu_button_width(ui.options.text_scale) - gear_width(ui) -
+           least_strip_width(ui);
+}
+
+float corner_width(const Ui& ui, float window_width) {
+    const float room = corner_room(ui, window_width);
+    return ui.options.is_lecture
+               ? button_width(leaving_words(room)) + ImGui::GetStyle().ItemSpacing.x
+               : fitting_corners(ui, room, ranks_of_narrow).width;
+}
+
+/// A part of the top line, in a window of its own.
+void begin_part(const Ui& ui, const char* name, const Area& area) {
+    ImGui::SetNextWindowPos(area.position);
+    ImGui::SetNextWindowSize(area.size);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.options.theme).bar);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+    ImGui::Begin(name, nullptr, panel_flags);
+    ImGui::PopStyleVar();
+}
+
+void end_part() {
+    ImGui::End();
+    ImGui::PopStyleColor();
 }
 
 /// A wheel with eight teeth.
@@ -196,11 +132,7 @@ void draw_wheel(ImVec2 middle, float radius, ImU32 colour) {
 /// Opens the settings, which lie over the inspector.
 void draw_gear(Ui& ui, const Area& area) {
     const Palette& p = palette(ui.options.theme);
-    ImGui::SetNextWindowPos(area.position);
-    ImGui::SetNextWindowSize(area.size);
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, p.bar);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-    ImGui::Begin("gear", nullptr, panel_flags);
+    begin_part(ui, "gear", area);
     const std::string name = std::string("tab.").append(settings_tab);
     if (ImGui::InvisibleButton(name.c_str(), area.size)) toggle_settings(ui);
     const bool hovered = ImGui::IsItemHovered();
@@ -213,25 +145,97 @@ void draw_gear(Ui& ui, const Area& area) {
     }
     draw_wheel({0.5f * (area.position.x + end.x), 0.5f * (area.position.y + end.y)},
                7.0f * ui.options.text_scale, packed(open || hovered ? p.text : p.dim));
-    ImGui::End();
-    ImGui::PopStyleVar();
-    ImGui::PopStyleColor();
+    end_part();
 }
 
-} // namespace
-
-void draw_menu_bar(Ui& ui, const Area& whole) {
+/// Three bars, behind which the menus stand.
+void draw_menu_button(Ui& ui, const Area& area) {
+    const Palette& p = palette(ui.options.theme);
     const float u = ui.options.text_scale;
-    const float gear = std::round(44.0f * u);
+    begin_part(ui, "menu", area);
+    const bool pressed = ImGui::InvisibleButton("menu", area.size);
+    const bool hovered = ImGui::IsItemHovered();
+    const bool open = ImGui::IsPopupOpen("menus");
+    name_widget(ui, "menu", open ? "" : "All menus: files, views, scenes, lessons, help.");
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    const ImVec2 low = area.position;
+    const ImVec2 high{low.x + area.size.x, low.y + area.size.y};
+    if (open || hovered) {
+        list->AddRectFilled(low, high, packed(open ? p.chosen : p.button_hovered));
+    }
+    const ImVec2 middle{0.5f * (low.x + high.x), 0.5f * (low.y + high.y)};
+    const float half = 8.5f * u, thickness = std::max(std::round(2.0f * u), 1.0f);
+    for (const float place : {-6.0f, 0.0f, 6.0f}) {
+        const float y = std::round(middle.y + place * u - 0.5f * thickness);
+        list->AddRectFilled({middle.x - half, y}, {middle.x + half, y + thickness}, packed(p.text));
+    }
+    if (pressed) ImGui::OpenPopup("menus");
+    ImGui::SetNextWindowPos({low.x, high.y});
+    if (ImGui::BeginPopup("menus")) {
+        draw_menus(ui);
+        ImGui::EndPopup();
+    }
+    end_part();
+}
+
+/// How a lecture is left: quietly.
+void draw_way_out(Ui& ui, const Area& area) {
+    const Palette& p = palette(ui.options.theme);
+    const std::string words = leaving_words(corner_room(ui, ImGui::GetIO().DisplaySize.x));
+    ImGui::SetCursorScreenPos(area.position);
+    const bool pressed = ImGui::InvisibleButton("lecture.leave", area.size);
+    const bool hovered = ImGui::IsItemHovered();
+    name_widget(ui, "lecture.leave", "Everything is again as it was before the lecture.\nKey: Esc");
+    const ImVec2 text = ImGui::CalcTextSize(words.c_str());
+    ImGui::GetWindowDrawList()->AddText({area.position.x + 0.5f * (area.size.x - text.x),
+                                         area.position.y + 0.5f * (area.size.y - text.y)},
+                                        packed(hovered ? p.text : p.dim), words.c_str());
+    if (pressed) toggle_lecture(ui);
+}
+
+/// Undo and redo; in a lecture, how it is left.
+void draw_narrow_corner(Ui& ui, const Area& area) {
+    if (area.size.x < 1.0f) return;
+    begin_part(ui, "corner", area);
+    ImGui::SetCursorPosY(0.5f * (area.size.y - ImGui::GetFrameHeight()));
+    if (ui.options.is_lecture) {
+        draw_way_out(ui, area);
+    } else {
+        draw_corner_buttons(ui, ranks_of_narrow);
+    }
+    end_part();
+}
+
+void draw_narrow_bar(Ui& ui, const Layout& layout) {
+    const Area& whole = layout.menu;
+    const float gear = gear_width(ui), height = whole.size.y;
+    const float corner = layout.strip.position.x + layout.strip.size.x;
+    draw_menu_button(ui, {whole.position, {layout.strip.position.x, height}});
+    draw_narrow_corner(ui, {{corner, 0.0f}, {whole.size.x - gear - corner, height}});
+    draw_gear(ui, {{whole.size.x - gear, 0.0f}, {gear, height}});
+    if (!ui.start.is_open) return;
+    begin_part(ui, "no stages", layout.strip);
+    ImGui::PushFont(ui.fonts.bold);
+    ImGui::SetCursorPosY(0.5f * (height - ImGui::GetFontSize()));
+    ImGui::TextUnformatted("Rasterwalk");
+    ImGui::PopFont();
+    end_part();
+}
+
+void draw_wide_bar(Ui& ui, const Area& whole) {
+    const float u = ui.options.text_scale;
+    const float gear = gear_width(ui);
     const Area area{whole.position, {whole.size.x - gear, whole.size.y}};
     draw_gear(ui, {{whole.position.x + area.size.x, whole.position.y}, {gear, whole.size.y}});
+    const auto push_style_of_line = [&] {
+        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                            ImVec2(9.0f * u, 0.5f * (area.size.y - ImGui::GetFontSize())));
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(10.0f * u, 8.0f * u));
+    };
     ImGui::SetNextWindowPos(area.position);
     ImGui::SetNextWindowSize(area.size);
-    const Palette& p = palette(ui.options.theme);
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, p.bar);
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
-                        ImVec2(9.0f * u, 0.5f * (area.size.y - ImGui::GetFontSize())));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(10.0f * u, 8.0f * u));
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.options.theme).bar);
+    push_style_of_line();
     ImGui::Begin("menu", nullptr, panel_flags | ImGuiWindowFlags_MenuBar);
     if (ImGui::BeginMenuBar()) {
         ImGui::PushFont(ui.fonts.bold);
@@ -239,17 +243,28 @@ void draw_menu_bar(Ui& ui, const Area& whole) {
         ImGui::PopFont();
         ImGui::PopStyleVar(2);
         ImGui::Dummy({4.0f * u, 0});
-        for (const MenuTitle& menu : menus)
-            draw_menu(ui, menu);
-        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
-                            ImVec2(9.0f * u, 0.5f * (area.size.y - ImGui::GetFontSize())));
-        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(10.0f * u, 8.0f * u));
-        draw_corner_buttons(ui);
+        draw_menus(ui);
+        push_style_of_line();
+        draw_corner_buttons(ui, all_ranks);
         ImGui::EndMenuBar();
     }
     ImGui::End();
     ImGui::PopStyleVar(2);
     ImGui::PopStyleColor();
+}
+
+} // namespace
+
+float menu_end_width(const Ui& ui, float window_width) {
+    return std::round(gear_width(ui) + std::max(corner_width(ui, window_width), 0.0f));
+}
+
+void draw_menu_bar(Ui& ui, const Layout& layout) {
+    if (layout.is_narrow) {
+        draw_narrow_bar(ui, layout);
+    } else {
+        draw_wide_bar(ui, layout.menu);
+    }
 }
 
 } // namespace rasterwalk

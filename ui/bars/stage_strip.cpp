@@ -45,21 +45,32 @@ struct StripWord {
     std::string widest;      ///< of what it may say loudly: a click must not shift its neighbours
 };
 
-/// The stages that the strip shows.
-std::vector<const StageInfo*> shown_stages(const Ui& ui, const Form& form) {
+using Stages = std::vector<const StageInfo*>;
+
+/// The stages that the scene can use, in their order.
+Stages usable_stages(const Ui& ui) {
     const StripStep here = step_of(ui.session.a.settings);
-    std::vector<const StageInfo*> stages;
-    std::size_t chosen = 0;
+    Stages stages;
     for (const StageInfo& info : stage_list()) {
-        if (info.step == here) chosen = stages.size();
         // One that the scene cannot use is said while it is on show all the same.
         if (is_of_use(info, *ui.session.scene) || info.step == here) stages.push_back(&info);
     }
+    return stages;
+}
+
+constexpr std::size_t few_count = 3;
+
+/// The stages that the strip shows.
+Stages shown_stages(const Ui& ui, const Form& form) {
+    Stages stages = usable_stages(ui);
     if (!form.has_few_stages) return stages;
-    constexpr std::size_t few_count = 3;
+    const StripStep here = step_of(ui.session.a.settings);
+    const auto on_show = std::find_if(stages.begin(), stages.end(),
+                                      [&](const StageInfo* info) { return info->step == here; });
+    const auto chosen = static_cast<std::size_t>(on_show - stages.begin());
     const std::size_t last_first = std::max(stages.size(), few_count) - few_count;
     const std::size_t first = std::min(chosen > 0 ? chosen - 1 : 0, last_first);
-    std::vector<const StageInfo*> few;
+    Stages few;
     for (std::size_t i = 0; i < stages.size(); ++i) {
         const bool is_near = i >= first && i < first + few_count;
         const bool is_meant = ui.lesson.pointed_at == std::string("stage.").append(stages[i]->name);
@@ -116,7 +127,7 @@ bool needs_switches(const StripStep& step) {
     return step.stage >= Stage::depth;
 }
 
-/// The switches, and what begins a comparison.
+/// The switches, and what begins a comparison. In a lecture only those at which it points.
 std::vector<StripWord> strip_words(const Ui& ui, const Form& form, bool has_switches) {
     std::vector<StripWord> words;
     const Settings& settings = ui.session.a.settings;
@@ -144,6 +155,10 @@ std::vector<StripWord> strip_words(const Ui& ui, const Form& form, bool has_swit
                              (ui.session.b ? "" : "\nNow: " + comparison_offered(ui.session) + "."),
                      .chosen = ui.session.b.has_value(),
                      .widest = ""});
+    if (ui.options.is_lecture) {
+        std::erase_if(words,
+                      [&](const StripWord& word) { return word.name != ui.lesson.pointed_at; });
+    }
     return words;
 }
 
@@ -173,15 +188,33 @@ float segment_width(const Ui& ui, const Form& form, const StageInfo& info) {
     return text_width(info.title) + 2.0f * form.padding * ui.options.text_scale;
 }
 
-/// What a form needs on one line, screen pixels.
+float stages_width(const Ui& ui, const Form& form, const Stages& stages) {
+    float width = 0.0f;
+    for (const StageInfo* info : stages)
+        width += (width > 0.0f ? gap_before(ui, *info) : 0.0f) + segment_width(ui, form, *info);
+    return width;
+}
+
+/// The widest of the stages that a form shows side by side, whichever is chosen, with the list of
+/// the others.
+float widest_few(const Ui& ui, const Form& form) {
+    const Stages all = usable_stages(ui);
+    float widest = stages_width(ui, form, shown_stages(ui, form));
+    for (std::size_t i = 0; i + few_count <= std::max(all.size(), few_count); ++i) {
+        const std::size_t end = std::min(i + few_count, all.size());
+        const Stages few(all.begin() + static_cast<std::ptrdiff_t>(i),
+                         all.begin() + static_cast<std::ptrdiff_t>(end));
+        widest = std::max(widest, stages_width(ui, form, few));
+    }
+    return widest + word_width(ui, stages_word());
+}
+
+/// What a form needs on one line, screen pixels. Another stage must not bring another form: there
+/// is room for all that any of them needs.
 float form_width(const Ui& ui, const Form& form) {
     const float u = ui.options.text_scale;
-    float width = 0.0f;
-    for (const StageInfo* info : shown_stages(ui, form))
-        width += (width > 0.0f ? gap_before(ui, *info) : 0.0f) + segment_width(ui, form, *info);
-    if (form.has_few_stages) width += word_width(ui, stages_word());
-    // Another stage must not bring another form: there is room for all that any of them needs.
-    const std::vector<const StageInfo*> all = shown_stages(ui, forms[0]);
+    const Stages all = usable_stages(ui);
+    float width = form.has_few_stages ? widest_few(ui, form) : stages_width(ui, form, all);
     const bool has_switches = std::any_of(
         all.begin(), all.end(), [](const StageInfo* info) { return needs_switches(info->step); });
     for (const StripWord& word : strip_words(ui, form, has_switches))
@@ -191,6 +224,7 @@ float form_width(const Ui& ui, const Form& form) {
 }
 
 const Form& fitting_form(const Ui& ui, float room) {
+    if (ui.options.is_lecture) return *std::prev(std::end(forms));
     const auto* const found =
         std::find_if(std::begin(forms), std::end(forms),
                      [&](const Form& form) { return form_width(ui, form) <= room; });
@@ -263,7 +297,7 @@ void draw_box(const Ui& ui, float left, float right, const Band& band) {
 
 /// Returns where the last one ends.
 float draw_stages(Ui& ui, const Form& form, float left, const Band& band) {
-    const std::vector<const StageInfo*> stages = shown_stages(ui, form);
+    const Stages stages = shown_stages(ui, form);
     float x = left, box = left;
     for (std::size_t i = 0; i < stages.size(); ++i) {
         const float width = segment_width(ui, form, *stages[i]);
@@ -317,7 +351,7 @@ void open_below(const Ui& ui, bool at_right) {
 void draw_stage_list(Ui& ui) {
     open_below(ui, false);
     if (!ImGui::BeginPopup("all stages")) return;
-    for (const StageInfo* info : shown_stages(ui, forms[0])) {
+    for (const StageInfo* info : usable_stages(ui)) {
         const std::string action = std::string("stage.").append(info->name);
         const bool chosen = info->step == step_of(ui.session.a.settings);
         if (ImGui::MenuItem(std::string(info->title).c_str(), nullptr, chosen)) {
@@ -359,22 +393,31 @@ void draw_right_end(Ui& ui, const Form& form, float right, const Band& band) {
 
 } // namespace
 
-void draw_stage_strip(Ui& ui, const Area& area) {
+float least_strip_width(const Ui& ui) {
+    return form_width(ui, *std::prev(std::end(forms))) + bar_margin(ui);
+}
+
+void draw_stage_strip(Ui& ui, const Layout& layout) {
+    const Area& area = layout.strip;
     const float u = ui.options.text_scale;
     const Palette& p = palette(ui.options.theme);
     ImGui::SetNextWindowPos(area.position);
     ImGui::SetNextWindowSize(area.size);
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, p.ground);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, layout.is_narrow ? p.bar : p.ground);
     ImGui::Begin("strip", nullptr, panel_flags);
     const float height = 32.0f * u;
     const Band band{area.position.y + std::round(0.5f * (area.size.y - height)), height,
                     area.position.y + area.size.y};
-    const float left = area.position.x + bar_margin(ui);
-    const float right = area.position.x + area.size.x - bar_margin(ui);
+    // In the line of the menu its button and the gear are margin enough.
+    const float margin = layout.is_narrow ? 0.5f * bar_margin(ui) : bar_margin(ui);
+    const float left = area.position.x + margin;
+    const float right = area.position.x + area.size.x - margin;
     const Form& form = fitting_form(ui, right - left);
     const float line = band.bottom - 0.5f;
-    ImGui::GetWindowDrawList()->AddLine({area.position.x, line},
-                                        {area.position.x + area.size.x, line}, packed(p.line));
+    if (!layout.is_narrow) {
+        ImGui::GetWindowDrawList()->AddLine({area.position.x, line},
+                                            {area.position.x + area.size.x, line}, packed(p.line));
+    }
     const float end = draw_stages(ui, form, left, band);
     if (form.has_few_stages) {
         const StripWord word = stages_word();

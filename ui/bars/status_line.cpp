@@ -82,7 +82,7 @@ void draw_status_line(Ui& ui, const Area& area) {
     ImGui::Begin("status", nullptr, panel_flags);
     ImGui::SetCursorScreenPos({area.position.x + 14.0f * u,
                                area.position.y + 0.5f * (area.size.y - ImGui::GetFontSize())});
-    text_in(p.dim, describe_pixel(ui));
+    text_in(p.dim, ui.options.is_lecture ? std::string() : describe_pixel(ui));
     name_widget(ui, "status.pixel", "The pixel under the pointer, or the one that is picked.");
     const std::string trouble = trouble_text(ui);
     if (!trouble.empty()) {

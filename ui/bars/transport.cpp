@@ -132,7 +132,8 @@ Groups measure(const Ui& ui, float width) {
     g.dial = compact ? DialForm::small : DialForm::large;
     g.icon = (compact ? 32.0f : 38.0f) * u;
     g.play = (compact ? 42.0f : 56.0f) * u;
-    g.widths.push_back(4.0f * (g.icon + 6.0f * u) + g.play);
+    const float others = ui.options.is_lecture ? 2.0f : 4.0f;
+    g.widths.push_back(others * (g.icon + 6.0f * u) + g.play);
     g.widths.push_back(compact ? text_width("fragment") + 52.0f * u : step_choice_width(ui));
     g.widths.push_back(speed_dial_size(ui, g.dial).x);
     float rest = width;
@@ -282,7 +283,8 @@ void draw_last_line(Ui& ui, ImVec2 at, float room) {
     const float gap = 18.0f * ui.options.text_scale;
     const float buttons = change_buttons_width(ui);
     const float words = text_width(moment_words(ui).c_str());
-    const bool has_buttons = ui.results.history || words + gap + buttons <= room;
+    const bool has_buttons =
+        !ui.options.is_lecture && (ui.results.history || words + gap + buttons <= room);
     const float rest = room - (has_buttons ? buttons + gap : 0.0f);
     const float used = draw_words(ui, at, rest) + gap;
     draw_next(ui, {at.x + used, at.y}, rest - used);
@@ -294,14 +296,16 @@ void draw_buttons(Ui& ui, ImVec2 at, const Groups& g, float height) {
         const char* action;
         Icon icon;
         bool wide;
+        bool is_in_lecture; ///< where there are fewer
     };
     const Entry entries[] = {
-        {"walk.first", Icon::first, false},
-        {"walk.back", Icon::back, false},
-        {"walk.play", ui.session.play.running ? Icon::pause : Icon::play, true},
-        {"walk.step", Icon::step, false},
-        {"walk.last", Icon::last, false}};
+        {"walk.first", Icon::first, false, false},
+        {"walk.back", Icon::back, false, true},
+        {"walk.play", ui.session.play.running ? Icon::pause : Icon::play, true, true},
+        {"walk.step", Icon::step, false, true},
+        {"walk.last", Icon::last, false, false}};
     for (const Entry& entry : entries) {
+        if (ui.options.is_lecture && !entry.is_in_lecture) continue;
         const float width = entry.wide ? g.play : g.icon;
         icon_button(ui, entry.action, entry.icon, at, {width, height}, entry.wide);
         at.x += width + 6.0f * ui.options.text_scale;
@@ -337,7 +341,7 @@ void draw_beside(Ui& ui, ImVec2 corner, const Groups& g, float room) {
     draw_time_strips(ui, {left, corner.y + 5.0f * u}, g.strips, true);
     const float buttons = g.strips - change_buttons_width(ui);
     draw_next(ui, {left, last}, buttons - group_gap(ui));
-    draw_change_buttons(ui, {left + buttons, last});
+    if (!ui.options.is_lecture) draw_change_buttons(ui, {left + buttons, last});
 }
 
 } // namespace

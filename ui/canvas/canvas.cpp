@@ -218,15 +218,16 @@ void draw_header(Ui& ui, float right_edge) {
         return width;
     };
     const float left = ImGui::GetCursorScreenPos().x;
-    if (ui.session.scene->space == SceneSpace::world) {
-        const float planes =
-            has_picture ? view_selector_width() + overlay_button_width(ui, true) + 2.0f * gap
-                        : 0.0f;
-        const float room = right_edge - left - planes - gap;
-        const bool as_list = shows_width(false) > room - width_of_buttons();
-        // What has no room stands in the View menu.
-        while (buttons.size() > 1 && shows_width(as_list) > room - width_of_buttons())
-            buttons.pop_back();
+    const float planes =
+        has_picture ? view_selector_width() + overlay_button_width(ui, true) + 2.0f * gap : 0.0f;
+    const float room = right_edge - left - planes - gap;
+    const bool has_switch = ui.session.scene->space == SceneSpace::world;
+    const bool as_list = has_switch && shows_width(false) > room - width_of_buttons();
+    const float before = has_switch ? shows_width(as_list) : 0.0f;
+    // What has no room stands in the View menu.
+    while (buttons.size() > 1 && before > room - width_of_buttons())
+        buttons.pop_back();
+    if (has_switch) {
         draw_shows_switch(ui, as_list);
         ImGui::SameLine();
     }
@@ -234,8 +235,8 @@ void draw_header(Ui& ui, float right_edge) {
     if (has_picture) {
         draw_view_selector(ui);
         ImGui::SameLine();
-        const float room = start - gap - ImGui::GetCursorScreenPos().x;
-        draw_overlay_button(ui, overlay_button_width(ui, false) > room);
+        const float rest = start - gap - ImGui::GetCursorScreenPos().x;
+        draw_overlay_button(ui, overlay_button_width(ui, false) > rest);
         ImGui::SameLine();
         const float scale = ui.canvas.place.scale;
         const std::string zoom =
@@ -387,7 +388,10 @@ void draw_canvas(Ui& ui, const Area& area) {
                         ImVec2(canvas_padding.x * u, canvas_padding.y * u));
     ImGui::Begin("canvas", nullptr,
                  panel_flags | ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoScrollbar);
-    draw_header(ui, area.position.x + area.size.x - canvas_padding.x * u);
+    // In a lecture only when it points there: the menus have what stands in the header.
+    if (!ui.options.is_lecture || ui.lesson.pointed_at.starts_with("canvas.")) {
+        draw_header(ui, area.position.x + area.size.x - canvas_padding.x * u);
+    }
 
     draw_compare_bar(ui);
 

@@ -113,7 +113,7 @@ Session understand(Arguments& a) {
         throw UsageError("--theme is dark or light, not '" + a.theme + "'.");
     }
     options.ui.theme = a.theme == "light" ? Theme::light : Theme::dark;
-    // A tab that is asked for by name is in front of the lesson, where that is a tab too.
+    // A tab that is asked for by name is in front of whatever lies over the inspector.
     const auto tab = a.view.given.find("tab");
     if (tab != a.view.given.end()) options.tab = tab->second.back();
     return open_view(a.view);

@@ -56,21 +56,8 @@ void tell_subject(const Ui& ui, TabGroup group, GroupButton& button) {
     }
 }
 
-GroupButton lesson_button(const Ui& ui, bool chosen) {
-    const Session& session = ui.session;
-    return {.name = std::string("tab.").append(lesson_tab_name),
-            .title = "Lesson",
-            .subject =
-                session.lesson.empty() ? "none open" : "step " + std::to_string(session.step),
-            .has_subject = !session.lesson.empty(),
-            .tab = std::string(lesson_tab_name),
-            .help = "The lesson, the page about this stage, or the list of lessons.",
-            .chosen = chosen};
-}
-
 std::vector<GroupButton> buttons_of(const Ui& ui, const InspectorLook& look) {
     std::vector<GroupButton> buttons;
-    if (look.has_lesson) buttons.push_back(lesson_button(ui, look.group == std::nullopt));
     for (std::size_t i = 0; i < tab_group_count; ++i) {
         const auto group = static_cast<TabGroup>(i);
         const std::string_view tab = tab_of_group(ui.session, group);

@@ -13,7 +13,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// What draws a tab.
+/// What draws a tab, or what lies over the tabs.
 struct TabPage {
     std::string_view name;
     void (*draw)(Ui&);
@@ -24,6 +24,7 @@ constexpr TabPage pages[] = {
     {"microscope", draw_microscope_panel}, {"fragment", draw_fragment_panel},
     {"history", draw_history_panel},       {"graph", draw_graph_panel},
     {"compare", draw_compare_panel},       {"lab", draw_lab_panel},
+    {settings_tab, draw_settings_sheet},   {"lesson", draw_lesson_drawer},
 };
 
 /// A page below this size is one of little room, design pixels.
@@ -42,62 +43,59 @@ const TabInfo& shown_tab(const Session& session) {
     return found == tabs.end() ? tabs.front() : *found;
 }
 
-InspectorLook look_of(const Ui& ui, const Layout& layout) {
+InspectorLook look_of(const Ui& ui, const Area& area) {
     InspectorLook look;
-    look.has_lesson = layout.lesson_is_tab;
-    look.has_two_lines = layout.inspector.size.y >= low_inspector * ui.options.text_scale;
-    look.is_covered = is_settings_open(ui);
-    const bool lesson_is_seen = look.has_lesson && ui.lesson.covers_inspector;
-    if (!lesson_is_seen || look.is_covered) look.group = shown_tab(ui.session).group;
+    look.has_two_lines = area.size.y >= low_inspector * ui.options.text_scale;
+    look.is_covered = is_settings_open(ui) || is_drawer_open(ui);
+    look.group = shown_tab(ui.session).group;
     return look;
 }
 
 /// Groups and tabs in the largest form that fits. Returns where the page begins.
 float draw_head(Ui& ui, const InspectorLook& look, const Area& area) {
     const float u = ui.options.text_scale;
-    if (is_compact(ImGui::GetIO().DisplaySize, ui.options)) {
-        if (look.is_covered) return ImGui::GetCursorScreenPos().y; // every line counts
-        return draw_tab_list(ui, look) + 2.0f * u;
+    // In a lecture a head with nothing to choose is none.
+    const bool is_needed = !ui.options.is_lecture || offered_tabs(ui, std::nullopt).size() > 1;
+    if (is_compact(ImGui::GetIO().DisplaySize, ui.options) || ui.options.is_lecture) {
+        // Every line counts.
+        if (look.is_covered || !is_needed) return ImGui::GetCursorScreenPos().y;
+        return draw_tab_list(ui) + 2.0f * u;
     }
     const float height = group_row_height(ui, look.has_two_lines);
     draw_group_buttons(ui, look, {area.position, {area.size.x, height}});
     const float bottom = area.position.y + height + 4.0f * u;
     if (look.is_covered) return bottom + 6.0f * u;
     ImGui::SetCursorScreenPos({area.position.x + ImGui::GetStyle().WindowPadding.x, bottom});
-    if (!look.group) return bottom + 5.0f * u; // the lesson has no tabs below it
     return draw_tab_line(ui, look) + 9.0f * u;
 }
 
 } // namespace
 
-void draw_inspector(Ui& ui, const Layout& layout) {
-    const Area& area = layout.inspector;
+void draw_inspector(Ui& ui, const Area& area) {
     const float u = ui.options.text_scale;
-    ui.lesson.is_tab = layout.lesson_is_tab;
     ImGui::SetNextWindowPos(area.position);
     ImGui::SetNextWindowSize(area.size);
+    // Every line counts in a low window.
+    const ImVec2 padding = ImGui::GetStyle().WindowPadding;
+    const bool is_short = area.size.y < low_page * u;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
+                        {padding.x, is_short ? 0.5f * padding.y : padding.y});
     ImGui::Begin("inspector", nullptr, panel_flags);
-    const InspectorLook look = look_of(ui, layout);
+    ImGui::PopStyleVar();
+    const InspectorLook look = look_of(ui, area);
     const float top = draw_head(ui, look, area);
     ImGui::SetCursorScreenPos({area.position.x + ImGui::GetStyle().WindowPadding.x, top});
     const ImVec2 page = ImGui::GetContentRegionAvail();
     ui.inspector.is_low = page.y < low_page * u;
     ui.inspector.is_narrow = page.x < narrow_page * u;
-    const std::string_view name = look.is_covered ? settings_tab
-                                  : look.group    ? shown_tab(ui.session).name
-                                                  : lesson_tab_name;
+    const std::string_view name = is_drawer_open(ui)     ? "lesson"
+                                  : is_settings_open(ui) ? settings_tab
+                                                         : shown_tab(ui.session).name;
     // The page scrolls, its head stays.
     ImGui::BeginChild(std::string(name).c_str(), {0, 0}, false, ImGuiWindowFlags_NoNav);
-    if (look.is_covered) {
-        draw_settings_sheet(ui);
-    } else if (!look.group) {
-        draw_lesson_tab(ui);
-    } else {
-        const TabPage* const shown =
-            std::find_if(std::begin(pages), std::end(pages),
-                         [&](const TabPage& one) { return one.name == name; });
-        if (shown != std::end(pages)) shown->draw(ui);
-    }
+    const TabPage* const shown = std::find_if(std::begin(pages), std::end(pages),
+                                              [&](const TabPage& one) { return one.name == name; });
+    if (shown != std::end(pages)) shown->draw(ui);
     ImGui::EndChild();
     ImGui::End();
 }

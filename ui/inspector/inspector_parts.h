@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "session/tabs.h"
 #include "ui/widgets/layout.h"
@@ -11,10 +12,9 @@ struct Ui;
 
 /// What the head of the inspector shows, and in which form.
 struct InspectorLook {
-    bool has_lesson = false;       ///< the lesson is a tab of the inspector
-    bool has_two_lines = false;    ///< the buttons of the groups say their subjects
-    bool is_covered = false;       ///< by the settings
-    std::optional<TabGroup> group; ///< on show; none: the lesson
+    bool has_two_lines = false; ///< the buttons of the groups say their subjects
+    bool is_covered = false;    ///< by the settings or the lesson's whole text
+    TabGroup group{};           ///< on show, or below them
 };
 
 /// Screen pixels.
@@ -29,6 +29,9 @@ float draw_tab_line(Ui& ui, const InspectorLook& look);
 
 /// All groups and tabs in one list, where every line of the window counts. Returns where the page
 /// begins.
-float draw_tab_list(Ui& ui, const InspectorLook& look);
+float draw_tab_list(Ui& ui);
+
+/// The tabs that are offered: of a group, or all.
+std::vector<const TabInfo*> offered_tabs(const Ui& ui, std::optional<TabGroup> group);
 
 } // namespace rasterwalk

@@ -13,7 +13,7 @@ struct Ui;
 // The inspector and its panels: one file, one free function each.
 
 /// The groups on the right with their subjects, their tabs, and what is in them.
-void draw_inspector(Ui& ui, const Layout& layout);
+void draw_inspector(Ui& ui, const Area& area);
 /// Which triangle the inspector shows, with buttons to its neighbours. There must be one.
 void draw_triangle_title(Ui& ui);
 /// Begins a panel about what is drawn of the triangle on show, by its title. False if nothing is;

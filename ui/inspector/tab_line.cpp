@@ -15,14 +15,6 @@ namespace {
 
 using Tabs = std::vector<const TabInfo*>;
 
-Tabs offered_tabs(const Session& session, std::optional<TabGroup> group) {
-    Tabs tabs;
-    for (const TabInfo& tab : tab_list()) {
-        if ((!group || tab.group == *group) && is_offered(session, tab)) tabs.push_back(&tab);
-    }
-    return tabs;
-}
-
 /// A word that can be clicked, without a frame.
 bool draw_word(Ui& ui, const std::string& name, std::string_view word, std::string_view help,
                ImVec2 at, float height, const ImVec4& colour, const ImVec4& colour_hovered) {
@@ -97,13 +89,21 @@ void draw_chooser(Ui& ui, const Chooser& chooser, float left, float right, float
 
 } // namespace
 
+Tabs offered_tabs(const Ui& ui, std::optional<TabGroup> group) {
+    Tabs tabs;
+    for (const TabInfo& tab : tab_list()) {
+        if ((!group || tab.group == *group) && offers_tab(ui, tab)) tabs.push_back(&tab);
+    }
+    return tabs;
+}
+
 float draw_tab_line(Ui& ui, const InspectorLook& look) {
     const Palette& p = palette(ui.options.theme);
     const float u = ui.options.text_scale;
     const ImVec2 start = ImGui::GetCursorScreenPos();
     const float room = ImGui::GetContentRegionAvail().x;
     const float height = 30.0f * u;
-    const Tabs tabs = offered_tabs(ui.session, look.group);
+    const Tabs tabs = offered_tabs(ui, look.group);
     float gap = 18.0f * u;
     float x = start.x;
     for (const TabInfo* tab : tabs) {
@@ -127,26 +127,20 @@ float draw_tab_line(Ui& ui, const InspectorLook& look) {
     return bottom;
 }
 
-float draw_tab_list(Ui& ui, const InspectorLook& look) {
+float draw_tab_list(Ui& ui) {
     const std::string_view below = tab_below(ui.session);
-    const Tabs tabs = offered_tabs(ui.session, std::nullopt);
+    const Tabs tabs = offered_tabs(ui, std::nullopt);
     const auto shown = std::find_if(tabs.begin(), tabs.end(),
                                     [&](const TabInfo* tab) { return tab->name == below; });
-    const std::string title = !look.group           ? "Lesson"
-                              : shown != tabs.end() ? std::string((*shown)->title)
-                                                    : std::string();
+    const std::string title = shown != tabs.end() ? std::string((*shown)->title) : std::string();
     ImGui::SetNextItemWidth(-1.0f);
     const bool open = ImGui::BeginCombo("##tabs", title.c_str(), ImGuiComboFlags_HeightLargest);
     name_widget(ui, "tabs", "What the inspector shows.");
     const float bottom = ImGui::GetItemRectMax().y + ImGui::GetStyle().ItemSpacing.y;
     if (!open) return bottom;
-    if (look.has_lesson) {
-        if (ImGui::Selectable("Lesson", !look.group)) open_tab(ui, lesson_tab_name);
-        name_widget(ui, std::string("tab.").append(lesson_tab_name), "The lesson.");
-    }
     for (std::size_t i = 0; i < tabs.size(); ++i) {
         if (i > 0 && tabs[i]->group != tabs[i - 1]->group) ImGui::Separator();
-        const bool chosen = look.group && tabs[i]->name == below;
+        const bool chosen = tabs[i]->name == below;
         if (ImGui::Selectable(std::string(tabs[i]->title).c_str(), chosen)) {
             open_tab(ui, tabs[i]->name);
         }

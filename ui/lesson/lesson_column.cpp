@@ -119,13 +119,14 @@ void keep_place(LessonView& view, const std::string& page) {
 }
 
 /// @param gutter space for the scroll bar at the right of the text
-void draw_page(Ui& ui, float gutter) {
+/// @param may_have_footer the page brings the way to its neighbours
+void draw_page(Ui& ui, float gutter, bool may_have_footer) {
     const Lesson* const lesson = open_lesson_of(ui);
     const SidePage page = page_on_show(ui, lesson);
     const float width = std::max(ImGui::GetContentRegionAvail().x - gutter, 1.0f);
     draw_switch(ui, lesson, width);
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    const bool has_footer = page != SidePage::list;
+    const bool has_footer = may_have_footer && page != SidePage::list;
     // In a low window the footer scrolls with the text.
     const bool is_low = has_footer && room.y < 4.5f * page_footer_height(ui);
     const float footer = has_footer && !is_low ? page_footer_height(ui) : 0.0f;
@@ -149,12 +150,12 @@ void draw_lesson_column(Ui& ui, const Area& area) {
     // The scroll bar stands in the column's right margin.
     ImGui::SetNextWindowContentSize({area.size.x - padding, 0.0f});
     ImGui::Begin("lesson", nullptr, panel_flags | ImGuiWindowFlags_NoScrollWithMouse);
-    draw_page(ui, padding);
+    draw_page(ui, padding, true);
     ImGui::End();
 }
 
-void draw_lesson_tab(Ui& ui) {
-    draw_page(ui, ImGui::GetStyle().ScrollbarSize + 2.0f * ui.options.text_scale);
+void draw_lesson_drawer(Ui& ui) {
+    draw_page(ui, ImGui::GetStyle().ScrollbarSize + 2.0f * ui.options.text_scale, false);
 }
 
 } // namespace rasterwalk

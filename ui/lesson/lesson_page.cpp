@@ -14,12 +14,12 @@
 
 namespace rasterwalk {
 
-namespace {
-
 const LessonStep& step_on_show(const Ui& ui, const Lesson& lesson) {
     const int last = static_cast<int>(lesson.steps.size()) - 1;
     return lesson.steps[static_cast<std::size_t>(std::clamp(ui.session.step, 0, last))];
 }
+
+namespace {
 
 /// "Lesson 4 · 15 minutes · lab: Interpolation" over the opening, "Lesson 4 · step 2 of 8" later.
 void draw_heading(Ui& ui, const Lesson& lesson) {
@@ -52,7 +52,9 @@ std::string with_footnotes(const Lesson& lesson, const std::string& text) {
     return result;
 }
 
-void draw_faults(Ui& ui, const Lesson& lesson) {
+} // namespace
+
+void draw_lesson_faults(Ui& ui, const Lesson& lesson) {
     if (lesson.faults.empty()) return;
     const Fault& first = lesson.faults.front();
     std::string text = fault_text(lesson, first);
@@ -66,14 +68,12 @@ void draw_faults(Ui& ui, const Lesson& lesson) {
     ImGui::Spacing();
 }
 
-} // namespace
-
 void draw_step_text(Ui& ui, const Lesson& lesson, float width) {
     tick_off_tasks(ui, lesson);
     const LessonStep& step = step_on_show(ui, lesson);
     draw_heading(ui, lesson);
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
-    draw_faults(ui, lesson);
+    draw_lesson_faults(ui, lesson);
     ImGui::PopTextWrapPos();
     const float gap = 0.6f * ui.fonts.text->FontSize;
     std::shared_ptr<MarkdownPage>& heading = ui.lesson.pages["heading"];
@@ -103,21 +103,28 @@ void draw_step_text(Ui& ui, const Lesson& lesson, float width) {
     ImGui::Dummy({0.0f, 10.0f * ui.options.text_scale});
 }
 
-void draw_step_footer(Ui& ui, const Lesson& lesson, float width) {
+PageFooter pages_of_lesson(Ui& ui, const Lesson& lesson) {
     PageFooter footer;
     footer.current = ui.session.step;
     for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
         footer.pages.push_back({"lesson.step." + std::to_string(i), lesson.steps[i].heading,
                                 ui.lesson.progress.is_step_seen(lesson.id, static_cast<int>(i))});
     }
-    const std::string next = lesson_after(ui, lesson.id);
-    const int wanted = draw_page_footer(ui, footer, width, next.empty() ? "" : "next lesson");
+    if (!lesson_after(ui, lesson.id).empty()) footer.beyond = "next lesson";
+    return footer;
+}
+
+void turn_to_step(Ui& ui, const Lesson& lesson, int wanted) {
     if (wanted < 0) return;
     if (wanted < static_cast<int>(lesson.steps.size())) {
         open_lesson(ui, lesson.id, wanted);
     } else {
-        open_lesson(ui, next, 0);
+        open_lesson(ui, lesson_after(ui, lesson.id), 0);
     }
+}
+
+void draw_step_footer(Ui& ui, const Lesson& lesson, float width) {
+    turn_to_step(ui, lesson, draw_page_footer(ui, pages_of_lesson(ui, lesson), width));
 }
 
 } // namespace rasterwalk

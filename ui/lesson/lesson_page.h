@@ -1,6 +1,9 @@
 #pragma once
 
+#include <string>
+
 #include "ui/lesson/lesson_state.h"
+#include "ui/lesson/page_footer.h"
 
 namespace rasterwalk {
 
@@ -11,5 +14,16 @@ void draw_step_text(Ui& ui, const Lesson& lesson, float width);
 
 /// A bar a step, and the way to its neighbours; from the last step on to the next lesson.
 void draw_step_footer(Ui& ui, const Lesson& lesson, float width);
+
+/// What the footer walks through, and what it does with the page that is wanted: one beyond the
+/// last is the next lesson.
+PageFooter pages_of_lesson(Ui& ui, const Lesson& lesson);
+void turn_to_step(Ui& ui, const Lesson& lesson, int wanted);
+
+/// The step on show. Valid as long as the lesson is.
+const LessonStep& step_on_show(const Ui& ui, const Lesson& lesson);
+
+/// What is wrong with the lesson's file; nothing where nothing is.
+void draw_lesson_faults(Ui& ui, const Lesson& lesson);
 
 } // namespace rasterwalk

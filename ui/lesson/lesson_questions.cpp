@@ -1,6 +1,7 @@
 #include "ui/lesson/lesson_questions.h"
 
 #include <algorithm>
+#include <vector>
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -8,6 +9,7 @@
 #include "base/numbers.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/actions/open_lesson.h"
+#include "ui/lesson/fitting_sentences.h"
 #include "ui/page/markdown.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
@@ -16,6 +18,14 @@
 namespace rasterwalk {
 
 namespace {
+
+/// Markdown whose links are answered.
+void draw_marked(Ui& ui, const std::string& name, std::shared_ptr<MarkdownPage>& page,
+                 const std::string& text, float width) {
+    const MarkdownEvents events =
+        draw_markdown(ui, page, text, width, name + ".link.", ui.session.lesson_folder);
+    answer_links(ui, document_of(*page), events);
+}
 
 /// A box with a bar in its colour at the left, and a heading in capitals.
 class Box {
@@ -45,9 +55,7 @@ class Box {
 
     void markdown(const std::string& name, std::shared_ptr<MarkdownPage>& page,
                   const std::string& text) {
-        const MarkdownEvents events = draw_markdown(ui_, page, text, inner_width(), name + ".link.",
-                                                    ui_.session.lesson_folder);
-        answer_links(ui_, document_of(*page), events);
+        draw_marked(ui_, name, page, text, inner_width());
     }
 
   private:
@@ -98,18 +106,47 @@ void draw_number_field(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
                       answer_words(prediction, {*number}, view.typed));
 }
 
+/// Where the choices of a prediction stand, from the first one's upper left corner.
+struct ChoicePlace {
+    ImVec2 at, size; ///< screen pixels
+    float wrap;      ///< width of the words, screen pixels
+};
+
+/// @param side_by_side as many on a line as have room, instead of one
+std::vector<ChoicePlace> places_of_choices(const LessonPrediction& prediction, float width,
+                                           ImVec2 padding, bool side_by_side) {
+    std::vector<ChoicePlace> places;
+    const ImVec2 gap = ImGui::GetStyle().ItemSpacing;
+    const float wrap = std::max(width - 2.0f * padding.x, 1.0f);
+    float x = 0.0f, y = 0.0f, line = 0.0f;
+    for (const std::string& choice : prediction.choices) {
+        const ImVec2 text = ImGui::CalcTextSize(choice.c_str(), nullptr, false, wrap);
+        const ImVec2 size{side_by_side ? text.x + 2.0f * padding.x : width,
+                          text.y + 2.0f * padding.y};
+        if (x > 0.0f && (!side_by_side || x + size.x > width)) {
+            y += line + gap.y;
+            x = line = 0.0f;
+        }
+        places.push_back({{x, y}, size, wrap});
+        x += size.x + gap.x;
+        line = std::max(line, size.y);
+    }
+    return places;
+}
+
 void draw_choices(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction,
-                  const std::string& name) {
+                  const std::string& name, float width, bool side_by_side) {
     const Palette& p = palette(ui.options.theme);
     const float u = ui.options.text_scale;
-    const float width = ImGui::CalcItemWidth();
+    const ImVec2 padding{10.0f * u, 6.0f * u};
+    const std::vector<ChoicePlace> places =
+        places_of_choices(prediction, width, padding, side_by_side);
+    const ImVec2 start = ImGui::GetCursorScreenPos();
     for (std::size_t i = 0; i < prediction.choices.size(); ++i) {
         const std::string& choice = prediction.choices[i];
-        const ImVec2 padding{10.0f * u, 6.0f * u};
-        const float wrap = width - 2.0f * padding.x;
-        const ImVec2 text = ImGui::CalcTextSize(choice.c_str(), nullptr, false, wrap);
-        const ImVec2 low = ImGui::GetCursorScreenPos();
-        const ImVec2 size{width, text.y + 2.0f * padding.y};
+        const ImVec2 low{start.x + places[i].at.x, start.y + places[i].at.y};
+        const ImVec2 size = places[i].size;
+        ImGui::SetCursorScreenPos(low);
         ImGui::PushID(static_cast<int>(i));
         const bool pressed = ImGui::InvisibleButton("choice", size);
         ImGui::PopID();
@@ -120,7 +157,7 @@ void draw_choices(Ui& ui, const Lesson& lesson, const LessonPrediction& predicti
                             packed(hovered ? p.button_hovered : p.button), 4.0f * u);
         list->AddText(ImGui::GetFont(), ImGui::GetFontSize(),
                       {low.x + padding.x, low.y + padding.y}, packed(p.text), choice.c_str(),
-                      nullptr, wrap);
+                      nullptr, places[i].wrap + 1.0f);
         if (pressed) {
             const GivenAnswer given{static_cast<int>(i)};
             answer_prediction(ui, lesson, prediction, given, answer_words(prediction, given));
@@ -166,21 +203,72 @@ std::string verdict(const LessonPrediction& prediction, const PredictionView& vi
     return text;
 }
 
-void draw_reveal(Ui& ui, Box& box, const LessonPrediction& prediction, const std::string& name) {
-    PredictionView& view = ui.lesson.predictions[prediction.id];
-    const Judgement judged = *view.judged;
-    const Theme theme = ui.options.theme;
-    const ImVec4 colour = colour_of(judged.is_right ? Meaning::pass : Meaning::fail, theme);
+/// What the program says to an answer.
+void draw_verdict(Ui& ui, const LessonPrediction& prediction, const std::string& name) {
+    const PredictionView& view = ui.lesson.predictions[prediction.id];
+    const bool is_right = view.judged->is_right;
+    const ImVec4 colour = colour_of(is_right ? Meaning::pass : Meaning::fail, ui.options.theme);
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
     ImGui::PushFont(ui.fonts.bold);
-    wrapped_text((judged.is_right ? "✓  " : "✗  ") + verdict(prediction, view));
+    wrapped_text((is_right ? "✓  " : "✗  ") + verdict(prediction, view));
     ImGui::PopFont();
     ImGui::PopStyleColor();
     name_widget(ui, name + ".verdict");
-    if (!judged.because.empty()) box.markdown(name, view.because, judged.because);
+}
+
+void draw_again(Ui& ui, const LessonPrediction& prediction, const std::string& name) {
     if (button(ui, name + ".again", "answer again", Look::link,
                "The first answer is the one that is remembered.")) {
-        view.judged.reset();
+        ui.lesson.predictions[prediction.id].judged.reset();
+    }
+}
+
+void draw_reveal(Ui& ui, Box& box, const LessonPrediction& prediction, const std::string& name) {
+    PredictionView& view = ui.lesson.predictions[prediction.id];
+    const std::string because = view.judged->because;
+    draw_verdict(ui, prediction, name);
+    if (!because.empty()) box.markdown(name, view.because, because);
+    draw_again(ui, prediction, name);
+}
+
+/// In a strip: the verdict, as much of the reason as has room, and the way to answer again.
+void draw_short_reveal(Ui& ui, const LessonPrediction& prediction, const std::string& name,
+                       float width) {
+    PredictionView& view = ui.lesson.predictions[prediction.id];
+    const std::string because = fitting_sentences(ui, view.judged->because, width, lines_of_strip);
+    const float left = ImGui::GetCursorScreenPos().x;
+    draw_verdict(ui, prediction, name);
+    const ImVec2 gap = ImGui::GetStyle().ItemSpacing;
+    const bool is_one_line = ImGui::GetItemRectSize().y < 2.0f * ImGui::GetFontSize();
+    const float end = ImGui::GetItemRectMax().x + gap.x + button_width("answer again");
+    if (is_one_line && end <= left + width) ImGui::SameLine();
+    draw_again(ui, prediction, name);
+    if (!because.empty()) draw_marked(ui, name, ui.lesson.pages[name + ".because"], because, width);
+}
+
+void draw_answers(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction,
+                  const std::string& name, float width, bool side_by_side) {
+    switch (prediction.kind) {
+    case LessonPrediction::Kind::number:
+        draw_number_field(ui, lesson, prediction, name);
+        break;
+    case LessonPrediction::Kind::choice:
+        draw_choices(ui, lesson, prediction, name, width, side_by_side);
+        break;
+    case LessonPrediction::Kind::pixel:
+        draw_pixel_answer(ui, lesson, prediction, name);
+        break;
+    }
+}
+
+/// A hint as far as it was asked for.
+void draw_hint(Ui& ui, const LessonTask& task, const std::string& name, float width) {
+    std::set<std::string>& hints = ui.lesson.open_hints;
+    if (hints.count(task.id) > 0) {
+        draw_marked(ui, name + ".hint", ui.lesson.pages[name + ".hint"], "*" + task.hint + "*",
+                    width);
+    } else if (button(ui, name + ".hint", "hint", Look::link, "A nudge, if you are stuck.")) {
+        hints.insert(task.id);
     }
 }
 
@@ -197,17 +285,18 @@ void draw_task(Ui& ui, const Lesson& lesson, const LessonTask& task, float width
         box.heading(done ? "✓ DONE" : "TASK", colour);
         name_widget(ui, name, done ? "You have solved this." : "Ticked off as soon as it is so.");
         box.markdown(name, ui.lesson.pages[name], without_label(task.text));
-        if (!task.hint.empty() && !done) {
-            std::set<std::string>& hints = ui.lesson.open_hints;
-            if (hints.count(task.id) > 0) {
-                box.markdown(name + ".hint", ui.lesson.pages[name + ".hint"],
-                             "*" + task.hint + "*");
-            } else if (button(ui, name + ".hint", "hint", Look::link,
-                              "A nudge, if you are stuck.")) {
-                hints.insert(task.id);
-            }
-        }
+        if (!task.hint.empty() && !done) draw_hint(ui, task, name, box.inner_width());
     }
+    ImGui::PopID();
+}
+
+void draw_task_lines(Ui& ui, const Lesson& lesson, const LessonTask& task, float width) {
+    const bool done = ui.lesson.progress.is_task_done(lesson.id, task.id);
+    const std::string name = "lesson.task." + task.id;
+    ImGui::PushID(name.c_str());
+    draw_marked(ui, name, ui.lesson.pages[name], without_label(task.text), width);
+    name_widget(ui, name);
+    if (!task.hint.empty() && !done) draw_hint(ui, task, name, width);
     ImGui::PopID();
 }
 
@@ -226,13 +315,25 @@ void draw_prediction(Ui& ui, const Lesson& lesson, const LessonPrediction& predi
             text_in(palette(ui.options.theme).dim, "Your answer comes back …");
         } else if (ui.lesson.predictions[prediction.id].judged) {
             draw_reveal(ui, box, prediction, name);
-        } else if (prediction.kind == LessonPrediction::Kind::number) {
-            draw_number_field(ui, lesson, prediction, name);
-        } else if (prediction.kind == LessonPrediction::Kind::choice) {
-            draw_choices(ui, lesson, prediction, name);
         } else {
-            draw_pixel_answer(ui, lesson, prediction, name);
+            draw_answers(ui, lesson, prediction, name, ImGui::CalcItemWidth(), false);
         }
+    }
+    ImGui::PopID();
+}
+
+void draw_prediction_lines(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction,
+                           float width) {
+    const std::string name = "lesson.prediction." + prediction.id;
+    ImGui::PushID(name.c_str());
+    take_up_answer(ui, lesson, prediction);
+    if (ui.lesson.predictions[prediction.id].judged) {
+        draw_short_reveal(ui, prediction, name, width);
+    } else {
+        draw_marked(ui, name + ".text", ui.lesson.pages[name], without_label(prediction.text),
+                    width);
+        name_widget(ui, name);
+        draw_answers(ui, lesson, prediction, name, width, true);
     }
     ImGui::PopID();
 }

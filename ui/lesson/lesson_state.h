@@ -38,7 +38,22 @@ struct LessonSearch {
     std::vector<SearchHit> hits;
 };
 
-/// What the lesson column keeps from one frame to the next.
+/// What the strip of the lesson keeps from one frame to the next.
+struct LessonStrip {
+    /// What the student asked for of the step: one of its parts, or -1 for its text. None: the
+    /// first question that is open, or else the text.
+    std::optional<int> card;
+    float height = 0.0f; ///< that its text took when it was drawn last, screen pixels
+    /// The sentences that fit, and for what they were found.
+    struct Fitting {
+        std::string of, sentences;
+        float width = 0.0f;     ///< screen pixels
+        float text_size = 0.0f; ///< of the font, screen pixels
+        int lines = 0;
+    } fitting;
+};
+
+/// What the lesson keeps from one frame to the next.
 struct LessonView {
     StageNotes notes;
     LessonList lessons;
@@ -50,21 +65,24 @@ struct LessonView {
     std::map<std::string, std::shared_ptr<MarkdownPage>> pages; ///< of the step on show, by name
     std::map<std::string, PredictionView> predictions;          ///< of the lesson, by id
     std::set<std::string> open_hints;                           ///< ids of tasks
-    std::string shown;             ///< which page is on show; the scroll position belongs to it
-    float scroll_share = 0.0f;     ///< how far it is scrolled, 0 to 1
-    unsigned place = 0;            ///< in which window of ImGui it stands
-    int frames_to_scroll = 0;      ///< in which it goes back to that share, in another place
-    std::string search;            ///< what the list of lessons is searched for
-    LessonSearch found;            ///< what it has found
-    bool is_tab = false;           ///< of the inspector, for want of room for a column
-    bool covers_inspector = false; ///< where the lesson is a tab of the inspector: it is in front
-    std::string pointed_at;        ///< widget that a link points at: it is outlined; empty: none
-    bool is_held = false;          ///< it stays outlined after the pointer has left the link
-    bool is_new = false;           ///< by the click or key of this frame, which does not end it
-    bool is_hovered = false;       ///< the pointer rests on such a link in this frame
-    int frames_unseen = 0;         ///< since the widget pointed at was last on the screen
-    int frame_of_answer = -1;      ///< in which an answer that was kept was judged last
-    int frame_of_waiting = -1;     ///< in which another one was left for the next frame
+    std::string shown;           ///< which page is on show; the scroll position belongs to it
+    float scroll_share = 0.0f;   ///< how far it is scrolled, 0 to 1
+    unsigned place = 0;          ///< in which window of ImGui it stands
+    int frames_to_scroll = 0;    ///< in which it goes back to that share, in another place
+    std::string search;          ///< what the list of lessons is searched for
+    LessonSearch found;          ///< what it has found
+    bool is_strip = false;       ///< above the canvas, for want of room for a column
+    bool drawer_is_open = false; ///< where it is a strip: the whole text lies over the inspector
+    bool drawer_of_other_mode = false; ///< it is open when the lecture mode is left or entered
+    LessonStrip strip;
+    std::string meant;            ///< widget that a link points at; empty: none
+    std::string pointed_at;       ///< that one, or what is to be clicked first: it is outlined
+    bool is_held = false;         ///< it stays outlined after the pointer has left the link
+    bool is_new = false;          ///< by the click or key of this frame, which does not end it
+    bool is_hovered = false;      ///< the pointer rests on such a link in this frame
+    int frames_unseen = 0;        ///< since the widget pointed at was last on the screen
+    int frame_of_answer = -1;     ///< in which an answer that was kept was judged last
+    int frame_of_waiting = -1;    ///< in which another one was left for the next frame
 };
 
 } // namespace rasterwalk

@@ -9,16 +9,18 @@
 
 namespace rasterwalk {
 
-namespace {
+float page_bars_height(const Ui& ui) {
+    return 16.0f * ui.options.text_scale;
+}
 
-int draw_bars(Ui& ui, const PageFooter& footer, float width) {
+int draw_page_bars(Ui& ui, const PageFooter& footer, float width) {
     const Palette& p = palette(ui.options.theme);
     const float u = ui.options.text_scale;
     const auto count = static_cast<float>(footer.pages.size());
     const float gap = std::min(6.0f * u, 0.3f * width / count);
     const float bar = std::max((width - gap * (count - 1.0f)) / count, 1.0f);
     const ImVec2 start = ImGui::GetCursorScreenPos();
-    const float height = 16.0f * u;
+    const float height = page_bars_height(ui);
     int pressed = -1;
     for (std::size_t i = 0; i < footer.pages.size(); ++i) {
         const PageFooter::Page& page = footer.pages[i];
@@ -39,10 +41,36 @@ int draw_bars(Ui& ui, const PageFooter& footer, float width) {
     return pressed;
 }
 
+namespace {
+
 /// The title beside its arrow, or only the word where it is too long.
 std::string fitting_label(const std::string& title, const char* word, float room) {
     return button_width(title + "  ›") <= room ? title : word;
 }
+
+/// The title of a page; beyond the last, of what comes after it.
+const std::string& title_of(const PageFooter& footer, int page) {
+    const auto index = static_cast<std::size_t>(std::max(page, 0));
+    return index < footer.pages.size() ? footer.pages[index].title : footer.beyond;
+}
+
+bool has_next(const PageFooter& footer) {
+    return footer.current + 1 < static_cast<int>(footer.pages.size()) || !footer.beyond.empty();
+}
+
+bool draw_next(Ui& ui, const PageFooter& footer, const std::string& label, ImVec2 size) {
+    return button(ui, "lesson.next", label, Look::main,
+                  "To the next page: " + title_of(footer, footer.current + 1), size);
+}
+
+bool draw_previous(Ui& ui, const PageFooter& footer, const std::string& label, ImVec2 size) {
+    return button(ui, "lesson.previous", label, Look::plain,
+                  "To the page before: " + title_of(footer, footer.current - 1), size);
+}
+
+/// Of the buttons in a strip, design pixels.
+constexpr float next_width = 86.0f;
+constexpr float previous_width = 40.0f;
 
 } // namespace
 
@@ -51,26 +79,19 @@ float page_footer_height(const Ui& ui) {
            26.0f * ui.options.text_scale;
 }
 
-int draw_page_footer(Ui& ui, const PageFooter& footer, float width, const std::string& next) {
+int draw_page_footer(Ui& ui, const PageFooter& footer, float width) {
     const float u = ui.options.text_scale;
     const ImVec2 start = ImGui::GetCursorScreenPos();
-    int wanted = draw_bars(ui, footer, width);
+    int wanted = draw_page_bars(ui, footer, width);
     const float y = start.y + 24.0f * u;
-    const int last = static_cast<int>(footer.pages.size()) - 1;
-    const auto title = [&](int page) -> const std::string& {
-        return footer.pages[static_cast<std::size_t>(page)].title;
-    };
     // The halves of the line, whatever stands on the buttons: who walks on need not look for them.
     const float gap = 8.0f * u;
     const float half = std::floor(0.5f * (width - gap));
-    if (footer.current < last || !next.empty()) {
-        std::string label = footer.current < last ? title(footer.current + 1) : next;
-        const std::string help = "To the next page: " + label;
-        label = fitting_label(label, "next", half) + "  ›";
+    if (has_next(footer)) {
+        const std::string label =
+            fitting_label(title_of(footer, footer.current + 1), "next", half) + "  ›";
         ImGui::SetCursorScreenPos({start.x + width - half, y});
-        if (button(ui, "lesson.next", label, Look::main, help, {half, 0.0f})) {
-            wanted = footer.current + 1;
-        }
+        if (draw_next(ui, footer, label, {half, 0.0f})) wanted = footer.current + 1;
     }
     // Where there is no way back there is room for the title of what comes.
     if (footer.current == 0 && last > 0) {
@@ -83,13 +104,28 @@ int draw_page_footer(Ui& ui, const PageFooter& footer, float width, const std::s
                                             packed(palette(ui.options.theme).dim), words.c_str());
     }
     if (footer.current > 0) {
-        const std::string& before = title(footer.current - 1);
-        const std::string label = "‹  " + fitting_label(before, "back", half);
+        const std::string label =
+            "‹  " + fitting_label(title_of(footer, footer.current - 1), "back", half);
         ImGui::SetCursorScreenPos({start.x, y});
-        if (button(ui, "lesson.previous", label, Look::plain, "To the page before: " + before,
-                   {half, 0.0f})) {
-            wanted = footer.current - 1;
-        }
+        if (draw_previous(ui, footer, label, {half, 0.0f})) wanted = footer.current - 1;
+    }
+    return wanted;
+}
+
+float page_buttons_width(const Ui& ui) {
+    return (next_width + previous_width + 6.0f) * ui.options.text_scale;
+}
+
+int draw_page_buttons(Ui& ui, const PageFooter& footer, float height) {
+    const float u = ui.options.text_scale;
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    int wanted = -1;
+    if (footer.current > 0 && draw_previous(ui, footer, "‹", {previous_width * u, height})) {
+        wanted = footer.current - 1;
+    }
+    ImGui::SetCursorScreenPos({start.x + (previous_width + 6.0f) * u, start.y});
+    if (has_next(footer) && draw_next(ui, footer, "next  ›", {next_width * u, height})) {
+        wanted = footer.current + 1;
     }
     return wanted;
 }

@@ -16,12 +16,21 @@ struct PageFooter {
     };
     std::vector<Page> pages;
     int current = 0;
+    std::string beyond; ///< what comes after the last page; empty: nothing
 };
 
 /// Draws the footer at ImGui's cursor. Returns the page to which the student wants to go, or -1;
-/// one beyond the last means "on", where `next` is not empty.
-/// @param next what the button says on the last page; empty: there is none
-int draw_page_footer(Ui& ui, const PageFooter& footer, float width, const std::string& next = {});
+/// one beyond the last is what comes after it.
+int draw_page_footer(Ui& ui, const PageFooter& footer, float width);
+
+/// The buttons to its neighbours alone, side by side at ImGui's cursor, for a strip: their size
+/// does not depend on what they lead to. Returns what draw_page_footer() does.
+int draw_page_buttons(Ui& ui, const PageFooter& footer, float height);
+float page_buttons_width(const Ui& ui); ///< screen pixels
+
+/// Its bars alone. Returns the page whose bar was pressed, or -1.
+int draw_page_bars(Ui& ui, const PageFooter& footer, float width);
+float page_bars_height(const Ui& ui); ///< screen pixels
 
 /// Height of the footer, screen pixels.
 float page_footer_height(const Ui& ui);

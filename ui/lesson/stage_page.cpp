@@ -15,10 +15,6 @@ namespace rasterwalk {
 
 namespace {
 
-void go_to_stage(Ui& ui, int stage) {
-    find_action("stage." + std::string(stage_list()[static_cast<std::size_t>(stage)].name)).run(ui);
-}
-
 void draw_heading(Ui& ui, const StageInfo& info) {
     ImGui::PushFont(ui.fonts.small);
     text_in(palette(ui.options.theme).dim, "Stage " + std::to_string(strip_place(info.step) + 1) +
@@ -65,7 +61,7 @@ void draw_stage_text(Ui& ui, float width) {
     draw_text(ui, stage_info(ui.session.a.settings), width);
 }
 
-void draw_stage_footer(Ui& ui, float width) {
+PageFooter pages_of_stages(const Ui& ui) {
     PageFooter footer;
     const StripStep here = step_of(ui.session.a.settings);
     footer.current = strip_place(here);
@@ -73,8 +69,17 @@ void draw_stage_footer(Ui& ui, float width) {
         footer.pages.push_back(
             {"lesson.bar." + std::string(info.name), std::string(info.title), info.step <= here});
     }
-    const int wanted = draw_page_footer(ui, footer, width);
-    if (wanted >= 0) go_to_stage(ui, wanted);
+    return footer;
+}
+
+void turn_to_stage(Ui& ui, int wanted) {
+    if (wanted < 0) return;
+    const StageInfo& stage = stage_list()[static_cast<std::size_t>(wanted)];
+    find_action("stage." + std::string(stage.name)).run(ui);
+}
+
+void draw_stage_footer(Ui& ui, float width) {
+    turn_to_stage(ui, draw_page_footer(ui, pages_of_stages(ui), width));
 }
 
 } // namespace rasterwalk

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "ui/lesson/page_footer.h"
+
 namespace rasterwalk {
 
 struct Ui;
@@ -10,5 +12,9 @@ struct Ui;
 std::string stage_page_name(Ui& ui); ///< by which its scroll position is known
 void draw_stage_text(Ui& ui, float width);
 void draw_stage_footer(Ui& ui, float width);
+
+/// What the footer walks through, and what it does with the stage that is wanted.
+PageFooter pages_of_stages(const Ui& ui);
+void turn_to_stage(Ui& ui, int wanted);
 
 } // namespace rasterwalk

@@ -230,6 +230,13 @@ MarkdownEvents draw_markdown(Ui& ui, std::shared_ptr<MarkdownPage>& page, std::s
     return events;
 }
 
+float markdown_height(Ui& ui, std::shared_ptr<MarkdownPage>& page, std::string_view text,
+                      float width) {
+    if (!page) page = std::make_shared<MarkdownPage>();
+    prepare(ui, *page, text, width, {});
+    return page->layout.height;
+}
+
 const MarkdownDocument& document_of(const MarkdownPage& page) {
     return page.document;
 }

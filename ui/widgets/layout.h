@@ -19,21 +19,39 @@ struct Area {
     ImVec2 size;
 };
 
-/// Where everything is. A pure function of the window's size and the text size.
+/// Where everything is. A pure function of the window's size, the text size, and what the parts
+/// need.
 struct Layout {
     Area menu;      ///< top line
-    Area strip;     ///< the stages, the switches and the scene
-    Area lesson;    ///< left column; without width if the lesson is a tab of the inspector
+    Area strip;     ///< the stages, the switches and the scene; in a narrow window in the top line
+    Area lesson;    ///< left column, or a strip above the canvas
     Area canvas;    ///< middle
     Area inspector; ///< right column
     Area transport; ///< time
-    Area status;    ///< last line
-    bool lesson_is_tab = false;
+    Area status;    ///< last line; without height where there is none
+    bool is_narrow = false; ///< the menus stand behind a button
+    bool lesson_is_strip = false;
     float unit = 1.0f; ///< screen pixels per design pixel: the text scale
+};
+
+/// What the parts of the window ask for, screen pixels.
+struct LayoutNeeds {
+    float transport = 0.0f;    ///< its height
+    float lesson_strip = 0.0f; ///< the height of the lesson, where that is a strip
+    float menu_end = 0.0f;     ///< width of the right end of the top line, in a narrow window
+    bool wide_canvas = false;  ///< the lesson makes room for the canvas, as in a narrow window
+    bool has_stages = true;    ///< they stand in the window
+    bool has_status = true;
 };
 
 /// The rulers around the canvas: their width, design pixels.
 inline constexpr float canvas_ruler = 26.0f;
+
+/// True for a window in which, measured in text, a lesson has no room for a column.
+bool is_narrow(ImVec2 window, const UiOptions& options);
+
+/// True for a window that is so low, measured in text, that its last line is given up.
+bool is_low(ImVec2 window, const UiOptions& options);
 
 /// True for a window so small, measured in text, that the bars must make do with less: tabs and the
 /// size of a step are lists.
@@ -42,9 +60,17 @@ bool is_compact(ImVec2 window, const UiOptions& options);
 /// The largest text scale up to the wished one at which the window still holds everything.
 float fitting_text_scale(ImVec2 window, float wished);
 
-/// @param transport_height screen pixels
-/// @param wide_canvas the lesson makes room for the canvas, as in a small window
-Layout compute_layout(ImVec2 window, const UiOptions& options, float transport_height,
-                      bool wide_canvas = false);
+/// The text scale of the lecture mode: as large as lets canvas and table stand side by side, and
+/// never smaller than the wished one.
+float lecture_text_scale(ImVec2 window, float wished);
+
+/// The smallest letters of the lecture mode, screen pixels; smaller only in a window that is too
+/// small for any projector.
+float least_lecture_letters(ImVec2 window);
+
+Layout compute_layout(ImVec2 window, const UiOptions& options, const LayoutNeeds& needs);
+
+/// The width of what stands at the left end of the top line in a narrow window, screen pixels.
+float menu_button_width(float unit);
 
 } // namespace rasterwalk

@@ -1,6 +1,8 @@
 #include "ui/widgets/style.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 
 #include <imgui_freetype.h>
@@ -154,7 +156,7 @@ void apply_style(const UiOptions& options) {
     ImGui::GetStyle() = style;
 }
 
-Fonts load_fonts(float text_scale) {
+Fonts load_fonts(float text_scale, float least) {
     ImGuiIO& io = ImGui::GetIO();
     io.Fonts->Clear();
     io.Fonts->FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
@@ -176,7 +178,7 @@ Fonts load_fonts(float text_scale) {
     const auto load = [&](const char* name, float size) {
         ImFontConfig config;
         config.OversampleH = config.OversampleV = 1;
-        const float pixels = static_cast<float>(static_cast<int>(size * text_scale + 0.5f));
+        const float pixels = std::round(std::max(size * text_scale, least));
         return io.Fonts->AddFontFromFileTTF((folder + name).c_str(), pixels, &config, ranges);
     };
     fonts.text = load("DejaVuSans.ttf", 16.0f);

@@ -60,7 +60,8 @@ void apply_style(const UiOptions& options);
 
 /// Loads DejaVu in the sizes of the text scale into ImGui's atlas, or the built-in font where it is
 /// not installed.
-Fonts load_fonts(float text_scale);
+/// @param least no letters are smaller, screen pixels
+Fonts load_fonts(float text_scale, float least = 0.0f);
 
 /// Text sizes: the smallest and largest scale, and the step of A+ and A-.
 inline constexpr float smallest_text_scale = 0.75f;

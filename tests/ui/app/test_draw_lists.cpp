@@ -37,8 +37,8 @@ Scene pile(int triangles) {
 }
 
 void look_at_all(Driver& driver, const char* what) {
-    for (const char* stage : {"points", "edges", "rows"}) {
-        driver.hand.click(std::string("stage.") + stage);
+    for (const char stage : {'1', '2', '3'}) { // points, edges, rows
+        driver.hand.press(stage);
         for (const float zoom : {0.0f, 1.5f, 8.0f, 16.0f, 64.0f}) {
             driver.ui.session.canvas.zoom = zoom;
             driver.ui.session.canvas.centre = {250.0f, 250.0f};

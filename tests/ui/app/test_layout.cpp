@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <vector>
+
 #include <catch2/catch.hpp>
 
 #include "tests/ui/driver.h"
@@ -21,35 +24,80 @@ const Window windows[] = {{1600, 1000, 1.0f}, {1600, 1000, 1.5f}, {1600, 1000, 2
 
 TEST_CASE("The parts of the window cover it without overlapping") {
     for (const Window& w : windows) {
-        INFO(w.width << " x " << w.height << " at " << w.scale);
-        UiOptions options;
-        options.text_scale = fitting_text_scale({w.width, w.height}, w.scale);
-        const Layout layout =
-            compute_layout({w.width, w.height}, options, 80.0f * options.text_scale);
-        CHECK(layout.menu.size.y == layout.strip.position.y);
-        CHECK(layout.strip.position.y + layout.strip.size.y == layout.canvas.position.y);
-        CHECK(layout.lesson.size.x == layout.canvas.position.x);
-        CHECK(layout.canvas.position.x + layout.canvas.size.x == layout.inspector.position.x);
-        CHECK(layout.inspector.position.x + layout.inspector.size.x == w.width);
-        CHECK(layout.canvas.position.y + layout.canvas.size.y == layout.transport.position.y);
-        CHECK(layout.status.position.y + layout.status.size.y == Approx(w.height));
-        CHECK(layout.canvas.size.x > 200.0f);
-        CHECK(layout.canvas.size.y > 150.0f);
+        for (const bool is_lecture : {false, true}) {
+            for (const bool wide_canvas : {false, true}) {
+                INFO(w.width << " x " << w.height << " at " << w.scale << ", lecture " << is_lecture
+                             << ", wide canvas " << wide_canvas);
+                UiOptions options;
+                options.is_lecture = is_lecture;
+                options.text_scale = fitting_text_scale({w.width, w.height}, w.scale);
+                const float u = options.text_scale;
+                const Layout layout = compute_layout({w.width, w.height}, options,
+                                                     {.transport = 80.0f * u,
+                                                      .lesson_strip = 86.0f * u,
+                                                      .menu_end = 100.0f * u,
+                                                      .wide_canvas = wide_canvas});
+                std::vector<Area> parts{layout.menu,      layout.lesson,    layout.canvas,
+                                        layout.inspector, layout.transport, layout.status};
+                if (layout.is_narrow) {
+                    // The stages stand in the line of the menu.
+                    CHECK(layout.strip.size.y == layout.menu.size.y);
+                    CHECK(layout.strip.position.x > 30.0f * u);
+                    CHECK(layout.strip.position.x + layout.strip.size.x ==
+                          Approx(w.width - 100.0f * u));
+                } else {
+                    parts.push_back(layout.strip);
+                }
+                float covered = 0.0f;
+                for (std::size_t i = 0; i < parts.size(); ++i) {
+                    covered += parts[i].size.x * parts[i].size.y;
+                    const ImVec2 end{parts[i].position.x + parts[i].size.x,
+                                     parts[i].position.y + parts[i].size.y};
+                    CHECK(end.x <= w.width);
+                    CHECK(end.y <= w.height + 0.5f);
+                    for (std::size_t j = 0; j < i; ++j) {
+                        const float across =
+                            std::min(end.x, parts[j].position.x + parts[j].size.x) -
+                            std::max(parts[i].position.x, parts[j].position.x);
+                        const float down = std::min(end.y, parts[j].position.y + parts[j].size.y) -
+                                           std::max(parts[i].position.y, parts[j].position.y);
+                        CAPTURE(i, j);
+                        CHECK((across <= 0.0f || down <= 0.0f));
+                    }
+                }
+                CHECK(covered == Approx(w.width * w.height).epsilon(0.001));
+                CHECK(layout.canvas.size.x > 200.0f);
+                CHECK(layout.canvas.size.y > 150.0f);
+            }
+        }
     }
 }
 
 TEST_CASE("Every button of the bars is whole in every window and at every text size") {
-    for (const Window& w : windows) {
-        Driver driver("lab-room.toml", {w.width, w.height}, w.scale);
+    struct Case {
+        const char* scene;
+        Window window;
+    };
+    std::vector<Case> cases;
+    for (const char* scene : {"lab-room.toml", "one-triangle.toml"}) {
+        for (const Window& w : windows)
+            cases.push_back({scene, w});
+    }
+    for (const auto& [scene, w] : cases) {
+        Driver driver(scene, {w.width, w.height}, w.scale);
         driver.hand.leave();
+        const bool has_column = driver.ui.widgets.count("menu") == 0;
         for (const auto& [name, place] : driver.ui.widgets) {
             const bool in_bar = name.starts_with("stage.") || name.starts_with("switch.") ||
                                 name.starts_with("walk.") || name.starts_with("step.") ||
                                 name.starts_with("tab.") || name.starts_with("tabs") ||
                                 name.starts_with("group.") || name.starts_with("scenes") ||
-                                name.starts_with("menu.") || name.starts_with("canvas.");
-            if (!in_bar) continue;
-            INFO(name << " at " << w.width << " x " << w.height << ", text " << w.scale);
+                                name.starts_with("menu") || name.starts_with("canvas.") ||
+                                name.starts_with("lesson.");
+            // A column scrolls.
+            if (!in_bar || (has_column && name.starts_with("lesson."))) continue;
+            INFO(scene << ", " << name << " at " << w.width << " x " << w.height << ", text "
+                       << w.scale);
             CHECK(place.visible);
             CHECK(place.is_whole);
         }
@@ -70,7 +118,7 @@ TEST_CASE("A window that is low but wide has its lesson column") {
         INFO(window.x << " x " << window.y);
         Driver driver("lab-room.toml", window);
         CHECK(driver.hand.is_visible("lesson.list"));
-        CHECK_FALSE(driver.hand.is_visible("tab.lesson"));
+        CHECK_FALSE(driver.hand.is_visible("lesson.whole"));
         CHECK(driver.ui.widgets.at("lesson.previous").is_whole);
     }
 }

@@ -15,6 +15,7 @@
 #include "session/tabs.h"
 #include "settings/setting_table.h"
 #include "tests/ui/driver.h"
+#include "ui/actions/keys.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/ui.h"
@@ -126,6 +127,13 @@ class Tour {
         for (const auto& [window, text_scale] :
              {std::pair{ImVec2{1024, 640}, 1.0f}, {ImVec2{800, 600}, 1.5f}}) {
             Driver driver("lab-room.toml", window, text_scale);
+            look(driver);
+            driver.hand.click("lesson.whole");
+            look(driver);
+            driver.hand.click("menu");
+            look(driver);
+            driver.hand.press(key::escape);
+            driver.hand.press(key::f5);
             look(driver);
         }
     }

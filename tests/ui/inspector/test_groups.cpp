@@ -143,30 +143,36 @@ TEST_CASE("A lesson that points at a panel of another group points at the group"
     CHECK(driver.ui.lesson.pointed_at == "tab.settings");
 }
 
-TEST_CASE("Where the lesson is a tab of the inspector, it has a button beside the groups") {
+TEST_CASE("Where the lesson is a strip, its whole text lies over the tab on show") {
     Driver driver("lab-room.toml", {1024, 640});
     open_lesson(driver.ui, "05-row-table", 2);
     driver.hand.leave();
-    CHECK(driver.hand.is_visible("tab.lesson"));
-    CHECK(driver.hand.is_visible("lesson.next"));
-    driver.hand.click("group.triangle");
-    CHECK_FALSE(driver.hand.is_visible("lesson.next"));
+    const auto is_text_seen = [&] {
+        driver.hand.leave();
+        return is_there(driver, "lesson.list");
+    };
+    CHECK_FALSE(is_text_seen());
     CHECK(driver.ui.session.tab == "rows");
-    driver.hand.click("tab.lesson");
-    CHECK(driver.hand.is_visible("lesson.next"));
+    driver.hand.click("lesson.whole");
+    CHECK(is_text_seen());
+    CHECK_FALSE(is_there(driver, "rows.copy"));
+    driver.hand.click("group.triangle");
+    CHECK_FALSE(is_text_seen());
+    CHECK(driver.ui.session.tab == "rows");
+    driver.hand.click("lesson.whole");
     driver.hand.click("tab.settings");
     CHECK(driver.hand.is_visible("settings.search"));
     driver.hand.press(key::escape);
-    CHECK(driver.hand.is_visible("lesson.next")); // what lay below
+    CHECK(is_text_seen()); // what lay below
     driver.hand.click("group.triangle");
     driver.hand.click("tab.settings");
     driver.hand.click("settings.close");
-    CHECK_FALSE(driver.hand.is_visible("lesson.next"));
+    CHECK_FALSE(is_text_seen());
     driver.hand.find("rows.copy"); // scrolls to it
     CHECK(driver.hand.is_visible("rows.copy"));
 }
 
-TEST_CASE("In the smallest window a list leads to every tab, and the settings to their gear") {
+TEST_CASE("In the smallest window a list leads to every tab, and the gear to the settings") {
     Driver driver("lab-room.toml", {800, 600}, 1.5f);
     for (const TabInfo& tab : tab_list()) {
         INFO(tab.name);
@@ -176,7 +182,10 @@ TEST_CASE("In the smallest window a list leads to every tab, and the settings to
     }
     open_lesson(driver.ui, "01-pinhole-camera", 3);
     driver.hand.leave();
-    CHECK(driver.ui.lesson.pointed_at == "tab.settings");
+    CHECK(driver.ui.lesson.pointed_at == "setting.camera.focal_length");
+    CHECK(driver.hand.is_visible("settings.search"));
+    driver.hand.click("tab.settings");
+    CHECK_FALSE(driver.hand.is_visible("settings.search"));
     driver.hand.click("tab.settings");
     CHECK(driver.hand.is_visible("settings.search"));
 }

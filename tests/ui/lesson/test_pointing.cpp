@@ -4,6 +4,7 @@
 
 #include "tests/ui/driver.h"
 #include "ui/actions/keys.h"
+#include "ui/actions/lesson_links.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/ui.h"
 
@@ -48,6 +49,76 @@ TEST_CASE("A step that is walked to by keys outlines what it points at, until th
         CHECK(view.pointed_at.empty());
     }
     CHECK(tried > 3);
+}
+
+TEST_CASE("A setting behind the gear is outlined when the gear is clicked, in every window") {
+    for (const ImVec2 window : {ImVec2(1600, 1000), ImVec2(1024, 640), ImVec2(800, 600)}) {
+        INFO(window.x << " x " << window.y);
+        Driver driver("lab-room.toml", window);
+        const LessonView& view = driver.ui.lesson;
+        point_at_widget(driver.ui, "setting.camera.focal_length", true);
+        driver.hand.frames(frames_to_rest);
+        CHECK(view.pointed_at == "tab.settings");
+        driver.hand.click("tab.settings");
+        driver.hand.leave();
+        CHECK(view.pointed_at == "setting.camera.focal_length");
+        CHECK(driver.ui.widgets.at("setting.camera.focal_length").visible);
+        driver.hand.click("settings.search");
+        CHECK(view.pointed_at.empty());
+
+        // By its key as well.
+        driver.hand.press(key::escape);
+        driver.hand.press(key::escape);
+        point_at_widget(driver.ui, "setting.light.power", true);
+        driver.hand.frames(frames_to_rest);
+        CHECK(view.pointed_at == "tab.settings");
+        driver.hand.press(key::comma, {.ctrl = true});
+        driver.hand.leave();
+        CHECK(view.pointed_at == "setting.light.power");
+        CHECK(driver.ui.widgets.at("setting.light.power").visible);
+    }
+}
+
+TEST_CASE("A click elsewhere than on the way to what is pointed at ends the pointing") {
+    Driver driver("lab-room.toml", {800, 600});
+    point_at_widget(driver.ui, "setting.camera.focal_length", true);
+    driver.hand.frames(frames_to_rest);
+    driver.hand.click("walk.step");
+    CHECK(driver.ui.lesson.pointed_at.empty());
+    driver.hand.click("tab.settings");
+    CHECK(driver.ui.lesson.pointed_at.empty());
+}
+
+TEST_CASE("A search leads to a step whose setting is outlined, in a narrow window too") {
+    for (const ImVec2 window : {ImVec2(1600, 1000), ImVec2(1024, 640), ImVec2(800, 600)}) {
+        INFO(window.x << " x " << window.y);
+        Driver driver("lab-room.toml", window);
+        driver.hand.press('L');
+        driver.hand.click("lesson.search");
+        driver.hand.type_text("focal");
+        int hit = 0;
+        while (driver.ui.lesson.found.hits.at(static_cast<std::size_t>(hit)).lesson.empty())
+            ++hit; // terms come first
+        driver.hand.click("lesson.hit." + std::to_string(hit));
+        REQUIRE_FALSE(driver.ui.session.lesson.empty());
+        const Lesson* const lesson = open_lesson_of(driver.ui);
+        const auto step = static_cast<std::size_t>(driver.ui.session.step);
+        const std::string meant = lesson->steps[step].state.point_at.value_or("");
+        driver.hand.leave();
+        CHECK(driver.ui.lesson.pointed_at == meant);
+        CHECK((meant.empty() || driver.ui.widgets.at(meant).visible));
+    }
+}
+
+TEST_CASE("A menu behind its button is outlined step by step") {
+    Driver driver("lab-room.toml", {1024, 640});
+    const LessonView& view = driver.ui.lesson;
+    follow_link(driver.ui, "show:menu.Scene");
+    driver.hand.frames(frames_to_rest);
+    CHECK(view.pointed_at == "menu");
+    driver.hand.click("menu");
+    driver.hand.leave();
+    CHECK(view.pointed_at == "menu.Scene");
 }
 
 } // namespace rasterwalk

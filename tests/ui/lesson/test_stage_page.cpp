@@ -60,13 +60,18 @@ float top_of(const Driver& driver, const std::string& widget) {
 /// Follows every link of the page on show by a click, each from the same start.
 void follow_all(const Session& start, ImVec2 window) {
     Driver driver(start, window);
-    if (driver.ui.widgets.count("tab.lesson") > 0) driver.hand.click("tab.lesson");
+    const bool is_strip = driver.ui.widgets.count("lesson.whole") > 0;
+    if (is_strip) driver.hand.click("lesson.whole");
     const std::vector<std::string> links = document_of(*driver.ui.lesson.pages.at("stage")).links;
     CHECK_FALSE(links.empty());
     for (std::size_t i = 0; i < links.size(); ++i) {
         INFO(driver.ui.lesson.shown << ": link " << i << ", " << links[i]);
         driver.ui.session = start;
-        open_tab(driver.ui, driver.ui.widgets.count("tab.lesson") > 0 ? "lesson" : "vertices");
+        if (is_strip) {
+            open_drawer(driver.ui);
+        } else {
+            open_tab(driver.ui, "vertices");
+        }
         driver.hand.frames(frames_to_rest);
         driver.hand.click("lesson.link." + std::to_string(i));
         CHECK(driver.ui.session.notice == "");
@@ -80,15 +85,18 @@ void follow_all(const Session& start, ImVec2 window) {
         } else if (link.is_of("cursor")) {
             CHECK(to_text(driver.ui.results.a.cursor) == link.argument);
         } else {
-            CHECK(driver.ui.lesson.pointed_at == link.argument);
-            CHECK(driver.hand.is_visible(link.argument));
+            // In a narrow window perhaps the way to it: the menus stand behind a button.
+            const std::string shown = driver.ui.lesson.pointed_at;
+            CHECK(driver.ui.lesson.meant == link.argument);
+            CHECK((shown == link.argument || (is_strip && shown == "menu")));
+            CHECK(driver.hand.is_visible(shown));
         }
     }
 }
 
 } // namespace
 
-TEST_CASE("Every link of every note does what it says, in a column and in a tab") {
+TEST_CASE("Every link of every note does what it says, in a column and in a drawer") {
     const Session bench = open_session(lessons_folder() + "/scenes/one-triangle.toml");
     for (const ImVec2 window :
          test::some_of(std::vector{ImVec2(1024, 640), ImVec2(1600, 1000)}, 1)) {
@@ -135,7 +143,6 @@ TEST_CASE("The buttons of the lesson are whole in small windows and at large tex
           Window{{1600, 1000}, 2.0f}, Window{{800, 600}, 1.0f}, Window{{800, 600}, 2.0f}}) {
         INFO(window.size.x << "x" << window.size.y << " at " << window.scale);
         Driver driver(room_at({Stage::rows}), window.size, window.scale);
-        open_tab(driver.ui, "lesson");
         driver.hand.frames(frames_to_rest);
         for (const char* name : {"lesson.previous", "lesson.next", "lesson.bar.rows"}) {
             INFO(name);

@@ -1,0 +1,70 @@
+#include "text/sentences.h"
+
+#include <catch2/catch.hpp>
+
+#include "lessons/lesson_list.h"
+#include "session/content.h"
+#include "text/markdown.h"
+
+namespace rasterwalk {
+
+using Sentences = std::vector<std::string>;
+
+TEST_CASE("The first paragraph is cut into its sentences") {
+    CHECK(leading_sentences("One. Two, 3.5 of it! Three?\n\nFour.") ==
+          Sentences{"One.", "Two, 3.5 of it!", "Three?"});
+    CHECK(leading_sentences("It goes on\nbelow. And ends") ==
+          Sentences{"It goes on\nbelow.", "And ends"});
+    CHECK(leading_sentences("He said \"No.\" Then (so it is.) more.") ==
+          Sentences{"He said \"No.\"", "Then (so it is.)", "more."});
+}
+
+TEST_CASE("A sentence does not end in code, formulas, links or emphasis") {
+    CHECK(leading_sentences("See `a. b` and $x. y$. Next.") ==
+          Sentences{"See `a. b` and $x. y$.", "Next."});
+    CHECK(leading_sentences("See [one. two](set:a=1). Next.") ==
+          Sentences{"See [one. two](set:a=1).", "Next."});
+    CHECK(leading_sentences("**Look. Here.** Next.") == Sentences{"**Look. Here.**", "Next."});
+    CHECK(leading_sentences("A note.[^1] Next.") == Sentences{"A note.", "Next."});
+}
+
+TEST_CASE("What is no running text is passed over") {
+    CHECK(leading_sentences("# Title\n\n```cpp\na. b\n\nc\n```\n\n- item. item\n  more.\n\n"
+                            "1. first\n\n![words](a.png)\n\nHere. It begins.") ==
+          Sentences{"Here.", "It begins."});
+    CHECK(leading_sentences("").empty());
+    CHECK(leading_sentences("# Only a title\n").empty());
+    CHECK(leading_sentences("```\nnever closed. Really").empty());
+    CHECK(leading_sentences("[^").size() <= 1);
+    CHECK(leading_sentences("*`[$ . . .").size() <= 1);
+}
+
+TEST_CASE("Every step of every lesson has a sentence that stands for it, whole in its marks") {
+    LessonList lessons;
+    lessons.read_folder(lessons_folder());
+    int steps = 0;
+    for (const Lesson& lesson : lessons.all()) {
+        for (const LessonStep& step : lesson.steps) {
+            INFO(lesson.id << ": " << step.heading);
+            ++steps;
+            Sentences sentences;
+            for (const LessonPart& part : step.parts) {
+                if (part.kind == LessonPart::Kind::text && sentences.empty()) {
+                    sentences = leading_sentences(part.text);
+                }
+            }
+            REQUIRE_FALSE(sentences.empty());
+            // Read alone, it is running text without a mark that was torn apart.
+            const MarkdownDocument document = parse_markdown(sentences[0]);
+            REQUIRE(document.blocks.size() == 1);
+            CHECK(document.blocks[0].kind == MarkdownBlock::Kind::paragraph);
+            for (const MarkdownRun& run : document.blocks[0].runs) {
+                if (run.code) continue;
+                CHECK(run.text.find_first_of("*`[]") == run.text.npos);
+            }
+        }
+    }
+    CHECK(steps > 60);
+}
+
+} // namespace rasterwalk

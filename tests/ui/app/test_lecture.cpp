@@ -1,0 +1,196 @@
+// The lecture mode.
+
+#include <algorithm>
+
+#include <catch2/catch.hpp>
+
+#include "lessons/progress.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/ui/driver.h"
+#include "tests/ui/screen_text.h"
+#include "ui/actions/actions.h"
+#include "ui/actions/keys.h"
+#include "ui/actions/lesson_links.h"
+#include "ui/actions/open_lesson.h"
+#include "ui/app/kept_options.h"
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+namespace {
+
+bool is_there(const Driver& driver, const std::string& name) {
+    return driver.ui.widgets.count(name) > 0;
+}
+
+} // namespace
+
+TEST_CASE("In a lecture Page down walks a lesson to its end, and Page up back") {
+    Driver driver("lab-room.toml", {1024, 640});
+    const std::vector<Lesson> lessons = driver.ui.lesson.lessons.all();
+    const Lesson& lesson = lessons.at(4);
+    open_lesson(driver.ui, lesson.id, 0);
+    driver.hand.press(key::f5);
+    REQUIRE(driver.ui.options.is_lecture);
+    const int last = static_cast<int>(lesson.steps.size()) - 1;
+    for (int step = 1; step <= last; ++step) {
+        driver.hand.press(key::page_down);
+        CHECK(driver.ui.session.step == step);
+        CHECK(driver.ui.session.lesson == lesson.id);
+        driver.hand.leave();
+        CHECK(is_there(driver, "lesson.previous"));
+    }
+    driver.hand.press(key::page_down);
+    CHECK(driver.ui.session.step == last);
+    for (int step = last - 1; step >= 0; --step) {
+        driver.hand.press(key::page_up);
+        CHECK(driver.ui.session.step == step);
+    }
+}
+
+TEST_CASE("In a lecture without a lesson Page down draws the next piece of the size on show") {
+    Driver driver("one-triangle.toml", {1024, 640});
+    driver.hand.press(key::page_down);
+    CHECK_FALSE(driver.ui.session.notice.empty()); // there is no lesson to walk
+    driver.hand.press(key::f5);
+    driver.hand.press('3');
+    for (const Granularity size : {Granularity::moment, Granularity::line}) {
+        driver.ui.session.play.granularity = size;
+        driver.hand.press(key::home);
+        driver.hand.press(key::period);
+        driver.hand.press(key::period);
+        const Cursor by_step = driver.ui.session.cursor;
+        driver.hand.press(key::home);
+        driver.hand.press(key::page_down);
+        const Cursor first = driver.ui.session.cursor;
+        driver.hand.press(key::page_down);
+        CHECK(driver.ui.session.cursor == by_step);
+        CHECK(first != by_step);
+        driver.hand.press(key::page_up);
+        CHECK(driver.ui.session.cursor == first);
+    }
+}
+
+TEST_CASE("Leaving a lecture restores everything") {
+    for (const ImVec2 window : {ImVec2(1600, 1000), ImVec2(1024, 640)}) {
+        INFO(window.x << " x " << window.y);
+        Driver driver("lab-room.toml", window);
+        open_lesson(driver.ui, "05-row-table", 3);
+        driver.hand.press('T');
+        driver.hand.leave();
+        const auto places = [&] {
+            driver.hand.leave();
+            driver.hand.frames(frames_to_rest);
+            std::vector<std::string> all;
+            for (const auto& [name, place] : driver.ui.widgets) {
+                all.push_back(name + " " + std::to_string(place.top_left.x) + " " +
+                              std::to_string(place.top_left.y) + " " +
+                              std::to_string(place.bottom_right.x) + " " +
+                              std::to_string(place.bottom_right.y));
+            }
+            std::sort(all.begin(), all.end());
+            return all;
+        };
+        const std::vector<std::string> before = places();
+        const SessionInputs inputs = driver.ui.session;
+        const std::string options = options_text(driver.ui.options);
+        const float scale = driver.ui.options.text_scale;
+        driver.hand.press(key::f5);
+        CHECK(places() != before);
+        CHECK(driver.ui.options.text_scale > scale);
+        driver.hand.press(key::escape);
+        CHECK_FALSE(driver.ui.options.is_lecture);
+        CHECK(places() == before);
+        CHECK(driver.ui.options.text_scale == scale);
+        CHECK(options_text(driver.ui.options) == options);
+        const SessionInputs& after = driver.ui.session;
+        CHECK(after == inputs);
+        // By its key, and by the words in the corner.
+        driver.hand.press(key::f5);
+        driver.hand.press(key::f5);
+        CHECK(places() == before);
+        driver.hand.press(key::f5);
+        driver.hand.click("lecture.leave");
+        CHECK(places() == before);
+    }
+}
+
+TEST_CASE("Escape closes what is open before it ends the lecture") {
+    Driver driver("lab-room.toml", {1024, 640});
+    driver.hand.press(key::f5);
+    driver.hand.press('T');
+    driver.hand.press(key::f1);
+    driver.hand.press(key::escape);
+    CHECK_FALSE(driver.ui.sheets.shows_keys);
+    CHECK(driver.ui.options.is_lecture);
+    driver.hand.press(key::escape);
+    CHECK_FALSE(driver.ui.lesson.drawer_is_open);
+    CHECK(driver.ui.options.is_lecture);
+    driver.hand.press(key::escape);
+    CHECK_FALSE(driver.ui.options.is_lecture);
+    driver.hand.press(key::escape);
+    CHECK_FALSE(driver.ui.options.is_lecture);
+}
+
+TEST_CASE("A lecture has no letters under 18 pixels, and nothing that distracts") {
+    for (const ImVec2 window : {ImVec2(1024, 640), ImVec2(1600, 1000), ImVec2(800, 600)}) {
+        INFO(window.x << " x " << window.y);
+        Driver driver("lab-room.toml", window);
+        for (const int step : {0, 3, 5}) {
+            open_lesson(driver.ui, "05-row-table", step);
+            if (!driver.ui.options.is_lecture) driver.hand.press(key::f5);
+            driver.hand.leave();
+            for (const ScreenText& text : screen_text()) {
+                INFO(text.window << ": " << text.words);
+                CHECK(text.size >= 18.0f);
+            }
+            for (const char* gone : {"status.pixel", "walk.first", "walk.last", "walk.next_change",
+                                     "canvas.fit", "canvas.overlays", "switch.compare", "scenes",
+                                     "corner.undo", "group.runs", "menu.File"}) {
+                INFO(gone);
+                CHECK_FALSE(is_there(driver, gone));
+            }
+            for (const char* stays : {"menu", "walk.play", "walk.step", "walk.back", "lesson.next",
+                                      "lesson.whole", "canvas", "lecture.leave"}) {
+                INFO(stays);
+                REQUIRE(is_there(driver, stays));
+                CHECK(driver.ui.widgets.at(stays).is_whole);
+            }
+        }
+    }
+}
+
+TEST_CASE("A lecture says what could not be done") {
+    Driver driver("lab-room.toml", {1024, 640});
+    driver.hand.press(key::f5);
+    driver.hand.leave();
+    CHECK_FALSE(is_there(driver, "status.trouble"));
+    driver.hand.press('N'); // no pixel is picked
+    driver.hand.leave();
+    CHECK(driver.hand.is_visible("status.trouble"));
+}
+
+TEST_CASE("A lecture is not kept, and stands in the View menu and among the keys") {
+    const test::TemporaryFolder folder;
+    const std::string file = folder.file("options.toml");
+    {
+        Driver driver;
+        keep_options(driver.ui, file);
+        driver.hand.press(key::f5);
+        driver.ui.options.theme = Theme::light; // so that something is written
+        driver.hand.frames(3);
+    }
+    Driver driver;
+    keep_options(driver.ui, file);
+    CHECK(driver.ui.options.theme == Theme::light);
+    CHECK_FALSE(driver.ui.options.is_lecture);
+    CHECK(find_action("view.lecture").menu == "View");
+    CHECK(chord_text(find_action("view.lecture").chord) == "F5");
+    driver.hand.press(key::f1);
+    const std::vector<ScreenText> texts = screen_text();
+    CHECK(std::any_of(texts.begin(), texts.end(), [](const ScreenText& text) {
+        return text.window == "keys" && text.words.find("Lecture mode") != std::string::npos;
+    }));
+}
+
+} // namespace rasterwalk

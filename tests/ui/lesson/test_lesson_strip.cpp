@@ -1,0 +1,223 @@
+// The lesson as a strip above the canvas, in windows without room for a column.
+
+#include <catch2/catch.hpp>
+
+#include "tests/support/effort.h"
+#include "tests/ui/driver.h"
+#include "ui/actions/keys.h"
+#include "ui/actions/open_lesson.h"
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+namespace {
+
+struct StripWindow {
+    ImVec2 size;
+    float text;
+};
+
+const std::vector<StripWindow> narrow_windows{
+    {{1024, 640}, 1.5f}, {{1024, 640}, 1.0f}, {{800, 600}, 1.0f}, {{640, 480}, 1.0f}};
+
+bool is_there(const Driver& driver, const std::string& name) {
+    return driver.ui.widgets.count(name) > 0;
+}
+
+/// The number of the step in which a prediction of a lesson stands.
+int step_of_prediction(Driver& driver, const char* lesson, const char* id) {
+    const Lesson* const found = driver.ui.lesson.lessons.find(lesson);
+    REQUIRE(found != nullptr);
+    return find_prediction(*found, id)->step;
+}
+
+} // namespace
+
+TEST_CASE("The strip asks a number, and says what the program says") {
+    for (const StripWindow& window : narrow_windows) {
+        INFO(window.size.x << " x " << window.size.y << ", text " << window.text);
+        Driver driver("lab-room.toml", window.size, window.text);
+        const int step = step_of_prediction(driver, "05-row-table", "rows-of-it");
+        open_lesson(driver.ui, "05-row-table", step);
+        driver.hand.leave();
+        const std::string name = "lesson.prediction.rows-of-it";
+        REQUIRE(driver.hand.is_visible(name + ".number"));
+        CHECK(driver.ui.widgets.at(name + ".number").is_whole);
+        CHECK(driver.ui.widgets.at(name + ".answer").is_whole);
+        driver.hand.click(name + ".number");
+        driver.hand.type_text("30");
+        driver.hand.press(key::enter); // by the keyboard alone
+        driver.hand.leave();
+        CHECK_FALSE(driver.ui.lesson.predictions.at("rows-of-it").judged->is_right);
+        CHECK(driver.ui.lesson.predictions.at("rows-of-it").judged->number == 31.0);
+        CHECK(driver.hand.is_visible(name + ".verdict"));
+        driver.hand.click(name + ".again");
+        driver.ui.lesson.predictions.at("rows-of-it").typed.clear();
+        driver.hand.click(name + ".number");
+        driver.hand.type_text("31");
+        driver.hand.click(name + ".answer");
+        CHECK(driver.ui.lesson.predictions.at("rows-of-it").judged->is_right);
+        // The text is one click away, and so is the answer.
+        driver.hand.click("lesson.card.text");
+        driver.hand.leave();
+        CHECK_FALSE(is_there(driver, name + ".verdict"));
+    }
+}
+
+TEST_CASE("Every prediction of every lesson can be answered in the strip") {
+    for (const StripWindow& window : test::some_of(narrow_windows, 1)) {
+        Driver driver("lab-room.toml", window.size, window.text);
+        const std::vector<Lesson> lessons = driver.ui.lesson.lessons.all();
+        int asked = 0;
+        for (const Lesson& lesson : test::some_of(lessons, 3)) {
+            for (const LessonPrediction& prediction : lesson.predictions) {
+                INFO(lesson.id << ", " << prediction.id << " at " << window.size.x << " x "
+                               << window.size.y << ", text " << window.text);
+                open_lesson(driver.ui, lesson.id, prediction.step);
+                const auto& parts = lesson.steps[static_cast<std::size_t>(prediction.step)].parts;
+                for (std::size_t i = 0; i < parts.size(); ++i) {
+                    const bool is_it =
+                        parts[i].kind == LessonPart::Kind::prediction &&
+                        &lesson.predictions[static_cast<std::size_t>(parts[i].index)] ==
+                            &prediction;
+                    if (is_it) driver.ui.lesson.strip.card = static_cast<int>(i);
+                }
+                driver.hand.leave();
+                const std::string name = "lesson.prediction." + prediction.id;
+                if (prediction.kind == LessonPrediction::Kind::choice) {
+                    for (std::size_t i = 0; i < prediction.choices.size(); ++i) {
+                        // A long list scrolls.
+                        CHECK(driver.hand.find(name + ".choice." + std::to_string(i)).is_whole);
+                    }
+                    driver.hand.click(name + ".choice.0");
+                } else if (prediction.kind == LessonPrediction::Kind::number) {
+                    driver.hand.click(name + ".number");
+                    driver.hand.type_text("7");
+                    driver.hand.press(key::enter);
+                } else {
+                    driver.ui.session.selection.pixel = {1, 1};
+                    driver.hand.leave();
+                    driver.hand.click(name + ".answer");
+                }
+                driver.hand.leave();
+                CHECK(driver.ui.lesson.predictions.at(prediction.id).judged.has_value());
+                CHECK(is_there(driver, name + ".verdict"));
+                ++asked;
+            }
+        }
+        CHECK(asked > 5);
+    }
+}
+
+TEST_CASE("The whole text opens over the table, and closes by its button, by Escape, by a choice") {
+    for (const StripWindow& window : narrow_windows) {
+        INFO(window.size.x << " x " << window.size.y << ", text " << window.text);
+        Driver driver("lab-room.toml", window.size, window.text);
+        open_lesson(driver.ui, "05-row-table", 2);
+        driver.hand.leave();
+        const auto is_open = [&] {
+            driver.hand.leave();
+            return is_there(driver, "lesson.list");
+        };
+        REQUIRE_FALSE(is_open());
+        const ImVec2 canvas = driver.ui.widgets.at("canvas").top_left;
+        driver.hand.click("lesson.whole");
+        REQUIRE(is_open());
+        CHECK(driver.ui.widgets.at("canvas").top_left.x == canvas.x); // nothing jumps
+        CHECK_FALSE(is_there(driver, "rows.header.left"));
+        driver.hand.click("lesson.whole");
+        CHECK_FALSE(is_open());
+        CHECK(is_there(driver, "rows.header.left"));
+
+        driver.hand.press('T');
+        CHECK(is_open());
+        driver.hand.press(key::escape);
+        CHECK_FALSE(is_open());
+
+        // It stays while the steps are walked, and closes when another lesson is chosen.
+        driver.hand.press('T');
+        driver.hand.click("lesson.next");
+        CHECK(is_open());
+        CHECK(driver.ui.session.step == 3);
+        driver.hand.press('L');
+        driver.hand.click("lesson.item.06-filling");
+        CHECK(driver.ui.session.lesson == "06-filling");
+        CHECK_FALSE(is_open());
+    }
+}
+
+TEST_CASE("Steps, list and hints of a lesson are reached by the keyboard alone") {
+    Driver driver("lab-room.toml", {1024, 640}, 1.5f);
+    driver.hand.press('L');
+    driver.hand.leave();
+    CHECK(is_there(driver, "lesson.item.05-row-table"));
+    driver.hand.press('L');
+    driver.hand.leave();
+    CHECK_FALSE(is_there(driver, "lesson.item.05-row-table"));
+    open_lesson(driver.ui, "05-row-table", 0);
+    const Lesson* const lesson = open_lesson_of(driver.ui);
+    const int last = static_cast<int>(lesson->steps.size()) - 1;
+    for (int step = 1; step <= last; ++step) {
+        driver.hand.press(key::page_down);
+        CHECK(driver.ui.session.step == step);
+    }
+    driver.hand.press(key::page_down);
+    CHECK(driver.ui.session.step == last);
+    driver.hand.press(key::page_up);
+    CHECK(driver.ui.session.step == last - 1);
+}
+
+TEST_CASE("The strip has the way on at the same place in every step, 86 wide") {
+    Driver driver("lab-room.toml", {1024, 640}, 1.5f);
+    const std::vector<Lesson> lessons = driver.ui.lesson.lessons.all();
+    std::optional<float> left;
+    for (const Lesson& lesson : test::some_of(lessons, 2)) {
+        for (int step = 0; step < static_cast<int>(lesson.steps.size()); ++step) {
+            open_lesson(driver.ui, lesson.id, step);
+            driver.hand.frames(frames_to_rest);
+            const bool is_end = step + 1 == static_cast<int>(lesson.steps.size());
+            if (is_end && !is_there(driver, "lesson.next")) continue; // of the last lesson
+            const WidgetPlace& next = driver.ui.widgets.at("lesson.next");
+            INFO(lesson.id << ", step " << step);
+            CHECK(next.is_whole);
+            CHECK(next.bottom_right.x - next.top_left.x == Approx(86.0f * 1.5f));
+            if (left) CHECK(next.top_left.x == *left);
+            left = next.top_left.x;
+        }
+    }
+}
+
+TEST_CASE("A task is said in the strip, ticked off there, and its hint can be asked for") {
+    Driver driver("lab-room.toml", {1024, 640}, 1.5f);
+    const Lesson* const lesson = driver.ui.lesson.lessons.find("05-row-table");
+    REQUIRE(lesson != nullptr);
+    const LessonTask task = lesson->tasks.at(0);
+    open_lesson(driver.ui, "05-row-table", task.step);
+    const auto& parts = lesson->steps[static_cast<std::size_t>(task.step)].parts;
+    std::size_t card = 0;
+    while (parts[card].kind != LessonPart::Kind::task)
+        ++card;
+    driver.hand.leave();
+    driver.hand.click("lesson.card." + std::to_string(card));
+    driver.hand.click("lesson.task." + task.id + ".hint");
+    CHECK(driver.ui.lesson.open_hints.count(task.id) == 1);
+    CHECK_FALSE(driver.ui.lesson.progress.is_task_done("05-row-table", task.id));
+    driver.ui.session.cursor = {0, Phase::edges, 2, 6};
+    driver.hand.frames(frames_to_rest);
+    CHECK(driver.ui.lesson.progress.is_task_done("05-row-table", task.id));
+}
+
+TEST_CASE("Without a lesson the strip walks through the stages") {
+    Driver driver("lab-room.toml", {1024, 640}, 1.5f);
+    driver.hand.press('1');
+    for (int i = 1; i < stage_count; ++i) {
+        driver.hand.click("lesson.next");
+        CHECK(strip_place(step_of(driver.ui.session.a.settings)) == i);
+    }
+    driver.hand.leave();
+    CHECK_FALSE(is_there(driver, "lesson.next"));
+    driver.hand.click("lesson.previous");
+    CHECK(strip_place(step_of(driver.ui.session.a.settings)) == stage_count - 2);
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,43 @@
+#include "ui/actions/lecture.h"
+
+#include <utility>
+
+#include "session/walk.h"
+#include "ui/actions/open_lesson.h"
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+namespace {
+
+bool walks_through_time(const Ui& ui) {
+    return ui.options.is_lecture && ui.session.lesson.empty();
+}
+
+} // namespace
+
+void toggle_lecture(Ui& ui) {
+    UiOptions& options = ui.options;
+    options.is_lecture = !options.is_lecture;
+    ui.style_is_stale = true;
+    // The drawer is no matter of the other mode.
+    std::swap(ui.lesson.drawer_is_open, ui.lesson.drawer_of_other_mode);
+}
+
+void walk_on(Ui& ui) {
+    if (walks_through_time(ui)) {
+        step_forward(ui.session, Timeline(ui.results.a.frame), ui.session.play.granularity);
+    } else {
+        open_neighbour_step(ui, 1);
+    }
+}
+
+void walk_back(Ui& ui) {
+    if (walks_through_time(ui)) {
+        step_back(ui.session, Timeline(ui.results.a.frame), ui.session.play.granularity);
+    } else {
+        open_neighbour_step(ui, -1);
+    }
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,146 @@
+#include "ui/bars/menus.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "base/error.h"
+#include "session/content.h"
+#include "session/scene_file.h"
+#include "settings/preset.h"
+#include "ui/actions/actions.h"
+#include "ui/actions/open_lesson.h"
+#include "ui/bars/bars.h"
+#include "ui/ui.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+void draw_action_item(Ui& ui, const Action& action) {
+    const bool on = action.is_on != nullptr && action.is_on(ui);
+    if (ImGui::MenuItem(action.title.c_str(), chord_text(action.chord).c_str(), on)) action.run(ui);
+    name_widget(ui, "menu." + action.name, action.help);
+}
+
+namespace fs = std::filesystem;
+
+/// A broken scene is listed too: opening it says what is wrong.
+std::string title_of_scene(const fs::path& file) {
+    try {
+        return read_scene_file(file.string()).name;
+    } catch (const Error&) {
+        return file.filename().string();
+    }
+}
+
+/// The scenes that come with the program; the folder may be gone while it runs.
+void read_scene_list(Ui& ui) {
+    ui.scene_files.clear();
+    try {
+        std::error_code fault;
+        const fs::path folder = fs::path(lessons_folder()) / "scenes";
+        for (fs::directory_iterator entry(folder, fault), end; !fault && entry != end;
+             entry.increment(fault)) {
+            if (entry->path().extension() != ".toml") continue;
+            ui.scene_files.push_back({entry->path(), title_of_scene(entry->path())});
+        }
+    } catch (const Error& fault) {
+        ui.session.notice = fault.what();
+    }
+    std::sort(ui.scene_files.begin(), ui.scene_files.end(),
+              [](const SceneEntry& a, const SceneEntry& b) { return a.title < b.title; });
+}
+
+} // namespace
+
+void draw_scene_list(Ui& ui) {
+    if (ImGui::IsWindowAppearing()) read_scene_list(ui);
+    for (const auto& [file, title] : ui.scene_files) {
+        const bool open = file == fs::path(ui.session.scene->path);
+        const std::string name = "scene." + file.stem().string();
+        // Two scenes may have the same title.
+        if (ImGui::MenuItem((title + "###" + name).c_str(), nullptr, open)) {
+            try {
+                open_scene(ui, file.string());
+            } catch (const Error& fault) {
+                ui.session.notice = fault.what();
+            }
+        }
+        name_widget(ui, name, "Opens this scene: " + file.filename().string());
+        note_text(ui, name, title);
+    }
+}
+
+namespace {
+
+void draw_scene_menu(Ui& ui) {
+    draw_scene_list(ui);
+    ImGui::Separator();
+    for (const Preset& preset : ui.session.presets) {
+        if (ImGui::MenuItem(("Preset: " + preset.name).c_str()) && !refuses_settings(ui.session)) {
+            apply_preset(preset, ui.session.a.settings);
+        }
+        name_widget(ui, "preset." + preset.name, preset.about);
+    }
+}
+
+void draw_lesson_menu(Ui& ui) {
+    // The copy outlives the list, which opening a lesson may read anew.
+    std::string wanted;
+    ui.lesson.scores.renew(ui.lesson.progress, ui.lesson.lessons);
+    const std::vector<Lesson>& lessons = ui.lesson.lessons.all();
+    for (std::size_t i = 0; i < lessons.size(); ++i) {
+        const Lesson& lesson = lessons[i];
+        const bool is_done = ui.lesson.scores.of(i).is_done;
+        std::string title = std::to_string(lesson_number(lesson.id));
+        title.append("  ").append(lesson.title);
+        if (ImGui::MenuItem(title.c_str(), is_done ? "✓ done" : nullptr,
+                            lesson.id == ui.session.lesson)) {
+            wanted = lesson.id;
+        }
+        name_widget(ui, "menu.lesson." + lesson.id, lesson.about);
+    }
+    ImGui::Separator();
+    if (!wanted.empty()) open_lesson(ui, wanted, ui.lesson.progress.of(wanted).last_step);
+}
+
+struct MenuTitle {
+    const char* title;
+    const char* help;
+};
+
+const MenuTitle menus[] = {{"File", "Views to open and save, pictures, and the way out."},
+                           {"Edit", "Undo, redo, and the places visited."},
+                           {"View", "What the canvas shows, text size and theme."},
+                           {"Scene", "The scenes that come with the program, and presets."},
+                           {"Lesson", "The lessons, and what is done of them."},
+                           {"Stage", "The stages of the pipeline and the two switches."},
+                           {"Compare", "Two runs of the scene, and where they differ."},
+                           {"Walk", "Through time: steps, play, beginning and end."},
+                           {"Help", "All keys, and what the words mean."}};
+
+void draw_menu(Ui& ui, const MenuTitle& menu) {
+    const char* const title = menu.title;
+    const bool open = ImGui::BeginMenu(title);
+    // An open menu speaks for itself.
+    name_widget(ui, std::string("menu.") + title, open ? "" : menu.help);
+    if (!open) return;
+    if (std::string_view(title) == "Scene") draw_scene_menu(ui);
+    if (std::string_view(title) == "Lesson") draw_lesson_menu(ui);
+    for (const Action& action : action_table()) {
+        if (action.menu == title) draw_action_item(ui, action);
+    }
+    ImGui::EndMenu();
+}
+
+} // namespace
+
+void draw_menus(Ui& ui) {
+    for (const MenuTitle& menu : menus)
+        draw_menu(ui, menu);
+}
+
+} // namespace rasterwalk

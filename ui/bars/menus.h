@@ -1,0 +1,10 @@
+#pragma once
+
+namespace rasterwalk {
+
+struct Ui;
+
+/// In a menu bar or an open popup: all menus with what stands in them.
+void draw_menus(Ui& ui);
+
+} // namespace rasterwalk
