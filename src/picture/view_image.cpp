@@ -51,6 +51,25 @@ std::optional<DepthRange> present_depths(const Framebuffer& framebuffer) {
     return DepthRange{farthest, nearest};
 }
 
+OverdrawCounts overdraw_counts(const Framebuffer& framebuffer) {
+    OverdrawCounts counts;
+    for (const std::uint32_t overdraw : framebuffer.overdraw) {
+        counts.most = std::max(counts.most, overdraw);
+        const std::size_t entry = std::min(overdraw, most_overdraw_listed + 1);
+        if (entry >= counts.pixels.size()) counts.pixels.resize(entry + 1);
+        ++counts.pixels[entry];
+    }
+    // The last entry would be that of all larger numbers.
+    if (counts.pixels.size() > most_overdraw_listed + 1)
+        counts.pixels.resize(most_overdraw_listed + 1);
+    return counts;
+}
+
+glm::vec<3, std::uint8_t> overdraw_colour(std::uint32_t fragments, std::uint32_t most) {
+    if (fragments == 0) return {0, 0, 0};
+    return viridis(static_cast<float>(fragments) / static_cast<float>(std::max(most, 1u)));
+}
+
 Image view_image(const Framebuffer& framebuffer, View view,
                  const std::optional<DepthRange>& depths) {
     Image image{framebuffer.size.width, framebuffer.size.height, {}};
@@ -58,7 +77,7 @@ Image view_image(const Framebuffer& framebuffer, View view,
     image.rgba.resize(4 * count);
     DepthRange range;
     if (view == View::depth) range = depths ? *depths : present_depths(framebuffer).value_or(range);
-    std::uint32_t most = 1;
+    std::uint32_t most = 0;
     for (const std::uint32_t overdraw : framebuffer.overdraw)
         most = std::max(most, overdraw);
     const auto depth_of = [&](std::size_t i) {
@@ -82,10 +101,7 @@ Image view_image(const Framebuffer& framebuffer, View view,
             if (framebuffer.owner[i] >= 0) rgb = distinct_colour(framebuffer.owner[i]);
             break;
         case View::overdraw:
-            if (framebuffer.overdraw[i] > 0) {
-                rgb =
-                    viridis(static_cast<float>(framebuffer.overdraw[i]) / static_cast<float>(most));
-            }
+            rgb = overdraw_colour(framebuffer.overdraw[i], most);
             break;
         }
         image.rgba[4 * i + 0] = rgb.r;
