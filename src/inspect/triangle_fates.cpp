@@ -59,25 +59,25 @@ Rectangle in_picture(const Rectangle& part, const Viewport& size) {
 } // namespace
 
 const std::vector<FragmentFate>& FateFinder::find(const Frame& frame, std::uint64_t frame_number,
-                                                  int triangle, const Rectangle& wanted) {
-    const Rectangle part = in_picture(wanted, frame.settings.viewport);
-    const Place place{frame_number, part};
+                                                  int triangle, const Rectangle& part) {
+    const Rectangle inside = in_picture(part, frame.settings.viewport);
+    const Place place{frame_number, inside};
     if (place_ == place && triangle_ == triangle) return fates_;
     fates_.clear();
     place_ = place;
     triangle_ = triangle;
-    const bool has_fates = has_fragments(frame.settings.stage) &&
-                           depth_rule(frame.settings) != DepthTest::off && part.left < part.right &&
-                           part.top < part.bottom && triangle >= 0 &&
-                           triangle < frame.triangle_count() && frame.is_drawn(triangle);
+    const bool has_fates =
+        has_fragments(frame.settings.stage) && depth_rule(frame.settings) != DepthTest::off &&
+        inside.left < inside.right && inside.top < inside.bottom && triangle >= 0 &&
+        triangle < frame.triangle_count() && frame.is_drawn(triangle);
     if (!has_fates) return fates_;
     const bool goes_on = planes_place_ == place && drawn_ <= triangle;
     const int first = goes_on ? drawn_ : 0;
-    if (work_between(frame, first, triangle, part) > most_work) return fates_;
+    if (work_between(frame, first, triangle, inside) > most_work) return fates_;
+    planes_place_ = std::nullopt; // until the planes are whole
     if (!goes_on) {
-        planes_place_ = std::nullopt; // until the planes are whole
-        clear(planes_, frame, {part.right - part.left, part.bottom - part.top},
-              {part.left, part.top});
+        clear(planes_, frame, {inside.right - inside.left, inside.bottom - inside.top},
+              {inside.left, inside.top});
     }
     draw(frame, {beginning_of(first), beginning_of(triangle), {}}, planes_);
     FateCollector collector(fates_);

@@ -306,23 +306,20 @@ float numbers_zoom(const Ui& ui, CellNumbers numbers) {
     return std::max(cell_zoom, needed);
 }
 
-void draw_cells(Ui& ui, const Pane& canvas_seen) {
+void draw_cells(Ui& ui, const Pane& seen) {
     const float scale = ui.canvas.place.scale;
     const CanvasView& canvas = ui.session.canvas;
     if (scale < cell_zoom) return;
     const ShownRun run = run_a(ui);
-    Cells cells{ui,
-                {ui, run, nullptr, canvas_seen.low, canvas_seen.high, ui.options.text_scale, scale},
-                {},
-                {}};
+    Cells cells{ui, {ui, run, nullptr, seen.low, seen.high, ui.options.text_scale, scale}, {}, {}};
     find_marks(cells);
-    const Pane seen{corner_of_cells(cells.marks), canvas_seen.high};
+    const Pane inner{corner_of_cells(cells.marks), seen.high};
     const Framebuffer& framebuffer = *ui.results.a.framebuffer;
     const ImVec2 origin = ui.canvas.place.origin;
     const VisibleRange columns =
-        visible(origin.x, scale, seen.low.x, seen.high.x, framebuffer.size.width);
+        visible(origin.x, scale, inner.low.x, inner.high.x, framebuffer.size.width);
     const VisibleRange rows =
-        visible(origin.y, scale, seen.low.y, seen.high.y, framebuffer.size.height);
+        visible(origin.y, scale, inner.low.y, inner.high.y, framebuffer.size.height);
     if (columns.first >= columns.last || rows.first >= rows.last) return;
     const Rectangle part{columns.first, rows.first, columns.last, rows.last};
     std::vector<CellFate> fates;
@@ -336,12 +333,12 @@ void draw_cells(Ui& ui, const Pane& canvas_seen) {
     int band = 0;
     for (int first = rows.first; first < rows.last; first += step) {
         const int last = std::min(first + step, rows.last);
-        const float top = std::max(cells.corner(0, first).y, seen.low.y);
-        const float bottom = std::min(cells.corner(0, last).y, seen.high.y);
-        if (bottom - top < 1.0f || seen.high.x - seen.low.x < 1.0f) continue;
-        ImGui::SetCursorScreenPos({seen.low.x, top});
+        const float top = std::max(cells.corner(0, first).y, inner.low.y);
+        const float bottom = std::min(cells.corner(0, last).y, inner.high.y);
+        if (bottom - top < 1.0f || inner.high.x - inner.low.x < 1.0f) continue;
+        ImGui::SetCursorScreenPos({inner.low.x, top});
         ImGui::BeginChild(("cells " + std::to_string(band++)).c_str(),
-                          {seen.high.x - seen.low.x, bottom - top}, false,
+                          {inner.high.x - inner.low.x, bottom - top}, false,
                           ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoBackground |
                               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoNav);
         cells.marks.list = ImGui::GetWindowDrawList();
