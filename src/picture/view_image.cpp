@@ -43,11 +43,7 @@ Rgb pixel_colour(const Framebuffer& framebuffer, View view, const Scales& scales
         if (framebuffer.owner[i] >= 0) return distinct_colour(framebuffer.owner[i]);
         break;
     case View::overdraw:
-        if (framebuffer.overdraw[i] > 0) {
-            return viridis(static_cast<float>(framebuffer.overdraw[i]) /
-                           static_cast<float>(scales.most));
-        }
-        break;
+        return overdraw_colour(framebuffer.overdraw[i], scales.most);
     }
     return {0, 0, 0};
 }
@@ -99,6 +95,25 @@ std::optional<DepthRange> present_depths(const Framebuffer& framebuffer) {
     }
     if (!(nearest > 0.0f)) return std::nullopt;
     return DepthRange{farthest, nearest};
+}
+
+OverdrawCounts overdraw_counts(const Framebuffer& framebuffer) {
+    OverdrawCounts counts;
+    for (const std::uint32_t overdraw : framebuffer.overdraw) {
+        counts.most = std::max(counts.most, overdraw);
+        const std::size_t entry = std::min(overdraw, most_overdraw_listed + 1);
+        if (entry >= counts.pixels.size()) counts.pixels.resize(entry + 1);
+        ++counts.pixels[entry];
+    }
+    // The last entry would be that of all larger numbers.
+    if (counts.pixels.size() > most_overdraw_listed + 1)
+        counts.pixels.resize(most_overdraw_listed + 1);
+    return counts;
+}
+
+glm::vec<3, std::uint8_t> overdraw_colour(std::uint32_t fragments, std::uint32_t most) {
+    if (fragments == 0) return {0, 0, 0};
+    return viridis(static_cast<float>(fragments) / static_cast<float>(std::max(most, 1u)));
 }
 
 Image view_image(const Framebuffer& framebuffer, View view,

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include <glm/vec3.hpp>
 
@@ -51,6 +52,21 @@ struct DepthRange {
 
 /// From the smallest to the largest 1/z present; none where nothing has a depth.
 std::optional<DepthRange> present_depths(const Framebuffer& framebuffer);
+
+/// How many pixels have how many fragments.
+struct OverdrawCounts {
+    std::uint32_t most = 0;           ///< fragments on one pixel
+    std::vector<std::int64_t> pixels; ///< with so many fragments, for each number that is listed
+};
+
+/// Of more fragments than this on a pixel it is not listed how many pixels have them.
+inline constexpr std::uint32_t most_overdraw_listed = 255;
+
+OverdrawCounts overdraw_counts(const Framebuffer& framebuffer);
+
+/// The colour of a pixel with so many fragments in View::overdraw: black for none.
+/// @param most on one pixel of the picture; counts as 1 if it is 0
+glm::vec<3, std::uint8_t> overdraw_colour(std::uint32_t fragments, std::uint32_t most);
 
 /// A colour as the screen shows it, 0..1: cut at 0 and 1, or, where it wraps, what is left of it in
 /// 8 bits.

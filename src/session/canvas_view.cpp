@@ -18,6 +18,23 @@ const std::array<CanvasShowsInfo, canvas_shows_count>& canvas_shows_list() {
     return list;
 }
 
+const std::array<CellNumbersInfo, cell_numbers_count>& cell_numbers_list() {
+    static constexpr std::array list{
+        CellNumbersInfo{CellNumbers::none, "no numbers", "The cells hold their colour alone."},
+        CellNumbersInfo{CellNumbers::ends, "ends of rows",
+                        "The column of each row's left and right end, of the triangle on show: "
+                        "leftPixels[i].x and rightPixels[i].x."},
+        CellNumbersInfo{CellNumbers::depth, "1/z",
+                        "What the depth buffer holds for the pixel: larger is nearer."},
+        CellNumbersInfo{CellNumbers::owner, "triangle",
+                        "The triangle that the pixel shows: t7 is triangles[7]."},
+        CellNumbersInfo{CellNumbers::overdraw, "overdraw",
+                        "How many fragments fell on the pixel, drawn or not."},
+    };
+    static_assert(is_indexed_by(list, &CellNumbersInfo::numbers));
+    return list;
+}
+
 CanvasShows shown_on_canvas(const CanvasView& view, const Scene& scene) {
     return scene.space == SceneSpace::world ? view.shows : CanvasShows::picture;
 }

@@ -37,6 +37,32 @@ struct CanvasShowsInfo {
 /// All of them, in the order of their switches; indexed by CanvasShows.
 const std::array<CanvasShowsInfo, canvas_shows_count>& canvas_shows_list();
 
+/// The number that stands in every cell of the picture, where the zoom gives room for it.
+enum class CellNumbers : std::uint8_t {
+    none,
+    ends,     ///< the column of a row's left and right end, of the triangle on show
+    depth,    ///< 1/z in the depth buffer
+    owner,    ///< the triangle that the pixel shows
+    overdraw, ///< how many fragments fell on it
+};
+template <>
+inline constexpr auto enum_words<CellNumbers> = word_list("none", "ends", "depth", "owner",
+                                                          "overdraw");
+static_assert(words_match<CellNumbers>);
+
+inline constexpr int cell_numbers_count = static_cast<int>(enum_words<CellNumbers>.size());
+
+/// What the interface says of them.
+struct CellNumbersInfo {
+    CellNumbers numbers;
+    std::string_view title;                   ///< where they are chosen
+    std::string_view help;                    ///< one sentence
+    std::string_view name = word_of(numbers); ///< for tests and lessons
+};
+
+/// All of them, in the order in which they are offered; indexed by CellNumbers.
+const std::array<CellNumbersInfo, cell_numbers_count>& cell_numbers_list();
+
 /// How the canvas shows the scene.
 struct CanvasView {
     CanvasShows shows = CanvasShows::picture; ///< where there is a camera; see shown_on_canvas()
@@ -44,6 +70,9 @@ struct CanvasView {
     float zoom = 0.0f;            ///< screen pixels a picture pixel; 0: fit
     glm::vec2 centre{0.0f, 0.0f}; ///< picture pixel in the middle of the canvas, when zoom is set
     bool grid = true;             ///< pixel grid from 8x on
+    bool row_table = true;        ///< beside the rows that it describes, from 24x on
+    bool fates = true;            ///< pass and fail in the cells, from 24x on
+    CellNumbers numbers = CellNumbers::none; ///< in the cells
 
     friend bool operator==(const CanvasView&, const CanvasView&) = default;
 };
@@ -53,6 +82,9 @@ CanvasShows shown_on_canvas(const CanvasView& view, const Scene& scene);
 
 /// A place in the picture, picture pixels: "250.5,131", such that parse_place() reads it back.
 std::string to_text(const glm::vec2& place);
+
+/// From this zoom on a cell has room for marks of its own and the row table stands beside the rows.
+inline constexpr float cell_zoom = 24.0f;
 
 inline constexpr float smallest_zoom = 0.25f; ///< screen pixels a picture pixel
 inline constexpr float largest_zoom = 64.0f;

@@ -26,4 +26,12 @@ std::string describe_moment(const Frame& frame, const Cursor& cursor) {
     return text + " · " + element_name_of(phase.step, cursor.step, steps);
 }
 
+std::string moment_name(const Cursor& cursor) {
+    if (cursor == cursor_end) return "end of the frame";
+    const PhaseInfo& phase = phase_info(cursor.phase);
+    const std::string text =
+        triangle_name(cursor.triangle) + ", " + element_name(phase.piece, cursor.index);
+    return phase.step.empty() ? text : text + ", " + element_name(phase.step, cursor.step);
+}
+
 } // namespace rasterwalk

@@ -12,4 +12,8 @@ namespace rasterwalk {
 /// frame and not be the end.
 std::string describe_moment(const Frame& frame, const Cursor& cursor);
 
+/// The same in short, of any cursor: "triangles[20], edge 1, line[13]"; of the end "end of the
+/// frame".
+std::string moment_name(const Cursor& cursor);
+
 } // namespace rasterwalk

@@ -123,6 +123,9 @@ bool update(const Session& session, Results& results, const WorkLimit& limit) {
         update_run(session, session.a, nullptr, limit, results.numbers, results.a);
     if (changes.picture) {
         results.depth = std::nullopt;
+        results.overdraw = std::nullopt;
+        if (session.view == View::overdraw)
+            results.overdraw = overdraw_counts(*results.a.framebuffer);
         if (session.view == View::depth) {
             results.depth = depth_view(*results.a.framebuffer, session.depth_range);
         }

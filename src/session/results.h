@@ -9,6 +9,7 @@
 #include "compare/compare.h"
 #include "inspect/pixel_history.h"
 #include "picture/overlay.h"
+#include "picture/view_image.h"
 #include "pipeline/leap.h"
 #include "session/depth_view.h"
 #include "session/run_results.h"
@@ -45,16 +46,17 @@ struct Results {
     std::string no_comparison;    ///< why they cannot be compared; empty if they can, or there is
                                   ///< no run B
     OverlayPicture overlay;       ///< what is laid over the picture of A
-    std::uint64_t overlay_number = 0;    ///< grows whenever `overlay` changes
-    Image ground;                        ///< the picture of A below `overlay`; without pixels where
-                                         ///< nothing covers it
-    std::uint64_t ground_number = 0;     ///< another one whenever `ground` is another
-    std::uint64_t ground_of = 0;         ///< number of the picture that it was made of
-    bool overlay_is_old = false;         ///< it is empty until the picture of A is drawn
-    std::optional<DepthView> depth;      ///< of A, while the depth view is shown
-    std::optional<PixelHistory> history; ///< of the picked pixel, over the whole frame of A
-    FrameLength length;                  ///< of the frame of A
-    std::uint64_t numbers = 0;           ///< the last one that a frame or a picture got
+    std::uint64_t overlay_number = 0; ///< grows whenever `overlay` changes
+    Image ground;                     ///< the picture of A below `overlay`; without pixels where
+                                      ///< nothing covers it
+    std::uint64_t ground_number = 0;  ///< another one whenever `ground` is another
+    std::uint64_t ground_of = 0;      ///< number of the picture that it was made of
+    bool overlay_is_old = false;      ///< it is empty until the picture of A is drawn
+    std::optional<DepthView> depth;   ///< of A, while the depth view is shown
+    std::optional<OverdrawCounts> overdraw; ///< of A, while the overdraw view is shown
+    std::optional<PixelHistory> history;    ///< of the picked pixel, over the whole frame of A
+    FrameLength length;                     ///< of the frame of A
+    std::uint64_t numbers = 0;              ///< the last one that a frame or a picture got
 };
 
 /// Brings the results up to date; does nothing where the session asks for what is already there.

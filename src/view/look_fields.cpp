@@ -276,53 +276,101 @@ ViewField centre_field() {
     return field;
 }
 
-ViewField grid_field() {
-    ViewForm<bool> form{&ViewState::grid};
-    form.read = [](const TomlBlock& block, const toml::node& node) {
-        const std::optional<bool> grid = node.value_exact<bool>();
-        if (!grid) block.input().fail(node, "the grid is true or false.");
-        return *grid;
+namespace {
+
+/// Something about the canvas that is on or off, and stays as it was where it is not said.
+/// @param what how messages name it
+ViewField switch_field(std::string_view key, const ViewOption& option, std::string_view what,
+                       std::optional<bool> ViewState::*member, bool CanvasView::*shown) {
+    ViewForm<bool> form{member};
+    form.read = [what](const TomlBlock& block, const toml::node& node) {
+        const std::optional<bool> on = node.value_exact<bool>();
+        if (!on) block.input().fail(node, std::string(what) + " is true or false.");
+        return *on;
     };
-    form.toml = [](bool grid) { return std::string(grid ? "true" : "false"); };
+    form.toml = [](bool on) { return std::string(on ? "true" : "false"); };
     form.parse = [](const GivenOption& given, const std::string& word) {
         constexpr std::array<std::string_view, 2> words{"off", "on"};
         return option_index(given, words, word) == 1;
     };
-    form.word = [](const auto& grid) { return std::string(grid.value_or(true) ? "on" : "off"); };
-    form.tell = [](const Session& session) {
-        return session.canvas.grid ? std::nullopt : std::optional(false);
+    form.word = [shown](const auto& on) {
+        return std::string(on.value_or(CanvasView().*shown) ? "on" : "off");
     };
-    form.show = [](const auto& grid, Session& session) {
-        session.canvas.grid = grid.value_or(session.canvas.grid);
+    form.tell = [shown](const Session& session) {
+        const bool on = session.canvas.*shown;
+        return on != CanvasView().*shown ? std::optional(on) : std::nullopt;
     };
+    form.show = [shown](const auto& on, Session& session) {
+        session.canvas.*shown = on.value_or(session.canvas.*shown);
+    };
+    return make_field(key, ViewPart::canvas, option, form);
+}
+
+} // namespace
+
+ViewField grid_field() {
     const ViewOption option{"grid", "WORD", "Grid of pixels from 8x on: on or off"};
-    return make_field("grid", ViewPart::canvas, option, form);
+    return switch_field("grid", option, "the grid", &ViewState::grid, &CanvasView::grid);
+}
+
+ViewField row_table_field() {
+    const ViewOption option{"row-table", "WORD",
+                            "Row table beside the rows of the picture, from 24x on: on or off"};
+    return switch_field("row_table", option, "the row table", &ViewState::row_table,
+                        &CanvasView::row_table);
+}
+
+ViewField fates_field() {
+    const ViewOption option{"fates", "WORD",
+                            "Pass and fail in the cells of the triangle, from 24x on: on or off"};
+    return switch_field("fates", option, "the switch for pass and fail", &ViewState::fates,
+                        &CanvasView::fates);
+}
+
+namespace {
+
+/// One of several ways in which the canvas shows something; where it is not said, the usual one.
+/// @param what it is, in messages
+template <class Enum>
+ViewField choice_field(std::string_view key, const ViewOption& option, const char* what,
+                       std::optional<Enum> ViewState::*member, Enum CanvasView::*shown) {
+    ViewForm<Enum> form{member};
+    form.read = [what](const TomlBlock& block, const toml::node& node) {
+        return *value_of_word<Enum>(block.word(node, what, enum_words<Enum>));
+    };
+    form.toml = [](Enum value) { return toml_text(word_of(value)); };
+    form.parse = [](const GivenOption& given, const std::string& word) {
+        return static_cast<Enum>(option_index(given, enum_words<Enum>, word));
+    };
+    form.word = [shown](const auto& value) {
+        return std::string(word_of(value.value_or(CanvasView().*shown)));
+    };
+    form.tell = [shown](const Session& session) {
+        const Enum value = session.canvas.*shown;
+        return value != CanvasView().*shown ? std::optional(value) : std::nullopt;
+    };
+    form.show = [shown](const auto& value, Session& session) {
+        session.canvas.*shown = value.value_or(CanvasView().*shown);
+    };
+    return make_field(key, ViewPart::canvas, option, form);
+}
+
+} // namespace
+
+ViewField cell_numbers_field() {
+    const ViewOption option{"cell-numbers", "NAME",
+                            "Numbers in the cells, where the zoom gives room: " +
+                                one_of(enum_words<CellNumbers>)};
+    return choice_field("cell_numbers", option, "numbers in the cells", &ViewState::cell_numbers,
+                        &CanvasView::numbers);
 }
 
 ViewField canvas_field() {
-    ViewForm<CanvasShows> form{&ViewState::canvas};
-    form.read = [](const TomlBlock& block, const toml::node& node) {
-        return *value_of_word<CanvasShows>(block.word(node, "canvas", enum_words<CanvasShows>));
-    };
-    form.toml = [](CanvasShows shows) { return toml_text(word_of(shows)); };
-    form.parse = [](const GivenOption& given, const std::string& word) {
-        return static_cast<CanvasShows>(option_index(given, enum_words<CanvasShows>, word));
-    };
-    form.word = [](const auto& shows) {
-        return std::string(word_of(shows.value_or(CanvasShows::picture)));
-    };
-    form.tell = [](const Session& session) {
-        const CanvasShows shows = session.canvas.shows;
-        return shows != CanvasShows::picture ? std::optional(shows) : std::nullopt;
-    };
-    form.show = [](const auto& shows, Session& session) {
-        session.canvas.shows = shows.value_or(CanvasShows::picture);
-    };
-    ViewField field = make_field(
-        "canvas", ViewPart::canvas,
-        {"canvas", "WORD",
-         "The picture, the scene from outside, or both: " + one_of(enum_words<CanvasShows>)},
-        form);
+    const ViewOption option{"canvas", "WORD",
+                            "The picture, the scene from outside, or both: " +
+                                one_of(enum_words<CanvasShows>)};
+    ViewField field =
+        choice_field("canvas", option, "canvas", &ViewState::canvas, &CanvasView::shows);
     field.link = word_link("canvas", "canvas",
                            {enum_words<CanvasShows>.begin(), enum_words<CanvasShows>.end()},
                            [](Session& session, const std::string& word) {

@@ -19,6 +19,9 @@ ViewField point_at_field();
 ViewField zoom_field();
 ViewField centre_field();
 ViewField grid_field();
+ViewField row_table_field();
+ViewField fates_field();
+ViewField cell_numbers_field();
 
 // The scene from outside.
 ViewField canvas_field();

@@ -36,9 +36,12 @@ struct ViewState {
     std::optional<OverlaySet> overlays;
     std::optional<float> zoom; ///< screen pixels a picture pixel; 0, and none: it fits
     std::optional<glm::vec2> centre;
-    std::optional<CanvasShows> canvas;  ///< what the canvas shows; none: the picture
-    std::optional<OutsideView> outside; ///< from where; none: from where it is seen first
-    std::optional<bool> grid;           ///< of pixels; none: as it was
+    std::optional<CanvasShows> canvas;       ///< what the canvas shows; none: the picture
+    std::optional<OutsideView> outside;      ///< from where; none: from where it is seen first
+    std::optional<bool> grid;                ///< of pixels; none: as it was
+    std::optional<bool> row_table;           ///< beside its rows; none: as it was
+    std::optional<bool> fates;               ///< pass and fail in the cells; none: as it was
+    std::optional<CellNumbers> cell_numbers; ///< none: no numbers
     std::optional<std::vector<std::string>> compare; ///< run B: A, and these; none: no second run
     std::optional<CompareView> compare_view;         ///< of two runs; none: as it was
     std::optional<float> wipe;                       ///< place of the divider; none: as it was

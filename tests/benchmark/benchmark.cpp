@@ -159,6 +159,17 @@ void measure_interface(Measurements& measurements, const std::string& scene_path
     std::printf("interface: %d vertices at %.0f x %.0f\n\n", ImGui::GetDrawData()->TotalVtxCount,
                 static_cast<double>(io.DisplaySize.x), static_cast<double>(io.DisplaySize.y));
     measure(measurements, "interface at rest", frame);
+    // The row table beside its rows, a number and a sign in every cell.
+    ui.session.canvas.zoom = 24.0f;
+    ui.session.canvas.centre = {250.0f, 300.0f};
+    ui.session.canvas.numbers = CellNumbers::overdraw;
+    ui.session.selection.triangle = 22;
+    for (int i = 0; i < 4; ++i)
+        frame();
+    std::printf("large cells: %d vertices\n\n", ImGui::GetDrawData()->TotalVtxCount);
+    measure(measurements, "interface, large cells", frame);
+    ui.session.canvas = {};
+    ui.session.selection = {};
     float yaw = 0.0f;
     measure(measurements, "interface, camera turns", [&] {
         yaw += 0.001f;

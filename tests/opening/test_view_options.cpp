@@ -138,6 +138,12 @@ TEST_CASE("Selection, canvas, overlays and comparison on the command line") {
                               "0.25",
                               "--grid",
                               "off",
+                              "--row-table",
+                              "off",
+                              "--fates",
+                              "off",
+                              "--cell-numbers",
+                              "depth",
                               "--canvas",
                               "both",
                               "--outside",
@@ -153,6 +159,9 @@ TEST_CASE("Selection, canvas, overlays and comparison on the command line") {
     CHECK(s.canvas.zoom == 16.0f);
     CHECK(s.canvas.centre == glm::vec2(250.5f, -3.0f));
     CHECK_FALSE(s.canvas.grid);
+    CHECK_FALSE(s.canvas.row_table);
+    CHECK_FALSE(s.canvas.fates);
+    CHECK(s.canvas.numbers == CellNumbers::depth);
     CHECK(s.canvas.shows == CanvasShows::both);
     CHECK(s.canvas.outside.yaw == 0.5f);
     CHECK(s.canvas.outside.pitch == -0.25f);

@@ -83,3 +83,10 @@ TEST_CASE("A moment in words") {
     CHECK(describe_moment(frame, {0, Phase::vertices, 2, 0}) ==
           "triangles[0] of 30 (floor) · vertices[2] of 3");
 }
+
+TEST_CASE("A moment has a short name that no decimal can be mistaken for") {
+    CHECK(moment_name({20, Phase::edges, 1, 13}) == "triangles[20], edge 1, line[13]");
+    CHECK(moment_name({0, Phase::vertices, 2, 0}) == "triangles[0], vertices[2]");
+    CHECK(moment_name({3, Phase::rows, 37, 5}) == "triangles[3], entry [37], fragments[5]");
+    CHECK(moment_name(cursor_end) == "end of the frame");
+}

@@ -103,6 +103,9 @@ void look_somehow(Random& random, Session& session) {
     }
     session.canvas = {};
     session.canvas.grid = random.integer(0, 3) > 0;
+    session.canvas.row_table = random.integer(0, 3) > 0;
+    session.canvas.fates = random.integer(0, 3) > 0;
+    session.canvas.numbers = static_cast<CellNumbers>(random.integer(0, cell_numbers_count - 1));
     session.canvas.shows = static_cast<CanvasShows>(random.integer(0, canvas_shows_count - 1));
     OutsideView& outside = session.canvas.outside;
     outside.is_camera = random.integer(0, 5) == 0;
@@ -177,6 +180,9 @@ void check_same_view(const Session& is, const Session& expected) {
     CHECK(is.canvas.zoom == expected.canvas.zoom);
     if (is.canvas.zoom > 0.0f) CHECK(is.canvas.centre == expected.canvas.centre);
     CHECK(is.canvas.grid == expected.canvas.grid);
+    CHECK(is.canvas.row_table == expected.canvas.row_table);
+    CHECK(is.canvas.fates == expected.canvas.fates);
+    CHECK(is.canvas.numbers == expected.canvas.numbers);
     CHECK(is.canvas.shows == expected.canvas.shows);
     CHECK(is.canvas.outside == expected.canvas.outside);
     CHECK(is.tab == expected.tab);

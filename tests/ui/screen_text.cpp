@@ -37,8 +37,8 @@ std::string utf8(unsigned codepoint) {
 /// Puts letters together to lines.
 class Reader {
   public:
-    Reader(std::string window, std::vector<ScreenText>& lines)
-        : window_(std::move(window)), lines_(lines) {}
+    Reader(std::string window, float widest_gap, std::vector<ScreenText>& lines)
+        : window_(std::move(window)), widest_gap_(widest_gap), lines_(lines) {}
     ~Reader() { end_line(); }
     Reader(const Reader&) = delete;
     Reader& operator=(const Reader&) = delete;
@@ -49,9 +49,13 @@ class Reader {
         const float pen = low.pos.x - scale * glyph.X0, top = low.pos.y - scale * glyph.Y0;
         const float blank = scale * letter.font->GetCharAdvance(' ');
         const float gap = pen - pen_;
-        const bool goes_on = std::abs(top - top_) < 1.5f && gap > -1.5f && gap < 1.5f * blank;
-        if (!goes_on) end_line();
-        size_ = scale * letter.font->FontSize;
+        const bool goes_on =
+            std::abs(top - top_) < 1.5f && gap > -1.5f && gap < widest_gap_ * blank;
+        if (!goes_on) {
+            end_line();
+            low_ = {pen, top};
+            size_ = scale * letter.font->FontSize;
+        }
         if (goes_on && gap > 0.6f * blank) words_ += ' ';
         words_ += utf8(glyph.Codepoint);
         pen_ = pen + scale * glyph.AdvanceX;
@@ -60,25 +64,28 @@ class Reader {
 
   private:
     void end_line() {
-        if (!words_.empty()) lines_.push_back({window_, words_, size_});
+        if (!words_.empty()) lines_.push_back({window_, words_, low_, {pen_, top_ + size_}, size_});
         words_.clear();
     }
 
     std::string window_;
+    float widest_gap_;
     std::vector<ScreenText>& lines_;
     std::string words_;
-    float pen_ = 0.0f, top_ = -1e9f, size_ = 0.0f;
+    float pen_ = 0.0f, top_ = -1e9f;
+    ImVec2 low_;
+    float size_ = 0.0f;
 };
 
 } // namespace
 
-std::vector<ScreenText> screen_text() {
+std::vector<ScreenText> screen_text(float widest_gap) {
     const Letters letters = letters_of(*ImGui::GetIO().Fonts);
     std::vector<ScreenText> lines;
     const ImDrawData* const data = ImGui::GetDrawData();
     for (int list = 0; data != nullptr && list < data->CmdListsCount; ++list) {
         const ImDrawList& drawn = *data->CmdLists[list];
-        Reader reader(drawn._OwnerName != nullptr ? drawn._OwnerName : "", lines);
+        Reader reader(drawn._OwnerName != nullptr ? drawn._OwnerName : "", widest_gap, lines);
         // A letter is a rectangle: two of its four corners tell which.
         for (int i = 0; i + 3 < drawn.VtxBuffer.Size;) {
             const ImDrawVert &low = drawn.VtxBuffer[i], &high = drawn.VtxBuffer[i + 2];

@@ -3,18 +3,22 @@
 #include <string>
 #include <vector>
 
+#include <imgui.h>
+
 namespace rasterwalk {
 
 /// A line of text that stands on the screen.
 struct ScreenText {
     std::string window; ///< whose it is, as ImGui names it: "canvas", "inspector/..."
     std::string words;
-    float size; ///< of the letters, screen pixels: what their font is called by
+    ImVec2 low, high; ///< from the upper left corner of the first letter's line to the end of it
+    float size;       ///< of its letters, screen pixels
 };
 
 /// All text of the last frame, read back from its triangles: each letter is known by its place in
 /// the picture of the fonts. Whatever way a text was drawn, it is found; one that is cut off by its
 /// window too, as far as it was drawn.
-std::vector<ScreenText> screen_text();
+/// @param widest_gap between two words of a line, in blanks: what is farther apart is two lines
+std::vector<ScreenText> screen_text(float widest_gap = 1.5f);
 
 } // namespace rasterwalk

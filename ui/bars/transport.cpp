@@ -263,19 +263,16 @@ float draw_words(Ui& ui, ImVec2 at, float room) {
     return std::min(width, room);
 }
 
-/// The cursor as text, if there is room.
+/// The piece of work that comes next, if there is room.
 void draw_next(Ui& ui, ImVec2 at, float room) {
-    const std::string next = ui.results.a.cursor == cursor_end
-                                 ? "end of the frame"
-                                 : "next " + to_text(ui.results.a.cursor);
-    ImGui::PushFont(ui.fonts.mono);
-    if (text_width(next.c_str()) <= room) {
-        ImGui::SetCursorScreenPos(at);
-        text_in(palette(ui.options.theme).dim, next);
-        name_widget(ui, "walk.cursor",
-                    "The cursor: the next piece of work. The same text goes with --to.");
-    }
-    ImGui::PopFont();
+    const Cursor& cursor = ui.results.a.cursor;
+    const std::string next = (cursor == cursor_end ? "" : "next ") + moment_name(cursor);
+    if (text_width(next.c_str()) > room) return;
+    ImGui::SetCursorScreenPos(at);
+    text_in(palette(ui.options.theme).dim, next);
+    name_widget(ui, "walk.cursor",
+                "The cursor: the next piece of work. On the command line it is --to " +
+                    to_text(cursor) + ".");
 }
 
 /// Words, cursor and, with a pixel picked or room to spare, the buttons for its changes in a line.

@@ -13,12 +13,16 @@
 #include "ui/actions/outside.h"
 #include "ui/actions/zoom.h"
 #include "ui/canvas/canvas_marks.h"
+#include "ui/canvas/cells.h"
 #include "ui/canvas/compare_variants.h"
 #include "ui/canvas/compare_view.h"
 #include "ui/canvas/depth_legend.h"
 #include "ui/canvas/difference_legend.h"
+#include "ui/canvas/layers.h"
 #include "ui/canvas/outside_view.h"
+#include "ui/canvas/overdraw_legend.h"
 #include "ui/canvas/overlays.h"
+#include "ui/canvas/row_table_beside.h"
 #include "ui/ui.h"
 #include "ui/widgets/picture_texture.h"
 #include "ui/widgets/style.h"
@@ -46,17 +50,50 @@ float fit_zoom(const Ui& ui, ImVec2 room) {
     return whole >= share_kept * zoom ? whole : std::max(zoom, 0.01f);
 }
 
-PicturePlace place_picture(const Ui& ui, ImVec2 low, ImVec2 room) {
+/// Where the picture lies, and the row table that it leaves room for.
+struct Placing {
+    PicturePlace picture;
+    RowTableLayout table; ///< the roomiest one; whether it is shown depends on the zoom
+};
+
+/// A picture that fits: whole, and beside the row table if its rows can be as high as the table's
+/// lines then.
+Placing place_whole(const Ui& ui, ImVec2 low, ImVec2 room) {
     const Viewport size = ui.results.a.frame.settings.viewport;
-    const bool fits = ui.session.canvas.zoom <= 0.0f;
-    PicturePlace place;
-    place.scale = fits ? fit_zoom(ui, room) : ui.session.canvas.zoom;
-    const glm::vec2 centre = fits ? glm::vec2(0.5f * static_cast<float>(size.width),
-                                              0.5f * static_cast<float>(size.height))
-                                  : ui.session.canvas.centre;
+    const auto width = static_cast<float>(size.width), height = static_cast<float>(size.height);
+    const float least = row_table_zoom(ui);
+    Placing placing;
+    const auto centre = [&](ImVec2 in) {
+        placing.picture.scale = fit_zoom(ui, in);
+        placing.picture.origin = {
+            std::round(low.x + 0.5f * (in.x - placing.picture.scale * width)),
+            std::round(low.y + 0.5f * (in.y - placing.picture.scale * height))};
+    };
+    const float spare = room.x - least * width;
+    if (spare > 0.0f && fit_zoom(ui, room) >= least) {
+        placing.table = row_table_layout(ui, room.x, spare);
+        if (placing.table.width > 0.0f) {
+            centre({room.x - placing.table.width, room.y});
+            if (placing.picture.scale >= least) return placing;
+        }
+    }
+    placing.table = row_table_layout(ui, room.x);
+    centre(room);
+    // The table stands at the right: as little as possible of the picture lies under it.
+    if (placing.table.width > 0.0f && placing.picture.scale >= least)
+        placing.picture.origin.x = std::min(placing.picture.origin.x, low.x);
+    return placing;
+}
+
+Placing place_picture(const Ui& ui, ImVec2 low, ImVec2 room) {
+    if (ui.session.canvas.zoom <= 0.0f) return place_whole(ui, low, room);
+    Placing placing{{}, row_table_layout(ui, room.x)};
+    PicturePlace& place = placing.picture;
+    place.scale = ui.session.canvas.zoom;
+    const glm::vec2 centre = ui.session.canvas.centre;
     place.origin = {std::round(low.x + 0.5f * room.x - place.scale * centre.x),
                     std::round(low.y + 0.5f * room.y - place.scale * centre.y)};
-    return place;
+    return placing;
 }
 
 ImVec2 picture_point(const PicturePlace& place, ImVec2 screen) {
@@ -70,7 +107,7 @@ void zoom_about(Ui& ui, ImVec2 pointer, float zoom, ImVec2 low, ImVec2 room) {
     ui.session.canvas.centre = {
         fixed_point.x - (pointer.x - low.x - 0.5f * room.x) / ui.session.canvas.zoom,
         fixed_point.y - (pointer.y - low.y - 0.5f * room.y) / ui.session.canvas.zoom};
-    ui.canvas.place = place_picture(ui, low, room);
+    ui.canvas.place = place_picture(ui, low, room).picture;
 }
 
 /// The next zoom step: factors of the square root of two, whole numbers from 4x on.
@@ -120,7 +157,7 @@ void handle_pointer(Ui& ui, ImVec2 low, ImVec2 room) {
         }
         ui.session.canvas.centre.x -= io.MouseDelta.x / ui.session.canvas.zoom;
         ui.session.canvas.centre.y -= io.MouseDelta.y / ui.session.canvas.zoom;
-        ui.canvas.place = place_picture(ui, low, room);
+        ui.canvas.place = place_picture(ui, low, room).picture;
     }
     if (ImGui::IsMouseDragging(1)) turn_camera(ui, io.MouseDelta);
 }
@@ -219,7 +256,7 @@ void draw_header(Ui& ui, float right_edge) {
     };
     const float left = ImGui::GetCursorScreenPos().x;
     const float planes =
-        has_picture ? view_selector_width() + overlay_button_width(ui, true) + 2.0f * gap : 0.0f;
+        has_picture ? view_selector_width() + layers_button_width(ui, true) + 2.0f * gap : 0.0f;
     const float room = right_edge - left - planes - gap;
     const bool has_switch = ui.session.scene->space == SceneSpace::world;
     const bool as_list = has_switch && shows_width(false) > room - width_of_buttons();
@@ -236,7 +273,7 @@ void draw_header(Ui& ui, float right_edge) {
         draw_view_selector(ui);
         ImGui::SameLine();
         const float rest = start - gap - ImGui::GetCursorScreenPos().x;
-        draw_overlay_button(ui, overlay_button_width(ui, false) > rest);
+        draw_layers_button(ui, layers_button_width(ui, false) > rest);
         ImGui::SameLine();
         const float scale = ui.canvas.place.scale;
         const std::string zoom =
@@ -261,14 +298,31 @@ void draw_header(Ui& ui, float right_edge) {
 }
 
 /// Where the pictures of both runs lie; that of B only while it stands beside or below A's.
-void place_pictures(Ui& ui, ImVec2 low, ImVec2 room, const Panes& panes) {
-    ui.canvas.place = place_picture(ui, low, room);
+/// @return the row table beside them
+RowTableLayout place_pictures(Ui& ui, ImVec2 low, ImVec2 room, const Panes& panes) {
+    const Placing placing = place_picture(ui, low, room);
+    ui.canvas.place = placing.picture;
     ui.compare.place_of_b = std::nullopt;
     const ImVec2 aside{panes.b.low.x - panes.a.low.x, panes.b.low.y - panes.a.low.y};
-    if (aside.x <= 0.0f && aside.y <= 0.0f) return;
-    ui.compare.place_of_b = ui.canvas.place;
-    ui.compare.place_of_b->origin.x += aside.x;
-    ui.compare.place_of_b->origin.y += aside.y;
+    if (aside.x > 0.0f || aside.y > 0.0f) {
+        ui.compare.place_of_b = ui.canvas.place;
+        ui.compare.place_of_b->origin.x += aside.x;
+        ui.compare.place_of_b->origin.y += aside.y;
+    }
+    return placing.table;
+}
+
+/// What of the canvas is left of the picture beside the row table.
+Pane beside_table(const Ui& ui, const Pane& canvas) {
+    const std::optional<RowTablePlace>& table = ui.canvas.row_table;
+    if (!table) return canvas;
+    Pane seen = canvas;
+    if (table->is_at_left) {
+        seen.low.x = std::min(table->right, canvas.high.x);
+    } else {
+        seen.high.x = std::max(table->left, canvas.low.x);
+    }
+    return seen;
 }
 
 /// Space around a picture that fits: for the numbers if it is enlarged, or else only a little.
@@ -304,7 +358,9 @@ void draw_picture(Ui& ui, const Pane& pane) {
     const ImVec2 space = pane.room();
     const ImVec2 frame_low = pane.low;
     const float difference = difference_legend_height(ui, space.y);
-    const float legend = difference > 0.0f ? difference : depth_legend_height(ui, space.y);
+    const float depth = depth_legend_height(ui, space.y);
+    const float overdraw = overdraw_legend_height(ui);
+    const float legend = difference > 0.0f ? difference : std::max(depth, overdraw);
     const float legend_gap = legend > 0.0f ? gap_below(ui) : 0.0f;
     const float above_row = space.y - legend - legend_gap - gap_below(ui);
     const float row = variants_height(ui, {space.x, above_row});
@@ -324,27 +380,40 @@ void draw_picture(Ui& ui, const Pane& pane) {
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
     name_widget(ui, "canvas");
     handle_pointer(ui, low, room);
-    place_pictures(ui, low, room, panes);
+    const RowTableLayout table = place_pictures(ui, low, room, panes);
+    ui.canvas.row_table = place_row_table(ui, table, canvas);
+    const Pane seen = beside_table(ui, canvas);
 
     ImDrawList* const list = ImGui::GetWindowDrawList();
     list->AddRectFilled(frame_low, frame_high, packed(p.canvas), 4.0f * u);
-    list->PushClipRect(frame_low, frame_high, true);
+    list->PushClipRect(seen.low, seen.high, true);
     if (is_comparing(ui)) {
         draw_compared(ui, list, canvas);
     } else {
         show_ground(ui);
         draw_texture(list, ui.canvas.picture, ui.canvas.place);
-        draw_overlays(ui, list, frame_low, frame_high);
-        draw_canvas_marks(ui, run_a(ui), list, frame_low, frame_high);
+        draw_overlays(ui, list, seen.low, seen.high);
+        draw_canvas_marks(ui, run_a(ui), list, seen.low, seen.high);
     }
     list->PopClipRect();
+    if (!is_comparing(ui)) draw_cells(ui, seen);
+    ui.canvas.hovered_row = std::nullopt;
+    if (ui.canvas.row_table) {
+        const bool is_over = draw_row_table_beside(ui, table, *ui.canvas.row_table, canvas);
+        const ImGuiIO& io = ImGui::GetIO();
+        if (is_over && io.MouseWheel != 0.0f)
+            zoom_about(ui, io.MousePos, next_zoom(ui.canvas.place.scale, io.MouseWheel), low, room);
+    }
     list->AddRect(frame_low, frame_high, packed(p.line), 4.0f * u);
-    draw_overlay_legend(ui, panes.a.low, panes.a.high);
+    draw_overlay_legend(ui, {std::max(seen.low.x, panes.a.low.x), panes.a.low.y},
+                        {std::min(seen.high.x, panes.a.high.x), panes.a.high.y});
     const float legend_top = frame_high.y + legend_gap;
     if (difference > 0.0f) {
         draw_difference_legend(ui, {frame_low.x, legend_top}, {frame_high.x, legend_top + legend});
-    } else if (legend > 0.0f) {
+    } else if (depth > 0.0f) {
         draw_depth_legend(ui, {frame_low.x, legend_top}, {frame_high.x, legend_top + legend});
+    } else if (overdraw > 0.0f) {
+        draw_overdraw_legend(ui, {frame_low.x, legend_top}, {frame_high.x, legend_top + legend});
     }
     if (row > 0.0f) draw_variants(ui, {{pane.low.x, pane.high.y - row}, pane.high});
 }

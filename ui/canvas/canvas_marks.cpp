@@ -8,9 +8,7 @@
 
 #include "base/element_names.h"
 #include "session/bench.h"
-#include "ui/canvas/canvas.h"
-#include "ui/ui.h"
-#include "ui/widgets/style.h"
+#include "ui/canvas/marks.h"
 
 namespace rasterwalk {
 
@@ -18,93 +16,6 @@ namespace {
 
 /// More points than this at once are not ringed: they would be a carpet.
 constexpr std::size_t most_rings = 500;
-
-/// ImGui's draw lists count their corners in 16 bits: from here on nothing more is marked.
-constexpr int most_corners = 50'000;
-
-/// What the marks are drawn with.
-struct Marks {
-    const Ui& ui;
-    const ShownRun& run;
-    ImDrawList* list;
-    ImVec2 low, high;
-    float u; ///< design pixel
-    float scale;
-
-    /// The middle of a pixel, or of a real place that counts from pixels' middles.
-    ImVec2 at(float x, float y) const {
-        const PicturePlace& place = run.place;
-        return {place.origin.x + scale * (x + 0.5f), place.origin.y + scale * (y + 0.5f)};
-    }
-    /// The middle of the pixel that a vertex is snapped to.
-    ImVec2 at(const ScreenVertex& v) const {
-        return at(static_cast<float>(v.column), static_cast<float>(v.row));
-    }
-    bool is_visible(ImVec2 p) const {
-        return p.x > low.x - scale && p.x < high.x + scale && p.y > low.y - scale &&
-               p.y < high.y + scale;
-    }
-    ImU32 colour(Meaning meaning, float opacity = 1.0f) const {
-        return packed(colour_of(meaning, Theme::dark), opacity);
-    }
-    bool is_large() const { return scale >= grid_zoom; }
-    bool has_room() const { return list->VtxBuffer.Size < most_corners; }
-};
-
-/// The columns or rows that are in view.
-struct VisibleRange {
-    int first, last;
-};
-VisibleRange visible(float origin, float scale, float low, float high, int count) {
-    return {std::max(0, static_cast<int>(std::floor((low - origin) / scale))),
-            std::min(count, static_cast<int>(std::ceil((high - origin) / scale)))};
-}
-
-void draw_grid(const Marks& m) {
-    const Viewport size = m.run.frame.settings.viewport;
-    const PicturePlace& place = m.run.place;
-    const VisibleRange columns = visible(place.origin.x, m.scale, m.low.x, m.high.x, size.width);
-    const VisibleRange rows = visible(place.origin.y, m.scale, m.low.y, m.high.y, size.height);
-    const ImU32 line = IM_COL32(128, 136, 150, 60);
-    const float top = place.origin.y + m.scale * static_cast<float>(rows.first);
-    const float bottom = place.origin.y + m.scale * static_cast<float>(rows.last);
-    const float left = place.origin.x + m.scale * static_cast<float>(columns.first);
-    const float right = place.origin.x + m.scale * static_cast<float>(columns.last);
-    if (m.ui.session.canvas.grid) {
-        for (int c = columns.first; c <= columns.last; ++c) {
-            const float x = place.origin.x + m.scale * static_cast<float>(c);
-            m.list->AddLine({x, top}, {x, bottom}, line);
-        }
-        for (int r = rows.first; r <= rows.last; ++r) {
-            const float y = place.origin.y + m.scale * static_cast<float>(r);
-            m.list->AddLine({left, y}, {right, y}, line);
-        }
-    }
-    // Numbers stand along the picture, or along the canvas where the picture is larger.
-    ImFont* const font = m.ui.fonts.small;
-    const float font_size = font->FontSize;
-    const ImU32 text = packed(palette(m.ui.options.theme).dim);
-    const float widest = font->CalcTextSizeA(font_size, FLT_MAX, 0.0f, "0000").x;
-    const int step = m.scale >= widest ? 1 : m.scale * 5.0f >= widest ? 5 : 10;
-    const float number_y = std::max(top - font_size - 4.0f * m.u, m.low.y + 4.0f * m.u);
-    for (int c = columns.first; c < columns.last; ++c) {
-        if (c % step != 0) continue;
-        const std::string number = std::to_string(c);
-        const float width = font->CalcTextSizeA(font_size, FLT_MAX, 0.0f, number.c_str()).x;
-        const float x = m.at(static_cast<float>(c), 0.0f).x - 0.5f * width;
-        if (x < m.low.x || x + width > m.high.x) continue;
-        m.list->AddText(font, font_size, {x, number_y}, text, number.c_str());
-    }
-    for (int r = rows.first; r < rows.last; ++r) {
-        if (r % step != 0) continue;
-        const std::string number = std::to_string(r);
-        const float width = font->CalcTextSizeA(font_size, FLT_MAX, 0.0f, number.c_str()).x;
-        const float x = std::max(left - width - 6.0f * m.u, m.low.x + 4.0f * m.u);
-        const float y = m.at(0.0f, static_cast<float>(r)).y - 0.5f * font_size;
-        if (y < m.low.y || y + font_size > m.high.y) continue;
-        m.list->AddText(font, font_size, {x, y}, text, number.c_str());
-    }
-}
 
 void fill_pixel(const Marks& m, int column, int row, ImU32 colour) {
     const ImVec2 c = m.at(static_cast<float>(column), static_cast<float>(row));
@@ -150,13 +61,19 @@ void draw_point_rings(const Marks& m) {
     }
 }
 
+/// A line in a colour that is to be told from every picture.
+void draw_cased_line(const Marks& m, ImVec2 a, ImVec2 b, ImU32 colour) {
+    m.list->AddLine(a, b, dark_casing, 3.6f * m.u);
+    m.list->AddLine(a, b, colour, 1.6f * m.u);
+}
+
 void draw_dashes(const Marks& m, ImVec2 a, ImVec2 b, ImU32 colour) {
     const float length = std::hypot(b.x - a.x, b.y - a.y);
     const float dash = std::max(8.0f * m.u, length / 400.0f);
     for (float d = 0.0f; d < length; d += 2.0f * dash) {
         const float s = d / length, t = std::min((d + dash) / length, 1.0f);
-        m.list->AddLine({a.x + s * (b.x - a.x), a.y + s * (b.y - a.y)},
-                        {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}, colour, 1.6f * m.u);
+        draw_cased_line(m, {a.x + s * (b.x - a.x), a.y + s * (b.y - a.y)},
+                        {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}, colour);
     }
 }
 
@@ -176,8 +93,8 @@ void draw_true_edges(const Marks& m, std::span<const ScreenVertex> vertices) {
         const ImVec2 a = m.at(vertices[e]), b = m.at(vertices[(e + 1) % edges]);
         const float share = walked_share(m.run.rows, e);
         const ImVec2 here{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
-        if (share > 0.0f) m.list->AddLine(a, here, m.colour(edge_meaning(e), 0.95f), 1.6f * m.u);
-        if (share < 1.0f) draw_dashes(m, here, b, m.colour(edge_meaning(e), 0.55f));
+        if (share > 0.0f) draw_cased_line(m, a, here, m.colour(edge_meaning(e)));
+        if (share < 1.0f) draw_dashes(m, here, b, m.colour(edge_meaning(e), 0.7f));
     }
 }
 
@@ -201,9 +118,10 @@ void draw_row_ends(const Marks& m) {
             fill_pixel(m, left, row, IM_COL32(12, 13, 16, 255));
             fill_pixel(m, right, row, IM_COL32(12, 13, 16, 255));
         }
-        fill_pixel(m, left, row, m.colour(edge_meaning(history.left_by[i].edge), 0.45f));
+        fill_pixel(m, left, row, m.colour(edge_meaning(history.left_by[i].edge), row_end_tint));
         if (right != left) {
-            fill_pixel(m, right, row, m.colour(edge_meaning(history.right_by[i].edge), 0.45f));
+            fill_pixel(m, right, row,
+                       m.colour(edge_meaning(history.right_by[i].edge), row_end_tint));
         }
         const ImVec2 l = m.at(static_cast<float>(left), static_cast<float>(row));
         const ImVec2 r = m.at(static_cast<float>(right), static_cast<float>(row));
@@ -227,20 +145,12 @@ void draw_samples(const Marks& m, int triangle) {
 /// From here on, in screen pixels for each pixel, there is room for "vertices[0]".
 constexpr float full_name_zoom = 24.0f;
 
-/// The name of a vertex beside it, at the left where the canvas ends at the right.
 void draw_vertex_label(const Marks& m, int vertex, ImVec2 pixel) {
-    ImFont* const font = m.ui.fonts.bold;
-    const bool is_full = m.scale >= full_name_zoom * m.u;
-    const std::string name = is_full ? vertex_name(vertex) : short_vertex_name(vertex);
-    const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, name.c_str()).x;
-    const float gap = 9.0f * m.u;
-    const bool fits = pixel.x + gap + width <= m.high.x;
-    const ImVec2 at{fits ? pixel.x + gap : pixel.x - gap - width, pixel.y - 1.35f * font->FontSize};
+    const VertexLabel label = vertex_label(m, vertex, pixel);
     // The pixel below may be as bright as the letters.
-    m.list->AddRectFilled({at.x - 3.0f * m.u, at.y},
-                          {at.x + width + 3.0f * m.u, at.y + font->FontSize},
-                          IM_COL32(12, 13, 16, 215), 3.0f * m.u);
-    m.list->AddText(font, font->FontSize, at, m.colour(Meaning::current), name.c_str());
+    m.list->AddRectFilled(label.low, label.high, dark_casing, 3.0f * m.u);
+    m.list->AddText(m.ui.fonts.bold, m.ui.fonts.bold->FontSize, label.text,
+                    m.colour(Meaning::current), label.name.c_str());
 }
 
 /// Where each vertex fell before it was rounded, joined to the pixel it became.
@@ -314,6 +224,22 @@ void draw_lit_row(const Marks& m, int row, float opacity) {
 
 } // namespace
 
+VertexLabel vertex_label(const Marks& m, int vertex, ImVec2 pixel) {
+    ImFont* const font = m.ui.fonts.bold;
+    // With numbers in the cells a long name would lie on those of the next ones.
+    const bool is_full =
+        m.scale >= full_name_zoom * m.u && m.ui.session.canvas.numbers == CellNumbers::none;
+    VertexLabel label;
+    label.name = is_full ? vertex_name(vertex) : short_vertex_name(vertex);
+    const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, label.name.c_str()).x;
+    const float gap = 9.0f * m.u, margin = 3.0f * m.u;
+    const bool fits = pixel.x + gap + width <= m.high.x;
+    label.text = {fits ? pixel.x + gap : pixel.x - gap - width, pixel.y - 1.35f * font->FontSize};
+    label.low = {label.text.x - margin, label.text.y};
+    label.high = {label.text.x + width + margin, label.text.y + font->FontSize};
+    return label;
+}
+
 ShownRun run_a(const Ui& ui) {
     const RunResults& a = ui.results.a;
     return {a.frame, a.rows, a.cursor, a.done, ui.canvas.place};
@@ -344,6 +270,7 @@ void draw_canvas_marks(const Ui& ui, const ShownRun& run, ImDrawList* list, ImVe
         }
     }
     if (ui.inspector.hovered_row) draw_lit_row(m, *ui.inspector.hovered_row, 0.25f);
+    if (ui.canvas.hovered_row) draw_lit_row(m, *ui.canvas.hovered_row, 0.25f);
     draw_current(m);
     // Beside each other, what is pointed at in one picture is marked in both.
     if (ui.compare.place_of_b && ui.canvas.hovered_pixel) {
@@ -357,6 +284,7 @@ void draw_canvas_marks(const Ui& ui, const ShownRun& run, ImDrawList* list, ImVe
         frame_pixel(m, pixel.x, pixel.y, IM_COL32(0, 0, 0, 220), 4.0f * m.u);
         frame_pixel(m, pixel.x, pixel.y, m.colour(Meaning::pass), 2.0f * m.u);
     }
+    if (m.is_large()) draw_ruler(m);
 }
 
 bool drag_bench_vertex(Ui& ui) {

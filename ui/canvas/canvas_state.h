@@ -7,6 +7,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "inspect/triangle_fates.h"
 #include "scene/scene.h"
 #include "settings/settings.h"
 #include "ui/widgets/picture_state.h"
@@ -14,6 +15,12 @@
 namespace rasterwalk {
 
 class OutsideDrawing; // outside/outside_drawing.h
+
+/// The part of the canvas that the row table takes from the picture, screen pixels.
+struct RowTablePlace {
+    float left = 0.0f, right = 0.0f;
+    bool is_at_left = false; ///< of the canvas; or else at its right
+};
 
 /// What the canvas keeps from one frame to the next.
 struct CanvasState {
@@ -25,7 +32,10 @@ struct CanvasState {
     bool shows_legend = true; ///< of the overlays; or else only their swatches
     float depth_grip = 0.0f;  ///< from a handle of the depth view that is held to the pointer
     std::optional<glm::ivec2> hovered_pixel; ///< of the picture, under the pointer
-    int dragged_vertex = -1;                 ///< of the bench triangle; -1: none
+    std::optional<int> hovered_row; ///< of the picture, under the pointer in the table beside it
+    std::optional<RowTablePlace> row_table; ///< beside the picture in this frame; none: not shown
+    FateFinder fates;                       ///< of the triangle on show
+    int dragged_vertex = -1;                ///< of the bench triangle; -1: none
 };
 
 /// What run B of each pair would look like, small.

@@ -15,9 +15,6 @@ namespace rasterwalk {
 
 namespace {
 
-/// A sign for overlays where there is no room for the word: a hatched square.
-constexpr const char* overlay_sign = "▨";
-
 /// Cells of a swatch: picture pixels as they look a little enlarged.
 constexpr int swatch_columns = 12;
 constexpr int swatch_rows = 6;
@@ -26,12 +23,7 @@ constexpr float swatch_cell = 2.0f; ///< design pixels
 /// A grey between the darkest and the brightest pictures, on which all tints can be seen.
 constexpr ImU32 swatch_ground = IM_COL32(78, 80, 84, 255);
 
-ImVec2 swatch_size(const Ui& ui) {
-    const float cell = swatch_cell * ui.options.text_scale;
-    return {std::round(swatch_columns * cell), std::round(swatch_rows * cell)};
-}
-
-ImU32 packed(const Tint& tint) {
+ImU32 packed_tint(const Tint& tint) {
     return IM_COL32(tint.colour.r, tint.colour.g, tint.colour.b,
                     static_cast<int>(std::lround(255.0f * tint.opacity)));
 }
@@ -43,10 +35,14 @@ float swatch_amount(Overlay overlay, float share) {
     return is_scale ? share : 1.0f;
 }
 
-/// What the overlay looks like: by the same function that tints the picture. A part of a swatch is
-/// drawn if `from` and `to`, shares of its width, say so.
-void draw_swatch(const Ui& ui, ImDrawList* list, ImVec2 at, Overlay overlay, float from = 0.0f,
-                 float to = 1.0f) {
+} // namespace
+
+ImVec2 swatch_size(const Ui& ui) {
+    const float cell = swatch_cell * ui.options.text_scale;
+    return {std::round(swatch_columns * cell), std::round(swatch_rows * cell)};
+}
+
+void draw_swatch(const Ui& ui, ImDrawList* list, ImVec2 at, Overlay overlay, float from, float to) {
     const ImVec2 size = swatch_size(ui);
     const float cell = size.x / swatch_columns;
     list->AddRectFilled(at, {at.x + size.x, at.y + size.y}, swatch_ground);
@@ -66,10 +62,12 @@ void draw_swatch(const Ui& ui, ImDrawList* list, ImVec2 at, Overlay overlay, flo
                 overlay_tint(overlay, swatch_amount(overlay, share), {column, row}, column / 4);
             const ImVec2 corner{at.x + cell * static_cast<float>(column),
                                 at.y + cell * static_cast<float>(row)};
-            list->AddRectFilled(corner, {corner.x + cell, corner.y + cell}, packed(tint));
+            list->AddRectFilled(corner, {corner.x + cell, corner.y + cell}, packed_tint(tint));
         }
     }
 }
+
+namespace {
 
 /// The pixel that the legends speak of: the one pointed at, or else the one picked.
 std::optional<glm::ivec2> pixel_asked(const Ui& ui) {
@@ -131,7 +129,7 @@ void draw_scale(const Legend& l, Overlay overlay, ImVec2 at) {
         const Tint tint = overlay_tint(overlay, static_cast<float>(i) / (steps - 1), {0, 0});
         const float step = (to - from) / steps;
         const float x = from + step * static_cast<float>(i);
-        list->AddRectFilled({x, top}, {x + step, bottom}, packed(tint));
+        list->AddRectFilled({x, top}, {x + step, bottom}, packed_tint(tint));
     }
 }
 
@@ -261,59 +259,7 @@ void draw_wires(const Ui& ui, ImDrawList* list, ImVec2 low, ImVec2 high) {
     }
 }
 
-void draw_overlay_list(Ui& ui) {
-    const float u = ui.options.text_scale;
-    float widest = 0.0f;
-    for (const OverlayInfo& info : overlay_list())
-        widest = std::max(widest, ImGui::CalcTextSize(info.title.data()).x);
-    const ImVec2 swatch = swatch_size(ui);
-    for (const OverlayInfo& info : overlay_list()) {
-        bool on = ui.session.overlays.has(info.overlay);
-        const ImVec2 start = ImGui::GetCursorScreenPos();
-        const std::string label = std::string(info.title).append("###overlay.").append(info.name);
-        if (ImGui::Checkbox(label.c_str(), &on)) ui.session.overlays.set(info.overlay, on);
-        name_widget(ui, std::string("overlay.").append(info.name), info.help);
-        const float height = ImGui::GetFrameHeight();
-        ImGui::SameLine();
-        ImGui::SetCursorScreenPos({start.x + height + widest + 26.0f * u, start.y});
-        ImGui::Dummy({swatch.x, height});
-        draw_swatch(ui, ImGui::GetWindowDrawList(),
-                    {ImGui::GetItemRectMin().x, std::round(start.y + 0.5f * (height - swatch.y))},
-                    info.overlay);
-    }
-    ImGui::Separator();
-    if (button(ui, "overlay.none", "all off", Look::quiet, "Switches every overlay off.")) {
-        ui.session.overlays = {};
-    }
-}
-
-std::string button_label(const Ui& ui, bool narrow) {
-    const int count = ui.session.overlays.count();
-    const std::string name = narrow ? overlay_sign : "overlays";
-    return count == 0 ? name : name + " " + std::to_string(count);
-}
-
 } // namespace
-
-float overlay_button_width(const Ui&, bool narrow) {
-    // With a number, whether there is one or not: what stands beside it must not jump.
-    return button_width(std::string(narrow ? overlay_sign : "overlays") + " 0");
-}
-
-void draw_overlay_button(Ui& ui, bool narrow) {
-    const bool any = !ui.session.overlays.empty();
-    if (button(ui, "canvas.overlays", button_label(ui, narrow), any ? Look::plain : Look::quiet,
-               "What is laid over the picture: wireframe, owners, errors ...",
-               {overlay_button_width(ui, narrow), 0.0f})) {
-        ImGui::OpenPopup("overlay list");
-    }
-    const float gap = 4.0f * ui.options.text_scale;
-    ImGui::SetNextWindowPos({ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + gap});
-    if (ImGui::BeginPopup("overlay list")) {
-        draw_overlay_list(ui);
-        ImGui::EndPopup();
-    }
-}
 
 void show_ground(Ui& ui) {
     const Results& results = ui.results;

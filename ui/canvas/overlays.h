@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include "picture/overlay.h"
+
 namespace rasterwalk {
 
 struct Ui;
@@ -9,10 +11,11 @@ struct Ui;
 /// Makes the picture of run A known to the graphics system: in grey where overlays lie on it.
 void show_ground(Ui& ui);
 
-/// The button in the canvas header that opens the list of overlays.
-/// @param narrow a sign in place of the word, for small windows
-void draw_overlay_button(Ui& ui, bool narrow);
-float overlay_button_width(const Ui& ui, bool narrow);
+/// What the overlay looks like: by the same function that tints the picture. A part of a swatch is
+/// drawn if `from` and `to`, shares of its width, say so.
+void draw_swatch(const Ui& ui, ImDrawList* list, ImVec2 at, Overlay overlay, float from = 0.0f,
+                 float to = 1.0f);
+ImVec2 swatch_size(const Ui& ui);
 
 /// Draws the overlays over the picture: one texture, and the lines of the wireframe. Costs what is
 /// visible.

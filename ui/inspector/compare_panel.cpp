@@ -179,7 +179,7 @@ void draw_divergence(Ui& ui, const char* title, const std::string& name,
     text_in(p.dim, title);
     ImGui::PopFont();
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
-    if (button(ui, name, to_text(divergence.cursor), Look::link,
+    if (button(ui, name, moment_name(divergence.cursor), Look::link,
                describe_moment(ui.results.a.frame, divergence.cursor) +
                    "\nClick: stands there in both runs.")) {
         stand_at(ui, divergence.cursor);

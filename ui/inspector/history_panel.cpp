@@ -137,12 +137,50 @@ void draw_uncovered(Ui& ui, const PixelHistory& history) {
     }
 }
 
+/// The pixel on which most fragments fell so far; none if none did.
+std::optional<glm::ivec2> most_drawn_pixel(const Framebuffer& framebuffer) {
+    const auto most = std::max_element(framebuffer.overdraw.begin(), framebuffer.overdraw.end());
+    if (most == framebuffer.overdraw.end() || *most == 0) return std::nullopt;
+    const auto at = static_cast<int>(most - framebuffer.overdraw.begin());
+    const int width = framebuffer.size.width;
+    return glm::ivec2(at % width, at / width);
+}
+
+void pick(Ui& ui, const glm::ivec2& pixel) {
+    ui.session.selection.pixel = pixel;
+    ui.session.selection.row = pixel.y;
+}
+
+/// Says what to do, and offers two pixels to begin with.
+void draw_no_pixel(Ui& ui) {
+    wrapped_text(
+        "No pixel is picked. Click one in the picture: everything that falls on it is then "
+        "listed here, in the order of drawing, with what the depth test said of it.");
+    name_widget(ui, "history.empty", "Everything that falls on the pixel is then listed here.");
+    if (const std::optional<FragmentReport>& fragment = ui.results.a.inspected.fragment) {
+        const std::string label =
+            fmt::format("the fragment drawn last: ({}, {})", fragment->pixel.x, fragment->pixel.y);
+        if (button(ui, "history.pick_last", label, Look::plain,
+                   "Picks the pixel on which the moment's fragment fell.")) {
+            pick(ui, fragment->pixel);
+        }
+    }
+    if (button(
+            ui, "history.pick_most", "a pixel with the most fragments", Look::plain,
+            "Picks a pixel on which more fragments fell than on any other, up to this moment.")) {
+        if (const auto pixel = most_drawn_pixel(*ui.results.a.framebuffer)) {
+            pick(ui, *pixel);
+        } else {
+            tell(ui.session, "Nothing is drawn at this moment.");
+        }
+    }
+}
+
 } // namespace
 
 void draw_history_panel(Ui& ui) {
     if (!ui.results.history) {
-        text_in(palette(ui.options.theme).dim, "Click a pixel in the picture.");
-        name_widget(ui, "history.empty", "Everything that falls on the pixel is then listed here.");
+        draw_no_pixel(ui);
         return;
     }
     const PixelHistory& history = *ui.results.history;

@@ -28,7 +28,8 @@ ImU32 screen_colour(const Ui& ui, const glm::vec3& colour, float opacity) {
 enum HistoryColumn {
     number_column,
     name_column,
-    place_column,
+    piece_column,
+    step_column,
     zinv_column,
     margin_column,
     fate_column,
@@ -48,8 +49,39 @@ struct Columns {
     }
 };
 
-float text_width(ImFont* font, const char* text) {
-    return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, text).x;
+float text_width(ImFont* font, const std::string& text) {
+    return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, text.c_str()).x;
+}
+
+/// What the two columns are called that say where in its triangle a fragment lies: each number
+/// stands below the name of what it counts.
+struct PlaceTitles {
+    std::string piece; ///< "entry"
+    std::string step;  ///< "fragment"; empty where a piece is all
+    std::string piece_help, step_help;
+};
+
+PlaceTitles place_titles(Stage stage) {
+    if (stage == Stage::points) return {"vertex", "", "Which of the triangle's vertices[].", ""};
+    if (stage == Stage::edges) {
+        return {"edge", "line", "Which of the triangle's edges, from 0.",
+                "Which sample of the edge: line[4] is [4]."};
+    }
+    return {"entry", "fragment",
+            "Which entry of the row table: [7] is leftPixels[7] and rightPixels[7].",
+            "How many columns right of the row's left end: [0] is the left end itself."};
+}
+
+std::string in_brackets(int index) {
+    return "[" + std::to_string(index) + "]";
+}
+
+float piece_width(const Ui& ui, const PlaceTitles& titles) {
+    return std::max(text_width(ui.fonts.small, titles.piece), text_width(ui.fonts.mono, "[000]"));
+}
+
+float step_width(const Ui& ui, const PlaceTitles& titles) {
+    return std::max(text_width(ui.fonts.small, titles.step), text_width(ui.fonts.mono, "[000]"));
 }
 
 Columns measure_columns(const Ui& ui, const PixelHistory& history, float room) {
@@ -59,20 +91,24 @@ Columns measure_columns(const Ui& ui, const PixelHistory& history, float room) {
         float padding; ///< design pixels
         const char* least_name;
     };
+    const PlaceTitles place = place_titles(ui.results.a.frame.settings.stage);
     // From roomy to narrow; the last one is taken if none fits.
-    const Form forms[] = {{true, true, 7.0f, "t00 tall block"},
-                          {true, true, 4.0f, "t00 tall block"},
-                          {false, true, 5.0f, "t00 tall block"},
-                          {false, true, 4.0f, "t00 tall bl"},
-                          {false, false, 4.0f, "t000"}};
+    const Form forms[] = {
+        {true, true, 7.0f, "t00 tall block"}, {true, true, 4.0f, "t00 tall block"},
+        {true, false, 4.0f, "t00 tall block"},   {false, true, 5.0f, "t00 tall block"},
+        {false, true, 4.0f, "t00 tall bl"},   {false, false, 4.0f, "t000"}};
+    // Marks have no depth value, and so no margin.
+    const bool has_margin =
+        history.depth_tested && has_fragments(ui.results.a.frame.settings.stage);
     Columns columns;
     for (const Form& form : forms) {
         columns.padding = form.padding * ui.options.text_scale;
         columns.widths = {form.has_number ? text_width(mono, "00") : 0.0f,
                           text_width(ui.fonts.bold, form.least_name),
-                          form.has_place ? text_width(mono, "r000 [000]") : 0.0f,
+                          form.has_place ? piece_width(ui, place) : 0.0f,
+                          form.has_place && !place.step.empty() ? step_width(ui, place) : 0.0f,
                           text_width(mono, "0.0000"),
-                          history.depth_tested ? text_width(mono, "+0.0000") : 0.0f,
+                          has_margin ? text_width(mono, "+0.0000") : 0.0f,
                           text_width(ui.fonts.small, "✓ written"),
                           mono->FontSize};
         float left = room;
@@ -93,19 +129,6 @@ std::string margin_text(float value) {
 
 bool is_linear_z(const Ui& ui) {
     return depth_rule(ui.results.a.frame.settings) == DepthTest::linear_z;
-}
-
-/// Where the fragment lies in its triangle: vertex, edge and sample, or entry and column. The right
-/// end of a row has the moment of its left end.
-std::string place_text(const PixelEntry& entry) {
-    Cursor cursor = entry.cursor;
-    if (cursor.phase == Phase::rows) cursor.step = entry.column;
-    return short_place(cursor);
-}
-
-const char* place_header(Stage stage) {
-    if (stage == Stage::points) return "vertex";
-    return stage == Stage::edges ? "edge [line]" : "row [column]";
 }
 
 std::string tooltip(const Ui& ui, const PixelHistory& history, int index) {
@@ -142,7 +165,8 @@ void draw_fate(const Ui& ui, const PixelHistory& history, int index, float opaci
     const float lower = 0.5f * (ImGui::GetFontSize() - ui.fonts.small->FontSize);
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + lower);
     ImGui::PushFont(ui.fonts.small);
-    text_in(colour, !written ? "✗ hidden" : stays(history, index) ? "✓ stays" : "✓ written");
+    const char* const word = !written ? " hidden" : stays(history, index) ? " stays" : " written";
+    text_in(colour, std::string(written ? passed_sign : failed_sign) + word);
     ImGui::PopFont();
 }
 
@@ -186,9 +210,17 @@ void draw_entry(Ui& ui, const PixelHistory& history, int index, const Columns& c
     text_in(colour, shortened(number + " " + part_name(*ui.results.a.scene, entry.cursor.triangle),
                               columns.widths[name_column]));
     ImGui::PopFont();
-    if (columns.has(place_column)) {
+    if (columns.has(piece_column)) {
         ImGui::TableNextColumn();
-        right_aligned(place_text(entry), colour);
+        const bool is_edge = entry.cursor.phase == Phase::edges;
+        right_aligned(
+            is_edge ? std::to_string(entry.cursor.index) : in_brackets(entry.cursor.index), colour);
+    }
+    if (columns.has(step_column)) {
+        ImGui::TableNextColumn();
+        // The right end of a row has the moment of its left end.
+        const bool is_row = entry.cursor.phase == Phase::rows;
+        right_aligned(in_brackets(is_row ? entry.column : entry.cursor.step), colour);
     }
     ImGui::TableNextColumn();
     right_aligned(fixed(static_cast<double>(is_linear_z(ui) ? entry.depth : entry.zinv), 4),
@@ -217,16 +249,15 @@ void draw_entry(Ui& ui, const PixelHistory& history, int index, const Columns& c
 void draw_history_headers(Ui& ui, const Columns& columns) {
     struct Header {
         const char* name;
-        const char* title;
-        const char* help;
+        std::string title;
+        std::string help;
     };
+    const PlaceTitles place = place_titles(ui.results.a.frame.settings.stage);
     const Header headers[] = {
         {"number", "#", "Number of the fragment, in the order of drawing, from 0."},
         {"triangle", "triangle", "The triangle that it belongs to, and the part of the scene."},
-        {"place", place_header(ui.results.a.frame.settings.stage),
-         "Where in its triangle it lies, each from 0: v1 is vertices[1]; e1 [4] is edge 1, "
-         "line[4]; "
-         "r7 [4] is entry [7] of the row table and column 4 from the row's left end."},
+        {"piece", place.piece, place.piece_help},
+        {"step", place.step, place.step_help},
         {"zinv", is_linear_z(ui) ? "1/lin z" : "1/z",
          is_linear_z(ui) ? "One over the z that is interpolated in equal steps: what this depth "
                            "test compares, and wrong between the ends."

@@ -9,9 +9,9 @@
 
 #include "base/element_names.h"
 #include "base/numbers.h"
-#include "session/walk.h"
 #include "ui/inspector/rows_parts.h"
 #include "ui/ui.h"
+#include "ui/widgets/row_ends.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -19,52 +19,20 @@ namespace rasterwalk {
 
 namespace {
 
-/// "e1 [4]": edge 1, line[4].
-std::string sample_text(int edge, int sample) {
-    return short_place({0, Phase::edges, edge, sample});
-}
-
-std::string replaced_tooltip(const EndWriter& writer) {
-    return "↻: an earlier sample stood here and was replaced, " +
-           counted(writer.replaced, "time", "times") + " so far.";
-}
-
-std::string writer_tooltip(const EndWriter& writer) {
-    return "Written by " + sample_name(writer.edge, writer.sample) + "." +
-           (writer.replaced > 0 ? "\n" + replaced_tooltip(writer) : "") +
-           "\nClick: to the moment in which it was written.";
-}
-
-/// To the moment just after a sample was entered, so that its cell is the one that lights up.
-void go_to_sample(Ui& ui, int edge, int sample) {
-    const Timeline timeline(ui.results.a.frame);
-    const Cursor cursor{*ui.results.a.triangle, Phase::edges, edge, sample};
-    if (timeline.exists(cursor)) go_to(ui.session, timeline.next(cursor, Granularity::moment));
-}
-
-/// One end of a row: its column, lit if it was written just now, in the colour of who wrote it.
+/// One end of a row: its column, in the colour of who wrote it; in a box if that was just now.
 void draw_end_cell(Ui& ui, const std::string& name, const RowEnd& end, const EndWriter& writer,
-                   bool is_left, bool just_written) {
-    const Palette& p = palette(ui.options.theme);
-    if (just_written) {
-        ImGui::TableSetBgColor(ImGuiTableBgTarget_CellBg,
-                               packed(colour_of(Meaning::current, ui.options.theme), 0.25f));
+                   bool is_left, bool is_changed) {
+    const ImVec4 colour = writer.is_set() ? colour_of(edge_meaning(writer.edge), ui.options.theme)
+                                          : palette(ui.options.theme).dim;
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    right_aligned(end_text(end, is_left), colour);
+    if (is_changed) {
+        draw_changed_box(ui, ImGui::GetWindowDrawList(), low,
+                         {low.x + width, low.y + ImGui::GetTextLineHeight()});
     }
-    if (!writer.is_set()) {
-        const bool is_extreme = end.column == empty_left || end.column == empty_right;
-        right_aligned(!is_extreme ? std::to_string(end.column)
-                      : is_left   ? "+INT_MAX"
-                                  : "−INT_MAX",
-                      p.dim);
-        name_widget(ui, name,
-                    is_extreme ? "No sample has reached this row yet: any column is an improvement."
-                               : "Where this end starts: no sample has improved on it.");
-        return;
-    }
-    const ImVec4 colour = colour_of(edge_meaning(writer.edge), ui.options.theme);
-    right_aligned(std::to_string(end.column), colour);
-    name_widget(ui, name, writer_tooltip(writer));
-    if (ImGui::IsItemClicked()) go_to_sample(ui, writer.edge, writer.sample);
+    name_widget(ui, name, end_tooltip(end, writer));
+    if (writer.is_set() && ImGui::IsItemClicked()) go_to_sample(ui, writer.edge, writer.sample);
 }
 
 void draw_writer_cell(Ui& ui, const std::string& name, const EndWriter& writer) {
@@ -122,18 +90,6 @@ void draw_values(Ui& ui, const RowEnd& end, bool is_set) {
     }
 }
 
-/// The row of the picture at which the work in this table stands: that of the last fragments, or of
-/// the last sample; none before the first.
-std::optional<int> row_at_work(const Ui& ui) {
-    const RowHistory& history = ui.results.a.rows;
-    const std::optional<Cursor>& done = ui.results.a.done;
-    if (done && done->triangle == ui.results.a.triangle && done->phase == Phase::rows) {
-        return history.rows.first_row + done->index;
-    }
-    if (history.last && history.last->write.inside) return history.last->fragment.row;
-    return std::nullopt;
-}
-
 void draw_row(Ui& ui, int index) {
     const Palette& p = palette(ui.options.theme);
     const RowHistory& history = ui.results.a.rows;
@@ -141,12 +97,12 @@ void draw_row(Ui& ui, int index) {
     const std::string name = "rows." + std::to_string(row);
     const EndWriter& left = history.left_by[index];
     const EndWriter& right = history.right_by[index];
-    const bool is_last =
-        history.last && history.last->write.inside && history.last->fragment.row == row;
+    const std::optional<int> at_work = row_at_work(ui);
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushID(row);
-    const bool lit = row_at_work(ui) == row || ui.session.selection.row == row ||
+    const bool lit = at_work == row || ui.session.selection.row == row ||
+                     ui.canvas.hovered_row == row ||
                      (ui.canvas.hovered_pixel && ui.canvas.hovered_pixel->y == row);
     if (ImGui::Selectable("##row", lit,
                           ImGuiSelectableFlags_SpanAllColumns |
@@ -157,10 +113,15 @@ void draw_row(Ui& ui, int index) {
     name_widget(ui, name,
                 "Row " + std::to_string(row) + " of the picture: " +
                     element_name(entry_form, index) + " of leftPixels and rightPixels.");
+    if (at_work == row) {
+        draw_current_bar(ui, ImGui::GetWindowDrawList(),
+                         {ImGui::GetWindowPos().x, ImGui::GetItemRectMin().y},
+                         ImGui::GetItemRectMax().y);
+    }
     ImGui::SameLine(0.0f, 0.0f);
     right_aligned(std::to_string(row), p.text);
     ImGui::PopID();
-    const RowWrite write = is_last ? history.last->write : RowWrite{};
+    const RowWrite write = just_written(ui, row);
     ImGui::TableNextColumn();
     draw_end_cell(ui, name + ".left", history.rows.left[index], left, true, write.left);
     if (ui.inspector.shows_end_values) draw_values(ui, history.rows.left[index], left.is_set());

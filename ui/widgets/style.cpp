@@ -96,6 +96,18 @@ ImU32 packed(const ImVec4& colour, float opacity) {
     return ImGui::ColorConvertFloat4ToU32({colour.x, colour.y, colour.z, colour.w * opacity});
 }
 
+bool has_dark_ink(const glm::vec<3, std::uint8_t>& ground) {
+    const auto linear = [](std::uint8_t byte) {
+        const float share = static_cast<float>(byte) / 255.0f;
+        return share <= 0.04045f ? share / 12.92f : std::pow((share + 0.055f) / 1.055f, 2.4f);
+    };
+    const float luminance =
+        0.2126f * linear(ground.r) + 0.7152f * linear(ground.g) + 0.0722f * linear(ground.b);
+    // Here black and white have the same contrast, 4.58 : 1.
+    const float even = std::sqrt(1.05f * 0.05f) - 0.05f;
+    return luminance > even;
+}
+
 void apply_style(const UiOptions& options) {
     const Palette& p = palette(options.theme);
     ImGuiStyle style;

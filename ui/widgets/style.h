@@ -55,6 +55,10 @@ Meaning edge_meaning(int edge);
 /// The colour with another opacity, as draw lists want it.
 ImU32 packed(const ImVec4& colour, float opacity = 1.0f);
 
+/// Can dark letters be read better than light ones on this ground? The better of the two has a
+/// contrast of at least 4.5 : 1.
+bool has_dark_ink(const glm::vec<3, std::uint8_t>& ground);
+
 /// Sets ImGui's colours and spacing for the theme and text scale.
 void apply_style(const UiOptions& options);
 

@@ -201,6 +201,17 @@ void right_aligned(std::string_view text, const ImVec4& colour) {
     text_in(colour, text);
 }
 
+void draw_changed_box(const Ui& ui, ImDrawList* list, ImVec2 low, ImVec2 high) {
+    const float u = ui.options.text_scale;
+    list->AddRect({low.x - 2.0f * u, low.y - 1.0f * u}, {high.x + 2.0f * u, high.y + 1.0f * u},
+                  packed(palette(ui.options.theme).changed), 3.0f * u, 0, 1.5f * u);
+}
+
+void draw_current_bar(const Ui& ui, ImDrawList* list, ImVec2 low, float bottom) {
+    list->AddRectFilled(low, {low.x + 3.0f * ui.options.text_scale, bottom},
+                        packed(colour_of(Meaning::current, ui.options.theme)));
+}
+
 void begin_card(Ui& ui, float width) {
     const ImVec2 padding{12.0f * ui.options.text_scale, 10.0f * ui.options.text_scale};
     open_card.start = ImGui::GetCursorScreenPos();

@@ -24,6 +24,10 @@ void draw_tooltip(const Ui& ui, std::string_view text);
 /// must have been named in this frame.
 void note_text(Ui& ui, std::string_view name, std::string_view text);
 
+/// The signs of pass and fail, beside their colours.
+inline constexpr const char* passed_sign = "✓";
+inline constexpr const char* failed_sign = "✗";
+
 /// How a button looks.
 enum class Look : std::uint8_t {
     plain,   ///< filled
@@ -51,6 +55,13 @@ void wrapped_text(std::string_view text);
 
 /// Text at the right edge of the current table cell or of the width given.
 void right_aligned(std::string_view text, const ImVec4& colour);
+
+/// The frame around what the step of the moment has just changed.
+void draw_changed_box(const Ui& ui, ImDrawList* list, ImVec2 low, ImVec2 high);
+
+/// The bar at the left of the row of the moment.
+/// @param low its upper left corner
+void draw_current_bar(const Ui& ui, ImDrawList* list, ImVec2 low, float bottom);
 
 /// A box on the ground that grows with its content: between begin_card and end_card.
 void begin_card(Ui& ui, float width = 0.0f);

@@ -72,4 +72,20 @@ TEST_CASE("Points are ringed once each as long as they can be told apart") {
     CHECK(ImGui::GetDrawData()->TotalVtxCount > edges + 24 * 16);
 }
 
+TEST_CASE("A number and a sign in every cell and a line for every row are not too many either") {
+    Driver driver("lab-room.toml", {8192, 8192});
+    driver.hand.click("stage.depth");
+    driver.ui.session.selection.triangle = 0; // on the floor, far across the picture
+    driver.ui.session.canvas.centre = {250.0f, 420.0f};
+    for (const CellNumbersInfo& info : cell_numbers_list()) {
+        driver.ui.session.canvas.numbers = info.numbers;
+        for (const float zoom : {24.0f, 44.0f}) {
+            driver.ui.session.canvas.zoom = zoom;
+            driver.hand.frames(2);
+            INFO(info.name << ", zoom " << zoom);
+            CHECK(largest_list() < most_corners);
+        }
+    }
+}
+
 } // namespace rasterwalk

@@ -61,6 +61,8 @@ class Tour {
             }
         }
         follow_link(driver.ui, "set:stage=depth");
+        follow_link(driver.ui, "view:overdraw");
+        look(driver);
         follow_link(driver.ui, "view:depth");
         for (const OverlayInfo& overlay : overlay_list())
             follow_link(driver.ui, "overlay:" + std::string(overlay.name));
@@ -105,6 +107,9 @@ class Tour {
 
     void small_triangle() {
         Driver driver("one-triangle.toml");
+        follow_link(driver.ui, "pixel:5,10");
+        follow_link(driver.ui, "tab:history");
+        look(driver);
         follow_link(driver.ui, "tab:rows");
         look(driver);
         driver.hand.click("bench.examples");

@@ -210,4 +210,45 @@ TEST_CASE("The numbers of the vertices stand on dark ground, however bright the 
     CHECK(letters == 3 * 11 * 4); // "vertices[0]", four corners a letter
 }
 
+TEST_CASE("Where the picture is larger than the canvas its numbers stand on a strip of their own") {
+    for (const Theme theme : {Theme::dark, Theme::light}) {
+        Driver driver("one-triangle.toml");
+        driver.ui.options.theme = theme;
+        const Frame frame = prepare_frame(*driver.ui.session.scene, driver.ui.session.a.settings);
+        const RowHistory rows;
+        driver.ui.results.a.triangle = std::nullopt;
+        PicturePlace place;
+        place.origin = {-200.0f, -200.0f};
+        place.scale = 40.0f;
+        ImDrawList list(ImGui::GetDrawListSharedData());
+        list._ResetForNewFrame();
+        list.PushTextureID(ImGui::GetIO().Fonts->TexID);
+        list.PushClipRectFullScreen();
+        const Cursor cursor = cursor_end;
+        const std::optional<Cursor> done;
+        draw_canvas_marks(driver.ui, {frame, rows, cursor, done, place}, &list, {0, 0}, {400, 400});
+        const ImVec2 white = ImGui::GetIO().Fonts->TexUvWhitePixel;
+        const ImU32 ground = packed(palette(theme).canvas);
+        float strip_bottom = 0.0f, strip_right = 0.0f;
+        int letters = 0;
+        for (const ImDrawVert& corner : list.VtxBuffer) {
+            const bool is_filled =
+                std::abs(corner.uv.x - white.x) + std::abs(corner.uv.y - white.y) < 0.01f;
+            if (corner.col == ground && is_filled) {
+                if (corner.pos.x > 399.0f && corner.pos.y < 399.0f)
+                    strip_bottom = std::max(strip_bottom, corner.pos.y);
+                if (corner.pos.y > 399.0f && corner.pos.x < 399.0f)
+                    strip_right = std::max(strip_right, corner.pos.x);
+            }
+            // On the bare canvas they would be dim.
+            const ImU32 bright = packed(palette(theme).text), dim = packed(palette(theme).dim);
+            if (is_filled || (corner.col != bright && corner.col != dim)) continue;
+            ++letters;
+            CHECK(corner.col == bright);
+            CHECK((corner.pos.y <= strip_bottom || corner.pos.x <= strip_right));
+        }
+        CHECK(letters >= 4 * 2 * 8);
+    }
+}
+
 } // namespace rasterwalk

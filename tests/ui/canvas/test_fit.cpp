@@ -12,12 +12,15 @@ namespace rasterwalk {
 
 namespace {
 
-/// The canvas without rulers and title, the widest border that a picture may need.
+/// The canvas without rulers, title and the row table beside the picture, the widest border that a
+/// picture may need.
 float least_scale(const Driver& driver) {
     const WidgetPlace& canvas = driver.ui.widgets.at("canvas");
     const Viewport size = driver.ui.results.a.frame.settings.viewport;
     const float border = 2.0f * canvas_ruler, title = driver.ui.results.b ? 30.0f : 0.0f;
-    const float width = canvas.bottom_right.x - canvas.top_left.x - border;
+    const auto& rows = driver.ui.canvas.row_table;
+    const float table = rows ? rows->right - rows->left : 0.0f;
+    const float width = canvas.bottom_right.x - canvas.top_left.x - border - table;
     const float height = canvas.bottom_right.y - canvas.top_left.y - border - title;
     return std::min(width / static_cast<float>(size.width),
                     height / static_cast<float>(size.height));
@@ -56,7 +59,11 @@ TEST_CASE("Fit fills the canvas in every window, view and way to compare") {
     }
     Driver bench("one-triangle.toml");
     check_fit(bench);
+    CHECK(bench.ui.canvas.row_table); // and all of the picture is beside it
     CHECK(bench.ui.canvas.place.scale == std::floor(bench.ui.canvas.place.scale)); // even pixels
+    bench.ui.session.canvas.row_table = false;
+    check_fit(bench);
+    CHECK_FALSE(bench.ui.canvas.row_table);
 }
 
 } // namespace rasterwalk

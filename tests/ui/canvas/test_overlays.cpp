@@ -1,7 +1,10 @@
+#include <algorithm>
+
 #include <catch2/catch.hpp>
 
 #include "picture/view_image.h"
 #include "tests/ui/driver.h"
+#include "tests/ui/shown_colours.h"
 #include "ui/actions/keys.h"
 #include "ui/ui.h"
 
@@ -187,6 +190,53 @@ TEST_CASE("The depth legend is whole in small windows") {
                                  "depth.far_text", "depth.near_text"}) {
             INFO(name << ", text " << text_scale);
             CHECK(driver.hand.find(name).is_whole);
+        }
+    }
+}
+
+TEST_CASE("The overdraw view has a legend with the colour and the pixels of every number") {
+    Driver driver;
+    driver.hand.click("stage.depth");
+    CHECK_FALSE(driver.hand.is_visible("overdraw.count.0"));
+    driver.hand.click("canvas.view");
+    driver.hand.click("canvas.view.overdraw");
+    const Framebuffer& picture = *driver.ui.results.a.framebuffer;
+    const std::uint32_t most = *std::max_element(picture.overdraw.begin(), picture.overdraw.end());
+    REQUIRE(most > 2);
+    for (std::uint32_t n = 0; n <= most; ++n) {
+        const WidgetPlace box = driver.hand.find("overdraw.count." + std::to_string(n));
+        CAPTURE(n);
+        CHECK(box.is_whole);
+        const auto rgb = overdraw_colour(n, most);
+        CHECK(shown_colours(box).count(IM_COL32(rgb.r, rgb.g, rgb.b, 255)) == 1);
+    }
+    driver.hand.hover_picture(240, 300);
+    CHECK(driver.ui.widgets.at("overdraw.here").text ==
+          std::to_string(picture.overdraw[picture.at(240, 300)]));
+}
+
+TEST_CASE("The overdraw legend is whole in small windows, and lists what there is room for") {
+    for (const ImVec2 window : {ImVec2{1024, 640}, ImVec2{800, 600}, ImVec2{320, 200}}) {
+        for (const float text_scale : {1.0f, 1.5f}) {
+            Driver driver("lab-room.toml", window, text_scale);
+            driver.ui.session.view = View::overdraw;
+            driver.hand.frames(3);
+            // Many more than have room for a box of their own.
+            auto& picture = const_cast<Framebuffer&>(*driver.ui.results.a.framebuffer);
+            picture.overdraw[0] = 4'000;
+            driver.ui.results.overdraw = overdraw_counts(picture);
+            driver.hand.frames(1);
+            int boxes = 0;
+            for (const auto& [name, place] : driver.ui.widgets) {
+                if (!name.starts_with("overdraw.count.")) continue;
+                INFO(name << " at " << window.x << ", text " << text_scale);
+                if (window.x > 400.0f) CHECK(place.is_whole);
+                ++boxes;
+            }
+            CHECK(boxes >= 2);
+            CHECK(boxes < 60);
+            CHECK(driver.ui.widgets.count("overdraw.count.0") == 1);
+            CHECK(driver.ui.widgets.count("overdraw.count.4000") == 1);
         }
     }
 }

@@ -1,7 +1,10 @@
+#include <algorithm>
+
 #include <catch2/catch.hpp>
 
 #include "session/results.h"
 #include "tests/ui/driver.h"
+#include "tests/ui/screen_text.h"
 #include "ui/actions/keys.h"
 #include "ui/ui.h"
 
@@ -131,6 +134,69 @@ TEST_CASE("The buttons for the changes of a picked pixel are whole at every size
             CHECK(words.bottom_right.x <= back.top_left.x);
             CHECK(driver.ui.widgets.at("history.0").visible);
         }
+    }
+}
+
+TEST_CASE("Without a picked pixel the history offers two to begin with") {
+    Driver driver;
+    driver.hand.click("stage.depth");
+    driver.open("history");
+    const Framebuffer& picture = *driver.ui.results.a.framebuffer;
+    driver.hand.click("history.pick_most");
+    REQUIRE(driver.ui.session.selection.pixel);
+    const glm::ivec2 pixel = *driver.ui.session.selection.pixel;
+    CHECK(picture.overdraw[picture.at(pixel.x, pixel.y)] ==
+          *std::max_element(picture.overdraw.begin(), picture.overdraw.end()));
+    CHECK(driver.hand.is_visible("history.0"));
+
+    driver.ui.session.selection = {};
+    driver.ui.session.cursor = *parse_cursor("t22/r40/c5");
+    driver.hand.frames(frames_to_rest);
+    driver.hand.click("history.pick_last");
+    REQUIRE(driver.ui.results.history);
+    const std::vector<PixelEntry>& entries = driver.ui.results.history->entries;
+    CHECK(std::any_of(entries.begin(), entries.end(), [&](const PixelEntry& entry) {
+        return entry.cursor == *driver.ui.results.a.done;
+    }));
+}
+
+TEST_CASE("Before anything is drawn there is no pixel to begin with, and it says so") {
+    Driver driver;
+    driver.hand.click("stage.depth");
+    driver.hand.click("walk.first");
+    driver.open("history");
+    CHECK_FALSE(driver.hand.is_visible("history.pick_last"));
+    driver.hand.click("history.pick_most");
+    CHECK_FALSE(driver.ui.session.selection.pixel);
+    CHECK_THAT(driver.ui.session.notice, Catch::Contains("Nothing is drawn"));
+}
+
+TEST_CASE("The place of a fragment stands below the names of what it counts") {
+    struct Case {
+        const char* stage;
+        const char* piece;
+        const char* step; ///< empty: there is no such column
+    };
+    for (const Case& c : {Case{"points", "vertex", ""}, Case{"edges", "edge", "line"},
+                          Case{"rows", "entry", "fragment"}, Case{"fill", "entry", "fragment"}}) {
+        Driver driver("one-triangle.toml");
+        driver.hand.click(std::string("stage.") + c.stage);
+        driver.open("history");
+        driver.hand.click_picture(5, 10);
+        driver.hand.leave();
+        INFO(c.stage << ", tab " << driver.ui.session.tab);
+        REQUIRE(driver.ui.results.history);
+        REQUIRE_FALSE(driver.ui.results.history->entries.empty());
+        const auto stands = [](const std::string& words) {
+            const std::vector<ScreenText> texts = screen_text();
+            return std::any_of(texts.begin(), texts.end(), [&](const ScreenText& text) {
+                return text.window.find("history") != text.window.npos && text.words == words;
+            });
+        };
+        CHECK(stands(c.piece));
+        if (*c.step != 0) CHECK(stands(c.step));
+        CHECK(driver.hand.is_visible("history.header.step") == (*c.step != 0));
+        CHECK_FALSE(stands("row [column]"));
     }
 }
 

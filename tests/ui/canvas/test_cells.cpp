@@ -1,0 +1,325 @@
+// What stands in the cells of the picture where they are large.
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "inspect/pixel_history.h"
+#include "pipeline/draw.h"
+#include "tests/ui/driver.h"
+#include "tests/ui/screen_text.h"
+#include "tests/ui/shown_number.h"
+#include "ui/actions/keys.h"
+#include "ui/canvas/cells.h"
+#include "ui/canvas/marks.h"
+
+namespace rasterwalk {
+
+namespace {
+
+bool is_sign(const ScreenText& text) {
+    return text.words.find("✓") != text.words.npos || text.words.find("✗") != text.words.npos;
+}
+
+/// The texts in the cells, each by itself.
+std::vector<ScreenText> cell_texts() {
+    std::vector<ScreenText> texts;
+    for (const ScreenText& text : screen_text(0.15f)) {
+        if (text.window.find("/cells ") != text.window.npos) texts.push_back(text);
+    }
+    return texts;
+}
+
+glm::ivec2 cell_of(const Driver& driver, const ScreenText& text) {
+    const PicturePlace& place = driver.ui.canvas.place;
+    return {std::floor((0.5f * (text.low.x + text.high.x) - place.origin.x) / place.scale),
+            std::floor((0.5f * (text.low.y + text.high.y) - place.origin.y) / place.scale)};
+}
+
+/// The pixels whose cells can be seen as a whole and lie under no name of a vertex.
+std::vector<glm::ivec2> whole_cells(const Driver& driver) {
+    const Ui& ui = driver.ui;
+    const WidgetPlace canvas = ui.widgets.at("canvas");
+    const PicturePlace& place = ui.canvas.place;
+    ImVec2 low = canvas.top_left, high = canvas.bottom_right;
+    if (ui.canvas.row_table) {
+        if (ui.canvas.row_table->is_at_left) {
+            low.x = ui.canvas.row_table->right;
+        } else {
+            high.x = ui.canvas.row_table->left;
+        }
+    }
+    const ShownRun run = run_a(ui);
+    const Marks marks{ui, run, nullptr, low, high, ui.options.text_scale, place.scale};
+    low = corner_of_cells(marks);
+    std::vector<VertexLabel> labels;
+    const std::span<const ScreenVertex> vertices =
+        run.frame.triangle_vertices(*ui.results.a.triangle);
+    for (std::size_t v = 0; v < vertices.size(); ++v)
+        labels.push_back(vertex_label(marks, static_cast<int>(v), marks.at(vertices[v])));
+    std::vector<glm::ivec2> cells;
+    const Viewport size = run.frame.settings.viewport;
+    for (int row = 0; row < size.height; ++row) {
+        for (int column = 0; column < size.width; ++column) {
+            const ImVec2 a =
+                marks.at(static_cast<float>(column) - 0.5f, static_cast<float>(row) - 0.5f);
+            const ImVec2 b{a.x + place.scale, a.y + place.scale};
+            if (a.x < low.x || a.y < low.y || b.x > high.x || b.y > high.y) continue;
+            const bool is_free = std::none_of(labels.begin(), labels.end(), [&](const auto& l) {
+                return a.x < l.high.x && b.x > l.low.x && a.y < l.high.y && b.y > l.low.y;
+            });
+            if (is_free) cells.emplace_back(column, row);
+        }
+    }
+    return cells;
+}
+
+void look_close(Driver& driver, float zoom, glm::vec2 centre) {
+    driver.ui.session.canvas.zoom = zoom;
+    driver.ui.session.canvas.centre = centre;
+    driver.hand.frames(frames_to_rest);
+    driver.hand.leave();
+}
+
+/// The number that belongs in a cell, from the framebuffer of a frame drawn anew; empty: none.
+std::string expected_number(const Framebuffer& picture, CellNumbers numbers, glm::ivec2 pixel) {
+    const std::size_t at = picture.at(pixel.x, pixel.y);
+    if (numbers == CellNumbers::owner)
+        return picture.owner[at] >= 0 ? "t" + std::to_string(picture.owner[at]) : "";
+    return picture.overdraw[at] > 0 ? std::to_string(picture.overdraw[at]) : "";
+}
+
+} // namespace
+
+TEST_CASE("The numbers seen in the cells are those of the frame, each in its own cell") {
+    Driver driver;
+    driver.hand.click("stage.depth");
+    driver.ui.session.selection.triangle = 22;
+    driver.ui.session.canvas.fates = false;
+    look_close(driver, 32.0f, {250.0f, 300.0f});
+    const Framebuffer picture = draw_frame(driver.ui.results.a.frame);
+    for (const CellNumbers numbers : {CellNumbers::owner, CellNumbers::overdraw}) {
+        driver.ui.session.canvas.numbers = numbers;
+        driver.hand.frames(frames_to_rest);
+        std::map<std::pair<int, int>, std::string> seen;
+        for (const ScreenText& text : cell_texts()) {
+            const glm::ivec2 cell = cell_of(driver, text);
+            CHECK(text.size >= 12.0f);
+            seen[{cell.x, cell.y}] += text.words;
+        }
+        int count = 0;
+        for (const glm::ivec2& cell : whole_cells(driver)) {
+            const std::string expected = expected_number(picture, numbers, cell);
+            CAPTURE(cell.x, cell.y);
+            CHECK(seen[{cell.x, cell.y}] == expected);
+            count += expected.empty() ? 0 : 1;
+        }
+        CHECK(count > 100);
+    }
+}
+
+TEST_CASE("1/z in the cells is that of the depth buffer, as far as its digits go") {
+    Driver driver;
+    driver.hand.click("stage.depth");
+    driver.ui.session.canvas.fates = false;
+    driver.ui.session.canvas.row_table = false;
+    driver.ui.session.canvas.numbers = CellNumbers::depth;
+    const float least = numbers_zoom(driver.ui, CellNumbers::depth);
+    const Framebuffer picture = draw_frame(driver.ui.results.a.frame);
+    for (const float zoom : {least, 64.0f}) {
+        look_close(driver, zoom, {250.0f, 300.0f});
+        int count = 0;
+        const std::vector<glm::ivec2> whole = whole_cells(driver);
+        for (const ScreenText& text : cell_texts()) {
+            const glm::ivec2 cell = cell_of(driver, text);
+            // Of a number at the border of the canvas a part is cut off.
+            if (std::find(whole.begin(), whole.end(), cell) == whole.end()) continue;
+            const double digits = static_cast<double>(text.words.size() - text.words.find('.') - 1);
+            const auto depth = static_cast<double>(picture.depth[picture.at(cell.x, cell.y)]);
+            CAPTURE(text.words, cell.x, cell.y);
+            CHECK(std::abs(number_in(text.words) - depth) <= 0.5001 * std::pow(10.0, -digits));
+            ++count;
+        }
+        CHECK(count > 50);
+    }
+    look_close(driver, least - 1.0f, {250.0f, 300.0f});
+    CHECK(cell_texts().empty());
+}
+
+TEST_CASE("The ends of rows are written in the cells where they lie") {
+    Driver driver("one-triangle.toml");
+    driver.ui.session.canvas.numbers = CellNumbers::ends;
+    look_close(driver, 32.0f, {12.0f, 10.0f});
+    const PolygonRows& rows = driver.ui.results.a.rows.rows;
+    std::map<std::pair<int, int>, std::string> seen;
+    const std::vector<glm::ivec2> whole = whole_cells(driver);
+    for (const ScreenText& text : cell_texts()) {
+        const glm::ivec2 cell = cell_of(driver, text);
+        if (std::find(whole.begin(), whole.end(), cell) == whole.end()) continue;
+        seen[{cell.x, cell.y}] += text.words;
+    }
+    CHECK(seen.size() > 12);
+    for (const auto& [cell, text] : seen) {
+        const auto i = static_cast<std::size_t>(cell.second - rows.first_row);
+        CAPTURE(cell.first, cell.second);
+        REQUIRE(i < rows.left.size());
+        const bool is_end = cell.first == rows.left[i].column || cell.first == rows.right[i].column;
+        CHECK(is_end);
+        CHECK(text == std::to_string(cell.first));
+    }
+}
+
+TEST_CASE("Below the zoom that gives room there are no numbers, and none too small above it") {
+    for (const float text_scale : {1.0f, 1.5f, 2.0f}) {
+        Driver driver("lab-room.toml", {1600, 1000}, text_scale);
+        driver.hand.click("stage.depth");
+        for (const CellNumbersInfo& info : cell_numbers_list()) {
+            driver.ui.session.canvas.numbers = info.numbers;
+            for (const float zoom : {8.0f, 16.0f, 23.0f, 24.0f, 36.0f, 64.0f}) {
+                look_close(driver, zoom, {250.0f, 300.0f});
+                const float scale = driver.ui.canvas.place.scale;
+                for (const ScreenText& text : cell_texts()) {
+                    CAPTURE(info.name, zoom, text_scale, text.words);
+                    CHECK(zoom >= 24.0f);
+                    CHECK(text.size >= 12.0f * text_scale);
+                    if (is_sign(text)) continue;
+                    CHECK(text.high.x - text.low.x <= scale);
+                    // It stands in one cell.
+                    const glm::ivec2 cell = cell_of(driver, text);
+                    const float left =
+                        driver.ui.canvas.place.origin.x + scale * static_cast<float>(cell.x);
+                    CHECK(text.low.x >= left - 0.5f);
+                    CHECK(text.high.x <= left + scale + 0.5f);
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("The signs in the cells say what the depth test said of the triangle's fragments") {
+    Driver driver;
+    driver.hand.click("stage.depth");
+    const Frame& frame = driver.ui.results.a.frame;
+    const Framebuffer picture = draw_frame(frame);
+    int passed = 0, failed = 0;
+    for (const int triangle : {0, 9, 20, 22, 25}) {
+        if (!frame.is_drawn(triangle)) continue;
+        PolygonRows rows;
+        compute_rows(frame, triangle, rows);
+        const int i = rows.size() / 2;
+        const int column = (rows.left[static_cast<std::size_t>(i)].column +
+                            rows.right[static_cast<std::size_t>(i)].column) /
+                           2;
+        driver.ui.session.selection.triangle = triangle;
+        look_close(driver, 40.0f,
+                   {std::clamp(column, 10, 489), std::clamp(rows.first_row + i, 10, 489)});
+        std::map<std::pair<int, int>, std::string> seen;
+        for (const ScreenText& text : cell_texts()) {
+            if (!is_sign(text)) continue;
+            const glm::ivec2 cell = cell_of(driver, text);
+            seen[{cell.x, cell.y}] += text.words;
+        }
+        for (const glm::ivec2& cell : whole_cells(driver)) {
+            std::string expected;
+            for (const PixelEntry& entry : pixel_history(frame, cell).entries) {
+                if (entry.cursor.triangle != triangle) continue;
+                const bool is_written = entry.fate == Fate::written;
+                expected = is_written ? "✓" : "✗";
+                ++(is_written ? passed : failed);
+            }
+            CAPTURE(triangle, cell.x, cell.y);
+            CHECK(seen[{cell.x, cell.y}] == expected);
+        }
+    }
+    CHECK(passed > 100);
+    CHECK(failed > 100);
+    driver.ui.session.canvas.fates = false;
+    driver.hand.frames(frames_to_rest);
+    for (const ScreenText& text : cell_texts())
+        CHECK_FALSE(is_sign(text));
+}
+
+TEST_CASE("Signs stand for what is drawn at the cursor, and without a depth test there are none") {
+    Driver driver("one-triangle.toml");
+    driver.ui.session.a.settings.stage = Stage::depth;
+    look_close(driver, 32.0f, {12.0f, 10.0f});
+    const auto count_signs = [] {
+        const std::vector<ScreenText> texts = cell_texts();
+        return std::count_if(texts.begin(), texts.end(), is_sign);
+    };
+    const auto all = count_signs();
+    CHECK(all > 20);
+    driver.ui.session.cursor = *parse_cursor("t0/r5/c1");
+    driver.hand.frames(frames_to_rest);
+    const auto some = count_signs();
+    CHECK(some > 0);
+    CHECK(some < all);
+    driver.ui.session.cursor = cursor_end;
+    driver.ui.session.a.settings.stage = Stage::fill;
+    driver.hand.frames(frames_to_rest);
+    CHECK(count_signs() == 0);
+}
+
+TEST_CASE("The picked pixel shows the fates of all its fragments so far") {
+    Driver driver;
+    driver.hand.click("stage.depth");
+    const glm::ivec2 pixel(240, 300);
+    driver.hand.click_picture(pixel.x, pixel.y);
+    look_close(driver, 64.0f, {pixel.x, pixel.y});
+    const PixelHistory history = pixel_history(driver.ui.results.a.frame, pixel);
+    REQUIRE(history.entries.size() == 3);
+    for (std::size_t drawn = 0; drawn <= history.entries.size(); ++drawn) {
+        driver.ui.session.cursor =
+            drawn < history.entries.size() ? history.entries[drawn].cursor : cursor_end;
+        driver.hand.frames(frames_to_rest);
+        std::string expected, seen;
+        for (std::size_t i = 0; i < drawn; ++i)
+            expected += history.entries[i].fate == Fate::written ? "✓" : "✗";
+        for (const ScreenText& text : cell_texts()) {
+            if (is_sign(text) && cell_of(driver, text) == pixel) seen += text.words;
+        }
+        std::erase(seen, ' ');
+        CAPTURE(drawn);
+        CHECK(seen == expected);
+    }
+}
+
+TEST_CASE("The ink of a number has enough contrast on every ground") {
+    const auto linear = [](int byte) {
+        const double share = byte / 255.0;
+        return share <= 0.04045 ? share / 12.92 : std::pow((share + 0.055) / 1.055, 2.4);
+    };
+    for (int red = 0; red < 256; red += 15) {
+        for (int green = 0; green < 256; green += 5) {
+            for (int blue = 0; blue < 256; blue += 17) {
+                const double ground =
+                    0.2126 * linear(red) + 0.7152 * linear(green) + 0.0722 * linear(blue);
+                const bool dark =
+                    has_dark_ink({static_cast<std::uint8_t>(red), static_cast<std::uint8_t>(green),
+                                  static_cast<std::uint8_t>(blue)});
+                const double contrast = dark ? (ground + 0.05) / 0.05 : 1.05 / (ground + 0.05);
+                if (contrast < 4.5) {
+                    CAPTURE(red, green, blue);
+                    CHECK(contrast >= 4.5);
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("Numbers are chosen in the list of layers, one kind at a time") {
+    Driver driver("one-triangle.toml");
+    for (const CellNumbersInfo& info : cell_numbers_list()) {
+        driver.hand.click("canvas.overlays");
+        driver.hand.click("layers.numbers." + std::string(info.name));
+        driver.hand.press(key::escape);
+        CHECK(driver.ui.session.canvas.numbers == info.numbers);
+    }
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,107 @@
+#include "ui/actions/row_table_layout.h"
+
+#include <algorithm>
+#include <array>
+#include <climits>
+#include <cmath>
+#include <string>
+
+#include "session/canvas_view.h"
+#include "ui/actions/compare.h"
+#include "ui/ui.h"
+#include "ui/widgets/row_ends.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// The table takes no more than this part of the canvas; what is only numbers may take more.
+constexpr float largest_part = 0.42f;
+constexpr float largest_bare_part = 0.52f;
+
+float width_of(const ImFont* font, const std::string& text) {
+    return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, text.c_str()).x;
+}
+
+/// The widest texts of the table of the triangle on show, as they will be when it is whole.
+struct Widest {
+    float number = 0.0f, writer = 0.0f, entry = 0.0f;
+};
+
+Widest widest_texts(const Ui& ui) {
+    const RowHistory& history = ui.results.a.rows;
+    int low = INT_MAX, high = INT_MIN;
+    for (const ScreenVertex& vertex :
+         ui.results.a.frame.triangle_vertices(*ui.results.a.triangle)) {
+        low = std::min(low, vertex.column);
+        high = std::max(high, vertex.column);
+    }
+    Widest widest;
+    for (const int column : {low, high, 100})
+        widest.number = std::max(widest.number, width_of(ui.fonts.mono, std::to_string(column)));
+    const auto longest = std::max_element(history.edge_samples.begin(), history.edge_samples.end());
+    const int samples = longest != history.edge_samples.end() ? *longest : 1;
+    widest.writer = width_of(ui.fonts.mono_small, sample_text(0, std::max(samples - 1, 10)));
+    widest.entry = std::max(
+        width_of(ui.fonts.small, "entry"),
+        width_of(ui.fonts.mono_small, "[" + std::to_string(history.rows.size() - 1) + "]"));
+    return widest;
+}
+
+RowTableLayout layout_of(const Ui& ui, const Widest& widest, bool has_writers, bool has_depths) {
+    const float u = ui.options.text_scale;
+    const float gap = 9.0f * u, edge = 10.0f * u;
+    RowTableLayout layout;
+    layout.has_writers = has_writers;
+    layout.has_depths = has_depths;
+    layout.entry = edge + widest.entry;
+    const std::array titles{has_writers ? "leftPixels" : "left",
+                            has_writers ? "rightPixels" : "right"};
+    float x = layout.entry;
+    for (int i = 0; i < 2; ++i) {
+        RowTableLayout::End& end = layout.ends[i];
+        const float texts = widest.number + (has_writers ? widest.writer + gap : 0.0f);
+        const float extreme = width_of(ui.fonts.mono_small, "+INT_MAX");
+        const float title = width_of(ui.fonts.small, titles[static_cast<std::size_t>(i)]);
+        end.left = x + 1.6f * gap;
+        end.number = end.left + std::max({texts, extreme, title});
+        end.writer = end.number - widest.number - gap;
+        end.depth = end.number;
+        if (has_depths) end.depth += gap + width_of(ui.fonts.mono_small, "0.0000");
+        end.right = x = end.depth;
+    }
+    layout.width = x + edge;
+    return layout;
+}
+
+} // namespace
+
+bool wants_row_table(const Ui& ui) {
+    const RunResults& a = ui.results.a;
+    return ui.session.canvas.row_table && !is_comparing(ui) && a.triangle &&
+           a.frame.settings.stage >= Stage::edges && a.frame.is_drawn(*a.triangle) &&
+           a.rows.rows.size() > 0;
+}
+
+float row_table_zoom(const Ui& ui) {
+    return std::max(cell_zoom, std::ceil(1.15f * ui.fonts.mono_small->FontSize));
+}
+
+RowTableLayout row_table_layout(const Ui& ui, float canvas_width, float spare) {
+    if (!wants_row_table(ui)) return {};
+    const Widest widest = widest_texts(ui);
+    const RowTableLayout wide = layout_of(ui, widest, true, true);
+    const RowTableLayout roomy = layout_of(ui, widest, true, false);
+    const RowTableLayout bare = layout_of(ui, widest, false, false);
+    if (spare > 0.0f) {
+        for (const RowTableLayout& layout : {wide, roomy}) {
+            if (layout.width <= spare) return layout;
+        }
+        return bare.width <= spare ? bare : RowTableLayout{};
+    }
+    if (wide.width <= 0.75f * largest_part * canvas_width) return wide;
+    if (roomy.width <= largest_part * canvas_width) return roomy;
+    return bare.width <= largest_bare_part * canvas_width ? bare : RowTableLayout{};
+}
+
+} // namespace rasterwalk

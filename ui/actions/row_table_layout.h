@@ -1,0 +1,34 @@
+#pragma once
+
+namespace rasterwalk {
+
+struct Ui;
+
+/// Where the texts of the row table beside the picture stand, screen pixels from its left edge. The
+/// canvas asks before it places the picture, and so does whoever enlarges a triangle.
+struct RowTableLayout {
+    /// The columns of one end; texts are flush right.
+    struct End {
+        float left = 0.0f, right = 0.0f; ///< of all of it
+        float number = 0.0f;             ///< right end of its column x
+        float writer = 0.0f;             ///< right end of who wrote it
+        float depth = 0.0f;              ///< right end of its 1/z, where that has a column
+    };
+    float width = 0.0f; ///< 0: there is no room for it
+    float entry = 0.0f; ///< right end of the entries
+    End ends[2];        ///< left, right
+    bool has_writers = false;
+    bool has_depths = false; ///< beside the numbers; or else below them, where a row is high enough
+};
+
+/// Is there a row table to show beside the picture, if the zoom gives room for it?
+bool wants_row_table(const Ui& ui);
+
+/// The smallest zoom at which the lines of the table are as high as the rows of the picture.
+float row_table_zoom(const Ui& ui);
+
+/// The roomiest table on a canvas of this width.
+/// @param spare what of it the picture does not need; a table that is wider covers a part of it
+RowTableLayout row_table_layout(const Ui& ui, float canvas_width, float spare = 0.0f);
+
+} // namespace rasterwalk

@@ -1,0 +1,355 @@
+#include "ui/canvas/cells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "base/element_names.h"
+#include "base/numbers.h"
+#include "picture/view_image.h"
+#include "settings/settings.h"
+#include "ui/canvas/marks.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// Dark and light ink: whichever can be read on a cell.
+constexpr ImU32 dark_ink = IM_COL32(0, 0, 0, 255);
+constexpr ImU32 light_ink = IM_COL32(255, 255, 255, 255);
+
+/// A colour of the screen, 0..255 a channel.
+struct Shade {
+    float red = 0.0f, green = 0.0f, blue = 0.0f;
+
+    void lay(float r, float g, float b, float opacity) {
+        red += opacity * (r - red);
+        green += opacity * (g - green);
+        blue += opacity * (b - blue);
+    }
+    glm::vec<3, std::uint8_t> bytes() const {
+        return {static_cast<std::uint8_t>(red), static_cast<std::uint8_t>(green),
+                static_cast<std::uint8_t>(blue)};
+    }
+};
+
+/// The sign of a fragment's fate in a cell.
+struct CellFate {
+    glm::ivec2 pixel;
+    Fate fate;
+    int place; ///< from the left, where a cell has several
+};
+
+/// From one sign to the next in a cell, screen pixels.
+float fate_step(const Ui& ui) {
+    return ui.fonts.small->CalcTextSizeA(ui.fonts.small->FontSize, FLT_MAX, 0.0f, passed_sign).x +
+           2.0f * ui.options.text_scale;
+}
+
+/// The fates of the triangle on show in a part of the picture, and all of the picked pixel, as far
+/// as they are drawn at the cursor; row by row.
+std::vector<CellFate> shown_fates(Ui& ui, const Rectangle& part) {
+    const RunResults& a = ui.results.a;
+    std::vector<CellFate> fates;
+    const std::optional<PixelHistory>& history = ui.results.history;
+    const bool has_tests =
+        has_fragments(a.frame.settings.stage) && depth_rule(a.frame.settings) != DepthTest::off;
+    if (!has_tests) return fates;
+    if (a.triangle) {
+        for (const FragmentFate& found :
+             ui.canvas.fates.find(a.frame, a.frame_number, *a.triangle, part)) {
+            const bool is_picked = history && history->pixel == found.pixel;
+            if (found.cursor < a.cursor && !is_picked)
+                fates.push_back({found.pixel, found.fate, 0});
+        }
+    }
+    if (history) {
+        const auto first = history->entries.begin();
+        const auto last = std::partition_point(first, history->entries.end(),
+                                               [&](const auto& e) { return e.cursor < a.cursor; });
+        // Where a cell cannot hold all of them, the last ones.
+        const int room =
+            static_cast<int>((ui.canvas.place.scale - ui.options.text_scale) / fate_step(ui));
+        const auto count = std::min<std::ptrdiff_t>(last - first, std::max(room, 1));
+        for (auto entry = last - count; entry != last; ++entry) {
+            const auto place = static_cast<int>(entry - (last - count));
+            fates.push_back({history->pixel, entry->fate, place});
+        }
+    }
+    std::stable_sort(fates.begin(), fates.end(), [](const CellFate& one, const CellFate& other) {
+        return one.pixel.y < other.pixel.y;
+    });
+    return fates;
+}
+
+/// The ends of the row of the triangle on show that this row of the picture is.
+struct Ends {
+    int left, right;
+    int left_edge, right_edge; ///< that wrote them
+};
+
+std::optional<Ends> ends_of(const Ui& ui, int row) {
+    const RowHistory& history = ui.results.a.rows;
+    const int i = row - history.rows.first_row;
+    if (ui.results.a.frame.settings.stage < Stage::edges || i < 0 || i >= history.rows.size() ||
+        !history.left_by[i].is_set()) {
+        return std::nullopt;
+    }
+    return Ends{history.rows.left[i].column, history.rows.right[i].column, history.left_by[i].edge,
+                history.right_by[i].edge};
+}
+
+/// A 1/z in few letters: with as many digits as the room has for a number below 1.
+std::string depth_number(float depth, float room, float letter) {
+    const int letters = static_cast<int>(room / letter);
+    for (int digits = std::min(letters - 2, 4); digits >= 0; --digits) {
+        std::string text = fixed(static_cast<double>(depth), digits);
+        if (static_cast<int>(text.size()) <= letters) return text;
+    }
+    return {};
+}
+
+/// 1/z needs its point and this many digits behind it.
+constexpr const char* shortest_depth = "0.00";
+
+ImFont* number_font(const Ui& ui) {
+    return ui.fonts.mono_small;
+}
+
+float letter_width(const Ui& ui) {
+    return number_font(ui)->CalcTextSizeA(number_font(ui)->FontSize, FLT_MAX, 0.0f, "0").x;
+}
+
+/// Between a number and the border of its cell, design pixels.
+constexpr float number_margin = 2.5f;
+
+/// What the cells are drawn with.
+struct Cells {
+    Ui& ui;
+    Marks marks;
+    std::vector<VertexLabel> labels; ///< that lie on the picture: nothing is drawn under them
+    std::vector<std::pair<ImVec2, ImVec2>> lines; ///< the edges of the triangle on show
+
+    ImVec2 corner(int column, int row) const {
+        return marks.at(static_cast<float>(column) - 0.5f, static_cast<float>(row) - 0.5f);
+    }
+    bool is_under_label(ImVec2 low, ImVec2 high) const {
+        return std::any_of(labels.begin(), labels.end(), [&](const VertexLabel& label) {
+            return low.x < label.high.x && high.x > label.low.x && low.y < label.high.y &&
+                   high.y > label.low.y;
+        });
+    }
+};
+
+/// Does the line from a to b cross the rectangle? By clipping it to the four sides.
+bool crosses(ImVec2 a, ImVec2 b, ImVec2 low, ImVec2 high) {
+    float from = 0.0f, to = 1.0f;
+    const auto clip = [&](float p, float q) {
+        // p is how fast the line leaves the side, q how far it is inside.
+        if (p == 0.0f) return q >= 0.0f;
+        const float t = q / p;
+        if (p < 0.0f) {
+            from = std::max(from, t);
+        } else {
+            to = std::min(to, t);
+        }
+        return from <= to;
+    };
+    const float dx = b.x - a.x, dy = b.y - a.y;
+    return clip(-dx, a.x - low.x) && clip(dx, high.x - a.x) && clip(-dy, a.y - low.y) &&
+           clip(dy, high.y - a.y);
+}
+
+/// The colour of a cell as the canvas shows it, without what lies on single places of it.
+Shade shade_of(const Ui& ui, glm::ivec2 pixel) {
+    const Results& results = ui.results;
+    const Image& ground = results.ground.rgba.empty() ? results.a.picture : results.ground;
+    const auto at = 4 * results.a.framebuffer->at(pixel.x, pixel.y);
+    Shade shade;
+    const auto lay = [&](const Image& image) {
+        if (at + 3 >= image.rgba.size()) return;
+        shade.lay(image.rgba[at], image.rgba[at + 1], image.rgba[at + 2],
+                  static_cast<float>(image.rgba[at + 3]) / 255.0f);
+    };
+    lay(ground);
+    lay(results.overlay.image);
+    const std::optional<Ends> ends = ends_of(ui, pixel.y);
+    if (!ends || (pixel.x != ends->left && pixel.x != ends->right)) return shade;
+    if (results.a.frame.settings.stage == Stage::rows) shade = {12.0f, 13.0f, 16.0f};
+    const ImVec4 tint = colour_of(
+        edge_meaning(pixel.x == ends->left ? ends->left_edge : ends->right_edge), Theme::dark);
+    shade.lay(255.0f * tint.x, 255.0f * tint.y, 255.0f * tint.z, row_end_tint);
+    return shade;
+}
+
+void draw_number(const Cells& cells, glm::ivec2 pixel) {
+    const Marks& m = cells.marks;
+    const std::string text = cell_number(cells.ui, pixel, m.scale);
+    if (text.empty()) return;
+    ImFont* const font = number_font(cells.ui);
+    const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, text.c_str()).x;
+    const ImVec2 corner = cells.corner(pixel.x, pixel.y);
+    // In the lower part of the cell: the sample's dot is in its middle.
+    const ImVec2 low{std::round(corner.x + 0.5f * (m.scale - width)),
+                     std::round(corner.y + m.scale - font->FontSize - m.u)};
+    const ImVec2 high{low.x + width, low.y + font->FontSize};
+    if (cells.is_under_label(low, high)) return;
+    const glm::vec<3, std::uint8_t> ground = shade_of(cells.ui, pixel).bytes();
+    const bool is_struck =
+        std::any_of(cells.lines.begin(), cells.lines.end(),
+                    [&](const auto& line) { return crosses(line.first, line.second, low, high); });
+    // A line makes room for the number.
+    if (is_struck)
+        m.list->AddRectFilled({low.x - m.u, low.y}, {high.x + m.u, high.y},
+                              IM_COL32(ground.r, ground.g, ground.b, 255), 2.0f * m.u);
+    m.list->AddText(font, font->FontSize, low, has_dark_ink(ground) ? dark_ink : light_ink,
+                    text.c_str());
+}
+
+/// The sign of a fate in the upper left corner of a cell.
+void draw_fate(const Cells& cells, const CellFate& of) {
+    const Marks& m = cells.marks;
+    ImFont* const font = cells.ui.fonts.small;
+    const bool has_passed = of.fate == Fate::written;
+    const char* const sign = has_passed ? passed_sign : failed_sign;
+    const float size = font->FontSize;
+    const float width = font->CalcTextSizeA(size, FLT_MAX, 0.0f, sign).x;
+    const ImVec2 corner = cells.corner(of.pixel.x, of.pixel.y);
+    const ImVec2 low{
+        std::round(corner.x + 2.0f * m.u + static_cast<float>(of.place) * fate_step(cells.ui)),
+        std::round(corner.y + m.u)};
+    const ImVec2 high{low.x + width, low.y + 0.85f * size};
+    if (cells.is_under_label(low, high)) return;
+    m.list->AddRectFilled({low.x - m.u, low.y}, {high.x + m.u, high.y}, IM_COL32(12, 13, 16, 170),
+                          2.0f * m.u);
+    m.list->AddText(font, size, {low.x, low.y - 0.1f * size},
+                    m.colour(has_passed ? Meaning::pass : Meaning::fail), sign);
+}
+
+/// The edges and the names of vertices that lie on the cells.
+void find_marks(Cells& cells) {
+    const Marks& m = cells.marks;
+    const RunResults& a = cells.ui.results.a;
+    if (!a.triangle || !a.frame.is_drawn(*a.triangle)) return;
+    const std::span<const ScreenVertex> vertices = a.frame.triangle_vertices(*a.triangle);
+    for (std::size_t v = 0; v < vertices.size(); ++v) {
+        const ImVec2 at = m.at(vertices[v]);
+        cells.labels.push_back(vertex_label(m, static_cast<int>(v), at));
+        cells.lines.emplace_back(at, m.at(vertices[(v + 1) % vertices.size()]));
+    }
+}
+
+} // namespace
+
+std::string cell_number(const Ui& ui, glm::ivec2 pixel, float room) {
+    const Framebuffer& framebuffer = *ui.results.a.framebuffer;
+    if (!framebuffer.contains(pixel.x, pixel.y)) return {};
+    const std::size_t at = framebuffer.at(pixel.x, pixel.y);
+    const float letter = letter_width(ui);
+    const float inner = room - 2.0f * number_margin * ui.options.text_scale;
+    std::string text;
+    switch (ui.session.canvas.numbers) {
+    case CellNumbers::none:
+        break;
+    case CellNumbers::ends:
+        if (const std::optional<Ends> ends = ends_of(ui, pixel.y)) {
+            if (pixel.x == ends->left || pixel.x == ends->right) text = std::to_string(pixel.x);
+        }
+        break;
+    case CellNumbers::depth: {
+        const float depth = stored_depth(framebuffer, pixel.x, pixel.y);
+        const bool is_empty = depth == framebuffer.rules.depth_clear;
+        if (!is_empty && room >= numbers_zoom(ui, CellNumbers::depth))
+            text = depth_number(depth, inner, letter);
+        break;
+    }
+    case CellNumbers::owner:
+        if (framebuffer.owner[at] >= 0) text = short_triangle_name(framebuffer.owner[at]);
+        break;
+    case CellNumbers::overdraw:
+        if (framebuffer.overdraw[at] > 0) text = std::to_string(framebuffer.overdraw[at]);
+        break;
+    }
+    return letter * static_cast<float>(text.size()) <= inner ? text : std::string();
+}
+
+float fates_zoom(const Ui& ui) {
+    // A number has room below the sign.
+    return std::max(cell_zoom, std::ceil(1.6f * ui.fonts.small->FontSize));
+}
+
+float numbers_zoom(const Ui& ui, CellNumbers numbers) {
+    const float u = ui.options.text_scale;
+    const auto room_for = [&](std::size_t letters) {
+        return std::ceil(letter_width(ui) * static_cast<float>(letters) + 2.0f * number_margin * u);
+    };
+    const Frame& frame = ui.results.a.frame;
+    float needed = number_font(ui)->FontSize;
+    switch (numbers) {
+    case CellNumbers::none:
+        return 0.0f;
+    case CellNumbers::ends:
+        needed = room_for(std::to_string(frame.settings.viewport.width - 1).size());
+        break;
+    case CellNumbers::depth:
+        needed = room_for(std::string_view(shortest_depth).size());
+        break;
+    case CellNumbers::owner:
+        needed = room_for(short_triangle_name(std::max(frame.triangle_count() - 1, 0)).size());
+        break;
+    case CellNumbers::overdraw:
+        break;
+    }
+    return std::max(cell_zoom, needed);
+}
+
+void draw_cells(Ui& ui, const Pane& seen) {
+    const float scale = ui.canvas.place.scale;
+    const CanvasView& canvas = ui.session.canvas;
+    if (scale < cell_zoom) return;
+    const ShownRun run = run_a(ui);
+    Cells cells{ui, {ui, run, nullptr, seen.low, seen.high, ui.options.text_scale, scale}, {}, {}};
+    find_marks(cells);
+    const Pane inner{corner_of_cells(cells.marks), seen.high};
+    const Framebuffer& framebuffer = *ui.results.a.framebuffer;
+    const ImVec2 origin = ui.canvas.place.origin;
+    const VisibleRange columns =
+        visible(origin.x, scale, inner.low.x, inner.high.x, framebuffer.size.width);
+    const VisibleRange rows =
+        visible(origin.y, scale, inner.low.y, inner.high.y, framebuffer.size.height);
+    if (columns.first >= columns.last || rows.first >= rows.last) return;
+    const Rectangle part{columns.first, rows.first, columns.last, rows.last};
+    std::vector<CellFate> fates;
+    if (canvas.fates && scale >= fates_zoom(ui)) fates = shown_fates(ui, part);
+    if (fates.empty() && canvas.numbers == CellNumbers::none) return;
+
+    // So many rows at once that their corners fit in a draw list, whatever stands in the cells.
+    constexpr int most_cells = 1200;
+    const int step = std::max(most_cells / (columns.last - columns.first), 1);
+    auto next_fate = fates.begin();
+    int band = 0;
+    for (int first = rows.first; first < rows.last; first += step) {
+        const int last = std::min(first + step, rows.last);
+        const float top = std::max(cells.corner(0, first).y, inner.low.y);
+        const float bottom = std::min(cells.corner(0, last).y, inner.high.y);
+        if (bottom - top < 1.0f || inner.high.x - inner.low.x < 1.0f) continue;
+        ImGui::SetCursorScreenPos({inner.low.x, top});
+        ImGui::BeginChild(("cells " + std::to_string(band++)).c_str(),
+                          {inner.high.x - inner.low.x, bottom - top}, false,
+                          ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoBackground |
+                              ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoNav);
+        cells.marks.list = ImGui::GetWindowDrawList();
+        for (; next_fate != fates.end() && next_fate->pixel.y < last; ++next_fate)
+            draw_fate(cells, *next_fate);
+        for (int row = first; row < last && canvas.numbers != CellNumbers::none; ++row) {
+            for (int column = columns.first; column < columns.last; ++column)
+                draw_number(cells, {column, row});
+        }
+        ImGui::EndChild();
+    }
+}
+
+} // namespace rasterwalk

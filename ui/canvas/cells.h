@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+
+#include <glm/vec2.hpp>
+
+#include "session/canvas_view.h"
+#include "ui/canvas/compare_view.h"
+
+namespace rasterwalk {
+
+/// What stands in the cells of the picture where they are large: whether each fragment of the
+/// triangle on show, and of the picked pixel, passed the depth test, and a number if one is chosen.
+/// Costs what is visible.
+/// @param seen the part of the canvas in which the picture can be seen
+void draw_cells(Ui& ui, const Pane& seen);
+
+/// The number that stands in a cell at this width; empty if there is none, or no room for it.
+/// @param room screen pixels
+std::string cell_number(const Ui& ui, glm::ivec2 pixel, float room);
+
+/// The zoom from which on there is room for the signs of pass and fail.
+float fates_zoom(const Ui& ui);
+
+/// The zoom from which on there is room for these numbers.
+float numbers_zoom(const Ui& ui, CellNumbers numbers);
+
+} // namespace rasterwalk

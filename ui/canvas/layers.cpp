@@ -1,0 +1,121 @@
+#include "ui/canvas/layers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "base/numbers.h"
+#include "ui/actions/row_table_layout.h"
+#include "ui/canvas/cells.h"
+#include "ui/canvas/overlays.h"
+#include "ui/ui.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// A sign for the layers where there is no room for the word: a hatched square.
+constexpr const char* layers_sign = "▨";
+
+void draw_overlay_list(Ui& ui) {
+    const float u = ui.options.text_scale;
+    float widest = 0.0f;
+    for (const OverlayInfo& info : overlay_list())
+        widest = std::max(widest, ImGui::CalcTextSize(info.title.data()).x);
+    const ImVec2 swatch = swatch_size(ui);
+    for (const OverlayInfo& info : overlay_list()) {
+        bool on = ui.session.overlays.has(info.overlay);
+        const ImVec2 start = ImGui::GetCursorScreenPos();
+        const std::string label = std::string(info.title).append("###overlay.").append(info.name);
+        if (ImGui::Checkbox(label.c_str(), &on)) ui.session.overlays.set(info.overlay, on);
+        name_widget(ui, std::string("overlay.").append(info.name), info.help);
+        const float height = ImGui::GetFrameHeight();
+        ImGui::SameLine();
+        ImGui::SetCursorScreenPos({start.x + height + widest + 26.0f * u, start.y});
+        ImGui::Dummy({swatch.x, height});
+        draw_swatch(ui, ImGui::GetWindowDrawList(),
+                    {ImGui::GetItemRectMin().x, std::round(start.y + 0.5f * (height - swatch.y))},
+                    info.overlay);
+    }
+    if (button(ui, "overlay.none", "all off", Look::quiet, "Switches every overlay off.")) {
+        ui.session.overlays = {};
+    }
+}
+
+/// "from 24x on", while the picture is smaller than that.
+void draw_zoom_needed(const Ui& ui, float needed) {
+    if (ui.canvas.place.scale >= needed) return;
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    text_in(palette(ui.options.theme).dim,
+            "from " + decimals(static_cast<double>(needed), 0) + "x on");
+}
+
+void draw_switch(Ui& ui, const char* name, const char* title, bool& on, float needed,
+                 const char* help) {
+    const std::string label = std::string(title) + "###" + name;
+    ImGui::Checkbox(label.c_str(), &on);
+    name_widget(ui, name, help);
+    draw_zoom_needed(ui, needed);
+}
+
+/// What stands in the cells and beside them.
+void draw_cell_list(Ui& ui) {
+    CanvasView& canvas = ui.session.canvas;
+    draw_switch(ui, "layers.row_table", "row table beside its rows", canvas.row_table,
+                row_table_zoom(ui),
+                "leftPixels and rightPixels of the triangle on show, each line beside the row of "
+                "the picture that it describes.");
+    const std::string fates = std::string("pass ") + passed_sign + " and fail " + failed_sign;
+    draw_switch(ui, "layers.fates", fates.c_str(), canvas.fates, fates_zoom(ui),
+                "What the depth test said of each fragment of the triangle on show, and of all "
+                "that fell on the picked pixel.");
+    text_in(palette(ui.options.theme).dim, "in the cells");
+    for (const CellNumbersInfo& info : cell_numbers_list()) {
+        const std::string label = std::string(info.title).append("###numbers.").append(info.name);
+        if (ImGui::RadioButton(label.c_str(), canvas.numbers == info.numbers))
+            canvas.numbers = info.numbers;
+        name_widget(ui, std::string("layers.numbers.").append(info.name), info.help);
+        draw_zoom_needed(ui, numbers_zoom(ui, info.numbers));
+    }
+}
+
+std::string button_label(const Ui& ui, bool narrow) {
+    const int count =
+        ui.session.overlays.count() + (ui.session.canvas.numbers != CellNumbers::none ? 1 : 0);
+    const std::string name = narrow ? layers_sign : "layers";
+    return count == 0 ? name : name + " " + std::to_string(count);
+}
+
+} // namespace
+
+float layers_button_width(const Ui&, bool narrow) {
+    // With a number, whether there is one or not: what stands beside it must not jump.
+    return button_width(std::string(narrow ? layers_sign : "layers") + " 0");
+}
+
+void draw_layers_button(Ui& ui, bool narrow) {
+    const bool any = !ui.session.overlays.empty() || ui.session.canvas.numbers != CellNumbers::none;
+    if (button(ui, "canvas.overlays", button_label(ui, narrow), any ? Look::plain : Look::quiet,
+               "What is laid over the picture and stands in its cells: wireframe, owners, the row "
+               "table, numbers ...",
+               {layers_button_width(ui, narrow), 0.0f})) {
+        ImGui::OpenPopup("layers");
+    }
+    const float gap = 4.0f * ui.options.text_scale;
+    const ImVec2 at{ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + gap};
+    ImGui::SetNextWindowPos(at);
+    // In a low window the list scrolls.
+    ImGui::SetNextWindowSizeConstraints(
+        {0.0f, 0.0f}, {FLT_MAX, std::max(ImGui::GetIO().DisplaySize.y - at.y - gap, 1.0f)});
+    if (ImGui::BeginPopup("layers")) {
+        draw_overlay_list(ui);
+        ImGui::Separator();
+        draw_cell_list(ui);
+        ImGui::EndPopup();
+    }
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,87 @@
+#pragma once
+
+// What all marks over the picture are drawn with.
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <imgui.h>
+
+#include "ui/canvas/canvas.h"
+#include "ui/canvas/canvas_marks.h"
+#include "ui/ui.h"
+#include "ui/widgets/style.h"
+
+namespace rasterwalk {
+
+/// ImGui's draw lists count their corners in 16 bits: from here on nothing more is marked.
+inline constexpr int most_corners = 50'000;
+
+/// The dark under bright lines and letters: they are to be seen on every picture.
+inline constexpr ImU32 dark_casing = IM_COL32(12, 13, 16, 215);
+
+/// How strongly the ends of rows are tinted, 0..1.
+inline constexpr float row_end_tint = 0.45f;
+
+/// What the marks are drawn with.
+struct Marks {
+    const Ui& ui;
+    const ShownRun& run;
+    ImDrawList* list;
+    ImVec2 low, high;
+    float u; ///< design pixel
+    float scale;
+
+    /// The middle of a pixel, or of a real place that counts from pixels' middles.
+    ImVec2 at(float x, float y) const {
+        const PicturePlace& place = run.place;
+        return {place.origin.x + scale * (x + 0.5f), place.origin.y + scale * (y + 0.5f)};
+    }
+    /// The middle of the pixel that a vertex is snapped to.
+    ImVec2 at(const ScreenVertex& v) const {
+        return at(static_cast<float>(v.column), static_cast<float>(v.row));
+    }
+    bool is_visible(ImVec2 p) const {
+        return p.x > low.x - scale && p.x < high.x + scale && p.y > low.y - scale &&
+               p.y < high.y + scale;
+    }
+    ImU32 colour(Meaning meaning, float opacity = 1.0f) const {
+        return packed(colour_of(meaning, Theme::dark), opacity);
+    }
+    bool is_large() const { return scale >= grid_zoom; }
+    bool has_room() const { return list->VtxBuffer.Size < most_corners; }
+};
+
+/// The columns or rows that are in view.
+struct VisibleRange {
+    int first, last;
+};
+inline VisibleRange visible(float origin, float scale, float low, float high, int count) {
+    return {std::max(0, static_cast<int>(std::floor((low - origin) / scale))),
+            std::min(count, static_cast<int>(std::ceil((high - origin) / scale)))};
+}
+
+/// The name of a vertex on the picture, on a dark ground.
+struct VertexLabel {
+    std::string name;
+    ImVec2 low, high; ///< of the ground
+    ImVec2 text;      ///< upper left corner of the letters
+};
+
+/// Where the name of a vertex stands: beside its pixel, at the left where the canvas ends at the
+/// right. It is short where it would cover what stands in the cells.
+VertexLabel vertex_label(const Marks& m, int vertex, ImVec2 pixel);
+
+/// Where the strips end on which the numbers of columns and rows stand over the picture: its cells
+/// are seen from here on. The corner of the canvas where there are none.
+ImVec2 corner_of_cells(const Marks& m);
+
+/// The grid of pixels.
+void draw_grid(const Marks& m);
+
+/// The numbers of columns and rows along the picture; or along the canvas, on a strip of their own,
+/// where the picture is larger. It lies over all other marks.
+void draw_ruler(const Marks& m);
+
+} // namespace rasterwalk

@@ -1,0 +1,266 @@
+#include "ui/canvas/row_table_beside.h"
+
+#include <algorithm>
+#include <array>
+#include <climits>
+#include <cmath>
+#include <string>
+
+#include "base/element_names.h"
+#include "base/numbers.h"
+#include "ui/canvas/marks.h"
+#include "ui/ui.h"
+#include "ui/widgets/row_ends.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// What the table is drawn with.
+struct Table {
+    Ui& ui;
+    const RowTableLayout& layout;
+    ImDrawList* list;
+    float left;        ///< of the table
+    float top, bottom; ///< between which its lines are seen
+    float scale;       ///< height of a line
+    float u;
+
+    float y_of(int row) const { return ui.canvas.place.origin.y + scale * static_cast<float>(row); }
+    /// Is a line high enough for two lines of text?
+    bool is_high() const {
+        return scale >= ui.fonts.mono->FontSize + 1.1f * ui.fonts.mono_small->FontSize + 2.0f * u;
+    }
+};
+
+float header_height(const Ui& ui) {
+    return ui.fonts.small->FontSize + 8.0f * ui.options.text_scale;
+}
+
+/// Text that ends at `right`.
+/// @param middle of its line, screen pixels
+void write(const Table& t, ImFont* font, const std::string& text, float right, float middle,
+           const ImVec4& colour) {
+    const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, text.c_str()).x;
+    t.list->AddText(font, font->FontSize,
+                    {std::round(right - width), std::round(middle - 0.5f * font->FontSize)},
+                    packed(colour), text.c_str());
+}
+
+/// One end of a row: its column in the colour of who wrote it, who that was, and its 1/z.
+void draw_end(const Table& t, int index, bool is_left) {
+    const Palette& p = palette(t.ui.options.theme);
+    const RowHistory& history = t.ui.results.a.rows;
+    const auto i = static_cast<std::size_t>(index);
+    const RowEnd& end = is_left ? history.rows.left[i] : history.rows.right[i];
+    const EndWriter& writer = is_left ? history.left_by[i] : history.right_by[i];
+    const int row = history.rows.first_row + index;
+    const RowTableLayout::End& place = t.layout.ends[is_left ? 0 : 1];
+    const bool is_set = writer.is_set();
+    const bool is_extreme = end.column == empty_left || end.column == empty_right;
+    const Fonts& fonts = t.ui.fonts;
+
+    const float top = t.y_of(row);
+    const bool has_second = t.is_high() && is_set;
+    const float second = 1.1f * fonts.mono_small->FontSize;
+    const float middle = top + 0.5f * (t.scale - (has_second ? second : 0.0f));
+    const float below = middle + 0.5f * (fonts.mono->FontSize + second);
+    const float number = t.left + place.number;
+    const std::string text = end_text(end, is_left);
+    ImFont* const font = is_extreme ? fonts.mono_small : fonts.mono;
+    write(t, font, text, number, middle,
+          is_set ? colour_of(edge_meaning(writer.edge), t.ui.options.theme) : p.dim);
+    const std::string by = is_set ? sample_text(writer.edge, writer.sample) : std::string();
+    const std::string depth = is_set ? fixed(static_cast<double>(end.inv_w), 4) : std::string("—");
+    if (is_set && t.layout.has_writers)
+        write(t, fonts.mono_small, by, t.left + place.writer, middle, p.dim);
+    if (t.layout.has_depths) {
+        write(t, fonts.mono_small, depth, t.left + place.depth, middle, is_set ? p.text : p.dim);
+    } else if (has_second) {
+        write(t, fonts.mono_small, t.layout.has_writers ? "1/z " + depth : by, number, below,
+              p.dim);
+    }
+
+    const float low_y = std::max(top, t.top), high_y = std::min(top + t.scale, t.bottom);
+    const RowWrite write_now = just_written(t.ui, row);
+    if (is_left ? write_now.left : write_now.right) {
+        draw_changed_box(t.ui, t.list, {t.left + place.left, top + 3.0f * t.u},
+                         {t.left + place.right, top + t.scale - 3.0f * t.u});
+    }
+    if (high_y - low_y < 1.0f) return;
+    const float around = 4.0f * t.u; // the box around it lies within
+    ImGui::SetCursorScreenPos({t.left + place.left - around, low_y});
+    const std::string name = "canvas.rows." + std::to_string(row) + (is_left ? ".left" : ".right");
+    const bool pressed = ImGui::InvisibleButton(
+        name.c_str(), {place.right - place.left + 2.0f * around, high_y - low_y});
+    name_widget(t.ui, name,
+                (is_set ? "x " + text + ", 1/z " + nine_digits(end.inv_w) + ". " : std::string()) +
+                    end_tooltip(end, writer));
+    note_text(t.ui, name, text);
+    if (!pressed) return;
+    t.ui.session.selection.row = row;
+    if (is_set) go_to_sample(t.ui, writer.edge, writer.sample);
+}
+
+void draw_line(const Table& t, int index, std::optional<int> at_work, bool is_over) {
+    const Palette& p = palette(t.ui.options.theme);
+    const RowHistory& history = t.ui.results.a.rows;
+    const int row = history.rows.first_row + index;
+    const float top = t.y_of(row), bottom = top + t.scale;
+    const float low_y = std::max(top, t.top), high_y = std::min(bottom, t.bottom);
+    if (high_y - low_y < 1.0f || t.list->VtxBuffer.Size >= most_corners) return;
+    const float mouse_y = ImGui::GetIO().MousePos.y;
+    const bool is_hovered = is_over && mouse_y >= low_y && mouse_y < high_y;
+    const bool is_lit = at_work == row || is_hovered || t.ui.session.selection.row == row ||
+                        t.ui.inspector.hovered_row == row ||
+                        (t.ui.canvas.hovered_pixel && t.ui.canvas.hovered_pixel->y == row);
+    const float right = t.left + t.layout.width;
+    if (is_lit) t.list->AddRectFilled({t.left, top}, {right, bottom}, packed(p.row_lit));
+    t.list->AddLine({t.left, std::round(bottom)}, {right, std::round(bottom)}, packed(p.line));
+    if (at_work == row) draw_current_bar(t.ui, t.list, {t.left, top + t.u}, bottom - t.u);
+    if (is_hovered) t.ui.canvas.hovered_row = row;
+
+    ImGui::SetCursorScreenPos({t.left, low_y});
+    const std::string name = "canvas.rows." + std::to_string(row);
+    if (ImGui::InvisibleButton(name.c_str(), {t.layout.width, high_y - low_y}))
+        t.ui.session.selection.row = row;
+    ImGui::SetItemAllowOverlap();
+    name_widget(t.ui, name,
+                "Row " + std::to_string(row) + " of the picture: " +
+                    element_name(entry_form, index) + " of leftPixels and rightPixels.");
+    const std::string entry = "[" + std::to_string(index) + "]";
+    note_text(t.ui, name, entry);
+    write(t, t.ui.fonts.mono_small, entry, t.left + t.layout.entry, 0.5f * (top + bottom),
+          at_work == row ? p.text : p.dim);
+    draw_end(t, index, true);
+    draw_end(t, index, false);
+}
+
+void draw_header(const Table& t, float canvas_top) {
+    const Palette& p = palette(t.ui.options.theme);
+    const Theme theme = t.ui.options.theme;
+    const float middle = 0.5f * (canvas_top + t.top);
+    const bool is_bare = !t.layout.has_writers;
+    struct Title {
+        const char* name;
+        std::string text;
+        float left, right;
+        ImVec4 colour;
+        const char* help;
+    };
+    const RowTableLayout::End &left = t.layout.ends[0], &right = t.layout.ends[1];
+    const std::array titles{
+        Title{"entry", "entry", 0.0f, t.layout.entry, p.dim,
+              "The index i of leftPixels[i] and rightPixels[i]: the row of the picture less the "
+              "first row of the triangle."},
+        Title{"left", is_bare ? "left" : "leftPixels", left.left, left.number,
+              colour_of(Meaning::left_end, theme),
+              "leftPixels[i].x: the column of the row's left end, and who wrote it: e1 [4] is edge "
+              "1, line[4]."},
+        Title{"right", is_bare ? "right" : "rightPixels", right.left, right.number,
+              colour_of(Meaning::right_end, theme),
+              "rightPixels[i].x: the column of the row's right end, and who wrote it: e1 [4] is "
+              "edge 1, line[4]."},
+    };
+    for (const Title& title : titles) {
+        write(t, t.ui.fonts.small, title.text, t.left + title.right, middle, title.colour);
+        ImGui::SetCursorScreenPos({t.left + title.left, canvas_top});
+        ImGui::Dummy({title.right - title.left, t.top - canvas_top});
+        name_widget(t.ui, std::string("canvas.rows.header.") + title.name, title.help);
+    }
+    if (t.layout.has_depths) {
+        for (const RowTableLayout::End& end : t.layout.ends)
+            write(t, t.ui.fonts.small, "1/z", t.left + end.depth, middle, p.dim);
+    }
+    t.list->AddLine({t.left, t.top}, {t.left + t.layout.width, t.top}, packed(p.line));
+}
+
+/// How many samples fell in none of the lines; below them, if there is room.
+void draw_outside(const Table& t) {
+    const RowHistory& history = t.ui.results.a.rows;
+    const float below = t.y_of(history.rows.first_row + history.rows.size());
+    ImFont* const font = t.ui.fonts.small;
+    const float middle = below + font->FontSize;
+    if (middle < t.top + font->FontSize || middle + font->FontSize > t.bottom) return;
+    const auto count = static_cast<std::int64_t>(history.outside.size());
+    ImGui::PushFont(font);
+    const std::string text = shortened(counted(count, "sample outside", "samples outside"),
+                                       t.layout.width - 14.0f * t.u);
+    ImGui::PopFont();
+    const Theme theme = t.ui.options.theme;
+    t.list->AddText(
+        font, font->FontSize, {t.left + 8.0f * t.u, std::round(middle - 0.5f * font->FontSize)},
+        packed(count > 0 ? colour_of(Meaning::fail, theme) : palette(theme).dim), text.c_str());
+}
+
+} // namespace
+
+std::optional<RowTablePlace> place_row_table(const Ui& ui, const RowTableLayout& layout,
+                                             const Pane& canvas) {
+    const PicturePlace& picture = ui.canvas.place;
+    if (!(layout.width > 0.0f) || picture.scale < row_table_zoom(ui)) return std::nullopt;
+    const PolygonRows& rows = ui.results.a.rows.rows;
+    const float top = picture.origin.y + picture.scale * static_cast<float>(rows.first_row);
+    const float bottom = top + picture.scale * static_cast<float>(rows.size());
+    if (bottom <= canvas.low.y + header_height(ui) || top >= canvas.high.y) return std::nullopt;
+    int first = INT_MAX, last = INT_MIN;
+    for (const ScreenVertex& vertex :
+         ui.results.a.frame.triangle_vertices(*ui.results.a.triangle)) {
+        first = std::min(first, vertex.column);
+        last = std::max(last, vertex.column);
+    }
+    const float left = picture.origin.x + picture.scale * static_cast<float>(first);
+    const float right = picture.origin.x + picture.scale * (static_cast<float>(last) + 1.0f);
+    const float covered_at_left =
+        std::min(right, canvas.low.x + layout.width) - std::max(left, canvas.low.x);
+    const float covered_at_right =
+        std::min(right, canvas.high.x) - std::max(left, canvas.high.x - layout.width);
+    const bool is_at_left = std::max(covered_at_left, 0.0f) < std::max(covered_at_right, 0.0f);
+    const float low = std::round(is_at_left ? canvas.low.x : canvas.high.x - layout.width);
+    return RowTablePlace{low, low + layout.width, is_at_left};
+}
+
+bool draw_row_table_beside(Ui& ui, const RowTableLayout& layout, const RowTablePlace& place,
+                           const Pane& canvas) {
+    const Palette& p = palette(ui.options.theme);
+    const PolygonRows& rows = ui.results.a.rows.rows;
+    ImGui::SetCursorScreenPos({place.left, canvas.low.y});
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, p.card);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+    const float height = std::max(canvas.high.y - canvas.low.y, 1.0f);
+    ImGui::BeginChild("row table", {layout.width, height}, false,
+                      ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoScrollbar |
+                          ImGuiWindowFlags_NoScrollWithMouse);
+    const Table t{ui,
+                  layout,
+                  ImGui::GetWindowDrawList(),
+                  place.left,
+                  canvas.low.y + header_height(ui),
+                  canvas.high.y,
+                  ui.canvas.place.scale,
+                  ui.options.text_scale};
+    const bool is_over = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+    const float first_y = (t.top - t.y_of(rows.first_row)) / t.scale;
+    const float last_y = (t.bottom - t.y_of(rows.first_row)) / t.scale;
+    const auto count = static_cast<float>(rows.size());
+    const int first = static_cast<int>(std::clamp(std::floor(first_y), 0.0f, count));
+    const int last = static_cast<int>(std::clamp(std::ceil(last_y), 0.0f, count));
+    const std::optional<int> at_work = row_at_work(ui);
+    ImGui::PushClipRect({place.left, t.top}, {place.right, t.bottom}, true);
+    for (int i = first; i < last; ++i)
+        draw_line(t, i, at_work, is_over);
+    draw_outside(t);
+    ImGui::PopClipRect();
+    draw_header(t, canvas.low.y);
+    const float border = place.is_at_left ? place.right - 0.5f : place.left + 0.5f;
+    t.list->AddLine({border, canvas.low.y}, {border, canvas.high.y}, packed(p.line));
+    ImGui::EndChild();
+    name_widget(ui, "canvas.rows");
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor();
+    return is_over;
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,63 @@
+#include "ui/widgets/row_ends.h"
+
+#include "base/element_names.h"
+#include "base/numbers.h"
+#include "session/walk.h"
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+std::string sample_text(int edge, int sample) {
+    return short_place({0, Phase::edges, edge, sample});
+}
+
+std::string end_text(const RowEnd& end, bool is_left) {
+    const bool is_extreme = end.column == empty_left || end.column == empty_right;
+    if (!is_extreme) return std::to_string(end.column);
+    return is_left ? "+INT_MAX" : "−INT_MAX";
+}
+
+std::string replaced_tooltip(const EndWriter& writer) {
+    return "↻: an earlier sample stood here and was replaced, " +
+           counted(writer.replaced, "time", "times") + " so far.";
+}
+
+std::string writer_tooltip(const EndWriter& writer) {
+    return "Written by " + sample_name(writer.edge, writer.sample) + "." +
+           (writer.replaced > 0 ? "\n" + replaced_tooltip(writer) : "") +
+           "\nClick: to the moment in which it was written.";
+}
+
+std::string end_tooltip(const RowEnd& end, const EndWriter& writer) {
+    if (writer.is_set()) return writer_tooltip(writer);
+    const bool is_extreme = end.column == empty_left || end.column == empty_right;
+    return is_extreme ? "No sample has reached this row yet: any column is an improvement."
+                      : "Where this end starts: no sample has improved on it.";
+}
+
+void go_to_sample(Ui& ui, int edge, int sample) {
+    const Timeline timeline(ui.results.a.frame);
+    const Cursor cursor{*ui.results.a.triangle, Phase::edges, edge, sample};
+    if (timeline.exists(cursor)) go_to(ui.session, timeline.next(cursor, Granularity::moment));
+}
+
+std::optional<int> row_at_work(const Ui& ui) {
+    const RowHistory& history = ui.results.a.rows;
+    const std::optional<Cursor>& done = ui.results.a.done;
+    if (!done || done->triangle != ui.results.a.triangle) return std::nullopt;
+    if (done->phase == Phase::rows) return history.rows.first_row + done->index;
+    if (done->phase == Phase::edges && history.last && history.last->write.inside)
+        return history.last->fragment.row;
+    return std::nullopt;
+}
+
+RowWrite just_written(const Ui& ui, int row) {
+    const RowHistory& history = ui.results.a.rows;
+    const std::optional<Cursor>& done = ui.results.a.done;
+    const bool is_sample =
+        done && done->triangle == ui.results.a.triangle && done->phase == Phase::edges;
+    if (!is_sample || !history.last || history.last->fragment.row != row) return {};
+    return history.last->write;
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,41 @@
+#pragma once
+
+// What both row tables say of the ends of a row: that of the Rows tab, and that beside the picture.
+
+#include <optional>
+#include <string>
+
+#include "inspect/row_history.h"
+
+namespace rasterwalk {
+
+struct Ui;
+
+/// "e1 [4]": edge 1, line[4].
+std::string sample_text(int edge, int sample);
+
+/// An end as the table has it: its column, or "+INT_MAX" and "−INT_MAX" where no sample has reached
+/// it.
+std::string end_text(const RowEnd& end, bool is_left);
+
+/// Who wrote an end, how often it was replaced, and what a click does.
+std::string writer_tooltip(const EndWriter& writer);
+
+/// "↻: an earlier sample stood here and was replaced, 2 times so far."
+std::string replaced_tooltip(const EndWriter& writer);
+
+/// The same for either kind of end: one that nobody has written says so.
+std::string end_tooltip(const RowEnd& end, const EndWriter& writer);
+
+/// To the moment just after a sample of the triangle on show was entered, so that its cell is the
+/// one that lights up.
+void go_to_sample(Ui& ui, int edge, int sample);
+
+/// The row of the picture at which the work on the triangle on show stands: that of the fragments,
+/// or the sample, just done; none where the moment belongs to another triangle.
+std::optional<int> row_at_work(const Ui& ui);
+
+/// Which ends of this row of the picture the moment has just written.
+RowWrite just_written(const Ui& ui, int row);
+
+} // namespace rasterwalk
