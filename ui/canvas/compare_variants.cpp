@@ -212,8 +212,11 @@ float variants_height(const Ui& ui, ImVec2 room) {
     const float needed = height_at_full_size(ui, room.x);
     // The large picture is made smaller anyway: the row takes its share.
     if (needed > room.y) return std::round(largest);
-    const float least = std::min(largest, wished_least * u);
-    return std::floor(std::clamp(room.y - needed, least, largest));
+    // A row that is very low is better than a large picture that is not seen whole.
+    const float left = room.y - needed;
+    const float least =
+        std::min(largest, (left < least_height * u ? wished_least : least_height) * u);
+    return std::floor(std::clamp(left, least, largest));
 }
 
 void draw_variants(Ui& ui, const Pane& row) {

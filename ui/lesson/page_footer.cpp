@@ -94,10 +94,11 @@ int draw_page_footer(Ui& ui, const PageFooter& footer, float width) {
         if (draw_next(ui, footer, label, {half, 0.0f})) wanted = footer.current + 1;
     }
     // Where there is no way back there is room for the title of what comes.
-    if (footer.current == 0 && last > 0) {
+    const std::string& next = title_of(footer, footer.current + 1);
+    if (footer.current == 0 && has_next(footer) && fitting_label(next, "", half).empty()) {
         const ImFont* const small = ui.fonts.small;
         ImGui::PushFont(ui.fonts.small);
-        const std::string words = shortened(title(1), half);
+        const std::string words = shortened(next, half);
         ImGui::PopFont();
         const float middle = 0.5f * (ImGui::GetFrameHeight() - small->FontSize);
         ImGui::GetWindowDrawList()->AddText(small, small->FontSize, {start.x, y + middle},

@@ -121,7 +121,7 @@ TEST_CASE("Escape closes what is open before it ends the lecture") {
     driver.hand.press('T');
     driver.hand.press(key::f1);
     driver.hand.press(key::escape);
-    CHECK_FALSE(driver.ui.sheets.shows_keys);
+    CHECK_FALSE(driver.ui.sheets.is_open(Sheet::keys));
     CHECK(driver.ui.options.is_lecture);
     driver.hand.press(key::escape);
     CHECK_FALSE(driver.ui.lesson.drawer_is_open);

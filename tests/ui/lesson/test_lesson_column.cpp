@@ -371,11 +371,13 @@ TEST_CASE("The text stays where it is read while the lesson moves to make room f
     REQUIRE(is_at_the_end());
     for (int i = 0; i < 2; ++i) {
         hand.press('9');
-        REQUIRE(ui.lesson.is_tab);
+        REQUIRE(ui.lesson.is_strip);
+        hand.press('T'); // the whole text, in a drawer
         CHECK(is_at_the_end());
+        hand.press('T');
         hand.press('9');
-        if (ui.lesson.is_tab) hand.press('8');
-        REQUIRE_FALSE(ui.lesson.is_tab);
+        if (ui.lesson.is_strip) hand.press('8');
+        REQUIRE_FALSE(ui.lesson.is_strip);
         CHECK(is_at_the_end());
         CHECK(ui.session.step == 1);
     }
