@@ -26,6 +26,7 @@ struct RowsPlace {
     int triangle = -1;
     std::optional<int> row; ///< that is selected
     int jumps = 0;          ///< Session::jumps: a lesson's step or a link may lead elsewhere
+    float height = 0.0f;    ///< of the table, screen pixels
 
     friend bool operator==(const RowsPlace&, const RowsPlace&) = default;
 };

@@ -26,7 +26,9 @@ void draw_end_cell(Ui& ui, const std::string& name, const RowEnd& end, const End
                                           : palette(ui.options.theme).dim;
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
-    right_aligned(end_text(end, is_left), colour);
+    std::string text = end_text(end, is_left);
+    if (ImGui::CalcTextSize(text.c_str()).x > width) text = end_text(end, is_left, true);
+    right_aligned(text, colour);
     if (is_changed) {
         draw_changed_box(ui, ImGui::GetWindowDrawList(), low,
                          {low.x + width, low.y + ImGui::GetTextLineHeight()});
@@ -236,10 +238,11 @@ void bring_into_view(Ui& ui) {
 }
 
 /// The row to bring into view, as an index into the table, -1: none. A table that comes to be shown
-/// shows its selected row, or else the row at work.
-int wanted_row(Ui& ui) {
+/// or gets another height shows its selected row, or else the row at work.
+int wanted_row(Ui& ui, float height) {
     const RowHistory& history = ui.results.a.rows;
-    const RowsPlace place{*ui.results.a.triangle, ui.session.selection.row, ui.session.jumps};
+    const RowsPlace place{*ui.results.a.triangle, ui.session.selection.row, ui.session.jumps,
+                          height};
     if (!(place == ui.inspector.rows_place)) {
         ui.inspector.rows_place = place;
         ui.inspector.scroll_to_row = true;
@@ -291,7 +294,7 @@ void draw_row_table(Ui& ui, float height) {
         const int index = std::clamp(*at_work - history.rows.first_row, 0, history.rows.size() - 1);
         clipper.ForceDisplayRangeByIndices(index, index + 1);
     }
-    const int wanted = wanted_row(ui);
+    const int wanted = wanted_row(ui, height);
     if (wanted < 0 || wanted >= history.rows.size()) {
         ui.inspector.scroll_to_row = false;
     } else {

@@ -11,9 +11,10 @@ std::string sample_text(int edge, int sample) {
     return short_place({0, Phase::edges, edge, sample});
 }
 
-std::string end_text(const RowEnd& end, bool is_left) {
+std::string end_text(const RowEnd& end, bool is_left, bool is_short) {
     const bool is_extreme = end.column == empty_left || end.column == empty_right;
     if (!is_extreme) return std::to_string(end.column);
+    if (is_short) return is_left ? "+MAX" : "−MAX";
     return is_left ? "+INT_MAX" : "−INT_MAX";
 }
 
@@ -31,8 +32,10 @@ std::string writer_tooltip(const EndWriter& writer) {
 std::string end_tooltip(const RowEnd& end, const EndWriter& writer) {
     if (writer.is_set()) return writer_tooltip(writer);
     const bool is_extreme = end.column == empty_left || end.column == empty_right;
-    return is_extreme ? "No sample has reached this row yet: any column is an improvement."
-                      : "Where this end starts: no sample has improved on it.";
+    return is_extreme
+               ? "INT_MAX with its sign: no sample has reached this row yet, so any column is "
+                 "an improvement."
+               : "Where this end starts: no sample has improved on it.";
 }
 
 void go_to_sample(Ui& ui, int edge, int sample) {

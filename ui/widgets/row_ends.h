@@ -15,8 +15,8 @@ struct Ui;
 std::string sample_text(int edge, int sample);
 
 /// An end as the table has it: its column, or "+INT_MAX" and "−INT_MAX" where no sample has reached
-/// it.
-std::string end_text(const RowEnd& end, bool is_left);
+/// it, "+MAX" and "−MAX" for short.
+std::string end_text(const RowEnd& end, bool is_left, bool is_short = false);
 
 /// Who wrote an end, how often it was replaced, and what a click does.
 std::string writer_tooltip(const EndWriter& writer);
