@@ -9,8 +9,9 @@
 namespace rasterwalk {
 
 FilledPart::FilledPart(const Frame& frame, const Cursor& cursor, int triangle)
-    : cursor_(cursor), triangle_(triangle), has_columns_(has_fragments(frame.settings.stage)) {
-    is_whole_ = frame.is_drawn(triangle) && triangle < cursor.triangle;
+    : cursor_(cursor), triangle_(triangle),
+      is_whole_(frame.is_drawn(triangle) && triangle < cursor.triangle),
+      has_columns_(has_fragments(frame.settings.stage)) {
     // One that has not come to its rows yet is not filled at all.
     has_rows_ = !is_whole_ && frame.is_drawn(triangle) && frame.settings.stage >= Stage::rows &&
                 cursor > Cursor{triangle, Phase::rows, 0, 0};

@@ -26,7 +26,7 @@ class FilledPart {
   private:
     Cursor cursor_;
     int triangle_;
-    bool is_whole_ = false, has_rows_ = false, has_columns_ = false;
+    bool is_whole_, has_rows_ = false, has_columns_;
     PolygonRows rows_;
 };
 

@@ -150,7 +150,8 @@ void draw_offers(Ui& ui) {
     const ImVec2 start = ImGui::GetCursorScreenPos();
     const auto pairs = compare_pairs();
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-        const auto column = static_cast<float>(i % 2), line = static_cast<float>(i / 2);
+        const std::size_t above = i / 2;
+        const auto column = static_cast<float>(i % 2), line = static_cast<float>(above);
         const ImVec2 low{start.x + column * (card.width + gap),
                          start.y + line * (card.height + gap)};
         if (draw_offer(ui, pairs[i], i, low, card)) start_pair(ui.session, pairs[i]);

@@ -94,9 +94,9 @@ Columns measure_columns(const Ui& ui, const PixelHistory& history, float room) {
     const PlaceTitles place = place_titles(ui.results.a.frame.settings.stage);
     // From roomy to narrow; the last one is taken if none fits.
     const Form forms[] = {
-        {true, true, 7.0f, "t00 tall block"}, {true, true, 4.0f, "t00 tall block"},
-        {true, false, 4.0f, "t00 tall block"},   {false, true, 5.0f, "t00 tall block"},
-        {false, true, 4.0f, "t00 tall bl"},   {false, false, 4.0f, "t000"}};
+        {true, true, 7.0f, "t00 tall block"},  {true, true, 4.0f, "t00 tall block"},
+        {true, false, 4.0f, "t00 tall block"}, {false, true, 5.0f, "t00 tall block"},
+        {false, true, 4.0f, "t00 tall bl"},    {false, false, 4.0f, "t000"}};
     // Marks have no depth value, and so no margin.
     const bool has_margin =
         history.depth_tested && has_fragments(ui.results.a.frame.settings.stage);

@@ -75,14 +75,14 @@ struct LessonView {
     bool drawer_is_open = false; ///< where it is a strip: the whole text lies over the inspector
     bool drawer_of_other_mode = false; ///< it is open when the lecture mode is left or entered
     LessonStrip strip;
-    std::string meant;            ///< widget that a link points at; empty: none
-    std::string pointed_at;       ///< that one, or what is to be clicked first: it is outlined
-    bool is_held = false;         ///< it stays outlined after the pointer has left the link
-    bool is_new = false;          ///< by the click or key of this frame, which does not end it
-    bool is_hovered = false;      ///< the pointer rests on such a link in this frame
-    int frames_unseen = 0;        ///< since the widget pointed at was last on the screen
-    int frame_of_answer = -1;     ///< in which an answer that was kept was judged last
-    int frame_of_waiting = -1;    ///< in which another one was left for the next frame
+    std::string meant;         ///< widget that a link points at; empty: none
+    std::string pointed_at;    ///< that one, or what is to be clicked first: it is outlined
+    bool is_held = false;      ///< it stays outlined after the pointer has left the link
+    bool is_new = false;       ///< by the click or key of this frame, which does not end it
+    bool is_hovered = false;   ///< the pointer rests on such a link in this frame
+    int frames_unseen = 0;     ///< since the widget pointed at was last on the screen
+    int frame_of_answer = -1;  ///< in which an answer that was kept was judged last
+    int frame_of_waiting = -1; ///< in which another one was left for the next frame
 };
 
 } // namespace rasterwalk
