@@ -27,11 +27,12 @@ class FateCollector : public Observer {
     std::vector<FragmentFate>& fates_;
 };
 
-/// The work of the triangles from `first` up to and including `last` in a part of the picture.
-double work_between(const Frame& frame, int first, int last, const Rectangle& part) {
+/// The work of the triangles from `first` up to and including `last` in a part of the picture;
+/// where it is more than `most`, some number that is more.
+double work_between(const Frame& frame, int first, int last, const Rectangle& part, double most) {
     const EdgeRules rules = edge_rules(frame.settings);
     double work = 0.0;
-    for (int t = first; t <= last; ++t) {
+    for (int t = first; t <= last && work <= most; ++t) {
         work += work_of_triangle;
         if (!frame.is_drawn(t)) continue;
         const Rectangle box = polygon_box(frame.triangle_vertices(t), rules);
@@ -73,7 +74,7 @@ const std::vector<FragmentFate>& FateFinder::find(const Frame& frame, std::uint6
     if (!has_fates) return fates_;
     const bool goes_on = planes_place_ == place && drawn_ <= triangle;
     const int first = goes_on ? drawn_ : 0;
-    if (work_between(frame, first, triangle, inside) > most_work) return fates_;
+    if (work_between(frame, first, triangle, inside, most_work) > most_work) return fates_;
     planes_place_ = std::nullopt; // until the planes are whole
     if (!goes_on) {
         clear(planes_, frame, {inside.right - inside.left, inside.bottom - inside.top},

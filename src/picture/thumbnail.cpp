@@ -9,6 +9,9 @@
 
 namespace rasterwalk {
 
+/// What it costs to clear a pixel and to show it, in the work of a fragment.
+constexpr double work_of_pixel = 0.5;
+
 Settings scaled_to(const Scene& scene, const Settings& settings, int side) {
     Settings small = settings;
     if (scene.space == SceneSpace::pixels) return small;
@@ -32,7 +35,8 @@ double thumbnail_work(const Scene& scene, const Settings& settings, int side) {
     const Frame frame = prepare_frame(scene, scaled_to(scene, settings, side));
     FrameWork work;
     work.begin(frame);
-    return work.total();
+    const Viewport size = frame.settings.viewport;
+    return work.total() + work_of_pixel * static_cast<double>(size.width) * size.height;
 }
 
 } // namespace rasterwalk

@@ -11,10 +11,10 @@ namespace rasterwalk {
 /// @param side 1 or more
 Settings scaled_to(const Scene& scene, const Settings& settings, int side);
 
-/// The finished picture, drawn small; with so many pixels on its longer side at most.
+/// The finished picture, drawn small: see scaled_to().
 Image thumbnail(const Scene& scene, const Settings& settings, int side);
 
-/// What it costs to draw it, see FrameWork::total().
+/// What it costs to draw it and to show it, see FrameWork::total().
 double thumbnail_work(const Scene& scene, const Settings& settings, int side);
 
 } // namespace rasterwalk

@@ -20,7 +20,8 @@ void toggle_lecture(Ui& ui) {
     UiOptions& options = ui.options;
     options.is_lecture = !options.is_lecture;
     ui.style_is_stale = true;
-    // The drawer is no matter of the other mode.
+    // The drawer is no matter of the other mode, nor if the settings lie over it.
+    ui.lesson.drawer_is_open |= std::exchange(ui.inspector.settings_over_drawer, false);
     std::swap(ui.lesson.drawer_is_open, ui.lesson.drawer_of_other_mode);
 }
 

@@ -130,14 +130,17 @@ void draw_workplace(Ui& ui, const Layout& layout) {
         draw_splitter(ui, "splitter.lesson", layout.canvas.position.x, layout.canvas,
                       ui.options.lesson_width, false);
     }
-    draw_splitter(ui, "splitter.inspector", layout.inspector.position.x, layout.canvas,
-                  ui.options.inspector_width, true);
+    // The widths that the student chose are not those of a lecture.
+    if (!ui.options.is_lecture) {
+        draw_splitter(ui, "splitter.inspector", layout.inspector.position.x, layout.canvas,
+                      ui.options.inspector_width, true);
+    }
 }
 
 /// In a lecture, and where every line counts, it only comes to say something.
 bool has_status_line(const Ui& ui, ImVec2 window) {
     const bool is_spared = ui.options.is_lecture || is_low(window, ui.options);
-    return !is_spared || !ui.session.notice.empty();
+    return !is_spared || !ui.session.notice.empty() || !ui.fonts.notice.empty();
 }
 
 /// The layout, without the lesson's column where the canvas wants its width.

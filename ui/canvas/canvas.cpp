@@ -239,6 +239,14 @@ struct HeaderButton {
     bool is_on;
 };
 
+/// Does a widget of this name stand in the header?
+bool is_in_header(std::string_view widget) {
+    constexpr std::string_view beginnings[] = {"canvas.view", "canvas.shows", "canvas.fit",
+                                               "canvas.zoom", "canvas.grid",  "canvas.overlays"};
+    return std::any_of(std::begin(beginnings), std::end(beginnings),
+                       [&](std::string_view beginning) { return widget.starts_with(beginning); });
+}
+
 void draw_header(Ui& ui, float right_edge) {
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const CanvasShows shows = shown_on_canvas(ui);
@@ -397,7 +405,6 @@ void draw_picture(Ui& ui, const Pane& pane) {
     }
     list->PopClipRect();
     if (!is_comparing(ui)) draw_cells(ui, seen);
-    ui.canvas.hovered_row = std::nullopt;
     if (ui.canvas.row_table) {
         const bool is_over = draw_row_table_beside(ui, table, *ui.canvas.row_table, canvas);
         const ImGuiIO& io = ImGui::GetIO();
@@ -458,7 +465,7 @@ void draw_canvas(Ui& ui, const Area& area) {
     ImGui::Begin("canvas", nullptr,
                  panel_flags | ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoScrollbar);
     // In a lecture only when it points there: the menus have what stands in the header.
-    if (!ui.options.is_lecture || ui.lesson.pointed_at.starts_with("canvas.")) {
+    if (!ui.options.is_lecture || is_in_header(ui.lesson.pointed_at)) {
         draw_header(ui, area.position.x + area.size.x - canvas_padding.x * u);
     }
 
@@ -471,6 +478,7 @@ void draw_canvas(Ui& ui, const Area& area) {
     const CanvasHalves halves =
         shows == CanvasShows::both ? canvas_halves(ui, all) : CanvasHalves{all, all};
     ui.canvas.hovered_pixel = std::nullopt;
+    ui.canvas.hovered_row = std::nullopt;
     if (shows != CanvasShows::outside) draw_picture(ui, halves.picture);
     if (shows != CanvasShows::picture) draw_outside(ui, halves.outside);
     ImGui::End();

@@ -9,6 +9,7 @@
 
 #include "base/numbers.h"
 #include "picture/view_image.h"
+#include "ui/actions/compare.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -52,6 +53,8 @@ std::string box_tooltip(const OverdrawCounts& counts, std::uint32_t number) {
 
 float overdraw_legend_height(const Ui& ui) {
     if (ui.session.view != View::overdraw || !ui.results.overdraw) return 0.0f;
+    // Run B has colours for its own numbers.
+    if (is_comparing(ui) && ui.session.compare_view != CompareView::run_a) return 0.0f;
     return ui.fonts.small->FontSize + 12.0f * ui.options.text_scale;
 }
 

@@ -38,8 +38,8 @@ void renew(Ui& ui, int side) {
     const std::shared_ptr<const Scene>& scene = ui.session.scene;
     const Settings& a = ui.session.a.settings;
     side = std::clamp(side, 1, largest_side);
-    const bool is_new = offers.scene != scene || offers.side != side || !offers.settings;
-    if (!is_new && (*offers.settings == a || is_something_held())) return;
+    const bool is_same = offers.scene == scene && offers.side == side && offers.settings == a;
+    if (is_same || (offers.settings && is_something_held())) return;
     offers.scene = scene;
     offers.settings = a;
     offers.side = side;

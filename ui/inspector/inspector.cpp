@@ -56,7 +56,7 @@ float draw_head(Ui& ui, const InspectorLook& look, const Area& area) {
     const float u = ui.options.text_scale;
     // In a lecture a head with nothing to choose is none.
     const bool is_needed = !ui.options.is_lecture || offered_tabs(ui, std::nullopt).size() > 1;
-    if (is_compact(ImGui::GetIO().DisplaySize, ui.options) || ui.options.is_lecture) {
+    if (is_compact(ImGui::GetIO().DisplaySize, ui.options)) {
         // Every line counts.
         if (look.is_covered || !is_needed) return ImGui::GetCursorScreenPos().y;
         return draw_tab_list(ui) + 2.0f * u;

@@ -95,8 +95,7 @@ void draw_rows_panel(Ui& ui) {
     text_in(outside > 0 ? colour_of(Meaning::fail, ui.options.theme) : p.dim,
             counted(outside, "sample outside", "samples outside") + (is_finished ? "" : " so far"));
     name_widget(ui, "rows.outside",
-                "Samples of this triangle, up to this moment, that fell in no row of the table. "
-                "The line at the bottom of the window counts those of the whole frame.");
+                "Samples of this triangle, up to this moment, that fell in no row of the table.");
     if (is_low) draw_bench_examples(ui);
 }
 

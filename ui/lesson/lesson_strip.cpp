@@ -216,7 +216,10 @@ void draw_card(Ui& ui, const Lesson& lesson, const LessonStep& step, int card, f
         draw_task_lines(ui, lesson, lesson.tasks[index], width);
         return;
     }
+    const std::pair place{ui.session.lesson, ui.session.step};
     draw_prediction_lines(ui, lesson, lesson.predictions[index], width);
+    // A link in it may lead elsewhere.
+    if (std::pair{ui.session.lesson, ui.session.step} != place) return;
     // What the program says stays until the student goes on.
     std::optional<int>& asked = ui.lesson.strip.card;
     if (!asked && !is_open_question(ui, lesson, *part)) asked = card;

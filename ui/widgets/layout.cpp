@@ -68,6 +68,7 @@ bool is_low(ImVec2 window, const UiOptions& options) {
 }
 
 bool is_compact(ImVec2 window, const UiOptions& options) {
+    if (options.is_lecture) return true;
     return window.x < roomy_width * options.text_scale ||
            window.y < roomy_height * options.text_scale;
 }

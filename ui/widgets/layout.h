@@ -53,8 +53,8 @@ bool is_narrow(ImVec2 window, const UiOptions& options);
 /// True for a window that is so low, measured in text, that its last line is given up.
 bool is_low(ImVec2 window, const UiOptions& options);
 
-/// True for a window so small, measured in text, that the bars must make do with less: tabs and the
-/// size of a step are lists.
+/// True for a window so small, measured in text, that the bars must make do with less, and in a
+/// lecture: tabs and the size of a step are lists.
 bool is_compact(ImVec2 window, const UiOptions& options);
 
 /// The largest text scale up to the wished one at which the window still holds everything.

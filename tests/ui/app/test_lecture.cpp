@@ -115,6 +115,32 @@ TEST_CASE("Leaving a lecture restores everything") {
     }
 }
 
+TEST_CASE("A lesson's text that settings lay over is there again after a lecture") {
+    Driver driver("lab-room.toml", {1024, 640});
+    open_lesson(driver.ui, "05-row-table", 3);
+    driver.hand.press('T');
+    driver.hand.click("tab.settings");
+    driver.hand.press(key::f5);
+    driver.hand.press(key::escape); // the settings
+    CHECK_FALSE(driver.ui.lesson.drawer_is_open);
+    CHECK(driver.ui.options.is_lecture);
+    driver.hand.press(key::escape);
+    CHECK_FALSE(driver.ui.options.is_lecture);
+    CHECK(driver.ui.lesson.drawer_is_open);
+}
+
+TEST_CASE("On the largest screen a lecture leads to another tab by the list of tabs") {
+    Driver driver("lab-room.toml", {2560, 1440});
+    open_lesson(driver.ui, "06-filling", 2);
+    driver.hand.press(key::f5);
+    driver.hand.frames(frames_to_rest);
+    point_at_widget(driver.ui, "tab.floats", true);
+    driver.hand.frames(frames_to_rest);
+    INFO(driver.ui.session.notice);
+    CHECK(driver.ui.lesson.pointed_at == "tabs");
+    CHECK(driver.ui.session.notice.empty());
+}
+
 TEST_CASE("Escape closes what is open before it ends the lecture") {
     Driver driver("lab-room.toml", {1024, 640});
     driver.hand.press(key::f5);

@@ -1,5 +1,7 @@
 // The lesson as a strip above the canvas, in windows without room for a column.
 
+#include <algorithm>
+
 #include <catch2/catch.hpp>
 
 #include "tests/support/effort.h"
@@ -62,6 +64,26 @@ TEST_CASE("The strip asks a number, and says what the program says") {
         driver.hand.leave();
         CHECK_FALSE(is_there(driver, name + ".verdict"));
     }
+}
+
+TEST_CASE("A link in what the program says leads to the other lesson's own card") {
+    Driver driver("lab-room.toml", {1024, 640});
+    open_lesson(driver.ui, "03-points", step_of_prediction(driver, "03-points", "uncovered"));
+    driver.hand.leave();
+    driver.hand.click("lesson.prediction.uncovered.number");
+    driver.hand.type_text("998");
+    driver.hand.press(key::enter);
+    driver.hand.leave();
+    const auto link = std::find_if(
+        driver.ui.widgets.begin(), driver.ui.widgets.end(), [](const auto& widget) {
+            return widget.first.starts_with("lesson.prediction.uncovered") &&
+                   widget.first.find(".link.") != std::string::npos;
+        });
+    REQUIRE(link != driver.ui.widgets.end());
+    driver.hand.click(std::string(link->first));
+    CHECK(driver.ui.session.lesson == "12-float-traps");
+    CHECK_FALSE(driver.ui.lesson.strip.card);
+    CHECK(driver.ui.lesson.predictions.count("uncovered") == 0);
 }
 
 TEST_CASE("Every prediction of every lesson can be answered in the strip") {
