@@ -134,7 +134,7 @@ TEST_CASE("On the largest screen a lecture leads to another tab by the list of t
     open_lesson(driver.ui, "06-filling", 2);
     driver.hand.press(key::f5);
     driver.hand.frames(frames_to_rest);
-    point_at_widget(driver.ui, "tab.floats", true);
+    point_at_widget(driver.ui, "tab.microscope", true);
     driver.hand.frames(frames_to_rest);
     INFO(driver.ui.session.notice);
     CHECK(driver.ui.lesson.pointed_at == "tabs");
