@@ -74,8 +74,8 @@ TEST_CASE("A link in what the program says leads to the other lesson's own card"
     driver.hand.type_text("998");
     driver.hand.press(key::enter);
     driver.hand.leave();
-    const auto link = std::find_if(
-        driver.ui.widgets.begin(), driver.ui.widgets.end(), [](const auto& widget) {
+    const auto link =
+        std::find_if(driver.ui.widgets.begin(), driver.ui.widgets.end(), [](const auto& widget) {
             return widget.first.starts_with("lesson.prediction.uncovered") &&
                    widget.first.find(".link.") != std::string::npos;
         });
