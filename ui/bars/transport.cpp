@@ -256,7 +256,7 @@ float draw_words(Ui& ui, ImVec2 at, float room) {
     ImGui::PushClipRect({at.x, at.y - 4.0f * u}, {at.x + room, at.y + 2.0f * ImGui::GetFontSize()},
                         true);
     ImGui::SetCursorScreenPos(at);
-    ImGui::TextUnformatted(words.c_str());
+    ImGui::TextUnformatted(shortened(words, room).c_str());
     name_widget(ui, "walk.words",
                 width > room ? words + "\nWhat was just drawn." : "What was just drawn.");
     ImGui::PopClipRect();

@@ -89,7 +89,10 @@ void draw_header(Ui& ui, int chosen) {
     ImGui::TableNextRow();
     for (int v = 0; v < triangle_corners; ++v) {
         ImGui::TableSetColumnIndex(label_columns(ui) + v);
-        const std::string label = ui.inspector.is_narrow ? short_vertex_name(v) : vertex_name(v);
+        std::string label = vertex_name(v);
+        const bool has_room =
+            ImGui::CalcTextSize(label.c_str()).x <= ImGui::GetContentRegionAvail().x;
+        if (ui.inspector.is_narrow || !has_room) label = short_vertex_name(v);
         const std::string name = "vertices.v" + std::to_string(v);
         if (number_cell(ui, name, label, palette(ui.options.theme).dim, v == chosen,
                         "Shows this vertex's formula below.")) {

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "base/element_names.h"
 #include "explain/vertex_report.h"
 #include "tests/ui/screen_text.h"
 #include "tests/ui/shown_number.h"
@@ -155,6 +156,27 @@ TEST_CASE("In a small window the formula is in sight, and all of the panel can b
                                  "vertices.light.R.blue.v2", "vertices.world.x.v0"}) {
             INFO(name);
             CHECK(driver.hand.find(name).is_whole);
+        }
+    }
+}
+
+TEST_CASE("The names of the vertices stand apart in every window, short where room is short") {
+    for (const ImVec2 window : {ImVec2(1600, 1000), ImVec2(1024, 640), ImVec2(800, 600)}) {
+        INFO(window.x << " x " << window.y);
+        Driver driver("lab-room.toml", window);
+        driver.ui.session.tab = "vertices";
+        driver.hand.frames(frames_to_rest);
+        const std::vector<ScreenText> texts = screen_text();
+        for (int v = 0; v < triangle_corners; ++v) {
+            INFO(v);
+            const WidgetPlace& cell = driver.ui.widgets.at("vertices.v" + std::to_string(v));
+            CHECK(std::any_of(texts.begin(), texts.end(), [&](const ScreenText& text) {
+                const bool is_name =
+                    text.words == vertex_name(v) || text.words == short_vertex_name(v);
+                return is_name && text.low.x >= cell.top_left.x - 1.0f &&
+                       text.high.x <= cell.bottom_right.x + 1.0f &&
+                       text.high.y >= cell.top_left.y && text.low.y <= cell.bottom_right.y;
+            }));
         }
     }
 }
