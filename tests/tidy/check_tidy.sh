@@ -11,6 +11,7 @@ failed=0
 mkdir -p "$tree"/src/{scene,stages} && cp "$config" "$tree/.clang-tidy" && cd "$tree" || exit 2
 
 new_tree() {
+    rm -rf src/*/*
     printf '#pragma once\nint size_of(int side);\n' >src/scene/size.h
     printf '#include "scene/size.h"\n\nint size_of(int side) { return side * side; }\n' >src/scene/size.cpp
     printf '#include "scene/size.h"\n\nint twice(int side) { return 2 * size_of(side); }\n' >src/scene/twice.cpp
@@ -74,15 +75,39 @@ expect 0 "3 files in 2 units" checks folders
 expect 1 "src/stages/edge.cpp:2:" analyzer
 expect 1 "NullDereference" analyzer
 
-# Two helpers of one name are no fault: each file is asked by itself.
+# Two helpers of one name are no fault: the files are asked apart, also where the names were not seen before.
 new_tree
 for file in size twice; do
     echo "namespace { int helper() { return 3; } } int $file() { return helper(); }" >>"src/scene/$file.cpp"
 done
 sed -i 's/int twice(int side)/int doubled(int side)/; s/int size(/int squared(/' src/scene/*.cpp
-expect 0 "1 file by file" checks folders
+expect 0 "1 in parts: names meet" checks folders
 echo "int BadName() { return 3; }" >>src/scene/twice.cpp
 expect 1 "invalid case style for function 'BadName'" checks folders
+
+new_tree
+for file in size twice; do
+    printf 'namespace {\n\nstruct Helper {\n    int %s = 0;\n};\n\n} // namespace\n' $file >>"src/scene/$file.cpp"
+done
+expect 0 "3 files in 2 units." checks folders
+
+# So is a name that a header gives to something else.
+new_tree
+printf '#pragma once\nstruct Side {\n    int length = 0;\n};\n' >src/stages/side.h
+printf '#include "stages/side.h"\n\nint length_of(Side side) { return side.length; }\n' >>src/stages/edge.cpp
+printf 'namespace {\n\nusing Side = double;\n\n} // namespace\n\nSide half(Side side) { return side / 2.0; }\n' >>src/scene/size.cpp
+sed -i 's/^#include "stages.*$//; 1i #include "stages/side.h"' src/stages/edge.cpp
+mv src/stages/edge.cpp src/scene/edge.cpp
+sed -i 's,stages/edge.cpp,scene/edge.cpp,g' compile_commands.json
+expect 0 "3 files in 2 units." checks folders
+
+# Two programs, each with a main and with a folder of its own on its command line.
+new_tree
+for file in size twice; do
+    echo "int main() { return 0; }" >>"src/scene/$file.cpp"
+    sed -i "s,-std=c++20 -o a.o -c $tree/src/scene/$file,-DNAME_OF_$file -std=c++20 -o a.o -c $tree/src/scene/$file," compile_commands.json
+done
+expect 0 "3 files in 2 units." checks folders
 
 [ $failed -eq 0 ] && echo "Every fault was found in its place."
 exit $failed

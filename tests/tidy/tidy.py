@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """What clang-tidy finds in src/ and ui/.
 
-    tidy.py checks   COMPILE_COMMANDS FOLDER      everything but the analyzer, a folder of sources at a time
+    tidy.py checks   COMPILE_COMMANDS FOLDER      everything but the analyzer, many sources at a time
     tidy.py analyzer COMPILE_COMMANDS [SECONDS]   the path-sensitive analyzer, file by file
 
 COMPILE_COMMANDS is a compile_commands.json with an entry for each source; .clang-tidy stands in the
-current folder. FOLDER takes the files that include all sources of a folder: headers are then read once.
+current folder. FOLDER takes the files that each include many sources: to look at the headers of the
+standard library takes ten times as long as to look at ours, so they are looked at a few times only.
 
 What was found in order is remembered in $XDG_CACHE_HOME/rasterwalk-tidy, by a hash of all that the
 answer depends on. With SECONDS the analyzer begins no further file after that time, and says how many
@@ -28,7 +29,10 @@ import time
 
 VERSION = "14"  # another one finds other things, and some of them are not there
 NOT_ASKED = 77
+UNITS = 4  # of sources that are asked about as one; more where names meet
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*"([^"]+)"', re.MULTILINE)
+TYPE_NAME = re.compile(r"(?:template <[^>]*> )?(?:struct|class|union|enum class|enum|using) (\w+)")
+OTHER_NAME = re.compile(r"[\w:<>,&*\[\] ]*?[ &*](\w+(?:(?=\[| =|;|\{)|\(.*))")
 
 
 def find_tool():
@@ -81,52 +85,129 @@ def jobs():
     return concurrent.futures.ThreadPoolExecutor(os.cpu_count())
 
 
-def check_folders(tool, version, commands, folder):
-    """All checks that look at the text of one file, on all files of a folder at once."""
+def local_names(text):
+    """What a file declares at the margin: outside and inside a namespace without a name."""
+    outside, inside, is_inside = set(), set(), False
+    for line in text.split("\n"):
+        if line == "namespace {":
+            is_inside = True
+        elif line == "} // namespace":
+            is_inside = False
+        elif line[:1].isalpha() and not line.startswith("namespace"):
+            found = TYPE_NAME.match(line) or OTHER_NAME.match(line)
+            if found:
+                (inside if is_inside else outside).add(found.group(1))
+    return outside, inside
+
+
+class Unit:
+    """Sources that are asked about as one: none of them has a name that another would take for its own."""
+
+    def __init__(self):
+        self.sources, self.read, self.owned, self.size = [], set(), set(), 0
+
+    def has_room_for(self, read, owned):
+        return not (owned & self.owned or (owned - read) & self.read or (self.owned - self.read) & read)
+
+    def take(self, source, read, owned):
+        self.sources.append(source)
+        self.read |= read
+        self.owned |= owned
+        self.size += source.stat().st_size
+
+
+def join_commands(commands):
+    """The sources, by commands that differ in folders and macros only, which all of them then get."""
+    joined = {}  # the other words of a command -> its folders and macros, and the sources
+    for source, words in sorted(commands.items()):
+        options, rest, pending = [], [], iter(words)
+        for word in pending:
+            if word == "-isystem":
+                options.append((word, next(pending)))
+            elif word.startswith(("-I", "-D")):
+                options.append((word,))
+            else:
+                rest.append(word)
+        known, sources = joined.setdefault(tuple(rest), ([], []))
+        known.extend(option for option in options if option not in known)
+        sources.append(source)
+    return [(list(rest) + [word for option in options for word in option], sources)
+            for rest, (options, sources) in joined.items()]
+
+
+def into_units(sources, headers):
+    """A folder stays together, but for sources whose names meet those of others."""
+    names = {}
+
+    def names_of(path):
+        if path not in names:
+            names[path] = local_names(path.read_text(errors="replace"))
+        return names[path]
+
+    folders = {}
+    for source in sources:
+        folders.setdefault(source.parent, []).append(source)
+    units = [Unit() for _ in range(min(UNITS, len(folders)))]
+    for folder in sorted(folders, key=lambda folder: -len(folders[folder])):
+        units.sort(key=lambda unit: unit.size)
+        for source in folders[folder]:
+            outside, owned = names_of(source)
+            # Of two programs each has a main.
+            owned = owned | {name for name in outside if name.startswith("main(")}
+            read = {name for path in headers.closure(source) if path != source for name in names_of(path)[0]}
+            unit = next((unit for unit in units if unit.has_room_for(read, owned)), None)
+            if not unit:
+                unit = Unit()
+                units.append(unit)
+            unit.take(source, read, owned)
+    return [unit.sources for unit in units]
+
+
+def check_units(tool, version, commands, folder):
+    """All checks that look at the text of one file, on many files at once."""
     os.makedirs(folder, exist_ok=True)
-    groups = {}
-    for source in sorted(commands):
-        # Of two programs each has a main.
-        alone = re.search(r"^int main\(", source.read_text(errors="replace"), re.MULTILINE)
-        groups.setdefault((source if alone else source.parent, tuple(commands[source])), []).append(source)
-    unities = []
-    for number, ((parent, command), sources) in enumerate(groups.items()):
-        unity = pathlib.Path(folder) / f"{'-'.join(parent.parts)}-{number}.cpp"
-        unity.write_text("".join(f'#include "{source.resolve()}"\n' for source in sources))
-        unities.append((sum(source.stat().st_size for source in sources), unity, list(command), sources))
-    unities.sort(key=lambda item: item[0], reverse=True)  # the longest first
     checks = "-clang-analyzer-*,-bugprone-suspicious-include"
     cache, headers = memory(), Headers()
-    to_do = []
 
     def unit_key(command, sources):
         files = sorted({path for source in sources for path in headers.closure(source)})
         return key_of(checks, files, command, version)
 
-    for _, unity, command, sources in unities:
+    units = [(command, sources) for command, together in join_commands(commands)
+             for sources in into_units(together, headers)]
+    units.sort(key=lambda item: -len(item[1]))  # the longest first
+    to_do = []
+    for number, (command, sources) in enumerate(units):
         key = unit_key(command, sources)
         if not (cache / key).exists():
-            to_do.append((unity, command, sources, key))
+            to_do.append((str(number), command, sources, key))
 
-    def check(unity, command, sources, key):
+    def ask_together(number, command, sources):
+        unity = pathlib.Path(folder) / f"{number}.cpp"
+        unity.write_text("".join(f'#include "{source.resolve()}"\n' for source in sources))
         said, is_good = ask(tool, checks, unity, command)
-        # What was changed meanwhile may not be what was asked about.
-        if is_good and key == unit_key(command, sources):
-            (cache / key).touch()
-        if is_good or "[clang-diagnostic-error]" not in said:
+        if is_good or len(sources) == 1 or "[clang-diagnostic-error]" not in said:
             return [(said, is_good)]
-        # Two files of the folder cannot stand in one, which is no fault of theirs.
-        return [ask(tool, checks, source, command) for source in sources]
+        # Perhaps two of them cannot stand in one file, which is no fault of theirs.
+        half = len(sources) // 2
+        return ask_together(number + "a", command, sources[:half]) + ask_together(number + "b", command, sources[half:])
+
+    def check(number, command, sources, key):
+        answers = ask_together(number, command, sources)
+        # What was changed meanwhile may not be what was asked about.
+        if all(is_good for _, is_good in answers) and key == unit_key(command, sources):
+            (cache / key).touch()
+        return answers
 
     with jobs() as pool:
         answers = list(pool.map(lambda item: check(*item), to_do))
     code = report([answer for several in answers for answer in several])
-    line = f"{len(commands)} files in {len(unities)} units"
-    if len(to_do) < len(unities):
-        line += f", {len(unities) - len(to_do)} remembered"
-    by_file = sum(len(several) > 1 for several in answers)
-    if by_file:
-        line += f", {by_file} file by file: names meet"
+    line = f"{len(commands)} files in {len(units)} units"
+    if len(to_do) < len(units):
+        line += f", {len(units) - len(to_do)} remembered"
+    parted = sum(len(several) > 1 for several in answers)
+    if parted:
+        line += f", {parted} in parts: names meet"
     print(line + ".")
     return code
 
@@ -220,7 +301,7 @@ def main(arguments):
         print(f"{arguments[1]} names no file of src/ or ui/.", file=sys.stderr)
         return 2
     if arguments[0] == "checks":
-        return check_folders(*found, commands, arguments[2])
+        return check_units(*found, commands, arguments[2])
     return analyze_files(*found, commands, float(arguments[2]) if len(arguments) == 3 else float("inf"))
 
 

@@ -45,12 +45,12 @@ struct StripWord {
     std::string widest;      ///< of what it may say loudly: a click must not shift its neighbours
 };
 
-using Stages = std::vector<const StageInfo*>;
+using StageRow = std::vector<const StageInfo*>;
 
 /// The stages that the scene can use, in their order.
-Stages usable_stages(const Ui& ui) {
+StageRow usable_stages(const Ui& ui) {
     const StripStep here = step_of(ui.session.a.settings);
-    Stages stages;
+    StageRow stages;
     for (const StageInfo& info : stage_list()) {
         // One that the scene cannot use is said while it is on show all the same.
         if (is_of_use(info, *ui.session.scene) || info.step == here) stages.push_back(&info);
@@ -61,8 +61,8 @@ Stages usable_stages(const Ui& ui) {
 constexpr std::size_t few_count = 3;
 
 /// The stages that the strip shows.
-Stages shown_stages(const Ui& ui, const Form& form) {
-    Stages stages = usable_stages(ui);
+StageRow shown_stages(const Ui& ui, const Form& form) {
+    StageRow stages = usable_stages(ui);
     if (!form.has_few_stages) return stages;
     const StripStep here = step_of(ui.session.a.settings);
     const auto on_show = std::find_if(stages.begin(), stages.end(),
@@ -70,17 +70,13 @@ Stages shown_stages(const Ui& ui, const Form& form) {
     const auto chosen = static_cast<std::size_t>(on_show - stages.begin());
     const std::size_t last_first = std::max(stages.size(), few_count) - few_count;
     const std::size_t first = std::min(chosen > 0 ? chosen - 1 : 0, last_first);
-    Stages few;
+    StageRow few;
     for (std::size_t i = 0; i < stages.size(); ++i) {
         const bool is_near = i >= first && i < first + few_count;
         const bool is_meant = ui.lesson.pointed_at == std::string("stage.").append(stages[i]->name);
         if (is_near || is_meant) few.push_back(stages[i]);
     }
     return few;
-}
-
-float text_width(std::string_view text) {
-    return text.empty() ? 0.0f : ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
 }
 
 /// Between a stage and the one before it, screen pixels.
@@ -188,7 +184,7 @@ float segment_width(const Ui& ui, const Form& form, const StageInfo& info) {
     return text_width(info.title) + 2.0f * form.padding * ui.options.text_scale;
 }
 
-float stages_width(const Ui& ui, const Form& form, const Stages& stages) {
+float stages_width(const Ui& ui, const Form& form, const StageRow& stages) {
     float width = 0.0f;
     for (const StageInfo* info : stages)
         width += (width > 0.0f ? gap_before(ui, *info) : 0.0f) + segment_width(ui, form, *info);
@@ -198,12 +194,12 @@ float stages_width(const Ui& ui, const Form& form, const Stages& stages) {
 /// The widest of the stages that a form shows side by side, whichever is chosen, with the list of
 /// the others.
 float widest_few(const Ui& ui, const Form& form) {
-    const Stages all = usable_stages(ui);
+    const StageRow all = usable_stages(ui);
     float widest = stages_width(ui, form, shown_stages(ui, form));
     for (std::size_t i = 0; i + few_count <= std::max(all.size(), few_count); ++i) {
         const std::size_t end = std::min(i + few_count, all.size());
-        const Stages few(all.begin() + static_cast<std::ptrdiff_t>(i),
-                         all.begin() + static_cast<std::ptrdiff_t>(end));
+        const StageRow few(all.begin() + static_cast<std::ptrdiff_t>(i),
+                           all.begin() + static_cast<std::ptrdiff_t>(end));
         widest = std::max(widest, stages_width(ui, form, few));
     }
     return widest + word_width(ui, stages_word());
@@ -213,7 +209,7 @@ float widest_few(const Ui& ui, const Form& form) {
 /// is room for all that any of them needs.
 float form_width(const Ui& ui, const Form& form) {
     const float u = ui.options.text_scale;
-    const Stages all = usable_stages(ui);
+    const StageRow all = usable_stages(ui);
     float width = form.has_few_stages ? widest_few(ui, form) : stages_width(ui, form, all);
     const bool has_switches = std::any_of(
         all.begin(), all.end(), [](const StageInfo* info) { return needs_switches(info->step); });
@@ -297,7 +293,7 @@ void draw_box(const Ui& ui, float left, float right, const Band& band) {
 
 /// Returns where the last one ends.
 float draw_stages(Ui& ui, const Form& form, float left, const Band& band) {
-    const Stages stages = shown_stages(ui, form);
+    const StageRow stages = shown_stages(ui, form);
     float x = left, box = left;
     for (std::size_t i = 0; i < stages.size(); ++i) {
         const float width = segment_width(ui, form, *stages[i]);

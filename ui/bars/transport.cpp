@@ -89,10 +89,6 @@ std::array<StepChoice, 4> step_choices(Stage stage) {
               "A step is one phase of a triangle: its vertices, its edges, its rows."}}};
 }
 
-float text_width(const char* text) {
-    return ImGui::CalcTextSize(text).x;
-}
-
 /// How the groups of the transport are put: buttons, size of a step, dial, time lines.
 enum class Arrangement {
     compact, ///< a small window: the size of a step is a list, and one time line stands in the row

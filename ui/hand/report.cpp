@@ -20,7 +20,7 @@ std::string numbers(std::initializer_list<float> values) {
 
 } // namespace
 
-std::string report_of(const Ui& ui) {
+std::string screen_report(const Ui& ui) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     std::string text = "window" + numbers({window.x, window.y}) + "\n";
     for (const Setting& setting : setting_table()) {

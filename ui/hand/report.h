@@ -17,6 +17,6 @@ struct Ui;
 ///     it
 ///
 /// Widgets stand in the order of their names; those that cannot be seen are left out.
-std::string report_of(const Ui& ui);
+std::string screen_report(const Ui& ui);
 
 } // namespace rasterwalk

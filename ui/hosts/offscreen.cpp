@@ -138,9 +138,9 @@ Image draw_offscreen(Session session, const OffscreenOptions& options) {
         !options.actions.empty() && options.actions.back().kind == HandAction::Kind::hover;
     if (!is_resting) hand.leave();
     if (options.report_path == "-") {
-        std::cout << visible(report_of(screen.ui));
+        std::cout << visible(screen_report(screen.ui));
     } else if (!options.report_path.empty()) {
-        write_file(options.report_path, report_of(screen.ui));
+        write_file(options.report_path, screen_report(screen.ui));
     }
     return screen.picture();
 }

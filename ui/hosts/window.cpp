@@ -219,7 +219,7 @@ void save_picture(Window& window, int width, int height) {
 
 void write_report(Window& window) {
     if (window.report_path.empty()) return;
-    std::string report = report_of(window.ui);
+    std::string report = screen_report(window.ui);
     if (report == window.last_report) return;
     write_file(window.report_path, report);
     window.last_report = std::move(report);

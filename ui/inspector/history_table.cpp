@@ -49,7 +49,7 @@ struct Columns {
     }
 };
 
-float text_width(ImFont* font, const std::string& text) {
+float width_in(ImFont* font, const std::string& text) {
     return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, text.c_str()).x;
 }
 
@@ -77,11 +77,11 @@ std::string in_brackets(int index) {
 }
 
 float piece_width(const Ui& ui, const PlaceTitles& titles) {
-    return std::max(text_width(ui.fonts.small, titles.piece), text_width(ui.fonts.mono, "[000]"));
+    return std::max(width_in(ui.fonts.small, titles.piece), width_in(ui.fonts.mono, "[000]"));
 }
 
 float step_width(const Ui& ui, const PlaceTitles& titles) {
-    return std::max(text_width(ui.fonts.small, titles.step), text_width(ui.fonts.mono, "[000]"));
+    return std::max(width_in(ui.fonts.small, titles.step), width_in(ui.fonts.mono, "[000]"));
 }
 
 Columns measure_columns(const Ui& ui, const PixelHistory& history, float room) {
@@ -103,13 +103,13 @@ Columns measure_columns(const Ui& ui, const PixelHistory& history, float room) {
     Columns columns;
     for (const Form& form : forms) {
         columns.padding = form.padding * ui.options.text_scale;
-        columns.widths = {form.has_number ? text_width(mono, "00") : 0.0f,
-                          text_width(ui.fonts.bold, form.least_name),
+        columns.widths = {form.has_number ? width_in(mono, "00") : 0.0f,
+                          width_in(ui.fonts.bold, form.least_name),
                           form.has_place ? piece_width(ui, place) : 0.0f,
                           form.has_place && !place.step.empty() ? step_width(ui, place) : 0.0f,
-                          text_width(mono, "0.0000"),
-                          has_margin ? text_width(mono, "+0.0000") : 0.0f,
-                          text_width(ui.fonts.small, "✓ written"),
+                          width_in(mono, "0.0000"),
+                          has_margin ? width_in(mono, "+0.0000") : 0.0f,
+                          width_in(ui.fonts.small, "✓ written"),
                           mono->FontSize};
         float left = room;
         for (const float width : columns.widths)

@@ -54,10 +54,6 @@ Chooser chooser_of(const Session& session) {
             [](Ui& ui) { follow_guide(ui.session); }};
 }
 
-float text_width(std::string_view text) {
-    return text.empty() ? 0.0f : ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
-}
-
 /// At the right end of the line, if it fits behind `left`.
 void draw_chooser(Ui& ui, const Chooser& chooser, float left, float right, float y, float height) {
     const Palette& p = palette(ui.options.theme);

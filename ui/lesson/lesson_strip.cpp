@@ -111,10 +111,6 @@ std::vector<Card> cards_of(Ui& ui, const Lesson& lesson, const LessonStep& step)
     return cards;
 }
 
-float text_width(const std::string& text) {
-    return ImGui::CalcTextSize(text.c_str()).x;
-}
-
 float cards_width(const Ui& ui, const std::vector<Card>& cards) {
     float width = 0.0f;
     ImGui::PushFont(ui.fonts.small);

@@ -122,10 +122,6 @@ void draw_band(const Plot& plot, const Scale& scale, ImU32 colour) {
     list->Flags = flags;
 }
 
-float text_width(const std::string& text) {
-    return ImGui::CalcTextSize(text.c_str()).x;
-}
-
 void draw_axes(Ui& ui, const Plot& plot, const Scale& scale, float left, const Ticks& x,
                const Ticks& y) {
     const Palette& p = palette(ui.options.theme);

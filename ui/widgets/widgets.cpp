@@ -264,6 +264,10 @@ std::string shortened(const std::string& text, float width) {
     return "…";
 }
 
+float text_width(std::string_view text) {
+    return text.empty() ? 0.0f : ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
+}
+
 float button_width(std::string_view label) {
     return ImGui::CalcTextSize(begin(label), end(label)).x +
            2.0f * ImGui::GetStyle().FramePadding.x;

@@ -75,6 +75,9 @@ std::string fixed(double value, int digits);
 /// all.
 std::string shortened(const std::string& text, float width);
 
+/// How wide one line of text is in the font at hand, in pixels of the window.
+float text_width(std::string_view text);
+
 /// The width that a label takes as a button.
 float button_width(std::string_view label);
 

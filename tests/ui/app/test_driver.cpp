@@ -92,7 +92,7 @@ TEST_CASE("The picture goes to the textures when it changed, and only then") {
 TEST_CASE("The report names the settings and every widget that can be seen, with its place") {
     Driver driver;
     driver.hand.click("stage.fill");
-    const std::string report = report_of(driver.ui);
+    const std::string report = screen_report(driver.ui);
     CHECK(report.starts_with("window 1600 1000\nsetting stage fill\n"));
     CHECK(report.find("\ncursor end\n") != std::string::npos);
     const WidgetPlace place = driver.hand.find("stage.fill");

@@ -125,8 +125,9 @@ TEST_CASE("A window that is low but wide has its lesson column") {
 
 TEST_CASE("Where the menu has not room for all its buttons, undo is the last to go") {
     int without_redo = 0;
+    Driver driver("lab-room.toml");
     for (float width = 320.0f; width <= 1400.0f; width += 20.0f) {
-        Driver driver("lab-room.toml", {width, 600.0f});
+        driver.resize({width, 600.0f});
         const bool has_undo = driver.hand.is_visible("corner.undo");
         INFO(width);
         for (const char* other :
