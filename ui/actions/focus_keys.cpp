@@ -10,6 +10,7 @@
 #include "ui/actions/actions.h"
 #include "ui/actions/keys.h"
 #include "ui/ui.h"
+#include "ui/widgets/focus.h"
 
 namespace rasterwalk {
 
@@ -73,17 +74,19 @@ const Stop& heir(const Ui& ui, const std::vector<Stop>& stops) {
     return nearest != nullptr ? *nearest : first_of(stops);
 }
 
-/// A menu or list that opens takes the keyboard, and gives it back.
-void follow_popups(Ui& ui) {
+/// A menu or list that opens takes the keyboard, and gives it back. Returns true if it just did:
+/// what was drawn last is then still without the one that has it again.
+bool follow_popups(Ui& ui) {
     Focus& focus = ui.focus;
     const auto open = static_cast<std::size_t>(GImGui->OpenPopupStack.Size);
     while (focus.openers.size() < open) {
         focus.openers.push_back(focus.name);
         focus.name.clear();
     }
-    if (focus.openers.size() == open) return;
+    if (focus.openers.size() == open) return false;
     focus.name = focus.openers[open];
     focus.openers.resize(open);
+    return true;
 }
 
 /// A click goes on by pointer, and Tab goes on from where it was.
@@ -193,12 +196,37 @@ void take_widget_keys(Ui& ui, const std::vector<Stop>& stops) {
     if (is_press && can_be_pressed(stop->place)) press(stop->place);
 }
 
+/// What scrolls with the widget: its own window, or else the largest one of its part.
+ImGuiWindow* scrolled_with(const Focus& focus) {
+    const auto scrolls = [](const ImGuiWindow* w) { return w->WasActive && w->ScrollMax.y > 0.0f; };
+    ImGuiWindow* largest = nullptr;
+    float most = 0.0f;
+    for (ImGuiWindow* const window : GImGui->Windows) {
+        if (!scrolls(window) || part_of(*window) != focus.part) continue;
+        if (window->ID == focus.window) return window;
+        const float area = window->InnerRect.GetArea();
+        if (area <= most) continue;
+        most = area;
+        largest = window;
+    }
+    return largest;
+}
+
+void take_scrolling_keys(const Ui& ui) {
+    const int up = pressed_arrows().up;
+    ImGuiWindow* const window = up == 0 ? nullptr : scrolled_with(ui.focus);
+    if (window == nullptr) return;
+    const float step = 3.0f * ImGui::GetTextLineHeightWithSpacing();
+    const float y = window->Scroll.y - step * static_cast<float>(up);
+    ImGui::SetScrollY(window, std::clamp(y, 0.0f, window->ScrollMax.y));
+}
+
 } // namespace
 
 void take_focus_keys(Ui& ui) {
     Focus& focus = ui.focus;
     focus.arrows = {};
-    follow_popups(ui);
+    if (follow_popups(ui)) return;
     const std::vector<Stop> stops = stops_in_reach(ui);
     if (stops.empty()) return;
     follow_pointer(ui, stops);
@@ -206,6 +234,7 @@ void take_focus_keys(Ui& ui) {
         show_at(ui, focus.name.empty() ? first_of(stops).name : heir(ui, stops).name);
     }
     const ImGuiIO& io = ImGui::GetIO();
+    if (io.KeyCtrl && !io.WantTextInput) take_scrolling_keys(ui);
     if (io.KeyCtrl || io.KeyAlt) return;
     if (!take_moving_keys(ui, stops)) take_widget_keys(ui, stops);
 }

@@ -196,7 +196,7 @@ void begin_saving(Ui& ui) {
     ui.sheets.files.path = name_for(ui.session);
 }
 
-void enter_folder(FileSheet& sheet, const std::string& folder) {
+void enter_folder(FileSheet& sheet, const std::string& folder, std::size_t most_seen) {
     std::error_code fault;
     const fs::path place = fs::weakly_canonical(folder, fault);
     fs::directory_iterator entry(place, fs::directory_options::skip_permission_denied, fault);
@@ -212,7 +212,7 @@ void enter_folder(FileSheet& sheet, const std::string& folder) {
     sheet.asked.clear();
     std::size_t seen = 0;
     for (const fs::directory_iterator end; !fault && entry != end; entry.increment(fault)) {
-        sheet.is_cut = ++seen > most_seen_files;
+        sheet.is_cut = ++seen > most_seen;
         if (sheet.is_cut) break;
         FileEntry found{entry->path().filename().string(), false};
         std::error_code ignored;

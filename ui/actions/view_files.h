@@ -36,8 +36,14 @@ void begin_opening(Ui& ui);
 void begin_choosing_result(Ui& ui);
 void begin_saving(Ui& ui);
 
+/// The most files of a folder that the sheet lists.
+inline constexpr std::size_t most_listed_files = 400;
+/// The most entries of a folder that it looks at, so that the window does not stand still.
+inline constexpr std::size_t most_seen_files = 20'000;
+
 /// Goes to a folder on the sheet. A folder that cannot be read is a fault on the sheet.
-void enter_folder(FileSheet& sheet, const std::string& folder);
+void enter_folder(FileSheet& sheet, const std::string& folder,
+                  std::size_t most_seen = most_seen_files);
 
 /// Does what the sheet is for with the path that stands on it: enters a folder, opens a file, saves
 /// the view. Asks before a file is overwritten; called again, it is. Faults go to the sheet.
@@ -46,10 +52,5 @@ void finish_sheet(Ui& ui);
 /// The path that is meant by what was typed: from the sheet's folder, or absolute, or from the home
 /// folder (~). What is saved ends with .walk.toml.
 std::string meant_path(const FileSheet& sheet);
-
-/// The most files of a folder that the sheet lists.
-inline constexpr std::size_t most_listed_files = 400;
-/// The most entries of a folder that it looks at, so that the window does not stand still.
-inline constexpr std::size_t most_seen_files = 20'000;
 
 } // namespace rasterwalk

@@ -177,6 +177,7 @@ void draw_everything(Ui& ui) {
     guarded(ui, [&] { draw_glossary_sheet(ui, window); });
     guarded(ui, [&] { draw_event_sheet(ui, window); });
     guarded(ui, [&] { draw_file_sheet(ui, window); });
+    draw_ring(ui);
     release_pointed(ui);
 }
 

@@ -276,12 +276,12 @@ void draw_cards(Ui& ui, const PageLayout& page, float bottom) {
     if (page.is_small) {
         const float gap = 6.0f * u;
         const float height =
-            std::clamp((bottom - start.y) / way_count - gap, 56.0f * u, largest_low_card * u);
+            std::clamp((bottom - start.y) / way_count - gap, 52.0f * u, largest_low_card * u);
         for (std::size_t i = 0; i < cards.size(); ++i) {
             draw_low_card(ui, cards[i], {start.x, start.y + static_cast<float>(i) * (height + gap)},
                           {page.width, height});
         }
-        ImGui::SetCursorScreenPos({start.x, start.y + way_count * (height + gap)});
+        ImGui::SetCursorScreenPos({start.x, start.y + way_count * (height + gap) - gap});
         ImGui::Dummy({page.width, 0.0f});
         return;
     }

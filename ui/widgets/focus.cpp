@@ -7,44 +7,20 @@
 
 namespace rasterwalk {
 
-namespace {
-
-/// The panel, sheet, menu or list in which the present window lies.
-ImGuiID present_part() {
-    const ImGuiWindow* window = ImGui::GetCurrentWindow();
+ImGuiID part_of(const ImGuiWindow& window) {
+    const ImGuiWindow* at = &window;
     const auto is_inside = [](const ImGuiWindow* w) {
         return (w->Flags & ImGuiWindowFlags_ChildWindow) != 0 &&
                (w->Flags & ImGuiWindowFlags_Popup) == 0 && w->ParentWindow != nullptr;
     };
-    while (is_inside(window))
-        window = window->ParentWindow;
-    return window->ID;
+    while (is_inside(at))
+        at = at->ParentWindow;
+    return at->ID;
 }
-
-/// A ring, and a casing on both sides of it, so that it stands out on every ground.
-void draw_ring(const Ui& ui, const ImRect& around) {
-    const Palette& p = palette(ui.options.theme);
-    const float u = ui.options.text_scale;
-    ImDrawList* const list = ImGui::GetWindowDrawList();
-    const ImVec2 window = ImGui::GetIO().DisplaySize;
-    // At the edge of the window it is drawn inside.
-    const auto grown = [&](float by) {
-        ImRect r(around.Min.x - by, around.Min.y - by, around.Max.x + by, around.Max.y + by);
-        r.ClipWith({{0.5f * u, 0.5f * u}, {window.x - 0.5f * u, window.y - 0.5f * u}});
-        return r;
-    };
-    list->PushClipRectFullScreen();
-    const ImRect ring = grown(2.0f * u);
-    list->AddRect(ring.Min, ring.Max, packed(p.ground), 5.0f * u, 0, 5.0f * u);
-    list->AddRect(ring.Min, ring.Max, packed(p.link), 5.0f * u, 0, 2.0f * u);
-    list->PopClipRect();
-}
-
-} // namespace
 
 void note_stop(WidgetPlace& place) {
     const ImGuiLastItemData& item = GImGui->LastItemData;
-    place.part = present_part();
+    place.part = part_of(*ImGui::GetCurrentWindow());
     // While a list is open, the last item is the list itself.
     const bool is_window = item.ID == ImGui::GetCurrentWindow()->MoveId;
     if (is_window || (item.InFlags & ImGuiItemFlags_Disabled) != 0) return;
@@ -61,7 +37,8 @@ bool show_focus(Ui& ui, std::string_view name, const ImRect& shown, bool visible
     if (is_typed_into) focus.name = name;
     if (focus.name != name) return false;
     focus.place = item.Rect.Min;
-    focus.part = present_part();
+    focus.part = part_of(*ImGui::GetCurrentWindow());
+    focus.window = ImGui::GetCurrentWindow()->ID;
     if (focus.wants_sight && item.ID != 0) {
         focus.wants_sight = false;
         // With a line around it: the next one of a long list is drawn only if it is in view.
@@ -70,8 +47,29 @@ bool show_focus(Ui& ui, std::string_view name, const ImRect& shown, bool visible
         ImGui::ScrollToBringRectIntoView(ImGui::GetCurrentWindow(), wished);
     }
     if (!focus.is_shown || item.ID == 0) return false;
-    if (visible) draw_ring(ui, shown);
-    return visible;
+    if (!visible) return false;
+    focus.list = ImGui::GetWindowDrawList();
+    focus.low = shown.Min;
+    focus.high = shown.Max;
+    return true;
+}
+
+void draw_ring(Ui& ui) {
+    Focus& focus = ui.focus;
+    ImDrawList* const list = std::exchange(focus.list, nullptr);
+    if (list == nullptr) return;
+    const Palette& p = palette(ui.options.theme);
+    const float u = ui.options.text_scale;
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    // At the edge of the window it is drawn inside.
+    ImRect ring(focus.low.x - 2.0f * u, focus.low.y - 2.0f * u, focus.high.x + 2.0f * u,
+                focus.high.y + 2.0f * u);
+    ring.ClipWith({{u, u}, {window.x - u, window.y - u}});
+    list->PushClipRectFullScreen();
+    // The casing on both sides makes it stand out on every ground.
+    list->AddRect(ring.Min, ring.Max, packed(p.ground), 5.0f * u, 0, 5.0f * u);
+    list->AddRect(ring.Min, ring.Max, packed(p.link), 5.0f * u, 0, 2.0f * u);
+    list->PopClipRect();
 }
 
 Arrows take_arrows(Ui& ui, std::string_view name) {

@@ -11,13 +11,20 @@ namespace rasterwalk {
 
 struct Ui;
 
+/// The panel, sheet, menu or list in which a window of ImGui lies.
+ImGuiID part_of(const ImGuiWindow& window);
+
 /// Notes whether the last ImGui item can have the keyboard, and where it stands.
 void note_stop(WidgetPlace& place);
 
-/// Draws the ring around the last ImGui item if it is the one with the keyboard, and scrolls to it
-/// if that was asked for. Returns true if it has the ring.
+/// Notes the place of the last ImGui item if it is the one with the keyboard, and scrolls to it if
+/// that was asked for. Returns true if it has the ring.
 /// @param shown what of it can be seen, screen pixels
 bool show_focus(Ui& ui, std::string_view name, const ImRect& shown, bool visible);
+
+/// Draws the ring, over what stands beside the widget but below what lies over it. To be called
+/// when everything else is drawn.
+void draw_ring(Ui& ui);
 
 /// The arrows that were pressed for the widget, which was just named. Whatever asks for them keeps
 /// them from moving on to the next widget, and is not pressed by Enter.

@@ -30,14 +30,18 @@ struct Arrows {
 
 /// The widget that has the keyboard; ui/actions/focus_keys.h moves it.
 struct Focus {
-    std::string name;                 ///< empty: none yet
-    std::string before;               ///< that had it until something was opened
-    bool is_shown = false;            ///< it has a ring; Enter, Space and the arrows are its own
-    bool wants_sight = false;         ///< it is scrolled into view when it is drawn
-    bool is_explained = false;        ///< its tooltip is shown
-    Arrows arrows;                    ///< meant for it
-    ImVec2 place;                     ///< where it was drawn last: its upper left corner
-    ImGuiID part = 0;                 ///< and the part of the window
+    std::string name;          ///< empty: none yet
+    std::string before;        ///< that had it until something was opened
+    bool is_shown = false;     ///< it has a ring; Enter, Space and the arrows are its own
+    bool wants_sight = false;  ///< it is scrolled into view when it is drawn
+    bool is_explained = false; ///< its tooltip is shown
+    Arrows arrows;             ///< meant for it
+    ImVec2 place;              ///< where it was drawn last: its upper left corner
+    ImGuiID part = 0;          ///< and the part of the window
+    ImGuiID window = 0;        ///< within the part; what scrolls with it
+    /// In this frame: the draw list of its window, and what of it can be seen; null: nothing.
+    ImDrawList* list = nullptr;
+    ImVec2 low, high;
     std::vector<std::string> openers; ///< what had it before each menu or list that is open
 };
 

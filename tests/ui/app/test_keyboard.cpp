@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <imgui_internal.h>
+
 #include "session/tabs.h"
 #include "stages/stages.h"
 #include "tests/ui/driver.h"
@@ -92,6 +94,10 @@ TEST_CASE("By keys alone: from the start page through a lesson to the mistakes")
         CHECK(step_of(ui.session.a.settings) == info.step);
     }
 
+    // The step has opened the settings itself.
+    REQUIRE(is_settings_open(ui));
+    driver.hand.press(key::escape);
+    CHECK_FALSE(is_settings_open(ui));
     driver.hand.press(key::comma, {.ctrl = true});
     REQUIRE(is_settings_open(ui));
     CHECK(ui.focus.name == "settings.search");
@@ -346,6 +352,32 @@ TEST_CASE("The sheet for files by keys: a folder is entered, and a file opened")
     driver.hand.press(key::enter);
     CHECK(driver.ui.session.scene->path.ends_with("fence.toml"));
     CHECK(driver.ui.sheets.files.kind == FileSheet::Kind::closed);
+}
+
+TEST_CASE("What is too long is scrolled by keys: the sheet of keys, and a lesson's text") {
+    Driver driver("lab-room.toml", {1200, 640});
+    driver.hand.leave();
+    const auto scroll_of = [&] {
+        float scrolled = 0.0f;
+        for (const ImGuiWindow* const window : GImGui->Windows)
+            scrolled += window->WasActive ? window->Scroll.y : 0.0f;
+        return scrolled;
+    };
+    const float before = scroll_of();
+    driver.hand.press(key::f1);
+    driver.hand.press(key::down, {.ctrl = true});
+    CHECK(scroll_of() > before);
+    driver.hand.press(key::up, {.ctrl = true});
+    CHECK(scroll_of() == before);
+    driver.hand.press(key::escape);
+
+    open_lesson(driver.ui, "04-edges", 2);
+    driver.ui.lesson.drawer_is_open = true;
+    driver.hand.frames(frames_to_rest);
+    REQUIRE(tab_to(driver, "lesson.next"));
+    const float unread = scroll_of();
+    driver.hand.press(key::down, {.ctrl = true});
+    CHECK(scroll_of() > unread);
 }
 
 TEST_CASE("Shift and F1 explain what has the frame") {
