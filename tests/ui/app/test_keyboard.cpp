@@ -117,6 +117,8 @@ TEST_CASE("By keys alone: from the start page through a lesson to the mistakes")
     driver.hand.press(key::down);
     CHECK(*ui.session.selection.pixel == pixel + glm::ivec2(1, 1));
 
+    REQUIRE(tab_to(driver, "tabs.show_all"));
+    driver.hand.press(key::enter);
     REQUIRE(tab_to(driver, "group.runs"));
     driver.hand.press(key::enter);
     REQUIRE(tab_to(driver, "tab.lab"));
