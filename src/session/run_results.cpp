@@ -130,7 +130,7 @@ std::vector<Trouble> describe_troubles(const Frame& frame, const DrawTally& tall
             {fmt::format("{} outside the row table of {}; not written",
                          counted(tally.samples_outside, "edge sample", "edge samples"),
                          counted(tally.triangles_outside, "triangle", "triangles")),
-             true});
+             true, true});
     }
     return troubles;
 }

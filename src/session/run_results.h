@@ -21,6 +21,7 @@ namespace rasterwalk {
 struct Trouble {
     std::string sentence;
     bool is_of_rows = false; ///< it speaks of row tables, which not everyone has met yet
+    bool is_of_samples_outside = false;
 
     friend bool operator==(const Trouble&, const Trouble&) = default;
 };

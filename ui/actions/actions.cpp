@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "session/scene_file.h"
+#include "ui/actions/focus_keys.h"
 #include "ui/actions/held_keys.h"
 #include "ui/actions/keys.h"
 #include "ui/actions/open_lesson.h"
@@ -83,12 +84,15 @@ std::string tooltip_of(std::string_view action) {
 }
 
 void handle_keys(Ui& ui) {
+    take_focus_keys(ui);
     const bool is_covered = ui.sheets.files.kind != FileSheet::Kind::closed;
     if (ImGui::GetIO().WantTextInput || is_covered) return;
     for (const Action& action : action_table()) {
         // Behind the start page nothing moves.
         const bool is_seen = !ui.start.is_open || action.menu == "File" || action.menu == "Help";
-        if (is_seen && is_pressed(action.chord)) action.run(ui);
+        if (is_seen && is_pressed(action.chord) && !belongs_to_focus(ui, action.chord)) {
+            action.run(ui);
+        }
     }
     if (ui.start.is_open) return;
     move_by_held_keys(ui);

@@ -33,6 +33,8 @@ void close_topmost(Ui& ui) {
         close_settings_sheet(ui);
     } else if (is_drawer_open(ui)) {
         close_drawer(ui);
+    } else if (ui.focus.is_shown) {
+        ui.focus.is_shown = false;
     } else if (ui.options.is_lecture) {
         toggle_lecture(ui);
     }

@@ -42,6 +42,15 @@ const HeldKey held_keys[] = {
 constexpr float held_speed = 1.0f;
 constexpr float touch_distance = 0.02f;
 
+bool is_arrow(int key) {
+    return key >= key::right && key <= key::up;
+}
+
+/// A widget that has the keyboard has the arrows, too.
+bool is_free(const Ui& ui, const HeldKey& held) {
+    return !ui.focus.is_shown || !is_arrow(held.key);
+}
+
 bool modifiers_are_up() {
     const ImGuiIO& io = ImGui::GetIO();
     return !io.KeyCtrl && !io.KeyAlt && !io.KeyShift;
@@ -52,6 +61,7 @@ bool modifiers_are_up() {
 void move_by_held_keys(Ui& ui) {
     if (!modifiers_are_up()) return;
     for (const HeldKey& held : held_keys) {
+        if (!is_free(ui, held)) continue;
         if (ImGui::IsKeyPressed(held.key, false)) {
             held.move(ui.session.a.settings, touch_distance);
         } else if (ImGui::IsKeyDown(held.key)) {
@@ -63,10 +73,11 @@ void move_by_held_keys(Ui& ui) {
     }
 }
 
-bool is_moving_by_key() {
+bool is_moving_by_key(const Ui& ui) {
     if (ImGui::GetIO().WantTextInput || !modifiers_are_up()) return false;
-    return std::any_of(std::begin(held_keys), std::end(held_keys),
-                       [](const HeldKey& held) { return ImGui::IsKeyDown(held.key); });
+    return std::any_of(std::begin(held_keys), std::end(held_keys), [&](const HeldKey& held) {
+        return is_free(ui, held) && ImGui::IsKeyDown(held.key);
+    });
 }
 
 } // namespace rasterwalk

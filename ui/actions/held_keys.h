@@ -10,6 +10,6 @@ struct Ui;
 void move_by_held_keys(Ui& ui);
 
 /// Is such a key held, so that the next frame moves on?
-bool is_moving_by_key();
+bool is_moving_by_key(const Ui& ui);
 
 } // namespace rasterwalk

@@ -5,6 +5,7 @@
 #include "ui/actions/open_lesson.h"
 #include "ui/actions/open_tab.h"
 #include "ui/ui.h"
+#include "ui/widgets/focus.h"
 
 namespace rasterwalk {
 
@@ -20,6 +21,12 @@ void toggle_list(Ui& ui) {
     } else {
         open_drawer(ui);
     }
+}
+
+/// The keyboard goes to the sheet that opens.
+void toggle_sheet(Ui& ui, Sheet sheet, const char* widget) {
+    ui.sheets.toggle(sheet);
+    if (ui.sheets.is_open(sheet)) give_focus(ui, widget);
 }
 
 } // namespace
@@ -79,19 +86,26 @@ std::vector<Action> help_actions() {
          {},
          [](Ui& ui) { ui.start.is_open = true; },
          nullptr},
+        {"help.framed",
+         "Help",
+         "Explain what has the frame",
+         "Shows the help of whatever Tab leads to; again: no more.",
+         {key::f1, false, true},
+         [](Ui& ui) { ui.focus.is_explained = !ui.focus.is_explained; },
+         [](const Ui& ui) { return ui.focus.is_explained; }},
         {"help.glossary",
          "Help",
          "Glossary",
          "What the words of the lab mean.",
          {key::f1 + 1},
-         [](Ui& ui) { ui.sheets.toggle(Sheet::glossary); },
+         [](Ui& ui) { toggle_sheet(ui, Sheet::glossary, "glossary.search"); },
          [](const Ui& ui) { return ui.sheets.is_open(Sheet::glossary); }},
         {"help.keys",
          "Help",
          "All keys",
          "Shows what every key does.",
          {key::f1},
-         [](Ui& ui) { ui.sheets.toggle(Sheet::keys); },
+         [](Ui& ui) { toggle_sheet(ui, Sheet::keys, "keys.close"); },
          [](const Ui& ui) { return ui.sheets.is_open(Sheet::keys); }},
         {"help.close",
          "",

@@ -1,6 +1,7 @@
 #include "ui/actions/open_tab.h"
 
 #include "ui/ui.h"
+#include "ui/widgets/focus.h"
 
 namespace rasterwalk {
 
@@ -49,6 +50,7 @@ void toggle_settings(Ui& ui) {
         close_settings_sheet(ui);
     } else {
         open_tab(ui, settings_tab);
+        give_focus(ui, "settings.search");
     }
 }
 

@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/image.h"
+#include "laboratory/printed_rows.h"
 #include "lessons/lesson_list.h"
 #include "opening/command_line_text.h"
 #include "opening/opened_view.h"
@@ -44,6 +45,7 @@ bool is_result(const std::string& path) {
 /// What the sheet lists; everything can be opened by its name.
 bool is_listed(FileSheet::Kind kind, const std::string& name) {
     if (kind == FileSheet::Kind::save) return is_view_file(name);
+    if (kind == FileSheet::Kind::result) return has_result_ending(name);
     constexpr std::string_view other_data[] = {"presets.toml", "bugs.toml", "glossary.toml"};
     if (std::find(std::begin(other_data), std::end(other_data), name) != std::end(other_data)) {
         return false;
@@ -141,6 +143,16 @@ void open_file(Ui& ui, const std::string& path) {
     }
 }
 
+void check_result(Ui& ui, const std::string& path) {
+    refuse_endless_file(path);
+    // What cannot be read is said on the sheet, beside the other files.
+    if (!is_result(path)) {
+        throw InputError(path + ": a result is a PNG or BMP picture, or printed rows as .txt.");
+    }
+    if (!is_image_file(path)) parse_printed_rows(read_file(path), path);
+    diagnose_file(ui, path);
+}
+
 void open_dropped(Ui& ui, const std::string& path) {
     try {
         open_file(ui, path);
@@ -168,6 +180,10 @@ void begin_opening(Ui& ui) {
     begin_sheet(ui, FileSheet::Kind::open);
 }
 
+void begin_choosing_result(Ui& ui) {
+    begin_sheet(ui, FileSheet::Kind::result);
+}
+
 void begin_saving(Ui& ui) {
     if (hides_settings(ui.session)) {
         ui.session.notice = "The view can be saved when the quiz is over.";
@@ -180,7 +196,7 @@ void begin_saving(Ui& ui) {
     ui.sheets.files.path = name_for(ui.session);
 }
 
-void enter_folder(FileSheet& sheet, const std::string& folder) {
+void enter_folder(FileSheet& sheet, const std::string& folder, std::size_t most_seen) {
     std::error_code fault;
     const fs::path place = fs::weakly_canonical(folder, fault);
     fs::directory_iterator entry(place, fs::directory_options::skip_permission_denied, fault);
@@ -191,9 +207,13 @@ void enter_folder(FileSheet& sheet, const std::string& folder) {
     sheet.folder = place.string();
     sheet.entries.clear();
     sheet.left_out = 0;
+    sheet.is_cut = false;
     sheet.fault.clear();
     sheet.asked.clear();
+    std::size_t seen = 0;
     for (const fs::directory_iterator end; !fault && entry != end; entry.increment(fault)) {
+        sheet.is_cut = ++seen > most_seen;
+        if (sheet.is_cut) break;
         FileEntry found{entry->path().filename().string(), false};
         std::error_code ignored;
         found.is_folder = entry->is_directory(ignored);
@@ -238,7 +258,11 @@ void finish_sheet(Ui& ui) {
         if (sheet.kind == FileSheet::Kind::save) {
             save_to(ui, path);
         } else {
-            open_file(ui, path);
+            if (sheet.kind == FileSheet::Kind::result) {
+                check_result(ui, path);
+            } else {
+                open_file(ui, path);
+            }
             sheet.kind = FileSheet::Kind::closed;
         }
     } catch (const Error& fault) {

@@ -21,18 +21,29 @@ void show_view(Ui& ui, Session&& opened);
 /// printed rows to be diagnosed, else a scene. Throws Error; everything is then as it was.
 void open_file(Ui& ui, const std::string& path);
 
+/// Holds a picture or printed rows of the student's own program against what is right. Throws Error
+/// if the file is neither.
+void check_result(Ui& ui, const std::string& path);
+
 /// Opens a file that was dropped on the window. A fault is shown on the sheet for opening.
 void open_dropped(Ui& ui, const std::string& path);
 
 /// Copies the view as a command line, for ImGui's clipboard; says so in session.notice.
 void copy_command_line(Ui& ui);
 
-/// Brings up the sheet on which a file is opened, or the view is saved.
+/// Brings up the sheet on which a file is opened, a result is chosen, or the view is saved.
 void begin_opening(Ui& ui);
+void begin_choosing_result(Ui& ui);
 void begin_saving(Ui& ui);
 
+/// The most files of a folder that the sheet lists.
+inline constexpr std::size_t most_listed_files = 400;
+/// The most entries of a folder that it looks at, so that the window does not stand still.
+inline constexpr std::size_t most_seen_files = 20'000;
+
 /// Goes to a folder on the sheet. A folder that cannot be read is a fault on the sheet.
-void enter_folder(FileSheet& sheet, const std::string& folder);
+void enter_folder(FileSheet& sheet, const std::string& folder,
+                  std::size_t most_seen = most_seen_files);
 
 /// Does what the sheet is for with the path that stands on it: enters a folder, opens a file, saves
 /// the view. Asks before a file is overwritten; called again, it is. Faults go to the sheet.
@@ -41,8 +52,5 @@ void finish_sheet(Ui& ui);
 /// The path that is meant by what was typed: from the sheet's folder, or absolute, or from the home
 /// folder (~). What is saved ends with .walk.toml.
 std::string meant_path(const FileSheet& sheet);
-
-/// The most files of a folder that the sheet lists.
-inline constexpr std::size_t most_listed_files = 400;
 
 } // namespace rasterwalk

@@ -23,6 +23,7 @@
 #include "ui/start/start_page.h"
 #include "ui/start/ways.h"
 #include "ui/ui.h"
+#include "ui/widgets/focus.h"
 #include "ui/widgets/layout.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -36,8 +37,8 @@ constexpr float shortest_frame = 1e-5f;
 
 void map_keys() {
     ImGuiIO& io = ImGui::GetIO();
-    const std::pair<int, int> keys[] = {{ImGuiKey_Tab, key::tab},
-                                        {ImGuiKey_LeftArrow, key::left},
+    // Tab is not among them: ImGui would only find fields, see ui/actions/focus_keys.h.
+    const std::pair<int, int> keys[] = {{ImGuiKey_LeftArrow, key::left},
                                         {ImGuiKey_RightArrow, key::right},
                                         {ImGuiKey_UpArrow, key::up},
                                         {ImGuiKey_DownArrow, key::down},
@@ -105,6 +106,11 @@ void draw_splitter(Ui& ui, const char* name, float x, const Area& middle, float&
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     }
     name_widget(ui, name);
+    if (const int right = take_arrows(ui, name).right; right != 0) {
+        share = std::clamp((grows_to_the_left ? window - x : x) / window +
+                               0.01f * static_cast<float>(grows_to_the_left ? -right : right),
+                           0.05f, 0.9f);
+    }
     draw_column_border(ui, x, middle.position.y, middle.position.y + middle.size.y);
     ImGui::End();
     ImGui::PopStyleVar();
@@ -171,6 +177,7 @@ void draw_everything(Ui& ui) {
     guarded(ui, [&] { draw_glossary_sheet(ui, window); });
     guarded(ui, [&] { draw_event_sheet(ui, window); });
     guarded(ui, [&] { draw_file_sheet(ui, window); });
+    draw_ring(ui);
     release_pointed(ui);
 }
 
@@ -228,7 +235,7 @@ bool build_pass(Ui& ui, float seconds) {
     } else {
         draw_notice_alone(ui);
     }
-    if (is_at_rest() && !is_moving_by_key()) {
+    if (is_at_rest() && !is_moving_by_key(ui)) {
         guarded(ui, [&] {
             note_choices(ui.session);
             note_place(ui.session);
@@ -286,7 +293,7 @@ void keep_everything(Ui& ui) {
 }
 
 bool is_animating(const Ui& ui) {
-    return ui.session.play.running || is_moving_by_key() || ui.lab.frames_to_result > 0 ||
+    return ui.session.play.running || is_moving_by_key(ui) || ui.lab.frames_to_result > 0 ||
            is_working(ui.results) || is_outside_working(ui) || is_answer_waiting(ui);
 }
 

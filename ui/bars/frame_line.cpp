@@ -115,6 +115,7 @@ void use_frame_line(const TimeLines& s, bool has_window) {
                       "enlarges; the wheel makes it narrower."
                     : "The whole frame from its first vertex to its last fragment; a tick a "
                       "triangle. Drag to go to any moment.");
+    step_by_arrows(s, "walk.scrub");
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 
 #include "session/speed.h"
 #include "ui/ui.h"
+#include "ui/widgets/focus.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -102,6 +103,9 @@ void draw_speed_dial(Ui& ui, ImVec2 at, DialForm form) {
                 "seconds to as fast as can be drawn. Drag it or turn the wheel; a double click is "
                 "the whole frame in 15 s again.");
     note_text(ui, "walk.speed", speed_text(meant));
+    const int more = take_arrows(ui, "walk.speed").more();
+    if (more > 0) play.speed = faster(play.speed, steps);
+    if (more < 0) play.speed = slower(play.speed, steps);
     draw_dial_words(ui, at, size.x, meant, form);
     draw_dial_line(ui, left, length, meant, steps, is_hovered || is_held);
 }

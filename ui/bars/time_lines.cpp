@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "session/walk.h"
 #include "ui/bars/time_window.h"
+#include "ui/widgets/focus.h"
 
 namespace rasterwalk {
 
@@ -26,6 +28,13 @@ double place_in_scale(const Timeline& timeline, const Cursor& cursor) {
     if (cursor == cursor_end) return place_in_triangles(timeline, cursor);
     const TriangleScale scale = triangle_scale(timeline.moments(cursor.triangle));
     return cursor.triangle + scale.share_of(timeline.ordinal(cursor));
+}
+
+void step_by_arrows(const TimeLines& s, std::string_view name) {
+    const int more = take_arrows(s.ui, name).more();
+    const Granularity size = s.ui.session.play.granularity;
+    if (more > 0) step_forward(s.ui.session, s.timeline, size);
+    if (more < 0) step_back(s.ui.session, s.timeline, size);
 }
 
 void zoom_by_wheel(const TimeLines& s, double about) {

@@ -55,6 +55,9 @@ double place_in_triangles(const Timeline& timeline, const Cursor& cursor);
 /// The same as the enlarged part spreads the moments of a triangle.
 double place_in_scale(const Timeline& timeline, const Cursor& cursor);
 
+/// The arrows on one of the lines: a step of the chosen size forward or back.
+void step_by_arrows(const TimeLines& s, std::string_view name);
+
 /// The wheel over one of the lines: makes the window narrower or wider, or moves it.
 /// @param about what stays where it is, in triangles
 void zoom_by_wheel(const TimeLines& s, double about);

@@ -10,6 +10,7 @@
 #include "base/element_names.h"
 #include "session/walk.h"
 #include "ui/bars/time_window.h"
+#include "ui/widgets/focus.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -65,6 +66,8 @@ void draw_bracket(const TimeLines& s) {
     name_widget(s.ui, "walk.bracket",
                 "What the line below enlarges. Drag it along the frame; the wheel makes it "
                 "narrower or wider.");
+    const Arrows arrows = take_arrows(s.ui, "walk.bracket");
+    if (arrows.right != 0) pan_window(s.window(), 0.1 * arrows.right * window.width);
     const float y = top + 3.5f * u;
     list->AddRectFilled({middle - 0.5f * grip, y - 1.5f * u}, {middle + 0.5f * grip, y + 1.5f * u},
                         packed(is_lit ? p.text : p.dim), 1.5f * u);
@@ -244,6 +247,7 @@ void use_window_line(const TimeLines& s) {
         "The part in the bracket, enlarged: what a triangle is made of, each piece about as "
         "long as it has moments. Drag to go to any of them; the wheel enlarges, and a double "
         "click shows the whole triangle again.");
+    step_by_arrows(s, "walk.window");
 }
 
 } // namespace

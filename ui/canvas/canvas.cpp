@@ -10,6 +10,7 @@
 #include "settings/setting_table.h"
 #include "ui/actions/actions.h"
 #include "ui/actions/compare.h"
+#include "ui/actions/keys.h"
 #include "ui/actions/outside.h"
 #include "ui/actions/zoom.h"
 #include "ui/canvas/canvas_marks.h"
@@ -24,6 +25,7 @@
 #include "ui/canvas/overlays.h"
 #include "ui/canvas/row_table_beside.h"
 #include "ui/ui.h"
+#include "ui/widgets/focus.h"
 #include "ui/widgets/picture_texture.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -160,6 +162,37 @@ void handle_pointer(Ui& ui, ImVec2 low, ImVec2 room) {
         ui.canvas.place = place_picture(ui, low, room).picture;
     }
     if (ImGui::IsMouseDragging(1)) turn_camera(ui, io.MouseDelta);
+}
+
+/// While the picture has the keyboard, the arrows pick the next pixel, and plus and minus zoom.
+void handle_keys_on_picture(Ui& ui, ImVec2 low, ImVec2 room) {
+    const Arrows arrows = take_arrows(ui, "canvas");
+    if (!ui.focus.is_shown || ui.focus.name != "canvas") return;
+    const Viewport& size = ui.results.a.frame.settings.viewport;
+    const bool is_arrow = arrows.right != 0 || arrows.up != 0;
+    const int zoom_steps =
+        (ImGui::IsKeyPressed(key::equal) ? 1 : 0) - (ImGui::IsKeyPressed(key::minus) ? 1 : 0);
+    if (!is_arrow && (zoom_steps == 0 || ImGui::GetIO().KeyCtrl)) return;
+    const std::optional<glm::ivec2> picked = ui.session.selection.pixel;
+    glm::ivec2 pixel = picked.value_or(glm::ivec2(size.width / 2, size.height / 2));
+    if (is_arrow) {
+        if (picked) pixel += glm::ivec2(arrows.right, -arrows.up);
+        pixel = {std::clamp(pixel.x, 0, size.width - 1), std::clamp(pixel.y, 0, size.height - 1)};
+        pick_on_picture(ui, pixel, false);
+    }
+    const auto middle = [&] {
+        const PicturePlace& place = ui.canvas.place;
+        return ImVec2{place.origin.x + place.scale * (static_cast<float>(pixel.x) + 0.5f),
+                      place.origin.y + place.scale * (static_cast<float>(pixel.y) + 0.5f)};
+    };
+    if (zoom_steps != 0) {
+        const float zoom = next_zoom(ui.canvas.place.scale, static_cast<float>(zoom_steps));
+        zoom_about(ui, middle(), zoom, low, room);
+    }
+    const ImVec2 at = middle();
+    const bool is_seen =
+        at.x >= low.x && at.y >= low.y && at.x < low.x + room.x && at.y < low.y + room.y;
+    if (!is_seen && ui.session.canvas.zoom > 0.0f) ui.session.canvas.centre = glm::vec2(pixel);
 }
 
 /// The width of what says what the canvas shows.
@@ -388,6 +421,7 @@ void draw_picture(Ui& ui, const Pane& pane) {
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
     name_widget(ui, "canvas");
     handle_pointer(ui, low, room);
+    handle_keys_on_picture(ui, low, room);
     const RowTableLayout table = place_pictures(ui, low, room, panes);
     ui.canvas.row_table = place_row_table(ui, table, canvas);
     const Pane seen = beside_table(ui, canvas);

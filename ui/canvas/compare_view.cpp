@@ -9,6 +9,7 @@
 #include "ui/canvas/canvas_marks.h"
 #include "ui/canvas/overlays.h"
 #include "ui/ui.h"
+#include "ui/widgets/focus.h"
 #include "ui/widgets/picture_texture.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -308,6 +309,8 @@ void draw_wipe_handle(Ui& ui, const Pane& canvas) {
     const bool is_held = ImGui::IsItemActive();
     if (is_held || ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     name_widget(ui, "compare.divider", "A at the left, B at the right. Drag it.");
+    const auto right = static_cast<float>(take_arrows(ui, "compare.divider").right);
+    ui.session.wipe = std::clamp(ui.session.wipe + 0.02f * right, 0.0f, 1.0f);
     if (!is_held) return;
     const Span span = visible_span(ui, canvas);
     const float at = (ImGui::GetIO().MousePos.x - span.low) / (span.high - span.low);

@@ -9,6 +9,7 @@
 #include "picture/view_image.h"
 #include "session/depth_view.h"
 #include "ui/ui.h"
+#include "ui/widgets/focus.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -122,8 +123,10 @@ std::optional<float> draw_handle(Ui& ui, const Plot& plot, bool is_near) {
         list->AddLine({middle + dx * u, plot.low.y + 4.0f * u},
                       {middle + dx * u, plot.low.y + 10.0f * u}, packed(p.card), u);
     }
-    if (!is_dragged) return std::nullopt;
-    return plot.value(mouse - ui.canvas.depth_grip);
+    if (is_dragged) return plot.value(mouse - ui.canvas.depth_grip);
+    const int more = take_arrows(ui, name).more();
+    if (more == 0) return std::nullopt;
+    return plot.value(x + static_cast<float>(more) * u);
 }
 
 /// Where the pixel pointed at stands among all others.

@@ -12,6 +12,7 @@
 #include "ui/canvas/canvas.h"
 #include "ui/canvas/outside_marks_view.h"
 #include "ui/ui.h"
+#include "ui/widgets/focus.h"
 #include "ui/widgets/picture_texture.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -177,6 +178,11 @@ void draw_outside(Ui& ui, const Pane& pane) {
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
     ImGui::SetItemAllowOverlap(); // the caption's button lies on it
     name_widget(ui, "canvas.outside");
+    const Arrows arrows = take_arrows(ui, "canvas.outside");
+    if (arrows.right != 0 || arrows.up != 0) {
+        turn_outside(ui, 0.1f * static_cast<float>(arrows.right),
+                     0.1f * static_cast<float>(arrows.up));
+    }
     const RunResults& a = ui.results.a;
     const OutsideSubject subject{
         a.scene,   a.frame,          a.frame_number, a.cursor,         a.triangle,

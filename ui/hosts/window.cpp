@@ -341,6 +341,7 @@ struct OpenWindow {
             std::clamp(window.content_scale, smallest_text_scale, largest_text_scale);
         open_ui(ui, window.textures);
         ImGui_ImplGlfw_InitForOpenGL(window.handle, false);
+        ImGui::GetIO().KeyMap[ImGuiKey_Tab] = -1; // see ui/actions/focus_keys.h
         open_gl2();
         install_callbacks(window.handle);
         take_up(ui, is_plain);

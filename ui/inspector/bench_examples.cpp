@@ -5,6 +5,7 @@
 #include "session/bench.h"
 #include "ui/inspector/panels.h"
 #include "ui/ui.h"
+#include "ui/widgets/focus.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -16,12 +17,17 @@ namespace {
 bool edit_coordinate(Ui& ui, const char* axis, int vertex, float width, int& value) {
     const std::string label = axis + std::to_string(vertex);
     ImGui::SetNextItemWidth(width);
-    const bool is_changed = ImGui::DragInt(("##" + label).c_str(), &value, 0.1f, -1000, 1000,
-                                           (label + " %d").c_str(), ImGuiSliderFlags_AlwaysClamp);
+    bool is_changed = ImGui::DragInt(("##" + label).c_str(), &value, 0.1f, -1000, 1000,
+                                     (label + " %d").c_str(), ImGuiSliderFlags_AlwaysClamp);
     const char* const what = *axis == 'x' ? "Column x of " : "Row y of ";
-    name_widget(ui, "bench.vertex." + std::to_string(vertex) + "." + axis,
+    const std::string name = "bench.vertex." + std::to_string(vertex) + "." + axis;
+    name_widget(ui, name,
                 what + vertex_name(vertex) +
                     ". Drag, double click to type, or drag the vertex itself in the picture.");
+    if (const int more = take_arrows(ui, name).more(); more != 0) {
+        value = std::clamp(value + more, -1000, 1000);
+        is_changed = true;
+    }
     return is_changed;
 }
 

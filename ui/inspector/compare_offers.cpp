@@ -27,8 +27,8 @@ Settings offered(const ComparePair& pair, const Settings& a) {
     return offered_settings(pair, at_step_of(pair, a));
 }
 
-bool is_something_held() {
-    return ImGui::IsAnyItemActive() || ImGui::IsAnyMouseDown() || is_moving_by_key();
+bool is_something_held(const Ui& ui) {
+    return ImGui::IsAnyItemActive() || ImGui::IsAnyMouseDown() || is_moving_by_key(ui);
 }
 
 /// Brings the pictures up to date, unless something is being moved: then the next frame at rest
@@ -39,7 +39,7 @@ void renew(Ui& ui, int side) {
     const Settings& a = ui.session.a.settings;
     side = std::clamp(side, 1, largest_side);
     const bool is_same = offers.scene == scene && offers.side == side && offers.settings == a;
-    if (is_same || (offers.settings && is_something_held())) return;
+    if (is_same || (offers.settings && is_something_held(ui))) return;
     offers.scene = scene;
     offers.settings = a;
     offers.side = side;

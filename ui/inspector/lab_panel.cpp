@@ -146,11 +146,12 @@ void draw_modes(Ui& ui) {
         const char* title;
         const char* help;
     } modes[] = {
-        {LabMode::bugs, "lab.mode.bugs", "Mistakes",
+        {LabMode::bugs, "lab.mode.bugs", "Make one",
          "The mistakes that rasterizers make, each to be turned on."},
-        {LabMode::quiz, "lab.mode.quiz", "Which is it?",
+        {LabMode::quiz, "lab.mode.quiz", "Guess one",
          "The program makes a mistake and hides the settings: you find out which."},
-        {LabMode::result, "lab.mode.result", "Your result",
+        {LabMode::result, "lab.mode.result",
+         ui.inspector.is_narrow ? "Check mine" : "Check my picture",
          "A picture or a printed row table of your own program, and what may be wrong with it."}};
     ImGui::PushFont(ui.fonts.small);
     for (const auto& mode : modes) {

@@ -8,6 +8,7 @@
 
 #include "ui/actions/compare.h"
 #include "ui/actions/lab.h"
+#include "ui/actions/view_files.h"
 #include "ui/inspector/lab_parts.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
@@ -19,20 +20,27 @@ namespace {
 
 void draw_file(Ui& ui) {
     LabLook& lab = ui.lab;
-    wrapped_text("A picture that your program saved (PNG or BMP), or the rows that it printed, as "
-                 "text: drop the file on the window, or name it.");
+    ImGui::PushFont(ui.fonts.bold);
+    wrapped_text("My picture is wrong: why?");
+    ImGui::PopFont();
+    wrapped_text("Choose a picture that your program saved (PNG or BMP), or the rows that it "
+                 "printed, as text. You can also drop the file on the window, or type its path.");
     ImGui::Spacing();
-    const float width = button_width("diagnose") + ImGui::GetStyle().ItemSpacing.x;
+    if (button(ui, "lab.choose", "Choose a file …", Look::main,
+               "Shows the folders and the files that can be checked. What is chosen is held "
+               "against the lab's rules with the camera, light and stage that are set, and every "
+               "mistake is carried out to see which comes nearest.")) {
+        begin_choosing_result(ui);
+    }
+    const float width = button_width("check") + ImGui::GetStyle().ItemSpacing.x;
     ImGui::SetNextItemWidth(std::max(ImGui::GetContentRegionAvail().x - width, 60.0f));
-    const bool entered = ImGui::InputTextWithHint("##path", "path of the file", &lab.result_path,
+    const bool entered = ImGui::InputTextWithHint("##path", "or its path", &lab.result_path,
                                                   ImGuiInputTextFlags_EnterReturnsTrue);
     name_widget(ui, "lab.path", "The picture, or a text with lines as Start: (10,5). End: (10,5).");
     ImGui::SameLine();
     ImGui::BeginDisabled(lab.result_path.empty());
-    const bool pressed =
-        button(ui, "lab.diagnose", "diagnose", Look::main,
-               "Holds it against the lab's rules with the camera, light and stage that are set, "
-               "and carries out every mistake to see which comes nearest.");
+    const bool pressed = button(ui, "lab.diagnose", "check", Look::plain,
+                                "Checks the file with this path. Key: Enter");
     ImGui::EndDisabled();
     if ((entered || pressed) && !lab.result_path.empty()) diagnose_file(ui, lab.result_path);
 }

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <initializer_list>
 #include <string>
 
 #include <imgui.h>
@@ -7,6 +9,7 @@
 #include "settings/value_words.h"
 #include "ui/inspector/panels.h"
 #include "ui/ui.h"
+#include "ui/widgets/focus.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -50,35 +53,75 @@ void edit_choice(Ui& ui, Settings& settings, const Setting& setting, const std::
     ImGui::EndCombo();
 }
 
-/// Numbers are dragged, or typed after a double click; they never leave their range.
+/// A number is dragged, moved by the arrows, or typed after a double click or Enter; it never
+/// leaves its range. Returns true if it was changed.
+template <typename Bounds>
+bool edit_float(Ui& ui, const std::string& name, const std::string& help, const Bounds& bounds,
+                float& value) {
+    bool is_changed = ImGui::DragFloat("##value", &value, bounds.drag_step, bounds.smallest,
+                                       bounds.largest, "%.3f", ImGuiSliderFlags_AlwaysClamp);
+    name_widget(ui, name, help);
+    if (const int more = take_arrows(ui, name).more(); more != 0) {
+        value = std::clamp(value + static_cast<float>(more) * bounds.drag_step, bounds.smallest,
+                           bounds.largest);
+        is_changed = true;
+    }
+    return is_changed;
+}
+
+/// Draws a field for each part of a value, side by side under one name: "setting.light.y" is a
+/// part of "setting.light".
+template <typename Draw>
+void draw_parts(Ui& ui, const std::string& name, std::initializer_list<const char*> parts,
+                const Draw& draw) {
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const auto count = static_cast<float>(parts.size());
+    const float width = std::floor((ImGui::CalcItemWidth() - (count - 1.0f) * gap) / count);
+    ImGui::BeginGroup();
+    int index = 0;
+    for (const char* const part : parts) {
+        if (index > 0) ImGui::SameLine(0.0f, gap);
+        ImGui::PushID(index);
+        ImGui::SetNextItemWidth(std::max(width, 1.0f));
+        draw(name + "." + part, index++);
+        ImGui::PopID();
+    }
+    ImGui::EndGroup();
+    name_widget(ui, name);
+    WidgetPlace& whole = ui.widgets.at(name);
+    whole.id = 0; // its parts have the keyboard, and the help
+    whole.has_tooltip = true;
+}
+
 void edit_number(Ui& ui, Settings& settings, const std::string& name, const std::string& help,
                  const NumberSetting& number) {
     float value = number.value(settings);
-    if (ImGui::DragFloat("##value", &value, number.drag_step, number.smallest, number.largest,
-                         "%.3f", ImGuiSliderFlags_AlwaysClamp)) {
-        number.value(settings) = value;
-    }
-    name_widget(ui, name, help);
+    if (edit_float(ui, name, help, number, value)) number.value(settings) = value;
 }
 
 void edit_vector(Ui& ui, Settings& settings, const std::string& name, const std::string& help,
                  const VectorSetting& vector) {
     glm::vec3 value = vector.value(settings);
-    if (ImGui::DragFloat3("##value", &value.x, vector.drag_step, vector.smallest, vector.largest,
-                          "%.3f", ImGuiSliderFlags_AlwaysClamp)) {
-        vector.value(settings) = value;
-    }
-    name_widget(ui, name, help);
+    bool is_changed = false;
+    draw_parts(ui, name, {"x", "y", "z"}, [&](const std::string& part, int i) {
+        is_changed = edit_float(ui, part, help, vector, value[i]) || is_changed;
+    });
+    if (is_changed) vector.value(settings) = value;
 }
 
 void edit_size(Ui& ui, Settings& settings, const std::string& name, const std::string& help,
                const SizeSetting& size) {
     Viewport& viewport = size.value(settings);
-    int sides[2] = {viewport.width, viewport.height};
-    if (ImGui::InputInt2("##value", sides, ImGuiInputTextFlags_EnterReturnsTrue)) {
-        viewport = {std::clamp(sides[0], 1, size.largest), std::clamp(sides[1], 1, size.largest)};
-    }
-    name_widget(ui, name, help);
+    glm::ivec2 sides(viewport.width, viewport.height);
+    bool is_changed = false;
+    draw_parts(ui, name, {"width", "height"}, [&](const std::string& part, int i) {
+        is_changed =
+            ImGui::InputInt("##value", &sides[i], 0, 0, ImGuiInputTextFlags_EnterReturnsTrue) ||
+            is_changed;
+        name_widget(ui, part, help);
+    });
+    if (!is_changed) return;
+    viewport = {std::clamp(sides.x, 1, size.largest), std::clamp(sides.y, 1, size.largest)};
 }
 
 } // namespace

@@ -11,7 +11,6 @@
 #include "ui/actions/open_tab.h"
 #include "ui/inspector/panels.h"
 #include "ui/ui.h"
-#include "ui/widgets/flow.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -33,12 +32,17 @@ bool is_wanted(const Setting& setting, const std::string& search) {
            contains_word(setting.group, search);
 }
 
-/// Design pixels that the field of a setting needs.
-float field_width(const Setting& setting) {
-    if (std::holds_alternative<VectorSetting>(setting.kind)) return 200.0f;
-    if (std::holds_alternative<SizeSetting>(setting.kind)) return 130.0f;
-    if (std::holds_alternative<NumberSetting>(setting.kind)) return 75.0f;
-    return 110.0f;
+/// Screen pixels that the field of a setting needs, whatever is chosen in it.
+float field_width(const Ui& ui, const Setting& setting) {
+    const float u = ui.options.text_scale;
+    if (std::holds_alternative<VectorSetting>(setting.kind)) return 200.0f * u;
+    if (std::holds_alternative<SizeSetting>(setting.kind)) return 130.0f * u;
+    const auto* const choice = std::get_if<ChoiceSetting>(&setting.kind);
+    if (choice == nullptr) return 75.0f * u;
+    float widest = 0.0f;
+    for (const std::string_view word : choice->words)
+        widest = std::max(widest, button_width(said_word(setting, word)));
+    return widest + ImGui::GetFrameHeight(); // with the arrow of the list
 }
 
 /// What a line of the sheet is divided into, screen pixels.
@@ -71,13 +75,15 @@ void draw_setting(Ui& ui, const Setting& setting, const Settings& usual,
     const std::string usual_text = value_text(setting, usual);
     const bool differs = value_text(setting, ui.session.a.settings) != usual_text;
     const float begin = ImGui::GetCursorPosX();
-    const bool fits = columns.reset - columns.name >= field_width(setting) * u;
     const float indent = setting.part_of.empty() ? 0.0f : 14.0f * u;
+    const std::string title(setting.title);
+    const bool fits = columns.reset - columns.name >= field_width(ui, setting) &&
+                      columns.name - indent - 8.0f * u >= ImGui::CalcTextSize(title.c_str()).x;
     const float room = (fits ? columns.name : columns.reset) - indent - 8.0f * u;
     ImGui::PushID(name.c_str());
     ImGui::AlignTextToFramePadding();
     ImGui::SetCursorPosX(begin + indent);
-    text_in(differs ? p.changed : p.text, shortened(std::string(setting.title), room));
+    text_in(differs ? p.changed : p.text, shortened(title, room));
     name_widget(ui, "setting_name." + name, tooltip_of_setting(setting));
     if (fits) ImGui::SameLine();
     ImGui::SetCursorPosX(begin + (fits ? columns.name : indent));
@@ -129,27 +135,43 @@ void draw_heading(Ui& ui, std::string_view text) {
     ImGui::PopFont();
 }
 
+/// The beginning of what a preset says of itself: all that has room beside its button.
+std::string_view brief(std::string_view about) {
+    return about.substr(0, about.find_first_of(":."));
+}
+
+/// Each beside what it does.
 void draw_presets(Ui& ui) {
-    std::vector<float> widths;
-    for (const Preset& preset : ui.session.presets)
-        widths.push_back(button_width(preset.name));
     const float gap = ImGui::GetStyle().ItemSpacing.x;
-    const std::vector<FlowPlace> places = flow(widths, gap, ImGui::GetContentRegionAvail().x);
-    const ImVec2 start = ImGui::GetCursorScreenPos();
-    const float line = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.y;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        const Preset& preset = ui.session.presets[i];
-        ImGui::SetCursorScreenPos(
-            {start.x + places[i].x, start.y + static_cast<float>(places[i].line) * line});
-        if (button(ui, "settings.preset." + preset.name, preset.name, Look::plain, preset.about)) {
+    float widest = 0.0f;
+    for (const Preset& preset : ui.session.presets)
+        widest = std::max(widest, button_width(preset.name));
+    if (!ui.session.presets.empty()) draw_heading(ui, "Sets of settings");
+    for (const Preset& preset : ui.session.presets) {
+        const ImVec2 start = ImGui::GetCursorScreenPos();
+        if (button(ui, "settings.preset." + preset.name, preset.name, Look::plain, preset.about,
+                   {widest, 0.0f})) {
             apply_preset(preset, ui.session.a.settings);
         }
+        const float bottom = ImGui::GetItemRectMax().y;
+        ImGui::PushFont(ui.fonts.small);
+        ImGui::SetCursorScreenPos({start.x + widest + gap, start.y});
+        const std::string words =
+            broken_into_lines(brief(preset.about), ImGui::GetContentRegionAvail().x);
+        const float height = ImGui::CalcTextSize(words.c_str()).y;
+        const float button_height = bottom - start.y;
+        ImGui::SetCursorScreenPos(
+            {start.x + widest + gap, start.y + std::max(0.5f * (button_height - height), 0.0f)});
+        text_in(palette(ui.options.theme).dim, words);
+        ImGui::PopFont();
+        ImGui::SetCursorScreenPos(
+            {start.x, start.y + std::max(button_height, height) + ImGui::GetStyle().ItemSpacing.y});
     }
 }
 
 void draw_all_settings(Ui& ui) {
     const Palette& p = palette(ui.options.theme);
-    draw_presets(ui);
+    if (ui.inspector.setting_search.empty()) draw_presets(ui);
     const Settings usual = default_settings(*ui.session.scene);
     note_changed(ui, usual);
     const SheetColumns columns = sheet_columns(ui);
@@ -170,7 +192,7 @@ void draw_all_settings(Ui& ui) {
     if (!any) text_in(p.dim, "No setting has that word.");
 }
 
-/// Title, search, and a cross.
+/// Title, search, and the way out.
 void draw_sheet_head(Ui& ui) {
     const float u = ui.options.text_scale;
     ImGui::AlignTextToFramePadding();
@@ -178,7 +200,7 @@ void draw_sheet_head(Ui& ui) {
     ImGui::TextUnformatted("Settings");
     ImGui::PopFont();
     ImGui::SameLine();
-    const float side = ImGui::GetFrameHeight();
+    const float side = button_width("Close");
     const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 8.0f * u);
     if (!hides_settings(ui.session)) {
@@ -189,7 +211,7 @@ void draw_sheet_head(Ui& ui) {
         ImGui::SameLine();
     }
     ImGui::SetCursorPosX(right - side);
-    if (button(ui, "settings.close", "✗", Look::quiet, "Back to the tab below.\nKey: Escape",
+    if (button(ui, "settings.close", "Close", Look::plain, "Back to the tab below.\nKey: Escape",
                {side, 0})) {
         close_settings_sheet(ui);
     }

@@ -10,6 +10,7 @@
 #include "ui/actions/view_files.h"
 #include "ui/sheets/sheets.h"
 #include "ui/ui.h"
+#include "ui/widgets/focus.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -18,6 +19,41 @@ namespace rasterwalk {
 namespace {
 
 constexpr const char* popup = "###file sheet";
+
+/// What the sheet says, by what it is for.
+struct SheetWords {
+    const char *title, *about, *nothing, *action, *action_help;
+};
+
+SheetWords words_of(FileSheet::Kind kind) {
+    switch (kind) {
+    case FileSheet::Kind::save:
+        return {"Save the view",
+                "Everything that is on show, as a text that can be opened again or given to "
+                "someone else.",
+                "No views are saved here.", "Save", "Writes the file. Key: Enter"};
+    case FileSheet::Kind::result:
+        return {"Check my picture",
+                "A picture that your program saved (.png, .bmp), or the rows that it printed "
+                "(.txt).",
+                "No pictures and no texts here.", "Check",
+                "Looks for what may be wrong with it. Key: Enter"};
+    default:
+        return {"Open",
+                "A saved view (.walk.toml), a scene (.toml) or a lesson (.md). Your own picture or "
+                "printed rows are diagnosed.",
+                "No views, scenes or lessons here.", "Open", "Opens the file. Key: Enter"};
+    }
+}
+
+/// A name as it can be shown on one line.
+std::string shown_name(const std::string& name) {
+    std::string shown = name;
+    for (char& c : shown) {
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
+    }
+    return shown;
+}
 
 bool is_saving(const FileSheet& sheet) {
     return sheet.kind == FileSheet::Kind::save;
@@ -37,15 +73,12 @@ std::string shortened_front(const std::string& path, float width) {
 }
 
 void draw_head(Ui& ui) {
-    const bool saving = is_saving(ui.sheets.files);
+    const SheetWords words = words_of(ui.sheets.files.kind);
     ImGui::PushFont(ui.fonts.title);
-    ImGui::TextUnformatted(saving ? "Save the view" : "Open");
+    ImGui::TextUnformatted(words.title);
     ImGui::PopFont();
     ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-    wrapped_text(saving ? "Everything that is on show, as a text that can be opened again or given "
-                          "to someone else."
-                        : "A saved view (.walk.toml), a scene (.toml) or a lesson (.md). Your own "
-                          "picture or printed rows are diagnosed.");
+    wrapped_text(words.about);
     ImGui::PopStyleColor();
     ImGui::Spacing();
 }
@@ -141,27 +174,39 @@ void draw_list(Ui& ui, float height) {
     // Going to another folder replaces the list: what is clicked is noted, and done after it.
     const FileEntry* clicked = nullptr;
     bool is_double = false;
+    int number = 0;
     for (const FileEntry& entry : sheet.entries) {
-        ImGui::PushStyleColor(ImGuiCol_Text, entry.is_folder ? p.link : p.text);
-        const std::string label = entry.name + (entry.is_folder ? "/" : "");
-        if (ImGui::Selectable(label.c_str(), sheet.path == entry.name,
-                              ImGuiSelectableFlags_AllowDoubleClick |
-                                  ImGuiSelectableFlags_DontClosePopups)) {
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        // Not the name itself: ImGui hides what follows ## in it.
+        ImGui::PushID(number++);
+        const bool pressed = ImGui::Selectable("##entry", sheet.path == entry.name,
+                                               ImGuiSelectableFlags_AllowDoubleClick |
+                                                   ImGuiSelectableFlags_DontClosePopups);
+        ImGui::PopID();
+        const std::string label = shown_name(entry.name) + (entry.is_folder ? "/" : "");
+        const float room = ImGui::GetItemRectMax().x - at.x;
+        ImGui::GetWindowDrawList()->AddText(at, packed(entry.is_folder ? p.link : p.text),
+                                            shortened(label, room).c_str());
+        if (pressed) {
             clicked = &entry;
-            is_double = ImGui::IsMouseDoubleClicked(0);
+            // A key has no double click: the first press chooses, the next opens.
+            is_double =
+                is_pressed_by_key() ? sheet.path == entry.name : ImGui::IsMouseDoubleClicked(0);
         }
-        ImGui::PopStyleColor();
         name_widget(ui, "files.entry." + entry.name,
                     entry.is_folder    ? "Shows this folder."
                     : is_saving(sheet) ? "Saves under this name, in place of what stands there."
                                        : "Chooses this file; a double click opens it.");
     }
     if (sheet.entries.empty()) {
-        text_in(p.dim, is_saving(sheet) ? "No views are saved here."
-                                        : "No views, scenes or lessons here.");
+        text_in(p.dim, words_of(sheet.kind).nothing);
     }
     if (sheet.left_out > 0) {
         text_in(p.dim, "and " + std::to_string(sheet.left_out) + " more: type the name");
+    }
+    if (sheet.is_cut) {
+        wrapped_text("The folder holds so many files that only some were looked at: type the "
+                     "name.");
     }
     if (clicked != nullptr && clicked->is_folder) {
         const std::string folder = sheet.folder + "/" + clicked->name;
@@ -197,7 +242,8 @@ float message_height(const std::string& message) {
 bool draw_buttons(Ui& ui) {
     FileSheet& sheet = ui.sheets.files;
     const bool replaces = !sheet.asked.empty();
-    const char* const action = replaces ? "Replace" : is_saving(sheet) ? "Save" : "Open";
+    const SheetWords words = words_of(sheet.kind);
+    const char* const action = replaces ? "Replace" : words.action;
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const float width = button_width("Cancel") + button_width(action) + gap;
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() +
@@ -209,9 +255,7 @@ bool draw_buttons(Ui& ui) {
     ImGui::SameLine();
     ImGui::BeginDisabled(sheet.path.empty());
     const bool pressed = button(ui, "files.do", action, Look::main,
-                                replaces           ? "Overwrites the file. Key: Enter"
-                                : is_saving(sheet) ? "Writes the file. Key: Enter"
-                                                   : "Opens the file. Key: Enter");
+                                replaces ? "Overwrites the file. Key: Enter" : words.action_help);
     ImGui::EndDisabled();
     return pressed;
 }

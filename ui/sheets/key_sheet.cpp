@@ -21,6 +21,12 @@ struct HeldKeyLine {
 };
 
 const HeldKeyLine held_lines[] = {
+    {"Tab", "Go to the next widget and frame it; with Shift, the one before"},
+    {"F6", "Go to the next part of the window; with Shift, the one before"},
+    {"Enter Space", "Press what has the frame; Esc takes the frame away"},
+    {"Arrows", "Move what has the frame, or the frame; on the picture, the pixel"},
+    {"Ctrl+↑ ↓", "Scroll what has the frame, or the sheet that was opened"},
+    {"+ −", "On the picture that has the frame: zoom"},
     {"↑ ↓", "Move the camera forward and back"},
     {"← →", "Turn the camera"},
     {"W A S D", "Move the light"},

@@ -19,12 +19,14 @@ struct FileEntry {
 
 /// The sheet on which a file is opened or a view is saved.
 struct FileSheet {
-    enum class Kind : std::uint8_t { closed, open, save };
+    /// `result`: a picture or a text of the student's own program, to be checked.
+    enum class Kind : std::uint8_t { closed, open, save, result };
     Kind kind = Kind::closed;
     std::string path;   ///< as it stands in the field
     std::string folder; ///< that is listed; kept for the next time
     std::vector<FileEntry> entries;
     std::size_t left_out = 0;  ///< files that are not listed because there are too many
+    bool is_cut = false;       ///< there are so many that not all were looked at
     std::string fault;         ///< why it was not opened or saved
     std::string asked;         ///< file that is there already: may it be replaced? empty: not asked
     bool wants_focus = false;  ///< the field takes the keyboard in the next frame

@@ -12,6 +12,7 @@
 #include "ui/actions/compare.h"
 #include "ui/actions/keys.h"
 #include "ui/actions/open_lesson.h"
+#include "ui/actions/view_files.h"
 #include "ui/start/stage_pictures.h"
 #include "ui/start/ways.h"
 #include "ui/ui.h"
@@ -52,7 +53,7 @@ constexpr std::array<Card, way_count> cards{{
      {"A picture that your program saved, or the rows that it printed.",
       "Known mistakes are carried out, to see which one explains yours.",
       "You can also drop the file on this window at any time."},
-     "Opens the place where a result of your own is diagnosed."},
+     "Shows the files that can be checked."},
 }};
 static_assert(is_indexed_by(cards, &Card::way));
 
@@ -71,7 +72,7 @@ bool is_room(const Ui& ui) {
 /// What stands on a button of this width.
 std::string button_label(Ui& ui, Way way, float width) {
     if (way == Way::stages) return "Open " + std::string(is_room(ui) ? "the room" : "the scene");
-    if (way == Way::picture) return "Name a file …";
+    if (way == Way::picture) return "Choose a file …";
     const Lesson* const lesson = next_lesson(ui);
     if (lesson == nullptr) return "There are no lessons";
     const std::string title =
@@ -192,11 +193,11 @@ void draw_way_button(Ui& ui, const Card& card, ImVec2 size) {
     const bool is_chosen = ui.start.chosen == card.way;
     const std::string label = shortened(button_label(ui, card.way, size.x),
                                         size.x - 2.0f * ImGui::GetStyle().FramePadding.x);
-    const std::string name = std::string("start.").append(word_of(card.way));
-    if (button(ui, name, label, is_chosen ? Look::main : Look::plain,
+    if (button(ui, way_button(card.way), label, is_chosen ? Look::main : Look::plain,
                is_chosen ? std::string(card.help) + "\nKey: Enter" : std::string(card.help),
                size)) {
         take_way(ui, card.way);
+        if (card.way == Way::picture) begin_choosing_result(ui);
     }
 }
 
@@ -238,10 +239,15 @@ void draw_tall_card(Ui& ui, const Card& card, ImVec2 low, ImVec2 size) {
     draw_way_button(ui, card, {inner, control});
 }
 
+/// Where a line of a small window has room for more than its title, design pixels.
+constexpr float largest_low_card = 96.0f;
+constexpr float roomy_low_card = 80.0f;
+
 /// A card as a line of a small window: what it is, and its button at the right.
 void draw_low_card(Ui& ui, const Card& card, ImVec2 low, ImVec2 size) {
     const float u = ui.options.text_scale;
-    const float padding = 10.0f * u;
+    const bool is_roomy = size.y >= roomy_low_card * u;
+    const float padding = (is_roomy ? 14.0f : 10.0f) * u;
     draw_card_ground(ui, low, {low.x + size.x, low.y + size.y}, ui.start.chosen == card.way);
     const float wide = std::min(0.45f * size.x, 340.0f * u);
     ImGui::SetCursorScreenPos({low.x + padding, low.y + padding});
@@ -253,11 +259,12 @@ void draw_low_card(Ui& ui, const Card& card, ImVec2 low, ImVec2 size) {
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + size.x - wide - 3.0f * padding);
     ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
     wrapped_text(card.about);
+    if (is_roomy) wrapped_text(card.points.front());
     ImGui::PopStyleColor();
     ImGui::PopTextWrapPos();
     ImGui::PopFont();
     ImGui::EndGroup();
-    const float control = 34.0f * u;
+    const float control = (is_roomy ? 42.0f : 34.0f) * u;
     ImGui::SetCursorScreenPos(
         {low.x + size.x - padding - wide, low.y + 0.5f * (size.y - control + 3.0f * u)});
     draw_way_button(ui, card, {wide, control});
@@ -267,12 +274,14 @@ void draw_cards(Ui& ui, const PageLayout& page, float bottom) {
     const float u = ui.options.text_scale;
     const ImVec2 start = ImGui::GetCursorScreenPos();
     if (page.is_small) {
-        const float height = 56.0f * u, gap = 6.0f * u;
+        const float gap = 6.0f * u;
+        const float height =
+            std::clamp((bottom - start.y) / way_count - gap, 52.0f * u, largest_low_card * u);
         for (std::size_t i = 0; i < cards.size(); ++i) {
             draw_low_card(ui, cards[i], {start.x, start.y + static_cast<float>(i) * (height + gap)},
                           {page.width, height});
         }
-        ImGui::SetCursorScreenPos({start.x, start.y + way_count * (height + gap)});
+        ImGui::SetCursorScreenPos({start.x, start.y + way_count * (height + gap) - gap});
         ImGui::Dummy({page.width, 0.0f});
         return;
     }
@@ -287,10 +296,14 @@ void draw_cards(Ui& ui, const PageLayout& page, float bottom) {
     ImGui::Dummy({page.width, 0.0f});
 }
 
-void draw_last_line(Ui& ui, const PageLayout& page) {
+/// Left out where it has no room and nothing is to be told.
+void draw_last_line(Ui& ui, const PageLayout& page, float bottom) {
+    const float line_end = ImGui::GetCursorScreenPos().y + ui.fonts.small->FontSize;
+    if (line_end > bottom && ui.session.notice.empty()) return;
     const Palette& p = palette(ui.options.theme);
     ImGui::PushFont(ui.fonts.small);
-    const char* const keys = "Tab chooses · Enter begins · later starts go on where you stopped";
+    const char* const keys =
+        "Enter begins · Tab goes to the other ways · later starts go on where you stopped";
     const std::string& notice = ui.session.notice;
     const float wide = ImGui::CalcTextSize(keys).x;
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -305,11 +318,6 @@ void draw_last_line(Ui& ui, const PageLayout& page) {
     ImGui::PopFont();
 }
 
-void choose_next(StartPage& start, int distance) {
-    start.chosen =
-        static_cast<Way>((static_cast<int>(start.chosen) + distance + way_count) % way_count);
-}
-
 void take_keys(Ui& ui) {
     const SheetsState& sheets = ui.sheets;
     const bool lies_below_text =
@@ -321,12 +329,14 @@ void take_keys(Ui& ui) {
         if (ImGui::IsKeyPressed(key::escape, false)) close_topmost(ui);
         return;
     }
-    const bool is_back = ImGui::GetIO().KeyShift;
-    if (ImGui::IsKeyPressed(key::tab)) choose_next(ui.start, is_back ? -1 : 1);
-    if (ImGui::IsKeyPressed(key::right) || ImGui::IsKeyPressed(key::down)) choose_next(ui.start, 1);
-    if (ImGui::IsKeyPressed(key::left) || ImGui::IsKeyPressed(key::up)) choose_next(ui.start, -1);
+    // A button that has the frame is pressed as everywhere.
+    if (ui.focus.is_shown) {
+        if (ImGui::IsKeyPressed(key::escape, false)) ui.start.is_open = false;
+        return;
+    }
     if (ImGui::IsKeyPressed(key::enter, false) || ImGui::IsKeyPressed(key::keypad_enter, false)) {
         take_way(ui, ui.start.chosen);
+        if (ui.start.chosen == Way::picture) begin_choosing_result(ui);
     } else if (ImGui::IsKeyPressed(key::escape, false)) {
         ui.start.is_open = false;
     }
@@ -337,6 +347,9 @@ void take_keys(Ui& ui) {
 void draw_start_page(Ui& ui, ImVec2 low, ImVec2 high) {
     if (!ui.start.is_open) return;
     take_keys(ui);
+    for (const Card& card : cards) {
+        if (ui.focus.name == way_button(card.way)) ui.start.chosen = card.way;
+    }
     const float u = ui.options.text_scale;
     const ImVec2 size{high.x - low.x, high.y - low.y};
     const PageLayout page = lay_out(ui, size);
@@ -355,7 +368,7 @@ void draw_start_page(Ui& ui, ImVec2 low, ImVec2 high) {
     const float last_line = ui.fonts.small->FontSize + 34.0f * u;
     draw_cards(ui, page, high.y - last_line);
     ImGui::Dummy({0.0f, (page.is_small ? 0.0f : 6.0f) * u});
-    draw_last_line(ui, page);
+    draw_last_line(ui, page, high.y - ImGui::GetStyle().WindowPadding.y);
     ImGui::EndGroup();
     ImGui::End();
 }

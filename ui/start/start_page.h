@@ -7,7 +7,7 @@ namespace rasterwalk {
 struct Ui;
 
 /// Draws the page, if it is open, over everything between menu and status line, and takes its keys:
-/// Tab and the arrows choose a way, Enter goes it, Escape leaves the page.
+/// Enter goes the chosen way, Escape leaves the page.
 void draw_start_page(Ui& ui, ImVec2 low, ImVec2 high);
 
 } // namespace rasterwalk

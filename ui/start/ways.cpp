@@ -4,8 +4,13 @@
 #include "ui/actions/open_tab.h"
 #include "ui/start/stage_pictures.h"
 #include "ui/ui.h"
+#include "ui/widgets/focus.h"
 
 namespace rasterwalk {
+
+std::string way_button(Way way) {
+    return std::string("start.").append(word_of(way));
+}
 
 void begin_at_start(Ui& ui) {
     const bool was_in_a_lesson = !ui.lesson.progress.last_lesson.empty();
@@ -42,6 +47,8 @@ void follow_start_page(Ui& ui) {
         ui.session.play.running = false;
         start.behind = now;
         start.lesson = ui.session.lesson;
+        give_focus(ui, way_button(start.chosen));
+        ui.focus.before.clear(); // each way leads on
     }
     const bool is_same = start.behind == ui.session && start.lesson == ui.session.lesson;
     if (!is_same || ui.lab.frames_to_result > 0) start.is_open = false;

@@ -2,6 +2,8 @@
 
 // How the program begins: the three ways of the start page, and which of them is gone.
 
+#include <string>
+
 #include "ui/start/start_state.h"
 
 namespace rasterwalk {
@@ -11,6 +13,9 @@ struct Ui;
 /// How the program begins when the command line names nothing: the first time with the start page;
 /// later where the student stopped, on the way that they took. Options and progress were read.
 void begin_at_start(Ui& ui);
+
+/// The name of the button that leads there.
+std::string way_button(Way way);
 
 /// Goes one of the ways, and remembers it for the next time.
 void take_way(Ui& ui, Way way);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <imgui.h>
 
@@ -12,7 +13,36 @@ struct WidgetPlace {
     bool visible = false;          ///< false: scrolled or clipped away
     bool is_whole = false;         ///< false: a part of it is cut off
     bool has_tooltip = false;
-    std::string text; ///< the number that it shows, where it is one that can be clicked
+    std::string text;          ///< the number that it shows, where it is one that can be clicked
+    ImGuiID id = 0;            ///< by which it is pressed; 0: it cannot have the keyboard
+    ImGuiID part = 0;          ///< the panel, sheet or menu that it stands in
+    int order = 0;             ///< how many were drawn before it
+    bool is_input = false;     ///< pressed, it is typed into
+    bool takes_arrows = false; ///< the arrows move it while it has the keyboard
+};
+
+/// How often the arrow keys were pressed in this frame.
+struct Arrows {
+    int right = 0, up = 0; ///< less than 0: left, down
+    /// For what only has less and more.
+    int more() const { return right + up; }
+};
+
+/// The widget that has the keyboard; ui/actions/focus_keys.h moves it.
+struct Focus {
+    std::string name;          ///< empty: none yet
+    std::string before;        ///< that had it until something was opened
+    bool is_shown = false;     ///< it has a ring; Enter, Space and the arrows are its own
+    bool wants_sight = false;  ///< it is scrolled into view when it is drawn
+    bool is_explained = false; ///< its tooltip is shown
+    Arrows arrows;             ///< meant for it
+    ImVec2 place;              ///< where it was drawn last: its upper left corner
+    ImGuiID part = 0;          ///< and the part of the window
+    ImGuiID window = 0;        ///< within the part; what scrolls with it
+    /// In this frame: the draw list of its window, and what of it can be seen; null: nothing.
+    ImDrawList* list = nullptr;
+    ImVec2 low, high;
+    std::vector<std::string> openers; ///< what had it before each menu or list that is open
 };
 
 /// Fonts in the sizes that the interface uses.

@@ -9,6 +9,7 @@
 
 #include "base/numbers.h"
 #include "ui/ui.h"
+#include "ui/widgets/focus.h"
 
 namespace rasterwalk {
 
@@ -85,13 +86,16 @@ void name_widget(Ui& ui, std::string_view name, std::string_view tooltip) {
     const bool is_whole =
         shown.Min.x <= low.x + 0.5f * spacing.x && shown.Min.y <= low.y + 0.5f * spacing.y &&
         shown.Max.x >= high.x - 0.5f * spacing.x && shown.Max.y >= high.y - 0.5f * spacing.y;
-    ui.widgets[std::string(name)] = {shown.Min, shown.Max, visible, is_whole, !tooltip.empty(), {}};
+    WidgetPlace place{shown.Min, shown.Max, visible, is_whole, !tooltip.empty(), {}};
+    place.order = static_cast<int>(ui.widgets.size());
+    note_stop(place);
+    ui.widgets[std::string(name)] = place;
+    const bool is_explained = show_focus(ui, name, shown, visible) && ui.focus.is_explained;
     outline_if_pointed_at(ui, name, shown, visible);
     // Not over a button that is held: the tooltip would lie over what the drag changes.
-    if (!tooltip.empty() && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) &&
-        !ImGui::IsMouseDown(0)) {
-        draw_tooltip(ui, tooltip);
-    }
+    const bool is_pointed_at =
+        ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) && !ImGui::IsMouseDown(0);
+    if (!tooltip.empty() && (is_pointed_at || is_explained)) draw_tooltip(ui, tooltip);
 }
 
 void draw_tooltip(const Ui& ui, std::string_view text) {

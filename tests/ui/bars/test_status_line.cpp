@@ -39,6 +39,19 @@ TEST_CASE("Of row tables nothing is told before they are a subject") {
     CHECK(tells());
 }
 
+TEST_CASE("Samples outside their row table are shown by a click on the status line") {
+    Driver driver;
+    driver.hand.click("status.show_outside");
+    CHECK(driver.ui.session.tab == "rows");
+    REQUIRE(driver.ui.session.selection.triangle);
+    driver.ui.session.cursor = cursor_end;
+    driver.hand.frames(frames_to_rest);
+    CHECK(driver.hand.find("rows.outside.0").visible);
+    // Nothing is offered where there is none.
+    driver.hand.click("stage.edges");
+    CHECK_FALSE(driver.hand.is_visible("status.show_outside"));
+}
+
 TEST_CASE("What is too much work for one frame of the window goes on in the next ones") {
     Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
     set_scene(session, test::made_scene(120'000));

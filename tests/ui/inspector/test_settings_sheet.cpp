@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <set>
 
 #include <catch2/catch.hpp>
@@ -5,8 +6,10 @@
 #include "settings/setting_table.h"
 #include "settings/value_words.h"
 #include "tests/ui/driver.h"
+#include "tests/ui/screen_text.h"
 #include "ui/actions/keys.h"
 #include "ui/ui.h"
+#include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
 
@@ -191,6 +194,21 @@ TEST_CASE("A preset's button sets what the preset names") {
     CHECK(common_rounding(driver.ui.session.a.settings) == Rounding::floor);
     driver.hand.click("settings.preset.handout");
     CHECK(driver.ui.session.a.settings.line_walk == LineWalk::accumulate);
+}
+
+TEST_CASE("What closes the settings and what sets one back have no sign of failure") {
+    Driver driver;
+    driver.hand.click("tab.settings");
+    driver.hand.click("settings.preset.exact");
+    for (const ScreenText& line : screen_text()) {
+        INFO(line.words);
+        CHECK(line.words.find(failed_sign) == std::string::npos);
+    }
+    // What a preset does stands beside its button.
+    const std::vector<ScreenText> lines = screen_text();
+    CHECK(std::any_of(lines.begin(), lines.end(), [](const ScreenText& line) {
+        return line.words.find("The same lab done carefully") != std::string::npos;
+    }));
 }
 
 } // namespace rasterwalk

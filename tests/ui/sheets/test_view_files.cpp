@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "base/files.h"
+#include "base/image.h"
 #include "laboratory/bug.h"
 #include "laboratory/quiz.h"
 #include "opening/opened_view.h"
@@ -374,6 +376,59 @@ TEST_CASE("The sheet is whole in small windows and large text, with tooltips eve
             driver.hand.press(key::escape);
         }
     }
+}
+
+TEST_CASE("A result of one's own is chosen from a list of pictures and texts") {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder.file("older"));
+    write_png({4, 4, std::vector<std::uint8_t>(64, 255)}, folder.file("mine.png"));
+    write_file(folder.file("rows##1\n.txt"), "Start: (10,5). End: (10,5).\n");
+    write_file(folder.file("room.toml"), "");
+    write_file(folder.file("empty.txt"), "");
+    Driver driver;
+    driver.ui.sheets.files.folder = folder.file(".");
+    driver.open("lab");
+    driver.hand.click("lab.mode.result");
+    driver.hand.click("lab.choose");
+    REQUIRE(driver.ui.sheets.files.kind == FileSheet::Kind::result);
+    for (const char* name : {"older", "mine.png", "rows##1\n.txt", "empty.txt"}) {
+        INFO(name);
+        CHECK(driver.hand.is_visible(std::string("files.entry.") + name));
+    }
+    CHECK_FALSE(driver.hand.is_visible("files.entry.room.toml"));
+
+    // What cannot be checked is said on the sheet; nothing changes behind it.
+    driver.hand.click("files.entry.empty.txt");
+    driver.hand.click("files.do");
+    REQUIRE(is_up(driver));
+    CHECK_FALSE(driver.ui.sheets.files.fault.empty());
+    driver.hand.double_click("files.entry.mine.png");
+    CHECK_FALSE(is_up(driver));
+    driver.hand.frames(frames_to_rest);
+    CHECK(driver.ui.lab.result_path == folder.file("mine.png"));
+    CHECK((driver.ui.lab.diagnosis || !driver.ui.lab.result_fault.empty()));
+
+    // The folder is remembered.
+    driver.hand.click("lab.choose");
+    CHECK(driver.hand.is_visible("files.entry.mine.png"));
+}
+
+TEST_CASE("Of a very large folder the sheet lists a part, and says so") {
+    const TemporaryFolder folder;
+    for (int i = 0; i < 12; ++i)
+        write_file(folder.file(std::to_string(i) + ".txt"), "");
+    FileSheet sheet;
+    sheet.kind = FileSheet::Kind::result;
+    enter_folder(sheet, folder.file("."), 10);
+    CHECK(sheet.is_cut);
+    CHECK(sheet.entries.size() == 10);
+    enter_folder(sheet, folder.file("."), 12);
+    CHECK_FALSE(sheet.is_cut);
+    CHECK(sheet.entries.size() == 12);
+    // A folder that cannot be read leaves the list as it is.
+    enter_folder(sheet, folder.file("there is none"));
+    CHECK_FALSE(sheet.fault.empty());
+    CHECK(sheet.entries.size() == 12);
 }
 
 } // namespace rasterwalk

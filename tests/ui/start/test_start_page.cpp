@@ -7,8 +7,10 @@
 
 #include <catch2/catch.hpp>
 
+#include "base/files.h"
 #include "session/content.h"
 #include "support/effort.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/ui/driver.h"
 #include "ui/actions/actions.h"
 #include "ui/actions/keys.h"
@@ -78,15 +80,27 @@ TEST_CASE("A click on the second card shows the room without a lesson") {
 }
 
 TEST_CASE("From the start page it is three clicks to what is wrong with a picture") {
+    const test::TemporaryFolder folder;
+    write_file(folder.file("mine.txt"), "Start: (10,5). End: (10,5).\n");
     Driver driver;
+    driver.ui.sheets.files.folder = folder.file(".");
     begin(driver);
     driver.hand.click("start.picture");
     CHECK_FALSE(is_open(driver));
     CHECK(driver.ui.options.way == Way::picture);
-    REQUIRE(driver.hand.is_visible("lab.path"));
-    driver.hand.enter("lab.path", lessons_folder() + "/scenes/lab-room.toml");
+    driver.hand.click("files.entry.mine.txt");
+    driver.hand.click("files.do");
     driver.hand.frames(frames_to_rest);
     CHECK((driver.hand.is_visible("lab.diagnosis") || driver.hand.is_visible("lab.result.fault")));
+}
+
+TEST_CASE("Who wants no file yet reads what can be checked") {
+    Driver driver;
+    begin(driver);
+    driver.hand.click("start.picture");
+    driver.hand.press(key::escape);
+    CHECK(driver.hand.is_visible("lab.choose"));
+    CHECK(driver.hand.is_visible("lab.path"));
 }
 
 TEST_CASE("A click on a stage shows the scene at that stage") {
@@ -101,29 +115,53 @@ TEST_CASE("A click on a stage shows the scene at that stage") {
     }
 }
 
-TEST_CASE("Tab and the arrows choose a way, Enter goes it, Escape leaves the page") {
+TEST_CASE("Enter begins the lessons; Tab frames their button first, and then the other ways") {
     Driver driver;
     begin(driver);
+    CHECK_FALSE(driver.ui.focus.is_shown);
     driver.hand.press(key::tab);
-    CHECK(driver.ui.start.chosen == Way::stages);
-    driver.hand.press(key::right);
-    CHECK(driver.ui.start.chosen == Way::picture);
-    driver.hand.press(key::tab);
+    CHECK(driver.ui.focus.is_shown);
     CHECK(driver.ui.start.chosen == Way::lessons);
-    driver.hand.press(key::left);
+    driver.hand.press(key::right);
+    CHECK(driver.ui.start.chosen == Way::stages);
+    driver.hand.press(key::tab);
     CHECK(driver.ui.start.chosen == Way::picture);
     driver.hand.press(key::tab, {.shift = true});
     CHECK(driver.ui.start.chosen == Way::stages);
+    driver.hand.press(key::left);
+    CHECK(driver.ui.start.chosen == Way::lessons);
+    SECTION("Tab and Enter") {
+        driver.hand.press(key::enter);
+        CHECK_FALSE(is_open(driver));
+        CHECK(driver.ui.session.lesson == "01-pinhole-camera");
+    }
+    SECTION("another way") {
+        driver.hand.press(key::tab);
+        driver.hand.press(key::enter);
+        CHECK_FALSE(is_open(driver));
+        CHECK(driver.ui.options.way == Way::stages);
+        CHECK(driver.ui.session.lesson.empty());
+    }
+    SECTION("Escape leaves the page") {
+        driver.hand.press(key::escape);
+        CHECK_FALSE(is_open(driver));
+        CHECK_FALSE(driver.ui.options.way);
+    }
+    SECTION("a picture at a stage") {
+        for (int i = 0; i < 30 && driver.ui.focus.name != "start.stage.rows"; ++i)
+            driver.hand.press(key::tab, {.shift = true});
+        driver.hand.press(key::enter);
+        CHECK_FALSE(is_open(driver));
+        CHECK(driver.ui.session.a.settings.stage == Stage::rows);
+    }
+}
+
+TEST_CASE("Enter alone begins the lessons") {
+    Driver driver;
+    begin(driver);
     driver.hand.press(key::enter);
     CHECK_FALSE(is_open(driver));
-    CHECK(driver.ui.options.way == Way::stages);
-
-    driver.ui.start.is_open = true;
-    driver.ui.options.way.reset();
-    REQUIRE(is_open(driver));
-    driver.hand.press(key::escape);
-    CHECK_FALSE(is_open(driver));
-    CHECK_FALSE(driver.ui.options.way);
+    CHECK(driver.ui.session.lesson == "01-pinhole-camera");
 }
 
 TEST_CASE("Over the start page one Escape closes one thing") {

@@ -1,0 +1,91 @@
+#include "ui/widgets/focus.h"
+
+#include <utility>
+
+#include "ui/ui.h"
+#include "ui/widgets/style.h"
+
+namespace rasterwalk {
+
+ImGuiID part_of(const ImGuiWindow& window) {
+    const ImGuiWindow* at = &window;
+    const auto is_inside = [](const ImGuiWindow* w) {
+        return (w->Flags & ImGuiWindowFlags_ChildWindow) != 0 &&
+               (w->Flags & ImGuiWindowFlags_Popup) == 0 && w->ParentWindow != nullptr;
+    };
+    while (is_inside(at))
+        at = at->ParentWindow;
+    return at->ID;
+}
+
+void note_stop(WidgetPlace& place) {
+    const ImGuiLastItemData& item = GImGui->LastItemData;
+    place.part = part_of(*ImGui::GetCurrentWindow());
+    // While a list is open, the last item is the list itself.
+    const bool is_window = item.ID == ImGui::GetCurrentWindow()->MoveId;
+    if (is_window || (item.InFlags & ImGuiItemFlags_Disabled) != 0) return;
+    place.id = item.ID;
+    place.is_input = (item.InFlags & ImGuiItemFlags_Inputable) != 0;
+}
+
+bool show_focus(Ui& ui, std::string_view name, const ImRect& shown, bool visible) {
+    Focus& focus = ui.focus;
+    const ImGuiLastItemData& item = GImGui->LastItemData;
+    // Who clicks into a field goes on from there.
+    const bool is_typed_into = item.ID != 0 && item.ID == GImGui->ActiveId &&
+                               (item.InFlags & ImGuiItemFlags_Inputable) != 0;
+    if (is_typed_into) focus.name = name;
+    if (focus.name != name) return false;
+    focus.place = item.Rect.Min;
+    focus.part = part_of(*ImGui::GetCurrentWindow());
+    focus.window = ImGui::GetCurrentWindow()->ID;
+    if (focus.wants_sight && item.ID != 0) {
+        focus.wants_sight = false;
+        // With a line around it: the next one of a long list is drawn only if it is in view.
+        ImRect wished = item.Rect;
+        wished.Expand(ImGui::GetTextLineHeightWithSpacing());
+        ImGui::ScrollToBringRectIntoView(ImGui::GetCurrentWindow(), wished);
+    }
+    if (!focus.is_shown || item.ID == 0) return false;
+    if (!visible) return false;
+    focus.list = ImGui::GetWindowDrawList();
+    focus.low = shown.Min;
+    focus.high = shown.Max;
+    return true;
+}
+
+void draw_ring(Ui& ui) {
+    Focus& focus = ui.focus;
+    ImDrawList* const list = std::exchange(focus.list, nullptr);
+    if (list == nullptr) return;
+    const Palette& p = palette(ui.options.theme);
+    const float u = ui.options.text_scale;
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    // At the edge of the window it is drawn inside.
+    ImRect ring(focus.low.x - 2.0f * u, focus.low.y - 2.0f * u, focus.high.x + 2.0f * u,
+                focus.high.y + 2.0f * u);
+    ring.ClipWith({{u, u}, {window.x - u, window.y - u}});
+    list->PushClipRectFullScreen();
+    // The casing on both sides makes it stand out on every ground.
+    list->AddRect(ring.Min, ring.Max, packed(p.ground), 5.0f * u, 0, 5.0f * u);
+    list->AddRect(ring.Min, ring.Max, packed(p.link), 5.0f * u, 0, 2.0f * u);
+    list->PopClipRect();
+}
+
+Arrows take_arrows(Ui& ui, std::string_view name) {
+    ui.widgets.at(std::string(name)).takes_arrows = true;
+    const bool is_meant = ui.focus.is_shown && ui.focus.name == name;
+    return is_meant ? ui.focus.arrows : Arrows{};
+}
+
+void give_focus(Ui& ui, std::string name) {
+    ui.focus.before = std::exchange(ui.focus.name, std::move(name));
+    ui.focus.wants_sight = true;
+}
+
+bool is_pressed_by_key() {
+    const ImGuiID id = GImGui->LastItemData.ID;
+    return id != 0 && GImGui->NavActivateId == id;
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <imgui_internal.h>
+
+#include "ui/widgets/widget_state.h"
+
+namespace rasterwalk {
+
+struct Ui;
+
+/// The panel, sheet, menu or list in which a window of ImGui lies.
+ImGuiID part_of(const ImGuiWindow& window);
+
+/// Notes whether the last ImGui item can have the keyboard, and where it stands.
+void note_stop(WidgetPlace& place);
+
+/// Notes the place of the last ImGui item if it is the one with the keyboard, and scrolls to it if
+/// that was asked for. Returns true if it has the ring.
+/// @param shown what of it can be seen, screen pixels
+bool show_focus(Ui& ui, std::string_view name, const ImRect& shown, bool visible);
+
+/// Draws the ring, over what stands beside the widget but below what lies over it. To be called
+/// when everything else is drawn.
+void draw_ring(Ui& ui);
+
+/// The arrows that were pressed for the widget, which was just named. Whatever asks for them keeps
+/// them from moving on to the next widget, and is not pressed by Enter.
+Arrows take_arrows(Ui& ui, std::string_view name);
+
+/// Gives the keyboard to a widget of something that opens; what had it before gets it back.
+void give_focus(Ui& ui, std::string name);
+
+/// Was the last ImGui item pressed by a key?
+bool is_pressed_by_key();
+
+} // namespace rasterwalk
