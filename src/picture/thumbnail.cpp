@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "picture/resample.h"
 #include "picture/view_image.h"
 #include "pipeline/draw.h"
 #include "pipeline/work.h"
@@ -28,7 +29,10 @@ Settings scaled_to(const Scene& scene, const Settings& settings, int side) {
 
 Image thumbnail(const Scene& scene, const Settings& settings, int side) {
     const Frame frame = prepare_frame(scene, scaled_to(scene, settings, side));
-    return view_image(draw_frame(frame), View::colour);
+    const Image drawn = view_image(draw_frame(frame), View::colour);
+    const int longer = std::max(drawn.width, drawn.height);
+    return longer <= side ? drawn
+                          : resampled(drawn, static_cast<float>(side) / static_cast<float>(longer));
 }
 
 double thumbnail_work(const Scene& scene, const Settings& settings, int side) {

@@ -11,7 +11,8 @@ namespace rasterwalk {
 /// @param side 1 or more
 Settings scaled_to(const Scene& scene, const Settings& settings, int side);
 
-/// The finished picture, drawn small: see scaled_to().
+/// The finished picture, drawn small: see scaled_to(). What keeps its size is made smaller after it
+/// is drawn, to no more than `side`.
 Image thumbnail(const Scene& scene, const Settings& settings, int side);
 
 /// What it costs to draw it and to show it, see FrameWork::total().

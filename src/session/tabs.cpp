@@ -1,12 +1,15 @@
 #include "session/tabs.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "session/session.h"
 
 namespace rasterwalk {
 
 namespace {
+
+constexpr std::string_view compare_tab = "compare";
 
 constexpr std::array tabs{
     TabInfo{"vertices", "Vertices",
@@ -24,7 +27,7 @@ constexpr std::array tabs{
     TabInfo{"graph", "Graph",
             "A value along a row: the truth, and the straight line between its ends.",
             TabGroup::pixel},
-    TabInfo{"compare", "Compare",
+    TabInfo{compare_tab, "Compare",
             "Two runs with other settings: what differs, where first, and why.", TabGroup::runs},
     TabInfo{"lab", "Mistakes",
             "The mistakes that rasterizers make: turn one on, and see what it does.",
@@ -39,8 +42,18 @@ bool contains(const std::vector<std::string>& names, std::string_view name) {
 void show(Session& session, std::string_view tab) {
     session.tab = tab;
     session.tab_guide.under_settings.clear();
+    session.tab_guide.before_compare.clear();
     if (const TabInfo* const info = find_tab(tab)) {
         session.tab_guide.last[static_cast<std::size_t>(info->group)] = tab;
+    }
+}
+
+/// The same, or below the settings where they are open.
+void show_below(Session& session, std::string_view tab) {
+    if (session.tab == settings_tab) {
+        session.tab_guide.under_settings = tab;
+    } else {
+        show(session, tab);
     }
 }
 
@@ -126,8 +139,25 @@ void follow_guide(Session& session) {
     session.tab_guide.is_own = false;
 }
 
+void show_compare_tab(Session& session) {
+    const std::string before(tab_below(session));
+    if (before == compare_tab) return;
+    show_below(session, compare_tab);
+    session.tab_guide.before_compare = before;
+}
+
+void leave_compare_tab(Session& session) {
+    if (session.b) return;
+    const std::string before = std::exchange(session.tab_guide.before_compare, {});
+    if (!before.empty()) show_below(session, before);
+}
+
 void close_settings(Session& session) {
-    if (session.tab == settings_tab) show(session, std::string(tab_below(session)));
+    if (session.tab != settings_tab) return;
+    // The comparison below them has not ended.
+    const std::string before = session.tab_guide.before_compare;
+    show(session, std::string(tab_below(session)));
+    session.tab_guide.before_compare = before;
 }
 
 void follow_stage(Session& session) {
@@ -141,11 +171,7 @@ void follow_stage(Session& session) {
     const TabInfo* const below = find_tab(tab_below(session));
     const bool is_of_runs = below != nullptr && below->group == TabGroup::runs;
     if (is_first || guide.is_own || lesson_has_chosen || is_of_runs) return;
-    if (session.tab == settings_tab) {
-        guide.under_settings = usual_tab(session);
-    } else {
-        show(session, std::string(usual_tab(session)));
-    }
+    show_below(session, std::string(usual_tab(session)));
 }
 
 std::string_view tab_below(const Session& session) {

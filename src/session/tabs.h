@@ -51,6 +51,7 @@ struct TabGuide {
     bool is_own = false;        ///< the student: lesson and stage leave it alone
     std::string of_step;        ///< the tab that the lesson's step shows; empty: it names none
     std::string under_settings; ///< the tab below the settings; empty: the usual one
+    std::string before_compare; ///< the tab that a comparison has taken the place of; empty: none
     std::array<std::string, tab_group_count> last; ///< of each group the tab shown last, or empty
     std::vector<std::string> panels; ///< tabs that the lesson's step shows; empty: all of them
     bool shows_all = false;          ///< all the same: the student asked for it
@@ -75,6 +76,11 @@ void choose_tab(Session& session, std::string_view tab);
 void keep_own_tab(Session& session, std::string_view tab);
 /// Lesson and stage choose the tab again.
 void follow_guide(Session& session);
+/// A comparison has begun, which its own tab explains: that one comes, or lies below the settings.
+void show_compare_tab(Session& session);
+/// Where the comparison has ended, the tab before it is back, unless another was chosen since. To
+/// be called once a frame.
+void leave_compare_tab(Session& session);
 /// Closes the settings: the tab below them is back.
 void close_settings(Session& session);
 /// Where the stage has changed, its tab comes, unless the student or the lesson has chosen, or runs

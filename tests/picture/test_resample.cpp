@@ -1,6 +1,10 @@
 #include <catch2/catch.hpp>
 
 #include "picture/resample.h"
+#include "picture/thumbnail.h"
+#include "picture/view_image.h"
+#include "pipeline/draw.h"
+#include "support/samples.h"
 
 namespace rasterwalk {
 
@@ -73,6 +77,18 @@ TEST_CASE("What a picture does not reach is transparent, and tints keep their co
     CHECK(opacity(larger, 1, 0) == 64);
     CHECK(opacity(larger, 1, 1) == 32);
     CHECK(resampled(Image{}, 2.0f).width == 0);
+}
+
+TEST_CASE("A scene in pixels is drawn as large as it is, and its small picture made from that") {
+    const Scene scene =
+        test::pixel_scene({{{{10, 10, 1}, {600, 40, 1}, {300, 390, 1}}}}, {640, 400});
+    const Settings settings = default_settings(scene);
+    const Image whole = view_image(draw_frame(prepare_frame(scene, settings)), View::colour);
+    const Image small = thumbnail(scene, settings, 160);
+    CHECK(small.width == 160);
+    CHECK(small.height == 100);
+    CHECK(small == resampled(whole, 0.25f));
+    CHECK(thumbnail(scene, settings, 640) == whole);
 }
 
 } // namespace rasterwalk

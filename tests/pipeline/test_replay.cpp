@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,24 @@ void require_at(Replay& replay, const Cursor& cursor, const Framebuffer& expecte
     FAIL(difference);
 }
 
+/// The frames of the small scene at every stage under some rules, each with all its moments.
+void with_all_moments(
+    const std::function<void(const Frame&, const std::vector<Cursor>& moments)>& look) {
+    const Scene scene = small_scene();
+    for (const Variant& variant : some_of(rule_variants(), 4)) {
+        for (int stage = 0; stage < stage_count; ++stage) {
+            Settings settings = default_settings(scene);
+            set_step(settings, stage_list()[static_cast<std::size_t>(stage)].step);
+            variant.apply(settings);
+            const Frame frame = prepare_frame(scene, settings);
+            CAPTURE(variant.name, stage);
+            std::vector<Cursor> moments = all_moments(frame);
+            moments.push_back(cursor_end);
+            look(frame, moments);
+        }
+    }
+}
+
 /// Many triangles on a small picture: enough work for keyframes to be laid.
 Scene crowded_scene(int triangles) {
     Random random(40);
@@ -41,80 +60,60 @@ Scene crowded_scene(int triangles) {
 } // namespace
 
 TEST_CASE("Every moment reached forwards, backwards or at random is as if drawn from the start") {
-    const Scene scene = small_scene();
     Random random(41);
-    for (const Variant& variant : some_of(rule_variants(), 4)) {
-        for (int stage = 0; stage < stage_count; ++stage) {
-            Settings settings = default_settings(scene);
-            set_step(settings, stage_list()[static_cast<std::size_t>(stage)].step);
-            variant.apply(settings);
-            const Frame frame = prepare_frame(scene, settings);
-            CAPTURE(variant.name, stage);
-            std::vector<Cursor> moments = all_moments(frame);
-            moments.push_back(cursor_end);
-            std::vector<Framebuffer> expected;
-            for (const Cursor& cursor : moments)
-                expected.push_back(drawn_from_start(frame, cursor));
-            Replay replay;
-            replay.begin(frame);
-            const std::size_t count = moments.size();
-            for (std::size_t i = 0; i < count; ++i)
-                require_at(replay, moments[i], expected[i]);
-            for (std::size_t i = count; i-- > 0;)
-                require_at(replay, moments[i], expected[i]);
-            for (std::size_t i = 0; i < count; ++i) {
-                const auto pick =
-                    static_cast<std::size_t>(random.integer(0, static_cast<int>(count) - 1));
-                require_at(replay, moments[pick], expected[pick]);
-            }
+    with_all_moments([&](const Frame& frame, const std::vector<Cursor>& moments) {
+        std::vector<Framebuffer> expected;
+        for (const Cursor& cursor : moments)
+            expected.push_back(drawn_from_start(frame, cursor));
+        Replay replay;
+        replay.begin(frame);
+        const std::size_t count = moments.size();
+        for (std::size_t i = 0; i < count; ++i)
+            require_at(replay, moments[i], expected[i]);
+        for (std::size_t i = count; i-- > 0;)
+            require_at(replay, moments[i], expected[i]);
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto pick =
+                static_cast<std::size_t>(random.integer(0, static_cast<int>(count) - 1));
+            require_at(replay, moments[pick], expected[pick]);
         }
-    }
+    });
 }
 
 TEST_CASE("Outside of the rectangle that a call is said to have changed no pixel is another") {
-    const Scene scene = small_scene();
     Random random(44);
-    for (const Variant& variant : some_of(rule_variants(), 4)) {
-        for (int stage = 0; stage < stage_count; ++stage) {
-            Settings settings = default_settings(scene);
-            set_step(settings, stage_list()[static_cast<std::size_t>(stage)].step);
-            variant.apply(settings);
-            const Frame frame = prepare_frame(scene, settings);
-            CAPTURE(variant.name, stage);
-            std::vector<Cursor> moments = all_moments(frame);
-            moments.push_back(cursor_end);
-            Replay replay;
-            replay.begin(frame);
-            Framebuffer before = replay.at(cursor_begin);
-            std::size_t place = 0;
-            for (int i = 0; i < rounds(60, 15); ++i) {
-                // A step, or a jump; some of them in parts.
-                const std::size_t last = moments.size() - 1;
-                place = random.integer(0, 2) == 0
-                            ? static_cast<std::size_t>(random.integer(0, static_cast<int>(last)))
-                            : std::min(place + 1, last);
-                const bool is_part = random.integer(0, 3) == 0;
-                Framebuffer now =
-                    replay.toward(moments[place], is_part ? WorkLimit{30.0, 20.0} : WorkLimit{});
-                const Rectangle& changed = replay.changed();
-                REQUIRE((changed.left >= 0 && changed.top >= 0));
-                REQUIRE((changed.right <= now.size.width && changed.bottom <= now.size.height));
-                const Framebuffer after = now;
-                for (int row = changed.top; row < changed.bottom; ++row) {
-                    for (int column = changed.left; column < changed.right; ++column) {
-                        const std::size_t at = now.at(column, row);
-                        now.colour[at] = before.colour[at];
-                        now.depth[at] = before.depth[at];
-                        now.owner[at] = before.owner[at];
-                        now.overdraw[at] = before.overdraw[at];
-                    }
+    with_all_moments([&](const Frame& frame, const std::vector<Cursor>& moments) {
+        Replay replay;
+        replay.begin(frame);
+        Framebuffer before = replay.at(cursor_begin);
+        std::size_t place = 0;
+        for (int i = 0; i < rounds(60, 15); ++i) {
+            // A step, or a jump; some of them in parts.
+            const std::size_t last = moments.size() - 1;
+            place = random.integer(0, 2) == 0
+                        ? static_cast<std::size_t>(random.integer(0, static_cast<int>(last)))
+                        : std::min(place + 1, last);
+            const bool is_part = random.integer(0, 3) == 0;
+            Framebuffer now =
+                replay.toward(moments[place], is_part ? WorkLimit{30.0, 20.0} : WorkLimit{});
+            const Rectangle& changed = replay.changed();
+            REQUIRE((changed.left >= 0 && changed.top >= 0));
+            REQUIRE((changed.right <= now.size.width && changed.bottom <= now.size.height));
+            const Framebuffer after = now;
+            for (int row = changed.top; row < changed.bottom; ++row) {
+                for (int column = changed.left; column < changed.right; ++column) {
+                    const std::size_t at = now.at(column, row);
+                    now.colour[at] = before.colour[at];
+                    now.depth[at] = before.depth[at];
+                    now.owner[at] = before.owner[at];
+                    now.overdraw[at] = before.overdraw[at];
                 }
-                CAPTURE(to_text(replay.drawn()));
-                REQUIRE(first_difference(before, now).empty());
-                before = after;
             }
+            CAPTURE(to_text(replay.drawn()));
+            REQUIRE(first_difference(before, now).empty());
+            before = after;
         }
-    }
+    });
 }
 
 TEST_CASE("A step changes no more pixels than it draws on") {

@@ -51,6 +51,7 @@ void toggle_compare(Ui& ui) {
         compare_with(ui.session, quiz_reference(ui.session));
     } else {
         start_pair(ui.session, pair_for(step_of(ui.session.a.settings)));
+        show_compare_tab(ui.session);
     }
 }
 
@@ -133,6 +134,18 @@ std::string run_words(const Session& session, bool of_b) {
     return words;
 }
 
+std::vector<std::string> run_forms(const Session& session, bool of_b) {
+    std::vector<std::string> forms{run_words(session, of_b)};
+    const std::vector<RunDifference> differences = run_differences(session);
+    if (hides_settings(session) || differences.size() != 1) return forms;
+    const Setting& setting = *find_setting(differences.front().setting);
+    // A number or a mere "on" does not say of what.
+    const std::string value = said_value(setting, of_b ? session.b->settings : session.a.settings);
+    if (std::holds_alternative<ChoiceSetting>(setting.kind) && value != "on" && value != "off")
+        forms.push_back(value);
+    return forms;
+}
+
 std::string run_assignments(const Session& session, bool of_b) {
     if (hides_settings(session)) return run_words(session, of_b);
     std::string lines;
@@ -173,12 +186,15 @@ std::string work_words(const Results& results) {
     return work.is_done() ? "" : words("compared", work.triangles_done(), work.triangles());
 }
 
-std::string difference_words(const PixelDifference& pixels) {
-    if (pixels.different == 0) return "no pixel differs";
-    std::string words = grouped(pixels.different);
-    words += pixels.different == 1 ? " pixel differs" : " pixels differ";
-    words += " · largest " + fixed(static_cast<double>(pixels.largest), 3);
-    return words + " · mean " + fixed(pixels.mean, 4);
+std::vector<std::string> difference_forms(const PixelDifference& pixels) {
+    if (pixels.different == 0) return {"no pixel differs", "none differs"};
+    const bool is_one = pixels.different == 1;
+    const std::string count = grouped(pixels.different);
+    const std::string pixels_differ = count + (is_one ? " pixel differs" : " pixels differ");
+    const std::string largest =
+        pixels_differ + " · largest " + fixed(static_cast<double>(pixels.largest), 3);
+    return {largest + " · mean " + fixed(pixels.mean, 4), largest, pixels_differ,
+            count + (is_one ? " differs" : " differ")};
 }
 
 } // namespace rasterwalk

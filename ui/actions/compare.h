@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "session/results.h"
 #include "session/second_run.h"
@@ -45,6 +46,9 @@ double seconds_to_blink(const Ui& ui);
 /// What a run has that the other has not, in words on one line: "between the vertices: affine".
 std::string run_words(const Session& session, bool of_b);
 
+/// The same, and where the value says enough, "affine", for less room.
+std::vector<std::string> run_forms(const Session& session, bool of_b);
+
 /// The same as settings are written, a line each: "interpolation = affine".
 std::string run_assignments(const Session& session, bool of_b);
 
@@ -55,9 +59,9 @@ std::string comparison_offered(const Session& session);
 /// nothing is left to do.
 std::string work_words(const Results& results);
 
-/// How far the pictures lie apart at the cursor: "74 310 pixels differ · largest 0.46 · mean
-/// 0.037".
-std::string difference_words(const PixelDifference& pixels);
+/// How far the pictures lie apart at the cursor, from the longest way to say it to the shortest:
+/// "74 310 pixels differ · largest 0.46 · mean 0.037", and "74 310 differ".
+std::vector<std::string> difference_forms(const PixelDifference& pixels);
 
 /// A whole number with a blank before every third digit.
 std::string grouped(std::int64_t number);

@@ -221,6 +221,7 @@ bool build_pass(Ui& ui, float seconds) {
     guarded(ui, [&] {
         advance_play(ui.session, Timeline(ui.results.a.frame), ui.results.length, seconds);
         carry_changes_to_b(ui.session);
+        leave_compare_tab(ui.session);
         follow_stage(ui.session);
     });
     guarded(ui, [&] { follow_start_page(ui); });

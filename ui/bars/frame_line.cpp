@@ -50,9 +50,10 @@ void find_differences(const TimeLines& s) {
 }
 
 std::string words_of(const DivergenceGroup& group) {
-    return fmt::format("The runs part here: triangles[{}], {}, {}, {}. Click to go there.",
-                       group.triangle, phase_info(group.phase).word,
-                       counted(group.count, "moment", "moments"), kind_text(group.kind));
+    return fmt::format(
+        "The two runs differ from here: triangles[{}], {}, {}, {}. Click to go there.",
+        group.triangle, phase_info(group.phase).word, counted(group.count, "moment", "moments"),
+        kind_text(group.kind));
 }
 
 void draw_differences(const TimeLines& s) {
@@ -73,8 +74,7 @@ void draw_differences(const TimeLines& s) {
             s.ui.results.comparison.whole().divergences.groups[marks[i].group];
         name_widget(s.ui, name, words_of(group));
         const float r = (is_hovered ? 5.5f : 4.5f) * u;
-        list->AddQuadFilled({c.x - r, c.y}, {c.x, c.y - r}, {c.x + r, c.y}, {c.x, c.y + r},
-                            is_hovered ? packed(s.colours().text) : colour);
+        draw_difference_mark(list, c, r, is_hovered ? packed(s.colours().text) : colour);
         if (is_clicked) stand_at(s.ui, group.first);
     }
 }

@@ -238,32 +238,56 @@ float change_buttons_width(const Ui& ui) {
            46.0f * ui.options.text_scale;
 }
 
-/// What was drawn last, in words.
-std::string moment_words(const Ui& ui) {
-    return ui.results.a.done ? describe_moment(ui.results.a.frame, *ui.results.a.done)
-                             : "nothing is drawn yet";
+/// What was drawn last, in words; from the longest form to the shortest.
+std::vector<std::string> moment_forms(const Ui& ui) {
+    if (!ui.results.a.done) return {"nothing is drawn yet", "nothing yet"};
+    const Cursor& done = *ui.results.a.done;
+    return {describe_moment(ui.results.a.frame, done), moment_name(done), to_text(done)};
 }
 
-/// What was drawn last, cut off where there is no room; returns its width.
+/// What was drawn last, as far as there is room; returns its width.
 float draw_words(Ui& ui, ImVec2 at, float room) {
-    const std::string words = moment_words(ui);
-    const float width = text_width(words.c_str());
-    const float u = ui.options.text_scale;
-    ImGui::PushClipRect({at.x, at.y - 4.0f * u}, {at.x + room, at.y + 2.0f * ImGui::GetFontSize()},
-                        true);
+    const std::vector<std::string> said = moment_forms(ui);
+    const std::string words = first_fitting(said, room);
     ImGui::SetCursorScreenPos(at);
-    ImGui::TextUnformatted(shortened(words, room).c_str());
+    ImGui::TextUnformatted(words.c_str());
     name_widget(ui, "walk.words",
-                width > room ? words + "\nWhat was just drawn." : "What was just drawn.");
-    ImGui::PopClipRect();
-    return std::min(width, room);
+                words == said.front() ? "What was just drawn."
+                                      : said.front() + "\nWhat was just drawn.");
+    return text_width(words.c_str());
 }
 
-/// The piece of work that comes next, if there is room.
+/// What the diamonds above the time line mean, from the longest form to the shortest.
+std::vector<std::string> marks_forms() {
+    return {"the two runs differ here", "the runs differ", "A ≠ B"};
+}
+
+/// The same beside its mark, if there is room.
+void draw_marks_key(Ui& ui, ImVec2 at, float room) {
+    const std::string words = first_fitting(marks_forms(), room - difference_key_indent(ui));
+    if (words.empty()) return;
+    ImGui::SetCursorScreenPos(at);
+    draw_difference_key(ui, words);
+    name_widget(ui, "walk.differences",
+                "Each diamond above the line is a place where the two runs do something "
+                "different. Click one to go there; J and K go to the next and the previous.");
+}
+
+/// What the diamonds mean, if there are any, and the piece of work that comes next, if there is
+/// room for it too.
 void draw_next(Ui& ui, ImVec2 at, float room) {
     const Cursor& cursor = ui.results.a.cursor;
     const std::string next = (cursor == cursor_end ? "" : "next ") + moment_name(cursor);
-    if (text_width(next.c_str()) > room) return;
+    const float width = text_width(next.c_str());
+    const bool has_marks = !ui.transport.differences.marks.empty();
+    const float key =
+        group_gap(ui) + difference_key_indent(ui) + text_width(marks_forms().back().c_str());
+    const bool shows_next = width + (has_marks ? key : 0.0f) <= room;
+    if (has_marks) {
+        const float used = shows_next ? width + group_gap(ui) : 0.0f;
+        draw_marks_key(ui, {at.x + used, at.y}, room - used);
+    }
+    if (!shows_next) return;
     ImGui::SetCursorScreenPos(at);
     text_in(palette(ui.options.theme).dim, next);
     name_widget(ui, "walk.cursor",
@@ -275,7 +299,7 @@ void draw_next(Ui& ui, ImVec2 at, float room) {
 void draw_last_line(Ui& ui, ImVec2 at, float room) {
     const float gap = 18.0f * ui.options.text_scale;
     const float buttons = change_buttons_width(ui);
-    const float words = text_width(moment_words(ui).c_str());
+    const float words = text_width(moment_forms(ui).front().c_str());
     const bool has_buttons =
         !ui.options.is_lecture && (ui.results.history || words + gap + buttons <= room);
     const float rest = room - (has_buttons ? buttons + gap : 0.0f);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "picture/resample.h"
 #include "ui/actions/compare.h"
@@ -30,8 +31,10 @@ constexpr float largest_share = 0.25f;
 /// One of the small pictures.
 struct Variant {
     CompareView view;
-    std::string_view letter, title; ///< "A", and what it is called; the letter may be missing
-    std::string words;              ///< what is otherwise in it
+    std::string_view title;         ///< "A"
+    std::string_view short_title;   ///< where there is little room
+    std::vector<std::string> words; ///< what is otherwise in it, from the longest form to the
+                                    ///< shortest
     const Image* image;
     std::uint64_t number; ///< of the image
 };
@@ -42,11 +45,15 @@ std::array<Variant, 3> variants_of(const Ui& ui) {
     const std::int64_t count = comparison.pixels.different;
     const std::string differ =
         count == 0 ? "no pixel" : grouped(count) + (count == 1 ? " pixel" : " pixels");
-    return {{{CompareView::run_a, "A", "", run_words(ui.session, false), &results.a.picture,
+    return {{{CompareView::run_a, "A", "A", run_forms(ui.session, false), &results.a.picture,
               results.a.picture_number},
-             {CompareView::run_b, "B", "", run_words(ui.session, true), &results.b->picture,
+             {CompareView::run_b, "B", "B", run_forms(ui.session, true), &results.b->picture,
               results.b->picture_number},
-             {CompareView::difference, "", "Difference", differ, &comparison.difference,
+             {CompareView::difference,
+              "Difference",
+              "B − A",
+              {differ, grouped(count)},
+              &comparison.difference,
               comparison.difference_number}}};
 }
 
@@ -132,31 +139,42 @@ CardLayout card_layout(const Ui& ui, ImVec2 card, const Image& image) {
     return layout;
 }
 
-/// The name, and as many lines of words as have room.
+/// The first form that has room, broken into lines; empty if none has.
+std::string lines_that_fit(const std::vector<std::string>& forms, ImVec2 room, float line) {
+    for (const std::string& form : forms) {
+        const std::string lines = broken_into_lines(form, room.x);
+        const auto count = static_cast<float>(1 + std::count(lines.begin(), lines.end(), '\n'));
+        if (count * line <= room.y && ImGui::CalcTextSize(lines.c_str()).x <= room.x) return lines;
+    }
+    return {};
+}
+
+/// The name, and the words as far as they have room: nothing is cut.
 void draw_words(const Ui& ui, ImDrawList* list, const Variant& variant, const CardLayout& layout,
                 ImVec2 low, ImVec2 high) {
     const Palette& p = palette(ui.options.theme);
     const float size = ui.fonts.small->FontSize, line = std::round(1.3f * size);
-    const std::string name(variant.letter.empty() ? variant.title : variant.letter);
-    float x = low.x + layout.words.x, y = low.y + layout.words.y;
-    list->AddText(ui.fonts.bold, size, {x, y}, packed(p.text), name.c_str());
-    const float width = ui.fonts.bold->CalcTextSizeA(size, FLT_MAX, 0.0f, name.c_str()).x;
+    const auto width_of = [&](std::string_view name) {
+        return ui.fonts.bold
+            ->CalcTextSizeA(size, FLT_MAX, 0.0f, name.data(), name.data() + name.size())
+            .x;
+    };
+    const bool has_room = width_of(variant.title) <= layout.room;
+    const std::string name(has_room ? variant.title : variant.short_title);
+    const ImVec2 at{low.x + layout.words.x, low.y + layout.words.y};
+    list->AddText(ui.fonts.bold, size, at, packed(p.text), name.c_str());
     ImGui::PushFont(ui.fonts.small);
     if (layout.is_above) {
-        x += width + 8.0f * ui.options.text_scale;
-        const float room = low.x + layout.words.x + layout.room - x;
-        list->AddText({x, y}, packed(p.dim), shortened(variant.words, room).c_str());
+        const float from = width_of(name) + 8.0f * ui.options.text_scale;
+        list->AddText({at.x + from, at.y}, packed(p.dim),
+                      first_fitting(variant.words, layout.room - from).c_str());
     } else {
-        const std::string lines = broken_into_lines(variant.words, layout.room);
-        for (std::size_t from = 0; from <= lines.size() && y + 2.0f * line <= high.y;) {
+        float y = at.y + line;
+        const std::string lines = lines_that_fit(variant.words, {layout.room, high.y - y}, line);
+        for (std::size_t from = 0; from < lines.size(); y += line) {
             const std::size_t end = std::min(lines.find('\n', from), lines.size());
-            y += line;
-            // The last that has room says that there is more.
-            const bool is_last = y + 2.0f * line > high.y;
-            std::string words = lines.substr(from, is_last ? std::string::npos : end - from);
-            std::replace(words.begin(), words.end(), '\n', ' ');
-            list->AddText({x, y}, packed(p.dim), shortened(words, layout.room).c_str());
-            from = is_last ? lines.size() + 1 : end + 1;
+            list->AddText({at.x, y}, packed(p.dim), lines.substr(from, end - from).c_str());
+            from = end + 1;
         }
     }
     ImGui::PopFont();
@@ -167,7 +185,7 @@ std::string tooltip_of_variant(const Ui& ui, const Variant& variant) {
     std::string text(info.menu_title);
     text += ".\n";
     text += variant.view == CompareView::difference
-                ? variant.words + " differ, of what is drawn up to this moment"
+                ? variant.words.front() + " differ, of what is drawn up to this moment"
                 : run_assignments(ui.session, variant.view == CompareView::run_b);
     return text + "\nClick: shows it large.";
 }
@@ -181,7 +199,7 @@ void draw_variant(Ui& ui, std::size_t index, const Variant& variant, ImVec2 low,
     if (ImGui::InvisibleButton(name.c_str(), size)) ui.session.compare_view = variant.view;
     const bool is_hovered = ImGui::IsItemHovered();
     name_widget(ui, name, tooltip_of_variant(ui, variant));
-    note_text(ui, name, variant.words);
+    note_text(ui, name, variant.words.front());
     const bool is_chosen = ui.session.compare_view == variant.view;
     ImDrawList* const list = ImGui::GetWindowDrawList();
     list->AddRectFilled(low, high, packed(is_hovered ? p.button_hovered : p.card), 4.0f * u);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "ui/actions/actions.h"
 #include "ui/actions/compare.h"
@@ -20,6 +21,9 @@ namespace {
 
 /// Height of the titles above the pictures, design pixels.
 constexpr float title_height = 30.0f;
+
+/// What a title is wider than its words, design pixels.
+constexpr float title_border = 42.0f;
 
 /// Width of what can be taken hold of at the divider, design pixels.
 constexpr float handle_width = 18.0f;
@@ -53,6 +57,22 @@ float divider_x(const Ui& ui, const Pane& canvas) {
     return std::round(span.low + std::clamp(ui.session.wipe, 0.0f, 1.0f) * (span.high - span.low));
 }
 
+/// The words of a title: as many as leave the picture free, or else as have room.
+std::string title_words(const Ui& ui, bool of_b, ImVec2 corner, float room, bool is_at_right) {
+    const std::vector<std::string> forms = run_forms(ui.session, of_b);
+    const PicturePlace& place =
+        of_b && ui.compare.place_of_b ? *ui.compare.place_of_b : ui.canvas.place;
+    const float u = ui.options.text_scale;
+    const float width =
+        place.scale * static_cast<float>(ui.results.a.frame.settings.viewport.width);
+    const bool lies_over = place.origin.y < corner.y + title_height * u;
+    const float beside =
+        is_at_right ? corner.x - place.origin.x - width : place.origin.x - corner.x;
+    const std::string words =
+        lies_over ? first_fitting(forms, std::min(beside - title_border * u, room)) : "";
+    return words.empty() ? first_fitting(forms, room) : words;
+}
+
 /// The letter of a run on a square, then its settings that the other has not.
 /// @param right the title ends there; or else it begins at `left`
 void draw_title(Ui& ui, ImDrawList* list, bool of_b, float left, float right, float top,
@@ -62,9 +82,10 @@ void draw_title(Ui& ui, ImDrawList* list, bool of_b, float left, float right, fl
     ImFont* const font = ui.fonts.small;
     const float side = std::round(20.0f * u);
     ImGui::PushFont(font);
-    const float room = right - left - side - 22.0f * u;
-    const std::string words = shortened(run_words(ui.session, of_b), std::max(room, 0.0f));
-    const float width = side + ImGui::CalcTextSize(words.c_str()).x + 16.0f * u;
+    const std::string words = title_words(ui, of_b, {is_at_right ? right : left, top},
+                                          right - left - title_border * u, is_at_right);
+    const float text_width = ImGui::CalcTextSize(words.c_str()).x;
+    const float width = words.empty() ? side : side + text_width + 16.0f * u;
     ImGui::PopFont();
     const float x = is_at_right ? right - width : left;
     const ImVec2 low{std::round(x), std::round(top + 0.5f * (title_height * u - side))};
@@ -243,17 +264,18 @@ void draw_compare_bar(Ui& ui) {
                 shortened(ui.results.no_comparison, room));
         name_widget(ui, "compare.fault", ui.results.no_comparison);
     } else {
-        const std::string words = difference_words(ui.results.comparison.pixels);
-        const std::string shown = shortened(words, room - gap);
+        const std::vector<std::string> forms = difference_forms(ui.results.comparison.pixels);
+        const std::string shown = first_fitting(forms, room);
         const float width = ImGui::CalcTextSize(shown.c_str()).x;
         ImGui::SetCursorScreenPos(
             {std::max(right - ends - gap - width, left), ImGui::GetCursorScreenPos().y});
         text_in(p.dim, shown);
         name_widget(ui, "compare.counts",
-                    words + "\nOf what is drawn up to this moment; in linear colour, of the "
-                            "channel that differs most. "
-                            "The Compare tab has more.");
-        note_text(ui, "compare.counts", words);
+                    forms.front() +
+                        "\nOf what is drawn up to this moment; in linear colour, of the "
+                        "channel that differs most. "
+                        "The Compare tab has more.");
+        note_text(ui, "compare.counts", shown);
     }
     ImGui::SameLine();
     ImGui::SetCursorScreenPos({right - ends, ImGui::GetCursorScreenPos().y});
@@ -262,7 +284,7 @@ void draw_compare_bar(Ui& ui) {
     }
     ImGui::SameLine();
     if (button(ui, "compare.end", "end", Look::quiet, "Ends the comparison.\nKey: C"))
-        end_comparison(ui.session);
+        toggle_compare(ui);
     ImGui::PopFont();
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -46,15 +47,17 @@ std::optional<float> difference_in_focus(const Ui& ui) {
     return ui.results.comparison.difference_values[at];
 }
 
-/// What the scale measures, and the number in focus.
-std::string difference_said(const Ui& ui) {
-    std::string said = difference_unit(ui.session.view);
+/// What the scale measures, and the number in focus; from the longest form to the shortest.
+std::vector<std::string> difference_said(const Ui& ui) {
+    const std::string unit = difference_unit(ui.session.view);
     const std::optional<float> value = difference_in_focus(ui);
-    if (!value) return said;
+    if (!value) return {unit, "B − A"};
     const auto& pixel =
         ui.canvas.hovered_pixel ? ui.canvas.hovered_pixel : ui.session.selection.pixel;
-    return fmt::format("{} · at ({}, {}): {}{}", said, pixel->x, pixel->y, *value > 0.0f ? "+" : "",
-                       fixed(static_cast<double>(*value), 4));
+    const std::string at =
+        fmt::format("at ({}, {}): {}{}", pixel->x, pixel->y, *value > 0.0f ? "+" : "",
+                    fixed(static_cast<double>(*value), 4));
+    return {unit + " · " + at, "B − A " + at, at};
 }
 
 /// The numbers at the left end, in the middle and at the right end of the scale.
@@ -81,9 +84,10 @@ void draw_difference_bar(const Ui& ui, ImVec2 low, ImVec2 high) {
     if (!value) return;
     const float place = std::clamp(0.5f + 0.5f * *value / limit, 0.0f, 1.0f);
     const float x = low.x + place * (high.x - low.x);
-    list->AddTriangleFilled({x, low.y - 1.0f}, {x - 5.0f * u, low.y - 7.0f * u},
-                            {x + 5.0f * u, low.y - 7.0f * u},
-                            packed(palette(ui.options.theme).text));
+    list->AddRectFilled({x - 2.5f * u, low.y - 2.0f * u}, {x + 2.5f * u, high.y + 2.0f * u},
+                        IM_COL32(0, 0, 0, 255));
+    list->AddRectFilled({x - 1.0f * u, low.y - 1.0f * u}, {x + 1.0f * u, high.y + 1.0f * u},
+                        IM_COL32(255, 255, 255, 255));
 }
 
 } // namespace
@@ -121,7 +125,7 @@ void draw_difference_legend(Ui& ui, ImVec2 low, ImVec2 high) {
                           packed(p.dim), ends[i].c_str());
         }
         ImGui::SetCursorScreenPos(low);
-        text_in(p.text, shortened(difference_said(ui), high.x - low.x));
+        text_in(p.text, first_fitting(difference_said(ui), high.x - low.x));
     }
     ImGui::PopFont();
     ImGui::SetCursorScreenPos(low);
@@ -129,7 +133,7 @@ void draw_difference_legend(Ui& ui, ImVec2 low, ImVec2 high) {
     name_widget(ui, "compare.scale",
                 "What the colours of the difference mean: blue where B is less than A, orange "
                 "where it is more, black where they are the same.\n" +
-                    difference_said(ui));
+                    difference_said(ui).front());
 }
 
 } // namespace rasterwalk

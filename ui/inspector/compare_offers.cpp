@@ -18,7 +18,8 @@ namespace rasterwalk {
 namespace {
 
 /// Design pixels.
-constexpr float largest_picture = 132.0f, offer_padding = 8.0f;
+constexpr float largest_picture = 132.0f, least_picture = 56.0f, card_gap = 8.0f,
+                offer_padding = 8.0f;
 
 constexpr int largest_side = 300; ///< of what is drawn, screen pixels
 
@@ -88,21 +89,22 @@ bool draw_offer(Ui& ui, const ComparePair& pair, std::size_t index, ImVec2 low,
     float y = low.y + card.picture + 1.6f * pad;
     ImGui::PushFont(ui.fonts.small);
     const float room = card.width - 2.0f * pad;
-    list->AddText({low.x + pad, y}, packed(p.text),
-                  shortened(std::string(way.title), room).c_str());
-    y += std::round(1.3f * ImGui::GetFontSize());
+    const std::string title = broken_into_lines(way.title, room);
+    list->AddText({low.x + pad, y}, packed(p.text), title.c_str());
+    y += std::round(ImGui::CalcTextSize(title.c_str()).y + 0.3f * ImGui::GetFontSize());
     list->AddText({low.x + pad, y}, packed(p.dim), broken_into_lines(way.words, room).c_str());
     ImGui::PopFont();
     return is_pressed;
 }
 
-/// So many lines of the small font have the words of a pair at most.
+/// So many lines of the small font have the title and the words of a pair at most.
 int lines_of_words(const Ui& ui, float room) {
-    std::ptrdiff_t lines = 1;
+    std::ptrdiff_t lines = 2;
     for (const ComparePair& pair : compare_pairs()) {
-        const std::string words =
-            broken_into_lines(offer_of(pair, ui.session.a.settings).words, room);
-        lines = std::max(lines, 1 + std::count(words.begin(), words.end(), '\n'));
+        const PairWay& way = offer_of(pair, ui.session.a.settings);
+        const std::string text =
+            broken_into_lines(way.title, room) + "\n" + broken_into_lines(way.words, room);
+        lines = std::max(lines, 1 + std::count(text.begin(), text.end(), '\n'));
     }
     return static_cast<int>(lines);
 }
@@ -111,14 +113,19 @@ CardSize card_size(const Ui& ui, float width) {
     const float u = ui.options.text_scale, pad = offer_padding * u;
     CardSize card{};
     card.width = width;
-    card.picture = std::round(std::min(width - 2.0f * pad, largest_picture * u));
     ImGui::PushFont(ui.fonts.small);
     const float line = std::round(1.3f * ImGui::GetFontSize());
-    card.height =
-        card.picture + 2.2f * pad + line +
+    const float words =
+        2.2f * pad + 0.3f * ImGui::GetFontSize() +
         static_cast<float>(lines_of_words(ui, width - 2.0f * pad)) * ImGui::GetTextLineHeight();
+    // All cards are seen whole, or in a low panel the first line of them.
+    const float room = ImGui::GetContentRegionAvail().y - line;
+    const float of_all = 0.5f * (room - card_gap * u) - words;
+    const float whole = of_all >= least_picture * u ? of_all : room - words;
     ImGui::PopFont();
-    card.height = std::round(card.height);
+    const float largest = std::min(width - 2.0f * pad, largest_picture * u);
+    card.picture = std::round(std::min(largest, std::max(whole, least_picture * u)));
+    card.height = std::round(card.picture + words);
     return card;
 }
 
@@ -136,7 +143,7 @@ std::string tooltip_of_pair(const Session& session, const ComparePair& pair, boo
 
 void draw_offers(Ui& ui) {
     const float u = ui.options.text_scale;
-    const float gap = std::round(8.0f * u);
+    const float gap = std::round(card_gap * u);
     const float room = ImGui::GetContentRegionAvail().x;
     const CardSize card = card_size(ui, std::floor(0.5f * (room - gap)));
     if (card.picture >= 1.0f) renew(ui, static_cast<int>(card.picture));

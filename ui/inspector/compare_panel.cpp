@@ -56,7 +56,7 @@ void draw_no_comparison(Ui& ui) {
                  "what you change from then on changes both.");
     ImGui::PopStyleColor();
     ImGui::Spacing();
-    draw_choice_of_difference(ui, "or compare by a setting …");
+    draw_choice_of_difference(ui, "or compare by a setting ...");
 }
 
 void header_cell(Ui& ui, const char* title, const char* name, const char* help, bool is_left) {
@@ -71,49 +71,81 @@ void header_cell(Ui& ui, const char* title, const char* name, const char* help, 
     name_widget(ui, name, help);
 }
 
-/// What is set otherwise in B; a name leads to the setting.
+/// The name of a setting; it leads to the setting.
+void setting_link(Ui& ui, const std::string& name, const Setting& setting) {
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
+    const std::string title =
+        shortened(std::string(setting.title), ImGui::GetContentRegionAvail().x);
+    if (button(ui, "compare.setting." + name, title, Look::link,
+               name + "\n" + std::string(setting.help) + "\nClick: shows it in the settings.")) {
+        ui.inspector.setting_search = name;
+        open_tab(ui, "settings");
+    }
+    ImGui::PopStyleVar();
+}
+
+/// A setting in both runs, in two cells of a table.
+void edit_both(Ui& ui, const std::string& name, const Setting& setting) {
+    ImGui::PushID(name.c_str());
+    const auto edit = [&](Settings& settings, const char* run) {
+        ImGui::TableNextColumn();
+        ImGui::PushID(run);
+        ImGui::SetNextItemWidth(-1.0f);
+        edit_setting(ui, settings, setting, std::string("compare.") + run + "." + name);
+        ImGui::PopID();
+    };
+    edit(ui.session.a.settings, "a");
+    edit(ui.session.b->settings, "b");
+    ImGui::PopID();
+}
+
+void run_headers(Ui& ui) {
+    header_cell(ui, "A", "compare.header.a", "Run A, which the switches and settings set.", true);
+    header_cell(ui, "B", "compare.header.b", "Run B, which is compared with it.", true);
+}
+
+bool begin_columns(const std::string& name, int count) {
+    const bool is_open = ImGui::BeginTable(name.c_str(), count, ImGuiTableFlags_SizingStretchProp);
+    for (int column = 0; is_open && column < count; ++column)
+        ImGui::TableSetupColumn("", 0, 1.0f);
+    return is_open;
+}
+
+/// A table of this width has room for the names of settings beside their values, design pixels.
+constexpr float least_three_columns = 400.0f;
+
+/// What is set otherwise in B. In a narrow panel each name stands above its values.
 void draw_settings(Ui& ui) {
-    const Palette& p = palette(ui.options.theme);
     const std::vector<RunDifference> differences = run_differences(ui.session);
     if (differences.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, p.dim);
+        ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
         wrapped_text("Both runs have the same settings. Change one: it changes run A.");
         ImGui::PopStyleColor();
         return;
     }
-    if (!ImGui::BeginTable("compare.settings", 3, ImGuiTableFlags_SizingStretchProp)) return;
-    for (int column = 0; column < 3; ++column)
-        ImGui::TableSetupColumn("", 0, 1.0f);
+    if (ImGui::GetContentRegionAvail().x < least_three_columns * ui.options.text_scale) {
+        for (const RunDifference& difference : differences) {
+            const std::string name(difference.setting);
+            setting_link(ui, name, *find_setting(name));
+            if (!begin_columns("compare.settings." + name, 2)) continue;
+            ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+            run_headers(ui);
+            ImGui::TableNextRow();
+            edit_both(ui, name, *find_setting(name));
+            ImGui::EndTable();
+        }
+        return;
+    }
+    if (!begin_columns("compare.settings", 3)) return;
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     header_cell(ui, "setting", "compare.header.setting", "What is set otherwise in run B.", true);
-    header_cell(ui, "A", "compare.header.a", "Run A, which the switches and settings set.", true);
-    header_cell(ui, "B", "compare.header.b", "Run B, which is compared with it.", true);
+    run_headers(ui);
     for (const RunDifference& difference : differences) {
+        const std::string name(difference.setting);
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
-        const std::string name(difference.setting);
-        const Setting& setting = *find_setting(name);
-        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
-        const std::string title =
-            shortened(std::string(setting.title), ImGui::GetContentRegionAvail().x);
-        if (button(ui, "compare.setting." + name, title, Look::link,
-                   name + "\n" + std::string(setting.help) +
-                       "\nClick: shows it in the settings.")) {
-            ui.inspector.setting_search = name;
-            open_tab(ui, "settings");
-        }
-        ImGui::PopStyleVar();
-        ImGui::PushID(name.c_str());
-        const auto edit = [&](Settings& settings, const char* run) {
-            ImGui::TableNextColumn();
-            ImGui::PushID(run);
-            ImGui::SetNextItemWidth(-1.0f);
-            edit_setting(ui, settings, setting, std::string("compare.") + run + "." + name);
-            ImGui::PopID();
-        };
-        edit(ui.session.a.settings, "a");
-        edit(ui.session.b->settings, "b");
-        ImGui::PopID();
+        setting_link(ui, name, *find_setting(name));
+        edit_both(ui, name, *find_setting(name));
     }
     ImGui::EndTable();
 }
@@ -154,15 +186,17 @@ void draw_counts(Ui& ui) {
     count_line(ui, "pixels", "compare.count.pixels", grouped(here.different),
                known(grouped(whole.different)),
                "Pixels whose colour is not the same to the last bit.");
-    count_line(ui, "… to be seen", "compare.count.shown", grouped(here.shown),
+    count_line(ui, "of them visible", "compare.count.shown", grouped(here.shown),
                known(grouped(whole.shown)),
-               "Of them those that differ on the screen too, in 8 bits a channel.");
-    count_line(ui, "largest", "compare.count.largest", number(static_cast<double>(here.largest), 4),
+               "Pixels whose colour on the screen differs too, in 8 bits a channel.");
+    count_line(ui, "largest difference", "compare.count.largest",
+               number(static_cast<double>(here.largest), 4),
                known(number(static_cast<double>(whole.largest), 4)),
                "The largest difference of any channel of any pixel, in linear colour.");
-    count_line(ui, "mean", "compare.count.mean", number(here.mean, 5), known(number(whole.mean, 5)),
+    count_line(ui, "mean difference", "compare.count.mean", number(here.mean, 5),
+               known(number(whole.mean, 5)),
                "The mean over all pixels of the channel that differs most.");
-    count_line(ui, "rows", "compare.count.rows", "", found(comparison.whole().different_rows),
+    count_line(ui, "table rows", "compare.count.rows", "", found(comparison.whole().different_rows),
                "Rows of row tables whose left or right end differs.");
     count_line(
         ui, "moments", "compare.count.moments", "", found(comparison.whole().divergences.count),
@@ -174,9 +208,12 @@ void draw_counts(Ui& ui) {
 /// A moment at which the runs part, with its cause; its name leads there.
 void draw_divergence(Ui& ui, const char* title, const std::string& name,
                      const Divergence& divergence) {
-    const Palette& p = palette(ui.options.theme);
+    const std::string kind =
+        kind_text(divergence.kind) + (divergence.only_rounding ? ", within rounding errors" : "");
     ImGui::PushFont(ui.fonts.small);
-    text_in(p.dim, title);
+    ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
+    wrapped_text(std::string(title) + " · " + kind);
+    ImGui::PopStyleColor();
     ImGui::PopFont();
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
     if (button(ui, name, moment_name(divergence.cursor), Look::link,
@@ -185,11 +222,6 @@ void draw_divergence(Ui& ui, const char* title, const std::string& name,
         stand_at(ui, divergence.cursor);
     }
     ImGui::PopStyleVar();
-    ImGui::SameLine();
-    text_in(p.dim,
-            shortened(kind_text(divergence.kind) +
-                          (divergence.only_rounding ? ", no larger than rounding errors" : ""),
-                      ImGui::CalcItemWidth() - ImGui::GetItemRectSize().x));
     wrapped_text(divergence.text);
 }
 
@@ -204,13 +236,13 @@ void draw_first(Ui& ui) {
         end_card(ui);
         return;
     }
-    draw_divergence(ui, "first divergence", "compare.first", *list.first);
+    draw_divergence(ui, "first difference", "compare.first", *list.first);
     const bool has_more =
         list.first_beyond_rounding && list.first_beyond_rounding->cursor != list.first->cursor;
     if (has_more) {
         ImGui::Spacing();
-        draw_divergence(ui, "first that is larger than rounding errors",
-                        "compare.first_beyond_rounding", *list.first_beyond_rounding);
+        draw_divergence(ui, "first beyond rounding errors", "compare.first_beyond_rounding",
+                        *list.first_beyond_rounding);
     }
     if (comparison.here && comparison.here->cursor != list.first->cursor &&
         !(has_more && comparison.here->cursor == list.first_beyond_rounding->cursor)) {
@@ -218,13 +250,24 @@ void draw_first(Ui& ui) {
         draw_divergence(ui, "at this moment", "compare.here", *comparison.here);
     }
     end_card(ui);
-    if (button(ui, "compare.previous", "‹ previous", Look::plain, tooltip_of("compare.previous"))) {
+    if (button(ui, "compare.previous", "‹ difference", Look::plain,
+               tooltip_of("compare.previous"))) {
         go_to_previous_divergence(ui);
     }
     ImGui::SameLine();
-    if (button(ui, "compare.next", "next difference ›", Look::plain, tooltip_of("compare.next"))) {
+    if (button(ui, "compare.next", "difference ›", Look::plain, tooltip_of("compare.next"))) {
         go_to_next_divergence(ui);
     }
+    ImGui::SameLine();
+    const char* const key = "marked on the time line";
+    ImGui::PushFont(ui.fonts.small);
+    if (ImGui::CalcTextSize(key).x + difference_key_indent(ui) > ImGui::GetContentRegionAvail().x)
+        ImGui::NewLine();
+    ImGui::AlignTextToFramePadding();
+    draw_difference_key(ui, key);
+    name_widget(ui, "compare.key",
+                "On the time line this mark stands where the two runs begin to differ.");
+    ImGui::PopFont();
 }
 
 /// The list of groups has so many lines at least; where they have no room, the page scrolls.
@@ -312,7 +355,7 @@ void draw_compare_panel(Ui& ui) {
         ImGui::Spacing();
         ImGui::PushFont(ui.fonts.small);
         draw_settings(ui);
-        draw_choice_of_difference(ui, "another difference …");
+        draw_choice_of_difference(ui, "another difference ...");
         ImGui::PopFont();
     }
     if (!is_comparing(ui)) {

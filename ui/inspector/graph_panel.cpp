@@ -53,8 +53,9 @@ void draw_row_choice(Ui& ui, int index, const char* where) {
     const ImVec2 size{ImGui::GetFrameHeight(), 0};
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const float width = 2.0f * size.x + gap;
-    text_in(p.dim, shortened("column " + std::to_string(graph.first_column + index) + where,
-                             std::max(ImGui::GetContentRegionAvail().x - width - gap, 0.0f)));
+    const std::string column = "column " + std::to_string(graph.first_column + index);
+    text_in(p.dim, first_fitting({column + where, column},
+                                 ImGui::GetContentRegionAvail().x - width - gap));
     name_widget(ui, "graph.where",
                 "The column whose numbers stand beside the curves' names: under the pointer, or "
                 "else of the current fragment, or else where the error is largest.");

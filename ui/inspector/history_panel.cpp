@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -87,10 +88,16 @@ void draw_title(Ui& ui, const PixelHistory& history) {
     const int owner = ui.results.a.framebuffer->owner[at];
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
-    const std::string shows =
-        owner < 0 ? "not drawn" + std::string(history.entries.empty() ? "" : " yet")
-                  : "now " + triangle_name(owner) + ", " + part_name(*ui.results.a.scene, owner);
-    text_in(p.dim, shortened(shows, ImGui::GetContentRegionAvail().x));
+    std::vector<std::string> shows;
+    if (owner < 0) {
+        shows = {history.entries.empty() ? "not drawn" : "not drawn yet"};
+    } else {
+        const std::string part = part_name(*ui.results.a.scene, owner);
+        const std::string number = short_triangle_name(owner);
+        shows = {"now " + triangle_name(owner) + ", " + part, "now " + number + " " + part,
+                 "now " + number};
+    }
+    text_in(p.dim, first_fitting(shows, ImGui::GetContentRegionAvail().x));
 }
 
 /// A triangle that passes by: its name leads to it, the sentence says by how much it does.
@@ -189,11 +196,14 @@ void draw_history_panel(Ui& ui) {
         draw_uncovered(ui, history);
         return;
     }
-    const std::array<std::string, 2> sentences = verdict(ui, history);
+    std::array<std::string, 2> sentences = verdict(ui, history);
     const float u = ui.options.text_scale;
+    const float width = ImGui::GetContentRegionAvail().x - 26.0f * u;
+    // Where the first line wraps, the second follows it on the same line.
+    if (ImGui::CalcTextSize(sentences[0].c_str()).x > width && !sentences[1].empty())
+        sentences = {sentences[0] + " " + sentences[1], ""};
     float below = 2.0f * ImGui::GetStyle().ItemSpacing.y + 22.0f * u;
     for (const std::string& sentence : sentences) {
-        const float width = ImGui::GetContentRegionAvail().x - 26.0f * u;
         if (sentence.empty()) continue;
         below += ImGui::CalcTextSize(sentence.c_str(), nullptr, false, width).y +
                  ImGui::GetStyle().ItemSpacing.y;

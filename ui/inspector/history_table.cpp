@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 
 #include <fmt/format.h>
@@ -206,9 +207,11 @@ void draw_entry(Ui& ui, const PixelHistory& history, int index, const Columns& c
         ImGui::TableNextColumn();
     }
     const std::string number = short_triangle_name(entry.cursor.triangle);
-    ImGui::PushFont(stays(history, index) ? ui.fonts.bold : ui.fonts.text);
-    text_in(colour, shortened(number + " " + part_name(*ui.results.a.scene, entry.cursor.triangle),
-                              columns.widths[name_column]));
+    const std::string name = number + " " + part_name(*ui.results.a.scene, entry.cursor.triangle);
+    const float room = columns.widths[name_column];
+    const bool is_bold = stays(history, index) && text_width(ui.fonts.bold, name.c_str()) <= room;
+    ImGui::PushFont(is_bold ? ui.fonts.bold : ui.fonts.text);
+    text_in(colour, first_fitting({name, number}, room));
     ImGui::PopFont();
     if (columns.has(piece_column)) {
         ImGui::TableNextColumn();
@@ -312,6 +315,7 @@ void draw_history_table(Ui& ui, const PixelHistory& history, float height) {
     const int count = static_cast<int>(history.entries.size());
     const float needed = line * static_cast<float>(count + 1) + 4.0f * u;
     const bool scrolls = needed > height;
+    const float whole_lines = line * std::floor((height - 4.0f * u) / line) + 4.0f * u;
     const Columns columns = measure_columns(ui, history,
                                             ImGui::GetContentRegionAvail().x -
                                                 (scrolls ? ImGui::GetStyle().ScrollbarSize : 0.0f));
@@ -320,7 +324,7 @@ void draw_history_table(Ui& ui, const PixelHistory& history, float height) {
         ImGui::BeginTable("history", columns.count(),
                           ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH |
                               ImGuiTableFlags_PadOuterX | ImGuiTableFlags_SizingFixedFit,
-                          {0, std::min(needed, height)});
+                          {0, std::min(needed, whole_lines)});
     if (open) {
         ImGui::TableSetupScrollFreeze(0, 1);
         for (const float width : columns.widths) {

@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 #include "base/element_names.h"
 #include "base/numbers.h"
@@ -43,7 +43,24 @@ void draw_pixel_cell(const Ui& ui, int pixel, bool differs, const ImVec4& quiet)
     }
 }
 
-void draw_sample(Ui& ui, int index, int current, int walked) {
+/// Numbers of the columns that a narrow panel has no room for; the tooltip of a line says them.
+constexpr int exact_column = 2, drift_column = 3;
+
+struct SampleColumn {
+    int number; ///< from the left, where all are shown
+    const char* title;
+    const char* help;
+    int letters; ///< of its widest number
+};
+
+using SampleColumns = std::vector<SampleColumn>;
+
+bool has(const SampleColumns& columns, int number) {
+    return std::any_of(columns.begin(), columns.end(),
+                       [&](const SampleColumn& column) { return column.number == number; });
+}
+
+void draw_sample(Ui& ui, const SampleColumns& columns, int index, int current, int walked) {
     const Palette& p = palette(ui.options.theme);
     const MicroscopeSample sample = ui.inspector.microscope.shown.at(index);
     const MicroscopeCoordinate& c = shown_coordinate(ui, sample);
@@ -69,28 +86,26 @@ void draw_sample(Ui& ui, int index, int current, int walked) {
     ImGui::PopID();
     ImGui::TableNextColumn();
     right_aligned(float_text(c.walked), ink);
-    ImGui::TableNextColumn();
-    right_aligned(mixed_text(c.exact), ink);
-    ImGui::TableNextColumn();
-    right_aligned(drift_text(c.drift), c.drift == 0.0 ? p.dim : ink);
+    if (has(columns, exact_column)) {
+        ImGui::TableNextColumn();
+        right_aligned(mixed_text(c.exact), ink);
+    }
+    if (has(columns, drift_column)) {
+        ImGui::TableNextColumn();
+        right_aligned(drift_text(c.drift), c.drift == 0.0 ? p.dim : ink);
+    }
     ImGui::TableNextColumn();
     draw_pixel_cell(ui, c.pixel, c.differs_from_exact(), ink);
     ImGui::TableNextColumn();
     draw_pixel_cell(ui, c.reverse_pixel, c.differs_from_reverse(), p.dim);
 }
 
-struct SampleColumn {
-    const char* title;
-    const char* help;
-    int letters; ///< of its widest number
-};
-
 int digits(std::int64_t value) {
     return static_cast<int>(whole_text(std::abs(value)).size());
 }
 
 /// The columns for x or y of this edge, each as wide as its numbers may get.
-std::array<SampleColumn, 6> columns_of(const Ui& ui) {
+SampleColumns columns_of(const Ui& ui) {
     const EdgeMicroscope& edge = ui.inspector.microscope.shown;
     const bool x = ui.inspector.microscope.shows_x;
     const int a = x ? edge.a.column : edge.a.row, b = x ? edge.b.column : edge.b.row;
@@ -100,35 +115,47 @@ std::array<SampleColumn, 6> columns_of(const Ui& ui) {
     const int whole = sign + digits(std::max(std::abs(a), std::abs(b)));
     const int fraction = denominator == 1 ? 0 : 2 + 2 * digits(denominator);
     const int exact = std::max(5, whole + fraction);
-    return {{{"i", "Number of the sample along the edge, from 0: line[i].",
-              std::max(2, digits(edge.count))},
-             {x ? "x float" : "y float",
-              "The value that the walk carries, in nine digits: enough to tell every float from "
-              "its neighbours.",
-              denominator == 1 ? std::max(whole, 7) : 11 + sign},
-             {x ? "x exact" : "y exact",
-              "Where the sample would be without any error: start + i (end - start) / steps, as a "
-              "fraction in lowest terms.",
-              exact},
-             {"drift", "Float minus exact: what the additions have lost on the way here.",
-              drift == 0.0 ? 4 : 9},
-             {x ? "column" : "row",
-              "The pixel that the float becomes. ≠: the exact place is on another pixel.",
-              std::max(5, whole + 2)},
-             {"reverse",
-              "The pixel of this place when the edge is walked from its end to its start. ≠: "
-              "another one than walking forwards.",
-              std::max(5, whole + 2)}}};
+    return {{0, "i", "Number of the sample along the edge, from 0: line[i].",
+             std::max(2, digits(edge.count))},
+            {1, x ? "x float" : "y float",
+             "The value that the walk carries, in nine digits: enough to tell every float from "
+             "its neighbours.",
+             denominator == 1 ? std::max(whole, 7) : 11 + sign},
+            {exact_column, x ? "x exact" : "y exact",
+             "Where the sample would be without any error: start + i (end - start) / steps, as a "
+             "fraction in lowest terms.",
+             exact},
+            {drift_column, "drift",
+             "Float minus exact: what the additions have lost on the way here.",
+             drift == 0.0 ? 4 : 9},
+            {4, x ? "column" : "row",
+             "The pixel that the float becomes. ≠: the exact place is on another pixel.",
+             std::max(5, whole + 2)},
+            {5, "reverse",
+             "The pixel of this place when the edge is walked from its end to its start. ≠: "
+             "another one than walking forwards.",
+             std::max(5, whole + 2)}};
 }
 
-void draw_sample_headers(Ui& ui, const std::array<SampleColumn, 6>& columns) {
+/// Screen pixels that the table takes.
+float width_of(const Ui& ui, const SampleColumns& columns, float padding) {
+    ImGui::PushFont(ui.fonts.mono);
+    const float letter = ImGui::CalcTextSize("0").x;
+    ImGui::PopFont();
+    float width = ImGui::GetStyle().ScrollbarSize;
+    for (const SampleColumn& column : columns)
+        width += letter * static_cast<float>(column.letters) + 2.0f * padding;
+    return width;
+}
+
+void draw_sample_headers(Ui& ui, const SampleColumns& columns) {
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     for (std::size_t i = 0; i < columns.size(); ++i) {
         ImGui::TableSetColumnIndex(static_cast<int>(i));
         ImGui::PushFont(ui.fonts.small);
         right_aligned(columns[i].title, palette(ui.options.theme).dim);
         ImGui::PopFont();
-        name_widget(ui, "microscope.header." + std::to_string(i), columns[i].help);
+        name_widget(ui, "microscope.header." + std::to_string(columns[i].number), columns[i].help);
     }
 }
 
@@ -137,32 +164,24 @@ void draw_sample_headers(Ui& ui, const std::array<SampleColumn, 6>& columns) {
 void draw_sample_table(Ui& ui, float height, bool appears) {
     const EdgeMicroscope& edge = ui.inspector.microscope.shown;
     const float u = ui.options.text_scale;
-    const std::array<SampleColumn, 6> columns = columns_of(ui);
-    ImGui::PushFont(ui.fonts.mono);
-    const float letter = ImGui::CalcTextSize("0").x;
-    ImGui::PopFont();
+    SampleColumns columns = columns_of(ui);
     const ImVec2 padding{4.0f * u, ImGui::GetStyle().CellPadding.y};
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, padding);
-    float needed = ImGui::GetStyle().ScrollbarSize;
-    for (const SampleColumn& column : columns)
-        needed += letter * static_cast<float>(column.letters) + 2.0f * padding.x;
-    const bool fits = needed <= ImGui::GetContentRegionAvail().x;
-    const ImGuiTableFlags flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH |
-                                  ImGuiTableFlags_PadOuterX |
-                                  (fits ? ImGuiTableFlags_SizingStretchProp
-                                        : ImGuiTableFlags_ScrollX | ImGuiTableFlags_SizingFixedFit);
-    // Two tables, because ImGui remembers the widths of each.
-    const char* const id = fits ? "samples" : "samples that scroll";
-    if (!ImGui::BeginTable(id, static_cast<int>(columns.size()), flags, {0, height})) {
+    for (const int number : {drift_column, exact_column}) {
+        if (width_of(ui, columns, padding.x) <= ImGui::GetContentRegionAvail().x) break;
+        std::erase_if(columns, [&](const SampleColumn& c) { return c.number == number; });
+    }
+    if (!ImGui::BeginTable("samples", static_cast<int>(columns.size()),
+                           ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH |
+                               ImGuiTableFlags_PadOuterX | ImGuiTableFlags_SizingStretchProp,
+                           {0, height})) {
         ImGui::PopStyleVar();
         return;
     }
     ImGui::TableSetupScrollFreeze(1, 1);
     for (const SampleColumn& column : columns) {
-        const float width = letter * static_cast<float>(column.letters);
-        ImGui::TableSetupColumn(
-            "", fits ? ImGuiTableColumnFlags_WidthStretch : ImGuiTableColumnFlags_WidthFixed,
-            width);
+        ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch,
+                                static_cast<float>(column.letters));
     }
     draw_sample_headers(ui, columns);
     ImGui::PushFont(ui.fonts.mono);
@@ -173,7 +192,7 @@ void draw_sample_table(Ui& ui, float height, bool appears) {
     if (follows) clipper.ForceDisplayRangeByIndices(current, current + 1);
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-            draw_sample(ui, i, current, walked);
+            draw_sample(ui, columns, i, current, walked);
             if (follows && i == current && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
         }
     }

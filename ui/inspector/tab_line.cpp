@@ -45,6 +45,10 @@ Chooser chooser_of(const Session& session) {
                 "The lesson shows only what this step needs. Click: all groups and tabs.",
                 [](Ui& ui) { ui.session.tab_guide.shows_all = true; }};
     }
+    if (!session.tab_guide.before_compare.empty()) {
+        return {"while you compare", "", "tabs.follows",
+                "The comparison brought its tab. The one before is back when it ends.", nullptr};
+    }
     if (!session.tab_guide.is_own) {
         return {"follows the " + guide, "", "tabs.follows",
                 "The " + guide + " chooses the tab, until you click one.", nullptr};

@@ -20,9 +20,10 @@ void draw_triangle_title(Ui& ui) {
     ImGui::PushFont(ui.fonts.bold);
     ImGui::TextUnformatted(triangle_name(triangle).c_str());
     ImGui::PopFont();
+    const std::string part = part_name(*ui.results.a.scene, triangle);
     name_widget(ui, "triangle.name",
-                "The triangle that the inspector shows; the scene's triangles count from 0, as in "
-                "a C++ program.");
+                "The triangle that the inspector shows, of the part \"" + part +
+                    "\"; the scene's triangles count from 0, as in a C++ program.");
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     const float gap = ImGui::GetStyle().ItemSpacing.x;
@@ -41,14 +42,14 @@ void draw_triangle_title(Ui& ui) {
             ui.session.selection.triangle = std::nullopt;
         }
     };
-    // The buttons come first; of the name there is as much as fits before them.
+    // The buttons come first; the part is named where that fits before them.
     float width = count > 1 ? 2.0f * ImGui::GetFrameHeight() + gap : 0.0f;
     if (can_follow && ui.inspector.is_low) width += button_width(follow_label);
     const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
     const bool is_last = triangle == count - 1 && count > 1;
-    text_in(p.dim, shortened((is_last ? "the last of " : "of ") + std::to_string(count) + " · " +
-                                 part_name(*ui.results.a.scene, triangle),
-                             std::max(ImGui::GetContentRegionAvail().x - width - gap, 0.0f)));
+    const std::string place = (is_last ? "the last of " : "of ") + std::to_string(count);
+    text_in(p.dim, first_fitting({place + " · " + part, place},
+                                 ImGui::GetContentRegionAvail().x - width - gap));
     ImGui::SameLine();
     ImGui::SetCursorPosX(std::max(right - width, ImGui::GetCursorPosX()));
     if (can_follow && ui.inspector.is_low) {

@@ -216,6 +216,32 @@ void draw_current_bar(const Ui& ui, ImDrawList* list, ImVec2 low, float bottom) 
                         packed(colour_of(Meaning::current, ui.options.theme)));
 }
 
+void draw_difference_mark(ImDrawList* list, ImVec2 centre, float radius, ImU32 colour) {
+    list->AddQuadFilled({centre.x - radius, centre.y}, {centre.x, centre.y - radius},
+                        {centre.x + radius, centre.y}, {centre.x, centre.y + radius}, colour);
+}
+
+float difference_key_indent(const Ui& ui) {
+    return 16.0f * ui.options.text_scale;
+}
+
+void draw_difference_key(Ui& ui, std::string_view words) {
+    const float u = ui.options.text_scale;
+    const float left = ImGui::GetCursorScreenPos().x;
+    ImGui::BeginGroup();
+    const float indent = difference_key_indent(ui);
+    ImGui::Indent(indent);
+    ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
+    wrapped_text(words);
+    draw_difference_mark(
+        ImGui::GetWindowDrawList(),
+        {left + 5.0f * u, ImGui::GetItemRectMin().y + 0.5f * ImGui::GetTextLineHeight()}, 4.5f * u,
+        packed(colour_of(Meaning::fail, ui.options.theme)));
+    ImGui::PopStyleColor();
+    ImGui::Unindent(indent);
+    ImGui::EndGroup();
+}
+
 void begin_card(Ui& ui, float width) {
     const ImVec2 padding{12.0f * ui.options.text_scale, 10.0f * ui.options.text_scale};
     open_card.start = ImGui::GetCursorScreenPos();
@@ -270,6 +296,13 @@ std::string shortened(const std::string& text, float width) {
 
 float text_width(std::string_view text) {
     return text.empty() ? 0.0f : ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
+}
+
+std::string first_fitting(const std::vector<std::string>& forms, float width) {
+    for (const std::string& form : forms) {
+        if (ImGui::CalcTextSize(form.c_str()).x <= width) return form;
+    }
+    return {};
 }
 
 float button_width(std::string_view label) {

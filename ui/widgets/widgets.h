@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <imgui.h>
 
@@ -63,6 +64,14 @@ void draw_changed_box(const Ui& ui, ImDrawList* list, ImVec2 low, ImVec2 high);
 /// @param low its upper left corner
 void draw_current_bar(const Ui& ui, ImDrawList* list, ImVec2 low, float bottom);
 
+/// The mark of moments at which two runs differ, as on the time line.
+void draw_difference_mark(ImDrawList* list, ImVec2 centre, float radius, ImU32 colour);
+
+/// The mark, and what it means.
+void draw_difference_key(Ui& ui, std::string_view words);
+/// Where its words begin, screen pixels.
+float difference_key_indent(const Ui& ui);
+
 /// A box on the ground that grows with its content: between begin_card and end_card.
 void begin_card(Ui& ui, float width = 0.0f);
 void end_card(Ui& ui);
@@ -77,6 +86,9 @@ std::string shortened(const std::string& text, float width);
 
 /// How wide one line of text is in the font at hand, in pixels of the window.
 float text_width(std::string_view text);
+
+/// The first of these texts that fits into the width in the present font; empty if none does.
+std::string first_fitting(const std::vector<std::string>& forms, float width);
 
 /// The width that a label takes as a button.
 float button_width(std::string_view label);

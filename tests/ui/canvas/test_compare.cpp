@@ -8,11 +8,13 @@
 #include "settings/setting_table.h"
 #include "support/effort.h"
 #include "support/project_root.h"
+#include "tests/ui/shown_colours.h"
 #include "tests/ui/shown_number.h"
 #include "ui/actions/compare.h"
 #include "ui/actions/keys.h"
 #include "ui/app/app.h"
 #include "ui/ui.h"
+#include "ui/widgets/style.h"
 
 namespace rasterwalk {
 
@@ -44,6 +46,57 @@ TEST_CASE("One click compares the picture as it is with affine, and one ends it 
     CHECK_FALSE(driver.ui.session.b);
     CHECK_FALSE(driver.ui.results.b);
     CHECK(driver.ui.session.a.settings == before);
+}
+
+TEST_CASE("A comparison brings the tab that explains it, and the one before is back at its end") {
+    Driver driver(lit_room());
+    const auto tab = [&] { return driver.ui.session.tab; };
+    REQUIRE(tab() == "fragment");
+    driver.hand.press('C');
+    CHECK(tab() == "compare");
+    driver.hand.press('C');
+    CHECK(tab() == "fragment");
+    driver.open("history"); // the student's own
+    driver.hand.click("switch.compare");
+    CHECK(tab() == "compare");
+    driver.hand.click("compare.end");
+    driver.hand.frames(1);
+    CHECK(tab() == "history");
+    CHECK(driver.ui.session.tab_guide.is_own);
+    driver.hand.press('C');
+    driver.hand.press('Z', {.ctrl = true});
+    driver.hand.frames(1);
+    CHECK_FALSE(driver.ui.session.b);
+    CHECK(tab() == "history");
+    // Another tab that is chosen meanwhile stays.
+    driver.hand.press('C');
+    driver.open("rows");
+    driver.hand.press('C');
+    driver.hand.frames(1);
+    CHECK(tab() == "rows");
+    // The settings stay where they are, over it.
+    driver.open("settings");
+    driver.hand.press('C');
+    CHECK(tab() == "settings");
+    driver.hand.click("settings.close");
+    CHECK(tab() == "compare");
+    driver.hand.press('C');
+    driver.hand.frames(1);
+    CHECK(tab() == "rows");
+}
+
+TEST_CASE("The diamonds on the time line are explained, in the Compare tab and below the line") {
+    Driver driver(lit_room());
+    CHECK(driver.ui.widgets.count("walk.differences") == 0);
+    driver.hand.press('C');
+    driver.hand.leave();
+    const ImU32 mark = packed(colour_of(Meaning::fail, driver.ui.options.theme));
+    CHECK(shown_colours(driver.hand.find("walk.difference.0")).count(mark) == 1);
+    CHECK(shown_colours(driver.hand.find("walk.differences")).count(mark) == 1);
+    CHECK(shown_colours(driver.hand.find("compare.key")).count(mark) == 1);
+    driver.hand.press('C');
+    driver.hand.leave();
+    CHECK(driver.ui.widgets.count("walk.differences") == 0);
 }
 
 TEST_CASE("Every pair is compared by one click in the Compare tab, and a second one ends it") {

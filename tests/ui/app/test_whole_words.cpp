@@ -1,0 +1,96 @@
+// What the panels say is whole in every window: where there is little room, less is said.
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "session/second_run.h"
+#include "session/tabs.h"
+#include "tests/ui/driver.h"
+#include "tests/ui/screen_text.h"
+#include "tests/ui/shown_number.h"
+
+namespace rasterwalk {
+
+namespace {
+
+std::vector<SmallWindow> all_windows() {
+    std::vector<SmallWindow> all(small_windows.begin(), small_windows.end());
+    all.push_back({{1366, 768}, 1.0f});
+    all.push_back({{1600, 1000}, 1.0f});
+    all.push_back({{1600, 1000}, 1.5f});
+    return all;
+}
+
+/// Lines with an ellipsis in the windows whose names begin with one of these.
+std::vector<std::string> shortened_lines(const std::vector<std::string>& names) {
+    std::vector<std::string> lines;
+    for (const ScreenText& text : screen_text()) {
+        const bool is_meant = std::any_of(names.begin(), names.end(), [&](const auto& name) {
+            return text.window.starts_with(name);
+        });
+        if (is_meant && text.words.find("…") != std::string::npos) lines.push_back(text.words);
+    }
+    return lines;
+}
+
+const std::vector<std::string> nothing;
+
+} // namespace
+
+TEST_CASE("No panel shortens what it says, nor does the line below the time line") {
+    for (const SmallWindow& window : all_windows()) {
+        CAPTURE(window.size.x, window.size.y, window.text_scale);
+        Driver driver("lab-room.toml", window.size, window.text_scale);
+        driver.ui.session.selection.pixel = glm::ivec2(250, 400);
+        driver.ui.session.selection.triangle = 10;
+        for (const char* tab : {"vertices", "rows", "microscope", "history", "graph", "compare"}) {
+            CAPTURE(tab);
+            driver.open(tab);
+            driver.hand.leave();
+            CHECK(shortened_lines({"inspector", "transport"}) == nothing);
+        }
+    }
+}
+
+TEST_CASE("While two runs are compared nothing that is said of them is shortened") {
+    for (const SmallWindow& window : all_windows()) {
+        CAPTURE(window.size.x, window.size.y, window.text_scale);
+        Driver driver("lab-room.toml", window.size, window.text_scale);
+        driver.ui.session.selection.pixel = glm::ivec2(200, 350);
+        driver.hand.press('C');
+        for (const CompareViewInfo& view : compare_view_list()) {
+            CAPTURE(view.name);
+            driver.ui.session.compare_view = view.view;
+            driver.hand.leave();
+            CHECK(shortened_lines({"canvas", "inspector", "transport"}) == nothing);
+            // At 800x600 and large text only the tab has room for it.
+            if (window.size.x / window.text_scale < 640.0f) continue;
+            CHECK_THAT(shown_text(driver, "compare.counts"), Catch::Contains("differ"));
+        }
+    }
+}
+
+TEST_CASE("The samples of an edge stand in the table whole, without scrolling to the side") {
+    for (const SmallWindow& window : all_windows()) {
+        CAPTURE(window.size.x, window.size.y, window.text_scale);
+        Driver driver("lab-room.toml", window.size, window.text_scale);
+        driver.ui.session.selection.triangle = 12;
+        driver.open("microscope");
+        driver.hand.leave();
+        const WidgetPlace last = driver.hand.find("microscope.header.5");
+        for (const char* name :
+             {"microscope.header.0", "microscope.header.1", "microscope.header.4"})
+            CHECK(driver.ui.widgets.count(name) == 1);
+        bool is_whole = false;
+        for (const ScreenText& text : screen_text())
+            is_whole =
+                is_whole || (text.window.starts_with("inspector") && text.words == "reverse");
+        CHECK(is_whole);
+        CHECK(last.bottom_right.x <= window.size.x);
+    }
+}
+
+} // namespace rasterwalk
