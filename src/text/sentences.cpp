@@ -170,7 +170,8 @@ std::vector<ReadingPiece> reading_pieces(std::string_view markdown) {
     bool is_running = false; // the piece before is a sentence alone
     for (const Block& block : blocks_of(markdown)) {
         if (block.text.starts_with("[^") || block.text.starts_with("<!--")) continue;
-        if (!block.is_paragraph && !pieces.empty() && pieces.back().text.ends_with(':')) {
+        if (!block.is_paragraph && !block.is_list && is_running &&
+            pieces.back().text.ends_with(':')) {
             pieces.back().text.append("\n\n").append(block.text);
             is_running = false;
             continue;

@@ -44,7 +44,7 @@ TEST_CASE("What is no running text is passed over") {
 
 TEST_CASE("A text is read in pieces: sentences, items of lists, and blocks as they are") {
     const std::string text =
-        "One. Two.[^1]\n\n- first\n  goes on\n- second\n\nCode:\n\n```\na\n\nb\n"
+        "One. Two:[^1]\n\n- first\n  goes on\n- second\n\nCode:\n\n```\na\n\nb\n"
         "```\n\n> **Box**\n>\n> - in it\n\n[^1]: A note.\n";
     std::vector<std::string> texts;
     std::string starts;
@@ -52,7 +52,7 @@ TEST_CASE("A text is read in pieces: sentences, items of lists, and blocks as th
         texts.push_back(piece.text);
         starts += piece.is_first ? '1' : '0';
     }
-    CHECK(texts == Sentences{"One.", "Two.", "- first\n  goes on", "- second",
+    CHECK(texts == Sentences{"One.", "Two:", "- first\n  goes on", "- second",
                              "Code:\n\n```\na\n\nb\n```", "> **Box**\n>\n> - in it"});
     CHECK(starts == "101011");
     CHECK(reading_pieces("").empty());

@@ -92,7 +92,7 @@ void draw_axis_choice(Ui& ui, float gap) {
     }
     const MicroscopeSummary& summary = view.shown.summary;
     const bool x_drifts = summary.largest_drift_x != 0.0, y_drifts = summary.largest_drift_y != 0.0;
-    if (x_drifts == y_drifts) return;
+    if (x_drifts == y_drifts || is_low) return;
     const char* const note = x_drifts ? "only x drifts" : "only y drifts";
     const float room = right - ImGui::GetItemRectMax().x - 2.0f * between;
     if (ImGui::CalcTextSize(note).x > room) return;
