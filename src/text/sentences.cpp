@@ -32,26 +32,56 @@ bool begins_other_block(std::string_view line) {
     return digits > 0 && line.substr(digits).starts_with(". ");
 }
 
-std::string first_paragraph(std::string_view text) {
-    std::string paragraph;
+/// A part of a text that stands between blank lines, or between the fences of code.
+struct Block {
+    std::string text;
+    bool is_paragraph = false;
+    bool is_list = false;
+};
+
+bool is_list_item(std::string_view line) {
+    const std::size_t digits = std::min(line.find_first_not_of("0123456789"), line.size());
+    return line.starts_with("- ") || line.starts_with("* ") || line.starts_with("+ ") ||
+           (digits > 0 && line.substr(digits).starts_with(". "));
+}
+
+/// Adds a line to a block.
+void append_line(std::string& text, std::string_view line) {
+    if (!text.empty()) text += '\n';
+    text.append(line);
+}
+
+std::vector<Block> blocks_of(std::string_view text) {
+    std::vector<Block> blocks;
+    Block block;
+    const auto end_block = [&] {
+        if (!block.text.empty()) blocks.push_back(block);
+        block = {};
+    };
     while (!text.empty()) {
         const std::string_view line = next_line(text);
         if (begins_code(line)) {
-            if (!paragraph.empty()) return paragraph;
-            while (!text.empty() && !begins_code(next_line(text))) {
+            end_block();
+            append_line(block.text, line);
+            for (bool is_open = true; is_open && !text.empty();) {
+                const std::string_view code = next_line(text);
+                append_line(block.text, code);
+                is_open = !begins_code(code);
             }
+            end_block();
         } else if (is_blank(line)) {
-            if (!paragraph.empty()) return paragraph;
-        } else if (paragraph.empty() && begins_other_block(line)) {
-            // What goes on without a mark of its own belongs to it.
-            while (!text.empty() && !is_blank(next_line(text))) {
-            }
+            end_block();
         } else {
-            if (!paragraph.empty()) paragraph += '\n';
-            paragraph.append(line);
+            // What goes on without a mark of its own belongs to what it stands in.
+            if (block.text.empty()) {
+                block.is_paragraph = !begins_other_block(line);
+                block.is_list = is_list_item(line);
+            }
+            append_line(block.text, line);
         }
     }
-    return paragraph;
+    end_block();
+    return blocks;
 }
 
 std::string without_notes(std::string text) {
@@ -89,10 +119,7 @@ class Nesting {
     char before_ = '\0';
 };
 
-} // namespace
-
-std::vector<std::string> leading_sentences(std::string_view markdown) {
-    const std::string text = without_notes(first_paragraph(markdown));
+std::vector<std::string> sentences_of(const std::string& text) {
     std::vector<std::string> sentences;
     std::size_t start = 0;
     Nesting nesting;
@@ -116,6 +143,52 @@ std::vector<std::string> leading_sentences(std::string_view markdown) {
         sentences.push_back(text.substr(start));
     }
     return sentences;
+}
+
+/// The items of a list, each with the lines that belong to it.
+std::vector<std::string> items_of(std::string_view list) {
+    std::vector<std::string> items;
+    while (!list.empty()) {
+        const std::string_view line = next_line(list);
+        if (items.empty() || is_list_item(line)) items.emplace_back();
+        append_line(items.back(), line);
+    }
+    return items;
+}
+
+} // namespace
+
+std::vector<std::string> leading_sentences(std::string_view markdown) {
+    for (const Block& block : blocks_of(markdown)) {
+        if (block.is_paragraph) return sentences_of(without_notes(block.text));
+    }
+    return {};
+}
+
+std::vector<ReadingPiece> reading_pieces(std::string_view markdown) {
+    std::vector<ReadingPiece> pieces;
+    bool is_running = false; // the piece before is a sentence alone
+    for (const Block& block : blocks_of(markdown)) {
+        if (block.text.starts_with("[^") || block.text.starts_with("<!--")) continue;
+        if (!block.is_paragraph && !block.is_list && is_running &&
+            pieces.back().text.ends_with(':')) {
+            pieces.back().text.append("\n\n").append(block.text);
+            is_running = false;
+            continue;
+        }
+        const std::vector<std::string> parts = block.is_paragraph
+                                                   ? sentences_of(without_notes(block.text))
+                                               : block.is_list ? items_of(block.text)
+                                                               : std::vector{block.text};
+        // Running text goes on from one paragraph to the next.
+        bool is_first = !block.is_paragraph || pieces.empty() || !is_running;
+        is_running = block.is_paragraph;
+        for (const std::string& part : parts) {
+            pieces.push_back({part, is_first, block.is_list ? "\n" : " "});
+            is_first = false;
+        }
+    }
+    return pieces;
 }
 
 } // namespace rasterwalk

@@ -11,4 +11,16 @@ namespace rasterwalk {
 /// does not end within code, a formula, a link or emphasis. Empty where there is no paragraph.
 std::vector<std::string> leading_sentences(std::string_view markdown);
 
+/// A piece of a Markdown text that is not cut: a sentence, an item of a list, or another block.
+struct ReadingPiece {
+    std::string text;      ///< Markdown
+    bool is_first = false; ///< begins a block, and does not only go on with running text
+    std::string_view glue; ///< what joins it to the piece before it
+};
+
+/// The whole of a Markdown text in pieces, in reading order and without references to footnotes. A
+/// sentence that ends in a colon is one piece with the code or other block that it announces, but
+/// not with a list.
+std::vector<ReadingPiece> reading_pieces(std::string_view markdown);
+
 } // namespace rasterwalk

@@ -1,5 +1,8 @@
 #include "text/sentences.h"
 
+#include <algorithm>
+#include <cctype>
+
 #include <catch2/catch.hpp>
 
 #include "lessons/lesson_list.h"
@@ -37,6 +40,44 @@ TEST_CASE("What is no running text is passed over") {
     CHECK(leading_sentences("```\nnever closed. Really").empty());
     CHECK(leading_sentences("[^").size() <= 1);
     CHECK(leading_sentences("*`[$ . . .").size() <= 1);
+}
+
+TEST_CASE("A text is read in pieces: sentences, items of lists, and blocks as they are") {
+    const std::string text =
+        "One. Two:[^1]\n\n- first\n  goes on\n- second\n\nCode:\n\n```\na\n\nb\n"
+        "```\n\n> **Box**\n>\n> - in it\n\n[^1]: A note.\n";
+    std::vector<std::string> texts;
+    std::string starts;
+    for (const ReadingPiece& piece : reading_pieces(text)) {
+        texts.push_back(piece.text);
+        starts += piece.is_first ? '1' : '0';
+    }
+    CHECK(texts == Sentences{"One.", "Two:", "- first\n  goes on", "- second",
+                             "Code:\n\n```\na\n\nb\n```", "> **Box**\n>\n> - in it"});
+    CHECK(starts == "101011");
+    CHECK(reading_pieces("").empty());
+}
+
+TEST_CASE("No word of a lesson is lost when it is cut into pieces") {
+    LessonList lessons;
+    lessons.read_folder(lessons_folder());
+    for (const Lesson& lesson : lessons.all()) {
+        for (const LessonStep& step : lesson.steps) {
+            for (const LessonPart& part : step.parts) {
+                if (part.kind != LessonPart::Kind::text) continue;
+                INFO(lesson.id << ": " << part.text);
+                std::string pieces;
+                for (const ReadingPiece& piece : reading_pieces(part.text))
+                    pieces += piece.text;
+                // Letters alone: blanks are put between pieces, and notes are left out.
+                const auto letters = [](const std::string& words) {
+                    return std::count_if(words.begin(), words.end(),
+                                         [](unsigned char c) { return std::isalpha(c) != 0; });
+                };
+                CHECK(letters(pieces) == letters(part.text));
+            }
+        }
+    }
 }
 
 TEST_CASE("Every step of every lesson has a sentence that stands for it, whole in its marks") {

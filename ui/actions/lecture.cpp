@@ -29,7 +29,7 @@ void walk_on(Ui& ui) {
     if (walks_through_time(ui)) {
         step_forward(ui.session, Timeline(ui.results.a.frame), ui.session.play.granularity);
     } else {
-        open_neighbour_step(ui, 1);
+        read_on(ui);
     }
 }
 
@@ -37,7 +37,7 @@ void walk_back(Ui& ui) {
     if (walks_through_time(ui)) {
         step_back(ui.session, Timeline(ui.results.a.frame), ui.session.play.granularity);
     } else {
-        open_neighbour_step(ui, -1);
+        read_back(ui);
     }
 }
 

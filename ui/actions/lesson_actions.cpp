@@ -35,15 +35,17 @@ std::vector<Action> lesson_actions() {
     return {
         {"lesson.on",
          "Lesson",
-         "Next step",
-         "Goes on to the next step of the lesson; in a lecture without one, to the next moment.",
+         "On in the lesson",
+         "Goes on: to the next step, in a small window to the step's next card; in a lecture "
+         "without a lesson, to the next moment.",
          {key::page_down},
          walk_on,
          nullptr},
         {"lesson.back",
          "Lesson",
-         "Step before",
-         "Returns to the step before; in a lecture without a lesson, to the moment before.",
+         "Back in the lesson",
+         "Goes back: to the step before, in a small window to the card before; in a lecture "
+         "without a lesson, to the moment before.",
          {key::page_up},
          walk_back,
          nullptr},
@@ -57,7 +59,7 @@ std::vector<Action> lesson_actions() {
         {"lesson.whole",
          "Lesson",
          "The whole text",
-         "In a small window, lays the whole text of the lesson over the inspector.",
+         "In a small window, shows the whole text of the lesson in place of strip and inspector.",
          {'T'},
          [](Ui& ui) {
              if (is_drawer_open(ui)) {

@@ -56,10 +56,9 @@ std::string door_to_tab(const Ui& ui, const std::string& tab) {
     const TabInfo* const wanted = find_tab(tab);
     const TabInfo* const shown = find_tab(tab_below(ui.session));
     if (wanted == nullptr) return "tab." + tab;
+    if (is_drawer_open(ui)) return "lesson.whole";
     if (is_compact(ImGui::GetIO().DisplaySize, ui.options)) {
-        return is_drawer_open(ui)     ? "lesson.whole"
-               : is_settings_open(ui) ? "settings.close"
-                                      : "tabs";
+        return is_settings_open(ui) ? "settings.close" : "tabs";
     }
     const bool is_in_line = !is_covered(ui) && shown != nullptr && shown->group == wanted->group;
     return is_in_line ? "tab." + tab : std::string("group.").append(word_of(wanted->group));

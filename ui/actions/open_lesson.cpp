@@ -1,6 +1,7 @@
 #include "ui/actions/open_lesson.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include <imgui.h>
@@ -15,6 +16,9 @@ namespace rasterwalk {
 
 namespace {
 
+/// Stands for the last card of a step whose cards are not cut yet.
+constexpr int last_card = std::numeric_limits<int>::max();
+
 /// Forgets what belongs to the step that was on show.
 void forget_step(LessonView& view) {
     view.pages.clear();
@@ -22,7 +26,9 @@ void forget_step(LessonView& view) {
     view.meant.clear();
     view.pointed_at.clear();
     view.is_held = false;
-    view.strip.card = std::nullopt;
+    view.strip.cards.clear();
+    view.strip.card = 0;
+    view.part_to_show = -1;
 }
 
 /// What belongs to the step that is on show now.
@@ -107,6 +113,32 @@ void open_neighbour_step(Ui& ui, int distance) {
     const int step = ui.session.step + distance;
     if (step < 0 || step >= static_cast<int>(lesson->steps.size())) return;
     open_lesson(ui, std::string(lesson->id), step);
+}
+
+bool turn_card(Ui& ui, int distance) {
+    LessonView& view = ui.lesson;
+    if (!view.is_strip || ui.session.page != SidePage::lesson) return false;
+    // What is scrolled away comes first.
+    if (distance > 0 ? view.has_more_below : view.has_more_above) {
+        view.pages_to_scroll = static_cast<float>(distance);
+        return true;
+    }
+    if (view.drawer_is_open) return false;
+    const int card = view.strip.card + distance;
+    if (card < 0 || card >= static_cast<int>(view.strip.cards.size())) return false;
+    view.strip.card = card;
+    return true;
+}
+
+void read_on(Ui& ui) {
+    if (!turn_card(ui, 1)) open_neighbour_step(ui, 1);
+}
+
+void read_back(Ui& ui) {
+    if (turn_card(ui, -1)) return;
+    const int step = ui.session.step;
+    open_neighbour_step(ui, -1);
+    if (ui.session.step != step) ui.lesson.strip.card = last_card;
 }
 
 bool lesson_was_edited(const Ui& ui) {

@@ -27,6 +27,14 @@ void open_lesson_to_go_on(Ui& ui);
 /// without a lesson or beyond its ends.
 void open_neighbour_step(Ui& ui, int distance);
 
+/// One card on (1) or back (-1) in the strip; where its whole text stands open, a page of that.
+/// @return false where there is none: the step is at its end, or at its beginning
+bool turn_card(Ui& ui, int distance);
+
+/// The card after the one on show and the one before; beyond the step's, the neighbour step.
+void read_on(Ui& ui);
+void read_back(Ui& ui);
+
 /// Has the file of the lesson that is open changed since it was read?
 bool lesson_was_edited(const Ui& ui);
 

@@ -59,7 +59,13 @@ bool is_drawer_open(const Ui& ui) {
 }
 
 void open_drawer(Ui& ui) {
-    ui.lesson.drawer_is_open = ui.lesson.is_strip;
+    LessonView& lesson = ui.lesson;
+    lesson.drawer_is_open = lesson.is_strip;
+    // What the strip has come to is read on.
+    const LessonStrip& strip = lesson.strip;
+    if (strip.card > 0 && strip.card < static_cast<int>(strip.cards.size())) {
+        lesson.part_to_show = strip.cards[static_cast<std::size_t>(strip.card)].part;
+    }
 }
 
 void close_drawer(Ui& ui) {

@@ -11,6 +11,7 @@
 #include "ui/actions/lab.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/actions/open_lesson.h"
+#include "ui/actions/open_tab.h"
 #include "ui/app/guard.h"
 #include "ui/app/kept_options.h"
 #include "ui/bars/bars.h"
@@ -119,15 +120,22 @@ void draw_splitter(Ui& ui, const char* name, float x, const Area& middle, float&
 /// The window with a scene in it.
 void draw_workplace(Ui& ui, const Layout& layout) {
     guarded(ui, [&] { draw_stage_strip(ui, layout); });
+    const bool has_drawer = is_drawer_open(ui); // what is drawn may close it
     guarded(ui, [&] {
-        if (layout.lesson_is_strip) {
-            draw_lesson_strip(ui, layout.lesson);
-        } else {
+        if (!layout.lesson_is_strip) {
             draw_lesson_column(ui, layout.lesson);
+        } else if (!has_drawer) {
+            draw_lesson_strip(ui, layout.lesson);
         }
     });
     guarded(ui, [&] { draw_canvas(ui, layout.canvas); });
-    guarded(ui, [&] { draw_inspector(ui, layout.inspector); });
+    guarded(ui, [&] {
+        if (has_drawer) {
+            draw_lesson_drawer(ui, layout.inspector);
+        } else {
+            draw_inspector(ui, layout.inspector);
+        }
+    });
     guarded(ui, [&] { draw_transport(ui, layout.transport); });
     guarded(ui, [&] {
         if (layout.status.size.y > 0.0f) draw_status_line(ui, layout.status);
@@ -153,6 +161,7 @@ bool has_status_line(const Ui& ui, ImVec2 window) {
 Layout layout_of(const Ui& ui, ImVec2 window) {
     LayoutNeeds needs{.transport = transport_height(ui, window.x),
                       .lesson_strip = lesson_strip_height(ui),
+                      .has_drawer = ui.lesson.drawer_is_open,
                       .menu_end = menu_end_width(ui, window.x),
                       .has_stages = !ui.start.is_open,
                       .has_status = has_status_line(ui, window)};

@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "session/moment_text.h"
 #include "ui/actions/actions.h"
+#include "ui/actions/outside.h"
 #include "ui/bars/bars.h"
 #include "ui/bars/speed_dial.h"
 #include "ui/bars/time_strips.h"
@@ -238,6 +240,42 @@ float change_buttons_width(const Ui& ui) {
            46.0f * ui.options.text_scale;
 }
 
+/// In a lecture, where the canvas has no header, at the same place: how much of the picture is
+/// seen.
+struct ZoomButton {
+    const char *name, *label, *action;
+};
+constexpr ZoomButton zoom_buttons[] = {{"canvas.fit", "fit", "view.fit"},
+                                       {"canvas.zoom_triangle", "triangle", "view.zoom_selection"}};
+
+/// From outside there is no triangle to zoom to.
+std::span<const ZoomButton> zoom_buttons_of(const Ui& ui) {
+    const bool has_picture = shown_on_canvas(ui) != CanvasShows::outside;
+    return std::span(zoom_buttons).first(has_picture ? 2 : 1);
+}
+
+void draw_zoom_buttons(Ui& ui, ImVec2 at) {
+    const float u = ui.options.text_scale;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(10.0f * u, 2.0f * u));
+    ImGui::SetCursorScreenPos({at.x, at.y - 3.0f * u});
+    for (const ZoomButton& b : zoom_buttons_of(ui)) {
+        if (&b != zoom_buttons) ImGui::SameLine(0.0f, 6.0f * u);
+        if (button(ui, b.name, b.label, Look::plain, tooltip_of(b.action),
+                   {0, ImGui::GetFontSize() + 6.0f * u})) {
+            find_action(b.action).run(ui);
+        }
+    }
+    ImGui::PopStyleVar();
+}
+
+float zoom_buttons_width(const Ui& ui) {
+    const float u = ui.options.text_scale;
+    float width = -6.0f * u;
+    for (const ZoomButton& b : zoom_buttons_of(ui))
+        width += text_width(b.label) + 26.0f * u;
+    return width;
+}
+
 /// What was drawn last, in words; from the longest form to the shortest.
 std::vector<std::string> moment_forms(const Ui& ui) {
     if (!ui.results.a.done) return {"nothing is drawn yet", "nothing yet"};
@@ -295,17 +333,24 @@ void draw_next(Ui& ui, ImVec2 at, float room) {
                     to_text(cursor) + ".");
 }
 
-/// Words, cursor and, with a pixel picked or room to spare, the buttons for its changes in a line.
+/// Words, cursor and, with a pixel picked or room to spare, the buttons for its changes in a line;
+/// in a lecture those for the picture.
 void draw_last_line(Ui& ui, ImVec2 at, float room) {
     const float gap = 18.0f * ui.options.text_scale;
-    const float buttons = change_buttons_width(ui);
-    const float words = text_width(moment_forms(ui).front().c_str());
-    const bool has_buttons =
-        !ui.options.is_lecture && (ui.results.history || words + gap + buttons <= room);
+    const bool is_lecture = ui.options.is_lecture;
+    const float buttons = is_lecture ? zoom_buttons_width(ui) : change_buttons_width(ui);
+    const float words = text_width(moment_forms(ui).front());
+    const bool has_buttons = is_lecture || ui.results.history || words + gap + buttons <= room;
     const float rest = room - (has_buttons ? buttons + gap : 0.0f);
     const float used = draw_words(ui, at, rest) + gap;
     draw_next(ui, {at.x + used, at.y}, rest - used);
-    if (has_buttons) draw_change_buttons(ui, {at.x + rest + gap, at.y});
+    if (!has_buttons) return;
+    const ImVec2 place{at.x + rest + gap, at.y};
+    if (is_lecture) {
+        draw_zoom_buttons(ui, place);
+    } else {
+        draw_change_buttons(ui, place);
+    }
 }
 
 void draw_buttons(Ui& ui, ImVec2 at, const Groups& g, float height) {

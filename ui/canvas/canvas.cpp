@@ -274,8 +274,8 @@ struct HeaderButton {
 
 /// Does a widget of this name stand in the header?
 bool is_in_header(std::string_view widget) {
-    constexpr std::string_view beginnings[] = {"canvas.view", "canvas.shows", "canvas.fit",
-                                               "canvas.zoom", "canvas.grid",  "canvas.overlays"};
+    constexpr std::string_view beginnings[] = {"canvas.view", "canvas.shows", "canvas.grid",
+                                               "canvas.overlays"};
     return std::any_of(std::begin(beginnings), std::end(beginnings),
                        [&](std::string_view beginning) { return widget.starts_with(beginning); });
 }
@@ -284,9 +284,14 @@ void draw_header(Ui& ui, float right_edge) {
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const CanvasShows shows = shown_on_canvas(ui);
     const bool has_picture = shows != CanvasShows::outside;
-    std::vector<HeaderButton> buttons{{"canvas.fit", "fit", "view.fit", fits(ui)}};
+    // In a lecture the first two stand beside the time.
+    const bool is_lecture = ui.options.is_lecture;
+    std::vector<HeaderButton> buttons;
+    if (!is_lecture) buttons.push_back({"canvas.fit", "fit", "view.fit", fits(ui)});
     if (has_picture) {
-        buttons.push_back({"canvas.zoom_triangle", "triangle", "view.zoom_selection", false});
+        if (!is_lecture) {
+            buttons.push_back({"canvas.zoom_triangle", "triangle", "view.zoom_selection", false});
+        }
         buttons.push_back({"canvas.grid", "grid", "view.grid", ui.session.canvas.grid});
     }
     const auto width_of_buttons = [&] {

@@ -49,6 +49,52 @@ bool link_at_right(Ui& ui, const char* name, const char* label, const char* help
     return clicked;
 }
 
+/// The ways to the fragment drawn last and to this one's moment.
+struct FragmentLinks {
+    bool can_follow, can_go;
+};
+
+FragmentLinks links_of(const Ui& ui) {
+    const FragmentReport& report = report_of(ui);
+    const bool is_done = ui.results.a.done == report.cursor;
+    return {ui.session.selection.pixel && !is_done && ui.results.a.done &&
+                ui.results.a.done->phase == Phase::rows,
+            !is_done};
+}
+
+void draw_follow_link(Ui& ui) {
+    if (link_at_right(ui, "fragment.follow", "the one drawn last",
+                      "Lets the picked pixel go: from moment to moment the fragment that was drawn "
+                      "last is shown.")) {
+        ui.session.selection.pixel = std::nullopt;
+    }
+}
+
+void draw_go_link(Ui& ui) {
+    const Cursor cursor = report_of(ui).cursor;
+    if (link_at_right(ui, "fragment.go", "go to it",
+                      "Goes to the moment just after this fragment is drawn.")) {
+        go_to_source(ui, from_moment(cursor));
+    }
+}
+
+/// Triangle, entry and fragment, in the longest form that has room.
+std::string place_of(const FragmentReport& report, float room) {
+    const int triangle = report.cursor.triangle;
+    const std::string counted =
+        " · " + element_name_of(entry_form, report.row.index, report.row.row_count) + " · " +
+        element_name_of(fragment_form, report.step, report.row.count);
+    const std::string bare = " · " + element_name(entry_form, report.row.index) + " · " +
+                             element_name(fragment_form, report.step);
+    const std::string shortest = short_triangle_name(triangle) + bare;
+    for (const std::string& place :
+         {triangle_name(triangle) + counted, short_triangle_name(triangle) + counted, shortest}) {
+        if (ImGui::CalcTextSize(place.c_str()).x <= room) return place;
+    }
+    return shortened(shortest, room);
+}
+
+/// Where lines are few the links stand below the numbers.
 void draw_title(Ui& ui) {
     const FragmentReport& report = report_of(ui);
     const Palette& p = palette(ui.options.theme);
@@ -64,28 +110,14 @@ void draw_title(Ui& ui) {
     ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
     text_in(p.dim, part_name(scene, triangle));
     name_widget(ui, "fragment.part", "The part of the scene that the triangle belongs to.");
-    const bool is_done = ui.results.a.done == report.cursor;
-    const bool can_follow = ui.session.selection.pixel && !is_done && ui.results.a.done &&
-                            ui.results.a.done->phase == Phase::rows;
-    if (can_follow &&
-        link_at_right(ui, "fragment.follow", "the one drawn last",
-                      "Lets the picked pixel go: from moment to moment the fragment that was drawn "
-                      "last is shown.")) {
-        ui.session.selection.pixel = std::nullopt;
-    }
-    const std::string place =
-        (ui.inspector.is_narrow ? short_triangle_name(triangle) : triangle_name(triangle)) + " · " +
-        element_name_of(entry_form, report.row.index, report.row.row_count) + " · " +
-        element_name_of(fragment_form, report.step, report.row.count);
-    text_in(p.dim, shortened(place, ImGui::GetContentRegionAvail().x));
+    const FragmentLinks links = links_of(ui);
+    if (links.can_follow && !ui.inspector.is_low) draw_follow_link(ui);
+    text_in(p.dim, place_of(report, ImGui::GetContentRegionAvail().x));
     name_widget(
         ui, "fragment.place",
         "Whose fragment it is: its triangle, the entry of the triangle's row table, and how "
         "far along that row; each from 0.");
-    if (!is_done && link_at_right(ui, "fragment.go", "go to it",
-                                  "Goes to the moment just after this fragment is drawn.")) {
-        go_to_source(ui, from_moment(report.cursor));
-    }
+    if (links.can_go && !ui.inspector.is_low) draw_go_link(ui);
 }
 
 /// One number of the table: click, and the formula stands below.
@@ -271,6 +303,23 @@ void draw_formula_card(Ui& ui) {
     follow_source(ui, clicked);
 }
 
+/// Where lines are few: the numbers first, then how the chosen one came to be, and all of it in one
+/// scroll. A number that is clicked brings its formula into view.
+void draw_as_one_page(Ui& ui) {
+    const std::string chosen = ui.inspector.chosen.fragment_number;
+    draw_title(ui);
+    draw_values(ui);
+    ImGui::Spacing();
+    const bool is_new = ui.inspector.chosen.fragment_number != chosen;
+    draw_formula_card(ui);
+    if (is_new) ImGui::SetScrollHereY(1.0f);
+    const FragmentLinks links = links_of(ui);
+    if (links.can_go) draw_go_link(ui);
+    if (links.can_follow) draw_follow_link(ui);
+    draw_fragment_light(ui);
+    draw_depth(ui);
+}
+
 void draw_no_fragment(Ui& ui) {
     const Frame& frame = ui.results.a.frame;
     std::string words;
@@ -314,6 +363,10 @@ void draw_fragment_line(Ui& ui, const std::string& id, std::string_view label, b
 void draw_fragment_panel(Ui& ui) {
     if (!ui.results.a.inspected.fragment) {
         draw_no_fragment(ui);
+        return;
+    }
+    if (ui.inspector.is_low) {
+        draw_as_one_page(ui);
         return;
     }
     draw_with_card(

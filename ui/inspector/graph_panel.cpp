@@ -2,6 +2,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/element_names.h"
 #include "ui/actions/go_to_source.h"
 #include "ui/inspector/panels.h"
 #include "ui/ui.h"
@@ -46,7 +47,8 @@ void draw_row_choice(Ui& ui, int index, const char* where) {
     const RowGraph& graph = graph_of(ui);
     const Palette& p = palette(ui.options.theme);
     ImGui::AlignTextToFramePadding();
-    text_in(p.text, "row " + std::to_string(graph.row.row));
+    text_in(p.text, (ui.inspector.is_low ? short_triangle_name(graph.row.triangle) + " · " : "") +
+                        "row " + std::to_string(graph.row.row));
     name_widget(ui, "graph.row", "Row of the picture; choose another here or in the Rows tab.");
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
@@ -181,18 +183,29 @@ int draw_plots(Ui& ui, int index, int pointed) {
     const Quantity quantity = chosen_quantity(ui);
     const bool has_carried = quantity != Quantity::zinv;
     Plot truth = truth_plot(ui, quantity);
-    draw_legend(ui, "graph.legend", truth, index, truth_tooltip(quantity));
     const float line = ImGui::GetTextLineHeightWithSpacing();
+    const bool is_low = ui.inspector.is_low;
+    const float seen = ImGui::GetContentRegionAvail().y;
+    if (!is_low) draw_legend(ui, "graph.legend", truth, index, truth_tooltip(quantity));
     const float width = ImGui::GetContentRegionAvail().x;
     const float left = ImGui::GetContentRegionAvail().y - (has_carried ? 1.5f * line : 0.0f);
-    const float room = std::clamp(left, 7.5f * line, std::max(1.7f * width, 7.5f * line));
-    const float high = has_carried ? 0.6f * room : room;
+    float room = std::clamp(left, 7.5f * line, std::max(1.7f * width, 7.5f * line));
+    float high = has_carried ? 0.6f * room : room;
+    if (is_low) {
+        // The curve and its names fill what is seen at once; the rest is scrolled to.
+        high = std::max(seen - 2.0f * line, 3.0f * line);
+        room = 2.0f * high;
+    }
     const Plot carried = carried_plot(ui, quantity);
     if (!has_carried) truth.x_name = "column";
     const float axis = std::max({axis_width(ui, truth, high), axis_width(ui, carried, room - high),
                                  ImGui::CalcTextSize("0.00").x});
     const int in_truth = draw_plot(ui, "graph.plot", truth, {width, high}, axis, pointed);
     bool clicked = ImGui::IsItemClicked();
+    if (is_low) {
+        draw_legend(ui, "graph.legend", truth, index, truth_tooltip(quantity));
+        draw_quantities(ui);
+    }
     int in_carried = -1;
     if (has_carried) {
         draw_legend(ui, "graph.carried.legend", carried, index,
@@ -225,7 +238,7 @@ void draw_graph(Ui& ui) {
             affine_value(graph, quantity, worst) != true_value(graph, quantity, worst);
         draw_row_choice(ui, worst, is_off ? ", where it is farthest off" : ", nothing is off");
     }
-    draw_quantities(ui);
+    if (!ui.inspector.is_low) draw_quantities(ui);
     const int index = hovered >= 0 ? hovered : marked >= 0 ? marked : worst;
     const bool is_marked = hovered < 0 && marked >= 0;
     memory->SetInt(id, draw_plots(ui, index, is_marked ? -1 : index));
@@ -259,12 +272,16 @@ void draw_graph_panel(Ui& ui) {
         text_in(palette(ui.options.theme).dim, "The scene has no triangles.");
         return;
     }
-    draw_triangle_title(ui);
-    if (!ui.results.a.inspected.graph) {
+    const bool has_graph = ui.results.a.inspected.graph.has_value();
+    // Where lines are few the curve has them: its line names the triangle too.
+    const bool is_title_last = ui.inspector.is_low && has_graph;
+    if (!is_title_last) draw_triangle_title(ui);
+    if (has_graph) {
+        draw_graph(ui);
+    } else {
         draw_no_row(ui);
-        return;
     }
-    draw_graph(ui);
+    if (is_title_last) draw_triangle_title(ui);
 }
 
 } // namespace rasterwalk

@@ -209,7 +209,11 @@ void draw_history_panel(Ui& ui) {
                  ImGui::GetStyle().ItemSpacing.y;
     }
     const float least = 5.0f * ImGui::GetTextLineHeightWithSpacing();
-    draw_history_table(ui, history, std::max(ImGui::GetContentRegionAvail().y - below, least));
+    // In a low page the table is scrolled together with what stands below it, unless it is long.
+    const float room = ui.inspector.is_low
+                           ? 2.0f * least
+                           : std::max(ImGui::GetContentRegionAvail().y - below, least);
+    draw_history_table(ui, history, room);
     begin_card(ui);
     for (const std::string& sentence : sentences) {
         wrapped_text(sentence);

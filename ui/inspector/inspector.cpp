@@ -4,7 +4,6 @@
 #include "ui/actions/open_tab.h"
 #include "ui/inspector/inspector_parts.h"
 #include "ui/inspector/panels.h"
-#include "ui/lesson/lesson_column.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -13,7 +12,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// What draws a tab, or what lies over the tabs.
+/// What draws a tab, or the settings over the tabs.
 struct TabPage {
     std::string_view name;
     void (*draw)(Ui&);
@@ -24,7 +23,7 @@ constexpr TabPage pages[] = {
     {"microscope", draw_microscope_panel}, {"fragment", draw_fragment_panel},
     {"history", draw_history_panel},       {"graph", draw_graph_panel},
     {"compare", draw_compare_panel},       {"lab", draw_lab_panel},
-    {settings_tab, draw_settings_sheet},   {"lesson", draw_lesson_drawer},
+    {settings_tab, draw_settings_sheet},
 };
 
 /// A page below this size is one of little room, design pixels.
@@ -46,7 +45,7 @@ const TabInfo& shown_tab(const Session& session) {
 InspectorLook look_of(const Ui& ui, const Area& area) {
     InspectorLook look;
     look.has_two_lines = area.size.y >= low_inspector * ui.options.text_scale;
-    look.is_covered = is_settings_open(ui) || is_drawer_open(ui);
+    look.is_covered = is_settings_open(ui);
     look.group = shown_tab(ui.session).group;
     return look;
 }
@@ -88,9 +87,7 @@ void draw_inspector(Ui& ui, const Area& area) {
     const ImVec2 page = ImGui::GetContentRegionAvail();
     ui.inspector.is_low = page.y < low_page * u;
     ui.inspector.is_narrow = page.x < narrow_page * u;
-    const std::string_view name = is_drawer_open(ui)     ? "lesson"
-                                  : is_settings_open(ui) ? settings_tab
-                                                         : shown_tab(ui.session).name;
+    const std::string_view name = is_settings_open(ui) ? settings_tab : shown_tab(ui.session).name;
     // The page scrolls, its head stays.
     ImGui::BeginChild(std::string(name).c_str(), {0, 0}, false, ImGuiWindowFlags_NoNav);
     const TabPage* const shown = std::find_if(std::begin(pages), std::end(pages),

@@ -64,19 +64,23 @@ void draw_axis_choice(Ui& ui, float gap) {
     const float u = ui.options.text_scale;
     const Palette& p = palette(ui.options.theme);
     const char* const caption = "value";
-    const std::string x = "x → column", y = "y → row";
+    // Where lines are few all buttons stand on one; the tooltips say the rest.
+    const bool is_low = ui.inspector.is_low;
+    const std::string x = is_low ? "x" : "x → column", y = is_low ? "y" : "y → row";
     // The words and the two buttons stay together.
     const float between = 6.0f * u;
-    const float width =
-        ImGui::CalcTextSize(caption).x + button_width(x) + button_width(y) + 2.0f * between;
+    const float width = (is_low ? 0.0f : ImGui::CalcTextSize(caption).x + between) +
+                        button_width(x) + button_width(y) + between;
     const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
     if (ImGui::GetItemRectMax().x + gap + width <= right) ImGui::SameLine(0.0f, gap);
-    ImGui::AlignTextToFramePadding();
-    text_in(p.dim, caption);
-    name_widget(ui, "microscope.axis",
-                "Each sample has an x and a y, and each has its own step. Table and curve below "
-                "show one of the two.");
-    ImGui::SameLine(0.0f, between);
+    if (!is_low) {
+        ImGui::AlignTextToFramePadding();
+        text_in(p.dim, caption);
+        name_widget(ui, "microscope.axis",
+                    "Each sample has an x and a y, and each has its own step. Table and curve "
+                    "below show one of the two.");
+        ImGui::SameLine(0.0f, between);
+    }
     if (button(ui, "microscope.x", x, view.shows_x ? Look::chosen : Look::plain,
                "Shows x, which decides the column of a sample.")) {
         view.shows_x = true;
@@ -88,7 +92,7 @@ void draw_axis_choice(Ui& ui, float gap) {
     }
     const MicroscopeSummary& summary = view.shown.summary;
     const bool x_drifts = summary.largest_drift_x != 0.0, y_drifts = summary.largest_drift_y != 0.0;
-    if (x_drifts == y_drifts) return;
+    if (x_drifts == y_drifts || is_low) return;
     const char* const note = x_drifts ? "only x drifts" : "only y drifts";
     const float room = right - ImGui::GetItemRectMax().x - 2.0f * between;
     if (ImGui::CalcTextSize(note).x > room) return;

@@ -60,23 +60,10 @@ void draw_last_sample(Ui& ui) {
     end_card(ui);
 }
 
-} // namespace
-
-void draw_rows_panel(Ui& ui) {
-    if (!begin_triangle_panel(ui, "rows")) return;
+/// What stands below the table.
+void draw_below_table(Ui& ui) {
     const Palette& p = palette(ui.options.theme);
-    // Where there are few lines the table has them; the rest is scrolled to.
-    const bool is_low = ui.inspector.is_low;
-    if (!is_low) draw_bench_examples(ui);
     const RowHistory& history = ui.results.a.rows;
-    const float line = ImGui::GetTextLineHeightWithSpacing();
-    const float below = is_low ? 0.0f : 6.2f * line + ImGui::GetFrameHeightWithSpacing();
-    const float slack = 10.0f * ui.options.text_scale; // the lines between the rows
-    const float needed =
-        slack + static_cast<float>(history.rows.size() + history.outside.size() + 1) *
-                    (ui.fonts.mono->FontSize + 2.0f * ImGui::GetStyle().CellPadding.y);
-    const float room = ImGui::GetContentRegionAvail().y - below;
-    draw_row_table(ui, std::max(std::min(needed, room), (is_low ? 4.0f : 6.0f) * line));
     draw_last_sample(ui);
     if (button(ui, "rows.copy", "copy as text", Look::plain,
                "Copies the table in the form that the lab prints.")) {
@@ -96,6 +83,32 @@ void draw_rows_panel(Ui& ui) {
             counted(outside, "sample outside", "samples outside") + (is_finished ? "" : " so far"));
     name_widget(ui, "rows.outside",
                 "Samples of this triangle, up to this moment, that fell in no row of the table.");
+}
+
+} // namespace
+
+void draw_rows_panel(Ui& ui) {
+    if (!begin_triangle_panel(ui, "rows")) return;
+    if (ui.inspector.is_low && !ui.inspector.shows_end_values) {
+        // Where there are few lines the table has them; the rest is scrolled to.
+        draw_row_table_with(ui, [&] {
+            draw_below_table(ui);
+            draw_bench_examples(ui);
+        });
+        return;
+    }
+    const bool is_low = ui.inspector.is_low;
+    if (!is_low) draw_bench_examples(ui);
+    const RowHistory& history = ui.results.a.rows;
+    const float line = ImGui::GetTextLineHeightWithSpacing();
+    const float below = is_low ? 0.0f : 6.2f * line + ImGui::GetFrameHeightWithSpacing();
+    const float slack = 10.0f * ui.options.text_scale; // the lines between the rows
+    const float needed =
+        slack + static_cast<float>(history.rows.size() + history.outside.size() + 1) *
+                    (ui.fonts.mono->FontSize + 2.0f * ImGui::GetStyle().CellPadding.y);
+    const float room = ImGui::GetContentRegionAvail().y - below;
+    draw_row_table(ui, std::max(std::min(needed, room), (is_low ? 4.0f : 6.0f) * line));
+    draw_below_table(ui);
     if (is_low) draw_bench_examples(ui);
 }
 

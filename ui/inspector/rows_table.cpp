@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <climits>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -54,7 +55,7 @@ void draw_writer_cell(Ui& ui, const std::string& name, const EndWriter& writer) 
     ImGui::PopFont();
     const float width = ImGui::CalcTextSize(text.c_str()).x;
     const float room = ImGui::GetContentRegionAvail().x;
-    const bool has_sign = room >= ImGui::CalcTextSize(widest.c_str()).x + sign_width;
+    const bool has_sign = room >= ImGui::CalcTextSize(widest.c_str()).x + sign_width + gap;
     const float before = room - width - (has_sign ? sign_width : 0.0f);
     if (before > 0.0f) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + before);
     text_in(colour_of(edge_meaning(writer.edge), ui.options.theme), text);
@@ -163,7 +164,7 @@ void draw_outside(Ui& ui, const OutsideSample& sample, int number) {
     ImGui::SameLine(0.0f, 0.0f);
     right_aligned(fixed(sample.row, 0), red);
     ImGui::TableNextColumn();
-    right_aligned("outside", red);
+    right_aligned(ui.inspector.is_narrow ? "out" : "outside", red);
     ImGui::TableNextColumn();
     // The value is longer than a column, and the next ones are empty on this line.
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -227,13 +228,14 @@ void draw_row_headers(Ui& ui) {
 
 /// Scrolls to the row just drawn. A table that has only just come knows its height a frame later:
 /// what is wanted stays wanted until it is seen.
-void bring_into_view(Ui& ui) {
+/// @param is_last below it there are no rows
+void bring_into_view(Ui& ui, bool is_last) {
     const float top = ImGui::GetWindowPos().y + ImGui::GetTextLineHeightWithSpacing();
     const float bottom = ImGui::GetWindowPos().y + ImGui::GetWindowHeight();
     if (ImGui::GetItemRectMin().y > top && ImGui::GetItemRectMax().y < bottom) {
         ui.inspector.scroll_to_row = false;
     } else {
-        ImGui::SetScrollHereY();
+        ImGui::SetScrollHereY(is_last ? 1.0f : 0.5f);
     }
 }
 
@@ -256,32 +258,36 @@ int wanted_row(Ui& ui, float height) {
     return selected >= 0 ? selected : in_table(row_at_work(ui));
 }
 
-} // namespace
-
-void draw_row_table(Ui& ui, float height) {
-    const RowHistory& history = ui.results.a.rows;
+/// Begins a table with the columns of the row table; false if nothing of it is to be drawn.
+bool begin_row_table(Ui& ui, const char* name, ImGuiTableFlags flags, ImVec2 size) {
     const float u = ui.options.text_scale;
-    const int columns = ui.inspector.shows_end_values ? 11 : 6;
-    const ImGuiTableFlags flags =
-        ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH |
-        (ui.inspector.shows_end_values ? ImGuiTableFlags_ScrollX | ImGuiTableFlags_SizingFixedFit
-                                       : ImGuiTableFlags_SizingStretchProp);
+    const bool has_values = ui.inspector.shows_end_values;
+    const int columns = has_values ? 11 : 6;
     const ImVec2 padding = ImGui::GetStyle().CellPadding;
     const bool is_narrow = ui.inspector.is_narrow;
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {is_narrow ? 2.0f * u : padding.x, padding.y});
-    const bool open = ImGui::BeginTable("rows", columns, flags, {0, height});
+    const bool open =
+        ImGui::BeginTable(name, columns,
+                          flags | ImGuiTableFlags_BordersInnerH |
+                              (has_values ? ImGuiTableFlags_ScrollX | ImGuiTableFlags_SizingFixedFit
+                                          : ImGuiTableFlags_SizingStretchProp),
+                          size);
     ImGui::PopStyleVar();
-    if (!open) return;
-    ImGui::TableSetupScrollFreeze(1, 1);
+    if (!open) return false;
     static constexpr float roomy[] = {44, 78, 78, 46, 104, 104},
                            narrow[] = {34, 46, 46, 34, 78, 78};
     const float* const widths = is_narrow ? narrow : roomy;
     for (int i = 0; i < columns; ++i) {
         // Of the ends' values those of the left end are in sight at once.
         const float value_width = i == 0 ? 40.0f : i == 1 || i == 6 ? 46.0f : 70.0f;
-        ImGui::TableSetupColumn("", 0, ui.inspector.shows_end_values ? value_width * u : widths[i]);
+        ImGui::TableSetupColumn("", 0, has_values ? value_width * u : widths[i]);
     }
-    draw_row_headers(ui);
+    return true;
+}
+
+/// @param height of what scrolls
+void draw_all_rows(Ui& ui, float height) {
+    const RowHistory& history = ui.results.a.rows;
     ImGui::PushFont(ui.fonts.mono);
     const auto is_above = [&](const OutsideSample& s) { return s.row < history.rows.first_row; };
     for (std::size_t i = 0; i < history.outside.size(); ++i) {
@@ -305,7 +311,7 @@ void draw_row_table(Ui& ui, float height) {
             draw_row(ui, i);
             const bool is_at_work = at_work == history.rows.first_row + i;
             if (ui.follow_cursor && is_at_work && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
-            if (i == wanted) bring_into_view(ui);
+            if (i == wanted) bring_into_view(ui, i + 1 == history.rows.size());
         }
     }
     for (std::size_t i = 0; i < history.outside.size(); ++i) {
@@ -314,7 +320,35 @@ void draw_row_table(Ui& ui, float height) {
         }
     }
     ImGui::PopFont();
+}
+
+} // namespace
+
+void draw_row_table(Ui& ui, float height) {
+    if (!begin_row_table(ui, "rows", ImGuiTableFlags_ScrollY, {0, height})) return;
+    ImGui::TableSetupScrollFreeze(1, 1);
+    draw_row_headers(ui);
+    draw_all_rows(ui, height);
     ImGui::EndTable();
+}
+
+void draw_row_table_with(Ui& ui, const std::function<void()>& below) {
+    // The same width in both, whether the rows need a scroll bar or not.
+    const float width = ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ScrollbarSize;
+    if (begin_row_table(ui, "rows.head", 0, {width, 0})) {
+        draw_row_headers(ui);
+        ImGui::EndTable();
+    }
+    const float height = ImGui::GetContentRegionAvail().y;
+    ImGui::BeginChild("rows.body", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    if (begin_row_table(ui, "rows", 0, {width, 0})) {
+        draw_all_rows(ui, height);
+        ImGui::EndTable();
+    }
+    ImGui::PushTextWrapPos(width);
+    below();
+    ImGui::PopTextWrapPos();
+    ImGui::EndChild();
 }
 
 } // namespace rasterwalk

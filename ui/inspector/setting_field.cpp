@@ -38,8 +38,13 @@ bool word_line(const Ui& ui, const std::string& said, const std::string& word, b
 void edit_choice(Ui& ui, Settings& settings, const Setting& setting, const std::string& name,
                  const ChoiceSetting& choice) {
     const int now = choice.read(settings);
-    const std::string help(setting.help), code(setting.name);
-    const bool open = ImGui::BeginCombo("##value", said_value(setting, settings).c_str());
+    const float room =
+        ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - ImGui::GetStyle().FramePadding.x;
+    const std::string whole = said_value(setting, settings);
+    const std::string said = shortened(whole, std::max(room, 0.0f));
+    const std::string code(setting.name);
+    const std::string help = (said == whole ? "" : whole + "\n") + std::string(setting.help);
+    const bool open = ImGui::BeginCombo("##value", said.c_str());
     name_widget(ui, name,
                 now == no_word ? help
                                : help + "\nWritten " + code + " = " +

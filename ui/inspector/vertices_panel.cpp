@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cfloat>
+#include <span>
 #include <string>
+#include <utility>
 
 #include "base/element_names.h"
 #include "session/tabs.h"
@@ -150,11 +152,12 @@ void draw_cell(Ui& ui, const Line& line, int v, int chosen) {
     }
 }
 
-void draw_table(Ui& ui, int chosen) {
+/// @param shown those of the lines that are drawn; the first of all has the names of the vertices
+void draw_table(Ui& ui, int chosen, std::span<const Line> shown) {
     const float padding = (ui.inspector.is_narrow ? 2.0f : 6.0f) * ui.options.text_scale;
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {padding, ImGui::GetStyle().CellPadding.y});
-    if (!ImGui::BeginTable("vertices", label_columns(ui) + triangle_corners,
-                           ImGuiTableFlags_SizingFixedFit)) {
+    if (!ImGui::BeginTable(shown.data() == lines ? "vertices" : "vertices below",
+                           label_columns(ui) + triangle_corners, ImGuiTableFlags_SizingFixedFit)) {
         ImGui::PopStyleVar();
         return;
     }
@@ -175,8 +178,8 @@ void draw_table(Ui& ui, int chosen) {
         ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed,
                                 std::max((room - 9.0f * padding) / triangle_corners, 1.0f));
     }
-    draw_header(ui, chosen);
-    for (const Line& line : lines) {
+    if (shown.data() == lines) draw_header(ui, chosen);
+    for (const Line& line : shown) {
         if (!is_shown(ui, line)) continue;
         ImGui::TableNextRow();
         draw_labels(ui, line);
@@ -267,6 +270,27 @@ void draw_formula_card(Ui& ui, const VertexReport& vertex) {
     go_to_source(ui, *clicked);
 }
 
+/// Where lines are few: the numbers first, how the chosen one came to be right below its line, and
+/// all of it in one scroll. A number that is clicked brings its formula into view.
+void draw_as_one_page(Ui& ui, int chosen, const VertexReport& vertex) {
+    const auto number = [&] {
+        return std::pair{ui.session.selection.vertex, ui.inspector.chosen.vertex_number};
+    };
+    const auto before = number();
+    const std::span<const Line> all(lines);
+    const auto line = std::find_if(all.begin(), all.end(),
+                                   [&](const Line& one) { return one.id == before.second; });
+    const auto above =
+        line == all.end() ? all.size() : static_cast<std::size_t>(line - all.begin()) + 1;
+    draw_table(ui, chosen, all.first(above));
+    draw_formula_card(ui, vertex);
+    // The click has been in the frame before: there the formula stood elsewhere.
+    bool& is_new = ui.inspector.formula_is_new;
+    if (is_new) ImGui::SetScrollHereY(1.0f);
+    if (above < all.size()) draw_table(ui, chosen, all.subspan(above));
+    is_new = number() != before;
+}
+
 /// The vertex that is explained: the one picked, or else the one just projected.
 int vertex_on_show(const Ui& ui) {
     const std::optional<Cursor>& done = ui.results.a.done;
@@ -286,9 +310,13 @@ void draw_vertices_panel(Ui& ui) {
     }
     const int chosen = vertex_on_show(ui);
     draw_triangle_title(ui);
+    const VertexReport& vertex = vertices[static_cast<std::size_t>(chosen)];
+    if (ui.inspector.is_low) {
+        draw_as_one_page(ui, chosen, vertex);
+        return;
+    }
     draw_with_card(
-        "vertices", [&] { draw_table(ui, chosen); },
-        [&] { draw_formula_card(ui, vertices[static_cast<std::size_t>(chosen)]); });
+        "vertices", [&] { draw_table(ui, chosen, lines); }, [&] { draw_formula_card(ui, vertex); });
 }
 
 } // namespace rasterwalk

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace rasterwalk {
 
@@ -13,5 +14,10 @@ inline constexpr int lines_of_strip = 2;
 /// one; empty where it does not begin with a paragraph.
 /// @param width of a line, screen pixels
 std::string fitting_sentences(Ui& ui, const std::string& text, float width, int lines);
+
+/// The whole of a Markdown text in parts that have room on so many lines each; what cannot be cut
+/// so small is a part by itself.
+/// @param width of a line, screen pixels
+std::vector<std::string> fitting_parts(Ui& ui, const std::string& text, float width, int lines);
 
 } // namespace rasterwalk

@@ -1,11 +1,13 @@
 #include <algorithm>
 
 #include "ui/actions/open_lesson.h"
+#include "ui/lesson/lesson_cards.h"
 #include "ui/lesson/lesson_column.h"
 #include "ui/lesson/lesson_list.h"
 #include "ui/lesson/lesson_page.h"
 #include "ui/lesson/page_footer.h"
 #include "ui/lesson/stage_page.h"
+#include "ui/lesson/strip_buttons.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -101,6 +103,7 @@ void keep_place(LessonView& view, const std::string& page) {
     constexpr int frames_to_lay_out = 3;
     const ImGuiID place = ImGui::GetID("place");
     const float last = ImGui::GetScrollMaxY();
+    scroll_by_key(view);
     if (view.shown != page) {
         view.shown = page;
         view.frames_to_scroll = 0;
@@ -118,27 +121,47 @@ void keep_place(LessonView& view, const std::string& page) {
     }
 }
 
+/// The text of a page, which scrolls, with its footer below the text where that is asked for.
+void draw_scrolled(Ui& ui, const Lesson* lesson, SidePage page, ImVec2 size, float width,
+                   bool has_footer) {
+    ImGui::BeginChild("lesson.text", size, false, ImGuiWindowFlags_NoNav);
+    const std::string name = name_of_page(ui, lesson, page);
+    keep_place(ui.lesson, name);
+    draw_text(ui, lesson, page, width);
+    if (has_footer) draw_footer(ui, lesson, page, width);
+    draw_fade(ui, width);
+    ImGui::EndChild();
+}
+
 /// @param gutter space for the scroll bar at the right of the text
-/// @param may_have_footer the page brings the way to its neighbours
-void draw_page(Ui& ui, float gutter, bool may_have_footer) {
+void draw_page(Ui& ui, float gutter) {
     const Lesson* const lesson = open_lesson_of(ui);
     const SidePage page = page_on_show(ui, lesson);
     const float width = std::max(ImGui::GetContentRegionAvail().x - gutter, 1.0f);
     draw_switch(ui, lesson, width);
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    const bool has_footer = may_have_footer && page != SidePage::list;
+    const bool has_footer = page != SidePage::list;
     // In a low window the footer scrolls with the text.
     const bool is_low = has_footer && room.y < 4.5f * page_footer_height(ui);
     const float footer = has_footer && !is_low ? page_footer_height(ui) : 0.0f;
-    ImGui::BeginChild("lesson.text", {room.x, std::max(room.y - footer, 1.0f)}, false,
-                      ImGuiWindowFlags_NoNav);
-    const std::string name = name_of_page(ui, lesson, page);
-    keep_place(ui.lesson, name);
-    draw_text(ui, lesson, page, width);
-    if (is_low) draw_footer(ui, lesson, page, width);
-    draw_fade(ui, width);
-    ImGui::EndChild();
+    draw_scrolled(ui, lesson, page, {room.x, std::max(room.y - footer, 1.0f)}, width, is_low);
     if (has_footer && !is_low) draw_footer(ui, lesson, page, width);
+}
+
+/// What the step has, and which step it is.
+void draw_drawer_head(Ui& ui, const Lesson& lesson, const Area& area) {
+    const LessonStep& step = step_on_show(ui, lesson);
+    const int part = draw_part_words(ui, lesson, step, -1, area);
+    if (part >= 0) ui.lesson.part_to_show = part;
+    const std::string place = place_in_lesson(ui, lesson);
+    const ImFont* const small = ui.fonts.small;
+    const float width = small->CalcTextSizeA(small->FontSize, FLT_MAX, 0.0f, place.c_str()).x;
+    const float words = part_words_width(ui, lesson, step, -1);
+    if (words + width > area.size.x) return;
+    const ImVec2 at{area.position.x + words,
+                    area.position.y + 0.5f * (area.size.y - small->FontSize)};
+    ImGui::GetWindowDrawList()->AddText(small, small->FontSize, at,
+                                        packed(palette(ui.options.theme).dim), place.c_str());
 }
 
 } // namespace
@@ -150,12 +173,46 @@ void draw_lesson_column(Ui& ui, const Area& area) {
     // The scroll bar stands in the column's right margin.
     ImGui::SetNextWindowContentSize({area.size.x - padding, 0.0f});
     ImGui::Begin("lesson", nullptr, panel_flags | ImGuiWindowFlags_NoScrollWithMouse);
-    draw_page(ui, padding, true);
+    draw_page(ui, padding);
     ImGui::End();
 }
 
-void draw_lesson_drawer(Ui& ui) {
-    draw_page(ui, ImGui::GetStyle().ScrollbarSize + 2.0f * ui.options.text_scale, false);
+void draw_lesson_drawer(Ui& ui, const Area& area) {
+    const float u = ui.options.text_scale;
+    ImGui::SetNextWindowPos(area.position);
+    ImGui::SetNextWindowSize(area.size);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(14.0f * u, strip_margin_y * u));
+    ImGui::Begin("lesson drawer", nullptr, panel_flags | ImGuiWindowFlags_NoScrollWithMouse);
+    const Lesson* const lesson = open_lesson_of(ui);
+    const SidePage page = page_on_show(ui, lesson);
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const float row = strip_button_height * u, below = start.y + row + strip_button_gap * u;
+    if (page == SidePage::lesson) {
+        draw_drawer_head(ui, *lesson, {start, {room.x - page_buttons_width(ui), row}});
+    }
+    const PageFooter pages =
+        page == SidePage::lesson ? pages_of_lesson(ui, *lesson) : pages_of_stages(ui);
+    const Lesson* const shown = page == SidePage::lesson ? lesson : nullptr;
+    int direction = 0;
+    if (page == SidePage::list) {
+        draw_drawer_button(ui, {start.x + room.x, below});
+    } else {
+        direction = draw_strip_buttons(ui, shown, pages, {start.x + room.x, start.y});
+    }
+    ImGui::SetCursorScreenPos({start.x, below});
+    draw_switch(ui, lesson, room.x);
+    const float gutter = ImGui::GetStyle().ScrollbarSize + 2.0f * u;
+    draw_scrolled(ui, lesson, page, ImGui::GetContentRegionAvail(), std::max(room.x - gutter, 1.0f),
+                  false);
+    ImGui::End();
+    ImGui::PopStyleVar();
+    if (direction == 0) return;
+    if (shown != nullptr) {
+        turn_in_lesson(ui, *shown, direction);
+    } else {
+        turn_to_stage(ui, pages.current + direction);
+    }
 }
 
 } // namespace rasterwalk

@@ -5,6 +5,7 @@
 
 #include "ui/actions/lesson_links.h"
 #include "ui/actions/open_lesson.h"
+#include "ui/actions/open_tab.h"
 #include "ui/lesson/lesson_questions.h"
 #include "ui/lesson/page_footer.h"
 #include "ui/page/markdown.h"
@@ -17,6 +18,13 @@ namespace rasterwalk {
 const LessonStep& step_on_show(const Ui& ui, const Lesson& lesson) {
     const int last = static_cast<int>(lesson.steps.size()) - 1;
     return lesson.steps[static_cast<std::size_t>(std::clamp(ui.session.step, 0, last))];
+}
+
+std::string place_in_lesson(const Ui& ui, const Lesson& lesson) {
+    const int last = static_cast<int>(lesson.steps.size()) - 1;
+    return ui.session.step == 0
+               ? "lesson " + std::to_string(lesson_number(lesson.id))
+               : "step " + std::to_string(ui.session.step) + " of " + std::to_string(last);
 }
 
 namespace {
@@ -71,7 +79,8 @@ void draw_lesson_faults(Ui& ui, const Lesson& lesson) {
 void draw_step_text(Ui& ui, const Lesson& lesson, float width) {
     tick_off_tasks(ui, lesson);
     const LessonStep& step = step_on_show(ui, lesson);
-    draw_heading(ui, lesson);
+    // A drawer says it above its text, which has few lines.
+    if (!is_drawer_open(ui)) draw_heading(ui, lesson);
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
     draw_lesson_faults(ui, lesson);
     ImGui::PopTextWrapPos();
@@ -81,6 +90,15 @@ void draw_step_text(Ui& ui, const Lesson& lesson, float width) {
     for (std::size_t i = 0; i < step.parts.size(); ++i) {
         const LessonPart& part = step.parts[i];
         ImGui::Dummy({0.0f, i == 0 ? 0.4f * gap : gap});
+        if (ui.lesson.part_to_show == static_cast<int>(i)) {
+            // Its beginning; of the first part, the heading above it.
+            if (i == 0) {
+                ImGui::SetScrollY(0.0f);
+            } else {
+                ImGui::SetScrollHereY(0.0f);
+            }
+            if (ui.lesson.frames_to_scroll == 0) ui.lesson.part_to_show = -1;
+        }
         switch (part.kind) {
         case LessonPart::Kind::text: {
             const std::string name = "lesson.part" + std::to_string(i);

@@ -23,6 +23,9 @@ void turn_to_step(Ui& ui, const Lesson& lesson, int wanted);
 /// The step on show. Valid as long as the lesson is.
 const LessonStep& step_on_show(const Ui& ui, const Lesson& lesson);
 
+/// "step 3 of 7"; of the opening "lesson 4".
+std::string place_in_lesson(const Ui& ui, const Lesson& lesson);
+
 /// What is wrong with the lesson's file; nothing where nothing is.
 void draw_lesson_faults(Ui& ui, const Lesson& lesson);
 

@@ -138,7 +138,8 @@ void draw_choices(Ui& ui, const Lesson& lesson, const LessonPrediction& predicti
                   const std::string& name, float width, bool side_by_side) {
     const Palette& p = palette(ui.options.theme);
     const float u = ui.options.text_scale;
-    const ImVec2 padding{10.0f * u, 6.0f * u};
+    // In a strip every line counts.
+    const ImVec2 padding{10.0f * u, (side_by_side ? 3.0f : 6.0f) * u};
     const std::vector<ChoicePlace> places =
         places_of_choices(prediction, width, padding, side_by_side);
     const ImVec2 start = ImGui::GetCursorScreenPos();

@@ -38,12 +38,20 @@ struct LessonSearch {
     std::vector<SearchHit> hits;
 };
 
+/// What a strip shows of a step at a time: a few lines of its text, a question, or a task.
+struct LessonCard {
+    int part = 0;     ///< index in LessonStep::parts
+    std::string text; ///< of a part that is text: as much of it as has room
+};
+
 /// What the strip of the lesson keeps from one frame to the next.
 struct LessonStrip {
-    /// What the student asked for of the step: one of its parts, or -1 for its text. None: the
-    /// first question that is open, or else the text.
-    std::optional<int> card;
-    float height = 0.0f; ///< that its text took when it was drawn last, screen pixels
+    std::vector<LessonCard> cards; ///< of the step on show, in reading order; empty: not cut yet
+    float cards_width = 0.0f;      ///< for which they were cut, screen pixels
+    float cards_text_size = 0.0f;  ///< and of which font, screen pixels
+    int card = 0;                  ///< the one on show
+    int scrolled_card = 0;         ///< the one to which the scroll position belongs
+    float height = 0.0f;           ///< that its text took when it was drawn last, screen pixels
     /// The sentences that fit, and for what they were found.
     struct Fitting {
         std::string of, sentences;
@@ -65,14 +73,17 @@ struct LessonView {
     std::map<std::string, std::shared_ptr<MarkdownPage>> pages; ///< of the step on show, by name
     std::map<std::string, PredictionView> predictions;          ///< of the lesson, by id
     std::set<std::string> open_hints;                           ///< ids of tasks
-    std::string shown;           ///< which page is on show; the scroll position belongs to it
-    float scroll_share = 0.0f;   ///< how far it is scrolled, 0 to 1
-    unsigned place = 0;          ///< in which window of ImGui it stands
-    int frames_to_scroll = 0;    ///< in which it goes back to that share, in another place
-    std::string search;          ///< what the list of lessons is searched for
-    LessonSearch found;          ///< what it has found
-    bool is_strip = false;       ///< above the canvas, for want of room for a column
-    bool drawer_is_open = false; ///< where it is a strip: the whole text lies over the inspector
+    std::string shown;            ///< which page is on show; the scroll position belongs to it
+    float scroll_share = 0.0f;    ///< how far it is scrolled, 0 to 1
+    unsigned place = 0;           ///< in which window of ImGui it stands
+    int part_to_show = -1;        ///< part of the step that is scrolled to; -1: none
+    float pages_to_scroll = 0.0f; ///< what a key asks for: 1 is a page on
+    bool has_more_above = false, has_more_below = false; ///< text that is scrolled away
+    int frames_to_scroll = 0;          ///< in which it goes back to that share, in another place
+    std::string search;                ///< what the list of lessons is searched for
+    LessonSearch found;                ///< what it has found
+    bool is_strip = false;             ///< above the canvas, for want of room for a column
+    bool drawer_is_open = false;       ///< where it is a strip: the whole text stands instead
     bool drawer_of_other_mode = false; ///< it is open when the lecture mode is left or entered
     LessonStrip strip;
     std::string meant;         ///< widget that a link points at; empty: none

@@ -55,17 +55,28 @@ const std::string& title_of(const PageFooter& footer, int page) {
 }
 
 bool has_next(const PageFooter& footer) {
-    return footer.current + 1 < static_cast<int>(footer.pages.size()) || !footer.beyond.empty();
+    return footer.has_more_after || footer.current + 1 < static_cast<int>(footer.pages.size()) ||
+           !footer.beyond.empty();
+}
+
+bool has_previous(const PageFooter& footer) {
+    return footer.has_more_before || footer.current > 0;
 }
 
 bool draw_next(Ui& ui, const PageFooter& footer, const std::string& label, ImVec2 size) {
     return button(ui, "lesson.next", label, Look::main,
-                  "To the next page: " + title_of(footer, footer.current + 1), size);
+                  footer.has_more_after
+                      ? "What this step says next."
+                      : "To the next page: " + title_of(footer, footer.current + 1),
+                  size);
 }
 
 bool draw_previous(Ui& ui, const PageFooter& footer, const std::string& label, ImVec2 size) {
     return button(ui, "lesson.previous", label, Look::plain,
-                  "To the page before: " + title_of(footer, footer.current - 1), size);
+                  footer.has_more_before
+                      ? "What this step said before."
+                      : "To the page before: " + title_of(footer, footer.current - 1),
+                  size);
 }
 
 /// Of the buttons in a strip, design pixels.
@@ -120,15 +131,15 @@ float page_buttons_width(const Ui& ui) {
 int draw_page_buttons(Ui& ui, const PageFooter& footer, float height) {
     const float u = ui.options.text_scale;
     const ImVec2 start = ImGui::GetCursorScreenPos();
-    int wanted = -1;
-    if (footer.current > 0 && draw_previous(ui, footer, "‹", {previous_width * u, height})) {
-        wanted = footer.current - 1;
+    int direction = 0;
+    if (has_previous(footer) && draw_previous(ui, footer, "‹", {previous_width * u, height})) {
+        direction = -1;
     }
     ImGui::SetCursorScreenPos({start.x + (previous_width + 6.0f) * u, start.y});
     if (has_next(footer) && draw_next(ui, footer, "next  ›", {next_width * u, height})) {
-        wanted = footer.current + 1;
+        direction = 1;
     }
-    return wanted;
+    return direction;
 }
 
 } // namespace rasterwalk

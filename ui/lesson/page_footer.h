@@ -16,15 +16,17 @@ struct PageFooter {
     };
     std::vector<Page> pages;
     int current = 0;
-    std::string beyond; ///< what comes after the last page; empty: nothing
+    std::string beyond;           ///< what comes after the last page; empty: nothing
+    bool has_more_before = false; ///< in a strip: parts of the page that are not on show
+    bool has_more_after = false;
 };
 
 /// Draws the footer at ImGui's cursor. Returns the page to which the student wants to go, or -1;
 /// one beyond the last is what comes after it.
 int draw_page_footer(Ui& ui, const PageFooter& footer, float width);
 
-/// The buttons to its neighbours alone, side by side at ImGui's cursor, for a strip: their size
-/// does not depend on what they lead to. Returns what draw_page_footer() does.
+/// The buttons on and back alone, side by side at ImGui's cursor, for a strip: their size does not
+/// depend on what they lead to. Returns 1 for on, -1 for back, 0 if none was pressed.
 int draw_page_buttons(Ui& ui, const PageFooter& footer, float height);
 float page_buttons_width(const Ui& ui); ///< screen pixels
 

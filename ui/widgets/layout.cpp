@@ -35,7 +35,7 @@ constexpr float widest_canvas = 1.35f;
 constexpr float least_canvas = 340.0f;
 
 /// The strip leaves this share of the height between the bars to canvas and inspector.
-constexpr float least_share_below = 0.5f;
+constexpr float least_share_below = 0.42f;
 
 float column_width(float share, float wished, float window, float smallest, float largest) {
     const float width = share > 0.0f ? share * window : wished;
@@ -50,8 +50,9 @@ float inspector_width(ImVec2 window, const UiOptions& options, const LayoutNeeds
     if (narrow && !needs.wide_canvas) {
         const float smallest = 0.43f * window.x;
         const float largest = std::min({540.0f * u, 0.55f * window.x, window.x - least_canvas * u});
-        wished =
-            std::clamp(window.x - widest_canvas * height, smallest, std::max(smallest, largest));
+        wished = needs.has_drawer ? std::max(smallest, largest)
+                                  : std::clamp(window.x - widest_canvas * height, smallest,
+                                               std::max(smallest, largest));
     }
     return column_width(options.inspector_width, wished, window.x, least, 0.55f * window.x);
 }
@@ -129,7 +130,9 @@ Layout compute_layout(ImVec2 window, const UiOptions& options, const LayoutNeeds
         return layout;
     }
     const float lesson =
-        std::round(std::min(needs.lesson_strip, (1.0f - least_share_below) * middle));
+        needs.has_drawer
+            ? 0.0f
+            : std::round(std::min(needs.lesson_strip, (1.0f - least_share_below) * middle));
     const float below = std::max(middle - lesson, 1.0f);
     const float inspector = inspector_width(window, options, needs, layout.is_narrow, below);
     const float canvas = std::max(width - inspector, 1.0f);

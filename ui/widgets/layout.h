@@ -24,7 +24,7 @@ struct Area {
 struct Layout {
     Area menu;      ///< top line
     Area strip;     ///< the stages, the switches and the scene; in a narrow window in the top line
-    Area lesson;    ///< left column, or a strip above the canvas
+    Area lesson;    ///< left column, or a strip above the canvas; no height where a drawer is open
     Area canvas;    ///< middle
     Area inspector; ///< right column
     Area transport; ///< time
@@ -38,6 +38,7 @@ struct Layout {
 struct LayoutNeeds {
     float transport = 0.0f;    ///< its height
     float lesson_strip = 0.0f; ///< the height of the lesson, where that is a strip
+    bool has_drawer = false;   ///< the lesson's whole text stands instead of strip and inspector
     float menu_end = 0.0f;     ///< width of the right end of the top line, in a narrow window
     bool wide_canvas = false;  ///< the lesson makes room for the canvas, as in a narrow window
     bool has_stages = true;    ///< they stand in the window

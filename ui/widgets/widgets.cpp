@@ -55,14 +55,14 @@ std::optional<ImVec2> place_beside(bool aside, const ImRect& item, ImVec2 size, 
 }
 
 /// Outlines the widget at which a lesson points, and scrolls to it if need be.
-void outline_if_pointed_at(Ui& ui, std::string_view name, const ImRect& shown, bool visible) {
+/// @param is_cut above or below, although it would fit
+void outline_if_pointed_at(Ui& ui, std::string_view name, const ImRect& shown, bool visible,
+                           bool is_cut) {
     LessonView& lesson = ui.lesson;
     if (lesson.pointed_at.empty() || lesson.pointed_at != name) return;
     lesson.frames_unseen = 0;
-    if (!visible) {
-        if (lesson.is_held) ImGui::SetScrollHereY(0.5f);
-        return;
-    }
+    if (lesson.is_held && (!visible || is_cut)) ImGui::SetScrollHereY(0.5f);
+    if (!visible) return;
     const float u = ui.options.text_scale;
     const ImVec4& colour = palette(ui.options.theme).changed;
     ImDrawList* const list = ImGui::GetForegroundDrawList();
@@ -91,7 +91,10 @@ void name_widget(Ui& ui, std::string_view name, std::string_view tooltip) {
     note_stop(place);
     ui.widgets[std::string(name)] = place;
     const bool is_explained = show_focus(ui, name, shown, visible) && ui.focus.is_explained;
-    outline_if_pointed_at(ui, name, shown, visible);
+    const bool is_cut =
+        (shown.Min.y > low.y + 0.5f * spacing.y || shown.Max.y < high.y - 0.5f * spacing.y) &&
+        high.y - low.y < ImGui::GetWindowHeight();
+    outline_if_pointed_at(ui, name, shown, visible, is_cut);
     // Not over a button that is held: the tooltip would lie over what the drag changes.
     const bool is_pointed_at =
         ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) && !ImGui::IsMouseDown(0);

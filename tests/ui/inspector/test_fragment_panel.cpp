@@ -2,6 +2,7 @@
 
 #include "tests/ui/shown_number.h"
 #include "ui/actions/keys.h"
+#include "ui/actions/open_lesson.h"
 #include "ui/ui.h"
 
 namespace rasterwalk {
@@ -107,6 +108,18 @@ TEST_CASE("Where there is no fragment the panel says why") {
     driver.hand.click("stage.edges");
     driver.hand.click("fragment.fill");
     CHECK(driver.ui.session.a.settings.stage == Stage::fill);
+}
+
+TEST_CASE("On a projector the fragment's numbers are seen first") {
+    Driver driver("lab-room.toml", {1024, 640}, 1.5f);
+    open_lesson(driver.ui, "10-light-per-pixel", 2);
+    driver.hand.leave();
+    for (const char* name : {"fragment.pixel", "fragment.place", "fragment.zinv.perspective",
+                             "fragment.z.perspective", "fragment.x.perspective"}) {
+        INFO(name);
+        REQUIRE(driver.ui.widgets.count(name) == 1);
+        CHECK(driver.ui.widgets.at(name).is_whole);
+    }
 }
 
 TEST_CASE("In a small window the fragment's formula is in sight, and all else can be reached") {

@@ -2,6 +2,7 @@
 
 #include "inspect/row_graph.h"
 #include "tests/ui/shown_number.h"
+#include "ui/actions/open_lesson.h"
 #include "ui/ui.h"
 
 namespace rasterwalk {
@@ -72,6 +73,17 @@ TEST_CASE("A stage without rows says so, and leads to one that has them") {
     driver.hand.click("graph.rows");
     CHECK(driver.ui.session.a.settings.stage == Stage::rows);
     CHECK(driver.hand.is_visible("graph.plot"));
+}
+
+TEST_CASE("On a projector the curve is seen at once, with its names") {
+    Driver driver("lab-room.toml", {1024, 640}, 1.5f);
+    open_lesson(driver.ui, "08-depth-buffer", 5);
+    driver.hand.leave();
+    for (const char* name : {"graph.row", "graph.plot", "graph.legend"}) {
+        INFO(name);
+        REQUIRE(driver.ui.widgets.count(name) == 1);
+        CHECK(driver.ui.widgets.at(name).is_whole);
+    }
 }
 
 TEST_CASE("In a small window all of the graph can be reached") {

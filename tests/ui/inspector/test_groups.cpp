@@ -143,7 +143,7 @@ TEST_CASE("A lesson that points at a panel of another group points at the group"
     CHECK(driver.ui.lesson.pointed_at == "tab.settings");
 }
 
-TEST_CASE("Where the lesson is a strip, its whole text lies over the tab on show") {
+TEST_CASE("Where the lesson is a strip, its whole text stands instead of the tabs") {
     Driver driver("lab-room.toml", {1024, 640});
     open_lesson(driver.ui, "05-row-table", 2);
     driver.hand.leave();
@@ -156,7 +156,8 @@ TEST_CASE("Where the lesson is a strip, its whole text lies over the tab on show
     driver.hand.click("lesson.whole");
     CHECK(is_text_seen());
     CHECK_FALSE(is_there(driver, "rows.copy"));
-    driver.hand.click("group.triangle");
+    CHECK_FALSE(is_there(driver, "group.triangle"));
+    driver.hand.click("lesson.whole");
     CHECK_FALSE(is_text_seen());
     CHECK(driver.ui.session.tab == "rows");
     driver.hand.click("lesson.whole");
@@ -164,7 +165,7 @@ TEST_CASE("Where the lesson is a strip, its whole text lies over the tab on show
     CHECK(driver.hand.is_visible("settings.search"));
     driver.hand.press(key::escape);
     CHECK(is_text_seen()); // what lay below
-    driver.hand.click("group.triangle");
+    driver.hand.click("lesson.whole");
     driver.hand.click("tab.settings");
     driver.hand.click("settings.close");
     CHECK_FALSE(is_text_seen());

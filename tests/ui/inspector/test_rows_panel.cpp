@@ -42,6 +42,22 @@ TEST_CASE("A row that is pointed at lights up in the picture, and the other way 
     CHECK_FALSE(driver.ui.inspector.hovered_row);
 }
 
+TEST_CASE(
+    "On a projector the table scrolls together with what stands below it, under its headers") {
+    Driver driver("one-triangle.toml", {1024, 640}, 1.5f);
+    driver.hand.press('3');
+    driver.hand.press(key::end);
+    driver.open("rows");
+    driver.hand.leave();
+    const float right = driver.ui.widgets.at("rows.header.right by").bottom_right.x;
+    CHECK(driver.hand.is_visible("rows.15.right_by"));
+    CHECK(driver.ui.widgets.at("rows.15.right_by").bottom_right.x == Approx(right).margin(2.0));
+    driver.hand.find("rows.values"); // scrolls to it
+    CHECK(driver.ui.widgets.at("rows.values").is_whole);
+    CHECK(driver.ui.widgets.at("rows.header.right by").is_whole);
+    CHECK_FALSE(driver.hand.is_visible("rows.5.left"));
+}
+
 TEST_CASE("The table is copied in the lab's own form") {
     Driver driver("one-triangle.toml");
     driver.hand.click("rows.copy");

@@ -33,6 +33,21 @@ int step_of_prediction(Driver& driver, const char* lesson, const char* id) {
     return find_prediction(*found, id)->step;
 }
 
+/// Turns the cards of the step on show until a prediction is asked.
+void turn_to_prediction(Driver& driver, const std::string& id) {
+    const std::string name = "lesson.prediction." + id;
+    driver.hand.leave();
+    for (int i = 0; i < 40 && !is_there(driver, name); ++i) {
+        driver.hand.press(key::page_down);
+        driver.hand.leave();
+    }
+}
+
+/// The cards of the step on show.
+const std::vector<LessonCard>& cards(const Driver& driver) {
+    return driver.ui.lesson.strip.cards;
+}
+
 } // namespace
 
 TEST_CASE("The strip asks a number, and says what the program says") {
@@ -41,7 +56,8 @@ TEST_CASE("The strip asks a number, and says what the program says") {
         Driver driver("lab-room.toml", window.size, window.text);
         const int step = step_of_prediction(driver, "05-row-table", "rows-of-it");
         open_lesson(driver.ui, "05-row-table", step);
-        driver.hand.leave();
+        turn_to_prediction(driver, "rows-of-it");
+        CHECK(driver.ui.session.step == step);
         const std::string name = "lesson.prediction.rows-of-it";
         REQUIRE(driver.hand.is_visible(name + ".number"));
         CHECK(driver.ui.widgets.at(name + ".number").is_whole);
@@ -69,7 +85,7 @@ TEST_CASE("The strip asks a number, and says what the program says") {
 TEST_CASE("A link in what the program says leads to the other lesson's own card") {
     Driver driver("lab-room.toml", {1024, 640});
     open_lesson(driver.ui, "03-points", step_of_prediction(driver, "03-points", "uncovered"));
-    driver.hand.leave();
+    turn_to_prediction(driver, "uncovered");
     driver.hand.click("lesson.prediction.uncovered.number");
     driver.hand.type_text("998");
     driver.hand.press(key::enter);
@@ -82,7 +98,7 @@ TEST_CASE("A link in what the program says leads to the other lesson's own card"
     REQUIRE(link != driver.ui.widgets.end());
     driver.hand.click(std::string(link->first));
     CHECK(driver.ui.session.lesson == "12-float-traps");
-    CHECK_FALSE(driver.ui.lesson.strip.card);
+    CHECK(driver.ui.lesson.strip.card == 0);
     CHECK(driver.ui.lesson.predictions.count("uncovered") == 0);
 }
 
@@ -96,15 +112,7 @@ TEST_CASE("Every prediction of every lesson can be answered in the strip") {
                 INFO(lesson.id << ", " << prediction.id << " at " << window.size.x << " x "
                                << window.size.y << ", text " << window.text);
                 open_lesson(driver.ui, lesson.id, prediction.step);
-                const auto& parts = lesson.steps[static_cast<std::size_t>(prediction.step)].parts;
-                for (std::size_t i = 0; i < parts.size(); ++i) {
-                    const bool is_it =
-                        parts[i].kind == LessonPart::Kind::prediction &&
-                        &lesson.predictions[static_cast<std::size_t>(parts[i].index)] ==
-                            &prediction;
-                    if (is_it) driver.ui.lesson.strip.card = static_cast<int>(i);
-                }
-                driver.hand.leave();
+                turn_to_prediction(driver, prediction.id);
                 const std::string name = "lesson.prediction." + prediction.id;
                 if (prediction.kind == LessonPrediction::Kind::choice) {
                     for (std::size_t i = 0; i < prediction.choices.size(); ++i) {
@@ -131,7 +139,8 @@ TEST_CASE("Every prediction of every lesson can be answered in the strip") {
     }
 }
 
-TEST_CASE("The whole text opens over the table, and closes by its button, by Escape, by a choice") {
+TEST_CASE("The whole text opens in place of strip and table, and closes by its button, by Escape, "
+          "by a choice") {
     for (const StripWindow& window : narrow_windows) {
         INFO(window.size.x << " x " << window.size.y << ", text " << window.text);
         Driver driver("lab-room.toml", window.size, window.text);
@@ -158,7 +167,8 @@ TEST_CASE("The whole text opens over the table, and closes by its button, by Esc
 
         // It stays while the steps are walked, and closes when another lesson is chosen.
         driver.hand.press('T');
-        driver.hand.click("lesson.next");
+        for (int i = 0; i < 20 && driver.ui.session.step == 2; ++i)
+            driver.hand.click("lesson.next");
         CHECK(is_open());
         CHECK(driver.ui.session.step == 3);
         driver.hand.press('L');
@@ -168,8 +178,33 @@ TEST_CASE("The whole text opens over the table, and closes by its button, by Esc
     }
 }
 
+TEST_CASE("A card that has no room is scrolled by the key before the next one comes") {
+    Driver driver("lab-room.toml", {1024, 640}, 2.0f);
+    open_lesson(driver.ui, "05-row-table", 8);
+    driver.hand.leave();
+    const LessonView& lesson = driver.ui.lesson;
+    for (int i = 0; i < 30 && !lesson.has_more_below; ++i) {
+        driver.hand.press(key::page_down);
+        driver.hand.leave();
+    }
+    REQUIRE(lesson.has_more_below);
+    const int card = lesson.strip.card;
+    driver.hand.press(key::page_down);
+    driver.hand.leave();
+    CHECK(lesson.strip.card == card);
+    CHECK(lesson.has_more_above);
+    for (int i = 0; i < 5 && lesson.has_more_below; ++i) {
+        driver.hand.press(key::page_down);
+        driver.hand.leave();
+    }
+    driver.hand.press(key::page_down);
+    driver.hand.leave();
+    CHECK(lesson.strip.card == card + 1);
+    CHECK_FALSE(lesson.has_more_above);
+}
+
 TEST_CASE("Steps, list and hints of a lesson are reached by the keyboard alone") {
-    Driver driver("lab-room.toml", {1024, 640}, 1.5f);
+    Driver driver("lab-room.toml", {1024, 640});
     driver.hand.press('L');
     driver.hand.leave();
     CHECK(is_there(driver, "lesson.item.05-row-table"));
@@ -179,14 +214,106 @@ TEST_CASE("Steps, list and hints of a lesson are reached by the keyboard alone")
     open_lesson(driver.ui, "05-row-table", 0);
     const Lesson* const lesson = open_lesson_of(driver.ui);
     const int last = static_cast<int>(lesson->steps.size()) - 1;
-    for (int step = 1; step <= last; ++step) {
+    driver.hand.leave();
+    // Each key shows another card, and each card of each step is shown.
+    std::size_t turned = 0, there = cards(driver).size();
+    for (int step = 0; turned < 500;) {
+        const int card = driver.ui.lesson.strip.card;
+        const int here = step;
         driver.hand.press(key::page_down);
-        CHECK(driver.ui.session.step == step);
+        driver.hand.leave();
+        step = driver.ui.session.step;
+        if (step == here && driver.ui.lesson.strip.card == card) break;
+        CHECK((step == here ? driver.ui.lesson.strip.card == card + 1
+                            : step == here + 1 && driver.ui.lesson.strip.card == 0));
+        if (step != here) there += cards(driver).size();
+        ++turned;
     }
-    driver.hand.press(key::page_down);
     CHECK(driver.ui.session.step == last);
-    driver.hand.press(key::page_up);
-    CHECK(driver.ui.session.step == last - 1);
+    CHECK(turned + 1 == there);
+    for (std::size_t i = 0; i < turned; ++i)
+        driver.hand.press(key::page_up);
+    driver.hand.leave();
+    CHECK(driver.ui.session.step == 0);
+    CHECK(driver.ui.lesson.strip.card == 0);
+}
+
+TEST_CASE("A step with a question begins with its text, and all of it comes before the question") {
+    for (const bool is_lecture : {false, true}) {
+        Driver driver("lab-room.toml", {1024, 640}, 1.5f);
+        const int step = step_of_prediction(driver, "05-row-table", "passes-the-test");
+        open_lesson(driver.ui, "05-row-table", step);
+        if (is_lecture) driver.hand.press(key::f5);
+        driver.hand.leave();
+        const std::string name = "lesson.prediction.passes-the-test";
+        std::string read;
+        while (!is_there(driver, name)) {
+            const LessonStrip& strip = driver.ui.lesson.strip;
+            REQUIRE(strip.card + 1 < static_cast<int>(strip.cards.size()));
+            read += cards(driver)[static_cast<std::size_t>(strip.card)].text + ' ';
+            driver.hand.click("lesson.next");
+            driver.hand.leave();
+        }
+        CHECK(driver.ui.session.step == step);
+        CHECK(read.find("This is the table") == 0);
+        CHECK(read.find("one sample for each row") != std::string::npos);
+        // The question goes on to the next step, and Page up comes back to it.
+        driver.hand.press(key::page_down);
+        driver.hand.leave();
+        CHECK(driver.ui.session.step == step + 1);
+        driver.hand.press(key::page_up);
+        driver.hand.leave();
+        CHECK(driver.ui.session.step == step);
+        CHECK(is_there(driver, name));
+    }
+}
+
+TEST_CASE("The whole text takes the strip's place, as high as the window lets it be") {
+    for (const StripWindow& window : narrow_windows) {
+        INFO(window.size.x << " x " << window.size.y << ", text " << window.text);
+        Driver driver("lab-room.toml", window.size, window.text);
+        open_lesson(driver.ui, "05-row-table", 5);
+        driver.hand.leave();
+        const WidgetPlace next = driver.ui.widgets.at("lesson.next");
+        const WidgetPlace canvas = driver.ui.widgets.at("canvas");
+        driver.hand.press('T');
+        driver.hand.leave();
+        const WidgetPlace grid = driver.ui.widgets.at("canvas");
+        CHECK(grid.is_whole);
+        CHECK(grid.bottom_right.y - grid.top_left.y > canvas.bottom_right.y - canvas.top_left.y);
+        CHECK(grid.bottom_right.x - grid.top_left.x >= 200.0f * driver.ui.options.text_scale);
+        // The way on stays where it was, and so does what the step has.
+        CHECK(driver.ui.widgets.at("lesson.next").top_left.x == next.top_left.x);
+        CHECK(driver.ui.widgets.at("lesson.next").top_left.y == next.top_left.y);
+        CHECK(is_there(driver, "lesson.card.text"));
+        CHECK(driver.ui.widgets.at("lesson.whole").is_whole);
+        // By the keyboard the text is read to its end before the next step comes.
+        CHECK(driver.ui.lesson.has_more_below);
+        int pages = 0;
+        while (driver.ui.session.step == 5 && pages < 30) {
+            driver.hand.press(key::page_down);
+            driver.hand.leave();
+            ++pages;
+        }
+        CHECK(pages > 1);
+        CHECK(driver.ui.session.step == 6);
+        CHECK_FALSE(driver.ui.lesson.has_more_above);
+    }
+}
+
+TEST_CASE("A word leads to its part of the whole text, which opens at what the strip shows") {
+    Driver driver("lab-room.toml", {1024, 640}, 1.5f);
+    open_lesson(driver.ui, "05-row-table",
+                step_of_prediction(driver, "05-row-table", "passes-the-test"));
+    turn_to_prediction(driver, "passes-the-test");
+    driver.hand.press('T');
+    driver.hand.leave();
+    const std::string name = "lesson.prediction.passes-the-test";
+    CHECK(driver.hand.is_visible(name + ".choice.0"));
+    driver.hand.click("lesson.card.text");
+    driver.hand.leave();
+    CHECK_FALSE(driver.ui.lesson.has_more_above);
+    CHECK_FALSE(driver.hand.is_visible(name + ".choice.0"));
 }
 
 TEST_CASE("The strip has the way on at the same place in every step, 86 wide") {

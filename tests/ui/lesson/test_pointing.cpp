@@ -121,4 +121,17 @@ TEST_CASE("A menu behind its button is outlined step by step") {
     CHECK(view.pointed_at == "menu.Scene");
 }
 
+TEST_CASE("What a step points at stays whole while the strip above it grows") {
+    Driver driver("lab-room.toml", {1024, 640}, 1.5f);
+    open_lesson(driver.ui, "02-moving-the-camera", 4);
+    driver.hand.leave();
+    const LessonStrip& strip = driver.ui.lesson.strip;
+    REQUIRE(driver.ui.lesson.pointed_at == "setting.camera.position");
+    for (std::size_t card = 0; card < strip.cards.size(); ++card) {
+        driver.ui.lesson.strip.card = static_cast<int>(card);
+        driver.hand.frames(6);
+        CHECK(driver.ui.widgets.at("setting.camera.position").is_whole);
+    }
+}
+
 } // namespace rasterwalk

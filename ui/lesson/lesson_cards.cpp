@@ -1,0 +1,165 @@
+#include "ui/lesson/lesson_cards.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "ui/actions/open_lesson.h"
+#include "ui/lesson/fitting_sentences.h"
+#include "ui/ui.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// Between two words, design pixels.
+constexpr float word_gap = 14.0f;
+
+/// A part of the step as a word.
+struct PartWord {
+    int part = 0;
+    std::string name;  ///< of the widget
+    std::string title; ///< with a sign where it is done
+    const char* help = "";
+};
+
+/// A card for each piece of a text, and one for whatever else stands in the step.
+std::vector<LessonCard> cut(Ui& ui, const Lesson& lesson, const LessonStep& step, float width) {
+    std::vector<LessonCard> cards;
+    for (std::size_t i = 0; i < step.parts.size(); ++i) {
+        const LessonPart& part = step.parts[i];
+        const int index = static_cast<int>(i);
+        if (part.kind != LessonPart::Kind::text) {
+            cards.push_back({index, {}});
+            continue;
+        }
+        for (const std::string& text : fitting_parts(ui, part.text, width, lines_of_strip))
+            cards.push_back({index, text});
+    }
+    if (cards.empty()) cards.push_back({0, lesson.about});
+    return cards;
+}
+
+/// Has the part a card?
+bool has_card(const LessonStrip& strip, int part) {
+    return std::any_of(strip.cards.begin(), strip.cards.end(),
+                       [&](const LessonCard& card) { return card.part == part; });
+}
+
+std::string sign_of(Ui& ui, const Lesson& lesson, const LessonPart& part) {
+    const auto index = static_cast<std::size_t>(part.index);
+    if (part.kind == LessonPart::Kind::task) {
+        return ui.lesson.progress.is_task_done(lesson.id, lesson.tasks[index].id) ? "✓ " : "";
+    }
+    take_up_answer(ui, lesson, lesson.predictions[index]);
+    const PredictionView& view = ui.lesson.predictions[lesson.predictions[index].id];
+    return !view.judged ? "" : view.judged->is_right ? "✓ " : "✗ ";
+}
+
+/// Which of how many cards of its part is on show: " 2/3"; empty where a part is one card.
+std::string place_of_card(const LessonStrip& strip, int part) {
+    const auto is_of_part = [&](const LessonCard& card) { return card.part == part; };
+    const auto count = std::count_if(strip.cards.begin(), strip.cards.end(), is_of_part);
+    const int place = strip.card - card_of_part(strip, part) + 1;
+    return count > 1 ? " " + std::to_string(place) + "/" + std::to_string(count) : std::string();
+}
+
+std::vector<PartWord> words_of(Ui& ui, const Lesson& lesson, const LessonStep& step, int shown) {
+    using Kind = LessonPart::Kind;
+    const LessonStrip& strip = ui.lesson.strip;
+    const auto count_of = [&](Kind kind) {
+        return std::count_if(step.parts.begin(), step.parts.end(),
+                             [&](const LessonPart& part) { return part.kind == kind; });
+    };
+    std::vector<PartWord> words;
+    int texts = 0, questions = 0, tasks = 0;
+    for (std::size_t i = 0; i < step.parts.size(); ++i) {
+        const LessonPart& part = step.parts[i];
+        const int index = static_cast<int>(i);
+        if (!strip.cards.empty() && !has_card(strip, index)) continue;
+        PartWord word{index, "lesson.card." + std::to_string(i), {}, ""};
+        if (part.kind == Kind::text) {
+            ++texts;
+            word.title = texts == 1 ? "text" : "more";
+            word.help = texts == 1 ? "What the step says first." : "What the step says then.";
+            if (texts == 1) word.name = "lesson.card.text";
+            if (index == shown) word.title += place_of_card(strip, index);
+        } else {
+            const bool is_task = part.kind == Kind::task;
+            int& number = is_task ? tasks : questions;
+            ++number;
+            word.title = sign_of(ui, lesson, part) + (is_task ? "task" : "question");
+            if (count_of(part.kind) > 1) word.title += " " + std::to_string(number);
+            word.help = is_task ? "Something to do." : "Answer first; then the program shows.";
+        }
+        words.push_back(word);
+    }
+    // One part in one piece is all there is to see.
+    if (words.size() == 1 && strip.cards.size() <= 1) words.clear();
+    return words;
+}
+
+} // namespace
+
+void cut_cards(Ui& ui, const Lesson& lesson, const LessonStep& step, float width) {
+    LessonStrip& strip = ui.lesson.strip;
+    const float text_size = ui.fonts.text->FontSize;
+    if (!strip.cards.empty() && strip.cards_width == width && strip.cards_text_size == text_size) {
+        return;
+    }
+    const int last = static_cast<int>(strip.cards.size()) - 1;
+    const int part = last >= 0 ? strip.cards[static_cast<std::size_t>(strip.card)].part : -1;
+    strip.cards = cut(ui, lesson, step, width);
+    strip.cards_width = width;
+    strip.cards_text_size = text_size;
+    if (part >= 0) strip.card = card_of_part(strip, part);
+    strip.card = std::clamp(strip.card, 0, static_cast<int>(strip.cards.size()) - 1);
+}
+
+int card_of_part(const LessonStrip& strip, int part) {
+    const auto found = std::find_if(strip.cards.begin(), strip.cards.end(),
+                                    [&](const LessonCard& card) { return card.part == part; });
+    return found == strip.cards.end() ? 0 : static_cast<int>(found - strip.cards.begin());
+}
+
+float part_words_width(Ui& ui, const Lesson& lesson, const LessonStep& step, int shown) {
+    float width = 0.0f;
+    ImGui::PushFont(ui.fonts.small);
+    for (const PartWord& word : words_of(ui, lesson, step, shown))
+        width += text_width(word.title) + word_gap * ui.options.text_scale;
+    ImGui::PopFont();
+    return width;
+}
+
+int draw_part_words(Ui& ui, const Lesson& lesson, const LessonStep& step, int shown,
+                    const Area& area) {
+    const Palette& p = palette(ui.options.theme);
+    const float u = ui.options.text_scale;
+    ImVec2 at = area.position;
+    const float end = at.x + area.size.x, height = area.size.y;
+    int pressed = -1;
+    ImGui::PushFont(ui.fonts.small);
+    for (const PartWord& word : words_of(ui, lesson, step, shown)) {
+        const float width = text_width(word.title);
+        if (at.x + width > end) break;
+        ImGui::SetCursorScreenPos(at);
+        if (ImGui::InvisibleButton(word.name.c_str(), {width, height})) pressed = word.part;
+        const bool hovered = ImGui::IsItemHovered();
+        name_widget(ui, word.name, word.help);
+        const bool is_shown = word.part == shown;
+        ImDrawList* const list = ImGui::GetWindowDrawList();
+        list->AddText({at.x, at.y + 0.5f * (height - ImGui::GetFontSize())},
+                      packed(is_shown || hovered ? p.text : p.link), word.title.c_str());
+        if (is_shown) {
+            const float bottom = at.y + height - 1.0f * u;
+            list->AddRectFilled({at.x, bottom - 2.0f * u}, {at.x + width, bottom}, packed(p.link));
+        }
+        at.x += width + word_gap * u;
+    }
+    ImGui::PopFont();
+    return pressed;
+}
+
+} // namespace rasterwalk

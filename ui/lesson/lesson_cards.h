@@ -1,0 +1,26 @@
+#pragma once
+
+#include "lessons/lesson.h"
+#include "ui/lesson/lesson_state.h"
+#include "ui/widgets/layout.h"
+
+namespace rasterwalk {
+
+struct Ui;
+
+/// Cuts the step on show into its cards, unless they are cut for this width already.
+/// @param width of a line, screen pixels
+void cut_cards(Ui& ui, const Lesson& lesson, const LessonStep& step, float width);
+
+/// What a step has, as words that can be pressed: text, question, task. The one on show is
+/// underlined. As many as have room; none where the step is one card.
+/// @param shown index of the part on show, -1: none
+/// @return the part that was pressed, or -1
+int draw_part_words(Ui& ui, const Lesson& lesson, const LessonStep& step, int shown,
+                    const Area& area);
+float part_words_width(Ui& ui, const Lesson& lesson, const LessonStep& step, int shown);
+
+/// The first card of a part.
+int card_of_part(const LessonStrip& strip, int part);
+
+} // namespace rasterwalk

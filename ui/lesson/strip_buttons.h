@@ -1,0 +1,34 @@
+#pragma once
+
+#include <imgui.h>
+
+#include "lessons/lesson.h"
+#include "ui/lesson/lesson_state.h"
+#include "ui/lesson/page_footer.h"
+
+namespace rasterwalk {
+
+struct Ui;
+
+/// The way on and back and, below them, the way to the whole text and back to the strip: at the
+/// same place in both. Returns 1 for on, -1 for back, 0 if neither was pressed.
+/// @param lesson on show; null: the page about a stage
+/// @param corner at the upper right, screen pixels
+int draw_strip_buttons(Ui& ui, const Lesson* lesson, PageFooter pages, ImVec2 corner);
+
+/// Goes on or back in the lesson as the buttons say; after its last step, to the next lesson.
+void turn_in_lesson(Ui& ui, const Lesson& lesson, int direction);
+
+/// Design pixels: above and below the strip, and of its buttons with the gap below them.
+inline constexpr float strip_margin_y = 8.0f;
+inline constexpr float strip_button_height = 36.0f;
+inline constexpr float strip_button_gap = 5.0f;
+
+/// In the window of a text that scrolls: notes what is scrolled away, and does what a key asks for.
+void scroll_by_key(LessonView& view);
+
+/// The way to the whole text and back to the strip alone.
+/// @param corner at the upper right, screen pixels
+void draw_drawer_button(Ui& ui, ImVec2 corner);
+
+} // namespace rasterwalk
