@@ -209,7 +209,7 @@ void draw_entry(Ui& ui, const PixelHistory& history, int index, const Columns& c
     const std::string number = short_triangle_name(entry.cursor.triangle);
     const std::string name = number + " " + part_name(*ui.results.a.scene, entry.cursor.triangle);
     const float room = columns.widths[name_column];
-    const bool is_bold = stays(history, index) && text_width(ui.fonts.bold, name.c_str()) <= room;
+    const bool is_bold = stays(history, index) && width_in(ui.fonts.bold, name.c_str()) <= room;
     ImGui::PushFont(is_bold ? ui.fonts.bold : ui.fonts.text);
     text_in(colour, first_fitting({name, number}, room));
     ImGui::PopFont();
