@@ -398,7 +398,7 @@ void draw_picture(Ui& ui, const Pane& pane) {
     if (is_comparing(ui)) {
         draw_compared(ui, list, canvas);
     } else {
-        show_ground(ui);
+        show_ground(ui, seen.low, seen.high);
         draw_texture(list, ui.canvas.picture, ui.canvas.place);
         draw_overlays(ui, list, seen.low, seen.high);
         draw_canvas_marks(ui, run_a(ui), list, seen.low, seen.high);
