@@ -6,6 +6,7 @@
 
 #include "ui/actions/actions.h"
 #include "ui/actions/compare.h"
+#include "ui/actions/picture_fit.h"
 #include "ui/canvas/canvas_marks.h"
 #include "ui/canvas/overlays.h"
 #include "ui/ui.h"

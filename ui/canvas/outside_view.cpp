@@ -9,7 +9,7 @@
 #include "outside/outside_drawing.h"
 #include "ui/actions/actions.h"
 #include "ui/actions/outside.h"
-#include "ui/canvas/canvas.h"
+#include "ui/canvas/canvas_pointer.h"
 #include "ui/canvas/outside_marks_view.h"
 #include "ui/ui.h"
 #include "ui/widgets/picture_texture.h"
