@@ -92,6 +92,7 @@ void count_owners(const Framebuffer& framebuffer, int triangles, OverlayTotals& 
 OverlayTotals count_totals(const Frame& frame, const Framebuffer& framebuffer, OverlaySet shown,
                            const PixelFacts& facts) {
     OverlayTotals totals;
+    if (shown.empty()) return totals; // a moment of a large picture is not to cost all its pixels
     if (shown.has(Overlay::owner)) count_owners(framebuffer, frame.triangle_count(), totals);
     for (const std::uint32_t overdraw : framebuffer.overdraw) {
         totals.fragments += overdraw;

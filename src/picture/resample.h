@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/image.h"
+#include "stages/rectangle.h"
 
 namespace rasterwalk {
 
@@ -10,6 +11,13 @@ namespace rasterwalk {
 /// covered is partly transparent.
 /// @param scale new pixels for each old one, above 0; the sides are rounded up
 Image resampled(const Image& image, float scale);
+
+/// Brings a part of a resampled picture up to date, and costs that part.
+/// @param result  of the resampled picture the pixels of `window`, already of that size
+/// @param window  pixels of the resampled picture
+/// @param changed pixels of the resampled picture, within the window
+void resample_part(const Image& image, float scale, const Rectangle& window,
+                   const Rectangle& changed, Image& result);
 
 /// The size of a side of the resampled picture.
 int resampled_side(int side, float scale);

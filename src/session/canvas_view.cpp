@@ -20,16 +20,20 @@ const std::array<CanvasShowsInfo, canvas_shows_count>& canvas_shows_list() {
 
 const std::array<CellNumbersInfo, cell_numbers_count>& cell_numbers_list() {
     static constexpr std::array list{
-        CellNumbersInfo{CellNumbers::none, "no numbers", "The cells hold their colour alone."},
+        CellNumbersInfo{CellNumbers::none, "no numbers", "The cells hold their colour alone.", ""},
         CellNumbersInfo{CellNumbers::ends, "ends of rows",
                         "The column of each row's left and right end, of the triangle on show: "
-                        "leftPixels[i].x and rightPixels[i].x."},
+                        "leftPixels[i].x and rightPixels[i].x.",
+                        "column of an end of the row"},
         CellNumbersInfo{CellNumbers::depth, "1/z",
-                        "What the depth buffer holds for the pixel: larger is nearer."},
+                        "What the depth buffer holds for the pixel: larger is nearer.",
+                        "1/z in the depth buffer"},
         CellNumbersInfo{CellNumbers::owner, "triangle",
-                        "The triangle that the pixel shows: t7 is triangles[7]."},
+                        "The triangle that the pixel shows: t7 is triangles[7].",
+                        "triangle that is seen"},
         CellNumbersInfo{CellNumbers::overdraw, "overdraw",
-                        "How many fragments fell on the pixel, drawn or not."},
+                        "How many fragments fell on the pixel, drawn or not.",
+                        "fragments on the pixel"},
     };
     static_assert(is_indexed_by(list, &CellNumbersInfo::numbers));
     return list;

@@ -57,6 +57,7 @@ struct CellNumbersInfo {
     CellNumbers numbers;
     std::string_view title;                   ///< where they are chosen
     std::string_view help;                    ///< one sentence
+    std::string_view key;                     ///< what a number is, beside the cells
     std::string_view name = word_of(numbers); ///< for tests and lessons
 };
 
@@ -82,6 +83,9 @@ CanvasShows shown_on_canvas(const CanvasView& view, const Scene& scene);
 
 /// A place in the picture, picture pixels: "250.5,131", such that parse_place() reads it back.
 std::string to_text(const glm::vec2& place);
+
+/// From this zoom on single pixels are worth a grid and marks of their own.
+inline constexpr float grid_zoom = 8.0f;
 
 /// From this zoom on a cell has room for marks of its own and the row table stands beside the rows.
 inline constexpr float cell_zoom = 24.0f;

@@ -1,3 +1,5 @@
+#include <random>
+
 #include <catch2/catch.hpp>
 
 #include "picture/resample.h"
@@ -89,6 +91,40 @@ TEST_CASE("A scene in pixels is drawn as large as it is, and its small picture m
     CHECK(small.height == 100);
     CHECK(small == resampled(whole, 0.25f));
     CHECK(thumbnail(scene, settings, 640) == whole);
+}
+
+TEST_CASE("A part that is resampled anew is the same as in the whole") {
+    std::mt19937 random(7);
+    const auto below = [&](int end) {
+        return static_cast<int>(random() % static_cast<unsigned>(end));
+    };
+    for (const float scale : {0.13f, 0.5f, 0.77f, 1.3f, 2.6f}) {
+        Image image = stripes(60, 45);
+        for (std::uint8_t& byte : image.rgba)
+            byte = static_cast<std::uint8_t>(below(256));
+        const Image whole = resampled(image, scale);
+        for (int i = 0; i < 50; ++i) {
+            Rectangle window{below(whole.width), below(whole.height), 0, 0};
+            window.right = window.left + 1 + below(whole.width - window.left);
+            window.bottom = window.top + 1 + below(whole.height - window.top);
+            Rectangle changed{window.left + below(window.right - window.left),
+                              window.top + below(window.bottom - window.top), window.right,
+                              window.bottom};
+            Image part{window.right - window.left, window.bottom - window.top, {}};
+            part.rgba.resize(4 * static_cast<std::size_t>(part.width * part.height), 77);
+            resample_part(image, scale, window, changed, part);
+            int wrong = 0;
+            for (int row = 0; row < part.height; ++row) {
+                for (int column = 0; column < part.width; ++column) {
+                    const int x = window.left + column, y = window.top + row;
+                    const bool is_new = x >= changed.left && y >= changed.top;
+                    wrong += red(part, column, row) != (is_new ? red(whole, x, y) : 77) ? 1 : 0;
+                }
+            }
+            CAPTURE(scale, i);
+            CHECK(wrong == 0);
+        }
+    }
 }
 
 } // namespace rasterwalk

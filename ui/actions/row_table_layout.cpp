@@ -4,6 +4,7 @@
 #include <array>
 #include <climits>
 #include <cmath>
+#include <span>
 #include <string>
 
 #include "session/canvas_view.h"
@@ -48,6 +49,15 @@ Widest widest_texts(const Ui& ui) {
     return widest;
 }
 
+/// Is 1/z the same at all vertices of the triangle on show? Then it says nothing of its rows.
+bool has_one_depth(const Ui& ui) {
+    const std::span<const ScreenVertex> vertices =
+        ui.results.a.frame.triangle_vertices(*ui.results.a.triangle);
+    return std::all_of(vertices.begin(), vertices.end(), [&](const ScreenVertex& vertex) {
+        return vertex.inv_w == vertices.front().inv_w;
+    });
+}
+
 RowTableLayout layout_of(const Ui& ui, const Widest& widest, bool has_writers, bool has_depths) {
     const float u = ui.options.text_scale;
     const float gap = 9.0f * u, edge = 10.0f * u;
@@ -87,21 +97,20 @@ float row_table_zoom(const Ui& ui) {
     return std::max(cell_zoom, std::ceil(1.15f * ui.fonts.mono_small->FontSize));
 }
 
-RowTableLayout row_table_layout(const Ui& ui, float canvas_width, float spare) {
-    if (!wants_row_table(ui)) return {};
+std::vector<RowTableLayout> row_table_layouts(const Ui& ui, float canvas_width) {
+    std::vector<RowTableLayout> layouts;
+    if (!wants_row_table(ui)) return layouts;
     const Widest widest = widest_texts(ui);
-    const RowTableLayout wide = layout_of(ui, widest, true, true);
-    const RowTableLayout roomy = layout_of(ui, widest, true, false);
-    const RowTableLayout bare = layout_of(ui, widest, false, false);
-    if (spare > 0.0f) {
-        for (const RowTableLayout& layout : {wide, roomy}) {
-            if (layout.width <= spare) return layout;
-        }
-        return bare.width <= spare ? bare : RowTableLayout{};
-    }
-    if (wide.width <= 0.75f * largest_part * canvas_width) return wide;
-    if (roomy.width <= largest_part * canvas_width) return roomy;
-    return bare.width <= largest_bare_part * canvas_width ? bare : RowTableLayout{};
+    const bool is_flat = has_one_depth(ui);
+    const auto offer = [&](bool has_writers, bool has_depths, float largest) {
+        RowTableLayout layout = layout_of(ui, widest, has_writers, has_depths);
+        layout.is_flat = is_flat;
+        if (layout.width <= largest * canvas_width) layouts.push_back(layout);
+    };
+    if (!is_flat) offer(true, true, 0.75f * largest_part);
+    offer(true, false, largest_part);
+    offer(false, false, largest_bare_part);
+    return layouts;
 }
 
 } // namespace rasterwalk

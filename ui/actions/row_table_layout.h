@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 namespace rasterwalk {
 
 struct Ui;
@@ -19,6 +21,7 @@ struct RowTableLayout {
     End ends[2];        ///< left, right
     bool has_writers = false;
     bool has_depths = false; ///< beside the numbers; or else below them, where a row is high enough
+    bool is_flat = false;    ///< 1/z is the same everywhere, and not said at all
 };
 
 /// Is there a row table to show beside the picture, if the zoom gives room for it?
@@ -27,8 +30,7 @@ bool wants_row_table(const Ui& ui);
 /// The smallest zoom at which the lines of the table are as high as the rows of the picture.
 float row_table_zoom(const Ui& ui);
 
-/// The roomiest table on a canvas of this width.
-/// @param spare what of it the picture does not need; a table that is wider covers a part of it
-RowTableLayout row_table_layout(const Ui& ui, float canvas_width, float spare = 0.0f);
+/// The tables that a canvas of this width may have beside the picture, the roomiest first.
+std::vector<RowTableLayout> row_table_layouts(const Ui& ui, float canvas_width);
 
 } // namespace rasterwalk

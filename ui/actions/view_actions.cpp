@@ -109,7 +109,8 @@ std::vector<Action> view_actions() {
         {"view.fit",
          "View",
          "Fit the picture",
-         "Shows the whole picture, and all of the scene from outside.",
+         "Shows the whole picture, of a very small one its triangles; and all of the scene from "
+         "outside.",
          {'F'},
          [](Ui& ui) {
              ui.session.canvas.zoom = 0.0f;

@@ -1,47 +1,46 @@
 #include "ui/actions/zoom.h"
 
 #include <algorithm>
-#include <climits>
-#include <cmath>
+#include <limits>
 
-#include "ui/actions/row_table_layout.h"
+#include "ui/actions/picture_fit.h"
 #include "ui/ui.h"
-#include "ui/widgets/layout.h"
 #include "view/view_state.h"
 
 namespace rasterwalk {
+
+namespace {
+
+/// Around the triangle, pixels of the picture.
+constexpr float around = 0.5f;
+
+} // namespace
 
 void zoom_to_triangle(Ui& ui) {
     const auto& widget = ui.widgets.find("canvas");
     if (!ui.results.a.triangle || widget == ui.widgets.end()) return;
     if (!ui.results.a.frame.is_drawn(*ui.results.a.triangle)) return;
-    int left = INT_MAX, right = INT_MIN, top = INT_MAX, bottom = INT_MIN;
+    constexpr float infinite = std::numeric_limits<float>::infinity();
+    PicturePart part{infinite, infinite, -infinite, -infinite};
     for (const ScreenVertex& vertex :
          ui.results.a.frame.triangle_vertices(*ui.results.a.triangle)) {
-        left = std::min(left, vertex.column);
-        right = std::max(right, vertex.column);
-        top = std::min(top, vertex.row);
-        bottom = std::max(bottom, vertex.row);
+        const auto column = static_cast<float>(vertex.column), row = static_cast<float>(vertex.row);
+        part = {std::min(part.left, column - around), std::min(part.top, row - around),
+                std::max(part.right, column + 1.0f + around),
+                std::max(part.bottom, row + 1.0f + around)};
     }
-    const float u = ui.options.text_scale;
-    const ImVec2 room{
-        widget->second.bottom_right.x - widget->second.top_left.x - 2.0f * canvas_ruler * u,
-        widget->second.bottom_right.y - widget->second.top_left.y - 2.0f * canvas_ruler * u};
-    const float width = static_cast<float>(right - left + 1);
-    const float height = static_cast<float>(bottom - top + 1);
-    const auto zoom_in = [&](float room_x) {
-        const float zoom = std::min(room_x / (width + 1.0f), room.y / (height + 1.0f));
-        return std::clamp(zoom >= 4.0f ? std::floor(zoom) : zoom, smallest_zoom, largest_zoom);
+    const ImVec2 low = widget->second.top_left, high = widget->second.bottom_right;
+    const PicturePlace place = fit_part(ui, part, low, high).place;
+    // The middle of the triangle stays where it is placed, whatever the zoom is cut to.
+    const float zoom = std::clamp(place.scale, smallest_zoom, largest_zoom);
+    const auto centre = [&](float middle, float origin, float from, float to) {
+        const float at = origin + place.scale * middle;
+        return middle + (0.5f * (from + to) - at) / zoom;
     };
-    ui.session.canvas.zoom = zoom_in(room.x);
-    ui.session.canvas.centre = {static_cast<float>(left) + 0.5f * width,
-                                static_cast<float>(top) + 0.5f * height};
-    // Beside the row table, if the triangle is as large as its lines then.
-    const float table = row_table_layout(ui, room.x).width;
-    const float beside = zoom_in(std::max(room.x - table, 1.0f));
-    if (table <= 0.0f || beside < row_table_zoom(ui)) return;
-    ui.session.canvas.zoom = beside;
-    ui.session.canvas.centre.x += 0.5f * table / beside;
+    ui.session.canvas.zoom = zoom;
+    ui.session.canvas.centre = {
+        centre(0.5f * (part.left + part.right), place.origin.x, low.x, high.x),
+        centre(0.5f * (part.top + part.bottom), place.origin.y, low.y, high.y)};
 }
 
 } // namespace rasterwalk

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "base/element_names.h"
 #include "session/bench.h"
 #include "ui/canvas/marks.h"
+#include "ui/canvas/vertex_labels.h"
 
 namespace rasterwalk {
 
@@ -142,15 +142,13 @@ void draw_samples(const Marks& m, int triangle) {
     }
 }
 
-/// From here on, in screen pixels for each pixel, there is room for "vertices[0]".
-constexpr float full_name_zoom = 24.0f;
-
-void draw_vertex_label(const Marks& m, int vertex, ImVec2 pixel) {
-    const VertexLabel label = vertex_label(m, vertex, pixel);
-    // The pixel below may be as bright as the letters.
-    m.list->AddRectFilled(label.low, label.high, dark_casing, 3.0f * m.u);
-    m.list->AddText(m.ui.fonts.bold, m.ui.fonts.bold->FontSize, label.text,
-                    m.colour(Meaning::current), label.name.c_str());
+void draw_vertex_labels(const Marks& m) {
+    for (const VertexLabel& label : vertex_labels(m)) {
+        // The pixel below may be as bright as the letters.
+        m.list->AddRectFilled(label.low, label.high, dark_casing, 3.0f * m.u);
+        m.list->AddText(m.ui.fonts.bold, m.ui.fonts.bold->FontSize, label.text,
+                        m.colour(Meaning::current), label.name.c_str());
+    }
 }
 
 /// Where each vertex fell before it was rounded, joined to the pixel it became.
@@ -178,8 +176,8 @@ void draw_vertices(const Marks& m, int triangle, std::span<const ScreenVertex> v
             m.list->AddCircle(real, 4.0f * m.u, m.colour(Meaning::current), 0, 1.5f * m.u);
         }
         m.list->AddCircleFilled(pixel, 5.5f * m.u, m.colour(Meaning::current));
-        draw_vertex_label(m, v, pixel);
     }
+    draw_vertex_labels(m);
 }
 
 /// The piece of work that was just done.
@@ -224,20 +222,23 @@ void draw_lit_row(const Marks& m, int row, float opacity) {
 
 } // namespace
 
-VertexLabel vertex_label(const Marks& m, int vertex, ImVec2 pixel) {
-    ImFont* const font = m.ui.fonts.bold;
-    // With numbers in the cells a long name would lie on those of the next ones.
-    const bool is_full =
-        m.scale >= full_name_zoom * m.u && m.ui.session.canvas.numbers == CellNumbers::none;
-    VertexLabel label;
-    label.name = is_full ? vertex_name(vertex) : short_vertex_name(vertex);
-    const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, label.name.c_str()).x;
-    const float gap = 9.0f * m.u, margin = 3.0f * m.u;
-    const bool fits = pixel.x + gap + width <= m.high.x;
-    label.text = {fits ? pixel.x + gap : pixel.x - gap - width, pixel.y - 1.35f * font->FontSize};
-    label.low = {label.text.x - margin, label.text.y};
-    label.high = {label.text.x + width + margin, label.text.y + font->FontSize};
-    return label;
+bool crosses(ImVec2 a, ImVec2 b, ImVec2 low, ImVec2 high) {
+    // By clipping it to the four sides.
+    float from = 0.0f, to = 1.0f;
+    const auto clip = [&](float p, float q) {
+        // p is how fast the line leaves the side, q how far it is inside.
+        if (p == 0.0f) return q >= 0.0f;
+        const float t = q / p;
+        if (p < 0.0f) {
+            from = std::max(from, t);
+        } else {
+            to = std::min(to, t);
+        }
+        return from <= to;
+    };
+    const float dx = b.x - a.x, dy = b.y - a.y;
+    return clip(-dx, a.x - low.x) && clip(dx, high.x - a.x) && clip(-dy, a.y - low.y) &&
+           clip(dy, high.y - a.y);
 }
 
 ShownRun run_a(const Ui& ui) {

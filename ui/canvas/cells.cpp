@@ -11,6 +11,7 @@
 #include "picture/view_image.h"
 #include "settings/settings.h"
 #include "ui/canvas/marks.h"
+#include "ui/canvas/vertex_labels.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -39,9 +40,12 @@ struct Shade {
 /// The sign of a fragment's fate in a cell.
 struct CellFate {
     glm::ivec2 pixel;
-    Fate fate;
-    int place; ///< from the left, where a cell has several
+    std::optional<Fate> fate; ///< none: of more fragments than the cell has room for
+    int place;                ///< from the left, where a cell has several
 };
+
+/// The sign for more fragments.
+constexpr const char* more_sign = "…";
 
 /// From one sign to the next in a cell, screen pixels.
 float fate_step(const Ui& ui) {
@@ -55,9 +59,6 @@ std::vector<CellFate> shown_fates(Ui& ui, const Rectangle& part) {
     const RunResults& a = ui.results.a;
     std::vector<CellFate> fates;
     const std::optional<PixelHistory>& history = ui.results.history;
-    const bool has_tests =
-        has_fragments(a.frame.settings.stage) && depth_rule(a.frame.settings) != DepthTest::off;
-    if (!has_tests) return fates;
     if (a.triangle) {
         for (const FragmentFate& found :
              ui.canvas.fates.find(a.frame, a.frame_number, *a.triangle, part)) {
@@ -70,14 +71,17 @@ std::vector<CellFate> shown_fates(Ui& ui, const Rectangle& part) {
         const auto first = history->entries.begin();
         const auto last = std::partition_point(first, history->entries.end(),
                                                [&](const auto& e) { return e.cursor < a.cursor; });
-        // Where a cell cannot hold all of them, the last ones.
         const int room =
             static_cast<int>((ui.canvas.place.scale - ui.options.text_scale) / fate_step(ui));
-        const auto count = std::min<std::ptrdiff_t>(last - first, std::max(room, 1));
-        for (auto entry = last - count; entry != last; ++entry) {
-            const auto place = static_cast<int>(entry - (last - count));
-            fates.push_back({history->pixel, entry->fate, place});
+        // Where a cell cannot hold all of them, the last ones.
+        auto entry = last - std::min<std::ptrdiff_t>(last - first, std::max(room, 1));
+        int place = 0;
+        if (entry != first && last - entry > 1) {
+            fates.push_back({history->pixel, std::nullopt, place++});
+            ++entry;
         }
+        for (; entry != last; ++entry)
+            fates.push_back({history->pixel, entry->fate, place++});
     }
     std::stable_sort(fates.begin(), fates.end(), [](const CellFate& one, const CellFate& other) {
         return one.pixel.y < other.pixel.y;
@@ -130,11 +134,17 @@ constexpr float number_margin = 2.5f;
 struct Cells {
     Ui& ui;
     Marks marks;
+    Pane seen;                       ///< of the canvas, without the numbers of columns and rows
     std::vector<VertexLabel> labels; ///< that lie on the picture: nothing is drawn under them
     std::vector<std::pair<ImVec2, ImVec2>> lines; ///< the edges of the triangle on show
 
     ImVec2 corner(int column, int row) const {
         return marks.at(static_cast<float>(column) - 0.5f, static_cast<float>(row) - 0.5f);
+    }
+    /// A part of a number would be another number.
+    bool is_cut(ImVec2 low, ImVec2 high) const {
+        return low.x < seen.low.x || low.y < seen.low.y || high.x > seen.high.x ||
+               high.y > seen.high.y;
     }
     bool is_under_label(ImVec2 low, ImVec2 high) const {
         return std::any_of(labels.begin(), labels.end(), [&](const VertexLabel& label) {
@@ -143,25 +153,6 @@ struct Cells {
         });
     }
 };
-
-/// Does the line from a to b cross the rectangle? By clipping it to the four sides.
-bool crosses(ImVec2 a, ImVec2 b, ImVec2 low, ImVec2 high) {
-    float from = 0.0f, to = 1.0f;
-    const auto clip = [&](float p, float q) {
-        // p is how fast the line leaves the side, q how far it is inside.
-        if (p == 0.0f) return q >= 0.0f;
-        const float t = q / p;
-        if (p < 0.0f) {
-            from = std::max(from, t);
-        } else {
-            to = std::min(to, t);
-        }
-        return from <= to;
-    };
-    const float dx = b.x - a.x, dy = b.y - a.y;
-    return clip(-dx, a.x - low.x) && clip(dx, high.x - a.x) && clip(-dy, a.y - low.y) &&
-           clip(dy, high.y - a.y);
-}
 
 /// The colour of a cell as the canvas shows it, without what lies on single places of it.
 Shade shade_of(const Ui& ui, glm::ivec2 pixel) {
@@ -196,7 +187,7 @@ void draw_number(const Cells& cells, glm::ivec2 pixel) {
     const ImVec2 low{std::round(corner.x + 0.5f * (m.scale - width)),
                      std::round(corner.y + m.scale - font->FontSize - m.u)};
     const ImVec2 high{low.x + width, low.y + font->FontSize};
-    if (cells.is_under_label(low, high)) return;
+    if (cells.is_cut(low, high) || cells.is_under_label(low, high)) return;
     const glm::vec<3, std::uint8_t> ground = shade_of(cells.ui, pixel).bytes();
     const bool is_struck =
         std::any_of(cells.lines.begin(), cells.lines.end(),
@@ -214,7 +205,9 @@ void draw_fate(const Cells& cells, const CellFate& of) {
     const Marks& m = cells.marks;
     ImFont* const font = cells.ui.fonts.small;
     const bool has_passed = of.fate == Fate::written;
-    const char* const sign = has_passed ? passed_sign : failed_sign;
+    const char* const sign = !of.fate ? more_sign : has_passed ? passed_sign : failed_sign;
+    const ImU32 colour = !of.fate ? packed(palette(Theme::dark).text)
+                                  : m.colour(has_passed ? Meaning::pass : Meaning::fail);
     const float size = font->FontSize;
     const float width = font->CalcTextSizeA(size, FLT_MAX, 0.0f, sign).x;
     const ImVec2 corner = cells.corner(of.pixel.x, of.pixel.y);
@@ -222,11 +215,10 @@ void draw_fate(const Cells& cells, const CellFate& of) {
         std::round(corner.x + 2.0f * m.u + static_cast<float>(of.place) * fate_step(cells.ui)),
         std::round(corner.y + m.u)};
     const ImVec2 high{low.x + width, low.y + 0.85f * size};
-    if (cells.is_under_label(low, high)) return;
+    if (cells.is_cut(low, high) || cells.is_under_label(low, high)) return;
     m.list->AddRectFilled({low.x - m.u, low.y}, {high.x + m.u, high.y}, IM_COL32(12, 13, 16, 170),
                           2.0f * m.u);
-    m.list->AddText(font, size, {low.x, low.y - 0.1f * size},
-                    m.colour(has_passed ? Meaning::pass : Meaning::fail), sign);
+    m.list->AddText(font, size, {low.x, low.y - 0.1f * size}, colour, sign);
 }
 
 /// The edges and the names of vertices that lie on the cells.
@@ -235,11 +227,9 @@ void find_marks(Cells& cells) {
     const RunResults& a = cells.ui.results.a;
     if (!a.triangle || !a.frame.is_drawn(*a.triangle)) return;
     const std::span<const ScreenVertex> vertices = a.frame.triangle_vertices(*a.triangle);
-    for (std::size_t v = 0; v < vertices.size(); ++v) {
-        const ImVec2 at = m.at(vertices[v]);
-        cells.labels.push_back(vertex_label(m, static_cast<int>(v), at));
-        cells.lines.emplace_back(at, m.at(vertices[(v + 1) % vertices.size()]));
-    }
+    for (std::size_t v = 0; v < vertices.size(); ++v)
+        cells.lines.emplace_back(m.at(vertices[v]), m.at(vertices[(v + 1) % vertices.size()]));
+    cells.labels = vertex_labels(m);
 }
 
 } // namespace
@@ -274,6 +264,12 @@ std::string cell_number(const Ui& ui, glm::ivec2 pixel, float room) {
         break;
     }
     return letter * static_cast<float>(text.size()) <= inner ? text : std::string();
+}
+
+bool shows_fates(const Ui& ui) {
+    const Settings& settings = ui.results.a.frame.settings;
+    return ui.session.canvas.fates && has_fragments(settings.stage) &&
+           depth_rule(settings) != DepthTest::off && ui.canvas.place.scale >= fates_zoom(ui);
 }
 
 float fates_zoom(const Ui& ui) {
@@ -311,9 +307,11 @@ void draw_cells(Ui& ui, const Pane& seen) {
     const CanvasView& canvas = ui.session.canvas;
     if (scale < cell_zoom) return;
     const ShownRun run = run_a(ui);
-    Cells cells{ui, {ui, run, nullptr, seen.low, seen.high, ui.options.text_scale, scale}, {}, {}};
+    Cells cells{
+        ui, {ui, run, nullptr, seen.low, seen.high, ui.options.text_scale, scale}, {}, {}, {}};
     find_marks(cells);
     const Pane inner{corner_of_cells(cells.marks), seen.high};
+    cells.seen = inner;
     const Framebuffer& framebuffer = *ui.results.a.framebuffer;
     const ImVec2 origin = ui.canvas.place.origin;
     const VisibleRange columns =
@@ -323,7 +321,7 @@ void draw_cells(Ui& ui, const Pane& seen) {
     if (columns.first >= columns.last || rows.first >= rows.last) return;
     const Rectangle part{columns.first, rows.first, columns.last, rows.last};
     std::vector<CellFate> fates;
-    if (canvas.fates && scale >= fates_zoom(ui)) fates = shown_fates(ui, part);
+    if (shows_fates(ui)) fates = shown_fates(ui, part);
     if (fates.empty() && canvas.numbers == CellNumbers::none) return;
 
     // So many rows at once that their corners fit in a draw list, whatever stands in the cells.

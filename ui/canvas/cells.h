@@ -19,6 +19,9 @@ void draw_cells(Ui& ui, const Pane& seen);
 /// @param room screen pixels
 std::string cell_number(const Ui& ui, glm::ivec2 pixel, float room);
 
+/// Do the signs of pass and fail stand in the cells at this zoom?
+bool shows_fates(const Ui& ui);
+
 /// The zoom from which on there is room for the signs of pass and fail.
 float fates_zoom(const Ui& ui);
 

@@ -7,6 +7,7 @@
 
 #include "ui/actions/actions.h"
 #include "ui/actions/compare.h"
+#include "ui/actions/picture_fit.h"
 #include "ui/canvas/canvas_marks.h"
 #include "ui/canvas/overlays.h"
 #include "ui/ui.h"
@@ -192,19 +193,23 @@ void draw_difference(Ui& ui, ImDrawList* list, const Pane& canvas) {
     draw_title(ui, list, true, middle + inset, canvas.high.x - inset, canvas.low.y, true);
 }
 
-void show_textures(Ui& ui) {
+void show_textures(Ui& ui, const Pane& canvas) {
     const RunResults& b = *ui.results.b;
     const ComparisonResults& comparison = ui.results.comparison;
-    const float scale = ui.canvas.place.scale;
+    const PicturePlace& place = ui.canvas.place;
     const CompareView view = ui.session.compare_view;
     if (view == CompareView::difference) {
-        show_texture(ui, ui.compare.difference, comparison.difference, comparison.difference_number,
-                     scale);
+        show_texture(ui, ui.compare.difference,
+                     {comparison.difference, comparison.difference_number}, place, canvas.low,
+                     canvas.high);
         return;
     }
-    if (view != CompareView::run_b) show_ground(ui);
-    if (view != CompareView::run_a)
-        show_texture(ui, ui.compare.picture, b.picture, b.picture_number, scale);
+    if (view != CompareView::run_b) show_ground(ui, canvas.low, canvas.high);
+    if (view != CompareView::run_a) {
+        show_texture(ui, ui.compare.picture,
+                     {b.picture, b.picture_number, b.picture_before, b.picture_changed},
+                     ui.compare.place_of_b.value_or(place), canvas.low, canvas.high);
+    }
 }
 
 void draw_views(Ui& ui, bool as_list) {
@@ -340,7 +345,7 @@ void draw_wipe_handle(Ui& ui, const Pane& canvas) {
 }
 
 void draw_compared(Ui& ui, ImDrawList* list, const Pane& canvas) {
-    show_textures(ui);
+    show_textures(ui, canvas);
     switch (ui.session.compare_view) {
     case CompareView::run_a:
         draw_alone(ui, list, canvas, false, false);

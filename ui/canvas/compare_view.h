@@ -28,9 +28,6 @@ struct Panes {
 };
 Panes panes_of(const Ui& ui, const Pane& canvas);
 
-/// What a picture needs around it that fits: the space at its border, design pixels.
-inline constexpr float picture_border = 10.0f;
-
 /// The height that the canvas needs so that what is compared is not made smaller, screen pixels.
 float height_at_full_size(const Ui& ui, float width);
 

@@ -1,5 +1,9 @@
 #include "ui/canvas/marks.h"
 
+#include <string>
+
+#include "ui/actions/picture_fit.h"
+
 namespace rasterwalk {
 
 namespace {
@@ -44,10 +48,9 @@ class Ruler {
   public:
     Ruler(const Marks& marks, const VisibleCells& in_view)
         : m(marks), cells(in_view), font(marks.ui.fonts.small), size(font->FontSize) {
-        const float widest = width_of(std::max(cells.rows.last - 1, 0));
-        const float strip = size + 8.0f * m.u, margin = widest + 10.0f * m.u;
-        if (cells.top < m.low.y + strip) strip_bottom = m.low.y + strip;
-        if (cells.left < m.low.x + margin) strip_right = m.low.x + margin;
+        const ImVec2 needed = ruler_size(marks.ui);
+        if (cells.top < m.low.y + needed.y) strip_bottom = m.low.y + needed.y;
+        if (cells.left < m.low.x + needed.x) strip_right = m.low.x + needed.x;
     }
 
     void draw() const {
@@ -105,6 +108,12 @@ class Ruler {
 
 ImVec2 corner_of_cells(const Marks& m) {
     return Ruler(m, visible_cells(m)).corner();
+}
+
+ImVec2 corner_of_labels(const Marks& m) {
+    const VisibleCells cells = visible_cells(m);
+    const ImVec2 corner = Ruler(m, cells).corner();
+    return {std::max(corner.x, cells.left), std::max(corner.y, cells.top)};
 }
 
 void draw_grid(const Marks& m) {

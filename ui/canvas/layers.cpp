@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "base/numbers.h"
 #include "ui/actions/row_table_layout.h"
@@ -82,25 +83,43 @@ void draw_cell_list(Ui& ui) {
     }
 }
 
-std::string button_label(const Ui& ui, bool narrow) {
-    const int count =
-        ui.session.overlays.count() + (ui.session.canvas.numbers != CellNumbers::none ? 1 : 0);
+/// What is switched on of overlays and numbers, in the order of the list.
+std::vector<std::string> layers_on(const Ui& ui) {
+    std::vector<std::string> names;
+    for (const OverlayInfo& info : overlay_list()) {
+        if (ui.session.overlays.has(info.overlay)) names.emplace_back(info.title);
+    }
+    const CellNumbers numbers = ui.session.canvas.numbers;
+    if (numbers != CellNumbers::none) {
+        const auto title = cell_numbers_list()[static_cast<std::size_t>(numbers)].title;
+        names.push_back("in the cells: " + std::string(title));
+    }
+    return names;
+}
+
+/// "layers: 2 on"; where there is little room the sign and the number.
+std::string button_label(std::size_t on, bool narrow) {
     const std::string name = narrow ? layers_sign : "layers";
-    return count == 0 ? name : name + " " + std::to_string(count);
+    if (on == 0) return name;
+    return narrow ? name + " " + std::to_string(on) : name + ": " + std::to_string(on) + " on";
 }
 
 } // namespace
 
 float layers_button_width(const Ui&, bool narrow) {
     // With a number, whether there is one or not: what stands beside it must not jump.
-    return button_width(std::string(narrow ? layers_sign : "layers") + " 0");
+    return button_width(button_label(8, narrow));
 }
 
 void draw_layers_button(Ui& ui, bool narrow) {
-    const bool any = !ui.session.overlays.empty() || ui.session.canvas.numbers != CellNumbers::none;
-    if (button(ui, "canvas.overlays", button_label(ui, narrow), any ? Look::plain : Look::quiet,
-               "What is laid over the picture and stands in its cells: wireframe, owners, the row "
-               "table, numbers ...",
+    const std::vector<std::string> on = layers_on(ui);
+    std::string help =
+        "What is laid over the picture and stands in its cells: wireframe, owners, the row table, "
+        "numbers ...";
+    for (const std::string& name : on)
+        help += (&name == on.data() ? "\nOn: " : ", ") + name;
+    if (button(ui, "canvas.overlays", button_label(on.size(), narrow),
+               on.empty() ? Look::quiet : Look::plain, help,
                {layers_button_width(ui, narrow), 0.0f})) {
         ImGui::OpenPopup("layers");
     }

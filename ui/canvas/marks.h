@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include <imgui.h>
 
-#include "ui/canvas/canvas.h"
 #include "ui/canvas/canvas_marks.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
@@ -62,20 +60,15 @@ inline VisibleRange visible(float origin, float scale, float low, float high, in
             std::min(count, static_cast<int>(std::ceil((high - origin) / scale)))};
 }
 
-/// The name of a vertex on the picture, on a dark ground.
-struct VertexLabel {
-    std::string name;
-    ImVec2 low, high; ///< of the ground
-    ImVec2 text;      ///< upper left corner of the letters
-};
-
-/// Where the name of a vertex stands: beside its pixel, at the left where the canvas ends at the
-/// right. It is short where it would cover what stands in the cells.
-VertexLabel vertex_label(const Marks& m, int vertex, ImVec2 pixel);
+/// Does the line from a to b cross the rectangle?
+bool crosses(ImVec2 a, ImVec2 b, ImVec2 low, ImVec2 high);
 
 /// Where the strips end on which the numbers of columns and rows stand over the picture: its cells
 /// are seen from here on. The corner of the canvas where there are none.
 ImVec2 corner_of_cells(const Marks& m);
+
+/// From here on names can stand without lying on the numbers of columns and rows.
+ImVec2 corner_of_labels(const Marks& m);
 
 /// The grid of pixels.
 void draw_grid(const Marks& m);

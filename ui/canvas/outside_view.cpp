@@ -9,7 +9,7 @@
 #include "outside/outside_drawing.h"
 #include "ui/actions/actions.h"
 #include "ui/actions/outside.h"
-#include "ui/canvas/canvas.h"
+#include "ui/canvas/canvas_pointer.h"
 #include "ui/canvas/outside_marks_view.h"
 #include "ui/ui.h"
 #include "ui/widgets/focus.h"
@@ -111,10 +111,11 @@ void handle_pointer(Ui& ui, const Pane& pane) {
 
 void draw_image(Ui& ui, ImDrawList* list, const Pane& pane) {
     const OutsideDrawing& drawing = *ui.canvas.outside_drawing;
-    show_texture(ui, ui.canvas.outside, drawing.image(), drawing.number(), 1.0f);
     PicturePlace place;
     place.origin = pane.low;
     place.scale = static_cast<float>(drawing.pixel_size());
+    show_texture(ui, ui.canvas.outside, {drawing.image(), drawing.number()}, place, pane.low,
+                 pane.high);
     draw_texture(list, ui.canvas.outside, place);
 }
 

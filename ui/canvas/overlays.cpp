@@ -261,18 +261,21 @@ void draw_wires(const Ui& ui, ImDrawList* list, ImVec2 low, ImVec2 high) {
 
 } // namespace
 
-void show_ground(Ui& ui) {
+void show_ground(Ui& ui, ImVec2 low, ImVec2 high) {
     const Results& results = ui.results;
+    const RunResults& a = results.a;
     const bool is_grey = !results.ground.rgba.empty();
-    show_texture(ui, ui.canvas.picture, is_grey ? results.ground : results.a.picture,
-                 is_grey ? results.ground_number : results.a.picture_number, ui.canvas.place.scale);
+    const NumberedPicture picture =
+        is_grey ? NumberedPicture{results.ground, results.ground_number}
+                : NumberedPicture{a.picture, a.picture_number, a.picture_before, a.picture_changed};
+    show_texture(ui, ui.canvas.picture, picture, ui.canvas.place, low, high);
 }
 
 void draw_overlays(Ui& ui, ImDrawList* list, ImVec2 low, ImVec2 high) {
     const OverlayPicture& picture = ui.results.overlay;
     if (!picture.image.rgba.empty()) {
-        show_texture(ui, ui.canvas.overlay, picture.image, ui.results.overlay_number,
-                     ui.canvas.place.scale);
+        show_texture(ui, ui.canvas.overlay, {picture.image, ui.results.overlay_number},
+                     ui.canvas.place, low, high);
         draw_texture(list, ui.canvas.overlay, ui.canvas.place);
     }
     draw_wires(ui, list, low, high);

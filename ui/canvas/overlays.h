@@ -9,7 +9,8 @@ namespace rasterwalk {
 struct Ui;
 
 /// Makes the picture of run A known to the graphics system: in grey where overlays lie on it.
-void show_ground(Ui& ui);
+/// @param low, high of what of the canvas is in view
+void show_ground(Ui& ui, ImVec2 low, ImVec2 high);
 
 /// What the overlay looks like: by the same function that tints the picture. A part of a swatch is
 /// drawn if `from` and `to`, shares of its width, say so.

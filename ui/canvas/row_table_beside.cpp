@@ -63,24 +63,31 @@ void draw_end(const Table& t, int index, bool is_left) {
     const Fonts& fonts = t.ui.fonts;
 
     const float top = t.y_of(row);
-    const bool has_second = t.is_high() && is_set;
+    const bool has_more = t.layout.has_writers ? !t.layout.is_flat && !t.layout.has_depths : true;
+    const bool has_second = t.is_high() && is_set && has_more;
     const float second = 1.1f * fonts.mono_small->FontSize;
     const float middle = top + 0.5f * (t.scale - (has_second ? second : 0.0f));
     const float below = middle + 0.5f * (fonts.mono->FontSize + second);
     const float number = t.left + place.number;
     const std::string text = end_text(end, is_left);
     ImFont* const font = is_extreme ? fonts.mono_small : fonts.mono;
-    write(t, font, text, number, middle,
-          is_set ? colour_of(edge_meaning(writer.edge), t.ui.options.theme) : p.dim);
     const std::string by = is_set ? sample_text(writer.edge, writer.sample) : std::string();
     const std::string depth = is_set ? fixed(static_cast<double>(end.inv_w), 4) : std::string("—");
-    if (is_set && t.layout.has_writers)
-        write(t, fonts.mono_small, by, t.left + place.writer, middle, p.dim);
-    if (t.layout.has_depths) {
-        write(t, fonts.mono_small, depth, t.left + place.depth, middle, is_set ? p.text : p.dim);
-    } else if (has_second) {
-        write(t, fonts.mono_small, t.layout.has_writers ? "1/z " + depth : by, number, below,
-              p.dim);
+    // Half a line would be read as another one.
+    const float half = 0.5f * fonts.mono->FontSize;
+    const float last = has_second ? below + 0.5f * fonts.mono_small->FontSize : middle + half;
+    if (middle - half >= t.top && last <= t.bottom) {
+        write(t, font, text, number, middle,
+              is_set ? colour_of(edge_meaning(writer.edge), t.ui.options.theme) : p.dim);
+        if (is_set && t.layout.has_writers)
+            write(t, fonts.mono_small, by, t.left + place.writer, middle, p.dim);
+        if (t.layout.has_depths) {
+            write(t, fonts.mono_small, depth, t.left + place.depth, middle,
+                  is_set ? p.text : p.dim);
+        } else if (has_second) {
+            write(t, fonts.mono_small, t.layout.has_writers ? "1/z " + depth : by, number, below,
+                  p.dim);
+        }
     }
 
     const float low_y = std::max(top, t.top), high_y = std::min(top + t.scale, t.bottom);
@@ -95,9 +102,11 @@ void draw_end(const Table& t, int index, bool is_left) {
     const std::string name = "canvas.rows." + std::to_string(row) + (is_left ? ".left" : ".right");
     const bool pressed = ImGui::InvisibleButton(
         name.c_str(), {place.right - place.left + 2.0f * around, high_y - low_y});
-    name_widget(t.ui, name,
-                (is_set ? "x " + text + ", 1/z " + nine_digits(end.inv_w) + ". " : std::string()) +
-                    end_tooltip(end, writer));
+    name_widget(
+        t.ui, name,
+        (is_set ? "x " + text + (t.layout.is_flat ? "" : ", 1/z " + nine_digits(end.inv_w)) + ". "
+                : std::string()) +
+            end_tooltip(end, writer));
     note_text(t.ui, name, text);
     if (!pressed) return;
     t.ui.session.selection.row = row;
@@ -132,8 +141,10 @@ void draw_line(const Table& t, int index, std::optional<int> at_work, bool is_ov
                     element_name(entry_form, index) + " of leftPixels and rightPixels.");
     const std::string entry = "[" + std::to_string(index) + "]";
     note_text(t.ui, name, entry);
-    write(t, t.ui.fonts.mono_small, entry, t.left + t.layout.entry, 0.5f * (top + bottom),
-          at_work == row ? p.text : p.dim);
+    ImFont* const font = t.ui.fonts.mono_small;
+    const float middle = 0.5f * (top + bottom), half = 0.5f * font->FontSize;
+    if (middle - half >= t.top && middle + half <= t.bottom)
+        write(t, font, entry, t.left + t.layout.entry, middle, at_work == row ? p.text : p.dim);
     draw_end(t, index, true);
     draw_end(t, index, false);
 }
@@ -177,22 +188,22 @@ void draw_header(const Table& t, float canvas_top) {
     t.list->AddLine({t.left, t.top}, {t.left + t.layout.width, t.top}, packed(p.line));
 }
 
-/// How many samples fell in none of the lines; below them, if there is room.
+/// How many samples fell in none of the lines; below them, if there are any, and room for it.
 void draw_outside(const Table& t) {
     const RowHistory& history = t.ui.results.a.rows;
+    const auto count = static_cast<std::int64_t>(history.outside.size());
+    if (count == 0) return;
     const float below = t.y_of(history.rows.first_row + history.rows.size());
     ImFont* const font = t.ui.fonts.small;
     const float middle = below + font->FontSize;
     if (middle < t.top + font->FontSize || middle + font->FontSize > t.bottom) return;
-    const auto count = static_cast<std::int64_t>(history.outside.size());
     ImGui::PushFont(font);
     const std::string text = shortened(counted(count, "sample outside", "samples outside"),
                                        t.layout.width - 14.0f * t.u);
     ImGui::PopFont();
-    const Theme theme = t.ui.options.theme;
-    t.list->AddText(
-        font, font->FontSize, {t.left + 8.0f * t.u, std::round(middle - 0.5f * font->FontSize)},
-        packed(count > 0 ? colour_of(Meaning::fail, theme) : palette(theme).dim), text.c_str());
+    t.list->AddText(font, font->FontSize,
+                    {t.left + 8.0f * t.u, std::round(middle - 0.5f * font->FontSize)},
+                    packed(colour_of(Meaning::fail, t.ui.options.theme)), text.c_str());
 }
 
 } // namespace

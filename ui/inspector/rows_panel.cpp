@@ -15,11 +15,36 @@ namespace rasterwalk {
 
 namespace {
 
-/// What the sample that was entered last did, in words and numbers.
-void draw_last_sample(Ui& ui) {
+/// The row whose fragments are being drawn, when the table is done: its ends, and how far it is.
+void draw_row_in_work(Ui& ui, const Cursor& done) {
+    const RunResults& a = ui.results.a;
+    const Palette& p = palette(ui.options.theme);
+    const auto i = static_cast<std::size_t>(done.index);
+    const int left = a.rows.rows.left[i].column, right = a.rows.rows.right[i].column;
+    text_in(p.dim, "all samples are entered, now the rows: ");
+    ImGui::TextUnformatted(("row " + std::to_string(a.rows.rows.first_row + done.index) + ", " +
+                            element_name_of(entry_form, done.index, a.rows.rows.size()))
+                               .c_str());
+    ImGui::PushFont(ui.fonts.mono);
+    ImGui::TextUnformatted(fmt::format("left = {}, right = {}", left, right).c_str());
+    ImGui::PopFont();
+    ImGui::TextUnformatted(
+        has_fragments(a.frame.settings.stage)
+            ? ("now the pixel in column " + std::to_string(left + done.step)).c_str()
+            : "its two ends are drawn");
+}
+
+/// What the moment did, in words and numbers: the sample that was entered last, or the row.
+void draw_moment(Ui& ui) {
     const RowHistory& history = ui.results.a.rows;
     const Palette& p = palette(ui.options.theme);
     begin_card(ui);
+    const std::optional<Cursor>& done = ui.results.a.done;
+    if (done && done->triangle == ui.results.a.triangle && done->phase == Phase::rows) {
+        draw_row_in_work(ui, *done);
+        end_card(ui);
+        return;
+    }
     if (!history.last) {
         text_in(p.dim, "No sample has been entered yet: every row is empty.");
         end_card(ui);
@@ -64,7 +89,7 @@ void draw_last_sample(Ui& ui) {
 void draw_below_table(Ui& ui) {
     const Palette& p = palette(ui.options.theme);
     const RowHistory& history = ui.results.a.rows;
-    draw_last_sample(ui);
+    draw_moment(ui);
     if (button(ui, "rows.copy", "copy as text", Look::plain,
                "Copies the table in the form that the lab prints.")) {
         ImGui::SetClipboardText(rows_text(history.rows).c_str());

@@ -45,9 +45,6 @@ struct LayoutNeeds {
     bool has_status = true;
 };
 
-/// The rulers around the canvas: their width, design pixels.
-inline constexpr float canvas_ruler = 26.0f;
-
 /// True for a window in which, measured in text, a lesson has no room for a column.
 bool is_narrow(ImVec2 window, const UiOptions& options);
 

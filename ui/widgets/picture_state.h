@@ -4,6 +4,9 @@
 
 #include <imgui.h>
 
+#include "base/image.h"
+#include "stages/rectangle.h"
+
 namespace rasterwalk {
 
 /// Where the picture lies on the screen: screen = origin + scale * (column, row).
@@ -17,7 +20,10 @@ struct PictureTexture {
     ImTextureID id = nullptr;
     std::uint64_t number = 0; ///< of the picture that it shows, see Results
     float scale = 0.0f;       ///< that it was resampled for; 1: as it is
+    ImVec2 corner{0, 0};      ///< upper left, picture pixels
     ImVec2 size{0, 0};        ///< in picture pixels
+    Rectangle window;         ///< that it holds of the picture as it is resampled
+    Image resampled;          ///< what it holds, where it was resampled
 };
 
 } // namespace rasterwalk

@@ -11,11 +11,21 @@ namespace rasterwalk {
 
 struct Ui;
 
-/// Brings the texture up to date with the picture, for being shown at `scale`: as it is where its
-/// pixels come out equally large or very large, or else resampled.
-/// @param number grows whenever the picture changes
-void show_texture(Ui& ui, PictureTexture& texture, const Image& image, std::uint64_t number,
-                  float scale);
+/// A picture, and what of it is new.
+struct NumberedPicture {
+    const Image& image;
+    std::uint64_t number;     ///< grows whenever the picture changes
+    std::uint64_t before = 0; ///< the picture with this number differs from it only in these
+                              ///< pixels; 0: nothing is known
+    Rectangle changed{};
+};
+
+/// Brings the texture up to date with the picture: as it is where its pixels come out equally large
+/// or very large, or else resampled. Of a large picture it holds what is in view and a little
+/// around it; costs that, or what of it has changed.
+/// @param low, high of what is in view, screen pixels
+void show_texture(Ui& ui, PictureTexture& texture, const NumberedPicture& picture,
+                  const PicturePlace& place, ImVec2 low, ImVec2 high);
 
 /// Draws the texture where the picture lies.
 void draw_texture(ImDrawList* list, const PictureTexture& texture, const PicturePlace& place);

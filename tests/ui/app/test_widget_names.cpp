@@ -112,6 +112,8 @@ class Tour {
         look(driver);
         follow_link(driver.ui, "tab:rows");
         look(driver);
+        driver.ui.session.canvas.numbers = CellNumbers::ends;
+        look(driver);
         driver.hand.click("bench.examples");
         driver.hand.click("bench.example.A sample outside");
         look(driver);

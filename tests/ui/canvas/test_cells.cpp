@@ -17,6 +17,7 @@
 #include "ui/actions/keys.h"
 #include "ui/canvas/cells.h"
 #include "ui/canvas/marks.h"
+#include "ui/canvas/vertex_labels.h"
 
 namespace rasterwalk {
 
@@ -54,14 +55,12 @@ std::vector<glm::ivec2> whole_cells(const Driver& driver) {
             high.x = ui.canvas.row_table->left;
         }
     }
+    if (const auto key = ui.widgets.find("canvas.cells"); key != ui.widgets.end())
+        high.y = key->second.top_left.y;
     const ShownRun run = run_a(ui);
     const Marks marks{ui, run, nullptr, low, high, ui.options.text_scale, place.scale};
     low = corner_of_cells(marks);
-    std::vector<VertexLabel> labels;
-    const std::span<const ScreenVertex> vertices =
-        run.frame.triangle_vertices(*ui.results.a.triangle);
-    for (std::size_t v = 0; v < vertices.size(); ++v)
-        labels.push_back(vertex_label(marks, static_cast<int>(v), marks.at(vertices[v])));
+    const std::vector<VertexLabel> labels = vertex_labels(marks);
     std::vector<glm::ivec2> cells;
     const Viewport size = run.frame.settings.viewport;
     for (int row = 0; row < size.height; ++row) {
@@ -134,11 +133,8 @@ TEST_CASE("1/z in the cells is that of the depth buffer, as far as its digits go
     for (const float zoom : {least, 64.0f}) {
         look_close(driver, zoom, {250.0f, 300.0f});
         int count = 0;
-        const std::vector<glm::ivec2> whole = whole_cells(driver);
         for (const ScreenText& text : cell_texts()) {
             const glm::ivec2 cell = cell_of(driver, text);
-            // Of a number at the border of the canvas a part is cut off.
-            if (std::find(whole.begin(), whole.end(), cell) == whole.end()) continue;
             const double digits = static_cast<double>(text.words.size() - text.words.find('.') - 1);
             const auto depth = static_cast<double>(picture.depth[picture.at(cell.x, cell.y)]);
             CAPTURE(text.words, cell.x, cell.y);
@@ -157,10 +153,8 @@ TEST_CASE("The ends of rows are written in the cells where they lie") {
     look_close(driver, 32.0f, {12.0f, 10.0f});
     const PolygonRows& rows = driver.ui.results.a.rows.rows;
     std::map<std::pair<int, int>, std::string> seen;
-    const std::vector<glm::ivec2> whole = whole_cells(driver);
     for (const ScreenText& text : cell_texts()) {
         const glm::ivec2 cell = cell_of(driver, text);
-        if (std::find(whole.begin(), whole.end(), cell) == whole.end()) continue;
         seen[{cell.x, cell.y}] += text.words;
     }
     CHECK(seen.size() > 12);
@@ -289,6 +283,69 @@ TEST_CASE("The picked pixel shows the fates of all its fragments so far") {
     }
 }
 
+TEST_CASE("A line below the cells says whose their signs are, and of what their numbers") {
+    Driver driver;
+    driver.hand.click("stage.depth");
+    CHECK(driver.ui.widgets.count("canvas.cells") == 0);
+    const glm::ivec2 pixel(240, 300);
+    driver.hand.click_picture(pixel.x, pixel.y);
+    const int triangle = *driver.ui.results.a.triangle;
+    driver.ui.session.canvas.numbers = CellNumbers::depth;
+    look_close(driver, 64.0f, {pixel.x, pixel.y});
+    std::string picked = "(240, 300):";
+    for (const PixelEntry& entry : pixel_history(driver.ui.results.a.frame, pixel).entries) {
+        picked += std::string(picked.ends_with(":") ? " " : ", ") + "t" +
+                  std::to_string(entry.cursor.triangle) +
+                  (entry.fate == Fate::written ? " ✓" : " ✗");
+    }
+    const std::string text = shown_text(driver, "canvas.cells");
+    CAPTURE(text);
+    CHECK(text.find("number: 1/z in the depth buffer") != text.npos);
+    CHECK(text.find(picked) != text.npos);
+    CHECK(text.find("triangles[" + std::to_string(triangle) + "]") != text.npos);
+    // What there is room for of it is drawn.
+    const WidgetPlace key = driver.hand.find("canvas.cells");
+    const std::vector<ScreenText> texts = screen_text(3.0f);
+    CHECK(std::any_of(texts.begin(), texts.end(), [&](const ScreenText& line) {
+        return line.low.y >= key.top_left.y && line.high.y <= key.bottom_right.y &&
+               line.high.x <= key.bottom_right.x && line.words.starts_with("number: 1/z");
+    }));
+    look_close(driver, 16.0f, {pixel.x, pixel.y});
+    CHECK(driver.ui.widgets.count("canvas.cells") == 0);
+}
+
+TEST_CASE("Where a cell cannot hold the signs of all fragments it says that there are more") {
+    Driver driver;
+    driver.hand.click("stage.depth");
+    const glm::ivec2 pixel(240, 300);
+    driver.hand.click_picture(pixel.x, pixel.y);
+    const PixelHistory history = pixel_history(driver.ui.results.a.frame, pixel);
+    REQUIRE(history.entries.size() == 3);
+    bool had_more = false;
+    for (float zoom = 24.0f; zoom <= 64.0f; zoom += 4.0f) {
+        look_close(driver, zoom, {pixel.x, pixel.y});
+        std::string seen;
+        for (const ScreenText& text : cell_texts()) {
+            if (cell_of(driver, text) == pixel) seen += text.words;
+        }
+        std::erase(seen, ' ');
+        CAPTURE(zoom, seen);
+        const bool has_more = seen.starts_with("…");
+        std::string last;
+        for (std::size_t i = has_more ? 2 : 0; i < 3; ++i)
+            last += history.entries[i].fate == Fate::written ? "✓" : "✗";
+        // A single sign is that of the last fragment.
+        const bool is_single = seen == "✓" || seen == "✗";
+        if (is_single) {
+            CHECK(seen == (history.entries[2].fate == Fate::written ? "✓" : "✗"));
+        } else {
+            CHECK(seen == (has_more ? "…" : "") + last);
+        }
+        had_more = had_more || has_more;
+    }
+    CHECK(had_more);
+}
+
 TEST_CASE("The ink of a number has enough contrast on every ground") {
     const auto linear = [](int byte) {
         const double share = byte / 255.0;
@@ -320,6 +377,22 @@ TEST_CASE("Numbers are chosen in the list of layers, one kind at a time") {
         driver.hand.press(key::escape);
         CHECK(driver.ui.session.canvas.numbers == info.numbers);
     }
+}
+
+TEST_CASE("The button of the layers says how many are on, and which") {
+    Driver driver;
+    driver.hand.click("stage.depth");
+    driver.ui.session.overlays.set(Overlay::wireframe, true);
+    driver.ui.session.canvas.numbers = CellNumbers::depth;
+    driver.hand.frames(frames_to_rest);
+    driver.hand.hover("canvas.overlays");
+    driver.hand.frames(90);
+    std::string all;
+    for (const ScreenText& text : screen_text())
+        all += text.words + "\n";
+    CAPTURE(all);
+    CHECK(all.find("layers: 2 on") != all.npos);
+    CHECK(all.find("in the cells: 1/z") != all.npos);
 }
 
 } // namespace rasterwalk

@@ -4,24 +4,25 @@
 
 #include "support/project_root.h"
 #include "tests/ui/driver.h"
+#include "ui/actions/picture_fit.h"
 #include "ui/canvas/compare_view.h"
 #include "ui/ui.h"
-#include "ui/widgets/layout.h"
 
 namespace rasterwalk {
 
 namespace {
 
-/// The canvas without rulers, title and the row table beside the picture, the widest border that a
-/// picture may need.
+/// How large the whole picture comes out beside numbers, title and row table.
 float least_scale(const Driver& driver) {
     const WidgetPlace& canvas = driver.ui.widgets.at("canvas");
     const Viewport size = driver.ui.results.a.frame.settings.viewport;
-    const float border = 2.0f * canvas_ruler, title = driver.ui.results.b ? 30.0f : 0.0f;
+    const float title = driver.ui.results.b ? 30.0f : 0.0f;
+    const ImVec2 ruler = ruler_size(driver.ui);
+    const ImVec2 border{ruler.x + picture_border, ruler.y + picture_border};
     const auto& rows = driver.ui.canvas.row_table;
     const float table = rows ? rows->right - rows->left : 0.0f;
-    const float width = canvas.bottom_right.x - canvas.top_left.x - border - table;
-    const float height = canvas.bottom_right.y - canvas.top_left.y - border - title;
+    const float width = canvas.bottom_right.x - canvas.top_left.x - border.x - table;
+    const float height = canvas.bottom_right.y - canvas.top_left.y - border.y - title;
     return std::min(width / static_cast<float>(size.width),
                     height / static_cast<float>(size.height));
 }
@@ -64,6 +65,64 @@ TEST_CASE("Fit fills the canvas in every window, view and way to compare") {
     bench.ui.session.canvas.row_table = false;
     check_fit(bench);
     CHECK_FALSE(bench.ui.canvas.row_table);
+}
+
+namespace {
+
+/// Are all pixels of the triangle on show seen, and lie neither under the row table nor under the
+/// numbers?
+bool is_triangle_seen(const Driver& driver) {
+    const WidgetPlace& canvas = driver.ui.widgets.at("canvas");
+    const PicturePlace& place = driver.ui.canvas.place;
+    const ImVec2 ruler = ruler_size(driver.ui);
+    const auto& table = driver.ui.canvas.row_table;
+    const float left = (table && table->is_at_left ? table->right : canvas.top_left.x) + ruler.x;
+    const float right = table && !table->is_at_left ? table->left : canvas.bottom_right.x;
+    const float top = canvas.top_left.y + ruler.y;
+    for (const ScreenVertex& v : driver.ui.results.a.frame.triangle_vertices(0)) {
+        const float x = place.origin.x + place.scale * static_cast<float>(v.column);
+        const float y = place.origin.y + place.scale * static_cast<float>(v.row);
+        if (x < left || x + place.scale > right || y < top ||
+            y + place.scale > canvas.bottom_right.y) {
+            return false;
+        }
+    }
+    return true;
+}
+
+} // namespace
+
+TEST_CASE("Where the pixels of a very small picture would be tiny its triangles fill the canvas") {
+    for (const ImVec2 window : {ImVec2(1024, 640), ImVec2(800, 600)}) {
+        for (const float text_scale : {1.0f, 1.5f}) {
+            CAPTURE(window.x, window.y, text_scale);
+            Driver driver("one-triangle.toml", window, text_scale);
+            driver.hand.frames(frames_to_rest);
+            REQUIRE(least_scale(driver) < 16.0f * text_scale);
+            CHECK(driver.ui.canvas.place.scale > 1.15f * least_scale(driver));
+            CHECK(is_triangle_seen(driver));
+            // A vertex that is dragged stays under the pointer, although the triangle grows.
+            driver.hand.drag_picture(15, 15, 12, 12);
+            CHECK(driver.ui.session.scene->corner(0, 2).position.x == 12.0f);
+            CHECK(driver.ui.session.scene->corner(0, 2).position.y == 12.0f);
+            CHECK(is_triangle_seen(driver));
+        }
+    }
+}
+
+TEST_CASE("Zoomed to the triangle, all of it lies beside the row table, or there is no table") {
+    for (const ImVec2 window : {ImVec2(1600, 1000), ImVec2(1366, 768), ImVec2(1280, 800),
+                                ImVec2(1024, 640), ImVec2(800, 600)}) {
+        for (const float text_scale : {1.0f, 1.5f}) {
+            CAPTURE(window.x, window.y, text_scale);
+            Driver driver("one-triangle.toml", window, text_scale);
+            driver.hand.press('X');
+            driver.hand.leave();
+            CHECK(driver.ui.session.canvas.zoom > 0.0f);
+            CHECK(is_triangle_seen(driver));
+            if (text_scale == 1.0f && window.x > 1300.0f) CHECK(driver.ui.canvas.row_table);
+        }
+    }
 }
 
 } // namespace rasterwalk

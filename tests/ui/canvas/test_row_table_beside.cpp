@@ -358,4 +358,64 @@ TEST_CASE("Turning the wheel over the table enlarges the picture, and its lines 
     CHECK(misplaced_lines(driver) == "");
 }
 
+TEST_CASE("1/z does not stand in the table where it is the same for all") {
+    Driver bench("one-triangle.toml");
+    look_at(bench, 46.0f, {10.0f, 10.0f});
+    const std::vector<ScreenText> texts = table_texts();
+    REQUIRE_FALSE(texts.empty());
+    for (const ScreenText& text : texts)
+        CHECK(text.words.find("1/z") == text.words.npos);
+}
+
+TEST_CASE("1/z stands in the table of a triangle of the room") {
+    Driver room;
+    room.hand.click("stage.depth");
+    room.ui.session.selection.triangle = 22;
+    look_at(room, 46.0f, {250.0f, 300.0f});
+    const std::vector<ScreenText> texts = table_texts();
+    CHECK(std::any_of(texts.begin(), texts.end(), [](const ScreenText& text) {
+        return text.words.find("1/z") != text.words.npos;
+    }));
+}
+
+TEST_CASE("A line of the table that is cut off has no text, rather than half of it") {
+    Driver driver("one-triangle.toml");
+    for (float y = 9.0f; y < 10.0f; y += 0.1f) {
+        look_at(driver, 40.0f, {10.0f, y});
+        REQUIRE(is_shown(driver));
+        driver.hand.leave();
+        const WidgetPlace header = driver.hand.find("canvas.rows.header.entry");
+        const WidgetPlace table = driver.hand.find("canvas.rows");
+        int entries = 0;
+        for (const ScreenText& text : table_texts()) {
+            if (text.words[0] != '[') continue;
+            CAPTURE(y, text.words);
+            CHECK(text.low.y >= header.bottom_right.y - 0.5f);
+            CHECK(text.high.y <= table.bottom_right.y + 0.5f);
+            ++entries;
+        }
+        CHECK(entries >= 10);
+    }
+}
+
+TEST_CASE(
+    "At the end of the bench the card speaks of the row that is lit, and outside is said once") {
+    Driver driver("one-triangle.toml");
+    driver.hand.click("walk.last");
+    driver.hand.leave();
+    REQUIRE(is_shown(driver));
+    std::string inspector;
+    int outside = 0;
+    for (const ScreenText& text : screen_text()) {
+        if (text.window.find("inspector") != text.window.npos) inspector += text.words + "\n";
+        outside += text.words.find("samples outside") != text.words.npos ? 1 : 0;
+    }
+    CAPTURE(inspector);
+    const ImU32 white = packed(colour_of(Meaning::current, Theme::dark));
+    CHECK(shown_colours(driver.hand.find(line_name(15))).count(white) > 0);
+    CHECK(inspector.find("row 15, entry [10] of 11") != inspector.npos);
+    CHECK(inspector.find("last sample") == inspector.npos);
+    CHECK(outside == 1);
+}
+
 } // namespace rasterwalk

@@ -1,0 +1,47 @@
+#include "ui/canvas/canvas_keys.h"
+
+#include <algorithm>
+
+#include "ui/actions/keys.h"
+#include "ui/canvas/canvas_pointer.h"
+#include "ui/canvas/picture_view.h"
+#include "ui/ui.h"
+#include "ui/widgets/focus.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// The middle of a pixel on the screen.
+ImVec2 middle_of(const PicturePlace& place, glm::ivec2 pixel) {
+    return {place.origin.x + place.scale * (static_cast<float>(pixel.x) + 0.5f),
+            place.origin.y + place.scale * (static_cast<float>(pixel.y) + 0.5f)};
+}
+
+} // namespace
+
+void handle_canvas_keys(Ui& ui, const Pane& pane) {
+    const Arrows arrows = take_arrows(ui, "canvas");
+    if (!ui.focus.is_shown || ui.focus.name != "canvas") return;
+    const Viewport& size = ui.results.a.frame.settings.viewport;
+    const bool is_arrow = arrows.right != 0 || arrows.up != 0;
+    const int zoom_steps =
+        (ImGui::IsKeyPressed(key::equal) ? 1 : 0) - (ImGui::IsKeyPressed(key::minus) ? 1 : 0);
+    if (!is_arrow && (zoom_steps == 0 || ImGui::GetIO().KeyCtrl)) return;
+    const std::optional<glm::ivec2> picked = ui.session.selection.pixel;
+    glm::ivec2 pixel = picked.value_or(glm::ivec2(size.width / 2, size.height / 2));
+    if (is_arrow) {
+        if (picked) pixel += glm::ivec2(arrows.right, -arrows.up);
+        pixel = {std::clamp(pixel.x, 0, size.width - 1), std::clamp(pixel.y, 0, size.height - 1)};
+        pick_on_picture(ui, pixel, false);
+    }
+    if (zoom_steps != 0) {
+        zoom_by_wheel(ui, middle_of(ui.canvas.place, pixel), static_cast<float>(zoom_steps), pane);
+    }
+    const ImVec2 at = middle_of(ui.canvas.place, pixel);
+    const bool is_seen =
+        at.x >= pane.low.x && at.y >= pane.low.y && at.x < pane.high.x && at.y < pane.high.y;
+    if (!is_seen && ui.session.canvas.zoom > 0.0f) ui.session.canvas.centre = glm::vec2(pixel);
+}
+
+} // namespace rasterwalk

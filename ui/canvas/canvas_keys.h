@@ -1,0 +1,14 @@
+#pragma once
+
+#include "ui/canvas/compare_view.h"
+
+namespace rasterwalk {
+
+struct Ui;
+
+/// What keys do while the picture has the keyboard: the arrows pick the next pixel, plus and minus
+/// zoom about the picked one.
+/// @param pane of the picture of run A
+void handle_canvas_keys(Ui& ui, const Pane& pane);
+
+} // namespace rasterwalk

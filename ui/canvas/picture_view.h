@@ -1,0 +1,26 @@
+#pragma once
+
+#include <imgui.h>
+
+#include "ui/actions/row_table_layout.h"
+#include "ui/canvas/compare_view.h"
+
+namespace rasterwalk {
+
+struct Ui;
+
+/// Where the pictures of both runs lie in their panes; that of B only while it stands beside or
+/// below A's. They fit, or are zoomed.
+/// @return the row table beside them; without width: none
+RowTableLayout place_pictures(Ui& ui, const Panes& panes);
+
+/// Where a point of the screen lies in the picture, pixels of the picture.
+ImVec2 picture_point(const PicturePlace& place, ImVec2 screen);
+
+/// Turns the wheel over the picture: what is under the pointer stays there.
+void zoom_by_wheel(Ui& ui, ImVec2 pointer, float wheel, const Pane& pane);
+
+/// Drags the picture, screen pixels. One that fitted is zoomed from then on.
+void move_picture(Ui& ui, ImVec2 by, const Pane& pane);
+
+} // namespace rasterwalk

@@ -1,0 +1,157 @@
+#include "ui/canvas/vertex_labels.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+
+#include "base/element_names.h"
+#include "ui/canvas/marks.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// From here on, in screen pixels for each pixel, there is room for "vertices[0]".
+constexpr float full_name_zoom = 24.0f;
+
+/// A name is tried in so many directions from its vertex.
+constexpr int direction_count = 32;
+
+/// What the names must stay clear of.
+struct Surroundings {
+    const Marks& m;
+    std::vector<ImVec2> vertices; ///< in order, joined by the edges
+    PolygonRows rows;             ///< of the triangle on show
+    ImVec2 low, high;             ///< between which names are not cut off
+    ImVec2 middle;                ///< of the triangle
+};
+
+bool overlap(ImVec2 low, ImVec2 high, const VertexLabel& other) {
+    return low.x < other.high.x && high.x > other.low.x && low.y < other.high.y &&
+           high.y > other.low.y;
+}
+
+/// Does a pixel of one of the triangle's rows lie under the rectangle?
+bool covers_rows(const Surroundings& s, ImVec2 low, ImVec2 high) {
+    const PicturePlace& place = s.m.run.place;
+    const float scale = s.m.scale;
+    const auto count = static_cast<float>(s.rows.size());
+    const auto line_at = [&](float y) {
+        const float line = std::floor((y - place.origin.y) / scale);
+        return std::clamp(line - static_cast<float>(s.rows.first_row), -1.0f, count);
+    };
+    const int first = std::max(static_cast<int>(line_at(low.y)), 0);
+    const int last = std::min(static_cast<int>(line_at(high.y)), s.rows.size() - 1);
+    for (int i = first; i <= last; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        const int left = s.rows.left[at].column, right = s.rows.right[at].column;
+        if (left > right) continue; // no sample reached it
+        if (low.x < place.origin.x + scale * (static_cast<float>(right) + 1.0f) &&
+            high.x > place.origin.x + scale * static_cast<float>(left)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool covers_edge(const Surroundings& s, ImVec2 low, ImVec2 high) {
+    for (std::size_t e = 0; e < s.vertices.size(); ++e) {
+        if (crosses(s.vertices[e], s.vertices[(e + 1) % s.vertices.size()], low, high)) return true;
+    }
+    return false;
+}
+
+VertexLabel label_towards(const Surroundings& s, std::size_t vertex, std::string name,
+                          float angle) {
+    const Marks& m = s.m;
+    ImFont* const font = m.ui.fonts.bold;
+    const float around = 3.0f * m.u;
+    // Beside the vertex's own pixel and its dot.
+    const float gap = std::max(7.0f * m.u, 0.5f * m.scale + 2.0f * m.u);
+    const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, name.c_str()).x;
+    const ImVec2 half{0.5f * width + around, 0.5f * font->FontSize};
+    const float x = std::cos(angle), y = std::sin(angle);
+    const float longer = std::max(std::abs(x), std::abs(y));
+    const ImVec2 centre{s.vertices[vertex].x + x / longer * (gap + half.x),
+                        s.vertices[vertex].y + y / longer * (gap + half.y)};
+    VertexLabel label;
+    label.vertex = static_cast<int>(vertex);
+    label.name = std::move(name);
+    label.low = {std::round(centre.x - half.x), std::round(centre.y - half.y)};
+    label.high = {label.low.x + 2.0f * half.x, label.low.y + 2.0f * half.y};
+    label.text = {label.low.x + around, label.low.y};
+    return label;
+}
+
+/// The place nearest to straight outwards that is free.
+/// @param is_strict also of rows and edges; or else only of other names
+std::optional<VertexLabel> find_label(const Surroundings& s, std::size_t vertex,
+                                      const std::string& name,
+                                      const std::vector<VertexLabel>& others, bool is_strict) {
+    const ImVec2 at = s.vertices[vertex];
+    const float dx = at.x - s.middle.x, dy = at.y - s.middle.y;
+    const float outwards = dx == 0.0f && dy == 0.0f ? -0.8f : std::atan2(dy, dx);
+    const float turn = 2.0f * 3.14159265f / direction_count;
+    for (int i = 0; i < direction_count; ++i) {
+        // Outwards, then a little to one side, to the other, and further round.
+        const int step = (i + 1) / 2 * (i % 2 == 0 ? 1 : -1);
+        VertexLabel label =
+            label_towards(s, vertex, name, outwards + turn * static_cast<float>(step));
+        const bool is_whole = label.low.x >= s.low.x && label.low.y >= s.low.y &&
+                              label.high.x <= s.high.x && label.high.y <= s.high.y;
+        if (!is_whole) continue;
+        const bool is_on_other =
+            std::any_of(others.begin(), others.end(), [&](const VertexLabel& other) {
+                return overlap(label.low, label.high, other);
+            });
+        if (is_on_other) continue;
+        if (is_strict &&
+            (covers_rows(s, label.low, label.high) || covers_edge(s, label.low, label.high)))
+            continue;
+        return label;
+    }
+    return std::nullopt;
+}
+
+/// @param is_full "vertices[0]", or else "v0"
+/// @return none if one has no room that is free
+std::optional<std::vector<VertexLabel>> find_labels(const Surroundings& s, bool is_full) {
+    std::vector<VertexLabel> labels;
+    for (std::size_t v = 0; v < s.vertices.size(); ++v) {
+        const ImVec2 at = s.vertices[v];
+        if (at.x < s.low.x || at.x > s.high.x || at.y < s.low.y || at.y > s.high.y) continue;
+        const int vertex = static_cast<int>(v);
+        const std::string name = is_full ? vertex_name(vertex) : short_vertex_name(vertex);
+        std::optional<VertexLabel> label = find_label(s, v, name, labels, true);
+        if (!label && is_full) return std::nullopt;
+        if (!label) label = find_label(s, v, name, labels, false);
+        if (label) labels.push_back(*std::move(label));
+    }
+    return labels;
+}
+
+} // namespace
+
+std::vector<VertexLabel> vertex_labels(const Marks& m) {
+    const std::optional<int>& triangle = m.ui.results.a.triangle;
+    if (!triangle || !m.run.frame.is_drawn(*triangle) || !m.is_large()) return {};
+    Surroundings s{m, {}, {}, corner_of_labels(m), m.high, {}};
+    for (const ScreenVertex& vertex : m.run.frame.triangle_vertices(*triangle)) {
+        s.vertices.push_back(m.at(vertex));
+        s.middle = {s.middle.x + s.vertices.back().x, s.middle.y + s.vertices.back().y};
+    }
+    const auto count = static_cast<float>(s.vertices.size());
+    s.middle = {s.middle.x / count, s.middle.y / count};
+    compute_rows(m.run.frame, *triangle, s.rows);
+    // With numbers in the cells a long name would lie on those of the next ones.
+    const bool is_full =
+        m.scale >= full_name_zoom * m.u && m.ui.session.canvas.numbers == CellNumbers::none;
+    std::optional<std::vector<VertexLabel>> labels;
+    if (is_full) labels = find_labels(s, true);
+    if (!labels) labels = find_labels(s, false);
+    return *labels;
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <imgui.h>
+
+namespace rasterwalk {
+
+struct Marks;
+
+/// The name of a vertex on the picture, on a dark ground.
+struct VertexLabel {
+    int vertex;
+    std::string name;
+    ImVec2 low, high; ///< of the ground
+    ImVec2 text;      ///< upper left corner of the letters
+};
+
+/// The names of the vertices of the triangle on show that are in view: outside of the triangle,
+/// beside the pixels of its rows and the lines of its edges, and cut off by nothing. All of them
+/// are short where one has no room, or would cover what stands in the cells; one that has no room
+/// even so is left out.
+std::vector<VertexLabel> vertex_labels(const Marks& m);
+
+} // namespace rasterwalk
