@@ -106,8 +106,8 @@ std::vector<Trouble> describe_troubles(const Frame& frame, const DrawTally& tall
     for (const RejectionWords& reason : rejection_list) {
         const int count = left_out.of(reason.rejection);
         if (count == 0) continue;
-        troubles.push_back({fmt::format("{} left out: {}", counted(count, "triangle", "triangles"),
-                                        reason.cause)});
+        const std::string left_out_count = counted(count, "triangle", "triangles") + " left out";
+        troubles.push_back({left_out_count + ": " + std::string(reason.cause), left_out_count});
     }
     const std::int64_t unset = tally.unset_rows;
     if (unset > 0) {
@@ -115,7 +115,7 @@ std::vector<Trouble> describe_troubles(const Frame& frame, const DrawTally& tall
             {fmt::format("{} that no edge sample reached: right − left + 1 is {} there; nothing of "
                          "it is in the picture",
                          counted(unset, "row", "rows"), unset_row_pixels(frame)),
-             true});
+             counted(unset, "empty row", "empty rows"), true});
     }
     const Viewport size = frame.settings.viewport;
     if (frame.settings.depth_index == DepthIndex::transposed && size.width != size.height &&
@@ -123,14 +123,14 @@ std::vector<Trouble> describe_troubles(const Frame& frame, const DrawTally& tall
         troubles.push_back(
             {fmt::format("[x][y] lies outside the depth buffer for every pixel with x ≥ {} or y ≥ "
                          "{}: not written there",
-                         size.height, size.width)});
+                         size.height, size.width),
+             "[x][y] outside the depth buffer"});
     }
     if (tally.samples_outside > 0) {
-        troubles.push_back(
-            {fmt::format("{} outside the row table of {}; not written",
-                         counted(tally.samples_outside, "edge sample", "edge samples"),
-                         counted(tally.triangles_outside, "triangle", "triangles")),
-             true, true});
+        const std::string samples = counted(tally.samples_outside, "edge sample", "edge samples");
+        troubles.push_back({fmt::format("{} outside the row table of {}; not written", samples,
+                                        counted(tally.triangles_outside, "triangle", "triangles")),
+                            samples + " outside", true, true});
     }
     return troubles;
 }

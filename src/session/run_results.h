@@ -20,6 +20,7 @@ namespace rasterwalk {
 /// What is out of order in a frame.
 struct Trouble {
     std::string sentence;
+    std::string in_short;    ///< the same where there is little room
     bool is_of_rows = false; ///< it speaks of row tables, which not everyone has met yet
     bool is_of_samples_outside = false;
 

@@ -70,6 +70,12 @@ def ask(tool, checks, source, command):
     return (run.stdout if run.returncode == 0 else run.stdout + run.stderr).strip(), run.returncode == 0
 
 
+def faulty_files(command, source):
+    """The files in which the compiler finds errors."""
+    run = subprocess.run(command + ["-fsyntax-only", str(source)], capture_output=True, text=True)
+    return set(re.findall(r"^(.+?):\d+:\d+: (?:fatal )?error: ", run.stderr, re.MULTILINE))
+
+
 def report(answers):
     """Prints each finding once: a header is read by many. Returns the exit code."""
     told = set()
@@ -182,15 +188,21 @@ def check_units(tool, version, commands, folder):
         if not (cache / key).exists():
             to_do.append((str(number), command, sources, key))
 
-    def ask_together(number, command, sources):
+    def unity_of(number, sources):
         unity = pathlib.Path(folder) / f"{number}.cpp"
         unity.write_text("".join(f'#include "{source.resolve()}"\n' for source in sources))
-        said, is_good = ask(tool, checks, unity, command)
-        if is_good or len(sources) == 1 or "[clang-diagnostic-error]" not in said:
-            return [(said, is_good)]
-        # Perhaps two of them cannot stand in one file, which is no fault of theirs.
-        half = len(sources) // 2
-        return ask_together(number + "a", command, sources[:half]) + ask_together(number + "b", command, sources[half:])
+        return unity
+
+    def ask_together(number, command, sources):
+        """The compiler is quick to say which sources cannot stand in one file, which is no fault of theirs."""
+        misfits = [source for source in sources
+                   if str(source.resolve()) in faulty_files(command, unity_of(number, sources))]
+        if not misfits or len(sources) == 1:
+            return [ask(tool, checks, unity_of(number, sources), command)]
+        if len(misfits) == len(sources):
+            misfits = sources[len(sources) // 2:]
+        others = [source for source in sources if source not in misfits]
+        return ask_together(number + "a", command, others) + ask_together(number + "b", command, misfits)
 
     def check(number, command, sources, key):
         answers = ask_together(number, command, sources)

@@ -70,13 +70,14 @@ void show_sample_outside(Ui& ui) {
 
 struct StatusTrouble {
     std::string text;                 ///< empty: there is none
+    std::string in_short;             ///< the same where there is little room; or empty
     bool has_samples_outside = false; ///< which can be shown
 };
 
 StatusTrouble trouble_of(const Ui& ui) {
-    if (!ui.session.notice.empty()) return {ui.session.notice};
-    if (!ui.fonts.notice.empty()) return {ui.fonts.notice};
-    if (is_working(ui.results)) return {work_words(ui.results)};
+    if (!ui.session.notice.empty()) return {ui.session.notice, {}};
+    if (!ui.fonts.notice.empty()) return {ui.fonts.notice, {}};
+    if (is_working(ui.results)) return {work_words(ui.results), {}};
     // What a message says may be the answer.
     if (hides_settings(ui.session)) return {};
     // Of row tables nothing is told before there are any, nor in a lesson that comes before them.
@@ -86,6 +87,7 @@ StatusTrouble trouble_of(const Ui& ui) {
     for (const Trouble& trouble : ui.results.a.troubles) {
         if (trouble.is_of_rows && !knows_rows) continue;
         all.text += (all.text.empty() ? "" : "; ") + trouble.sentence;
+        all.in_short += (all.in_short.empty() ? "" : "; ") + trouble.in_short;
         all.has_samples_outside = all.has_samples_outside || trouble.is_of_samples_outside;
     }
     if (all.text.empty()) return all;
@@ -101,10 +103,13 @@ void draw_trouble(Ui& ui, const Area& area, const StatusTrouble& trouble) {
     // That it is nothing to be afraid of comes before the rest of the line is cut.
     const std::string action = trouble.has_samples_outside ? "harmless: show one" : "";
     const float gap = action.empty() ? 0.0f : 10.0f * u;
-    const float link = action.empty() ? 0.0f : ImGui::CalcTextSize(action.c_str()).x + gap;
-    const float width = ImGui::CalcTextSize(trouble.text.c_str()).x + link;
+    const float link = action.empty() ? 0.0f : text_width(action) + gap;
     const float left = ImGui::GetItemRectMax().x + 24.0f * u;
     const float right = area.position.x + area.size.x - 14.0f * u;
+    const float room = right - link - left;
+    const bool is_whole = trouble.in_short.empty() || text_width(trouble.text) <= room;
+    const std::string words = shortened(is_whole ? trouble.text : trouble.in_short, room);
+    const float width = text_width(words) + link;
     const float y = ImGui::GetItemRectMin().y;
     ImGui::SetCursorScreenPos({std::max(right - width, left), y});
     ImGui::PushClipRect({left, area.position.y}, {right, area.position.y + area.size.y}, true);
@@ -114,7 +119,7 @@ void draw_trouble(Ui& ui, const Area& area, const StatusTrouble& trouble) {
                           : is_fault(ui.session) || ui.session.notice.empty()
                               ? colour_of(Meaning::fail, ui.options.theme)
                               : p.text;
-    text_in(colour, shortened(trouble.text, right - link - left));
+    text_in(colour, words);
     const char* const about =
         is_notice ? ""
         : is_working(ui.results)

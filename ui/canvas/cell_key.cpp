@@ -50,28 +50,33 @@ bool shows_cell_key(const Ui& ui) {
     return wants_cell_key(ui) && (shows_numbers(ui) || shows_fates(ui));
 }
 
-std::string cell_key_text(const Ui& ui, bool is_short) {
-    std::string text;
-    const auto add = [&](const std::string& part) {
-        if (!text.empty() && !part.empty()) text += "  ·  ";
-        text += part;
+std::vector<std::string> cell_key_forms(const Ui& ui) {
+    std::vector<std::string> forms(4);
+    const auto add = [&](const std::string(&parts)[4]) {
+        for (std::size_t i = 0; i < forms.size(); ++i) {
+            if (!forms[i].empty() && !parts[i].empty()) forms[i] += "  ·  ";
+            forms[i] += parts[i];
+        }
     };
     if (shows_numbers(ui)) {
         const auto numbers = static_cast<std::size_t>(ui.session.canvas.numbers);
         const CellNumbersInfo& info = cell_numbers_list()[numbers];
-        add("number: " + std::string(is_short ? info.title : info.key));
+        const std::string title(info.title);
+        add({"number: " + std::string(info.key), "number: " + title, "number: " + title, title});
     }
     if (shows_fates(ui)) {
-        add(picked_text(ui));
-        const std::string signs[] = {passed_sign, failed_sign};
+        const std::string picked = picked_text(ui);
+        add({picked, picked, picked, ""});
         if (const std::optional<int>& triangle = ui.results.a.triangle) {
-            add(is_short
-                    ? signs[0] + " " + signs[1] + " depth test of " + short_triangle_name(*triangle)
-                    : signs[0] + " passed, " + signs[1] +
-                          " failed the depth test: " + triangle_name(*triangle));
+            const std::string passed = passed_sign, failed = failed_sign;
+            const std::string name = short_triangle_name(*triangle);
+            const std::string signs = passed + " " + failed + " ";
+            add({passed + " passed, " + failed +
+                     " failed the depth test: " + triangle_name(*triangle),
+                 signs + "depth test of " + name, signs + name, signs + name});
         }
     }
-    return text;
+    return forms;
 }
 
 void draw_cell_key(Ui& ui, const Pane& place) {
@@ -80,13 +85,12 @@ void draw_cell_key(Ui& ui, const Pane& place) {
     ImDrawList* const list = ImGui::GetWindowDrawList();
     list->AddRectFilled(place.low, place.high, packed(p.card));
     list->AddLine(place.low, {place.high.x, place.low.y}, packed(p.line));
-    const std::string text = cell_key_text(ui, false);
+    const std::vector<std::string> forms = cell_key_forms(ui);
+    const std::string& text = forms.front();
     ImGui::PushFont(ui.fonts.small);
-    const float inset = 8.0f * u, room = place.room().x - 2.0f * inset;
-    const bool fits = ImGui::CalcTextSize(text.c_str()).x <= room;
-    const std::string shown = fits ? text : shortened(cell_key_text(ui, true), room);
+    const float inset = 8.0f * u;
     list->AddText({place.low.x + inset, std::round(place.low.y + 4.0f * u)}, packed(p.text),
-                  shown.c_str());
+                  first_fitting(forms, place.room().x - 2.0f * inset).c_str());
     ImGui::PopFont();
     ImGui::SetCursorScreenPos(place.low);
     ImGui::Dummy({std::max(place.room().x, 1.0f), std::max(place.room().y, 1.0f)});

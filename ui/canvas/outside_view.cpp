@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <glm/common.hpp>
 
+#include "base/element_names.h"
 #include "outside/outside_drawing.h"
 #include "ui/actions/actions.h"
 #include "ui/actions/outside.h"
@@ -135,17 +137,16 @@ void draw_caption(Ui& ui, ImDrawList* list, const Pane& pane) {
     if (button(ui, "outside.camera", label, Look::link, tooltip_of("view.through_camera"))) {
         switch_camera_view(ui);
     }
-    std::string words = is_camera ? "as the camera sees it" : "drag turns · wheel nears";
-    if (ui.results.a.triangle) {
-        words += " · rays of triangles[" + std::to_string(*ui.results.a.triangle) + "]";
+    const std::string hint = is_camera ? "as the camera sees it" : "drag turns · wheel nears";
+    std::vector<std::string> forms{hint};
+    if (const std::optional<int>& triangle = ui.results.a.triangle) {
+        const std::string rays = "rays of " + triangle_name(*triangle);
+        forms = {hint + " · " + rays, rays, "rays of " + short_triangle_name(*triangle)};
     }
     const float left = pane.low.x + 10.0f * u;
     const float room = right - width - 12.0f * u - left;
-    if (room > 40.0f * u) {
-        const std::string shown = shortened(words, room);
-        list->AddText({left, top + ImGui::GetStyle().FramePadding.y},
-                      packed(palette(ui.options.theme).dim), shown.c_str());
-    }
+    list->AddText({left, top + ImGui::GetStyle().FramePadding.y},
+                  packed(palette(ui.options.theme).dim), first_fitting(forms, room).c_str());
     ImGui::PopFont();
 }
 
