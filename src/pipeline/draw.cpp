@@ -110,9 +110,10 @@ void draw_fragments(Drawing& d, Cursor cursor, std::span<const LineSample> fragm
 }
 
 /// What the row table took, and what is wrong with it.
-void count_rows(const PolygonRows& rows, bool draws_unset, DrawTally& tally) {
+void count_rows(const PolygonRows& rows, int triangle, bool draws_unset, DrawTally& tally) {
     tally.samples_outside += rows.outside;
     tally.triangles_outside += rows.outside > 0 ? 1 : 0;
+    if (rows.outside > 0 && tally.first_outside < 0) tally.first_outside = triangle;
     tally.rows_looked_at += rows.looked_at;
     if (!draws_unset) return;
     for (int r = 0; r < rows.size(); ++r)
@@ -130,7 +131,7 @@ void cover(Drawing& d, int triangle) {
     EdgeDrawing edges(d, triangle);
     compute_rows(d.frame, triangle, d.rows, edges.is_wanted() ? &edges : nullptr, d.carried);
     if (d.window.from <= Cursor{triangle, Phase::vertices, 0, 0}) {
-        count_rows(d.rows, d.draws_unset, d.tally);
+        count_rows(d.rows, triangle, d.draws_unset, d.tally);
     }
 }
 
@@ -212,6 +213,8 @@ DrawTally& operator+=(DrawTally& sum, const DrawTally& part) {
     sum.fragments += part.fragments;
     sum.samples_outside += part.samples_outside;
     sum.triangles_outside += part.triangles_outside;
+    const bool is_earlier = sum.first_outside < 0 || part.first_outside < sum.first_outside;
+    if (part.first_outside >= 0 && is_earlier) sum.first_outside = part.first_outside;
     sum.shaded += part.shaded;
     sum.rows_looked_at += part.rows_looked_at;
     sum.unset_rows += part.unset_rows;
@@ -227,7 +230,7 @@ DrawTally tally_rows(const Frame& frame, int first) {
     for (int t = std::max(first, 0); t < frame.triangle_count(); ++t) {
         if (!frame.is_drawn(t)) continue;
         compute_rows(frame, t, rows, nullptr, {});
-        count_rows(rows, draws_unset, tally);
+        count_rows(rows, t, draws_unset, tally);
     }
     return tally;
 }

@@ -25,6 +25,7 @@ struct DrawTally {
     std::int64_t fragments = 0;       ///< that fell in the framebuffer and the scissor
     std::int64_t samples_outside = 0; ///< edge samples outside their row table, of whole triangles
     int triangles_outside = 0;        ///< triangles with such samples
+    int first_outside = -1;           ///< the first of them; -1: there is none
     std::int64_t shaded = 0;          ///< fragments whose colour was worked out, drawn or not
     std::int64_t rows_looked_at = 0;  ///< rows asked by the edge samples of whole triangles
     std::int64_t unset_rows = 0;      ///< rows without a sample that are drawn all the same

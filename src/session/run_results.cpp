@@ -130,7 +130,7 @@ std::vector<Trouble> describe_troubles(const Frame& frame, const DrawTally& tall
         const std::string samples = counted(tally.samples_outside, "edge sample", "edge samples");
         troubles.push_back({fmt::format("{} outside the row table of {}; not written", samples,
                                         counted(tally.triangles_outside, "triangle", "triangles")),
-                            samples + " outside", true, true});
+                            samples + " outside", true, tally.first_outside});
     }
     return troubles;
 }

@@ -22,7 +22,7 @@ struct Trouble {
     std::string sentence;
     std::string in_short;    ///< the same where there is little room
     bool is_of_rows = false; ///< it speaks of row tables, which not everyone has met yet
-    bool is_of_samples_outside = false;
+    int triangle = -1;       ///< one that shows it; -1: none does
 
     friend bool operator==(const Trouble&, const Trouble&) = default;
 };

@@ -111,6 +111,7 @@ class Nesting {
         }
         before_ = c;
     }
+    bool is_literal() const { return in_code_ || in_formula_; }
     bool is_open() const { return in_code_ || in_formula_ || brackets_ > 0 || is_emphasis_; }
 
   private:
@@ -118,6 +119,22 @@ class Nesting {
     int brackets_ = 0;
     char before_ = '\0';
 };
+
+bool is_end_mark(char c) {
+    return c == '.' || c == '?' || c == '!';
+}
+
+/// Does the text go on with a small letter? Then what ended was "e.g." or the like.
+bool goes_on_small(std::string_view text, std::size_t at) {
+    const std::size_t next = text.find_first_not_of(" \t\r\n", at);
+    return next != text.npos && std::islower(static_cast<unsigned char>(text[next])) != 0;
+}
+
+/// Is it a whole sentence, and not one that what follows goes on with?
+bool is_whole_sentence(std::string_view text) {
+    const std::size_t last = text.find_last_not_of(" \t\r\n*_)\"'");
+    return last != text.npos && is_end_mark(text[last]);
+}
 
 std::vector<std::string> sentences_of(const std::string& text) {
     std::vector<std::string> sentences;
@@ -127,15 +144,16 @@ std::vector<std::string> sentences_of(const std::string& text) {
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
         nesting.read(c);
-        if (c == '.' || c == '?' || c == '!') {
-            is_ended = true;
+        if (is_end_mark(c)) {
+            // A full stop in code is a key or a member.
+            if (!nesting.is_literal()) is_ended = true;
         } else if (std::isspace(static_cast<unsigned char>(c)) != 0) {
-            if (is_ended && !nesting.is_open()) {
+            if (is_ended && !nesting.is_open() && !goes_on_small(text, i)) {
                 sentences.push_back(text.substr(start, i - start));
                 start = i + 1;
             }
             is_ended = false;
-        } else if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
+        } else if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == ',' || c == ';') {
             is_ended = false;
         }
     }
@@ -171,7 +189,7 @@ std::vector<ReadingPiece> reading_pieces(std::string_view markdown) {
     for (const Block& block : blocks_of(markdown)) {
         if (block.text.starts_with("[^") || block.text.starts_with("<!--")) continue;
         if (!block.is_paragraph && !block.is_list && is_running &&
-            pieces.back().text.ends_with(':')) {
+            !is_whole_sentence(pieces.back().text)) {
             pieces.back().text.append("\n\n").append(block.text);
             is_running = false;
             continue;

@@ -18,8 +18,8 @@ TEST_CASE("The first paragraph is cut into its sentences") {
           Sentences{"One.", "Two, 3.5 of it!", "Three?"});
     CHECK(leading_sentences("It goes on\nbelow. And ends") ==
           Sentences{"It goes on\nbelow.", "And ends"});
-    CHECK(leading_sentences("He said \"No.\" Then (so it is.) more.") ==
-          Sentences{"He said \"No.\"", "Then (so it is.)", "more."});
+    CHECK(leading_sentences("He said \"No.\" Then (so it is.) More.") ==
+          Sentences{"He said \"No.\"", "Then (so it is.)", "More."});
 }
 
 TEST_CASE("A sentence does not end in code, formulas, links or emphasis") {
@@ -29,6 +29,21 @@ TEST_CASE("A sentence does not end in code, formulas, links or emphasis") {
           Sentences{"See [one. two](set:a=1).", "Next."});
     CHECK(leading_sentences("**Look. Here.** Next.") == Sentences{"**Look. Here.**", "Next."});
     CHECK(leading_sentences("A note.[^1] Next.") == Sentences{"A note.", "Next."});
+}
+
+TEST_CASE("A full stop that is a key, and one within a sentence, end nothing") {
+    CHECK(leading_sentences("Press `.` and watch it. Then `.`, and read.") ==
+          Sentences{"Press `.` and watch it.", "Then `.`, and read."});
+    CHECK(leading_sentences("Numbers, e.g. these. More.") ==
+          Sentences{"Numbers, e.g. these.", "More."});
+    CHECK(leading_sentences("Press `.`. More.") == Sentences{"Press `.`.", "More."});
+}
+
+TEST_CASE("A sentence that does not end stays with what goes on with it") {
+    const std::vector<ReadingPiece> pieces =
+        reading_pieces("One. So it gives\n\n```\na\n```\n\nEnd.");
+    REQUIRE(pieces.size() == 3);
+    CHECK(pieces[1].text == "So it gives\n\n```\na\n```");
 }
 
 TEST_CASE("What is no running text is passed over") {
@@ -67,8 +82,11 @@ TEST_CASE("No word of a lesson is lost when it is cut into pieces") {
                 if (part.kind != LessonPart::Kind::text) continue;
                 INFO(lesson.id << ": " << part.text);
                 std::string pieces;
-                for (const ReadingPiece& piece : reading_pieces(part.text))
+                for (const ReadingPiece& piece : reading_pieces(part.text)) {
+                    // Each begins a sentence, and does not go on with one.
+                    CHECK(std::islower(static_cast<unsigned char>(piece.text.front())) == 0);
                     pieces += piece.text;
+                }
                 // Letters alone: blanks are put between pieces, and notes are left out.
                 const auto letters = [](const std::string& words) {
                     return std::count_if(words.begin(), words.end(),

@@ -49,8 +49,12 @@ void show_at(Ui& ui, const std::string& name) {
     ui.focus.is_shown = ui.focus.wants_sight = true;
 }
 
-/// Where the way begins: with the lesson, if there is one.
+/// Where the way begins: in a list with the entry that holds, and else with the lesson, if there is
+/// one.
 const Stop& first_of(const std::vector<Stop>& stops) {
+    const auto chosen =
+        std::find_if(stops.begin(), stops.end(), [](const Stop& s) { return s.place.is_chosen; });
+    if (chosen != stops.end()) return *chosen;
     const auto found = std::find_if(stops.begin(), stops.end(),
                                     [](const Stop& s) { return s.name.starts_with("lesson."); });
     return found == stops.end() ? stops.front() : *found;

@@ -164,6 +164,7 @@ void answer_prediction(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
                        const GivenAnswer& answer, std::string said) {
     PredictionView& view = ui.lesson.predictions[prediction.id];
     view.judged = judge(lesson, prediction, answer, ui.session);
+    view.is_fresh = true;
     view.because = nullptr;
     ui.lesson.progress.note_answer(lesson.id, prediction.id, {said, view.judged->is_right});
     view.said = std::move(said);

@@ -20,58 +20,70 @@ namespace rasterwalk {
 namespace {
 
 /// The pixel's colours in both runs, and how much they differ.
-std::string colours_of_both(const Ui& ui, std::size_t at) {
-    const RunResults& b = *ui.results.b;
-    const ComparisonResults& comparison = ui.results.comparison;
+void add_colours_of_both(std::vector<std::string>& facts, const Ui& ui, std::size_t at) {
     const auto colour = [&](const char* run, const Framebuffer& picture) {
         const glm::vec3& c = picture.colour[at];
-        return fmt::format("   {} {:.3f} {:.3f} {:.3f}", run, c.r, c.g, c.b);
+        return fmt::format("{} {:.3f} {:.3f} {:.3f}", run, c.r, c.g, c.b);
     };
-    const float difference = comparison.difference_values[at];
-    return fmt::format("{}{}   B − A {}{}", colour("A", *ui.results.a.framebuffer),
-                       colour("B", *b.framebuffer), difference > 0.0f ? "+" : "",
-                       fixed(static_cast<double>(difference), 4));
+    const float difference = ui.results.comparison.difference_values[at];
+    facts.push_back(colour("A", *ui.results.a.framebuffer));
+    facts.push_back(colour("B", *ui.results.b->framebuffer));
+    facts.push_back(fmt::format("B − A {}{}", difference > 0.0f ? "+" : "",
+                                fixed(static_cast<double>(difference), 4)));
 }
 
-/// All that is known of the pixel under the pointer, or else of the one picked.
-std::string describe_pixel(const Ui& ui) {
+/// All that is known of the pixel under the pointer, or else of the one picked; what comes first
+/// matters most.
+std::vector<std::string> pixel_facts(const Ui& ui) {
     const auto pixel =
         ui.canvas.hovered_pixel ? ui.canvas.hovered_pixel : ui.session.selection.pixel;
     const Framebuffer& framebuffer = *ui.results.a.framebuffer;
-    if (!pixel || !framebuffer.contains(pixel->x, pixel->y)) return "point at a pixel";
+    if (!pixel || !framebuffer.contains(pixel->x, pixel->y)) return {"point at a pixel"};
     const std::size_t at = framebuffer.at(pixel->x, pixel->y);
-    std::string words = fmt::format("pixel ({}, {})", pixel->x, pixel->y);
-    if (ui.results.b) return words + colours_of_both(ui, at);
+    std::vector<std::string> facts{fmt::format("pixel ({}, {})", pixel->x, pixel->y)};
+    if (ui.results.b) {
+        add_colours_of_both(facts, ui, at);
+        return facts;
+    }
     const int owner = framebuffer.owner[at];
-    if (owner < 0) return words + "   not drawn";
+    if (owner < 0) {
+        facts.emplace_back("not drawn");
+        return facts;
+    }
     const glm::vec3& c = framebuffer.colour[at];
-    words += fmt::format("   colour {:.3f} {:.3f} {:.3f}", c.r, c.g, c.b);
+    facts.push_back(fmt::format("colour {:.3f} {:.3f} {:.3f}", c.r, c.g, c.b));
     const float depth = stored_depth(framebuffer, pixel->x, pixel->y);
     if (depth > 0.0f) {
-        words += fmt::format("   1/z {:.4f}   z {:.4f}", depth, 1.0 / static_cast<double>(depth));
+        facts.push_back(
+            fmt::format("1/z {:.4f}   z {:.4f}", depth, 1.0 / static_cast<double>(depth)));
     }
-    return fmt::format("{}   {}, {}   {}", words, triangle_name(owner),
-                       part_name(*ui.results.a.scene, owner),
-                       counted(framebuffer.overdraw[at], "fragment", "fragments"));
+    facts.push_back(triangle_name(owner) + ", " + part_name(*ui.results.a.scene, owner));
+    facts.push_back(counted(framebuffer.overdraw[at], "fragment", "fragments"));
+    return facts;
 }
 
-/// Selects the first triangle that has an edge sample outside its row table, and shows the table.
-void show_sample_outside(Ui& ui) {
-    const Frame& frame = ui.results.a.frame;
-    for (int t = 0; t < frame.triangle_count(); ++t) {
-        const std::vector<OutsideSample> outside = rows_at_cursor(frame, t, cursor_end).outside;
-        if (outside.empty()) continue;
-        ui.session.selection.triangle = t;
-        ui.session.selection.row = std::nullopt;
-        open_tab(ui, "rows");
-        return;
+/// As many facts of the pixel as have room, but at least where it is.
+std::string pixel_words(const Ui& ui, float room) {
+    std::string words;
+    for (const std::string& fact : pixel_facts(ui)) {
+        const std::string longer = words.empty() ? fact : words + "   " + fact;
+        if (!words.empty() && text_width(longer) > room) break;
+        words = longer;
     }
+    return words;
+}
+
+/// Selects a triangle that has an edge sample outside its row table, and shows the table.
+void show_sample_outside(Ui& ui, int triangle) {
+    ui.session.selection.triangle = triangle;
+    ui.session.selection.row = std::nullopt;
+    open_tab(ui, "rows");
 }
 
 struct StatusTrouble {
-    std::string text;                 ///< empty: there is none
-    std::string in_short;             ///< the same where there is little room; or empty
-    bool has_samples_outside = false; ///< which can be shown
+    std::string text;     ///< empty: there is none
+    std::string in_short; ///< the same where there is little room; or empty
+    int triangle = -1;    ///< that shows it; -1: none does
 };
 
 StatusTrouble trouble_of(const Ui& ui) {
@@ -88,7 +100,7 @@ StatusTrouble trouble_of(const Ui& ui) {
         if (trouble.is_of_rows && !knows_rows) continue;
         all.text += (all.text.empty() ? "" : "; ") + trouble.sentence;
         all.in_short += (all.in_short.empty() ? "" : "; ") + trouble.in_short;
-        all.has_samples_outside = all.has_samples_outside || trouble.is_of_samples_outside;
+        if (trouble.triangle >= 0) all.triangle = trouble.triangle;
     }
     if (all.text.empty()) return all;
     // The panels tell of one triangle, and of it what is done so far.
@@ -96,12 +108,22 @@ StatusTrouble trouble_of(const Ui& ui) {
     return all;
 }
 
+constexpr const char* show_label = "show one";
+
+/// The width that the trouble takes in short, with the space before it; nothing without trouble.
+float least_trouble_width(const Ui& ui, const StatusTrouble& trouble) {
+    if (trouble.text.empty()) return 0.0f;
+    const float u = ui.options.text_scale;
+    const float link = trouble.triangle >= 0 ? text_width(show_label) + 10.0f * u : 0.0f;
+    return 24.0f * u + link +
+           text_width(trouble.in_short.empty() ? trouble.text : trouble.in_short);
+}
+
 /// At the right end of the line.
 void draw_trouble(Ui& ui, const Area& area, const StatusTrouble& trouble) {
     const Palette& p = palette(ui.options.theme);
     const float u = ui.options.text_scale;
-    // That it is nothing to be afraid of comes before the rest of the line is cut.
-    const std::string action = trouble.has_samples_outside ? "harmless: show one" : "";
+    const std::string action = trouble.triangle >= 0 ? show_label : "";
     const float gap = action.empty() ? 0.0f : 10.0f * u;
     const float link = action.empty() ? 0.0f : text_width(action) + gap;
     const float left = ImGui::GetItemRectMax().x + 24.0f * u;
@@ -132,10 +154,12 @@ void draw_trouble(Ui& ui, const Area& area, const StatusTrouble& trouble) {
         const ImVec2 size = ImGui::CalcTextSize(action.c_str());
         const bool pressed = ImGui::InvisibleButton("show", size);
         ImGui::GetWindowDrawList()->AddText({x, y}, packed(p.link), action.c_str());
-        name_widget(ui, "status.show_outside",
-                    "Nothing is drawn wrong by them: a line that rounding carries one row too far "
-                    "is cut off there. Selects the first such triangle, and shows its row table.");
-        if (pressed) show_sample_outside(ui);
+        name_widget(
+            ui, "status.show_outside",
+            "Rounding carries the end of a line one row too far: the table has no entry "
+            "for it, and the sample is left out. With the lab's settings that is usual, and "
+            "harms nothing. Selects the first such triangle, and shows its row table.");
+        if (pressed) show_sample_outside(ui, trouble.triangle);
     }
     ImGui::PopClipRect();
 }
@@ -152,9 +176,10 @@ void draw_status_line(Ui& ui, const Area& area) {
     ImGui::Begin("status", nullptr, panel_flags);
     ImGui::SetCursorScreenPos({area.position.x + 14.0f * u,
                                area.position.y + 0.5f * (area.size.y - ImGui::GetFontSize())});
-    text_in(p.dim, ui.options.is_lecture ? std::string() : describe_pixel(ui));
-    name_widget(ui, "status.pixel", "The pixel under the pointer, or the one that is picked.");
     const StatusTrouble trouble = trouble_of(ui);
+    const float room = area.size.x - 28.0f * u - least_trouble_width(ui, trouble);
+    text_in(p.dim, ui.options.is_lecture ? std::string() : pixel_words(ui, room));
+    name_widget(ui, "status.pixel", "The pixel under the pointer, or the one that is picked.");
     if (!trouble.text.empty()) draw_trouble(ui, area, trouble);
     ImGui::End();
     ImGui::PopFont();

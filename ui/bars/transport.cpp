@@ -173,10 +173,9 @@ void draw_step_list(Ui& ui, ImVec2 at, ImVec2 size) {
     if (!open) return;
     for (const StepChoice& choice : choices) {
         const bool chosen = ui.session.play.granularity == choice.granularity;
-        if (ImGui::Selectable(choice.name, chosen)) {
+        if (list_entry(ui, step_name(choice), choice.name, chosen, choice.help)) {
             ui.session.play.granularity = choice.granularity;
         }
-        name_widget(ui, step_name(choice), choice.help);
     }
     ImGui::EndCombo();
 }

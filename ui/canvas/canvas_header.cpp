@@ -38,10 +38,10 @@ void draw_view_selector(Ui& ui) {
     name_widget(ui, "canvas.view", "Which plane of the framebuffer is shown.");
     if (!open) return;
     for (const ViewInfo& info : view_list()) {
-        if (ImGui::Selectable(info.title.data(), info.view == ui.session.view)) {
+        if (list_entry(ui, std::string("canvas.view.").append(info.title), info.title,
+                       info.view == ui.session.view, info.help)) {
             ui.session.view = info.view;
         }
-        name_widget(ui, std::string("canvas.view.").append(info.title), info.help);
     }
     ImGui::EndCombo();
 }
@@ -57,9 +57,10 @@ void draw_shows_switch(Ui& ui, bool as_list) {
         name_widget(ui, "canvas.shows", "What the canvas shows.");
         if (!open) return;
         for (const CanvasShowsInfo& info : list) {
-            if (ImGui::Selectable(info.title.data(), info.shows == chosen))
+            if (list_entry(ui, std::string("canvas.shows.").append(info.name), info.title,
+                           info.shows == chosen, info.help)) {
                 show_on_canvas(ui, info.shows);
-            name_widget(ui, std::string("canvas.shows.").append(info.name), info.help);
+            }
         }
         ImGui::EndCombo();
         return;

@@ -221,9 +221,10 @@ void draw_views(Ui& ui, bool as_list) {
         name_widget(ui, "compare.view", "In which way the two pictures are shown.");
         if (!open) return;
         for (const CompareViewInfo& info : compare_view_list()) {
-            if (ImGui::Selectable(info.menu_title.data(), info.view == chosen))
+            if (list_entry(ui, std::string("compare.").append(info.name), info.menu_title,
+                           info.view == chosen, info.help)) {
                 ui.session.compare_view = info.view;
-            name_widget(ui, std::string("compare.").append(info.name), info.help);
+            }
         }
         ImGui::EndCombo();
         return;

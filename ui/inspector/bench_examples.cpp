@@ -76,10 +76,10 @@ void draw_bench_examples(Ui& ui) {
     name_widget(ui, "bench.examples", "Triangles that are worth a look.");
     if (open) {
         for (const BenchExample& example : scene->examples) {
-            if (ImGui::Selectable(example.name.c_str(), &example == current)) {
+            if (list_entry(ui, "bench.example." + example.name, example.name, &example == current,
+                           example.about)) {
                 show_bench_example(ui.session, example);
             }
-            name_widget(ui, "bench.example." + example.name, example.about);
         }
         ImGui::EndCombo();
     }

@@ -54,6 +54,7 @@ void edit_choice(Ui& ui, Settings& settings, const Setting& setting, const std::
         const std::string word(choice.words[static_cast<std::size_t>(i)]);
         if (word_line(ui, said_word(setting, word), word, i == now)) choice.write(settings, i);
         name_widget(ui, name + "=" + word, help);
+        ui.widgets[name + "=" + word].is_chosen = i == now;
     }
     ImGui::EndCombo();
 }

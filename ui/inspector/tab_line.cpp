@@ -141,10 +141,10 @@ float draw_tab_list(Ui& ui) {
     for (std::size_t i = 0; i < tabs.size(); ++i) {
         if (i > 0 && tabs[i]->group != tabs[i - 1]->group) ImGui::Separator();
         const bool chosen = tabs[i]->name == below;
-        if (ImGui::Selectable(std::string(tabs[i]->title).c_str(), chosen)) {
+        if (list_entry(ui, std::string("tab.").append(tabs[i]->name), tabs[i]->title, chosen,
+                       tabs[i]->help)) {
             open_tab(ui, tabs[i]->name);
         }
-        name_widget(ui, std::string("tab.").append(tabs[i]->name), tabs[i]->help);
     }
     if (hides_tabs(ui.session)) {
         ImGui::Separator();

@@ -1,6 +1,7 @@
 #include "ui/lesson/lesson_questions.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include <imgui.h>
@@ -222,6 +223,11 @@ void draw_again(Ui& ui, const LessonPrediction& prediction, const std::string& n
                "The first answer is the one that is remembered.")) {
         ui.lesson.predictions[prediction.id].judged.reset();
     }
+    if (!std::exchange(ui.lesson.predictions[prediction.id].is_fresh, false)) return;
+    ImGui::SetScrollHereY(1.0f);
+    if (!ui.focus.is_shown) return;
+    ui.focus.name = name + ".again";
+    ui.focus.wants_sight = true;
 }
 
 void draw_reveal(Ui& ui, Box& box, const LessonPrediction& prediction, const std::string& name) {

@@ -28,6 +28,7 @@ struct PredictionView {
     std::optional<Judgement> judged; ///< of the answer given last; none before the first
     std::string said;                ///< that answer, as it is told back
     std::shared_ptr<MarkdownPage> because;
+    bool is_fresh = false;    ///< just answered: the verdict is scrolled to, and has the keyboard
     bool is_taken_up = false; ///< an answer that was kept is shown; from now on the student decides
 };
 

@@ -18,6 +18,7 @@ struct WidgetPlace {
     ImGuiID part = 0;          ///< the panel, sheet or menu that it stands in
     int order = 0;             ///< how many were drawn before it
     bool is_input = false;     ///< pressed, it is typed into
+    bool is_chosen = false;    ///< the entry of a list that holds now
     bool takes_arrows = false; ///< the arrows move it while it has the keyboard
 };
 

@@ -297,6 +297,14 @@ std::string shortened(const std::string& text, float width) {
     return "…";
 }
 
+bool list_entry(Ui& ui, std::string_view name, std::string_view label, bool is_chosen,
+                std::string_view tooltip) {
+    const bool is_pressed = ImGui::Selectable(std::string(label).c_str(), is_chosen);
+    name_widget(ui, name, tooltip);
+    ui.widgets[std::string(name)].is_chosen = is_chosen;
+    return is_pressed;
+}
+
 float text_width(std::string_view text) {
     return text.empty() ? 0.0f : ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
 }

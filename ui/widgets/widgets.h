@@ -84,6 +84,11 @@ std::string fixed(double value, int digits);
 /// all.
 std::string shortened(const std::string& text, float width);
 
+/// An entry of an open list; where keys open the list they begin at the chosen one. Returns true
+/// when it is pressed.
+bool list_entry(Ui& ui, std::string_view name, std::string_view label, bool is_chosen,
+                std::string_view tooltip);
+
 /// How wide one line of text is in the font at hand, in pixels of the window.
 float text_width(std::string_view text);
 

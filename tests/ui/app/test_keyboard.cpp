@@ -158,10 +158,11 @@ TEST_CASE("An answer of several is reached by Tab, and given by Enter as by Spac
         CHECK(ui.lesson.predictions.at(id).judged);
         CHECK_FALSE(driver.hand.is_visible(second));
         CHECK_FALSE(ui.session.play.running);
-        // The frame stays in the lesson.
-        driver.hand.frames(2);
+        // The frame stays with what the program says to it.
+        driver.hand.frames(frames_to_rest);
         CHECK(ui.focus.is_shown);
-        CHECK(ui.focus.name.starts_with("lesson."));
+        CHECK(ui.focus.name == "lesson.prediction." + id + ".again");
+        CHECK(driver.hand.is_visible("lesson.prediction." + id + ".verdict"));
     }
 }
 
@@ -248,6 +249,18 @@ TEST_CASE("A menu opens by Enter, is walked by arrows, and gives the keyboard ba
     CHECK_FALSE(driver.hand.is_visible("menu.view.grid"));
     CHECK(driver.ui.focus.name == "menu.View");
     CHECK(driver.ui.focus.is_shown);
+}
+
+TEST_CASE("A list that keys open begins at the entry that holds") {
+    Driver driver;
+    driver.hand.leave();
+    driver.hand.press(key::comma, {.ctrl = true});
+    REQUIRE(tab_to(driver, "setting.rounding"));
+    driver.hand.press(key::enter);
+    driver.hand.frames(frames_to_rest);
+    CHECK(driver.ui.focus.name == "setting.rounding=truncate");
+    driver.hand.press(key::enter);
+    CHECK(driver.ui.session.a.settings.vertex_rounding == VertexRounding::truncate);
 }
 
 TEST_CASE("A list of words is chosen from by keys") {

@@ -4,6 +4,7 @@
 #include "support/made_scene.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/driver.h"
+#include "tests/ui/screen_text.h"
 #include "tests/ui/shown_colours.h"
 #include "ui/actions/compare.h"
 #include "ui/actions/keys.h"
@@ -50,6 +51,23 @@ TEST_CASE("Samples outside their row table are shown by a click on the status li
     // Nothing is offered where there is none.
     driver.hand.click("stage.edges");
     CHECK_FALSE(driver.hand.is_visible("status.show_outside"));
+}
+
+TEST_CASE(
+    "In a small window the facts of the pixel give way to the trouble, whole ones last first") {
+    for (const float scale : {1.0f, 1.5f}) {
+        Driver driver("lab-room.toml", {800, 600}, scale);
+        driver.ui.session.selection.pixel = glm::ivec2(250, 400);
+        driver.hand.frames(frames_to_rest);
+        INFO(scale);
+        for (const char* name : {"status.pixel", "status.trouble", "status.show_outside"}) {
+            INFO(name);
+            CHECK(driver.hand.find(name).is_whole);
+        }
+        for (const ScreenText& line : screen_text()) {
+            if (line.window == "status") CHECK(line.words.find("…") == std::string::npos);
+        }
+    }
 }
 
 TEST_CASE("What is too much work for one frame of the window goes on in the next ones") {
