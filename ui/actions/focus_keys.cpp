@@ -8,6 +8,7 @@
 #include <imgui_internal.h>
 
 #include "ui/actions/actions.h"
+#include "ui/actions/focus_stops.h"
 #include "ui/actions/keys.h"
 #include "ui/ui.h"
 #include "ui/widgets/focus.h"
@@ -16,65 +17,41 @@ namespace rasterwalk {
 
 namespace {
 
-/// A widget that can have the keyboard.
-struct Stop {
-    std::string name;
-    WidgetPlace place;
-};
-
-/// What can be reached now, in the order in which it is drawn: only the menu or list on top, if one
-/// is open.
-std::vector<Stop> stops_in_reach(const Ui& ui) {
-    const ImVector<ImGuiPopupData>& popups = GImGui->OpenPopupStack;
-    std::vector<Stop> stops;
-    if (!popups.empty() && popups.back().Window == nullptr) return stops; // it is not drawn yet
-    const ImGuiID part = popups.empty() ? 0 : popups.back().Window->ID;
-    for (const auto& [name, place] : ui.widgets) {
-        if (place.id == 0 || (part != 0 && place.part != part)) continue;
-        stops.push_back({name, place});
-    }
-    std::sort(stops.begin(), stops.end(),
-              [](const Stop& a, const Stop& b) { return a.place.order < b.place.order; });
-    return stops;
-}
-
-const Stop* find_stop(const std::vector<Stop>& stops, const std::string& name) {
-    const auto found =
-        std::find_if(stops.begin(), stops.end(), [&](const Stop& s) { return s.name == name; });
-    return found == stops.end() ? nullptr : &*found;
-}
-
 void show_at(Ui& ui, const std::string& name) {
     ui.focus.name = name;
     ui.focus.is_shown = ui.focus.wants_sight = true;
 }
 
+using Stops = std::vector<const Stop*>;
+
 /// Where the way begins: in a list with the entry that holds, and else with the lesson, if there is
 /// one.
-const Stop& first_of(const std::vector<Stop>& stops) {
-    const auto chosen =
-        std::find_if(stops.begin(), stops.end(), [](const Stop& s) { return s.place.is_chosen; });
-    if (chosen != stops.end()) return *chosen;
+const Stop& first_of(const Stops& stops) {
+    const auto chosen = std::find_if(stops.begin(), stops.end(),
+                                     [](const Stop* s) { return s->second.is_chosen; });
+    if (chosen != stops.end()) return **chosen;
     const auto found = std::find_if(stops.begin(), stops.end(),
-                                    [](const Stop& s) { return s.name.starts_with("lesson."); });
-    return found == stops.end() ? stops.front() : *found;
+                                    [](const Stop* s) { return s->first.starts_with("lesson."); });
+    return found == stops.end() ? *stops.front() : **found;
 }
 
 /// What takes over from a widget that has gone: the nearest one of its part, or what had the
 /// keyboard before the part was opened.
-const Stop& heir(const Ui& ui, const std::vector<Stop>& stops) {
+const Stop& heir(const Ui& ui, const Stops& stops) {
     const Focus& focus = ui.focus;
     const Stop* nearest = nullptr;
+    const Stop* before = nullptr;
     float least = std::numeric_limits<float>::max();
-    for (const Stop& stop : stops) {
-        const ImVec2 at = stop.place.top_left;
-        const float dx = at.x - focus.place.x, dy = at.y - focus.place.y;
+    for (const Stop* const stop : stops) {
+        if (stop->first == focus.before) before = stop;
+        const WidgetPlace& place = stop->second;
+        const float dx = place.top_left.x - focus.place.x, dy = place.top_left.y - focus.place.y;
         const float distance = dx * dx + dy * dy;
-        if (stop.place.part != focus.part || !stop.place.visible || distance >= least) continue;
+        if (place.part != focus.part || !place.visible || distance >= least) continue;
         least = distance;
-        nearest = &stop;
+        nearest = stop;
     }
-    if (nearest == nullptr) nearest = find_stop(stops, focus.before);
+    if (nearest == nullptr) nearest = before;
     return nearest != nullptr ? *nearest : first_of(stops);
 }
 
@@ -94,48 +71,73 @@ bool follow_popups(Ui& ui) {
 }
 
 /// A click goes on by pointer, and Tab goes on from where it was.
-void follow_pointer(Ui& ui, const std::vector<Stop>& stops) {
+void follow_pointer(Ui& ui) {
     const ImGuiIO& io = ImGui::GetIO();
     if (!io.MouseClicked[0] && !io.MouseClicked[1]) return;
     ui.focus.is_shown = false;
     float least = std::numeric_limits<float>::max();
-    for (const Stop& stop : stops) {
-        const ImRect area(stop.place.top_left, stop.place.bottom_right);
+    for (const Stop* const stop : stops_in_reach(ui)) {
+        const WidgetPlace& place = stop->second;
+        const ImRect area(place.top_left, place.bottom_right);
         if (!area.Contains(io.MousePos) || area.GetArea() >= least) continue;
+        if (sheet_over(ui, place.part, {io.MousePos, io.MousePos}) != nullptr) continue;
         least = area.GetArea();
-        ui.focus.name = stop.name;
+        ui.focus.name = stop->first;
     }
 }
 
-int number_of(const std::vector<Stop>& stops, const std::string& name) {
-    const Stop* const stop = find_stop(stops, name);
-    return stop == nullptr ? -1 : static_cast<int>(stop - stops.data());
+/// Who can no longer be seen has the keyboard no longer.
+void leave_what_is_gone(Ui& ui) {
+    if (!ui.focus.is_shown) return;
+    const Stop* const now = stop_with_keyboard(ui);
+    if (now == nullptr) {
+        const Stops stops = stops_in_reach(ui);
+        if (stops.empty()) return;
+        show_at(ui, ui.focus.name.empty() ? first_of(stops).first : heir(ui, stops).first);
+    } else if (const ImGuiWindow* const sheet = sheet_over(ui, now->second)) {
+        const Stops stops = stops_in_reach(ui);
+        const auto first = std::find_if(stops.begin(), stops.end(), [&](const Stop* stop) {
+            return stop->second.part == sheet->ID;
+        });
+        if (first != stops.end()) give_focus(ui, (*first)->first);
+    }
 }
 
-/// To the next widget, or the one before; from the last to the first.
-void move_on(Ui& ui, const std::vector<Stop>& stops, int distance) {
+/// To the next of these widgets, or the one before; from the last to the first.
+void move_on(Ui& ui, const Stops& stops, int distance) {
+    if (stops.empty()) return;
+    const auto here = std::find(stops.begin(), stops.end(), stop_with_keyboard(ui));
     const int count = static_cast<int>(stops.size());
-    const int from = number_of(stops, ui.focus.name);
-    show_at(ui, stops[static_cast<std::size_t>((from + distance + count) % count)].name);
+    const int from = here == stops.end() ? -1 : static_cast<int>(here - stops.begin());
+    show_at(ui, stops[static_cast<std::size_t>((from + distance + count) % count)]->first);
 }
 
 /// To the first widget of the next part, or of the one before.
-void move_to_part(Ui& ui, const std::vector<Stop>& stops, int distance) {
-    std::vector<const Stop*> firsts;
-    for (const Stop& stop : stops) {
+void move_to_part(Ui& ui, const Stops& stops, int distance) {
+    if (stops.empty()) return;
+    Stops firsts;
+    for (const Stop* const stop : stops) {
         const bool is_known = std::any_of(firsts.begin(), firsts.end(), [&](const Stop* first) {
-            return first->place.part == stop.place.part;
+            return first->second.part == stop->second.part;
         });
-        if (!is_known) firsts.push_back(&stop);
+        if (!is_known) firsts.push_back(stop);
     }
-    const Stop* const now = find_stop(stops, ui.focus.name);
+    const Stop* const now = stop_with_keyboard(ui);
     const auto here = std::find_if(firsts.begin(), firsts.end(), [&](const Stop* first) {
-        return now != nullptr && first->place.part == now->place.part;
+        return now != nullptr && first->second.part == now->second.part;
     });
     const int count = static_cast<int>(firsts.size());
     const int from =
         here == firsts.end() ? (distance > 0 ? -1 : 0) : static_cast<int>(here - firsts.begin());
-    show_at(ui, firsts[static_cast<std::size_t>((from + distance + count) % count)]->name);
+    show_at(ui, firsts[static_cast<std::size_t>((from + distance + count) % count)]->first);
+}
+
+/// An arrow never leads to what arrows change: held a little too long, it would.
+void move_by_arrows(Ui& ui, const Arrows& arrows) {
+    const Stop* const now = stop_with_keyboard(ui);
+    Stops stops = stops_of_tab(ui);
+    std::erase_if(stops, [&](const Stop* s) { return s != now && s->second.takes_arrows; });
+    move_on(ui, stops, arrows.right - arrows.up > 0 ? 1 : -1);
 }
 
 Arrows pressed_arrows() {
@@ -156,8 +158,16 @@ void press(const WidgetPlace& place) {
         place.is_input ? ImGuiActivateFlags_PreferInput : ImGuiActivateFlags_None;
 }
 
+/// The first key only shows where the keyboard is.
+void show_where_it_is(Ui& ui) {
+    const Stop* const now = stop_with_keyboard(ui);
+    if (now != nullptr && sheet_over(ui, now->second) == nullptr) return show_at(ui, now->first);
+    const Stops stops = stops_in_reach(ui);
+    if (!stops.empty()) show_at(ui, first_of(stops).first);
+}
+
 /// Tab and F6. Returns true if one was pressed.
-bool take_moving_keys(Ui& ui, const std::vector<Stop>& stops) {
+bool take_moving_keys(Ui& ui) {
     const ImGuiIO& io = ImGui::GetIO();
     const int distance = io.KeyShift ? -1 : 1;
     const bool is_tab = ImGui::IsKeyPressed(key::tab, true);
@@ -166,38 +176,37 @@ bool take_moving_keys(Ui& ui, const std::vector<Stop>& stops) {
     const bool was_typing = io.WantTextInput;
     if (was_typing) ImGui::ClearActiveID();
     if (is_part) {
-        move_to_part(ui, stops, distance);
+        move_to_part(ui, stops_in_reach(ui), distance);
     } else if (ui.focus.is_shown || was_typing) {
-        move_on(ui, stops, distance);
+        move_on(ui, stops_of_tab(ui), distance);
     } else {
-        // The first time it only shows where the keyboard is.
-        show_at(ui, find_stop(stops, ui.focus.name) ? ui.focus.name : first_of(stops).name);
+        show_where_it_is(ui);
     }
     return true;
 }
 
-void take_widget_keys(Ui& ui, const std::vector<Stop>& stops) {
+void take_widget_keys(Ui& ui) {
     const ImGuiIO& io = ImGui::GetIO();
     Focus& focus = ui.focus;
     if (io.WantTextInput || io.KeyShift) return;
     const Arrows arrows = pressed_arrows();
     const bool is_arrow = arrows.right != 0 || arrows.up != 0;
-    const Stop* const stop = find_stop(stops, focus.name);
+    const Stop* const stop = stop_with_keyboard(ui);
     if (!focus.is_shown || stop == nullptr) {
         // Elsewhere they move the camera.
         const bool leads = ui.start.is_open || !focus.openers.empty();
-        if (is_arrow && leads) show_at(ui, stop != nullptr ? stop->name : first_of(stops).name);
+        if (is_arrow && leads) show_where_it_is(ui);
         return;
     }
-    if (is_arrow && stop->place.takes_arrows) {
+    if (is_arrow && stop->second.takes_arrows) {
         focus.arrows = arrows;
     } else if (is_arrow) {
-        move_on(ui, stops, arrows.right - arrows.up > 0 ? 1 : -1);
+        move_by_arrows(ui, arrows);
     }
     const bool is_press = ImGui::IsKeyPressed(key::enter, false) ||
                           ImGui::IsKeyPressed(key::keypad_enter, false) ||
                           ImGui::IsKeyPressed(key::space, false);
-    if (is_press && can_be_pressed(stop->place)) press(stop->place);
+    if (is_press && can_be_pressed(stop->second)) press(stop->second);
 }
 
 /// What scrolls with the widget: its own window, or else the largest one of its part.
@@ -231,16 +240,21 @@ void take_focus_keys(Ui& ui) {
     Focus& focus = ui.focus;
     focus.arrows = {};
     if (follow_popups(ui)) return;
-    const std::vector<Stop> stops = stops_in_reach(ui);
-    if (stops.empty()) return;
-    follow_pointer(ui, stops);
-    if (focus.is_shown && find_stop(stops, focus.name) == nullptr) {
-        show_at(ui, focus.name.empty() ? first_of(stops).name : heir(ui, stops).name);
-    }
+    follow_pointer(ui);
+    leave_what_is_gone(ui);
     const ImGuiIO& io = ImGui::GetIO();
     if (io.KeyCtrl && !io.WantTextInput) take_scrolling_keys(ui);
     if (io.KeyCtrl || io.KeyAlt) return;
-    if (!take_moving_keys(ui, stops)) take_widget_keys(ui, stops);
+    if (!take_moving_keys(ui)) take_widget_keys(ui);
+}
+
+bool is_moving_by_arrows(const Ui& ui) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (!ui.focus.is_shown || io.KeyCtrl || io.KeyAlt || io.KeyShift) return false;
+    const Stop* const stop = stop_with_keyboard(ui);
+    if (stop == nullptr || !stop->second.takes_arrows) return false;
+    return ImGui::IsKeyDown(key::right) || ImGui::IsKeyDown(key::left) ||
+           ImGui::IsKeyDown(key::up) || ImGui::IsKeyDown(key::down);
 }
 
 bool belongs_to_focus(const Ui& ui, const Chord& chord) {

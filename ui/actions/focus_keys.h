@@ -12,6 +12,9 @@ struct Chord;
 /// called once a frame, before anything is drawn.
 void take_focus_keys(Ui& ui);
 
+/// Is an arrow held that the focused widget takes? As long as it is, it is one change.
+bool is_moving_by_arrows(const Ui& ui);
+
 /// Is the key the focused widget's own, so that it does nothing else?
 bool belongs_to_focus(const Ui& ui, const Chord& chord);
 

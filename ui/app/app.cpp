@@ -6,6 +6,7 @@
 #include "session/walk.h"
 #include "ui/actions/actions.h"
 #include "ui/actions/compare.h"
+#include "ui/actions/focus_keys.h"
 #include "ui/actions/held_keys.h"
 #include "ui/actions/keys.h"
 #include "ui/actions/lab.h"
@@ -245,7 +246,7 @@ bool build_pass(Ui& ui, float seconds) {
     } else {
         draw_notice_alone(ui);
     }
-    if (is_at_rest() && !is_moving_by_key(ui)) {
+    if (is_at_rest() && !is_moving_by_key(ui) && !is_moving_by_arrows(ui)) {
         guarded(ui, [&] {
             note_choices(ui.session);
             note_place(ui.session);

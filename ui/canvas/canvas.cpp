@@ -48,6 +48,16 @@ Pane seen_of_canvas(const Ui& ui, const Pane& canvas) {
     return seen;
 }
 
+/// What is seen of run A's picture, without the numbers along its sides.
+Pane seen_of_picture(const Ui& ui, const Pane& pane, const Pane& canvas) {
+    Pane seen = seen_of_canvas(ui, canvas);
+    seen.low = {std::max(seen.low.x, pane.low.x), std::max(seen.low.y, pane.low.y)};
+    seen.high = {std::min(seen.high.x, pane.high.x), std::min(seen.high.y, pane.high.y)};
+    if (ui.canvas.place.scale < grid_zoom) return seen;
+    const ImVec2 ruler = ruler_size(ui);
+    return {{seen.low.x + ruler.x, seen.low.y + ruler.y}, seen.high};
+}
+
 /// Between the picture and what stands below it, screen pixels.
 float gap_below(const Ui& ui) {
     return std::round(8.0f * ui.options.text_scale);
@@ -91,7 +101,7 @@ void draw_picture(Ui& ui, const Pane& pane) {
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
     name_widget(ui, "canvas");
     handle_canvas_pointer(ui, panes.a);
-    handle_canvas_keys(ui, panes.a);
+    handle_canvas_keys(ui, panes.a, seen_of_picture(ui, panes.a, canvas));
     const RowTableLayout table = place_pictures(ui, panes);
     ui.canvas.row_table = place_row_table(ui, table, canvas);
     const Pane seen = seen_of_canvas(ui, canvas);

@@ -20,7 +20,7 @@ ImVec2 middle_of(const PicturePlace& place, glm::ivec2 pixel) {
 
 } // namespace
 
-void handle_canvas_keys(Ui& ui, const Pane& pane) {
+void handle_canvas_keys(Ui& ui, const Pane& pane, const Pane& seen) {
     const Arrows arrows = take_arrows(ui, "canvas");
     if (!ui.focus.is_shown || ui.focus.name != "canvas") return;
     const Viewport& size = ui.results.a.frame.settings.viewport;
@@ -40,8 +40,10 @@ void handle_canvas_keys(Ui& ui, const Pane& pane) {
     }
     const ImVec2 at = middle_of(ui.canvas.place, pixel);
     const bool is_seen =
-        at.x >= pane.low.x && at.y >= pane.low.y && at.x < pane.high.x && at.y < pane.high.y;
-    if (!is_seen && ui.session.canvas.zoom > 0.0f) ui.session.canvas.centre = glm::vec2(pixel);
+        at.x >= seen.low.x && at.y >= seen.low.y && at.x < seen.high.x && at.y < seen.high.y;
+    if (is_seen) return;
+    const ImVec2 middle{0.5f * (seen.low.x + seen.high.x), 0.5f * (seen.low.y + seen.high.y)};
+    move_picture(ui, {middle.x - at.x, middle.y - at.y}, pane);
 }
 
 } // namespace rasterwalk

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 #include "ui/actions/keys.h"
@@ -40,6 +41,7 @@ void begin_sheet(Ui& ui, const SheetLook& look, ImVec2 window) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6.0f * u);
     ImGui::Begin(look.window, nullptr, flags);
+    ui.sheets.parts[static_cast<std::size_t>(look.sheet)] = ImGui::GetCurrentWindow()->ID;
     ImGui::PushFont(ui.fonts.title);
     ImGui::TextUnformatted(look.title);
     ImGui::PopFont();

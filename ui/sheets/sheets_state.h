@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include <imgui.h>
+
 #include "inspect/event_list.h"
 
 namespace rasterwalk {
@@ -52,6 +54,7 @@ struct EventSheet {
 struct SheetsState {
     FileSheet files;
     std::array<bool, sheet_count> open{};          ///< by Sheet
+    std::array<ImGuiID, sheet_count> parts{};      ///< windows that were last drawn for each
     std::array<std::string, sheet_count> search{}; ///< what each is filtered by
     EventSheet events;
 

@@ -79,8 +79,11 @@ Arrows take_arrows(Ui& ui, std::string_view name) {
 }
 
 void give_focus(Ui& ui, std::string name) {
-    ui.focus.before = std::exchange(ui.focus.name, std::move(name));
-    ui.focus.wants_sight = true;
+    Focus& focus = ui.focus;
+    // It waits for the menu or list from which it was chosen to close.
+    std::string& now = focus.openers.empty() ? focus.name : focus.openers.front();
+    focus.before = std::exchange(now, std::move(name));
+    focus.wants_sight = true;
 }
 
 bool is_pressed_by_key() {

@@ -407,4 +407,99 @@ TEST_CASE("Shift and F1 explain what has the frame") {
     CHECK(ImGui::GetDrawData()->TotalVtxCount == without);
 }
 
+TEST_CASE("Tab stays on the sheet that has the keyboard, and nothing below it is reached") {
+    for (const ImVec2 window : {ImVec2{1600, 1000}, ImVec2{1024, 640}}) {
+        Driver driver("lab-room.toml", window);
+        Ui& ui = driver.ui;
+        driver.hand.leave();
+        driver.hand.press(key::f1);
+        for (int i = 0; i < 4; ++i) {
+            driver.hand.press(key::tab);
+            CHECK(ui.focus.is_shown);
+            CHECK(ui.focus.name == "keys.close");
+        }
+        const ImRect sheet = ImGui::FindWindowByName("keys")->Rect();
+        const auto is_below = [&](const WidgetPlace& place) {
+            return sheet.Contains({place.top_left, place.bottom_right});
+        };
+        driver.hand.press(f6);
+        std::set<std::string> names;
+        while (names.insert(ui.focus.name).second) {
+            INFO(ui.focus.name << " at " << window.x);
+            CHECK(ui.focus.name != "keys.close");
+            CHECK_FALSE(is_below(ui.widgets.at(ui.focus.name)));
+            driver.hand.press(key::tab);
+        }
+        CHECK(names.size() > 10);
+        for (int i = 0; i < 12 && ui.focus.name != "keys.close"; ++i)
+            driver.hand.press(f6);
+        CHECK(ui.focus.name == "keys.close");
+    }
+}
+
+TEST_CASE("A sheet takes the keyboard from what it covers, and gives it back") {
+    Driver driver;
+    Ui& ui = driver.ui;
+    driver.hand.leave();
+    ui.sheets.show(Sheet::keys);
+    driver.hand.frames(frames_to_rest);
+    const ImRect sheet = ImGui::FindWindowByName("keys")->Rect();
+    std::string below;
+    for (const auto& [name, place] : ui.widgets) {
+        const bool is_stop = place.id != 0 && place.visible && name != "keys.close";
+        if (is_stop && sheet.Contains({place.top_left, place.bottom_right})) below = name;
+    }
+    REQUIRE_FALSE(below.empty());
+    driver.hand.press(key::escape);
+    ui.focus.name = below;
+    driver.hand.press(key::tab);
+    REQUIRE(ui.focus.name == below);
+    ui.sheets.show(Sheet::keys);
+    driver.hand.frames(frames_to_rest);
+    CHECK(ui.focus.name == "keys.close");
+    driver.hand.press(key::escape);
+    CHECK(ui.focus.name == below);
+    CHECK(ui.focus.is_shown);
+}
+
+TEST_CASE("A sheet that was chosen from a menu has the keyboard") {
+    Driver driver;
+    driver.hand.leave();
+    driver.ui.focus.name = "menu.Help";
+    driver.hand.press(key::tab);
+    driver.hand.press(key::enter);
+    REQUIRE(tab_to(driver, "menu.help.keys"));
+    driver.hand.press(key::enter);
+    REQUIRE(driver.ui.sheets.is_open(Sheet::keys));
+    CHECK(driver.ui.focus.name == "keys.close");
+    driver.hand.press(key::escape);
+    CHECK(driver.ui.focus.name == "menu.Help");
+}
+
+TEST_CASE("Arrows that move the frame change nothing, however long they are held") {
+    Driver driver("one-triangle.toml");
+    Ui& ui = driver.ui;
+    driver.hand.leave();
+    driver.open("rows");
+    driver.hand.leave();
+    REQUIRE(ui.widgets.count("bench.vertex.0.x") == 1);
+    const std::shared_ptr<const Scene> scene = ui.session.scene;
+    const Settings settings = ui.session.a.settings;
+    for (const int arrow : {key::right, key::left}) {
+        ui.focus.is_shown = false;
+        ui.focus.name = "tab.rows";
+        driver.hand.press(key::tab);
+        REQUIRE(ui.focus.name == "tab.rows");
+        for (int i = 0; i < 30; ++i) {
+            driver.hand.press(arrow);
+            INFO(ui.focus.name);
+            CHECK_FALSE(ui.widgets.at(ui.focus.name).takes_arrows);
+        }
+        CHECK(ui.focus.name != "tab.rows");
+        driver.hand.hold(arrow, 200);
+        CHECK(ui.session.scene == scene);
+        CHECK(ui.session.a.settings == settings);
+    }
+}
+
 } // namespace rasterwalk

@@ -40,6 +40,27 @@ TEST_CASE("A drag of the camera is one step to undo") {
     CHECK(driver.ui.session.a.settings.camera == before);
 }
 
+TEST_CASE("An arrow that is held on a number is one step to undo") {
+    Driver driver;
+    driver.hand.leave();
+    driver.hand.press(key::comma, {.ctrl = true});
+    driver.ui.focus.name = "setting.camera.yaw";
+    driver.hand.press(key::tab);
+    REQUIRE(driver.ui.focus.name == "setting.camera.yaw");
+    const float before = driver.ui.session.a.settings.camera.yaw;
+    const std::size_t steps = driver.ui.session.undo.past.size();
+    driver.hand.press(key::right);
+    const float once = driver.ui.session.a.settings.camera.yaw;
+    REQUIRE(once > before);
+    driver.hand.hold(key::right, 60);
+    REQUIRE(driver.ui.session.a.settings.camera.yaw - once > 2.5f * (once - before));
+    CHECK(driver.ui.session.undo.past.size() == steps + 2);
+    driver.hand.press('Z', {.ctrl = true});
+    CHECK(driver.ui.session.a.settings.camera.yaw == once);
+    driver.hand.press('Z', {.ctrl = true});
+    CHECK(driver.ui.session.a.settings.camera.yaw == before);
+}
+
 TEST_CASE("Undoing a change of scene shows the scene before as a whole, from outside too") {
     Driver driver;
     driver.ui.session.canvas.shows = CanvasShows::both;

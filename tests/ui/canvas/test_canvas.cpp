@@ -3,7 +3,9 @@
 #include "picture/view_image.h"
 #include "tests/ui/driver.h"
 #include "ui/actions/keys.h"
+#include "ui/actions/picture_fit.h"
 #include "ui/canvas/canvas.h"
+#include "ui/canvas/cell_key.h"
 #include "ui/ui.h"
 
 namespace rasterwalk {
@@ -108,6 +110,38 @@ TEST_CASE("The view selector shows another plane of the framebuffer") {
     driver.hand.click("canvas.view.overdraw");
     CHECK(driver.ui.session.view == View::overdraw);
     CHECK_FALSE(driver.ui.results.a.picture == colours);
+}
+
+TEST_CASE("A pixel that arrows pick is seen, even where the picture showed only its triangles") {
+    for (const ImVec2 window : {ImVec2{640, 480}, ImVec2{1024, 640}, ImVec2{1600, 1000}}) {
+        Driver driver("one-triangle.toml", window);
+        Ui& ui = driver.ui;
+        driver.hand.click("stage.rows");
+        driver.hand.leave();
+        ui.focus.name = "canvas";
+        driver.hand.press(key::tab);
+        REQUIRE(ui.focus.name == "canvas");
+        REQUIRE(ui.session.canvas.zoom == 0.0f);
+        for (const int arrow : {key::up, key::right, key::down, key::left}) {
+            for (int i = 0; i < 24; ++i) {
+                driver.hand.press(arrow);
+                REQUIRE(ui.session.selection.pixel);
+                const glm::ivec2 pixel = *ui.session.selection.pixel;
+                const PicturePlace& place = ui.canvas.place;
+                const ImVec2 at{place.origin.x + place.scale * (pixel.x + 0.5f),
+                                place.origin.y + place.scale * (pixel.y + 0.5f)};
+                const WidgetPlace& canvas = ui.widgets.at("canvas");
+                INFO("(" << pixel.x << ", " << pixel.y << ") at " << window.x);
+                CHECK(at.x >= canvas.top_left.x);
+                CHECK(at.y >= canvas.top_left.y);
+                CHECK(at.x < canvas.bottom_right.x);
+                const float key = shows_cell_key(ui) ? cell_key_height(ui) : 0.0f;
+                CHECK(at.y < canvas.bottom_right.y - key);
+                const std::optional<RowTablePlace>& table = ui.canvas.row_table;
+                CHECK_FALSE((table && at.x >= table->left && at.x < table->right));
+            }
+        }
+    }
 }
 
 } // namespace rasterwalk
