@@ -1,3 +1,4 @@
+#include <array>
 #include <random>
 
 #include <catch2/catch.hpp>
@@ -20,6 +21,13 @@ Image stripes(int width, int height) {
         image.rgba.insert(image.rgba.end(), {v, v, v, 255});
     }
     return image;
+}
+
+using Rgba = std::array<int, 4>;
+
+Rgba rgba(const Image& image, int column, int row) {
+    const std::size_t at = 4 * static_cast<std::size_t>(row * image.width + column);
+    return {image.rgba[at], image.rgba[at + 1], image.rgba[at + 2], image.rgba[at + 3]};
 }
 
 int red(const Image& image, int column, int row) {
@@ -108,8 +116,9 @@ TEST_CASE("A part that is resampled anew is the same as in the whole") {
             window.right = window.left + 1 + below(whole.width - window.left);
             window.bottom = window.top + 1 + below(whole.height - window.top);
             Rectangle changed{window.left + below(window.right - window.left),
-                              window.top + below(window.bottom - window.top), window.right,
-                              window.bottom};
+                              window.top + below(window.bottom - window.top), 0, 0};
+            changed.right = changed.left + 1 + below(window.right - changed.left);
+            changed.bottom = changed.top + 1 + below(window.bottom - changed.top);
             Image part{window.right - window.left, window.bottom - window.top, {}};
             part.rgba.resize(4 * static_cast<std::size_t>(part.width * part.height), 77);
             resample_part(image, scale, window, changed, part);
@@ -117,8 +126,10 @@ TEST_CASE("A part that is resampled anew is the same as in the whole") {
             for (int row = 0; row < part.height; ++row) {
                 for (int column = 0; column < part.width; ++column) {
                     const int x = window.left + column, y = window.top + row;
-                    const bool is_new = x >= changed.left && y >= changed.top;
-                    wrong += red(part, column, row) != (is_new ? red(whole, x, y) : 77) ? 1 : 0;
+                    const bool is_new = x >= changed.left && y >= changed.top &&
+                                        x < changed.right && y < changed.bottom;
+                    const Rgba old{77, 77, 77, 77};
+                    wrong += rgba(part, column, row) != (is_new ? rgba(whole, x, y) : old) ? 1 : 0;
                 }
             }
             CAPTURE(scale, i);

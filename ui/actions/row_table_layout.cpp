@@ -11,6 +11,7 @@
 #include "ui/actions/compare.h"
 #include "ui/ui.h"
 #include "ui/widgets/row_ends.h"
+#include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
 
@@ -19,10 +20,6 @@ namespace {
 /// The table takes no more than this part of the canvas; what is only numbers may take more.
 constexpr float largest_part = 0.42f;
 constexpr float largest_bare_part = 0.52f;
-
-float width_of(const ImFont* font, const std::string& text) {
-    return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, text.c_str()).x;
-}
 
 /// The widest texts of the table of the triangle on show, as they will be when it is whole.
 struct Widest {
@@ -39,13 +36,13 @@ Widest widest_texts(const Ui& ui) {
     }
     Widest widest;
     for (const int column : {low, high, 100})
-        widest.number = std::max(widest.number, width_of(ui.fonts.mono, std::to_string(column)));
+        widest.number = std::max(widest.number, text_width(ui.fonts.mono, std::to_string(column)));
     const auto longest = std::max_element(history.edge_samples.begin(), history.edge_samples.end());
     const int samples = longest != history.edge_samples.end() ? *longest : 1;
-    widest.writer = width_of(ui.fonts.mono_small, sample_text(0, std::max(samples - 1, 10)));
+    widest.writer = text_width(ui.fonts.mono_small, sample_text(0, std::max(samples - 1, 10)));
     widest.entry = std::max(
-        width_of(ui.fonts.small, "entry"),
-        width_of(ui.fonts.mono_small, "[" + std::to_string(history.rows.size() - 1) + "]"));
+        text_width(ui.fonts.small, "entry"),
+        text_width(ui.fonts.mono_small, "[" + std::to_string(history.rows.size() - 1) + "]"));
     return widest;
 }
 
@@ -71,13 +68,13 @@ RowTableLayout layout_of(const Ui& ui, const Widest& widest, bool has_writers, b
     for (int i = 0; i < 2; ++i) {
         RowTableLayout::End& end = layout.ends[i];
         const float texts = widest.number + (has_writers ? widest.writer + gap : 0.0f);
-        const float extreme = width_of(ui.fonts.mono_small, "+INT_MAX");
-        const float title = width_of(ui.fonts.small, titles[static_cast<std::size_t>(i)]);
+        const float extreme = text_width(ui.fonts.mono_small, "+INT_MAX");
+        const float title = text_width(ui.fonts.small, titles[static_cast<std::size_t>(i)]);
         end.left = x + 1.6f * gap;
         end.number = end.left + std::max({texts, extreme, title});
         end.writer = end.number - widest.number - gap;
         end.depth = end.number;
-        if (has_depths) end.depth += gap + width_of(ui.fonts.mono_small, "0.0000");
+        if (has_depths) end.depth += gap + text_width(ui.fonts.mono_small, "0.0000");
         end.right = x = end.depth;
     }
     layout.width = x + edge;

@@ -26,21 +26,18 @@ void draw_dial_words(const Ui& ui, ImVec2 at, float width, const Speed& meant, D
     const std::string words = speed_text(meant);
     ImFont* const small = ui.fonts.small;
     ImFont* const font = is_small ? small : ui.fonts.text;
-    const auto wide = [](ImFont* of, const char* text) {
-        return of->CalcTextSizeA(of->FontSize, 1e6f, 0.0f, text).x;
-    };
-    const float x = is_small ? at.x + 0.5f * (width - wide(font, words.c_str()))
-                             : at.x + width - wide(font, words.c_str());
+    const float x = is_small ? at.x + 0.5f * (width - text_width(font, words))
+                             : at.x + width - text_width(font, words);
     list->AddText(font, font->FontSize, {x, at.y + (is_small ? 2.0f : 0.0f) * u}, packed(p.text),
                   words.c_str());
     if (is_small) return;
-    if (wide(small, "speed") + 8.0f * u < x - at.x) {
+    if (text_width(small, "speed") + 8.0f * u < x - at.x) {
         list->AddText(small, small->FontSize, {at.x, at.y + 2.0f * u}, packed(p.dim), "speed");
     }
     if (form == DialForm::medium) return;
     const float y = at.y + 38.0f * u;
     list->AddText(small, small->FontSize, {at.x, y}, packed(p.dim), "1 step/s");
-    list->AddText(small, small->FontSize, {at.x + width - wide(small, "no limit"), y},
+    list->AddText(small, small->FontSize, {at.x + width - text_width(small, "no limit"), y},
                   packed(p.dim), "no limit");
 }
 

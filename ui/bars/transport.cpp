@@ -301,7 +301,9 @@ std::vector<std::string> marks_forms() {
 
 /// The same beside its mark, if there is room.
 void draw_marks_key(Ui& ui, ImVec2 at, float room) {
-    const std::string words = first_fitting(marks_forms(), room - difference_key_indent(ui));
+    std::vector<std::string> said = marks_forms();
+    said.emplace_back();
+    const std::string words = first_fitting(said, room - difference_key_indent(ui));
     if (words.empty()) return;
     ImGui::SetCursorScreenPos(at);
     draw_difference_key(ui, words);

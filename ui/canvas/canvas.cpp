@@ -94,20 +94,24 @@ void draw_picture(Ui& ui, const Pane& pane) {
     const ImVec2 frame_high{frame_low.x + frame_room.x, frame_low.y + frame_room.y};
     const Pane canvas{frame_low, frame_high};
     const Panes panes = panes_of(ui, canvas);
-    place_pictures(ui, panes);
+    RowTableLayout table = place_pictures(ui, panes);
     draw_wipe_handle(ui, canvas);
     ImGui::SetCursorScreenPos(frame_low);
     ImGui::InvisibleButton("picture", frame_room,
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
     name_widget(ui, "canvas");
+    const CanvasView before = ui.session.canvas;
+    const int held_before = ui.canvas.dragged_vertex;
     handle_canvas_pointer(ui, panes.a);
     handle_canvas_keys(ui, panes.a, seen_of_picture(ui, panes.a, canvas));
-    const RowTableLayout table = place_pictures(ui, panes);
+    if (ui.session.canvas != before || ui.canvas.dragged_vertex != held_before)
+        table = place_pictures(ui, panes);
     ui.canvas.row_table = place_row_table(ui, table, canvas);
     const Pane seen = seen_of_canvas(ui, canvas);
 
     ImDrawList* const list = ImGui::GetWindowDrawList();
     list->AddRectFilled(frame_low, frame_high, packed(p.canvas), 4.0f * u);
+    std::vector<VertexLabel> labels;
     list->PushClipRect(seen.low, seen.high, true);
     if (is_comparing(ui)) {
         draw_compared(ui, list, canvas);
@@ -115,10 +119,10 @@ void draw_picture(Ui& ui, const Pane& pane) {
         show_ground(ui, seen.low, seen.high);
         draw_texture(list, ui.canvas.picture, ui.canvas.place);
         draw_overlays(ui, list, seen.low, seen.high);
-        draw_canvas_marks(ui, run_a(ui), list, seen.low, seen.high);
+        labels = draw_canvas_marks(ui, run_a(ui), list, seen.low, seen.high);
     }
     list->PopClipRect();
-    if (!is_comparing(ui)) draw_cells(ui, seen);
+    if (!is_comparing(ui)) draw_cells(ui, seen, labels);
     if (shows_cell_key(ui))
         draw_cell_key(ui, {{seen.low.x, seen.high.y}, {seen.high.x, canvas.high.y}});
     if (ui.canvas.row_table) {

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "session/bench.h"
 #include "ui/canvas/marks.h"
-#include "ui/canvas/vertex_labels.h"
 
 namespace rasterwalk {
 
@@ -142,8 +140,8 @@ void draw_samples(const Marks& m, int triangle) {
     }
 }
 
-void draw_vertex_labels(const Marks& m) {
-    for (const VertexLabel& label : vertex_labels(m)) {
+void draw_vertex_labels(const Marks& m, const std::vector<VertexLabel>& labels) {
+    for (const VertexLabel& label : labels) {
         // The pixel below may be as bright as the letters.
         m.list->AddRectFilled(label.low, label.high, dark_casing, 3.0f * m.u);
         m.list->AddText(m.ui.fonts.bold, m.ui.fonts.bold->FontSize, label.text,
@@ -177,7 +175,6 @@ void draw_vertices(const Marks& m, int triangle, std::span<const ScreenVertex> v
         }
         m.list->AddCircleFilled(pixel, 5.5f * m.u, m.colour(Meaning::current));
     }
-    draw_vertex_labels(m);
 }
 
 /// The piece of work that was just done.
@@ -251,10 +248,11 @@ ShownRun run_b(const Ui& ui, const PicturePlace& place) {
     return {b.frame, b.rows, b.cursor, b.done, place};
 }
 
-void draw_canvas_marks(const Ui& ui, const ShownRun& run, ImDrawList* list, ImVec2 low,
-                       ImVec2 high) {
+std::vector<VertexLabel> draw_canvas_marks(const Ui& ui, const ShownRun& run, ImDrawList* list,
+                                           ImVec2 low, ImVec2 high) {
     const Marks m{ui, run, list, low, high, ui.options.text_scale, run.place.scale};
     const Frame& frame = run.frame;
+    std::vector<VertexLabel> labels;
     if (m.is_large()) draw_grid(m);
     draw_point_rings(m);
     const bool has_triangle = ui.results.a.triangle && frame.is_drawn(*ui.results.a.triangle);
@@ -268,6 +266,8 @@ void draw_canvas_marks(const Ui& ui, const ShownRun& run, ImDrawList* list, ImVe
         if (m.is_large()) {
             if (frame.settings.stage >= Stage::edges) draw_samples(m, *ui.results.a.triangle);
             draw_vertices(m, *ui.results.a.triangle, vertices);
+            labels = vertex_labels(m);
+            draw_vertex_labels(m, labels);
         }
     }
     if (ui.inspector.hovered_row) draw_lit_row(m, *ui.inspector.hovered_row, 0.25f);
@@ -286,6 +286,7 @@ void draw_canvas_marks(const Ui& ui, const ShownRun& run, ImDrawList* list, ImVe
         frame_pixel(m, pixel.x, pixel.y, m.colour(Meaning::pass), 2.0f * m.u);
     }
     if (m.is_large()) draw_ruler(m);
+    return labels;
 }
 
 bool drag_bench_vertex(Ui& ui) {

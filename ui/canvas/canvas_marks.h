@@ -1,11 +1,13 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include <imgui.h>
 
 #include "inspect/row_history.h"
 #include "pipeline/frame.h"
+#include "ui/canvas/vertex_labels.h"
 #include "ui/widgets/picture_state.h"
 
 namespace rasterwalk {
@@ -28,8 +30,9 @@ ShownRun run_b(const Ui& ui, const PicturePlace& place);
 /// Draws over the picture: grid and numbers, the triangle's true edges, vertices, edge samples up
 /// to the cursor, row ends, the current piece, what is picked and pointed at. Costs what is
 /// visible.
-void draw_canvas_marks(const Ui& ui, const ShownRun& run, ImDrawList* list, ImVec2 low,
-                       ImVec2 high);
+/// @return the names of vertices that stand there: nothing else is written on them
+std::vector<VertexLabel> draw_canvas_marks(const Ui& ui, const ShownRun& run, ImDrawList* list,
+                                           ImVec2 low, ImVec2 high);
 
 /// Takes hold of a vertex of the bench triangle under the pointer and moves it with it. True while
 /// a vertex is held.

@@ -11,7 +11,6 @@
 #include "picture/view_image.h"
 #include "settings/settings.h"
 #include "ui/canvas/marks.h"
-#include "ui/canvas/vertex_labels.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -49,8 +48,7 @@ constexpr const char* more_sign = "…";
 
 /// From one sign to the next in a cell, screen pixels.
 float fate_step(const Ui& ui) {
-    return ui.fonts.small->CalcTextSizeA(ui.fonts.small->FontSize, FLT_MAX, 0.0f, passed_sign).x +
-           2.0f * ui.options.text_scale;
+    return text_width(ui.fonts.small, passed_sign) + 2.0f * ui.options.text_scale;
 }
 
 /// The fates of the triangle on show in a part of the picture, and all of the picked pixel, as far
@@ -124,7 +122,7 @@ ImFont* number_font(const Ui& ui) {
 }
 
 float letter_width(const Ui& ui) {
-    return number_font(ui)->CalcTextSizeA(number_font(ui)->FontSize, FLT_MAX, 0.0f, "0").x;
+    return text_width(number_font(ui), "0");
 }
 
 /// Between a number and the border of its cell, design pixels.
@@ -134,8 +132,8 @@ constexpr float number_margin = 2.5f;
 struct Cells {
     Ui& ui;
     Marks marks;
-    Pane seen;                       ///< of the canvas, without the numbers of columns and rows
-    std::vector<VertexLabel> labels; ///< that lie on the picture: nothing is drawn under them
+    Pane seen; ///< of the canvas, without the numbers of columns and rows
+    const std::vector<VertexLabel>& labels;       ///< on the picture: nothing is drawn under them
     std::vector<std::pair<ImVec2, ImVec2>> lines; ///< the edges of the triangle on show
 
     ImVec2 corner(int column, int row) const {
@@ -181,7 +179,7 @@ void draw_number(const Cells& cells, glm::ivec2 pixel) {
     const std::string text = cell_number(cells.ui, pixel, m.scale);
     if (text.empty()) return;
     ImFont* const font = number_font(cells.ui);
-    const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, text.c_str()).x;
+    const float width = text_width(font, text);
     const ImVec2 corner = cells.corner(pixel.x, pixel.y);
     // In the lower part of the cell: the sample's dot is in its middle.
     const ImVec2 low{std::round(corner.x + 0.5f * (m.scale - width)),
@@ -209,7 +207,7 @@ void draw_fate(const Cells& cells, const CellFate& of) {
     const ImU32 colour = !of.fate ? packed(palette(Theme::dark).text)
                                   : m.colour(has_passed ? Meaning::pass : Meaning::fail);
     const float size = font->FontSize;
-    const float width = font->CalcTextSizeA(size, FLT_MAX, 0.0f, sign).x;
+    const float width = text_width(font, sign);
     const ImVec2 corner = cells.corner(of.pixel.x, of.pixel.y);
     const ImVec2 low{
         std::round(corner.x + 2.0f * m.u + static_cast<float>(of.place) * fate_step(cells.ui)),
@@ -221,15 +219,14 @@ void draw_fate(const Cells& cells, const CellFate& of) {
     m.list->AddText(font, size, {low.x, low.y - 0.1f * size}, colour, sign);
 }
 
-/// The edges and the names of vertices that lie on the cells.
-void find_marks(Cells& cells) {
+/// The edges that lie on the cells.
+void find_lines(Cells& cells) {
     const Marks& m = cells.marks;
     const RunResults& a = cells.ui.results.a;
     if (!a.triangle || !a.frame.is_drawn(*a.triangle)) return;
     const std::span<const ScreenVertex> vertices = a.frame.triangle_vertices(*a.triangle);
     for (std::size_t v = 0; v < vertices.size(); ++v)
         cells.lines.emplace_back(m.at(vertices[v]), m.at(vertices[(v + 1) % vertices.size()]));
-    cells.labels = vertex_labels(m);
 }
 
 } // namespace
@@ -302,14 +299,13 @@ float numbers_zoom(const Ui& ui, CellNumbers numbers) {
     return std::max(cell_zoom, needed);
 }
 
-void draw_cells(Ui& ui, const Pane& seen) {
+void draw_cells(Ui& ui, const Pane& seen, const std::vector<VertexLabel>& labels) {
     const float scale = ui.canvas.place.scale;
     const CanvasView& canvas = ui.session.canvas;
     if (scale < cell_zoom) return;
     const ShownRun run = run_a(ui);
     Cells cells{
-        ui, {ui, run, nullptr, seen.low, seen.high, ui.options.text_scale, scale}, {}, {}, {}};
-    find_marks(cells);
+        ui, {ui, run, nullptr, seen.low, seen.high, ui.options.text_scale, scale}, {}, labels, {}};
     const Pane inner{corner_of_cells(cells.marks), seen.high};
     cells.seen = inner;
     const Framebuffer& framebuffer = *ui.results.a.framebuffer;
@@ -323,6 +319,7 @@ void draw_cells(Ui& ui, const Pane& seen) {
     std::vector<CellFate> fates;
     if (shows_fates(ui)) fates = shown_fates(ui, part);
     if (fates.empty() && canvas.numbers == CellNumbers::none) return;
+    find_lines(cells);
 
     // So many rows at once that their corners fit in a draw list, whatever stands in the cells.
     constexpr int most_cells = 1200;

@@ -1,19 +1,22 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <glm/vec2.hpp>
 
 #include "session/canvas_view.h"
 #include "ui/canvas/compare_view.h"
+#include "ui/canvas/vertex_labels.h"
 
 namespace rasterwalk {
 
 /// What stands in the cells of the picture where they are large: whether each fragment of the
 /// triangle on show, and of the picked pixel, passed the depth test, and a number if one is chosen.
 /// Costs what is visible.
-/// @param seen the part of the canvas in which the picture can be seen
-void draw_cells(Ui& ui, const Pane& seen);
+/// @param seen   the part of the canvas in which the picture can be seen
+/// @param labels that stand on it: nothing is drawn under them
+void draw_cells(Ui& ui, const Pane& seen, const std::vector<VertexLabel>& labels);
 
 /// The number that stands in a cell at this width; empty if there is none, or no room for it.
 /// @param room screen pixels

@@ -141,12 +141,14 @@ CardLayout card_layout(const Ui& ui, ImVec2 card, const Image& image) {
 
 /// The first form that has room, broken into lines; empty if none has.
 std::string lines_that_fit(const std::vector<std::string>& forms, ImVec2 room, float line) {
+    std::vector<std::string> low_enough;
     for (const std::string& form : forms) {
         const std::string lines = broken_into_lines(form, room.x);
         const auto count = static_cast<float>(1 + std::count(lines.begin(), lines.end(), '\n'));
-        if (count * line <= room.y && ImGui::CalcTextSize(lines.c_str()).x <= room.x) return lines;
+        if (count * line <= room.y) low_enough.push_back(lines);
     }
-    return {};
+    low_enough.emplace_back();
+    return first_fitting(low_enough, room.x);
 }
 
 /// The name, and the words as far as they have room: nothing is cut.
@@ -154,20 +156,17 @@ void draw_words(const Ui& ui, ImDrawList* list, const Variant& variant, const Ca
                 ImVec2 low, ImVec2 high) {
     const Palette& p = palette(ui.options.theme);
     const float size = ui.fonts.small->FontSize, line = std::round(1.3f * size);
-    const auto width_of = [&](std::string_view name) {
-        return ui.fonts.bold
-            ->CalcTextSizeA(size, FLT_MAX, 0.0f, name.data(), name.data() + name.size())
-            .x;
-    };
-    const bool has_room = width_of(variant.title) <= layout.room;
+    const bool has_room = text_width(ui.fonts.bold, variant.title, size) <= layout.room;
     const std::string name(has_room ? variant.title : variant.short_title);
     const ImVec2 at{low.x + layout.words.x, low.y + layout.words.y};
     list->AddText(ui.fonts.bold, size, at, packed(p.text), name.c_str());
     ImGui::PushFont(ui.fonts.small);
     if (layout.is_above) {
-        const float from = width_of(name) + 8.0f * ui.options.text_scale;
+        const float from = text_width(ui.fonts.bold, name, size) + 8.0f * ui.options.text_scale;
+        std::vector<std::string> words = variant.words;
+        words.emplace_back();
         list->AddText({at.x + from, at.y}, packed(p.dim),
-                      first_fitting(variant.words, layout.room - from).c_str());
+                      first_fitting(words, layout.room - from).c_str());
     } else {
         float y = at.y + line;
         const std::string lines = lines_that_fit(variant.words, {layout.room, high.y - y}, line);

@@ -60,7 +60,8 @@ float divider_x(const Ui& ui, const Pane& canvas) {
 
 /// The words of a title: as many as leave the picture free, or else as have room.
 std::string title_words(const Ui& ui, bool of_b, ImVec2 corner, float room, bool is_at_right) {
-    const std::vector<std::string> forms = run_forms(ui.session, of_b);
+    std::vector<std::string> forms = run_forms(ui.session, of_b);
+    forms.emplace_back(); // the letter says which run it is
     const PicturePlace& place =
         of_b && ui.compare.place_of_b ? *ui.compare.place_of_b : ui.canvas.place;
     const float u = ui.options.text_scale;
@@ -85,8 +86,7 @@ void draw_title(Ui& ui, ImDrawList* list, bool of_b, float left, float right, fl
     ImGui::PushFont(font);
     const std::string words = title_words(ui, of_b, {is_at_right ? right : left, top},
                                           right - left - title_border * u, is_at_right);
-    const float text_width = ImGui::CalcTextSize(words.c_str()).x;
-    const float width = words.empty() ? side : side + text_width + 16.0f * u;
+    const float width = words.empty() ? side : side + text_width(words) + 16.0f * u;
     ImGui::PopFont();
     const float x = is_at_right ? right - width : left;
     const ImVec2 low{std::round(x), std::round(top + 0.5f * (title_height * u - side))};
@@ -97,7 +97,7 @@ void draw_title(Ui& ui, ImDrawList* list, bool of_b, float left, float right, fl
     const char* const letter = of_b ? "B" : "A";
     ImFont* const bold = ui.fonts.bold;
     const float letter_size = font->FontSize;
-    const float letter_width = bold->CalcTextSizeA(letter_size, FLT_MAX, 0.0f, letter).x;
+    const float letter_width = text_width(bold, letter, letter_size);
     const float text_y = low.y + 0.5f * (side - letter_size);
     list->AddText(bold, letter_size, {low.x + 0.5f * (side - letter_width), text_y}, packed(p.text),
                   letter);
@@ -270,9 +270,10 @@ void draw_compare_bar(Ui& ui) {
                 shortened(ui.results.no_comparison, room));
         name_widget(ui, "compare.fault", ui.results.no_comparison);
     } else {
-        const std::vector<std::string> forms = difference_forms(ui.results.comparison.pixels);
+        std::vector<std::string> forms = difference_forms(ui.results.comparison.pixels);
+        forms.emplace_back(); // the Compare tab has the numbers, too
         const std::string shown = first_fitting(forms, room);
-        const float width = ImGui::CalcTextSize(shown.c_str()).x;
+        const float width = text_width(shown);
         ImGui::SetCursorScreenPos(
             {std::max(right - ends - gap - width, left), ImGui::GetCursorScreenPos().y});
         text_in(p.dim, shown);

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "ui/actions/picture_fit.h"
+#include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
 
@@ -60,10 +61,10 @@ class Ruler {
         if (strip_right > 0.0f) m.list->AddRectFilled(m.low, {strip_right, m.high.y}, ground);
         const float number_y =
             strip_bottom > 0.0f ? m.low.y + 4.0f * m.u : cells.top - size - 4.0f * m.u;
-        const int step = step_at(width_of(8888));
+        const int step = step_at(text_width(font, "8888"));
         for (int c = cells.columns.first; c < cells.columns.last; ++c) {
             if (c % step != 0) continue;
-            const float width = width_of(c);
+            const float width = text_width(font, std::to_string(c));
             const float x = m.at(static_cast<float>(c), 0.0f).x - 0.5f * width;
             if (x < std::max(m.low.x, strip_right) || x + width > m.high.x) continue;
             write(x, number_y, c, strip_bottom > 0.0f);
@@ -74,7 +75,7 @@ class Ruler {
                 strip_right > 0.0f ? strip_right - 5.0f * m.u : cells.left - 6.0f * m.u;
             const float y = m.at(0.0f, static_cast<float>(r)).y - 0.5f * size;
             if (y < std::max(m.low.y, strip_bottom) || y + size > m.high.y) continue;
-            write(right - width_of(r), y, r, strip_right > 0.0f);
+            write(right - text_width(font, std::to_string(r)), y, r, strip_right > 0.0f);
         }
     }
 
@@ -84,9 +85,6 @@ class Ruler {
     }
 
   private:
-    float width_of(int number) const {
-        return font->CalcTextSizeA(size, FLT_MAX, 0.0f, std::to_string(number).c_str()).x;
-    }
     int step_at(float widest) const {
         return m.scale >= widest ? 1 : m.scale * 5.0f >= widest ? 5 : 10;
     }

@@ -143,6 +143,7 @@ void draw_caption(Ui& ui, ImDrawList* list, const Pane& pane) {
         const std::string rays = "rays of " + triangle_name(*triangle);
         forms = {hint + " · " + rays, rays, "rays of " + short_triangle_name(*triangle)};
     }
+    forms.emplace_back(); // the button comes first
     const float left = pane.low.x + 10.0f * u;
     const float room = right - width - 12.0f * u - left;
     list->AddText({left, top + ImGui::GetStyle().FramePadding.y},

@@ -43,7 +43,7 @@ float header_height(const Ui& ui) {
 /// @param middle of its line, screen pixels
 void write(const Table& t, ImFont* font, const std::string& text, float right, float middle,
            const ImVec4& colour) {
-    const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, text.c_str()).x;
+    const float width = text_width(font, text);
     t.list->AddText(font, font->FontSize,
                     {std::round(right - width), std::round(middle - 0.5f * font->FontSize)},
                     packed(colour), text.c_str());

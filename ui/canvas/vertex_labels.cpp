@@ -1,13 +1,12 @@
 #include "ui/canvas/vertex_labels.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
-#include <span>
 
 #include "base/element_names.h"
 #include "ui/canvas/marks.h"
+#include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
 
@@ -70,7 +69,7 @@ VertexLabel label_towards(const Surroundings& s, std::size_t vertex, std::string
     const float around = 3.0f * m.u;
     // Beside the vertex's own pixel and its dot.
     const float gap = std::max(7.0f * m.u, 0.5f * m.scale + 2.0f * m.u);
-    const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, name.c_str()).x;
+    const float width = text_width(font, name);
     const ImVec2 half{0.5f * width + around, 0.5f * font->FontSize};
     const float x = std::cos(angle), y = std::sin(angle);
     const float longer = std::max(std::abs(x), std::abs(y));

@@ -59,7 +59,7 @@ void draw_no_comparison(Ui& ui) {
     draw_choice_of_difference(ui, "or compare by a setting ...");
 }
 
-void header_cell(Ui& ui, const char* title, const char* name, const char* help, bool is_left) {
+void header_cell(Ui& ui, const char* title, std::string_view name, const char* help, bool is_left) {
     ImGui::TableNextColumn();
     ImGui::PushFont(ui.fonts.small);
     if (is_left) {
@@ -99,9 +99,12 @@ void edit_both(Ui& ui, const std::string& name, const Setting& setting) {
     ImGui::PopID();
 }
 
-void run_headers(Ui& ui) {
-    header_cell(ui, "A", "compare.header.a", "Run A, which the switches and settings set.", true);
-    header_cell(ui, "B", "compare.header.b", "Run B, which is compared with it.", true);
+/// @param of the setting that the columns are of; empty: of all
+void run_headers(Ui& ui, const std::string& of) {
+    const std::string end = of.empty() ? "" : "." + of;
+    header_cell(ui, "A", "compare.header.a" + end, "Run A, which the switches and settings set.",
+                true);
+    header_cell(ui, "B", "compare.header.b" + end, "Run B, which is compared with it.", true);
 }
 
 bool begin_columns(const std::string& name, int count) {
@@ -129,7 +132,7 @@ void draw_settings(Ui& ui) {
             setting_link(ui, name, *find_setting(name));
             if (!begin_columns("compare.settings." + name, 2)) continue;
             ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
-            run_headers(ui);
+            run_headers(ui, name);
             ImGui::TableNextRow();
             edit_both(ui, name, *find_setting(name));
             ImGui::EndTable();
@@ -139,7 +142,7 @@ void draw_settings(Ui& ui) {
     if (!begin_columns("compare.settings", 3)) return;
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     header_cell(ui, "setting", "compare.header.setting", "What is set otherwise in run B.", true);
-    run_headers(ui);
+    run_headers(ui, "");
     for (const RunDifference& difference : differences) {
         const std::string name(difference.setting);
         ImGui::TableNextRow();

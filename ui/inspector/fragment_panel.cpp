@@ -87,11 +87,9 @@ std::string place_of(const FragmentReport& report, float room) {
     const std::string bare = " · " + element_name(entry_form, report.row.index) + " · " +
                              element_name(fragment_form, report.step);
     const std::string shortest = short_triangle_name(triangle) + bare;
-    for (const std::string& place :
-         {triangle_name(triangle) + counted, short_triangle_name(triangle) + counted, shortest}) {
-        if (ImGui::CalcTextSize(place.c_str()).x <= room) return place;
-    }
-    return shortened(shortest, room);
+    return first_fitting(
+        {triangle_name(triangle) + counted, short_triangle_name(triangle) + counted, shortest},
+        room);
 }
 
 /// Where lines are few the links stand below the numbers.

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <cfloat>
 #include <cmath>
 #include <string>
 
@@ -103,7 +102,7 @@ void draw_button(Ui& ui, const GroupButton& button, ImVec2 at, ImVec2 size, bool
     const float y = at.y + 0.5f * (size.y - height);
     list->PushClipRect(at, end, true);
     ImFont* const font = button.chosen ? ui.fonts.bold : ui.fonts.text;
-    const float wide = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, button.title.c_str()).x;
+    const float wide = text_width(font, button.title);
     ImGui::PushFont(wide <= room ? font : ui.fonts.small);
     list->AddText({x, y}, packed(button.chosen || hovered ? p.text : p.dim),
                   shortened(button.title, room).c_str());

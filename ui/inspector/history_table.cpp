@@ -50,10 +50,6 @@ struct Columns {
     }
 };
 
-float width_in(ImFont* font, const std::string& text) {
-    return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, text.c_str()).x;
-}
-
 /// What the two columns are called that say where in its triangle a fragment lies: each number
 /// stands below the name of what it counts.
 struct PlaceTitles {
@@ -78,39 +74,50 @@ std::string in_brackets(int index) {
 }
 
 float piece_width(const Ui& ui, const PlaceTitles& titles) {
-    return std::max(width_in(ui.fonts.small, titles.piece), width_in(ui.fonts.mono, "[000]"));
+    return std::max(text_width(ui.fonts.small, titles.piece), text_width(ui.fonts.mono, "[000]"));
 }
 
 float step_width(const Ui& ui, const PlaceTitles& titles) {
-    return std::max(width_in(ui.fonts.small, titles.step), width_in(ui.fonts.mono, "[000]"));
+    return std::max(text_width(ui.fonts.small, titles.step), text_width(ui.fonts.mono, "[000]"));
 }
+
+/// The title of the column that names triangles.
+constexpr const char* name_title = "triangle";
 
 Columns measure_columns(const Ui& ui, const PixelHistory& history, float room) {
     ImFont* const mono = ui.fonts.mono;
     struct Form {
-        bool has_place, has_number;
+        bool has_place, has_number, has_margin;
         float padding; ///< design pixels
-        const char* least_name;
+        std::string least_name;
     };
+    // The entries stand in the order of drawing: the last triangle has the longest number.
+    const int last = history.entries.empty() ? 0 : history.entries.back().cursor.triangle;
+    const std::string number =
+        "t" + std::string(std::max<std::size_t>(std::to_string(last).size(), 2), '0');
     const PlaceTitles place = place_titles(ui.results.a.frame.settings.stage);
     // From roomy to narrow; the last one is taken if none fits.
-    const Form forms[] = {
-        {true, true, 7.0f, "t00 tall block"},  {true, true, 4.0f, "t00 tall block"},
-        {true, false, 4.0f, "t00 tall block"}, {false, true, 5.0f, "t00 tall block"},
-        {false, true, 4.0f, "t00 tall bl"},    {false, false, 4.0f, "t000"}};
+    const Form forms[] = {{true, true, true, 7.0f, number + " tall block"},
+                          {true, true, true, 4.0f, number + " tall block"},
+                          {true, false, true, 4.0f, number + " tall block"},
+                          {false, true, true, 5.0f, number + " tall block"},
+                          {false, true, true, 4.0f, number + " tall bl"},
+                          {false, false, true, 4.0f, number},
+                          {false, false, false, 4.0f, number}};
     // Marks have no depth value, and so no margin.
-    const bool has_margin =
+    const bool has_margins =
         history.depth_tested && has_fragments(ui.results.a.frame.settings.stage);
     Columns columns;
     for (const Form& form : forms) {
         columns.padding = form.padding * ui.options.text_scale;
-        columns.widths = {form.has_number ? width_in(mono, "00") : 0.0f,
-                          width_in(ui.fonts.bold, form.least_name),
+        columns.widths = {form.has_number ? text_width(mono, "00") : 0.0f,
+                          std::max(text_width(ui.fonts.bold, form.least_name),
+                                   text_width(ui.fonts.small, name_title)),
                           form.has_place ? piece_width(ui, place) : 0.0f,
                           form.has_place && !place.step.empty() ? step_width(ui, place) : 0.0f,
-                          width_in(mono, "0.0000"),
-                          has_margin ? width_in(mono, "+0.0000") : 0.0f,
-                          width_in(ui.fonts.small, "✓ written"),
+                          text_width(mono, "0.0000"),
+                          has_margins && form.has_margin ? text_width(mono, "+0.0000") : 0.0f,
+                          text_width(ui.fonts.small, "✓ written"),
                           mono->FontSize};
         float left = room;
         for (const float width : columns.widths)
@@ -209,7 +216,7 @@ void draw_entry(Ui& ui, const PixelHistory& history, int index, const Columns& c
     const std::string number = short_triangle_name(entry.cursor.triangle);
     const std::string name = number + " " + part_name(*ui.results.a.scene, entry.cursor.triangle);
     const float room = columns.widths[name_column];
-    const bool is_bold = stays(history, index) && width_in(ui.fonts.bold, name.c_str()) <= room;
+    const bool is_bold = stays(history, index) && text_width(ui.fonts.bold, name) <= room;
     ImGui::PushFont(is_bold ? ui.fonts.bold : ui.fonts.text);
     text_in(colour, first_fitting({name, number}, room));
     ImGui::PopFont();
@@ -258,7 +265,7 @@ void draw_history_headers(Ui& ui, const Columns& columns) {
     const PlaceTitles place = place_titles(ui.results.a.frame.settings.stage);
     const Header headers[] = {
         {"number", "#", "Number of the fragment, in the order of drawing, from 0."},
-        {"triangle", "triangle", "The triangle that it belongs to, and the part of the scene."},
+        {"triangle", name_title, "The triangle that it belongs to, and the part of the scene."},
         {"piece", place.piece, place.piece_help},
         {"step", place.step, place.step_help},
         {"zinv", is_linear_z(ui) ? "1/lin z" : "1/z",

@@ -23,7 +23,7 @@ bool word_line(const Ui& ui, const std::string& said, const std::string& word, b
     const float u = ui.options.text_scale;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImFont* const mono = ui.fonts.mono_small;
-    const float width = mono->CalcTextSizeA(mono->FontSize, FLT_MAX, 0.0f, word.c_str()).x;
+    const float width = text_width(mono, word);
     const float needed = ImGui::CalcTextSize(said.c_str()).x + 18.0f * u + width;
     const ImVec2 size{std::max(needed, ImGui::GetContentRegionAvail().x), 0.0f};
     const bool is_pressed = ImGui::Selectable(("##" + word).c_str(), is_chosen, 0, size);

@@ -48,7 +48,7 @@ void draw_triangle_title(Ui& ui) {
     const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
     const bool is_last = triangle == count - 1 && count > 1;
     const std::string place = (is_last ? "the last of " : "of ") + std::to_string(count);
-    text_in(p.dim, first_fitting({place + " · " + part, place},
+    text_in(p.dim, first_fitting({place + " · " + part, place, ""},
                                  ImGui::GetContentRegionAvail().x - width - gap));
     ImGui::SameLine();
     ImGui::SetCursorPosX(std::max(right - width, ImGui::GetCursorPosX()));

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cfloat>
 #include <span>
 #include <string>
 #include <utility>
@@ -164,7 +163,7 @@ void draw_table(Ui& ui, int chosen, std::span<const Line> shown) {
     // The numbers share what the words leave.
     float room = ImGui::GetContentRegionAvail().x;
     const auto add_words = [&](ImFont* font, const char* widest) {
-        const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, widest).x;
+        const float width = text_width(font, widest);
         ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, width);
         room -= width;
     };

@@ -155,7 +155,7 @@ void draw_drawer_head(Ui& ui, const Lesson& lesson, const Area& area) {
     if (part >= 0) ui.lesson.part_to_show = part;
     const std::string place = place_in_lesson(ui, lesson);
     const ImFont* const small = ui.fonts.small;
-    const float width = small->CalcTextSizeA(small->FontSize, FLT_MAX, 0.0f, place.c_str()).x;
+    const float width = text_width(small, place);
     const float words = part_words_width(ui, lesson, step, -1);
     if (words + width > area.size.x) return;
     const ImVec2 at{area.position.x + words,

@@ -25,7 +25,7 @@ bool draw_entry(Ui& ui, const std::string& name, const std::string& mark, const 
     const float wrap = width - indent - margin;
     const ImFont* const font = ui.fonts.text;
     const ImFont* const small = ui.fonts.small;
-    const float right_width = small->CalcTextSizeA(small->FontSize, FLT_MAX, 0.0f, right.c_str()).x;
+    const float right_width = text_width(small, right);
     const ImVec2 title_size =
         font->CalcTextSizeA(font->FontSize, FLT_MAX, wrap - right_width - margin, title.c_str());
     const ImVec2 below_size = small->CalcTextSizeA(small->FontSize, FLT_MAX, wrap, below.c_str());

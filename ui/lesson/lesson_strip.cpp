@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <vector>
 
 #include "ui/actions/lesson_links.h"
 #include "ui/actions/open_lesson.h"
@@ -47,7 +46,7 @@ int draw_head(Ui& ui, const Head& head, float width, Area& words) {
     const float gap = 12.0f * u, height = word_height * u;
     const ImVec2 start = ImGui::GetCursorScreenPos();
     const ImFont* const small = ui.fonts.small;
-    const float place = small->CalcTextSizeA(small->FontSize, FLT_MAX, 0.0f, head.place.c_str()).x;
+    const float place = text_width(small, head.place);
     ImGui::PushFont(ui.fonts.bold);
     const float whole = text_width(head.title);
     ImGui::PopFont();

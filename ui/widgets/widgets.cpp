@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cfloat>
 #include <cmath>
 #include <optional>
 
@@ -309,11 +310,18 @@ float text_width(std::string_view text) {
     return text.empty() ? 0.0f : ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
 }
 
+float text_width(const ImFont* font, std::string_view text, float size) {
+    if (text.empty()) return 0.0f;
+    return font
+        ->CalcTextSizeA(size > 0.0f ? size : font->FontSize, FLT_MAX, 0.0f, begin(text), end(text))
+        .x;
+}
+
 std::string first_fitting(const std::vector<std::string>& forms, float width) {
     for (const std::string& form : forms) {
-        if (ImGui::CalcTextSize(form.c_str()).x <= width) return form;
+        if (form.empty() || text_width(form) <= width) return form;
     }
-    return {};
+    return forms.empty() ? std::string() : shortened(forms.back(), width);
 }
 
 float button_width(std::string_view label) {

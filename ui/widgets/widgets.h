@@ -92,7 +92,12 @@ bool list_entry(Ui& ui, std::string_view name, std::string_view label, bool is_c
 /// How wide one line of text is in the font at hand, in pixels of the window.
 float text_width(std::string_view text);
 
-/// The first of these texts that fits into the width in the present font; empty if none does.
+/// The same in another font.
+/// @param size of its letters; 0: the font's own
+float text_width(const ImFont* font, std::string_view text, float size = 0.0f);
+
+/// The first of these texts that fits into the width in the present font, or else as much of the
+/// last one as fits. Where nothing may be said as well, the last one is empty: that always fits.
 std::string first_fitting(const std::vector<std::string>& forms, float width);
 
 /// The width that a label takes as a button.

@@ -38,6 +38,22 @@ std::vector<std::string> shortened_lines(const std::vector<std::string>& names) 
 
 const std::vector<std::string> nothing;
 
+/// All that stands in the windows whose names begin with this.
+std::string all_words(const std::string& name) {
+    std::string words;
+    for (const ScreenText& text : screen_text()) {
+        if (text.window.starts_with(name)) words += text.words + "\n";
+    }
+    return words;
+}
+
+/// What is said in this tab, however little room there is; empty: nothing in particular.
+std::string said_by(std::string_view tab) {
+    if (tab == "history") return "(250, 400)";
+    if (tab == "graph") return "column ";
+    return "";
+}
+
 } // namespace
 
 TEST_CASE("No panel shortens what it says, nor does the line below the time line") {
@@ -46,11 +62,15 @@ TEST_CASE("No panel shortens what it says, nor does the line below the time line
         Driver driver("lab-room.toml", window.size, window.text_scale);
         driver.ui.session.selection.pixel = glm::ivec2(250, 400);
         driver.ui.session.selection.triangle = 10;
-        for (const char* tab : {"vertices", "rows", "microscope", "history", "graph", "compare"}) {
+        for (const char* tab :
+             {"vertices", "rows", "microscope", "history", "graph", "compare", "lab"}) {
             CAPTURE(tab);
             driver.open(tab);
             driver.hand.leave();
             CHECK(shortened_lines({"inspector", "transport"}) == nothing);
+            // Nor does it leave out what it is about.
+            if (const auto said = said_by(tab); !said.empty())
+                CHECK_THAT(all_words("inspector"), Catch::Contains(said));
         }
     }
 }

@@ -379,4 +379,22 @@ TEST_CASE("In a small window every way to show two runs has room") {
     }
 }
 
+TEST_CASE("In a narrow tab each setting's columns have names of their own") {
+    Driver driver("lab-room.toml", {1024, 640}, 1.5f);
+    driver.hand.press('C');
+    driver.ui.session.b->settings.camera.focal_length += 10.0f;
+    driver.open("compare");
+    driver.hand.leave();
+    int settings = 0;
+    for (const auto& [name, place] : driver.ui.widgets) {
+        if (!name.starts_with("compare.setting.")) continue;
+        ++settings;
+        const std::string setting = name.substr(std::string_view("compare.setting.").size());
+        CAPTURE(setting);
+        CHECK(driver.ui.widgets.count("compare.header.a." + setting) == 1);
+        CHECK(driver.ui.widgets.count("compare.header.b." + setting) == 1);
+    }
+    CHECK(settings > 1);
+}
+
 } // namespace rasterwalk

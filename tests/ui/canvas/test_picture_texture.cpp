@@ -1,8 +1,10 @@
 // What of the picture the graphics system is given.
 
+#include <algorithm>
+#include <cmath>
+
 #include <catch2/catch.hpp>
 
-#include "picture/resample.h"
 #include "settings/setting_table.h"
 #include "tests/ui/driver.h"
 #include "ui/ui.h"
@@ -11,21 +13,47 @@ namespace rasterwalk {
 
 namespace {
 
+/// A channel of a pixel of the opaque picture in another size: the mean of the old ones that it
+/// covers, each weighted by the area covered.
+double resampled_channel(const Image& image, double scale, int column, int row, int channel) {
+    const auto covered = [&](int old, int now) {
+        return std::max(std::min((now + 1) / scale, old + 1.0) - std::max(now / scale, old + 0.0),
+                        0.0);
+    };
+    double sum = 0.0, area = 0.0;
+    for (int y = static_cast<int>(row / scale); y < image.height && covered(y, row) > 0.0; ++y) {
+        for (int x = static_cast<int>(column / scale); x < image.width && covered(x, column) > 0.0;
+             ++x) {
+            const double part = covered(x, column) * covered(y, row);
+            const std::size_t at =
+                4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                     static_cast<std::size_t>(x));
+            sum += part * image.rgba[at + static_cast<std::size_t>(channel)];
+            area += part;
+        }
+    }
+    return area > 0.0 ? sum / area : 0.0;
+}
+
 /// Is what was uploaded last the texture's part of the picture, resampled?
 bool is_up_to_date(const Driver& driver) {
     const PictureTexture& texture = driver.ui.canvas.picture;
-    const Image whole = resampled(driver.ui.results.a.picture, texture.scale);
+    const Image& picture = driver.ui.results.a.picture;
     const Image& shown = driver.textures.last;
     const Rectangle& window = texture.window;
     if (shown.width != window.right - window.left || shown.height != window.bottom - window.top)
         return false;
-    for (int row = 0; row < shown.height; ++row) {
-        const auto from =
-            whole.rgba.begin() +
-            4 * ((static_cast<std::ptrdiff_t>(window.top) + row) * whole.width + window.left);
-        const auto line = shown.rgba.begin() + 4 * static_cast<std::ptrdiff_t>(row) * shown.width;
-        if (!std::equal(line, line + 4 * static_cast<std::ptrdiff_t>(shown.width), from))
-            return false;
+    const double scale = static_cast<double>(texture.scale);
+    std::size_t at = 0;
+    for (int row = window.top; row < window.bottom; ++row) {
+        for (int column = window.left; column < window.right; ++column, at += 4) {
+            for (int channel = 0; channel < 3; ++channel) {
+                const double expected = resampled_channel(picture, scale, column, row, channel);
+                // To the next whole number, either way at a half.
+                if (std::abs(shown.rgba[at + static_cast<std::size_t>(channel)] - expected) > 0.51)
+                    return false;
+            }
+        }
     }
     return true;
 }

@@ -1,8 +1,14 @@
 #include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
 #include "session/results.h"
+#include "session/session.h"
+#include "support/project_root.h"
+#include "support/samples.h"
 #include "tests/ui/driver.h"
 #include "tests/ui/screen_text.h"
 #include "ui/actions/keys.h"
@@ -197,6 +203,34 @@ TEST_CASE("The place of a fragment stands below the names of what it counts") {
         if (*c.step != 0) CHECK(stands(c.step));
         CHECK(driver.hand.is_visible("history.header.step") == (*c.step != 0));
         CHECK_FALSE(stands("row [column]"));
+    }
+}
+
+TEST_CASE("Every line names its triangle, however many there are and little room") {
+    std::vector<std::array<glm::vec3, 3>> triangles(110'000,
+                                                    {{{0, 0, -1}, {1, 0, -1}, {0, 1, -1}}});
+    for (int i = 0; i < 4; ++i)
+        triangles.push_back({{{2, 2, 1}, {30, 2, 1}, {2, 30, 1}}});
+    Session session = open_session(project_root() + "/lessons/scenes/lab-room.toml");
+    set_scene(session, test::pixel_scene(triangles, {40, 40}));
+    for (const ImVec2 window : {ImVec2(640, 480), ImVec2(800, 600), ImVec2(1600, 1000)}) {
+        CAPTURE(window.x, window.y);
+        Driver driver(session, window);
+        driver.ui.session.selection.pixel = glm::ivec2(5, 5);
+        driver.open("history");
+        driver.hand.leave();
+        REQUIRE(driver.ui.results.history);
+        REQUIRE(driver.ui.results.history->entries.size() == 4);
+        std::string words;
+        bool has_header = false;
+        for (const ScreenText& text : screen_text()) {
+            if (!text.window.starts_with("inspector")) continue;
+            words += text.words + "\n";
+            has_header = has_header || text.words == "triangle";
+        }
+        CHECK(has_header);
+        for (const char* name : {"t110000", "t110001"})
+            CHECK_THAT(words, Catch::Contains(name));
     }
 }
 
