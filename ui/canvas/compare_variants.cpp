@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -202,14 +203,15 @@ std::string tooltip_of_variant(const Ui& ui, const Variant& variant) {
     return text + "\nClick: shows it large.";
 }
 
-/// The widest of the shortest words of all: the small pictures stay equally large.
+/// The widest single word of the shortest words of all: the small pictures stay equally large.
 float least_words(const Ui& ui, const std::array<Variant, 3>& variants) {
     ImFont* const font = ui.fonts.small;
     float width = 0.0f;
     for (const Variant& variant : variants) {
-        const std::string& words = variant.words.back();
-        width =
-            std::max(width, font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, words.c_str()).x);
+        std::istringstream words(variant.words.back());
+        for (std::string word; words >> word;)
+            width =
+                std::max(width, font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, word.c_str()).x);
     }
     return width;
 }
