@@ -37,6 +37,12 @@ std::optional<glm::ivec2> pixel_of(const Frame& frame, const Cursor& cursor) {
     return glm::ivec2(rows.left[cursor.index].column + cursor.step, rows.first_row + cursor.index);
 }
 
+/// Run A alone in a small window would look as if nothing was compared.
+void show_both(Ui& ui) {
+    CompareView& view = ui.session.compare_view;
+    if (view == CompareView::run_a && !ui.compare.has_small) view = CompareView::wipe;
+}
+
 } // namespace
 
 const ComparePair* pair_on_show(const Session& session) {
@@ -44,13 +50,20 @@ const ComparePair* pair_on_show(const Session& session) {
     return hides_settings(session) ? nullptr : pair_of_runs(session);
 }
 
+void begin_pair(Ui& ui, const ComparePair& pair) {
+    const bool is_first = !ui.session.b;
+    start_pair(ui.session, pair);
+    if (is_first) show_both(ui);
+}
+
 void toggle_compare(Ui& ui) {
     if (ui.session.b) {
         end_comparison(ui.session);
     } else if (ui.session.quiz) {
         compare_with(ui.session, quiz_reference(ui.session));
+        show_both(ui);
     } else {
-        start_pair(ui.session, pair_for(step_of(ui.session.a.settings)));
+        begin_pair(ui, pair_for(step_of(ui.session.a.settings)));
         show_compare_tab(ui.session);
     }
 }

@@ -18,6 +18,10 @@ struct Ui;
 /// hides it.
 const ComparePair* pair_on_show(const Session& session);
 
+/// Begins to compare a pair. Where the small pictures have no room, both runs are seen beside the
+/// divider, unless another way to show them was chosen.
+void begin_pair(Ui& ui, const ComparePair& pair);
+
 /// Begins to compare the pair that suits the stage, or ends the comparison.
 void toggle_compare(Ui& ui);
 

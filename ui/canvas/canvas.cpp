@@ -63,13 +63,19 @@ float gap_below(const Ui& ui) {
     return std::round(8.0f * ui.options.text_scale);
 }
 
+/// The line above the pictures that are compared, screen pixels.
+float compare_bar_height(const Ui& ui) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    return ui.fonts.small->FontSize + 2.0f * style.FramePadding.y + style.ItemSpacing.y;
+}
+
 /// The room that two pictures have in a canvas of this size: without the lines above them, and the
 /// small pictures below.
 ImVec2 room_of_pictures(const Ui& ui, ImVec2 canvas) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const float u = ui.options.text_scale;
     const float header = ImGui::GetFrameHeight() + style.ItemSpacing.y;
-    const float bar = ui.fonts.small->FontSize + 2.0f * style.FramePadding.y + style.ItemSpacing.y;
+    const float bar = compare_bar_height(ui);
     const ImVec2 room{std::max(canvas.x - 2.0f * canvas_padding.x * u, 1.0f),
                       std::max(canvas.y - 2.0f * canvas_padding.y * u - header - bar, 1.0f)};
     const float row = variants_height(ui, room);
@@ -87,9 +93,14 @@ void draw_picture(Ui& ui, const Pane& pane) {
     const float overdraw = overdraw_legend_height(ui);
     const float legend = difference > 0.0f ? difference : std::max(depth, overdraw);
     const float legend_gap = legend > 0.0f ? gap_below(ui) : 0.0f;
-    const float above_row = space.y - legend - legend_gap - gap_below(ui);
+    const float overlays = overlay_legend_height(ui, space);
+    const float overlays_gap = overlays > 0.0f ? gap_below(ui) : 0.0f;
+    const float legends = legend + legend_gap + overlays + overlays_gap;
+    const float above_row = space.y - legends - gap_below(ui);
     const float row = variants_height(ui, {space.x, above_row});
-    const float below = legend + legend_gap + (row > 0.0f ? row + gap_below(ui) : 0.0f);
+    const float bar = is_comparing(ui) ? 0.0f : compare_bar_height(ui);
+    ui.compare.has_small = has_room_for_variants(ui, above_row - bar);
+    const float below = legends + (row > 0.0f ? row + gap_below(ui) : 0.0f);
     const ImVec2 frame_room{std::max(space.x, 1.0f), std::max(space.y - below, 1.0f)};
     const ImVec2 frame_high{frame_low.x + frame_room.x, frame_low.y + frame_room.y};
     const Pane canvas{frame_low, frame_high};
@@ -132,9 +143,12 @@ void draw_picture(Ui& ui, const Pane& pane) {
             zoom_by_wheel(ui, io.MousePos, io.MouseWheel, panes.a);
     }
     list->AddRect(frame_low, frame_high, packed(p.line), 4.0f * u);
-    draw_overlay_legend(ui, {std::max(seen.low.x, panes.a.low.x), panes.a.low.y},
-                        {std::min(seen.high.x, panes.a.high.x), panes.a.high.y});
-    const float legend_top = frame_high.y + legend_gap;
+    const float overlays_top = frame_high.y + overlays_gap;
+    if (overlays > 0.0f) {
+        draw_overlay_legend(ui, space, {frame_low.x, overlays_top},
+                            {frame_high.x, overlays_top + overlays});
+    }
+    const float legend_top = overlays_top + overlays + legend_gap;
     if (difference > 0.0f) {
         draw_difference_legend(ui, {frame_low.x, legend_top}, {frame_high.x, legend_top + legend});
     } else if (depth > 0.0f) {

@@ -54,6 +54,7 @@ struct CompareLook {
     std::array<PictureTexture, 3> small;    ///< the small pictures of A, B and B minus A
     OfferPictures offers;                   ///< before anything is compared
     std::optional<PicturePlace> place_of_b; ///< of its picture, while both are large
+    bool has_small = true;                  ///< there is, or would be, room for the small pictures
     float blink_seconds = 0.0f;             ///< since A was last shown anew
     bool blink_is_held = false;
 };

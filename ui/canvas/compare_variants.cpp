@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,7 +21,8 @@ namespace {
 
 /// Design pixels.
 constexpr float largest_height = 170.0f, wished_least = 84.0f, least_height = 44.0f;
-constexpr float card_padding = 8.0f, words_width = 92.0f;
+constexpr float card_padding = 8.0f, tight_padding = 4.0f, words_width = 92.0f;
+constexpr float least_picture = 24.0f;
 
 /// Of a card, for its words.
 constexpr float largest_words_share = 0.42f;
@@ -111,8 +113,11 @@ struct CardLayout {
     bool is_above;  ///< the words are one line above the picture, or else stand beside it
 };
 
-CardLayout card_layout(const Ui& ui, ImVec2 card, const Image& image) {
-    const float u = ui.options.text_scale, pad = std::round(card_padding * u);
+/// @param least_words the width of the words that must not be left out
+CardLayout card_layout(const Ui& ui, ImVec2 card, const Image& image, float least_words) {
+    const float u = ui.options.text_scale;
+    const bool is_tight = least_words > largest_words_share * card.x;
+    const float pad = std::round((is_tight ? tight_padding : card_padding) * u);
     const float line = std::round(1.3f * ui.fonts.small->FontSize);
     const ImVec2 size{static_cast<float>(image.width), static_cast<float>(image.height)};
     const auto scale_in = [&](float width, float height) {
@@ -120,7 +125,10 @@ CardLayout card_layout(const Ui& ui, ImVec2 card, const Image& image) {
         return scale >= 1.0f ? std::floor(scale) : scale; // pixels stay equally large
     };
     const float above = scale_in(card.x - 2.0f * pad, card.y - line - 2.0f * pad);
-    const float words = std::min(words_width * u, largest_words_share * card.x);
+    // A picture smaller than this would show nothing.
+    const float most_words = std::max(card.x - 3.0f * pad - least_picture * u, 0.0f);
+    const float words = std::max(std::min(words_width * u, largest_words_share * card.x),
+                                 std::min(std::ceil(least_words), most_words));
     const float beside = scale_in(card.x - words - 3.0f * pad, card.y - 2.0f * pad);
     CardLayout layout{};
     layout.is_above = above >= beside;
@@ -152,24 +160,28 @@ std::string lines_that_fit(const std::vector<std::string>& forms, ImVec2 room, f
 }
 
 /// The name, and the words as far as they have room: nothing is cut.
-void draw_words(const Ui& ui, ImDrawList* list, const Variant& variant, const CardLayout& layout,
-                ImVec2 low, ImVec2 high) {
+/// @return the words, without line breaks
+std::string draw_words(const Ui& ui, ImDrawList* list, const Variant& variant,
+                       const CardLayout& layout, ImVec2 low, ImVec2 high) {
     const Palette& p = palette(ui.options.theme);
     const float size = ui.fonts.small->FontSize, line = std::round(1.3f * size);
     const bool has_room = text_width(ui.fonts.bold, variant.title, size) <= layout.room;
     const std::string name(has_room ? variant.title : variant.short_title);
     const ImVec2 at{low.x + layout.words.x, low.y + layout.words.y};
     list->AddText(ui.fonts.bold, size, at, packed(p.text), name.c_str());
+    std::string shown;
     ImGui::PushFont(ui.fonts.small);
     if (layout.is_above) {
         const float from = text_width(ui.fonts.bold, name, size) + 8.0f * ui.options.text_scale;
         std::vector<std::string> words = variant.words;
-        words.emplace_back();
-        list->AddText({at.x + from, at.y}, packed(p.dim),
-                      first_fitting(words, layout.room - from).c_str());
+        words.emplace_back(); // or nothing
+        shown = first_fitting(words, layout.room - from);
+        list->AddText({at.x + from, at.y}, packed(p.dim), shown.c_str());
     } else {
         float y = at.y + line;
         const std::string lines = lines_that_fit(variant.words, {layout.room, high.y - y}, line);
+        shown = lines;
+        std::replace(shown.begin(), shown.end(), '\n', ' ');
         for (std::size_t from = 0; from < lines.size(); y += line) {
             const std::size_t end = std::min(lines.find('\n', from), lines.size());
             list->AddText({at.x, y}, packed(p.dim), lines.substr(from, end - from).c_str());
@@ -177,6 +189,7 @@ void draw_words(const Ui& ui, ImDrawList* list, const Variant& variant, const Ca
         }
     }
     ImGui::PopFont();
+    return shown;
 }
 
 std::string tooltip_of_variant(const Ui& ui, const Variant& variant) {
@@ -189,7 +202,21 @@ std::string tooltip_of_variant(const Ui& ui, const Variant& variant) {
     return text + "\nClick: shows it large.";
 }
 
-void draw_variant(Ui& ui, std::size_t index, const Variant& variant, ImVec2 low, ImVec2 high) {
+/// The widest single word of the shortest words of all: the small pictures stay equally large.
+float least_words(const Ui& ui, const std::array<Variant, 3>& variants) {
+    ImFont* const font = ui.fonts.small;
+    float width = 0.0f;
+    for (const Variant& variant : variants) {
+        std::istringstream words(variant.words.back());
+        for (std::string word; words >> word;)
+            width =
+                std::max(width, font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, word.c_str()).x);
+    }
+    return width;
+}
+
+void draw_variant(Ui& ui, std::size_t index, const Variant& variant, float words, ImVec2 low,
+                  ImVec2 high) {
     const Palette& p = palette(ui.options.theme);
     const float u = ui.options.text_scale;
     const ImVec2 size{high.x - low.x, high.y - low.y};
@@ -198,17 +225,17 @@ void draw_variant(Ui& ui, std::size_t index, const Variant& variant, ImVec2 low,
     if (ImGui::InvisibleButton(name.c_str(), size)) ui.session.compare_view = variant.view;
     const bool is_hovered = ImGui::IsItemHovered();
     name_widget(ui, name, tooltip_of_variant(ui, variant));
-    note_text(ui, name, variant.words.front());
     const bool is_chosen = ui.session.compare_view == variant.view;
     ImDrawList* const list = ImGui::GetWindowDrawList();
     list->AddRectFilled(low, high, packed(is_hovered ? p.button_hovered : p.card), 4.0f * u);
-    const CardLayout layout = card_layout(ui, size, *variant.image);
+    const CardLayout layout = card_layout(ui, size, *variant.image, words);
     PictureTexture& texture = ui.compare.small[index];
     show_small(ui, texture, variant, layout.scale);
     list->PushClipRect(low, high, true);
     const ImVec2 at{low.x + layout.picture.x, low.y + layout.picture.y};
     list->AddImage(texture.id, at, {at.x + texture.size.x, at.y + texture.size.y});
-    draw_words(ui, list, variant, layout, low, high);
+    const std::string words_shown = draw_words(ui, list, variant, layout, low, high);
+    note_text(ui, name, words_shown);
     list->PopClipRect();
     if (is_chosen) list->AddRect(low, high, packed(p.link), 4.0f * u);
 }
@@ -221,11 +248,15 @@ Image small_picture(const Image& image, float scale) {
     return resampled(thin.image, scale * static_cast<float>(thin.step));
 }
 
+bool has_room_for_variants(const Ui& ui, float height) {
+    return largest_share * height >= least_height * ui.options.text_scale;
+}
+
 float variants_height(const Ui& ui, ImVec2 room) {
     if (!is_comparing(ui)) return 0.0f;
     const float u = ui.options.text_scale;
     const float largest = std::min(largest_share * room.y, largest_height * u);
-    if (largest < least_height * u) return 0.0f;
+    if (!has_room_for_variants(ui, room.y)) return 0.0f;
     const float needed = height_at_full_size(ui, room.x);
     // The large picture is made smaller anyway: the row takes its share.
     if (needed > room.y) return std::round(largest);
@@ -242,9 +273,10 @@ void draw_variants(Ui& ui, const Pane& row) {
     const auto count = static_cast<float>(variants.size());
     const float width = std::floor((row.room().x - (count - 1.0f) * gap) / count);
     if (width < 1.0f) return;
+    const float words = least_words(ui, variants);
     for (std::size_t i = 0; i < variants.size(); ++i) {
         const float left = row.low.x + static_cast<float>(i) * (width + gap);
-        draw_variant(ui, i, variants[i], {left, row.low.y}, {left + width, row.high.y});
+        draw_variant(ui, i, variants[i], words, {left, row.low.y}, {left + width, row.high.y});
     }
 }
 

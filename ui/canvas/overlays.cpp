@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "picture/colour_map.h"
 #include "picture/overlay.h"
@@ -85,42 +86,79 @@ std::string value_at(const Ui& ui, Overlay overlay, glm::ivec2 pixel) {
                          pixel, reach);
 }
 
-void text_right(const std::string& text, const ImVec4& colour, ImVec2 line, float right,
-                float left) {
-    const std::string shown = shortened(text, right - left);
-    ImGui::SetCursorScreenPos({right - ImGui::CalcTextSize(shown.c_str()).x, line.y});
-    text_in(colour, shown);
+/// What an overlay has at that pixel, from the longest way to say it to the shortest.
+std::vector<std::string> value_forms(const Ui& ui, const std::string& value) {
+    if (value.empty()) return {};
+    if (ui.canvas.hovered_pixel)
+        return {"at the pixel pointed at: " + value, "here: " + value, value};
+    return {"at the picked pixel: " + value, "picked pixel: " + value, value};
 }
 
-/// What the card of legends is drawn with.
+/// Of the canvas, for the legend: with the keys of scales, and at all.
+constexpr float largest_roomy_part = 0.2f, largest_part = 0.4f;
+
+/// An overlay has at least this width in the legend, design pixels.
+constexpr float least_entry_width = 280.0f;
+
+/// What the legend is drawn with.
 struct Legend {
     Ui& ui;
-    float u; ///< design pixel
-    float left, right;
-    float line;   ///< height of a line of text
-    bool compact; ///< one line an overlay: in small windows
+    float u;       ///< design pixel
+    float line;    ///< height of a line of text
+    float padding; ///< around all, and between the overlays
+    bool compact;  ///< one line an overlay: in small windows
 
-    float gap() const { return std::round(5.0f * u); }
     bool has_key(Overlay overlay) const {
         return !compact && (overlay == Overlay::overdraw || overlay == Overlay::affine_error ||
                             (overlay == Overlay::depth && !ui.results.overlay.facts.depth.empty()));
     }
-    float height(Overlay overlay) const {
-        const int lines = compact ? 1 : has_key(overlay) ? 3 : 2;
-        return static_cast<float>(lines) * line + gap();
-    }
+    float height(Overlay overlay) const { return has_key(overlay) ? 2.0f * line : line; }
 };
 
-void draw_scale(const Legend& l, Overlay overlay, ImVec2 at) {
+/// The overlays that are shown, in lines of one or two.
+std::vector<std::vector<OverlayInfo>> legend_lines(const Ui& ui, float width) {
+    const std::size_t columns = width >= 2.0f * least_entry_width * ui.options.text_scale ? 2 : 1;
+    std::vector<std::vector<OverlayInfo>> lines;
+    for (const OverlayInfo& info : overlay_list()) {
+        if (!ui.results.overlay.shown.has(info.overlay)) continue;
+        if (lines.empty() || lines.back().size() == columns) lines.emplace_back();
+        lines.back().push_back(info);
+    }
+    return lines;
+}
+
+float line_height(const Legend& l, const std::vector<OverlayInfo>& entries) {
+    float height = l.line;
+    for (const OverlayInfo& info : entries)
+        height = std::max(height, l.height(info.overlay));
+    return height;
+}
+
+float whole_height(const Legend& l, float width) {
+    float height = l.padding;
+    for (const std::vector<OverlayInfo>& entries : legend_lines(l.ui, width))
+        height += line_height(l, entries) + l.padding;
+    return height;
+}
+
+/// @param room of the canvas
+Legend legend_in(Ui& ui, ImVec2 room) {
+    const float u = ui.options.text_scale;
+    Legend legend{ui, u, std::round(1.3f * ui.fonts.small->FontSize), std::round(4.0f * u), false};
+    legend.compact = whole_height(legend, room.x) > largest_roomy_part * room.y;
+    return legend;
+}
+
+void draw_scale(const Legend& l, Overlay overlay, ImVec2 at, float right) {
     const Palette& p = palette(l.ui.options.theme);
     const std::array<std::string, 2> ends = overlay_scale(overlay, l.ui.results.overlay);
     ImGui::SetCursorScreenPos(at);
     text_in(p.dim, ends[0]);
     const float last = ImGui::CalcTextSize(ends[1].c_str()).x;
-    ImGui::SetCursorScreenPos({l.right - last, at.y});
+    ImGui::SetCursorScreenPos({right - last, at.y});
     text_in(p.dim, ends[1]);
     const float from = at.x + ImGui::CalcTextSize(ends[0].c_str()).x + 6.0f * l.u;
-    const float to = l.right - last - 6.0f * l.u;
+    const float to = right - last - 6.0f * l.u;
     const float top = at.y + 0.25f * l.line, bottom = at.y + 0.8f * l.line;
     ImDrawList* const list = ImGui::GetWindowDrawList();
     list->AddRectFilled({from, top}, {to, bottom}, swatch_ground);
@@ -150,36 +188,39 @@ void draw_verdict_key(const Legend& l, ImVec2 at) {
 /// One overlay's legend. The whole of it has the tooltip.
 void draw_entry(const Legend& l, const OverlayInfo& info, ImVec2 at, float right) {
     const Palette& p = palette(l.ui.options.theme);
-    const OverlayPicture& picture = l.ui.results.overlay;
     const ImVec2 swatch = swatch_size(l.ui);
     const std::string name = std::string("legend.").append(info.name);
+    const std::string total =
+        overlay_total(info.overlay, l.ui.results.a.frame, l.ui.results.overlay);
     ImGui::SetCursorScreenPos(at);
-    ImGui::Dummy({l.right - at.x, l.height(info.overlay) - l.gap()});
-    name_widget(l.ui, name, info.help);
+    ImGui::Dummy({right - at.x, l.height(info.overlay)});
+    name_widget(l.ui, name, std::string(info.help) + (total.empty() ? "" : "\n" + total));
 
     draw_swatch(l.ui, ImGui::GetWindowDrawList(),
                 {at.x, std::round(at.y + 0.5f * (ImGui::GetFontSize() - swatch.y) + l.u)},
                 info.overlay);
-    const float text_left = at.x + swatch.x + 8.0f * l.u;
+    const float text_left = at.x + swatch.x + 8.0f * l.u, gap = 10.0f * l.u;
     ImGui::SetCursorScreenPos({text_left, at.y});
     text_in(p.text, info.title);
-    const float title_end = ImGui::GetItemRectMax().x + 10.0f * l.u;
+    float next = ImGui::GetItemRectMax().x + gap;
     const std::optional<glm::ivec2> pixel = pixel_asked(l.ui);
-    const std::string total = overlay_total(info.overlay, l.ui.results.a.frame, picture);
     const std::string value = pixel ? value_at(l.ui, info.overlay, *pixel) : std::string();
-    if (l.compact) {
-        text_right(pixel ? value : total, pixel ? p.text : p.dim, at, right, title_end);
-        return;
-    }
-    text_right(value, p.text, at, right, title_end);
-    ImGui::SetCursorScreenPos({text_left, at.y + l.line});
-    text_in(p.dim, shortened(total, l.right - text_left));
+    std::string said = first_fitting(value_forms(l.ui, value), right - next);
+    if (said.empty()) said = shortened(value, right - next);
+    const float value_left = right - ImGui::CalcTextSize(said.c_str()).x;
+    const std::string shown_total =
+        first_fitting({total}, value_left - next - (said.empty() ? 0.0f : gap));
+    ImGui::SetCursorScreenPos({next, at.y});
+    text_in(p.dim, shown_total);
+    ImGui::SetCursorScreenPos({value_left, at.y});
+    text_in(p.text, said);
+    note_text(l.ui, name, said);
     if (!l.has_key(info.overlay)) return;
-    const ImVec2 key{text_left, at.y + 2.0f * l.line};
+    const ImVec2 key{text_left, at.y + l.line};
     if (info.overlay == Overlay::depth) {
         draw_verdict_key(l, key);
     } else {
-        draw_scale(l, info.overlay, key);
+        draw_scale(l, info.overlay, key, right);
     }
 }
 
@@ -188,7 +229,7 @@ void draw_fold_button(Ui& ui, ImVec2 corner, float side) {
     ImGui::SetCursorScreenPos(corner);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
     if (button(ui, "legend.fold", ui.canvas.shows_legend ? "−" : "+", Look::quiet,
-               ui.canvas.shows_legend ? "Folds the legend up, to see what lies under it."
+               ui.canvas.shows_legend ? "Folds the legend up: the picture gets its room."
                                       : "Unfolds the legend.",
                {side, side})) {
         ui.canvas.shows_legend = !ui.canvas.shows_legend;
@@ -196,41 +237,18 @@ void draw_fold_button(Ui& ui, ImVec2 corner, float side) {
     ImGui::PopStyleVar();
 }
 
-bool begin_legend_card(Ui& ui, ImVec2 at, ImVec2 size) {
-    const float u = ui.options.text_scale;
-    const Palette& p = palette(ui.options.theme);
-    ImVec4 ground = p.card;
-    ground.w = 0.92f;
-    ImGui::SetCursorScreenPos(at);
-    ImGui::PushStyleColor(ImGuiCol_ChildBg, ground);
-    ImGui::PushStyleVar(ImGuiStyleVar_ChildRounding, 6.0f * u);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-    return ImGui::BeginChild("legend", size, false, ImGuiWindowFlags_NoNav);
-}
-
-void end_legend_card() {
-    ImGui::EndChild();
-    ImGui::PopStyleVar(2);
-    ImGui::PopStyleColor();
-}
-
-void draw_folded_legend(Ui& ui, ImVec2 at, float padding, float side) {
-    const float u = ui.options.text_scale;
-    const ImVec2 swatch = swatch_size(ui);
-    const auto count = static_cast<float>(ui.results.overlay.shown.count());
-    const float width = 2.0f * padding + count * (swatch.x + 6.0f * u) + side;
-    begin_legend_card(ui, at, {width, side + padding});
-    float x = at.x + padding;
+void draw_folded_legend(const Legend& l, ImVec2 low) {
+    const ImVec2 swatch = swatch_size(l.ui);
+    float x = low.x + l.padding;
     for (const OverlayInfo& info : overlay_list()) {
-        if (!ui.results.overlay.shown.has(info.overlay)) continue;
-        ImGui::SetCursorScreenPos({x, at.y + 0.5f * (side + padding - swatch.y)});
+        if (!l.ui.results.overlay.shown.has(info.overlay)) continue;
+        ImGui::SetCursorScreenPos({x, std::round(low.y + l.padding + 0.5f * (l.line - swatch.y))});
         ImGui::Dummy(swatch);
-        name_widget(ui, std::string("legend.").append(info.name), info.help);
-        draw_swatch(ui, ImGui::GetWindowDrawList(), ImGui::GetItemRectMin(), info.overlay);
-        x += swatch.x + 6.0f * u;
+        name_widget(l.ui, std::string("legend.").append(info.name), info.help);
+        draw_swatch(l.ui, ImGui::GetWindowDrawList(), ImGui::GetItemRectMin(), info.overlay);
+        x += swatch.x + 6.0f * l.u;
     }
-    draw_fold_button(ui, {x, at.y + 0.5f * padding}, side);
-    end_legend_card();
+    draw_fold_button(l.ui, {x, low.y + l.padding}, l.line);
 }
 
 /// Lines that may be seen between `low` and `high`.
@@ -281,45 +299,50 @@ void draw_overlays(Ui& ui, ImDrawList* list, ImVec2 low, ImVec2 high) {
     draw_wires(ui, list, low, high);
 }
 
-void draw_overlay_legend(Ui& ui, ImVec2 low, ImVec2 high) {
-    const OverlaySet shown = ui.results.overlay.shown;
-    if (shown.empty()) return;
-    const float u = ui.options.text_scale;
-    const float margin = std::round(8.0f * u), padding = std::round(9.0f * u);
-    const ImVec2 room{high.x - low.x - 2.0f * margin, high.y - low.y - 2.0f * margin};
-    const ImVec2 at{low.x + margin, low.y + margin};
+float overlay_legend_height(Ui& ui, ImVec2 room) {
+    if (ui.results.overlay.shown.empty()) return 0.0f;
+    const Legend legend = legend_in(ui, room);
+    const float one = legend.line + 2.0f * legend.padding;
+    if (!ui.canvas.shows_legend) return one;
+    return std::max(one, std::floor(std::min(whole_height(legend, room.x), largest_part * room.y)));
+}
+
+void draw_overlay_legend(Ui& ui, ImVec2 room, ImVec2 low, ImVec2 high) {
+    const Legend legend = legend_in(ui, room);
     ImGui::PushFont(ui.fonts.small);
-    const float line = std::round(1.3f * ImGui::GetFontSize());
-    if (!ui.canvas.shows_legend) {
-        draw_folded_legend(ui, at, padding, line);
-        ImGui::PopFont();
-        return;
+    ImGui::SetCursorScreenPos(low);
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, palette(ui.options.theme).card);
+    ImGui::PushStyleVar(ImGuiStyleVar_ChildRounding, 4.0f * legend.u);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+    // It scrolls where all overlays together are too much for it.
+    ImGui::BeginChild("legend", {high.x - low.x, high.y - low.y}, false, ImGuiWindowFlags_NoNav);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    if (ui.canvas.shows_legend) {
+        const float width = ImGui::GetContentRegionAvail().x;
+        const float right = at.x + width - legend.line - 2.0f * legend.padding;
+        const std::vector<std::vector<OverlayInfo>> lines = legend_lines(ui, room.x);
+        const auto columns = static_cast<float>(lines.front().size());
+        const float gap = 4.0f * legend.padding;
+        const float column =
+            (right - at.x - 2.0f * legend.padding - (columns - 1.0f) * gap) / columns;
+        float y = at.y + legend.padding;
+        for (const std::vector<OverlayInfo>& entries : lines) {
+            float x = at.x + 2.0f * legend.padding;
+            for (const OverlayInfo& info : entries) {
+                draw_entry(legend, info, {x, y}, x + column);
+                x += column + gap;
+            }
+            y += line_height(legend, entries) + legend.padding;
+        }
+        ImGui::SetCursorScreenPos({at.x, y - legend.padding});
+        ImGui::Dummy({0, legend.padding});
+        draw_fold_button(ui, {right + legend.padding, at.y + legend.padding}, legend.line);
+    } else {
+        draw_folded_legend(legend, at);
     }
-    float width = std::min(300.0f * u, room.x);
-    Legend legend{ui, u, at.x + padding, at.x + width - padding, line, false};
-    const auto total_height = [&] {
-        float height = 2.0f * padding - legend.gap();
-        for (const OverlayInfo& info : overlay_list())
-            height += shown.has(info.overlay) ? legend.height(info.overlay) : 0.0f;
-        return height;
-    };
-    legend.compact = total_height() > 0.4f * room.y;
-    if (legend.compact) width = std::min(340.0f * u, room.x);
-    legend.right = at.x + width - padding;
-    begin_legend_card(ui, at, {width, std::min(total_height(), room.y)});
-    // The card scrolls where all overlays together are too much for it.
-    ImVec2 next{legend.left, ImGui::GetCursorScreenPos().y + padding};
-    float right = legend.right - line;
-    for (const OverlayInfo& info : overlay_list()) {
-        if (!shown.has(info.overlay)) continue;
-        draw_entry(legend, info, next, right);
-        next.y += legend.height(info.overlay);
-        right = legend.right;
-    }
-    ImGui::SetCursorScreenPos({legend.left, next.y - legend.gap()});
-    ImGui::Dummy({0, padding});
-    draw_fold_button(ui, {legend.right - line + 0.5f * padding, at.y + 0.5f * padding}, line);
-    end_legend_card();
+    ImGui::EndChild();
+    ImGui::PopStyleVar(2);
+    ImGui::PopStyleColor();
     ImGui::PopFont();
 }
 

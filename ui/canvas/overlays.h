@@ -22,8 +22,14 @@ ImVec2 swatch_size(const Ui& ui);
 /// visible.
 void draw_overlays(Ui& ui, ImDrawList* list, ImVec2 low, ImVec2 high);
 
-/// The legends of all overlays on a card in the corner of the canvas that spans from `low` to
-/// `high`: what each means, its total, and its value at the pixel pointed at or picked.
-void draw_overlay_legend(Ui& ui, ImVec2 low, ImVec2 high);
+/// The height of the legend of the overlays, below the picture so that it hides nothing of it,
+/// screen pixels; 0: none is shown.
+/// @param room for the picture and all that stands below it
+float overlay_legend_height(Ui& ui, ImVec2 room);
+
+/// The legends of all overlays from `low` to `high`: what each means, its total, and its value at
+/// the pixel pointed at or picked.
+/// @param room as for overlay_legend_height()
+void draw_overlay_legend(Ui& ui, ImVec2 room, ImVec2 low, ImVec2 high);
 
 } // namespace rasterwalk

@@ -98,8 +98,10 @@ std::optional<VertexLabel> find_label(const Surroundings& s, std::size_t vertex,
         const int step = (i + 1) / 2 * (i % 2 == 0 ? 1 : -1);
         VertexLabel label =
             label_towards(s, vertex, name, outwards + turn * static_cast<float>(step));
+        const float border = 3.0f * s.m.u; // of the canvas
         const bool is_whole = label.low.x >= s.low.x && label.low.y >= s.low.y &&
-                              label.high.x <= s.high.x && label.high.y <= s.high.y;
+                              label.high.x <= s.high.x - border &&
+                              label.high.y <= s.high.y - border;
         if (!is_whole) continue;
         const bool is_on_other =
             std::any_of(others.begin(), others.end(), [&](const VertexLabel& other) {

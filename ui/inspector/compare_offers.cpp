@@ -161,7 +161,7 @@ void draw_offers(Ui& ui) {
         const auto column = static_cast<float>(i % 2), line = static_cast<float>(above);
         const ImVec2 low{start.x + column * (card.width + gap),
                          start.y + line * (card.height + gap)};
-        if (draw_offer(ui, pairs[i], i, low, card)) start_pair(ui.session, pairs[i]);
+        if (draw_offer(ui, pairs[i], i, low, card)) begin_pair(ui, pairs[i]);
     }
 }
 
@@ -189,7 +189,7 @@ void draw_pairs(Ui& ui) {
             if (&pair == on_show) {
                 end_comparison(ui.session);
             } else {
-                start_pair(ui.session, pair);
+                begin_pair(ui, pair);
             }
         }
     }

@@ -106,8 +106,13 @@ void draw_title(Ui& ui) {
     ImGui::SameLine();
     draw_swatch(ui, scene.corner(triangle, 0).reflectance);
     ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
-    text_in(p.dim, part_name(scene, triangle));
-    name_widget(ui, "fragment.part", "The part of the scene that the triangle belongs to.");
+    const std::string part = part_name(scene, triangle);
+    const std::string shown =
+        first_fitting({part, part.substr(part.rfind(' ') + 1)}, ImGui::GetContentRegionAvail().x);
+    text_in(p.dim, shown);
+    name_widget(ui, "fragment.part",
+                "The part of the scene that the triangle belongs to: " + part + ".");
+    note_text(ui, "fragment.part", shown);
     const FragmentLinks links = links_of(ui);
     if (links.can_follow && !ui.inspector.is_low) draw_follow_link(ui);
     text_in(p.dim, place_of(report, ImGui::GetContentRegionAvail().x));

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <climits>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <span>
@@ -38,6 +39,23 @@ void draw_end_cell(Ui& ui, const std::string& name, const RowEnd& end, const End
     if (writer.is_set() && ImGui::IsItemClicked()) go_to_sample(ui, writer.edge, writer.sample);
 }
 
+/// Before the sign that tells how often an end was replaced, design pixels.
+constexpr float sign_gap = 4.0f;
+
+float width_of_sign(const Ui& ui) {
+    ImFont* const font = ui.fonts.small;
+    return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, "↻0").x;
+}
+
+/// The width of the longest name of a sample of the triangle on show.
+float widest_writer(const Ui& ui) {
+    const std::vector<int>& counts = ui.results.a.rows.edge_samples;
+    const auto most = std::max_element(counts.begin(), counts.end());
+    const int last = most != counts.end() ? std::max(*most - 1, 0) : 0;
+    ImFont* const font = ui.fonts.mono;
+    return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, sample_text(0, last).c_str()).x;
+}
+
 void draw_writer_cell(Ui& ui, const std::string& name, const EndWriter& writer) {
     const Palette& p = palette(ui.options.theme);
     if (!writer.is_set()) {
@@ -46,16 +64,14 @@ void draw_writer_cell(Ui& ui, const std::string& name, const EndWriter& writer) 
     }
     // How often it was replaced stands apart, small and behind who wrote it; where there is no room
     // for it, the tooltip says it.
-    const std::string text = sample_text(writer.edge, writer.sample);
-    const std::vector<int>& counts = ui.results.a.rows.edge_samples;
-    const std::string widest = sample_text(0, *std::max_element(counts.begin(), counts.end()));
-    const float gap = 4.0f * ui.options.text_scale;
-    ImGui::PushFont(ui.fonts.small);
-    const float sign_width = gap + ImGui::CalcTextSize("↻0").x;
-    ImGui::PopFont();
-    const float width = ImGui::CalcTextSize(text.c_str()).x;
+    const float gap = sign_gap * ui.options.text_scale;
+    const float sign_width = gap + width_of_sign(ui);
     const float room = ImGui::GetContentRegionAvail().x;
-    const bool has_sign = room >= ImGui::CalcTextSize(widest.c_str()).x + sign_width + gap;
+    const std::string whole = sample_text(writer.edge, writer.sample);
+    const std::string plain = fmt::format("e{} {}", writer.edge, writer.sample);
+    const std::string text = first_fitting({whole, plain}, room);
+    const float width = ImGui::CalcTextSize(text.c_str()).x;
+    const bool has_sign = room >= widest_writer(ui) + sign_width;
     const float before = room - width - (has_sign ? sign_width : 0.0f);
     if (before > 0.0f) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + before);
     text_in(colour_of(edge_meaning(writer.edge), ui.options.theme), text);
@@ -91,6 +107,15 @@ void draw_values(Ui& ui, const RowEnd& end, bool is_set) {
         const bool has_number = is_set && i < varying.count;
         draw(has_number, has_number ? varying.component(end.varyings, i) : 0.0f);
     }
+}
+
+/// Columns of the table without the values of the ends.
+constexpr int all_columns = 6;
+
+/// Has the table that is drawn now the numbers of pixels? Without room they make way for who wrote
+/// the ends: they can be counted from these.
+bool has_counts() {
+    return ImGui::TableGetColumnCount() >= all_columns;
 }
 
 void draw_row(Ui& ui, int index) {
@@ -134,9 +159,11 @@ void draw_row(Ui& ui, int index) {
         draw_values(ui, history.rows.right[index], right.is_set());
         return;
     }
-    ImGui::TableNextColumn();
-    const int count = history.rows.pixel_count(index);
-    right_aligned(count > 0 ? std::to_string(count) : "—", count > 0 ? p.text : p.dim);
+    if (has_counts()) {
+        ImGui::TableNextColumn();
+        const int count = history.rows.pixel_count(index);
+        right_aligned(count > 0 ? std::to_string(count) : "—", count > 0 ? p.text : p.dim);
+    }
     ImGui::TableNextColumn();
     draw_writer_cell(ui, name + ".left_by", left);
     ImGui::TableNextColumn();
@@ -174,7 +201,7 @@ void draw_outside(Ui& ui, const OutsideSample& sample, int number) {
     ImGui::GetWindowDrawList()->AddText(at, packed(red), value.c_str());
     ImGui::PopClipRect();
     if (!ui.inspector.shows_end_values) {
-        ImGui::TableSetColumnIndex(5);
+        ImGui::TableSetColumnIndex(ImGui::TableGetColumnCount() - 1);
         right_aligned(sample_text(sample.edge, sample.sample), red);
     }
     if (pressed) go_to_sample(ui, sample.edge, sample.sample);
@@ -212,12 +239,12 @@ void draw_row_headers(Ui& ui) {
                                                 ? std::span<const Header>(values)
                                                 : std::span<const Header>(who);
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
-    for (int i = 0; i < ImGui::TableGetColumnCount(); ++i) {
-        ImGui::TableSetColumnIndex(i);
+    int column = 0;
+    for (int i = 0; column < ImGui::TableGetColumnCount(); ++i) {
+        if (std::string_view(headers[i].name) == "count" && !has_counts()) continue;
+        ImGui::TableSetColumnIndex(column++);
         ImGui::PushFont(ui.fonts.small);
-        const bool is_count = std::string_view(headers[i].name) == "count";
-        right_aligned(is_count && ui.inspector.is_narrow ? "n" : headers[i].name,
-                      palette(ui.options.theme).dim);
+        right_aligned(headers[i].name, palette(ui.options.theme).dim);
         ImGui::PopFont();
         // The values of both ends have the same titles.
         const bool is_value = ui.inspector.shows_end_values && i >= 2 && i != 6;
@@ -226,16 +253,31 @@ void draw_row_headers(Ui& ui) {
     }
 }
 
+/// A row among the lines of the table.
+struct RowPlace {
+    int line;     ///< from the first that can be scrolled away
+    float height; ///< of a line, screen pixels
+};
+
+/// Brings a row to the middle; at the top stands a whole line.
+void scroll_to(const RowPlace& row) {
+    const float lines = std::floor(ImGui::GetWindowHeight() / row.height);
+    const float first = static_cast<float>(row.line) - std::floor(0.5f * lines);
+    ImGui::SetScrollY(std::max(first, 0.0f) * row.height);
+}
+
 /// Scrolls to the row just drawn. A table that has only just come knows its height a frame later:
 /// what is wanted stays wanted until it is seen.
 /// @param is_last below it there are no rows
-void bring_into_view(Ui& ui, bool is_last) {
+void bring_into_view(Ui& ui, const RowPlace& row, bool is_last) {
     const float top = ImGui::GetWindowPos().y + ImGui::GetTextLineHeightWithSpacing();
     const float bottom = ImGui::GetWindowPos().y + ImGui::GetWindowHeight();
     if (ImGui::GetItemRectMin().y > top && ImGui::GetItemRectMax().y < bottom) {
         ui.inspector.scroll_to_row = false;
+    } else if (is_last) {
+        ImGui::SetScrollHereY(1.0f);
     } else {
-        ImGui::SetScrollHereY(is_last ? 1.0f : 0.5f);
+        scroll_to(row);
     }
 }
 
@@ -255,17 +297,27 @@ int wanted_row(Ui& ui, float height) {
         return row && index >= 0 && index < history.rows.size() ? index : -1;
     };
     const int selected = in_table(ui.session.selection.row);
-    return selected >= 0 ? selected : in_table(row_at_work(ui));
+    const int shown = selected >= 0 ? selected : in_table(row_at_work(ui));
+    // What was scrolled to before the first sample is of no use for it.
+    return shown < 0 && history.samples == 0 && history.rows.size() > 0 ? 0 : shown;
 }
 
 /// Begins a table with the columns of the row table; false if nothing of it is to be drawn.
 bool begin_row_table(Ui& ui, const char* name, ImGuiTableFlags flags, ImVec2 size) {
     const float u = ui.options.text_scale;
     const bool has_values = ui.inspector.shows_end_values;
-    const int columns = has_values ? 11 : 6;
     const ImVec2 padding = ImGui::GetStyle().CellPadding;
     const bool is_narrow = ui.inspector.is_narrow;
-    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {is_narrow ? 2.0f * u : padding.x, padding.y});
+    const ImVec2 cell_padding{is_narrow ? 2.0f * u : padding.x, padding.y};
+    static constexpr float roomy[] = {44, 78, 78, 46, 104, 104};
+    constexpr float all_roomy = 44 + 78 + 78 + 46 + 104 + 104;
+    const float width =
+        size.x > 0.0f ? size.x : ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ScrollbarSize;
+    const float writer_width = roomy[4] / all_roomy * width - 2.0f * cell_padding.x;
+    const bool counts =
+        !is_narrow && writer_width >= widest_writer(ui) + sign_gap * u + width_of_sign(ui);
+    const int columns = has_values ? 11 : counts ? all_columns : all_columns - 1;
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, cell_padding);
     const bool open =
         ImGui::BeginTable(name, columns,
                           flags | ImGuiTableFlags_BordersInnerH |
@@ -274,9 +326,8 @@ bool begin_row_table(Ui& ui, const char* name, ImGuiTableFlags flags, ImVec2 siz
                           size);
     ImGui::PopStyleVar();
     if (!open) return false;
-    static constexpr float roomy[] = {44, 78, 78, 46, 104, 104},
-                           narrow[] = {34, 46, 46, 34, 78, 78};
-    const float* const widths = is_narrow ? narrow : roomy;
+    static constexpr float narrow[] = {28, 42, 42, 90, 90};
+    const float* const widths = counts ? roomy : narrow;
     for (int i = 0; i < columns; ++i) {
         // Of the ends' values those of the left end are in sight at once.
         const float value_width = i == 0 ? 40.0f : i == 1 || i == 6 ? 46.0f : 70.0f;
@@ -293,6 +344,8 @@ void draw_all_rows(Ui& ui, float height) {
     for (std::size_t i = 0; i < history.outside.size(); ++i) {
         if (is_above(history.outside[i])) draw_outside(ui, history.outside[i], static_cast<int>(i));
     }
+    const auto above =
+        static_cast<int>(std::count_if(history.outside.begin(), history.outside.end(), is_above));
     ImGuiListClipper clipper;
     clipper.Begin(history.rows.size());
     const std::optional<int> at_work = row_at_work(ui);
@@ -309,9 +362,10 @@ void draw_all_rows(Ui& ui, float height) {
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             draw_row(ui, i);
+            const RowPlace place{above + i, clipper.ItemsHeight};
             const bool is_at_work = at_work == history.rows.first_row + i;
-            if (ui.follow_cursor && is_at_work && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
-            if (i == wanted) bring_into_view(ui, i + 1 == history.rows.size());
+            if (ui.follow_cursor && is_at_work && !ImGui::IsItemVisible()) scroll_to(place);
+            if (i == wanted) bring_into_view(ui, place, i + 1 == history.rows.size());
         }
     }
     for (std::size_t i = 0; i < history.outside.size(); ++i) {

@@ -66,6 +66,45 @@ TEST_CASE("On a projector with large text, grid and row table are seen together"
     }
 }
 
+TEST_CASE(
+    "In a small row table the signs of what was replaced have room, and the first row is seen") {
+    for (const NarrowWindow& window :
+         {NarrowWindow{{1024, 640}, 1.5f}, NarrowWindow{{800, 600}, 1.0f}}) {
+        INFO(window.size.x << " x " << window.size.y << ", text " << window.text);
+        Driver driver("lab-room.toml", window.size, window.text);
+        open_lesson(driver.ui, "05-row-table", 4);
+        driver.hand.press(key::end);
+        driver.hand.leave();
+        int signs = 0;
+        for (const auto& [name, place] : driver.ui.widgets)
+            signs += name.ends_with(".replaced") ? 1 : 0;
+        CHECK(signs > 0);
+        CHECK(driver.ui.widgets.count("rows.header.count") == 0);
+        open_lesson(driver.ui, "05-row-table", 2);
+        driver.hand.leave();
+        CHECK(driver.ui.widgets.at("rows.5.left").is_whole);
+    }
+}
+
+TEST_CASE("The names of samples in a small row table have their last bracket") {
+    Driver driver("lab-room.toml", {800, 600}, 1.5f);
+    driver.ui.session.selection.triangle = 20;
+    driver.open("rows");
+    driver.hand.leave();
+    int cells = 0;
+    for (const auto& [name, place] : driver.ui.widgets) {
+        if (!name.ends_with("_by")) continue;
+        INFO(name);
+        CHECK(place.bottom_right.x <=
+              driver.ui.widgets.at("rows.header.right by").bottom_right.x + 1.0f);
+        CHECK((name.ends_with("right_by") ||
+               place.bottom_right.x <=
+                   driver.ui.widgets.at("rows.header.left by").bottom_right.x + 1.0f));
+        ++cells;
+    }
+    CHECK(cells > 0);
+}
+
 TEST_CASE("The button with three bars leads to every action of every menu") {
     for (const NarrowWindow& window :
          {NarrowWindow{{1024, 640}, 1.5f}, NarrowWindow{{640, 480}, 1.0f}}) {

@@ -12,6 +12,8 @@
 #include "tests/ui/shown_colours.h"
 #include "tests/ui/shown_number.h"
 #include "ui/actions/compare.h"
+#include "ui/actions/keys.h"
+#include "ui/actions/open_lesson.h"
 #include "ui/canvas/compare_variants.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
@@ -294,6 +296,35 @@ TEST_CASE("In every window the row lies below the picture and inside the canvas"
             CHECK(driver.ui.canvas.place.scale > 0.0f);
         }
     }
+}
+
+TEST_CASE("Where the small pictures have no room both runs are seen beside the divider") {
+    {
+        Driver driver(lit_room_of({500, 500}), {1024, 640}, 1.5f);
+        driver.hand.press(key::f5);
+        driver.hand.press('C');
+        driver.hand.frames();
+        REQUIRE_FALSE(driver.hand.is_visible("compare.small.run_b"));
+        CHECK(driver.ui.session.compare_view == CompareView::wipe);
+        driver.hand.press('C');
+        driver.ui.session.compare_view = CompareView::blink; // as was chosen
+        driver.hand.press('C');
+        CHECK(driver.ui.session.compare_view == CompareView::blink);
+    }
+    Driver driver(lit_room_of({500, 500}));
+    driver.hand.press('C');
+    driver.hand.frames();
+    CHECK(driver.hand.is_visible("compare.small.run_b"));
+    CHECK(driver.ui.session.compare_view == CompareView::run_a);
+}
+
+TEST_CASE("In a small window both small pictures say what their runs have otherwise") {
+    Driver driver("lab-room.toml", {800, 600});
+    open_lesson(driver.ui, "11-perspective", 0);
+    driver.hand.press('C');
+    driver.hand.frames();
+    CHECK(shown_text(driver, "compare.small.run_a") == "affine");
+    CHECK(shown_text(driver, "compare.small.run_b") == "perspective");
 }
 
 } // namespace rasterwalk

@@ -6,6 +6,7 @@
 #include "tests/ui/driver.h"
 #include "tests/ui/shown_colours.h"
 #include "ui/actions/keys.h"
+#include "ui/actions/open_lesson.h"
 #include "ui/ui.h"
 
 namespace rasterwalk {
@@ -16,12 +17,6 @@ void switch_overlay(Driver& driver, const std::string& name) {
     driver.hand.click("canvas.overlays");
     driver.hand.click("overlay." + name);
     driver.hand.press(key::escape);
-}
-
-bool lies_within(const WidgetPlace& inner, const WidgetPlace& outer) {
-    return inner.top_left.x >= outer.top_left.x && inner.top_left.y >= outer.top_left.y &&
-           inner.bottom_right.x <= outer.bottom_right.x &&
-           inner.bottom_right.y <= outer.bottom_right.y;
 }
 
 } // namespace
@@ -72,7 +67,7 @@ TEST_CASE("The list of overlays stays open while several are chosen, and all go 
     CHECK(driver.ui.session.overlays.empty());
 }
 
-TEST_CASE("The legends lie on the canvas, however small the window and large the text") {
+TEST_CASE("The legends stand below the picture, however small the window and large the text") {
     struct Case {
         ImVec2 window;
         float text_scale;
@@ -89,13 +84,30 @@ TEST_CASE("The legends lie on the canvas, however small the window and large the
             INFO(name);
             const WidgetPlace legend = driver.hand.find(name);
             CHECK(legend.is_whole);
-            CHECK(lies_within(legend, canvas));
+            CHECK(legend.top_left.y >= canvas.bottom_right.y);
+            CHECK(legend.top_left.x >= canvas.top_left.x);
+            CHECK(legend.bottom_right.x <= canvas.bottom_right.x);
         }
         CHECK(driver.hand.find("canvas.overlays").is_whole);
         CHECK(driver.hand.find("canvas.fit").is_whole);
         // In a small window the grid is switched in the menu, and by its key.
         if (driver.hand.is_visible("canvas.grid") || c.window.x >= 1600.0f)
             CHECK(driver.hand.find("canvas.grid").is_whole);
+    }
+}
+
+TEST_CASE(
+    "The legend hides nothing of what the lesson talks about, and says of which pixel it is") {
+    for (const ImVec2 window : {ImVec2(1600, 1000), ImVec2(1024, 640)}) {
+        Driver driver("lab-room.toml", window, 1.5f);
+        open_lesson(driver.ui, "11-perspective", 1);
+        driver.hand.press(key::f5);
+        driver.hand.leave();
+        CAPTURE(window.x);
+        const WidgetPlace& legend = driver.ui.widgets.at("legend.wireframe");
+        const PicturePlace& place = driver.ui.canvas.place;
+        CHECK(legend.top_left.y >= place.origin.y + 500.0f * place.scale);
+        CHECK(legend.text.find("pixel: no edge") != std::string::npos);
     }
 }
 
