@@ -10,6 +10,7 @@
 #include "session/walk.h"
 #include "settings/setting_table.h"
 #include "settings/value_words.h"
+#include "ui/actions/open_tab.h"
 #include "ui/ui.h"
 #include "ui/widgets/widgets.h"
 
@@ -51,7 +52,7 @@ void toggle_compare(Ui& ui) {
         compare_with(ui.session, quiz_reference(ui.session));
     } else {
         start_pair(ui.session, pair_for(step_of(ui.session.a.settings)));
-        show_compare_tab(ui.session);
+        open_compare_tab(ui);
     }
 }
 
