@@ -167,11 +167,18 @@ void follow_stage(Session& session) {
     const bool is_first = !guide.stage;
     guide.stage = now;
     const bool lesson_has_chosen = !session.lesson.empty() && !guide.of_step.empty();
+    if (is_first || guide.is_own || lesson_has_chosen) return;
     // Two runs are compared whatever the stage, and a mistake may bring a stage of its own.
-    const TabInfo* const below = find_tab(tab_below(session));
-    const bool is_of_runs = below != nullptr && below->group == TabGroup::runs;
-    if (is_first || guide.is_own || lesson_has_chosen || is_of_runs) return;
-    show_below(session, std::string(usual_tab(session)));
+    const auto is_of_runs = [](std::string_view tab) {
+        const TabInfo* const info = find_tab(tab);
+        return info != nullptr && info->group == TabGroup::runs;
+    };
+    const std::string usual(usual_tab(session));
+    if (!is_of_runs(tab_below(session))) {
+        show_below(session, usual);
+    } else if (!guide.before_compare.empty() && !is_of_runs(guide.before_compare)) {
+        guide.before_compare = usual;
+    }
 }
 
 std::string_view tab_below(const Session& session) {

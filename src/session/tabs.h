@@ -84,7 +84,8 @@ void leave_compare_tab(Session& session);
 /// Closes the settings: the tab below them is back.
 void close_settings(Session& session);
 /// Where the stage has changed, its tab comes, unless the student or the lesson has chosen, or runs
-/// are on show, which belong to no stage. To be called once a frame.
+/// are on show, which belong to no stage: then it comes when the comparison ends. To be called once
+/// a frame.
 void follow_stage(Session& session);
 
 /// The tab on show, or the one below the settings.

@@ -16,6 +16,16 @@ namespace rasterwalk {
 
 namespace {
 
+/// The settings of one kind.
+template <typename Kind>
+std::vector<std::string_view> settings_of_kind() {
+    std::vector<std::string_view> names;
+    for (const Setting& setting : setting_table()) {
+        if (std::holds_alternative<Kind>(setting.kind)) names.push_back(setting.name);
+    }
+    return names;
+}
+
 /// What `{stage}` and its like can be; nothing for another word.
 std::vector<std::string_view> words_for(std::string_view place) {
     std::vector<std::string_view> words;
@@ -27,6 +37,10 @@ std::vector<std::string_view> words_for(std::string_view place) {
     } else if (place == "{setting}") {
         for (const Setting& setting : setting_table())
             words.push_back(setting.name);
+    } else if (place == "{vector}") {
+        words = settings_of_kind<VectorSetting>();
+    } else if (place == "{size}") {
+        words = settings_of_kind<SizeSetting>();
     } else if (place == "{overlay}") {
         for (const OverlayInfo& overlay : overlay_list())
             words.push_back(overlay.name);
@@ -69,8 +83,8 @@ void check_pattern(const WidgetPattern& pattern) {
     for (std::size_t at = 0; (at = name.find_first_of("{}", at)) != name.npos; ++at) {
         const std::string_view place = place_at_start(name.substr(at));
         if (words_for(place).empty()) {
-            throw UsageError("in a widget's name stand {stage}, {tab}, {setting} and {overlay}, "
-                             "not " +
+            throw UsageError("in a widget's name stand {stage}, {tab}, {setting}, {vector}, {size} "
+                             "and {overlay}, not " +
                              in_quotes(place.empty() ? name.substr(at) : place) + ".");
         }
         at += place.size() - 1;

@@ -37,13 +37,33 @@ class OtherLessons {
 
 TEST_CASE("A widget is known by its whole name") {
     for (const char* name : {"stage.depth", "tab.graph", "setting.light.power", "rows.9",
-                             "rows.12.left", "legend.depth", "vertices.v2", "walk.step"}) {
+                             "rows.12.left", "legend.depth", "vertices.v2", "walk.step",
+                             "setting.light.position.z", "setting.viewport.size.height"}) {
         INFO(name);
         CHECK_NOTHROW(check_widget_name(name));
     }
-    for (const char* name : {"", "stage", "stage.", "stage.deep", "tab.row", "rows.", "rows.9.",
-                             "rows.x", "rows.9.middle", "setting.light", "walk.stepp", "walk.ste",
-                             "#", "rows.#", "rows.*", "stage.{stage}", "splitter.lesson"}) {
+    for (const char* name : {"",
+                             "stage",
+                             "stage.",
+                             "stage.deep",
+                             "tab.row",
+                             "rows.",
+                             "rows.9.",
+                             "rows.x",
+                             "rows.9.middle",
+                             "setting.light",
+                             "walk.stepp",
+                             "walk.ste",
+                             "#",
+                             "rows.#",
+                             "rows.*",
+                             "stage.{stage}",
+                             "splitter.lesson",
+                             "setting.shading.x",
+                             "setting.light.position.width",
+                             "setting.viewport.size.x",
+                             "canvas.cells",
+                             "status.show_outside"}) {
         INFO(name);
         CHECK_THROWS_AS(check_widget_name(name), UsageError);
     }
@@ -66,8 +86,8 @@ TEST_CASE("A list of widgets is read line by line") {
     CHECK(is_named_by(patterns[2], "legend.depth"));
     CHECK_FALSE(is_named_by(patterns[2], "legend.deep"));
     CHECK_THROWS_WITH(parse_widget_patterns("a\nb.{bug}\n", "w.txt"),
-                      "w.txt:2: in a widget's name stand {stage}, {tab}, {setting} and {overlay}, "
-                      "not '{bug}'.");
+                      "w.txt:2: in a widget's name stand {stage}, {tab}, {setting}, {vector}, "
+                      "{size} and {overlay}, not '{bug}'.");
     CHECK_THROWS_AS(parse_widget_patterns("a.{stage\n", "w.txt"), InputError);
     CHECK_THROWS_AS(parse_widget_patterns("a.}\n", "w.txt"), InputError);
     CHECK_THROWS_WITH(parse_widget_patterns("a.*\n", "w.txt"),

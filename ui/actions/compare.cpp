@@ -10,6 +10,7 @@
 #include "session/walk.h"
 #include "settings/setting_table.h"
 #include "settings/value_words.h"
+#include "ui/actions/open_tab.h"
 #include "ui/ui.h"
 #include "ui/widgets/widgets.h"
 
@@ -64,7 +65,7 @@ void toggle_compare(Ui& ui) {
         show_both(ui);
     } else {
         begin_pair(ui, pair_for(step_of(ui.session.a.settings)));
-        show_compare_tab(ui.session);
+        open_compare_tab(ui);
     }
 }
 

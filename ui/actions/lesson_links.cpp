@@ -46,7 +46,8 @@ std::string tab_of(std::string_view widget) {
     return std::string(widget.starts_with(tab) ? widget.substr(tab.size()) : std::string_view());
 }
 
-/// Do the lesson's whole text or the settings lie over the inspector's tabs?
+/// Are the inspector's tabs out of sight: below the settings, or in whose place the lesson's whole
+/// text stands?
 bool is_covered(const Ui& ui) {
     return is_drawer_open(ui) || is_settings_open(ui);
 }

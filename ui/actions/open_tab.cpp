@@ -29,6 +29,13 @@ void open_tab_by_link(Ui& ui, std::string_view name) {
     lead_to_tab(ui.session, name);
 }
 
+void open_compare_tab(Ui& ui) {
+    // Settings that the lesson's whole text has hidden do not come out with it.
+    if (is_drawer_open(ui)) close_settings(ui.session);
+    show_compare_tab(ui.session);
+    uncover(ui, tab_below(ui.session));
+}
+
 bool offers_tab(const Ui& ui, const TabInfo& tab) {
     const Session& session = ui.session;
     const bool shows_few = ui.options.is_lecture && session.tab_guide.panels.empty();

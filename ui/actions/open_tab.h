@@ -14,6 +14,9 @@ void open_tab(Ui& ui, std::string_view name);
 /// The same because a link leads there: it is no choice of the student's.
 void open_tab_by_link(Ui& ui, std::string_view name);
 
+/// A comparison has begun: its tab comes, or lies below the settings where those are on show.
+void open_compare_tab(Ui& ui);
+
 /// Does the inspector offer this tab? In a lecture only what the lesson's step shows.
 bool offers_tab(const Ui& ui, const TabInfo& tab);
 
@@ -26,11 +29,11 @@ void close_settings_sheet(Ui& ui);
 /// Opens the settings, or closes them.
 void toggle_settings(Ui& ui);
 
-/// Does the whole text of the lesson, which is a strip, lie over the inspector?
+/// Does the whole text of the lesson stand in place of its strip and the inspector?
 bool is_drawer_open(const Ui& ui);
 
-/// Lays the whole text of the lesson over the inspector, and takes it away again. Where the lesson
-/// has a column nothing is seen of it.
+/// Shows the whole text of the lesson in place of its strip and the inspector, and takes it away
+/// again. Where the lesson has a column nothing is seen of it.
 void open_drawer(Ui& ui);
 void close_drawer(Ui& ui);
 

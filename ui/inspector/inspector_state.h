@@ -48,7 +48,8 @@ struct InspectorState {
     std::string setting_search;                     ///< what the sheet of settings is filtered by
     std::vector<std::string_view> changed_settings; ///< when the sheet was opened: they come first
     int settings_frame = -2;                        ///< of ImGui, in which the sheet was drawn last
-    bool formula_is_new = false; ///< a number was clicked in the frame before, whose formula is due
+    int formula_frame =
+        -2; ///< of ImGui, in which a number was clicked: its formula is due after it
     bool settings_over_drawer = false; ///< they were opened over the lesson's whole text
     std::optional<int> hovered_row;    ///< row of the picture pointed at in the row table
     bool shows_end_values = false;     ///< further columns in the row table

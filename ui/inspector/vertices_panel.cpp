@@ -284,10 +284,10 @@ void draw_as_one_page(Ui& ui, int chosen, const VertexReport& vertex) {
     draw_table(ui, chosen, all.first(above));
     draw_formula_card(ui, vertex);
     // The click has been in the frame before: there the formula stood elsewhere.
-    bool& is_new = ui.inspector.formula_is_new;
-    if (is_new) ImGui::SetScrollHereY(1.0f);
+    const int frame = ImGui::GetFrameCount();
+    if (ui.inspector.formula_frame + 1 == frame) ImGui::SetScrollHereY(1.0f);
     if (above < all.size()) draw_table(ui, chosen, all.subspan(above));
-    is_new = number() != before;
+    if (number() != before) ui.inspector.formula_frame = frame;
 }
 
 /// The vertex that is explained: the one picked, or else the one just projected.

@@ -12,6 +12,7 @@
 #include "tests/ui/shown_number.h"
 #include "ui/actions/compare.h"
 #include "ui/actions/keys.h"
+#include "ui/actions/open_tab.h"
 #include "ui/app/app.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
@@ -83,6 +84,53 @@ TEST_CASE("A comparison brings the tab that explains it, and the one before is b
     driver.hand.press('C');
     driver.hand.frames(1);
     CHECK(tab() == "rows");
+}
+
+TEST_CASE("A stage that is chosen while two runs are compared has its tab when they are not") {
+    Driver driver(lit_room());
+    const auto tab = [&] { return driver.ui.session.tab; };
+    driver.hand.click("stage.rows");
+    REQUIRE(tab() == "rows");
+    driver.hand.press('C');
+    driver.hand.press('7');
+    CHECK(tab() == "compare");
+    driver.hand.press('C');
+    driver.hand.frames(1);
+    CHECK(step_of(driver.ui.session.a.settings) == StripStep::pixel_light);
+    CHECK(tab() == "fragment");
+    // The student's own stays.
+    driver.open("history");
+    driver.hand.press('C');
+    driver.hand.press('3');
+    driver.hand.press('C');
+    driver.hand.frames(1);
+    CHECK(tab() == "history");
+}
+
+TEST_CASE("A comparison's tab is seen where the lesson's whole text stood") {
+    Driver driver("lab-room.toml", {1024, 640});
+    driver.hand.press('T');
+    REQUIRE(is_drawer_open(driver.ui));
+    driver.hand.press('C');
+    CHECK_FALSE(is_drawer_open(driver.ui));
+    CHECK(driver.ui.session.tab == "compare");
+    CHECK(driver.ui.widgets.count("compare.end") == 1);
+    driver.hand.press('C');
+    // Below the settings too, which were opened over the text.
+    driver.hand.press('T');
+    open_tab(driver.ui, settings_tab);
+    driver.hand.press('C');
+    REQUIRE(is_settings_open(driver.ui));
+    close_settings_sheet(driver.ui);
+    driver.hand.frames(frames_to_rest);
+    CHECK(driver.ui.widgets.count("compare.end") == 1);
+    driver.hand.press('C');
+    // Settings that the text has hidden stay behind.
+    open_tab(driver.ui, settings_tab);
+    driver.hand.press('T');
+    driver.hand.press('C');
+    CHECK_FALSE(is_settings_open(driver.ui));
+    CHECK(driver.ui.widgets.count("compare.end") == 1);
 }
 
 TEST_CASE("The diamonds on the time line are explained, in the Compare tab and below the line") {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -158,6 +159,39 @@ TEST_CASE("In a small window the formula is in sight, and all of the panel can b
             CHECK(driver.hand.find(name).is_whole);
         }
     }
+}
+
+TEST_CASE("A number that was clicked before another tab came does not scroll the page later") {
+    Driver driver("lab-room.toml", {800, 600}, 1.5f);
+    driver.ui.session.selection.triangle = 7;
+    driver.ui.session.tab = "vertices";
+    driver.hand.frames(frames_to_rest);
+    driver.hand.click(cell("pixel.column", 1));
+    // Another number of the same vertex: one frame is all that the click takes.
+    const WidgetPlace number = driver.hand.find(cell("pixel.row", 1));
+    ImGuiIO& io = ImGui::GetIO();
+    io.MousePos = {0.5f * (number.top_left.x + number.bottom_right.x),
+                   0.5f * (number.top_left.y + number.bottom_right.y)};
+    driver.hand.frames(frames_to_rest);
+    io.MouseDown[0] = true;
+    driver.hand.frames(1);
+    io.MouseDown[0] = false;
+    driver.hand.frames(1);
+    REQUIRE(driver.ui.inspector.chosen.vertex_number == "pixel.row");
+    driver.ui.session.tab = "rows";
+    driver.hand.leave();
+    driver.ui.session.tab = "vertices";
+    const auto tops = [&] {
+        std::map<std::string, float> found;
+        for (const auto& [name, place] : driver.ui.widgets) {
+            if (name.starts_with("vertices.")) found[name] = place.top_left.y;
+        }
+        return found;
+    };
+    driver.hand.frames(1);
+    const std::map<std::string, float> before = tops();
+    driver.hand.frames(frames_to_rest);
+    CHECK(tops() == before);
 }
 
 TEST_CASE("The names of the vertices stand apart in every window, short where room is short") {
