@@ -157,11 +157,17 @@ Settings with_handout_rules(const Settings& settings) {
 
 void apply_bug(const Bug& bug, Session& session) {
     end_comparison(session);
+    const Settings base = with_handout_rules(session.a.settings);
+    show_bug(bug.id, wrong_run(bug, base), correct_run(bug, base), session);
+}
+
+void show_bug(const std::string& id, const Settings& wrong, const Settings& correct,
+              Session& session) {
+    end_comparison(session);
     const Run before = session.a;
-    const Settings base = with_handout_rules(before.settings);
-    session.a.settings = wrong_run(bug, base);
-    compare_with(session, correct_run(bug, base));
-    session.replaced = ReplacedRun{before, session.a, nullptr, bug.id};
+    session.a.settings = wrong;
+    compare_with(session, correct);
+    session.replaced = ReplacedRun{before, session.a, nullptr, id};
 }
 
 void open_bug(const Bug& bug, Session& session) {

@@ -57,6 +57,11 @@ void apply_bug(const Bug& bug, Session& session);
 /// The same on the bug's own scene, which it loads. Throws Error.
 void open_bug(const Bug& bug, Session& session);
 
+/// Makes a run with the bug of this id run A, and one without it run B, as they are given.
+/// end_comparison() turns the mistake off again.
+void show_bug(const std::string& id, const Settings& wrong, const Settings& correct,
+              Session& session);
+
 /// Is this mistake, by its id, compared with the correct run?
 bool is_on(const Session& session, std::string_view bug);
 

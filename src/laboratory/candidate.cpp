@@ -93,8 +93,13 @@ void rank_candidates(std::vector<Hypothesis> hypotheses, std::string_view same,
         // What brings nothing nearer is not worth naming, unless there is nothing else.
         if (explained <= 0.0 && !leaders.empty()) continue;
         leaders.push_back(&h);
-        diagnosis.candidates.push_back(
-            {{h.id}, {h.name}, h.remark, h.distance, h.different, std::clamp(explained, 0.0, 1.0)});
+        diagnosis.candidates.push_back({{h.id},
+                                        {h.name},
+                                        h.remark,
+                                        h.distance,
+                                        h.different,
+                                        std::clamp(explained, 0.0, 1.0),
+                                        h.settings});
     }
     if (diagnosis.is_same()) {
         diagnosis.verdict = "no difference";

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "settings/settings.h"
 
 namespace rasterwalk {
 
@@ -15,6 +18,8 @@ struct Candidate {
     double distance = 0.0;      ///< from the result; 0: the very same
     std::int64_t different = 0; ///< pixels or rows that differ from the result
     double explained = 0.0;     ///< part of the difference from the reference, 0..1
+    std::optional<Settings>
+        settings{}; ///< by which a picture with a bug of the laboratory was drawn
 };
 
 /// What may be wrong with a result that was compared with the reference.
@@ -35,7 +40,8 @@ struct Hypothesis {
     bool explains_more = true; ///< than what it assumes beside the mistake does alone
     double distance = 0.0;
     std::int64_t different = 0;
-    std::uint64_t result = 0; ///< the same number for the same result
+    std::uint64_t result = 0;           ///< the same number for the same result
+    std::optional<Settings> settings{}; ///< as those of the candidate
 };
 
 /// Ranks the hypotheses, names those of the same result together, and says the verdict.

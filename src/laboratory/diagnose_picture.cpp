@@ -136,6 +136,7 @@ void try_powers_again(PictureTrial& trial, const std::vector<Base>& bases) {
         }
         const Drawn& drawn = trial.drawn(*lit);
         hypothesis.explains_more = is_clearly_nearer(drawn, without);
+        hypothesis.settings = *lit;
         trial.add(std::move(hypothesis), drawn);
     }
 }

@@ -48,6 +48,7 @@ class PictureTrial {
     /// Of a mistake, with which the lamp's power may be fitted anew.
     void add(Hypothesis hypothesis, const Drawn& one, const Settings& settings) {
         tried.push_back({hypotheses.size(), settings});
+        hypothesis.settings = settings;
         add(std::move(hypothesis), one);
     }
 

@@ -11,10 +11,24 @@
 #include "ui/actions/actions.h"
 #include "ui/actions/open_tab.h"
 #include "ui/ui.h"
+#include "ui/widgets/focus.h"
 
 namespace rasterwalk {
 
 namespace {
+
+std::string size_words(Viewport size) {
+    return std::to_string(size.width) + " x " + std::to_string(size.height);
+}
+
+/// What a picture is held against: another size than that of the scene is said.
+std::string picture_words(const Session& session, const Settings& reference) {
+    const std::string what = "the picture of " + session.scene->name;
+    const Viewport set = session.a.settings.viewport;
+    if (reference.viewport == set) return what + ", " + size_words(set) + " pixels like yours";
+    return what + ", drawn anew in the size of yours: " + size_words(reference.viewport) +
+           " pixels instead of " + size_words(set);
+}
 
 /// The largest side of a picture for which the student is made to wait, pixels.
 constexpr int largest_result = 1024;
@@ -48,6 +62,24 @@ void turn_on(Ui& ui, const Bug& bug, bool on_its_scene) {
     } catch (const Error& fault) {
         ui.session.notice = fault.what();
     }
+}
+
+void show_candidate(Ui& ui, const Bug& bug, const Candidate& candidate) {
+    Session& session = ui.session;
+    if (!candidate.settings || ui.lab.compared_scene == nullptr) {
+        turn_on(ui, bug, false);
+        return;
+    }
+    if (refuses_settings(session)) return;
+    end_comparison(session);
+    const Run before = session.a;
+    const std::shared_ptr<const Scene> before_scene = session.scene;
+    if (before_scene != ui.lab.compared_scene) show_scene(session, ui.lab.compared_scene);
+    show_bug(bug.id, *candidate.settings, ui.lab.reference, session);
+    session.replaced->before = before;
+    if (session.scene != before_scene) session.replaced->before_scene = before_scene;
+    session.notice.clear();
+    ui.lab.chosen = bug.id;
 }
 
 void begin_quiz(Ui& ui) {
@@ -90,6 +122,9 @@ void carry_on_diagnosis(Ui& ui) {
     if (lab.frames_to_result == 0 || --lab.frames_to_result > 0) return;
     const Session& session = ui.session;
     const std::string path = lab.result_path;
+    // The answer takes the place of the question: in sight, and scrolled by keys.
+    give_focus(ui, "lab.mode.result");
+    lab.is_picture = false;
     try {
         refuse_endless_file(path);
         if (is_image_file(path)) {
@@ -102,7 +137,10 @@ void carry_on_diagnosis(Ui& ui) {
             const Settings reference =
                 fitted_to(with_handout_rules(session.a.settings), picture, session.scene->space);
             lab.diagnosis = diagnose_picture(picture, *session.scene, reference, lab_bugs(ui));
-            lab.held_against = "the picture of " + session.scene->name;
+            lab.held_against = picture_words(session, reference);
+            lab.compared_scene = session.scene;
+            lab.reference = reference;
+            lab.is_picture = true;
         } else {
             const std::vector<PrintedRow> rows = parse_printed_rows(read_file(path), path);
             std::string about;

@@ -8,6 +8,7 @@
 namespace rasterwalk {
 
 struct Ui;
+struct Candidate;
 
 /// The mistakes of the laboratory, read when they are first asked for; empty if they cannot be
 /// read, see LabLook::fault.
@@ -17,6 +18,11 @@ const std::vector<Bug>& lab_bugs(Ui& ui);
 /// is turned off. Refused while a quiz goes on.
 /// @param on_its_scene loads the scene that shows it best
 void turn_on(Ui& ui, const Bug& bug, bool on_its_scene);
+
+/// Shows the candidate's picture as run A and compares it with the reference, on the scene and with
+/// the settings that the student's picture was held against; of rows as turn_on() does. Refused
+/// while a quiz goes on.
+void show_candidate(Ui& ui, const Bug& bug, const Candidate& candidate);
 
 /// Begins a quiz by LabLook::seed on the scene that is open; says so if the scene shows no mistake.
 void begin_quiz(Ui& ui);

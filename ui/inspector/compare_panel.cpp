@@ -12,6 +12,7 @@
 #include "ui/inspector/compare_parts.h"
 #include "ui/inspector/panels.h"
 #include "ui/ui.h"
+#include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -212,7 +213,7 @@ void draw_counts(Ui& ui) {
 void draw_divergence(Ui& ui, const char* title, const std::string& name,
                      const Divergence& divergence) {
     const std::string kind =
-        kind_text(divergence.kind) + (divergence.only_rounding ? ", within rounding errors" : "");
+        kind_text(divergence.kind) + (divergence.only_rounding ? ", too small to see" : "");
     ImGui::PushFont(ui.fonts.small);
     ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
     wrapped_text(std::string(title) + " · " + kind);
@@ -225,7 +226,9 @@ void draw_divergence(Ui& ui, const char* title, const std::string& name,
         stand_at(ui, divergence.cursor);
     }
     ImGui::PopStyleVar();
-    wrapped_text(divergence.text);
+    const std::string cause = with_minus_signs(divergence.text);
+    wrapped_text(cause);
+    note_text(ui, name, kind + ": " + cause);
 }
 
 void draw_first(Ui& ui) {
@@ -244,7 +247,7 @@ void draw_first(Ui& ui) {
         list.first_beyond_rounding && list.first_beyond_rounding->cursor != list.first->cursor;
     if (has_more) {
         ImGui::Spacing();
-        draw_divergence(ui, "first beyond rounding errors", "compare.first_beyond_rounding",
+        draw_divergence(ui, "first that is larger", "compare.first_beyond_rounding",
                         *list.first_beyond_rounding);
     }
     if (comparison.here && comparison.here->cursor != list.first->cursor &&

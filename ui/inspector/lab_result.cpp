@@ -6,6 +6,7 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include "settings/value_words.h"
 #include "ui/actions/compare.h"
 #include "ui/actions/lab.h"
 #include "ui/actions/view_files.h"
@@ -18,15 +19,21 @@ namespace rasterwalk {
 
 namespace {
 
-void draw_file(Ui& ui) {
-    LabLook& lab = ui.lab;
+void draw_intro(Ui& ui) {
     ImGui::PushFont(ui.fonts.bold);
     wrapped_text("My picture is wrong: why?");
     ImGui::PopFont();
     wrapped_text("Choose a picture that your program saved (PNG or BMP), or the rows that it "
                  "printed, as text. You can also drop the file on the window, or type its path.");
+    name_widget(ui, "lab.intro", "What can be checked, and how.");
     ImGui::Spacing();
-    if (button(ui, "lab.choose", "Choose a file …", Look::main,
+}
+
+/// @param another a file was checked already
+void draw_file(Ui& ui, bool another) {
+    LabLook& lab = ui.lab;
+    if (button(ui, "lab.choose", another ? "Another file …" : "Choose a file …",
+               another ? Look::plain : Look::main,
                "Shows the folders and the files that can be checked. What is chosen is held "
                "against the lab's rules with the camera, light and stage that are set, and every "
                "mistake is carried out to see which comes nearest.")) {
@@ -45,6 +52,34 @@ void draw_file(Ui& ui) {
     if ((entered || pressed) && !lab.result_path.empty()) diagnose_file(ui, lab.result_path);
 }
 
+/// Settings as the command line writes them, "line_walk=exact", in the words of the screen.
+std::string in_words(const std::string& text) {
+    std::string result;
+    std::size_t done = 0;
+    for (std::size_t equals = text.find('='); equals != text.npos;
+         equals = text.find('=', equals + 1)) {
+        const std::size_t blank = text.find_last_of(" (", equals);
+        const std::size_t first = blank == text.npos ? 0 : blank + 1;
+        std::size_t last = std::min(text.find_first_of(" ,)", equals), text.size());
+        if (text[last - 1] == '.') --last; // of the sentence
+        const Setting* const setting = find_setting(text.substr(first, equals - first));
+        if (setting == nullptr || first < done) continue;
+        const std::string value =
+            said_word(*setting, std::string_view(text).substr(equals + 1, last - equals - 1));
+        result += text.substr(done, first - done) + "“" + std::string(setting->title) + ": " +
+                  value + "”";
+        done = last;
+    }
+    return result + text.substr(done);
+}
+
+/// What is most likely, in a sentence.
+std::string verdict_words(const LabLook& lab) {
+    if (!lab.diagnosis->is_same()) return in_words(lab.diagnosis->verdict);
+    return lab.is_picture ? "Your picture is the reference, pixel for pixel."
+                          : "Your rows are those of the reference, end for end.";
+}
+
 /// One candidate: how much of the difference it explains, as a bar and a number, and its name.
 void draw_candidate(Ui& ui, const Candidate& candidate, int index) {
     const Palette& p = palette(ui.options.theme);
@@ -60,6 +95,7 @@ void draw_candidate(Ui& ui, const Candidate& candidate, int index) {
         }
     }
     if (!candidate.remark.empty()) names += ", " + candidate.remark;
+    names = in_words(names);
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushFont(ui.fonts.mono);
@@ -84,43 +120,15 @@ void draw_candidate(Ui& ui, const Candidate& candidate, int index) {
     if (bug == nullptr) return;
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(4.0f * u, 0.0f));
     if (button(ui, "lab.show." + std::to_string(index), "show", Look::link,
-               "Turns this mistake on, and compares it with the correct run.")) {
-        turn_on(ui, *bug, false);
+               "Turns this mistake on as it was tried on your file, and compares it with the "
+               "reference.")) {
+        show_candidate(ui, *bug, candidate);
     }
     ImGui::PopStyleVar();
 }
 
-} // namespace
-
-void draw_lab_result(Ui& ui) {
-    LabLook& lab = ui.lab;
-    draw_file(ui);
-    ImGui::Spacing();
-    if (!lab.result_fault.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, colour_of(Meaning::fail, ui.options.theme));
-        wrapped_text(lab.result_fault);
-        ImGui::PopStyleColor();
-        name_widget(ui, "lab.result.fault", "Why it could not be diagnosed.");
-    }
-    if (lab.frames_to_result > 0) {
-        text_in(palette(ui.options.theme).dim, "It is held against every mistake …");
-    }
-    if (!lab.diagnosis) return;
-    const Diagnosis& diagnosis = *lab.diagnosis;
-    begin_card(ui);
-    ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-    wrapped_text("Held against " + lab.held_against + ":");
-    ImGui::PopStyleColor();
-    ImGui::PushFont(ui.fonts.bold);
-    wrapped_text(diagnosis.verdict);
-    ImGui::PopFont();
-    name_widget(ui, "lab.diagnosis", "What is most likely.");
-    note_text(ui, "lab.diagnosis", diagnosis.verdict);
-    if (!diagnosis.is_same()) {
-        text_in(palette(ui.options.theme).dim,
-                grouped(diagnosis.different) + " differ from the reference");
-    }
-    end_card(ui);
+/// All that may be wrong, the likeliest first.
+void draw_candidates(Ui& ui, const Diagnosis& diagnosis) {
     if (diagnosis.candidates.empty()) return;
     if (!ImGui::BeginTable("candidates", 3, ImGuiTableFlags_BordersInnerH)) return;
     const float u = ui.options.text_scale;
@@ -140,6 +148,52 @@ void draw_lab_result(Ui& ui) {
     for (std::size_t i = 0; i < diagnosis.candidates.size(); ++i)
         draw_candidate(ui, diagnosis.candidates[i], static_cast<int>(i));
     ImGui::EndTable();
+}
+
+void draw_diagnosis(Ui& ui) {
+    const LabLook& lab = ui.lab;
+    const Diagnosis& diagnosis = *lab.diagnosis;
+    const std::string verdict = verdict_words(lab);
+    begin_card(ui);
+    ImGui::PushFont(ui.fonts.bold);
+    wrapped_text(verdict);
+    ImGui::PopFont();
+    name_widget(ui, "lab.diagnosis", "What is most likely.");
+    note_text(ui, "lab.diagnosis", verdict);
+    ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
+    if (!diagnosis.is_same()) {
+        wrapped_text(grouped(diagnosis.different) +
+                     (lab.is_picture ? " pixels look different from the reference."
+                                     : " rows differ from the reference."));
+    }
+    const std::string held = "Held against " + lab.held_against + ".";
+    wrapped_text(held);
+    name_widget(ui, "lab.held_against",
+                "The reference: what the right program makes of what is set.");
+    note_text(ui, "lab.held_against", held);
+    ImGui::PopStyleColor();
+    end_card(ui);
+    draw_candidates(ui, diagnosis);
+}
+
+} // namespace
+
+void draw_lab_result(Ui& ui) {
+    const LabLook& lab = ui.lab;
+    const bool waits = lab.frames_to_result > 0;
+    const bool is_asked = waits || lab.diagnosis || !lab.result_fault.empty();
+    if (!is_asked) draw_intro(ui);
+    // The answer stands above the way to the next one: in a low window it must be in sight.
+    if (!lab.result_fault.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, colour_of(Meaning::fail, ui.options.theme));
+        wrapped_text(lab.result_fault);
+        ImGui::PopStyleColor();
+        name_widget(ui, "lab.result.fault", "Why it could not be diagnosed.");
+    }
+    if (waits) text_in(palette(ui.options.theme).dim, "It is held against every mistake …");
+    if (lab.diagnosis) draw_diagnosis(ui);
+    ImGui::Spacing();
+    draw_file(ui, is_asked);
 }
 
 } // namespace rasterwalk

@@ -8,6 +8,8 @@
 
 #include "laboratory/bug.h"
 #include "laboratory/candidate.h"
+#include "scene/scene.h"
+#include "settings/settings.h"
 
 namespace rasterwalk {
 
@@ -38,7 +40,11 @@ struct LabLook {
     int frames_to_result = 0; ///< it is diagnosed when this falls to 0 from 1; until then it waits
     std::string result_fault; ///< why it could not be diagnosed
     std::string held_against; ///< "the picture of lab-room"
+    bool is_picture = false;  ///< what was held against it; else rows
     std::optional<Diagnosis> diagnosis;
+    /// What a picture was held against, so that a mistake is shown on the very same.
+    std::shared_ptr<const Scene> compared_scene;
+    Settings reference;
 };
 
 } // namespace rasterwalk

@@ -336,6 +336,20 @@ TEST_CASE("The difference has a scale, and the number under the pointer is B min
     CHECK(driver.textures.last == driver.ui.results.comparison.difference);
 }
 
+TEST_CASE(
+    "A small difference that is no rounding error is not called one, and minus signs are true") {
+    Driver driver;
+    set_step(driver.ui.session.a.settings, StripStep::pixel_light);
+    driver.open("compare");
+    driver.hand.click("compare.tab.affine");
+    REQUIRE(driver.ui.results.comparison.whole().divergences.first);
+    driver.hand.find("compare.first");
+    const std::string text = driver.ui.widgets.at("compare.first").text;
+    CHECK_THAT(text, Catch::StartsWith("other value, too small to see: "));
+    CHECK_THAT(text, Catch::Contains("differs by −"));
+    CHECK(text.find('-') == std::string::npos);
+}
+
 TEST_CASE("The tab leads to the first divergence, to the next, and back; a click on a group too") {
     Driver driver(lit_room());
     driver.open("compare");

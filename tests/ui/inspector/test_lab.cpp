@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "base/numbers.h"
 #include "laboratory/diagnose.h"
 #include "laboratory/quiz.h"
 #include "opening/opened_view.h"
@@ -167,6 +168,98 @@ TEST_CASE("A picture with a mistake is diagnosed when its path is named, and the
     CHECK(shown_text(driver, "lab.candidate.0") == "B9");
     driver.hand.click("lab.show.0");
     CHECK(is_on(driver.ui.session, "B9"));
+}
+
+namespace {
+
+/// Holds a picture of these settings against the room as it stands in the driver.
+void check_picture(Driver& driver, const Settings& settings) {
+    test::TemporaryFolder folder;
+    const std::string path = folder.file("mine.png");
+    const Frame frame = prepare_frame(*driver.ui.session.scene, settings);
+    write_png(view_image(draw_frame(frame), View::colour), path);
+    diagnose_file(driver.ui, path);
+    driver.hand.frames(2 + frames_to_rest);
+}
+
+Settings pixel_light(const Driver& driver) {
+    Settings settings = with_handout_rules(driver.ui.session.a.settings);
+    set_step(settings, StripStep::pixel_light);
+    return settings;
+}
+
+} // namespace
+
+TEST_CASE("What is wrong with a picture is in sight at once, and scrolled by keys") {
+    for (const SmallWindow& window : test::some_of(small_windows, 2)) {
+        INFO(window.size.x << " x " << window.size.y << ", text " << window.text_scale);
+        Driver driver("lab-room.toml", window.size, window.text_scale);
+        driver.ui.session.tab = "lab";
+        driver.ui.lab.mode = LabMode::result;
+        driver.hand.frames(frames_to_rest);
+        CHECK(driver.ui.widgets.contains("lab.intro"));
+        Settings wrong = pixel_light(driver);
+        wrong.interpolation = Interpolation::affine;
+        driver.ui.session.a.settings = pixel_light(driver);
+        check_picture(driver, wrong);
+        REQUIRE(driver.ui.lab.diagnosis);
+        CHECK_FALSE(driver.ui.widgets.contains("lab.intro"));
+        const WidgetPlace before = driver.ui.widgets.at("lab.diagnosis");
+        CHECK(before.is_whole);
+        const Held ctrl{.ctrl = true};
+        driver.hand.press(key::down, ctrl);
+        driver.hand.frames(2);
+        CHECK(driver.ui.widgets.at("lab.diagnosis").top_left.y < before.top_left.y);
+    }
+}
+
+TEST_CASE(
+    "A mistake is shown as it was held against the picture: same lamp, same size, same room") {
+    Driver driver;
+    const Settings reference = pixel_light(driver);
+    driver.ui.session.a.settings = reference;
+    const std::shared_ptr<const Scene> room = driver.ui.session.scene;
+    Settings wrong = reference;
+    wrong.interpolation = Interpolation::affine;
+    check_picture(driver, wrong);
+    REQUIRE(driver.ui.lab.diagnosis);
+    // Whatever is opened in between, and how ever it is lit.
+    driver.hand.click("menu.Scene");
+    driver.hand.click("scene.one-triangle");
+    driver.open("lab");
+    driver.hand.click("lab.show.0");
+    REQUIRE(driver.ui.session.b);
+    CHECK(driver.ui.session.scene == room);
+    CHECK(driver.ui.session.a.settings == wrong);
+    CHECK(driver.ui.session.b->settings == reference);
+    driver.hand.frames(frames_to_rest);
+    CHECK(driver.ui.results.comparison.whole().pixels.shown == driver.ui.lab.diagnosis->different);
+    driver.hand.press('C');
+    CHECK_FALSE(driver.ui.session.b);
+    CHECK(driver.ui.session.scene != room);
+}
+
+TEST_CASE("The diagnosis says sizes and settings in words") {
+    Driver driver;
+    const Settings reference = pixel_light(driver);
+    driver.ui.session.a.settings = reference;
+    driver.open("lab");
+    check_picture(driver, reference);
+    CHECK(shown_text(driver, "lab.diagnosis") == "Your picture is the reference, pixel for pixel.");
+    CHECK_THAT(shown_text(driver, "lab.held_against"),
+               Catch::EndsWith("500 x 500 pixels like yours."));
+    Settings small = reference;
+    set_from_text(small, "viewport.size=100x100");
+    set_from_text(small, "camera.focal_length=" + number_text(reference.camera.focal_length / 5));
+    check_picture(driver, small);
+    CHECK(driver.ui.lab.diagnosis->is_same());
+    CHECK_THAT(shown_text(driver, "lab.held_against"),
+               Catch::EndsWith("100 x 100 pixels instead of 500 x 500."));
+    set_from_text(small, "line_walk=exact");
+    check_picture(driver, small);
+    REQUIRE_FALSE(driver.ui.lab.diagnosis->is_same());
+    CHECK_THAT(shown_text(driver, "lab.diagnosis"),
+               Catch::Contains("“Walking a line: without error”") && !Catch::Contains("="));
 }
 
 TEST_CASE("What cannot be read is said in the laboratory, and rows of the lab are accepted") {
