@@ -19,8 +19,8 @@ struct ReadingPiece {
 };
 
 /// The whole of a Markdown text in pieces, in reading order and without references to footnotes. A
-/// sentence that ends in a colon, or does not end, is one piece with the code or other block that it
-/// announces, but not with a list.
+/// sentence that ends in a colon, or does not end, is one piece with the code or other block that
+/// it announces, but not with a list.
 std::vector<ReadingPiece> reading_pieces(std::string_view markdown);
 
 } // namespace rasterwalk

@@ -27,8 +27,8 @@ using Stops = std::vector<const Stop*>;
 /// Where the way begins: in a list with the entry that holds, and else with the lesson, if there is
 /// one.
 const Stop& first_of(const Stops& stops) {
-    const auto chosen = std::find_if(stops.begin(), stops.end(),
-                                     [](const Stop* s) { return s->second.is_chosen; });
+    const auto chosen =
+        std::find_if(stops.begin(), stops.end(), [](const Stop* s) { return s->second.is_chosen; });
     if (chosen != stops.end()) return **chosen;
     const auto found = std::find_if(stops.begin(), stops.end(),
                                     [](const Stop* s) { return s->first.starts_with("lesson."); });
