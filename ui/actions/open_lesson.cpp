@@ -1,7 +1,6 @@
 #include "ui/actions/open_lesson.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include <imgui.h>
@@ -16,9 +15,6 @@ namespace rasterwalk {
 
 namespace {
 
-/// Stands for the last card of a step whose cards are not cut yet.
-constexpr int last_card = std::numeric_limits<int>::max();
-
 /// Forgets what belongs to the step that was on show.
 void forget_step(LessonView& view) {
     view.pages.clear();
@@ -28,7 +24,10 @@ void forget_step(LessonView& view) {
     view.is_held = false;
     view.strip.cards.clear();
     view.strip.card = 0;
-    view.part_to_show = -1;
+    view.strip.place = {};
+    view.strip.read_to.reset();
+    view.place_to_show.reset();
+    view.wants_end = false;
 }
 
 /// What belongs to the step that is on show now.
@@ -138,7 +137,7 @@ void read_back(Ui& ui) {
     if (turn_card(ui, -1)) return;
     const int step = ui.session.step;
     open_neighbour_step(ui, -1);
-    if (ui.session.step != step) ui.lesson.strip.card = last_card;
+    if (ui.session.step != step) ui.lesson.wants_end = ui.lesson.is_strip;
 }
 
 bool lesson_was_edited(const Ui& ui) {

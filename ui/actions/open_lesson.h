@@ -31,7 +31,8 @@ void open_neighbour_step(Ui& ui, int distance);
 /// @return false where there is none: the step is at its end, or at its beginning
 bool turn_card(Ui& ui, int distance);
 
-/// The card after the one on show and the one before; beyond the step's, the neighbour step.
+/// The card after the one on show and the one before; beyond the step's, the neighbour step: its
+/// beginning, and in the strip or its whole text the end of the one before.
 void read_on(Ui& ui);
 void read_back(Ui& ui);
 

@@ -69,10 +69,7 @@ void open_drawer(Ui& ui) {
     LessonView& lesson = ui.lesson;
     lesson.drawer_is_open = lesson.is_strip;
     // What the strip has come to is read on.
-    const LessonStrip& strip = lesson.strip;
-    if (strip.card > 0 && strip.card < static_cast<int>(strip.cards.size())) {
-        lesson.part_to_show = strip.cards[static_cast<std::size_t>(strip.card)].part;
-    }
+    if (lesson.is_strip && !lesson.strip.cards.empty()) lesson.place_to_show = lesson.strip.place;
 }
 
 void close_drawer(Ui& ui) {

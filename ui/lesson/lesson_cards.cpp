@@ -58,6 +58,35 @@ std::string sign_of(Ui& ui, const Lesson& lesson, const LessonPart& part) {
     return !view.judged ? "" : view.judged->is_right ? "✓ " : "✗ ";
 }
 
+/// How long the text of a part's cards before this one is.
+std::size_t length_before(const LessonStrip& strip, int part, std::size_t end) {
+    std::size_t length = 0;
+    for (std::size_t i = 0; i < end; ++i)
+        length += strip.cards[i].part == part ? strip.cards[i].text.size() : 0;
+    return length;
+}
+
+/// Where in the step a card begins.
+LessonPlace beginning_of(const LessonStrip& strip, int index) {
+    const auto card = static_cast<std::size_t>(index);
+    const int part = strip.cards[card].part;
+    const std::size_t whole = length_before(strip, part, strip.cards.size());
+    const auto before = static_cast<float>(length_before(strip, part, card));
+    return {part, whole > 0 ? before / static_cast<float>(whole) : 0.0f};
+}
+
+/// The card in which a place of the step lies.
+int card_at(const LessonStrip& strip, const LessonPlace& place) {
+    // Cards of other widths are joined by other blanks.
+    constexpr float blanks = 0.01f;
+    int card = card_of_part(strip, place.part);
+    for (int i = card + 1; i < static_cast<int>(strip.cards.size()); ++i) {
+        const LessonPlace beginning = beginning_of(strip, i);
+        if (beginning.part == place.part && beginning.share <= place.share + blanks) card = i;
+    }
+    return card;
+}
+
 /// Which of how many cards of its part is on show: " 2/3"; empty where a part is one card.
 std::string place_of_card(const LessonStrip& strip, int part) {
     const auto is_of_part = [&](const LessonCard& card) { return card.part == part; };
@@ -106,16 +135,19 @@ std::vector<PartWord> words_of(Ui& ui, const Lesson& lesson, const LessonStep& s
 void cut_cards(Ui& ui, const Lesson& lesson, const LessonStep& step, float width) {
     LessonStrip& strip = ui.lesson.strip;
     const float text_size = ui.fonts.text->FontSize;
-    if (!strip.cards.empty() && strip.cards_width == width && strip.cards_text_size == text_size) {
-        return;
+    if (strip.cards.empty() || strip.cards_width != width || strip.cards_text_size != text_size) {
+        if (!strip.cards.empty() && !strip.read_to) strip.read_to = beginning_of(strip, strip.card);
+        strip.cards = cut(ui, lesson, step, width);
+        strip.cards_width = width;
+        strip.cards_text_size = text_size;
     }
     const int last = static_cast<int>(strip.cards.size()) - 1;
-    const int part = last >= 0 ? strip.cards[static_cast<std::size_t>(strip.card)].part : -1;
-    strip.cards = cut(ui, lesson, step, width);
-    strip.cards_width = width;
-    strip.cards_text_size = text_size;
-    if (part >= 0) strip.card = card_of_part(strip, part);
-    strip.card = std::clamp(strip.card, 0, static_cast<int>(strip.cards.size()) - 1);
+    if (strip.read_to) strip.card = card_at(strip, *strip.read_to);
+    if (ui.lesson.wants_end) strip.card = last;
+    strip.read_to.reset();
+    ui.lesson.wants_end = false;
+    strip.card = std::clamp(strip.card, 0, last);
+    strip.place = beginning_of(strip, strip.card);
 }
 
 int card_of_part(const LessonStrip& strip, int part) {

@@ -98,7 +98,8 @@ void draw_footer(Ui& ui, const Lesson* lesson, SidePage page, float width) {
 
 /// In its window: the text stays where the student reads. Where it moves to another part of the
 /// window, as when both views are shown, it is scrolled to the same share of its length there.
-void keep_place(LessonView& view, const std::string& page) {
+/// @param from_end a page that comes is shown from its end
+void keep_place(LessonView& view, const std::string& page, bool from_end) {
     // How long the text is there is not known before it was laid out.
     constexpr int frames_to_lay_out = 3;
     const ImGuiID place = ImGui::GetID("place");
@@ -106,8 +107,9 @@ void keep_place(LessonView& view, const std::string& page) {
     scroll_by_key(view);
     if (view.shown != page) {
         view.shown = page;
-        view.frames_to_scroll = 0;
-        view.scroll_share = 0.0f;
+        view.known_scroll.reset();
+        view.frames_to_scroll = from_end ? frames_to_lay_out : 0;
+        view.scroll_share = from_end ? 1.0f : 0.0f;
         ImGui::SetScrollY(0.0f);
     } else if (view.place != place) {
         view.frames_to_scroll = frames_to_lay_out;
@@ -126,7 +128,7 @@ void draw_scrolled(Ui& ui, const Lesson* lesson, SidePage page, ImVec2 size, flo
                    bool has_footer) {
     ImGui::BeginChild("lesson.text", size, false, ImGuiWindowFlags_NoNav);
     const std::string name = name_of_page(ui, lesson, page);
-    keep_place(ui.lesson, name);
+    keep_place(ui.lesson, name, page == SidePage::lesson && ui.lesson.wants_end);
     draw_text(ui, lesson, page, width);
     if (has_footer) draw_footer(ui, lesson, page, width);
     draw_fade(ui, width);
@@ -152,7 +154,10 @@ void draw_page(Ui& ui, float gutter) {
 void draw_drawer_head(Ui& ui, const Lesson& lesson, const Area& area) {
     const LessonStep& step = step_on_show(ui, lesson);
     const int part = draw_part_words(ui, lesson, step, -1, area);
-    if (part >= 0) ui.lesson.part_to_show = part;
+    if (part >= 0) {
+        ui.lesson.place_to_show = ui.lesson.strip.read_to = LessonPlace{part};
+        ui.lesson.wants_end = false;
+    }
     const std::string place = place_in_lesson(ui, lesson);
     const ImFont* const small = ui.fonts.small;
     const float width = text_width(small, place);

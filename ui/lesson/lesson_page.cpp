@@ -1,7 +1,9 @@
 #include "ui/lesson/lesson_page.h"
 
 #include <algorithm>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "ui/actions/lesson_links.h"
 #include "ui/actions/open_lesson.h"
@@ -60,6 +62,45 @@ std::string with_footnotes(const Lesson& lesson, const std::string& text) {
     return result;
 }
 
+/// The part of a step that stands in its whole text.
+struct PartArea {
+    int part = 0;
+    float top = 0.0f, bottom = 0.0f; ///< screen pixels
+};
+
+/// A line of text stands above what is scrolled to.
+float line_above(const Ui& ui) {
+    return 1.4f * ui.fonts.text->FontSize;
+}
+
+void scroll_to(const Ui& ui, const PartArea& area, float share) {
+    const float top = area.top + share * (area.bottom - area.top);
+    if (area.part == 0 && share == 0.0f) {
+        ImGui::SetScrollY(0.0f); // the heading above it
+    } else {
+        const float above = share > 0.0f ? line_above(ui) : 0.0f;
+        ImGui::SetScrollFromPosY(top - above - ImGui::GetWindowPos().y, 0.0f);
+    }
+}
+
+/// Notes for the strip how far the student has scrolled the whole text.
+void note_place(Ui& ui, const std::vector<PartArea>& areas) {
+    LessonView& view = ui.lesson;
+    const float scroll = ImGui::GetScrollY(), last = ImGui::GetScrollMaxY();
+    const bool is_led = view.place_to_show || view.frames_to_scroll > 0;
+    const std::optional<float> before = view.known_scroll;
+    view.known_scroll = is_led ? std::nullopt : std::optional(scroll);
+    if (is_led || !before || *before == scroll) return;
+    view.wants_end = false;
+    const float top = ImGui::GetWindowPos().y + line_above(ui);
+    for (const PartArea& area : areas) {
+        if (area.part > 0 && area.top > top) break;
+        const float share = (top - area.top) / std::max(area.bottom - area.top, 1.0f);
+        view.strip.read_to = {area.part, std::clamp(share, 0.0f, 1.0f)};
+    }
+    if (scroll >= last && !areas.empty()) view.strip.read_to = {areas.back().part, 1.0f};
+}
+
 } // namespace
 
 void draw_lesson_faults(Ui& ui, const Lesson& lesson) {
@@ -87,18 +128,11 @@ void draw_step_text(Ui& ui, const Lesson& lesson, float width) {
     const float gap = 0.6f * ui.fonts.text->FontSize;
     std::shared_ptr<MarkdownPage>& heading = ui.lesson.pages["heading"];
     draw_markdown(ui, heading, "# " + step.heading, width, "lesson.heading.link.");
+    std::vector<PartArea> areas;
     for (std::size_t i = 0; i < step.parts.size(); ++i) {
         const LessonPart& part = step.parts[i];
         ImGui::Dummy({0.0f, i == 0 ? 0.4f * gap : gap});
-        if (ui.lesson.part_to_show == static_cast<int>(i)) {
-            // Its beginning; of the first part, the heading above it.
-            if (i == 0) {
-                ImGui::SetScrollY(0.0f);
-            } else {
-                ImGui::SetScrollHereY(0.0f);
-            }
-            if (ui.lesson.frames_to_scroll == 0) ui.lesson.part_to_show = -1;
-        }
+        const float top = ImGui::GetCursorScreenPos().y;
         switch (part.kind) {
         case LessonPart::Kind::text: {
             const std::string name = "lesson.part" + std::to_string(i);
@@ -117,7 +151,14 @@ void draw_step_text(Ui& ui, const Lesson& lesson, float width) {
                             width);
             break;
         }
+        areas.push_back({static_cast<int>(i), top, ImGui::GetCursorScreenPos().y});
     }
+    // What is drawn may have led to another step, which asks for a place of its own.
+    std::optional<LessonPlace>& place = ui.lesson.place_to_show;
+    const bool is_here = place && static_cast<std::size_t>(place->part) < areas.size();
+    if (is_here) scroll_to(ui, areas[static_cast<std::size_t>(place->part)], place->share);
+    note_place(ui, areas);
+    if (ui.lesson.frames_to_scroll == 0) place.reset();
     ImGui::Dummy({0.0f, 10.0f * ui.options.text_scale});
 }
 

@@ -45,14 +45,22 @@ struct LessonCard {
     std::string text; ///< of a part that is text: as much of it as has room
 };
 
+/// A place in a step's text.
+struct LessonPlace {
+    int part = 0;       ///< index in LessonStep::parts
+    float share = 0.0f; ///< how far into that part, 0 to 1
+};
+
 /// What the strip of the lesson keeps from one frame to the next.
 struct LessonStrip {
     std::vector<LessonCard> cards; ///< of the step on show, in reading order; empty: not cut yet
     float cards_width = 0.0f;      ///< for which they were cut, screen pixels
     float cards_text_size = 0.0f;  ///< and of which font, screen pixels
     int card = 0;                  ///< the one on show
-    int scrolled_card = 0;         ///< the one to which the scroll position belongs
-    float height = 0.0f;           ///< that its text took when it was drawn last, screen pixels
+    LessonPlace place;             ///< where the card on show begins
+    std::optional<LessonPlace> read_to; ///< what the cards are to go on with, once they are cut
+    int scrolled_card = 0;              ///< the one to which the scroll position belongs
+    float height = 0.0f; ///< that its text took when it was drawn last, screen pixels
     /// The sentences that fit, and for what they were found.
     struct Fitting {
         std::string of, sentences;
@@ -74,10 +82,12 @@ struct LessonView {
     std::map<std::string, std::shared_ptr<MarkdownPage>> pages; ///< of the step on show, by name
     std::map<std::string, PredictionView> predictions;          ///< of the lesson, by id
     std::set<std::string> open_hints;                           ///< ids of tasks
-    std::string shown;            ///< which page is on show; the scroll position belongs to it
-    float scroll_share = 0.0f;    ///< how far it is scrolled, 0 to 1
-    unsigned place = 0;           ///< in which window of ImGui it stands
-    int part_to_show = -1;        ///< part of the step that is scrolled to; -1: none
+    std::string shown;         ///< which page is on show; the scroll position belongs to it
+    float scroll_share = 0.0f; ///< how far it is scrolled, 0 to 1
+    unsigned place = 0;        ///< in which window of ImGui it stands
+    std::optional<LessonPlace> place_to_show; ///< in the whole text: it is scrolled there
+    std::optional<float> known_scroll; ///< of the whole text; another one is the student's doing
+    bool wants_end = false;       ///< of the step on show: its last card, the end of its whole text
     float pages_to_scroll = 0.0f; ///< what a key asks for: 1 is a page on
     bool has_more_above = false, has_more_below = false; ///< text that is scrolled away
     int frames_to_scroll = 0;          ///< in which it goes back to that share, in another place

@@ -8,6 +8,7 @@
 #include "tests/ui/driver.h"
 #include "ui/actions/keys.h"
 #include "ui/actions/open_lesson.h"
+#include "ui/actions/open_tab.h"
 #include "ui/ui.h"
 
 namespace rasterwalk {
@@ -46,6 +47,14 @@ void turn_to_prediction(Driver& driver, const std::string& id) {
 /// The cards of the step on show.
 const std::vector<LessonCard>& cards(const Driver& driver) {
     return driver.ui.lesson.strip.cards;
+}
+
+/// The last card of the text with which the step on show begins.
+int last_card_of_text(const Driver& driver) {
+    int last = 0;
+    while (cards(driver)[static_cast<std::size_t>(last + 1)].part == 0)
+        ++last;
+    return last;
 }
 
 } // namespace
@@ -314,6 +323,98 @@ TEST_CASE("A word leads to its part of the whole text, which opens at what the s
     driver.hand.leave();
     CHECK_FALSE(driver.ui.lesson.has_more_above);
     CHECK_FALSE(driver.hand.is_visible(name + ".choice.0"));
+}
+
+TEST_CASE("Strip and whole text take each other on where the student reads") {
+    Driver driver("lab-room.toml", {1024, 640}, 1.5f);
+    const LessonView& lesson = driver.ui.lesson;
+    const auto press = [&](int what) {
+        driver.hand.press(what);
+        driver.hand.leave();
+    };
+    open_lesson(driver.ui, "05-row-table", 5);
+    driver.hand.leave();
+    const int last = last_card_of_text(driver);
+    REQUIRE(last > 0);
+    press('T');
+    CHECK_FALSE(lesson.has_more_above);
+    press('T');
+    CHECK(lesson.strip.card == 0);
+    for (int i = 0; i < last; ++i)
+        press(key::page_down);
+    REQUIRE(lesson.strip.card == last);
+    press('T');
+    CHECK(lesson.has_more_above); // within the first part
+    press('T');
+    CHECK(lesson.strip.card == last);
+    // What is scrolled in the whole text the strip goes on with.
+    press('T');
+    while (lesson.has_more_above)
+        press(key::page_up);
+    press('T');
+    CHECK(lesson.strip.card == 0);
+    press('T');
+    while (lesson.has_more_below)
+        press(key::page_down);
+    press('T');
+    CHECK(lesson.strip.card + 1 == static_cast<int>(cards(driver).size()));
+    // The list of lessons begins at its beginning all the same.
+    press('T');
+    press('L');
+    CHECK_FALSE(lesson.has_more_above);
+    press('L');
+    // So it is where another tab takes the text's place.
+    press('T');
+    driver.hand.click("lesson.card.text");
+    driver.hand.leave();
+    open_tab(driver.ui, "rows");
+    driver.hand.leave();
+    CHECK(lesson.strip.card == 0);
+}
+
+TEST_CASE("A window of another width leaves the strip where it was in its text") {
+    Driver driver("lab-room.toml", {1024, 640}, 1.5f);
+    open_lesson(driver.ui, "05-row-table", 5);
+    driver.hand.leave();
+    const int last = last_card_of_text(driver);
+    REQUIRE(last > 0);
+    for (int i = 0; i < last; ++i)
+        driver.hand.press(key::page_down);
+    driver.hand.leave();
+    const std::string text = cards(driver)[static_cast<std::size_t>(last)].text;
+    REQUIRE(driver.ui.lesson.strip.card == last);
+    driver.resize({1100, 640});
+    driver.hand.leave();
+    const auto card = static_cast<std::size_t>(driver.ui.lesson.strip.card);
+    CHECK(cards(driver)[card].text.find(text.substr(0, 20)) != std::string::npos);
+}
+
+TEST_CASE("Page up in the whole text goes to the end of the step before, and in a column to its "
+          "beginning") {
+    Driver driver("lab-room.toml", {1024, 640});
+    const LessonView& lesson = driver.ui.lesson;
+    open_lesson(driver.ui, "05-row-table", 6);
+    driver.hand.press('T');
+    driver.hand.leave();
+    driver.hand.press(key::page_up);
+    driver.hand.leave();
+    CHECK(driver.ui.session.step == 5);
+    CHECK(lesson.has_more_above);
+    CHECK_FALSE(lesson.has_more_below);
+    driver.hand.press('T');
+    driver.hand.leave();
+    CHECK(lesson.strip.card + 1 == static_cast<int>(cards(driver).size()));
+
+    driver.resize({1600, 1000});
+    driver.hand.leave();
+    REQUIRE_FALSE(lesson.is_strip);
+    driver.hand.press(key::page_up);
+    driver.hand.leave();
+    CHECK(driver.ui.session.step == 4);
+    driver.resize({1024, 640});
+    driver.hand.leave();
+    REQUIRE(cards(driver).size() > 1);
+    CHECK(lesson.strip.card == 0);
 }
 
 TEST_CASE("The strip has the way on at the same place in every step, 86 wide") {
