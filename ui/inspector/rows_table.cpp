@@ -259,11 +259,13 @@ struct RowPlace {
     float height; ///< of a line, screen pixels
 };
 
-/// Brings a row to the middle; at the top stands a whole line.
-void scroll_to(const RowPlace& row) {
+/// Brings a row to the middle; at the top stands a whole line. Returns true if it stands so.
+bool scroll_to(const RowPlace& row) {
     const float lines = std::floor(ImGui::GetWindowHeight() / row.height);
     const float first = static_cast<float>(row.line) - std::floor(0.5f * lines);
-    ImGui::SetScrollY(std::max(first, 0.0f) * row.height);
+    const float wished = std::max(first, 0.0f) * row.height;
+    ImGui::SetScrollY(wished);
+    return std::abs(ImGui::GetScrollY() - wished) < 1.0f;
 }
 
 /// Scrolls to the row just drawn. A table that has only just come knows its height a frame later:
@@ -276,8 +278,8 @@ void bring_into_view(Ui& ui, const RowPlace& row, bool is_last) {
         ui.inspector.scroll_to_row = false;
     } else if (is_last) {
         ImGui::SetScrollHereY(1.0f);
-    } else {
-        scroll_to(row);
+    } else if (scroll_to(row)) {
+        ui.inspector.scroll_to_row = false;
     }
 }
 
@@ -346,8 +348,9 @@ void draw_all_rows(Ui& ui, float height) {
     }
     const auto above =
         static_cast<int>(std::count_if(history.outside.begin(), history.outside.end(), is_above));
+    const float line = ImGui::GetTextLineHeight() + 2.0f * ImGui::GetStyle().CellPadding.y;
     ImGuiListClipper clipper;
-    clipper.Begin(history.rows.size());
+    clipper.Begin(history.rows.size(), line);
     const std::optional<int> at_work = row_at_work(ui);
     if (ui.follow_cursor && at_work && history.rows.size() > 0) {
         const int index = std::clamp(*at_work - history.rows.first_row, 0, history.rows.size() - 1);
@@ -362,7 +365,7 @@ void draw_all_rows(Ui& ui, float height) {
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             draw_row(ui, i);
-            const RowPlace place{above + i, clipper.ItemsHeight};
+            const RowPlace place{above + i, line};
             const bool is_at_work = at_work == history.rows.first_row + i;
             if (ui.follow_cursor && is_at_work && !ImGui::IsItemVisible()) scroll_to(place);
             if (i == wanted) bring_into_view(ui, place, i + 1 == history.rows.size());
