@@ -106,6 +106,12 @@ def local_names(text):
     return outside, inside
 
 
+def meet(some, others):
+    """Functions of one name may stand side by side; a function and something else may not."""
+    bare = {name.split("(")[0] for name in others if "(" in name}
+    return some & others or {name for name in some if "(" not in name} & bare
+
+
 class Unit:
     """Sources that are asked about as one: none of them has a name that another would take for its own."""
 
@@ -113,7 +119,8 @@ class Unit:
         self.sources, self.read, self.owned, self.size = [], set(), set(), 0
 
     def has_room_for(self, read, owned):
-        return not (owned & self.owned or (owned - read) & self.read or (self.owned - self.read) & read)
+        return not (meet(owned, self.owned) or meet(self.owned, owned) or
+                    meet(owned - read, self.read) or meet(self.owned - self.read, read))
 
     def take(self, source, read, owned):
         self.sources.append(source)
