@@ -202,8 +202,8 @@ def check_units(tool, version, commands, folder):
 
     def ask_together(number, command, sources):
         """The compiler is quick to say which sources cannot stand in one file, which is no fault of theirs."""
-        misfits = [source for source in sources
-                   if str(source.resolve()) in faulty_files(command, unity_of(number, sources))]
+        faulty = faulty_files(command, unity_of(number, sources))
+        misfits = [source for source in sources if str(source.resolve()) in faulty]
         if not misfits or len(sources) == 1:
             return [ask(tool, checks, unity_of(number, sources), command)]
         if len(misfits) == len(sources):
