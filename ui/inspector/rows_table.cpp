@@ -274,11 +274,10 @@ bool scroll_to(const RowPlace& row) {
 void bring_into_view(Ui& ui, const RowPlace& row, bool is_last) {
     const float top = ImGui::GetWindowPos().y + ImGui::GetTextLineHeightWithSpacing();
     const float bottom = ImGui::GetWindowPos().y + ImGui::GetWindowHeight();
-    if (ImGui::GetItemRectMin().y > top && ImGui::GetItemRectMax().y < bottom) {
-        ui.inspector.scroll_to_row = false;
-    } else if (is_last) {
+    const bool is_seen = ImGui::GetItemRectMin().y > top && ImGui::GetItemRectMax().y < bottom;
+    if (is_last && !is_seen) {
         ImGui::SetScrollHereY(1.0f);
-    } else if (scroll_to(row)) {
+    } else if (is_seen || scroll_to(row)) {
         ui.inspector.scroll_to_row = false;
     }
 }
