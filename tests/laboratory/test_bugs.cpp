@@ -3,9 +3,9 @@
 
 #include "laboratory/bug.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <map>
 #include <set>
 
 #include <catch2/catch.hpp>
@@ -76,16 +76,21 @@ bool same_but_for_colour(const Framebuffer& a, const Framebuffer& b) {
     return a.depth == b.depth && a.owner == b.owner && a.overdraw == b.overdraw;
 }
 
-/// All work of a frame, by cursor.
-std::map<Cursor, FragmentEvent> fragments_of(const Frame& frame) {
+/// All work of a frame, in the order of time.
+std::vector<FragmentEvent> fragments_of(const Frame& frame) {
     Recorder recorder;
     Framebuffer framebuffer;
     clear(framebuffer, frame);
     draw(frame, {}, framebuffer, &recorder);
-    std::map<Cursor, FragmentEvent> all;
-    for (const FragmentEvent& event : recorder.fragments)
-        all[event.cursor] = event;
-    return all;
+    return recorder.fragments;
+}
+
+/// The fragment of this moment, or none.
+const FragmentEvent* fragment_at(const std::vector<FragmentEvent>& all, const Cursor& cursor) {
+    const auto found = std::lower_bound(
+        all.begin(), all.end(), cursor,
+        [](const FragmentEvent& event, const Cursor& time) { return event.cursor < time; });
+    return found != all.end() && found->cursor == cursor ? &*found : nullptr;
 }
 
 /// Row tables of all triangles that are drawn.
@@ -252,9 +257,12 @@ TEST_CASE("B4: a second 1/z draws every place toward the origin, and leaves cove
     CHECK(runs.different_pixels() == 247928);
     const auto wrong = fragments_of(runs.wrong), correct = fragments_of(runs.correct);
     REQUIRE(wrong.size() == correct.size());
-    for (const auto& [cursor, event] : wrong) {
+    for (const FragmentEvent& event : wrong) {
+        const Cursor& cursor = event.cursor;
         if (cursor.step != 0) continue; // the left end: there it is exactly one 1/z too many
-        const FragmentEvent& right = correct.at(cursor);
+        const FragmentEvent* found = fragment_at(correct, cursor);
+        if (!found) FAIL(to_text(cursor) << " is drawn by the mistake only");
+        const FragmentEvent& right = *found;
         const glm::vec3 place =
             recover_varyings(event.fragment, runs.wrong.settings.interpolation).position_world;
         const glm::vec3 true_place =
@@ -333,12 +341,14 @@ TEST_CASE("B9: every row of every triangle lacks its last fragment, and no other
     const auto wrong = fragments_of(runs.wrong), correct = fragments_of(runs.correct);
     std::size_t last = 0;
     const std::vector<PolygonRows> tables = tables_of(runs.correct);
-    for (const auto& [cursor, event] : correct) {
+    for (const FragmentEvent& event : correct) {
+        const Cursor& cursor = event.cursor;
         const PolygonRows& table = tables[static_cast<std::size_t>(cursor.triangle)];
         const bool is_last = cursor.step + 1 == table.pixel_count(cursor.index);
         last += is_last ? 1 : 0;
-        if (wrong.contains(cursor) == is_last) FAIL(to_text(cursor) << " should be otherwise");
-        if (!is_last && !same_bits(wrong.at(cursor).fragment, event.fragment))
+        const FragmentEvent* found = fragment_at(wrong, cursor);
+        if ((found != nullptr) == is_last) FAIL(to_text(cursor) << " should be otherwise");
+        if (found && !same_bits(found->fragment, event.fragment))
             FAIL(to_text(cursor) << " has other numbers");
     }
     CHECK(wrong.size() + last == correct.size());
@@ -510,7 +520,7 @@ TEST_CASE("B17c: in a picture that is not square the cells outside are not writt
 TEST_CASE("B17d: every pixel shows the farthest of its fragments") {
     const Runs runs("B17d");
     std::vector<float> farthest(runs.pixel_count(), 1000.0f);
-    for (const auto& [cursor, event] : fragments_of(runs.wrong)) {
+    for (const FragmentEvent& event : fragments_of(runs.wrong)) {
         float& depth = farthest[runs.wrong_picture.at(event.fragment.column, event.fragment.row)];
         depth = std::min(depth, event.fragment.depth);
     }
