@@ -33,10 +33,15 @@ Json to_json(const LeftOut& left_out) {
 }
 
 Json to_json(const FrameStats& stats) {
-    return {{"depth_outside", stats.depth_outside},
+    return {{"clip_triangles", stats.clip_triangles},
+            {"clipped", stats.clipped},
+            {"culled", stats.left_out.of(Rejection::back_facing)},
+            {"depth_outside", stats.depth_outside},
             {"fragments", stats.fragments},
+            {"fragments_outside", stats.fragments_outside},
             {"left_out", to_json(stats.left_out)},
             {"max_overdraw", stats.max_overdraw},
+            {"rejected", stats.left_out.of(Rejection::outside)},
             {"rows_looked_at", stats.rows_looked_at},
             {"rows_outside", stats.rows_outside},
             {"rows_outside_triangles", stats.rows_outside_triangles},
@@ -67,7 +72,12 @@ void stats_command(const StatsOptions& options, std::ostream& out, std::ostream&
         print_json(to_json(stats), out);
     } else {
         out << "triangles               " << stats.triangles << '\n'
+            << "rejected                " << stats.left_out.of(Rejection::outside) << '\n'
+            << "clipped                 " << stats.clipped << '\n'
+            << "clip_triangles          " << stats.clip_triangles << '\n'
+            << "culled                  " << stats.left_out.of(Rejection::back_facing) << '\n'
             << "fragments               " << stats.fragments << '\n'
+            << "fragments_outside       " << stats.fragments_outside << '\n'
             << "max_overdraw            " << stats.max_overdraw << '\n'
             << "uncovered               " << stats.uncovered << '\n'
             << "rows_outside            " << stats.rows_outside << '\n'

@@ -135,6 +135,19 @@ void add_frame_facts(std::vector<Fact>& table) {
     add_frame_fact(table, "frame.fragments",
                    "Fragments that fall in the picture, drawn or not; before stage fill, marks.",
                    [](const FrameStats& s) { return number(s.fragments); });
+    add_frame_fact(table, "frame.fragments_outside", "Fragments that fall beside the picture.",
+                   [](const FrameStats& s) { return number(s.fragments_outside); });
+    add_frame_fact(table, "frame.clipped", "Triangles that clipping has cut.",
+                   [](const FrameStats& s) { return number(s.clipped); });
+    add_frame_fact(table, "frame.clip_triangles",
+                   "Triangles after clipping, uncut ones too: a polygon counts as its fan.",
+                   [](const FrameStats& s) { return number(s.clip_triangles); });
+    add_frame_fact(
+        table, "frame.culled", "Triangles left out because they show their back.",
+        [](const FrameStats& s) { return number(s.left_out.of(Rejection::back_facing)); });
+    add_frame_fact(table, "frame.rejected",
+                   "Triangles left out because all their vertices lie beyond the same plane.",
+                   [](const FrameStats& s) { return number(s.left_out.of(Rejection::outside)); });
     add_frame_fact(table, "frame.triangles", "Triangles that are drawn.",
                    [](const FrameStats& s) { return number(s.triangles - s.left_out.total()); });
     add_frame_fact(table, "frame.left_out", "Triangles that are left out.",

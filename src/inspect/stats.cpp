@@ -21,6 +21,7 @@ FrameStats frame_stats(const Frame& frame, const Cursor& to, Framebuffer& frameb
     FrameStats stats;
     stats.triangles = frame.triangle_count();
     stats.fragments = tally.fragments;
+    stats.fragments_outside = tally.fragments_outside;
     stats.rows_outside = tally.samples_outside;
     stats.rows_outside_triangles = tally.triangles_outside;
     stats.shaded = tally.shaded;
@@ -32,6 +33,12 @@ FrameStats frame_stats(const Frame& frame, const Cursor& to, Framebuffer& frameb
         stats.uncovered += fragments == 0 ? 1 : 0;
     }
     stats.left_out = count_left_out(frame);
+    for (const Polygon& polygon : frame.polygons) {
+        if (polygon.rejection != Rejection::none && polygon.rejection != Rejection::back_facing)
+            continue;
+        stats.clipped += polygon.is_cut ? 1 : 0;
+        stats.clip_triangles += polygon.count - 2;
+    }
     return stats;
 }
 

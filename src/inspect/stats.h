@@ -21,13 +21,16 @@ struct LeftOut {
 
 /// What a frame comes to, in numbers.
 struct FrameStats {
-    int triangles = 0;               ///< of the scene, drawn or not
-    std::int64_t fragments = 0;      ///< that fell in the picture; in stages before `fill`, marks
-    std::uint32_t max_overdraw = 0;  ///< most fragments on one pixel
-    std::int64_t uncovered = 0;      ///< pixels on which none fell
-    std::int64_t rows_outside = 0;   ///< edge samples outside their row table
-    int rows_outside_triangles = 0;  ///< triangles that have such samples
-    std::int64_t shaded = 0;         ///< fragments whose colour was worked out, drawn or not
+    int triangles = 0;          ///< of the scene, drawn or not
+    std::int64_t fragments = 0; ///< that fell in the picture; in stages before `fill`, marks
+    std::int64_t fragments_outside = 0; ///< that fell beside it
+    int clipped = 0;                    ///< triangles that were cut
+    int clip_triangles = 0;             ///< triangles after clipping, uncut ones too: a fan of each
+    std::uint32_t max_overdraw = 0;     ///< most fragments on one pixel
+    std::int64_t uncovered = 0;         ///< pixels on which none fell
+    std::int64_t rows_outside = 0;      ///< edge samples outside their row table
+    int rows_outside_triangles = 0;     ///< triangles that have such samples
+    std::int64_t shaded = 0;            ///< fragments whose colour was worked out, drawn or not
     std::int64_t rows_looked_at = 0; ///< rows that the edge samples asked on their way to their own
     std::int64_t unset_rows = 0;     ///< rows without a sample, drawn all the same; none in view
     std::int64_t depth_outside = 0;  ///< fragments whose pixel has no cell in the depth buffer

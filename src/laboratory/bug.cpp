@@ -33,11 +33,9 @@ Assignments read_assignments(const TomlInput& input, std::string_view key) {
         } catch (const UsageError& error) {
             input.fail(node, error.what());
         }
-        const std::size_t place = assignment.find('=');
         // By its name in the table, whatever blanks stand around it.
-        const std::string_view name = trimmed(std::string_view(assignment).substr(0, place));
-        const std::string value = assignment.substr(place + 1);
-        values.emplace_back(meant_setting(*find_setting(name), value).name, value);
+        const Assignment read = read_assignment(assignment);
+        values.emplace_back(read.setting->name, read.value);
     }
     return values;
 }

@@ -35,18 +35,24 @@ Rectangle scissor_rectangle(const DrawWindow& window, const Framebuffer& target)
     return window.scissor ? intersection(whole, *window.scissor) : whole;
 }
 
-/// Can a pixel of the triangle lie in the scissor? Tells by its box, which is a little too large.
-bool can_reach(const Drawing& d, int triangle) {
+/// All that the pixels of a triangle can reach: its box, and a little more.
+Rectangle reach_of(const Frame& frame, int triangle) {
     const Rectangle box =
-        d.stages.polygon_box(d.frame.triangle_vertices(triangle), edge_rules(d.frame.settings));
+        frame.stages.polygon_box(frame.triangle_vertices(triangle), edge_rules(frame.settings));
     // A walk that adds up its steps strays from the box: each addition is off by half a unit in the
     // last place, 2^-24 of the largest value. The bound is twice that; the 1 is for the rounding.
     const int steps = std::max(box.right - box.left, box.bottom - box.top);
     const int largest = std::max({-box.left, box.right, -box.top, box.bottom});
     const int stray =
         1 + static_cast<int>(0x1p-23f * static_cast<float>(steps) * static_cast<float>(largest));
-    return box.left - stray < d.scissor.right && box.right + stray > d.scissor.left &&
-           box.top - stray < d.scissor.bottom && box.bottom + stray > d.scissor.top;
+    return {box.left - stray, box.top - stray, box.right + stray, box.bottom + stray};
+}
+
+/// Can a pixel of the triangle lie in the scissor?
+bool can_reach(const Drawing& d, int triangle) {
+    const Rectangle reach = reach_of(d.frame, triangle);
+    return reach.left < d.scissor.right && reach.right > d.scissor.left &&
+           reach.top < d.scissor.bottom && reach.bottom > d.scissor.top;
 }
 
 DepthResult test_depth(Drawing& d, const Fragment& fragment, std::size_t pixel) {
@@ -109,8 +115,33 @@ void draw_fragments(Drawing& d, Cursor cursor, std::span<const LineSample> fragm
     }
 }
 
+/// Fragments of a triangle's table that fall beside what the bounds test lets through.
+std::int64_t count_outside(const Frame& frame, int triangle, const PolygonRows& rows) {
+    const Rectangle area = drawn_area(frame);
+    const Rectangle reach = reach_of(frame, triangle);
+    if (reach.left >= area.left && reach.right <= area.right && reach.top >= area.top &&
+        reach.bottom <= area.bottom)
+        return 0;
+    std::int64_t outside = 0;
+    for (int r = 0; r < rows.size(); ++r) {
+        const RowSpan span = row_span(frame.stages, rows, r);
+        if (span.drawn <= 0 || rows.is_empty_row(r)) continue;
+        const std::int64_t left = span.left, behind = left + span.drawn;
+        const int row = rows.first_row + r;
+        const bool is_in_picture = row >= area.top && row < area.bottom;
+        const std::int64_t inside = is_in_picture ? std::min<std::int64_t>(behind, area.right) -
+                                                        std::max<std::int64_t>(left, area.left)
+                                                  : 0;
+        outside += span.drawn - std::max<std::int64_t>(inside, 0);
+    }
+    return outside;
+}
+
 /// What the row table took, and what is wrong with it.
-void count_rows(const PolygonRows& rows, int triangle, bool draws_unset, DrawTally& tally) {
+void count_rows(const Frame& frame, const PolygonRows& rows, int triangle, bool draws_unset,
+                DrawTally& tally) {
+    if (has_fragments(frame.settings.stage))
+        tally.fragments_outside += count_outside(frame, triangle, rows);
     tally.samples_outside += rows.outside;
     tally.triangles_outside += rows.outside > 0 ? 1 : 0;
     if (rows.outside > 0 && tally.first_outside < 0) tally.first_outside = triangle;
@@ -131,7 +162,7 @@ void cover(Drawing& d, int triangle) {
     EdgeDrawing edges(d, triangle);
     compute_rows(d.frame, triangle, d.rows, edges.is_wanted() ? &edges : nullptr, d.carried);
     if (d.window.from <= Cursor{triangle, Phase::vertices, 0, 0}) {
-        count_rows(d.rows, triangle, d.draws_unset, d.tally);
+        count_rows(d.frame, d.rows, triangle, d.draws_unset, d.tally);
     }
 }
 
@@ -211,6 +242,7 @@ void draw_polygon(Drawing& d, int triangle) {
 
 DrawTally& operator+=(DrawTally& sum, const DrawTally& part) {
     sum.fragments += part.fragments;
+    sum.fragments_outside += part.fragments_outside;
     sum.samples_outside += part.samples_outside;
     sum.triangles_outside += part.triangles_outside;
     const bool is_earlier = sum.first_outside < 0 || part.first_outside < sum.first_outside;
@@ -230,7 +262,7 @@ DrawTally tally_rows(const Frame& frame, int first) {
     for (int t = std::max(first, 0); t < frame.triangle_count(); ++t) {
         if (!frame.is_drawn(t)) continue;
         compute_rows(frame, t, rows, nullptr, {});
-        count_rows(rows, t, draws_unset, tally);
+        count_rows(frame, rows, t, draws_unset, tally);
     }
     return tally;
 }

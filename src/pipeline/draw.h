@@ -22,7 +22,8 @@ struct DrawWindow {
 /// of the triangles that begin in the window, so that tallies of windows that follow each other can
 /// be added.
 struct DrawTally {
-    std::int64_t fragments = 0;       ///< that fell in the framebuffer and the scissor
+    std::int64_t fragments = 0;         ///< that fell in the framebuffer and the scissor
+    std::int64_t fragments_outside = 0; ///< beside the picture, of whole triangles
     std::int64_t samples_outside = 0; ///< edge samples outside their row table, of whole triangles
     int triangles_outside = 0;        ///< triangles with such samples
     int first_outside = -1;           ///< the first of them; -1: there is none

@@ -25,7 +25,7 @@ class PolygonMaker {
         }
     }
 
-    /// Clip, cull and project; appends the corners to `vertices`.
+    /// Reject, clip, cull and project; appends the corners to `vertices`.
     Polygon make(const TriangleIndices& triangle, std::vector<ScreenVertex>& vertices) {
         Polygon polygon{static_cast<int>(vertices.size()), 0, Rejection::none, false};
         clip(triangle, polygon);
@@ -46,6 +46,8 @@ class PolygonMaker {
         corners_.clear();
         for (const int index : triangle)
             corners_.push_back(shaded_[static_cast<std::size_t>(index)]);
+        polygon.rejection = stages_.reject(corners_, rules_);
+        if (polygon.rejection != Rejection::none) return;
         const Clipped clipped = stages_.clip(corners_, rules_);
         polygon.rejection = clipped.rejection;
         if (corners_.size() < least_corners) polygon.rejection = Rejection::clipped_away;

@@ -9,15 +9,48 @@
 
 namespace rasterwalk {
 
-/// What becomes of a vertex on or behind the camera plane.
-enum class BehindCamera : std::uint8_t {
-    left_out,       ///< its triangles are not drawn
-    drawn,          ///< divided by z all the same, which mirrors it: mistake B13
-    mark_minus_one, ///< as left_out, but marked by the column -1, which others have too: B14
+/// What becomes of triangles that reach out of the view volume.
+enum class Clip : std::uint8_t {
+    leave_out,  ///< with a vertex on or behind the camera plane they are not drawn: the lab
+    none,       ///< nothing: what is behind the camera is divided by z too, which mirrors it: B13
+    near,       ///< they are cut by the near plane
+    all,        ///< by all six planes
+    guard_band, ///< by near, far and four sides far beside the picture
 };
 template <>
-inline constexpr auto enum_words<BehindCamera> = word_list("left_out", "drawn", "mark_minus_one");
-static_assert(words_match<BehindCamera>);
+inline constexpr auto enum_words<Clip> = word_list("leave_out", "none", "near", "all",
+                                                   "guard_band");
+static_assert(words_match<Clip>);
+
+/// Which triangles are found to lie outside before they are clipped.
+enum class Reject : std::uint8_t {
+    none,     ///< none: the lab
+    outcodes, ///< those whose vertices all lie beyond the same plane of the view volume
+};
+template <>
+inline constexpr auto enum_words<Reject> = word_list("none", "outcodes");
+static_assert(words_match<Reject>);
+
+/// Which triangles are left out because they show their back.
+enum class Cull : std::uint8_t {
+    none,           ///< none: the lab
+    face_normal,    ///< whose normal points away from the camera
+    screen_area,    ///< whose corners go round the other way on the screen
+    vertex_normals, ///< of whose vertices all normals point away from the camera
+};
+template <>
+inline constexpr auto enum_words<Cull> = word_list("none", "face_normal", "screen_area",
+                                                   "vertex_normals");
+static_assert(words_match<Cull>);
+
+/// How a vertex behind the camera is marked.
+enum class BehindMark : std::uint8_t {
+    none,      ///< it has no pixel
+    minus_one, ///< by the column -1, which others have too: mistake B14
+};
+template <>
+inline constexpr auto enum_words<BehindMark> = word_list("none", "minus_one");
+static_assert(words_match<BehindMark>);
 
 /// What becomes of a vertex whose pixel lies outside the picture.
 enum class OutsidePicture : std::uint8_t {

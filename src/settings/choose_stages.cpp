@@ -20,17 +20,47 @@ void choose(ImageAxes axes, Stages& stages) {
     if (axes == ImageAxes::mirrored) stages.to_clip_space = to_clip_space_mirrored;
 }
 
-void choose(BehindCamera behind, Stages& stages) {
-    switch (behind) {
-    case BehindCamera::left_out:
+void choose(Reject reject, Stages& stages) {
+    if (reject == Reject::outcodes) stages.reject = reject_by_outcodes;
+}
+
+void choose(Clip clip, Stages& stages) {
+    switch (clip) {
+    case Clip::leave_out:
         break;
-    case BehindCamera::drawn:
+    case Clip::none:
         stages.is_in_front = is_in_front_unasked;
         break;
-    case BehindCamera::mark_minus_one:
-        stages.project = project_marking_column;
+    case Clip::near:
+        stages.clip = clip_near;
+        break;
+    case Clip::all:
+        stages.clip = clip_all;
+        break;
+    case Clip::guard_band:
+        stages.clip = clip_guard_band;
         break;
     }
+}
+
+void choose(Cull cull, Stages& stages) {
+    switch (cull) {
+    case Cull::none:
+        break;
+    case Cull::face_normal:
+        stages.cull = cull_by_face_normal;
+        break;
+    case Cull::screen_area:
+        stages.cull = cull_by_screen_area;
+        break;
+    case Cull::vertex_normals:
+        stages.cull = cull_by_vertex_normals;
+        break;
+    }
+}
+
+void choose(BehindMark mark, Stages& stages) {
+    if (mark == BehindMark::minus_one) stages.project = project_marking_column;
 }
 
 void choose(OutsidePicture outside, Stages& stages) {
@@ -178,7 +208,10 @@ Stages choose_stages(const Settings& settings) {
     Stages stages;
     choose(settings.rotation, stages);
     choose(settings.image_axes, stages);
-    choose(settings.behind_camera, stages);
+    choose(settings.reject, stages);
+    choose(settings.clip, stages);
+    choose(settings.cull, stages);
+    choose(settings.behind_mark, stages);
     choose(settings.outside_picture, stages);
     choose(settings.line_walk, stages);
     choose(settings.edge_samples, stages);

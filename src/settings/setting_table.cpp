@@ -14,6 +14,9 @@ namespace {
 /// 1/z of the nearest thing that a depth buffer may be made to start with, and of the farthest.
 constexpr float largest_depth_clear = 1e6f;
 
+/// Nearer to the camera the division by z leaves the range of floats.
+constexpr float smallest_near = 1e-6f;
+
 /// A choice among the words of an enum, which is one member of Settings.
 template <auto member>
 ChoiceSetting choice() {
@@ -143,14 +146,38 @@ std::vector<Setting> make_table() {
         {"image_axes", "Focal length sign", "Camera",
          "The sign of the focal length; a negative one turns the picture by half a turn.",
          "Drawing points", "", choice<&Settings::image_axes>()},
-        {"behind_camera", "Behind the camera", "Camera",
-         "What becomes of vertices on or behind the camera plane: their triangles are left out, "
-         "drawn all the same, or marked by the column −1.",
-         "Drawing points", "", choice<&Settings::behind_camera>()},
+        {"behind_mark", "Mark behind the camera", "Camera",
+         "How a vertex on or behind the camera plane is marked: it has no pixel, or by mistake the "
+         "column −1.",
+         "Drawing points", "", choice<&Settings::behind_mark>()},
         {"outside_picture", "Beside the picture", "Camera",
          "What becomes of vertices beside the picture: they stay there, or are moved to its "
          "border.",
          "Drawing points", "", choice<&Settings::outside_picture>()},
+        {"near", "Near plane", "View volume",
+         "How far in front of the camera the view begins; what is nearer is cut off.",
+         "Drawing points", "world units",
+         NumberSetting{[](Settings& s) -> float& { return s.near; }, smallest_near, largest_place,
+                       0.01f}},
+        {"far", "Far plane", "View volume",
+         "How far in front of the camera the view ends; what is farther is cut off.",
+         "Drawing points", "world units",
+         NumberSetting{[](Settings& s) -> float& { return s.far; }, smallest_near, largest_place,
+                       0.1f}},
+        {"reject", "Rejected before clipping", "View volume",
+         "Which triangles are found to lie outside as a whole: none, or those whose vertices all "
+         "lie beyond the same plane.",
+         "Drawing points", "", choice<&Settings::reject>()},
+        {"clip", "Clipped", "View volume",
+         "What becomes of triangles that reach out of the view: left out if a vertex lies behind "
+         "the camera, cut by planes before the division, or nothing, so that what is behind is "
+         "drawn upside down.",
+         "Drawing points", "", choice<&Settings::clip>()},
+        {"cull", "Backs left out", "View volume",
+         "How triangles are found that show their back to the camera, and left out: by the normal "
+         "of the surface, by the way their corners go round on the screen, or by the normals of "
+         "all vertices.",
+         "Drawing points", "", choice<&Settings::cull>()},
         {"light.position", "Lamp position", "Light",
          "Where the lamp is: x right, y down, z into the picture.", "Illumination", "world units",
          VectorSetting{[](Settings& s) -> glm::vec3& { return s.light.position; }, -largest_place,

@@ -100,7 +100,18 @@ std::string allowed_text(const Setting& setting);
 /// and what it would take: unknown word, no number, not finite, out of range.
 void set_value(Settings& settings, const Setting& setting, std::string_view value);
 
-/// The same by name, from `name=value`. An unknown name is answered with the nearest known one.
+/// A setting and the value that it is to be given.
+struct Assignment {
+    const Setting* setting = nullptr;
+    std::string_view value;
+};
+
+/// Reads `name=value`, with blanks or without. What was once spelled otherwise is read as it is
+/// spelled today: `behind_camera=left_out` is `clip=leave_out`. An unknown name is answered with
+/// the nearest known one, by a UsageError.
+Assignment read_assignment(std::string_view text);
+
+/// Sets one setting from `name=value`.
 void set_from_text(Settings& settings, std::string_view assignment);
 
 /// Brings every number and vector back into the range that its setting takes; what is no number

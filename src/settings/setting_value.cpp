@@ -47,6 +47,17 @@ int find_word(const ChoiceSetting& kind, std::string_view word) {
     return found == kind.words.end() ? no_word : static_cast<int>(found - kind.words.begin());
 }
 
+/// An assignment that was once spelled otherwise.
+struct OldSpelling {
+    std::string_view name, value;
+    std::string_view name_now, value_now;
+};
+constexpr OldSpelling old_spellings[] = {
+    {"behind_camera", "left_out", "clip", "leave_out"},
+    {"behind_camera", "drawn", "clip", "none"},
+    {"behind_camera", "mark_minus_one", "behind_mark", "minus_one"},
+};
+
 /// Puts a value into the settings: one function for each kind of setting.
 struct Writer {
     Settings& settings;
@@ -236,18 +247,28 @@ void set_value(Settings& settings, const Setting& setting, std::string_view valu
     std::visit(Writer{settings, meant, value}, meant.kind);
 }
 
-void set_from_text(Settings& settings, std::string_view assignment) {
-    const std::size_t place = assignment.find('=');
+Assignment read_assignment(std::string_view text) {
+    const std::size_t place = text.find('=');
     if (place == std::string_view::npos) {
-        throw UsageError(in_quotes(assignment) + " is not of the form name=value.");
+        throw UsageError(in_quotes(text) + " is not of the form name=value.");
     }
-    const std::string_view name = trimmed(assignment.substr(0, place));
-    const Setting* setting = find_setting(name);
+    const std::string_view name = trimmed(text.substr(0, place));
+    const std::string_view value = text.substr(place + 1);
+    for (const OldSpelling& old : old_spellings) {
+        if (name == old.name && trimmed(value) == old.value)
+            return {find_setting(old.name_now), old.value_now};
+    }
+    const Setting* const setting = find_setting(name);
     if (setting == nullptr) {
         throw UsageError("there is no setting " + in_quotes(name) + "." +
                          did_you_mean(name, setting_names()));
     }
-    set_value(settings, *setting, assignment.substr(place + 1));
+    return {&meant_setting(*setting, value), value};
+}
+
+void set_from_text(Settings& settings, std::string_view assignment) {
+    const Assignment read = read_assignment(assignment);
+    set_value(settings, *read.setting, read.value);
 }
 
 void clamp_to_ranges(Settings& settings) {

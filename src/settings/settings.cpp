@@ -45,7 +45,9 @@ VertexRules vertex_rules(const Settings& settings, SceneSpace space) {
             .viewport = settings.viewport,
             .space = space,
             .rounding = settings.vertex_rounding,
-            .shading = shading_rule(settings)};
+            .shading = shading_rule(settings),
+            .near = settings.near,
+            .far = settings.far};
 }
 
 EdgeRules edge_rules(const Settings& settings, VaryingSet carried) {

@@ -32,7 +32,11 @@ struct Settings {
     Camera camera;
     Rotation rotation = Rotation::row_vector;
     ImageAxes image_axes = ImageAxes::right_way;
-    BehindCamera behind_camera = BehindCamera::left_out;
+    float near = 0.1f, far = 100.0f; ///< the view volume's ends, in front of the camera
+    Reject reject = Reject::none;
+    Clip clip = Clip::leave_out;
+    Cull cull = Cull::none;
+    BehindMark behind_mark = BehindMark::none;
     OutsidePicture outside_picture = OutsidePicture::kept;
     Light light;
     LightRules light_rules;

@@ -5,20 +5,69 @@
 // In:  the corners of a polygon in clip space.
 // Out: the corners of what is left of it, any number of them; or why nothing is.
 // Picture: planes cut off what lies outside, one after the other; each can take a corner away and
-//          put two new ones in its place.
+//          put two new ones in its place. A triangle has at most nine corners behind six planes.
 //
-// The lab clips nothing. What reaches beside the picture is drawn up to its border, pixel by pixel;
-// a polygon with a vertex on or behind the camera plane is left out whole, since project() has no
-// pixel for it.
+// It happens before the division: behind the camera w is negative, the division turns left to right
+// and near to far, and no cut on the screen can undo that. The lab clips nothing. What reaches
+// beside the picture is drawn up to its border, pixel by pixel; a polygon with a vertex on or
+// behind the camera plane is left out whole, since project() has no pixel for it.
+//
+// The classic mistakes: to cut after the division; to measure t from the wrong end, so that two
+// neighbours disagree about the edge they share; and to leave out the triangle of which one corner
+// lies outside.
 //
 // Source: Sutherland and Hodgman, "Reentrant Polygon Clipping", Communications of the ACM 17(1),
 // 1974; in clip space: Blinn and Newell, "Clipping Using Homogeneous Coordinates", SIGGRAPH 1978.
 
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
 #include <vector>
+
+#include <glm/geometric.hpp>
 
 #include "stages/vertex_shader.h"
 
 namespace rasterwalk {
+
+/// The planes of the view volume, in the order in which they cut.
+enum class ClipPlane : std::uint8_t { near, far, left, right, top, bottom };
+template <>
+inline constexpr auto enum_words<ClipPlane> = word_list("near", "far", "left", "right", "top",
+                                                        "bottom");
+static_assert(words_match<ClipPlane>);
+
+inline constexpr std::size_t clip_plane_count = enum_words<ClipPlane>.size();
+
+/// Every plane by its coefficients in clip space, indexed by ClipPlane: dot(plane, position_clip)
+/// is positive inside, 0 on the plane and negative outside. For the near and the far plane it is a
+/// distance in world units, for the others w times one in pixels.
+using ClipPlanes = std::array<glm::vec4, clip_plane_count>;
+
+/// The planes through the camera and the picture's borders, and those at `near` and `far`.
+ClipPlanes view_planes(const VertexRules& rules);
+
+/// Like view_planes(), with the four sides as far out as the arithmetic behind bears. What lies
+/// between them and the picture is left to the bounds test.
+ClipPlanes guard_band_planes(const VertexRules& rules);
+
+/// How far a vertex lies on the inner side of a plane.
+inline float inner_distance(const glm::vec4& plane, const ClipVertex& vertex) {
+    return glm::dot(plane, vertex.position_clip);
+}
+
+/// Where an edge meets a plane: t = d_inside / (d_inside - d_outside), 0 at the corner inside, and
+/// place and varyings cut linearly there. Always from the inside, whichever way the edge runs, so
+/// that both neighbours of an edge get the same bits.
+/// @param d_inside, d_outside of the two corners: not negative, and negative
+ClipVertex cut_edge(const ClipVertex& inside, const ClipVertex& outside, float d_inside,
+                    float d_outside);
+
+/// One plane of Sutherland and Hodgman: what of the polygon lies on its inner side.
+/// @param result receives the corners; other memory than `corners`
+void clip_by_plane(std::span<const ClipVertex> corners, const glm::vec4& plane,
+                   std::vector<ClipVertex>& result);
 
 /// What clipping does to a polygon.
 struct Clipped {
@@ -33,5 +82,14 @@ inline Clipped clip_nothing(std::vector<ClipVertex>& corners, const VertexRules&
     static_cast<void>(rules);
     return {};
 }
+
+/// Cuts by the near plane alone: enough that the division is safe.
+Clipped clip_near(std::vector<ClipVertex>& corners, const VertexRules& rules);
+
+/// Cuts by all six planes of the view volume.
+Clipped clip_all(std::vector<ClipVertex>& corners, const VertexRules& rules);
+
+/// Cuts by near, far and the sides of the guard band.
+Clipped clip_guard_band(std::vector<ClipVertex>& corners, const VertexRules& rules);
 
 } // namespace rasterwalk

@@ -15,6 +15,7 @@
 #include "stages/polygon_rows.h"
 #include "stages/project.h"
 #include "stages/put_pixel.h"
+#include "stages/reject.h"
 #include "stages/spans.h"
 #include "stages/vertex_shader.h"
 
@@ -26,6 +27,7 @@ struct Stages {
     decltype(&rasterwalk::rotate_to_camera) rotate_to_camera = rasterwalk::rotate_to_camera;
     decltype(&rasterwalk::to_clip_space) to_clip_space = rasterwalk::to_clip_space;
 
+    decltype(&reject_nothing) reject = reject_nothing;
     decltype(&clip_nothing) clip = clip_nothing;
     decltype(&cull_nothing) cull = cull_nothing;
 

@@ -66,6 +66,7 @@ struct VertexRules {
     SceneSpace space = SceneSpace::world;
     VertexRounding rounding = VertexRounding::truncate;
     Shading shading = Shading::unlit;
+    float near = 0.1f, far = 100.0f; ///< of the view volume, in front of the camera, world units
 };
 
 /// A vertex in clip space: before the division that makes perspective.

@@ -49,9 +49,11 @@ std::map<Cursor, Seen> everything(const Frame& frame, bool with_light, bool as_s
     std::map<Cursor, Seen> all;
     for (const Recorder::VertexEvent& event : recorder.vertices) {
         std::vector<std::uint32_t>& work = all[event.cursor].work;
-        const Vertex& vertex = frame.scene->corner(event.cursor.triangle, event.cursor.index);
         work = {bits(event.vertex.column), bits(event.vertex.row), bits(event.vertex.inv_w)};
-        if (with_light) {
+        if (with_light && frame.is_cut(event.cursor.triangle)) {
+            add(work, event.vertex.varyings.illumination / event.vertex.inv_w);
+        } else if (with_light) {
+            const Vertex& vertex = frame.scene->corner(event.cursor.triangle, event.cursor.index);
             add(work, reflected_light(vertex.position, vertex.normal, vertex.reflectance,
                                       frame.settings.light, frame.settings.light_rules)
                           .reflected);

@@ -34,16 +34,44 @@ std::string assignment_refusal(const std::string& assignment) {
 } // namespace
 
 TEST_CASE("The table holds exactly the settings that are promised, each with help") {
-    const std::vector<std::string_view> promised{
-        "stage",           "shading",     "rounding",       "vertex_rounding",
-        "line_rounding",   "line_walk",   "edge_samples",   "row_start",
-        "row_search",      "empty_rows",  "spans",          "depth_test",
-        "depth_clear",     "depth_index", "depth_order",    "interpolation",
-        "camera.position", "camera.yaw",  "camera.pitch",   "camera.focal_length",
-        "rotation",        "image_axes",  "behind_camera",  "outside_picture",
-        "light.position",  "light.power", "light.indirect", "light.direction",
-        "light.falloff",   "light.sum",   "viewport.size",  "bounds",
-        "colour_over_one"};
+    const std::vector<std::string_view> promised{"stage",
+                                                 "shading",
+                                                 "rounding",
+                                                 "vertex_rounding",
+                                                 "line_rounding",
+                                                 "line_walk",
+                                                 "edge_samples",
+                                                 "row_start",
+                                                 "row_search",
+                                                 "empty_rows",
+                                                 "spans",
+                                                 "depth_test",
+                                                 "depth_clear",
+                                                 "depth_index",
+                                                 "depth_order",
+                                                 "interpolation",
+                                                 "camera.position",
+                                                 "camera.yaw",
+                                                 "camera.pitch",
+                                                 "camera.focal_length",
+                                                 "rotation",
+                                                 "image_axes",
+                                                 "behind_mark",
+                                                 "outside_picture",
+                                                 "near",
+                                                 "far",
+                                                 "reject",
+                                                 "clip",
+                                                 "cull",
+                                                 "light.position",
+                                                 "light.power",
+                                                 "light.indirect",
+                                                 "light.direction",
+                                                 "light.falloff",
+                                                 "light.sum",
+                                                 "viewport.size",
+                                                 "bounds",
+                                                 "colour_over_one"};
     std::vector<std::string_view> names;
     for (const Setting& setting : setting_table()) {
         names.push_back(setting.name);
@@ -96,7 +124,7 @@ TEST_CASE("Every word of every choice is set and read back, and lands in its own
     CHECK(settings.interpolation == Interpolation::zinv_twice);
     CHECK(settings.rotation == Rotation::transposed);
     CHECK(settings.image_axes == ImageAxes::mirrored);
-    CHECK(settings.behind_camera == BehindCamera::mark_minus_one);
+    CHECK(settings.behind_mark == BehindMark::minus_one);
     CHECK(settings.outside_picture == OutsidePicture::clamped);
     CHECK(settings.light_rules.direction == LightDirection::not_normalized);
     CHECK(settings.light_rules.falloff == LightFalloff::cubed);
@@ -304,6 +332,18 @@ TEST_CASE("The words that shading took once set depth_order") {
     CHECK(meant_setting(*find_setting("shading"), "gouraud").name == "shading");
     CHECK(assignment_refusal("shading=flat") ==
           "shading cannot be 'flat': it takes unlit, gouraud or phong.");
+}
+
+TEST_CASE("What behind_camera said once is clip, and the mark of the laboratory") {
+    Settings settings;
+    set_from_text(settings, "behind_camera=drawn");
+    CHECK(settings.clip == Clip::none);
+    set_from_text(settings, " behind_camera = left_out ");
+    CHECK(settings == Settings{});
+    set_from_text(settings, "behind_camera=mark_minus_one");
+    CHECK(settings.behind_mark == BehindMark::minus_one);
+    CHECK(settings.clip == Clip::leave_out);
+    CHECK_THROWS_AS(set_from_text(settings, "behind_camera=near"), UsageError);
 }
 
 TEST_CASE("rounding says the rounding of vertices and of lines, as long as it is one word") {

@@ -1,0 +1,106 @@
+#include "stages/clip.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stages/project.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// How far from the picture's middle the sides of the guard band lie: at half of what project()
+/// bears, so that rounding cannot push a cut corner over its limit.
+constexpr float guard_band_distance = max_pixel_distance / 2.0f;
+
+/// The planes with these four sides, in pixels from the middle.
+ClipPlanes planes(const VertexRules& rules, float left, float right, float top, float bottom) {
+    // x and y are f x and f y, w is z, and z is 1.
+    return {glm::vec4{0.0f, 0.0f, -rules.near, 1.0f}, glm::vec4{0.0f, 0.0f, rules.far, -1.0f},
+            glm::vec4{1.0f, 0.0f, 0.0f, left},        glm::vec4{-1.0f, 0.0f, 0.0f, right},
+            glm::vec4{0.0f, 1.0f, 0.0f, top},         glm::vec4{0.0f, -1.0f, 0.0f, bottom}};
+}
+
+/// Cuts by the first `count` planes.
+Clipped clip_by(const ClipPlanes& planes, std::size_t count, std::vector<ClipVertex>& corners) {
+    // What is no number lies on no side; project() says so of it.
+    const auto is_finite = [](const ClipVertex& v) { return std::isfinite(v.position_clip.w); };
+    if (!std::all_of(corners.begin(), corners.end(), is_finite)) return {};
+    Clipped clipped;
+    std::vector<ClipVertex> kept;
+    for (std::size_t p = 0; p < count; ++p) {
+        const auto is_outside = [&](const ClipVertex& v) {
+            return !(inner_distance(planes[p], v) >= 0.0f);
+        };
+        if (std::none_of(corners.begin(), corners.end(), is_outside)) continue;
+        clipped.is_cut = true;
+        const auto is_within = [&](const ClipVertex& v) {
+            return inner_distance(planes[p], v) > 0.0f;
+        };
+        // What only touches the plane has no area inside.
+        if (std::none_of(corners.begin(), corners.end(), is_within)) {
+            clipped.rejection = Rejection::clipped_away;
+            break;
+        }
+        clip_by_plane(corners, planes[p], kept);
+        corners.swap(kept);
+    }
+    return clipped;
+}
+
+} // namespace
+
+ClipPlanes view_planes(const VertexRules& rules) {
+    const glm::ivec2 middle = viewport_middle(rules);
+    return planes(rules, static_cast<float>(middle.x),
+                  static_cast<float>(rules.viewport.width - middle.x), static_cast<float>(middle.y),
+                  static_cast<float>(rules.viewport.height - middle.y));
+}
+
+ClipPlanes guard_band_planes(const VertexRules& rules) {
+    return planes(rules, guard_band_distance, guard_band_distance, guard_band_distance,
+                  guard_band_distance);
+}
+
+ClipVertex cut_edge(const ClipVertex& inside, const ClipVertex& outside, float d_inside,
+                    float d_outside) {
+    const float t = d_inside / (d_inside - d_outside);
+    ClipVertex cut;
+    cut.position_clip = inside.position_clip + t * (outside.position_clip - inside.position_clip);
+    cut.varyings = inside.varyings + (outside.varyings - inside.varyings) * t;
+    return cut;
+}
+
+void clip_by_plane(std::span<const ClipVertex> corners, const glm::vec4& plane,
+                   std::vector<ClipVertex>& result) {
+    result.clear();
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const ClipVertex& a = corners[i];
+        const ClipVertex& b = corners[(i + 1) % corners.size()];
+        const float d_a = inner_distance(plane, a), d_b = inner_distance(plane, b);
+        const bool is_a_inside = d_a >= 0.0f, is_b_inside = d_b >= 0.0f;
+        if (is_a_inside) result.push_back(a);
+        if (is_a_inside && !is_b_inside)
+            result.push_back(cut_edge(a, b, d_a, d_b));
+        else if (!is_a_inside && is_b_inside)
+            result.push_back(cut_edge(b, a, d_b, d_a));
+    }
+}
+
+Clipped clip_near(std::vector<ClipVertex>& corners, const VertexRules& rules) {
+    return rules.space == SceneSpace::pixels ? Clipped{} : clip_by(view_planes(rules), 1, corners);
+}
+
+Clipped clip_all(std::vector<ClipVertex>& corners, const VertexRules& rules) {
+    return rules.space == SceneSpace::pixels
+               ? Clipped{}
+               : clip_by(view_planes(rules), clip_plane_count, corners);
+}
+
+Clipped clip_guard_band(std::vector<ClipVertex>& corners, const VertexRules& rules) {
+    return rules.space == SceneSpace::pixels
+               ? Clipped{}
+               : clip_by(guard_band_planes(rules), clip_plane_count, corners);
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,42 @@
+#pragma once
+
+// Reject: does a polygon lie outside as a whole?
+//
+// In:  the corners of a polygon in clip space.
+// Out: why it is not drawn, or none.
+// Picture: every corner gets one bit for each plane of the view volume, 1 if it lies beyond. A bit
+//          that all corners have in common names a plane beyond which the whole polygon lies:
+//          reject it. No bit anywhere: it lies inside, accept it. Otherwise it may have to be cut.
+//
+// That the corners have no bit in common does not mean that a part is inside: a triangle can pass
+// by a corner of the view. Clipping finds nothing of it.
+//
+// Source: the codes are those of D. Cohen and I. Sutherland for lines: Newman and Sproull,
+// Principles of Interactive Computer Graphics, 1973.
+
+#include <cstdint>
+#include <span>
+
+#include "stages/clip.h"
+
+namespace rasterwalk {
+
+/// One bit for each plane: bit i is that of ClipPlane i.
+using Outcode = std::uint8_t;
+
+/// The planes beyond which a vertex lies.
+Outcode outcode(const ClipVertex& vertex, const ClipPlanes& planes);
+
+/// Every polygon goes on.
+/// @param corners at least three
+inline Rejection reject_nothing(std::span<const ClipVertex> corners, const VertexRules& rules) {
+    static_cast<void>(corners);
+    static_cast<void>(rules);
+    return Rejection::none;
+}
+
+/// By the codes: outside if all corners lie beyond the same plane of the view volume. In pixel
+/// space nothing is.
+Rejection reject_by_outcodes(std::span<const ClipVertex> corners, const VertexRules& rules);
+
+} // namespace rasterwalk

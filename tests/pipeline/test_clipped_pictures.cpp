@@ -1,0 +1,154 @@
+// Pictures of clipped scenes against a ray caster: with the view volume clipped, no camera makes a
+// hole, however many triangles it cuts, and nothing is drawn that a ray does not find.
+
+#include <catch2/catch.hpp>
+
+#include <optional>
+#include <vector>
+
+#include "inspect/stats.h"
+#include "pipeline/draw.h"
+#include "session/content.h"
+#include "settings/setting_table.h"
+#include "support/effort.h"
+#include "support/random.h"
+#include "support/ray_caster.h"
+#include "support/samples.h"
+
+using namespace rasterwalk;
+using namespace rasterwalk::test;
+
+namespace {
+
+constexpr Viewport small_picture{64, 48};
+
+/// What a ray meets first beyond the near plane. None if another surface lies nearly as close.
+struct Met {
+    int triangle = -1; ///< or -1: nothing
+    friend bool operator==(const Met&, const Met&) = default;
+};
+std::optional<Met> met_at(const RayCaster& rays, glm::dvec2 place, const Settings& settings) {
+    std::vector<RayHit> seen;
+    for (const RayHit& hit : rays.hits(place)) {
+        if (hit.zinv > 1.0 / settings.far && hit.zinv < 1.0 / settings.near) seen.push_back(hit);
+    }
+    if (seen.empty()) return Met{};
+    if (seen.size() > 1 && seen[1].zinv > 0.8 * seen[0].zinv) return std::nullopt;
+    return Met{seen[0].triangle};
+}
+
+/// The same if all rays within three pixels meet it: the lab's rows are whole pixels, whose
+/// outlines may lie two pixels beside the true ones.
+std::optional<Met> met_about(const RayCaster& rays, glm::dvec2 place, const Settings& settings) {
+    const std::optional<Met> met = met_at(rays, place, settings);
+    for (int i = 0; met && i < 9; ++i) {
+        const glm::dvec2 aside(3.0 * (i % 3 - 1), 3.0 * (i / 3 - 1));
+        if (met_at(rays, place + aside, settings) != met) return std::nullopt;
+    }
+    return met;
+}
+
+/// Draws from a camera and holds each pixel against rays; counts those that can be told.
+int check_picture(const Scene& scene, const Settings& settings) {
+    const Frame frame = prepare_frame(scene, settings);
+    const Framebuffer drawn = draw_frame(frame);
+    const RayCaster rays(scene, settings.camera, settings.light);
+    int compared = 0;
+    for (int row = 1; row < small_picture.height; row += 4) {
+        for (int column = 1; column < small_picture.width; column += 4) {
+            const glm::dvec2 place(column - small_picture.width / 2,
+                                   row - small_picture.height / 2);
+            const std::optional<Met> met = met_about(rays, place, settings);
+            if (!met) continue;
+            ++compared;
+            const int owner = drawn.owner[drawn.at(column, row)];
+            if (owner != met->triangle)
+                FAIL("column " << column << ", row " << row << ": drawn " << owner << ", rays "
+                               << met->triangle);
+        }
+    }
+    return compared;
+}
+
+void check_walk(const Scene& scene, const glm::vec3& low, const glm::vec3& high, int seed) {
+    Random random(static_cast<std::uint32_t>(seed));
+    int compared = 0, cut = 0;
+    const int cameras = rounds(10'000, 120);
+    for (int i = 0; i < cameras; ++i) {
+        Settings settings = default_settings(scene);
+        set_step(settings, {Stage::depth, Shading::unlit});
+        settings.viewport = small_picture;
+        settings.camera.position = {random.number(low.x, high.x), random.number(low.y, high.y),
+                                    random.number(low.z, high.z)};
+        settings.camera.yaw = random.number(-3.2, 3.2);
+        settings.camera.pitch = random.number(-1.2, 1.2);
+        settings.camera.focal_length = random.number(20, 80);
+        settings.near = random.integer(0, 1) == 0 ? 0.1f : 0.02f;
+        constexpr Clip ways[] = {Clip::all, Clip::near, Clip::guard_band};
+        settings.clip = ways[i % 3];
+        settings.reject = i % 2 == 0 ? Reject::outcodes : Reject::none;
+        CAPTURE(i, static_cast<int>(settings.clip), settings.camera.position.x,
+                settings.camera.position.y, settings.camera.position.z, settings.camera.yaw,
+                settings.camera.pitch, settings.camera.focal_length);
+        compared += check_picture(scene, settings);
+        cut += frame_stats(prepare_frame(scene, settings)).clipped;
+    }
+    CHECK(compared > 40 * cameras);
+    CHECK(cut > cameras);
+}
+
+} // namespace
+
+TEST_CASE("From any camera in the room the clipped picture is what rays find") {
+    check_walk(lab_room(), {-0.8f, -0.8f, -1.6f}, {0.8f, 0.8f, 0.8f}, 76);
+}
+
+TEST_CASE("What lies outside by its outcodes is not missed") {
+    const Scene room = lab_room();
+    Random random(77);
+    std::int64_t spared = 0;
+    for (int i = 0; i < rounds(400, 40); ++i) {
+        Settings settings = default_settings(room);
+        settings.viewport = small_picture;
+        settings.camera.focal_length = 48.0f;
+        settings.camera.position.z = random.number(-3.0, -0.9);
+        settings.camera.yaw = random.number(-0.6, 0.6);
+        const Frame all = prepare_frame(room, settings);
+        settings.reject = Reject::outcodes;
+        const Frame fewer = prepare_frame(room, settings);
+        CAPTURE(i);
+        CHECK(draw_frame(all).colour == draw_frame(fewer).colour);
+        const FrameStats before = frame_stats(all), after = frame_stats(fewer);
+        CHECK(before.fragments == after.fragments);
+        CHECK(after.left_out.of(Rejection::outside) + after.clip_triangles +
+                  after.left_out.of(Rejection::behind_camera) +
+                  after.left_out.of(Rejection::too_far_out) ==
+              30);
+        spared += before.fragments_outside - after.fragments_outside;
+    }
+    CHECK(spared > 0);
+}
+
+TEST_CASE("Fragments outside are those of the rows that the picture does not hold") {
+    const Scene room = lab_room();
+    for (const float z : {-1.5f, -1.2f, -1.05f}) {
+        Settings settings = default_settings(room);
+        settings.camera.position.z = z;
+        const Frame frame = prepare_frame(room, settings);
+        std::int64_t all = 0;
+        PolygonRows rows;
+        for (int t = 0; t < frame.triangle_count(); ++t) {
+            if (!frame.is_drawn(t)) continue;
+            compute_rows(frame, t, rows);
+            for (int r = 0; r < rows.size(); ++r) {
+                const auto i = static_cast<std::size_t>(r);
+                if (rows.left[i].column > rows.right[i].column) continue;
+                all += rows.right[i].column - rows.left[i].column + 1;
+            }
+        }
+        const FrameStats stats = frame_stats(frame);
+        CAPTURE(z, stats.fragments_outside);
+        CHECK(stats.fragments + stats.fragments_outside == all);
+        CHECK(stats.fragments_outside > 0);
+    }
+}
