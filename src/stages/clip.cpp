@@ -21,6 +21,13 @@ ClipPlanes planes(const VertexRules& rules, float left, float right, float top, 
             glm::vec4{0.0f, 1.0f, 0.0f, top},         glm::vec4{0.0f, -1.0f, 0.0f, bottom}};
 }
 
+/// The planes with their sides so many pixels beside the picture.
+ClipPlanes planes_beside_picture(const VertexRules& rules, float pixels) {
+    const glm::vec2 middle = viewport_middle(rules);
+    const glm::vec2 rest = glm::vec2(rules.viewport.width, rules.viewport.height) - middle;
+    return planes(rules, middle.x + pixels, rest.x + pixels, middle.y + pixels, rest.y + pixels);
+}
+
 /// Cuts by the first `count` planes.
 Clipped clip_by(const ClipPlanes& planes, std::size_t count, std::vector<ClipVertex>& corners) {
     // What is no number lies on no side; project() says so of it.
@@ -51,10 +58,11 @@ Clipped clip_by(const ClipPlanes& planes, std::size_t count, std::vector<ClipVer
 } // namespace
 
 ClipPlanes view_planes(const VertexRules& rules) {
-    const glm::ivec2 middle = viewport_middle(rules);
-    return planes(rules, static_cast<float>(middle.x),
-                  static_cast<float>(rules.viewport.width - middle.x), static_cast<float>(middle.y),
-                  static_cast<float>(rules.viewport.height - middle.y));
+    return planes_beside_picture(rules, 0.0f);
+}
+
+ClipPlanes outer_planes(const VertexRules& rules) {
+    return planes_beside_picture(rules, 1.0f);
 }
 
 ClipPlanes guard_band_planes(const VertexRules& rules) {

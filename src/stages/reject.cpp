@@ -11,7 +11,7 @@ Outcode outcode(const ClipVertex& vertex, const ClipPlanes& planes) {
 
 Rejection reject_by_outcodes(std::span<const ClipVertex> corners, const VertexRules& rules) {
     if (rules.space == SceneSpace::pixels) return Rejection::none;
-    const ClipPlanes planes = view_planes(rules);
+    const ClipPlanes planes = outer_planes(rules);
     Outcode common = 0xff;
     for (const ClipVertex& corner : corners)
         common &= outcode(corner, planes);

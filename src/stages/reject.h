@@ -35,8 +35,8 @@ inline Rejection reject_nothing(std::span<const ClipVertex> corners, const Verte
     return Rejection::none;
 }
 
-/// By the codes: outside if all corners lie beyond the same plane of the view volume. In pixel
-/// space nothing is.
+/// By the codes: outside if all corners lie beyond the same of the outer planes, so that nothing is
+/// rejected that would be seen. In pixel space nothing is.
 Rejection reject_by_outcodes(std::span<const ClipVertex> corners, const VertexRules& rules);
 
 } // namespace rasterwalk
