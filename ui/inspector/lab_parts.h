@@ -14,6 +14,16 @@ std::string plain_markdown(const std::string& text);
 /// The quiz: which mistake is it?
 void draw_lab_quiz(Ui& ui);
 
+/// What is said below a small picture.
+struct PictureCaption {
+    std::string title;
+    std::string words; ///< may be empty
+};
+
+/// The picture that was diagnosed, and that of the program's own with its caption: beside each
+/// other, or one below the other where there is little room.
+void draw_lab_pictures(Ui& ui, const PictureCaption& beside);
+
 /// A result of the student's own, and what may be wrong with it.
 void draw_lab_result(Ui& ui);
 
