@@ -5,11 +5,19 @@
 namespace rasterwalk {
 
 struct Ui;
+struct Bug;
 
 // The parts of the bug laboratory; see lab_panel.cpp.
 
 /// Text of the data as Markdown that says the same.
 std::string plain_markdown(const std::string& text);
+
+/// The line just drawn, of the mistake whose card is on show, stays in sight.
+/// @param below what is to be seen below the line, screen pixels
+void keep_in_sight(Ui& ui, const Bug& chosen, float below);
+
+/// Of a card that opens below a line: its title and buttons, screen pixels.
+float height_of_card_head();
 
 /// The quiz: which mistake is it?
 void draw_lab_quiz(Ui& ui);
