@@ -246,7 +246,7 @@ void draw_microscope_panel(Ui& ui) {
     draw_buttons(ui);
     const float u = ui.options.text_scale;
     const float room = ImGui::GetContentRegionAvail().y;
-    if (room >= roomy_page * u) {
+    if (room >= roomy_page * u && !ui.inspector.is_narrow) {
         draw_summary(ui);
         draw_drift_curve(ui);
         const float line = ui.fonts.mono->FontSize + 2.0f * ImGui::GetStyle().CellPadding.y;
