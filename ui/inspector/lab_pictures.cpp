@@ -15,7 +15,11 @@ namespace {
 
 /// Design pixels: of a column, of a picture, and between them.
 constexpr float least_column = 88.0f, least_shown = 56.0f, largest_shown = 216.0f;
-constexpr float pair_gap = 12.0f;
+constexpr float pair_gap = 12.0f, pair_border = 4.0f;
+
+/// With such a height a picture is large enough for words below it to be in sight too, or else to
+/// be seen whole at once; design pixels.
+constexpr float good_side = 100.0f, fair_side = 68.0f;
 
 /// How both pictures, which have the same size, are shown.
 struct PairLayout {
@@ -24,15 +28,23 @@ struct PairLayout {
     bool is_stacked;
 };
 
-PairLayout pair_layout(const Ui& ui, const Image& image, float width, float page_height) {
+/// How high a picture may be, screen pixels: both are seen whole at once, with what is said below
+/// them if they so stay large enough. Where they would get too small, one scrolls to them.
+float picture_room(const Ui& ui) {
+    const float u = ui.options.text_scale, page = ImGui::GetWindowHeight();
+    const float below = page - ImGui::GetCursorPosY() - pair_border * u;
+    const float words = 4.0f * ui.fonts.small->FontSize;
+    if (below - words >= good_side * u) return below - words;
+    return below >= fair_side * u ? below : page - words;
+}
+
+PairLayout pair_layout(const Ui& ui, const Image& image, float width) {
     const float u = ui.options.text_scale;
     PairLayout layout{};
     layout.column = std::floor(0.5f * (width - pair_gap * u));
     layout.is_stacked = layout.column < least_column * u;
     if (layout.is_stacked) layout.column = width;
-    // A picture and the first line of its caption are seen together.
-    const float line = 2.0f * ui.fonts.small->FontSize;
-    const float high = std::clamp(page_height - line, least_shown * u, largest_shown * u);
+    const float high = std::clamp(picture_room(ui), least_shown * u, largest_shown * u);
     const float wide = std::min(layout.column, largest_shown * u);
     const float scale =
         std::min(wide / static_cast<float>(image.width), high / static_cast<float>(image.height));
@@ -66,9 +78,9 @@ void draw_captioned(Ui& ui, bool is_own, const PairLayout& layout, const Picture
     ImGui::Dummy(texture.size);
     const std::string name = is_own ? "lab.picture.own" : "lab.picture.beside";
     name_widget(ui, name,
-                is_own ? "The picture that you chose."
-                       : "What the program draws for comparison. “show”, in the list below, shows "
-                         "it large.");
+                is_own                  ? "The picture that you chose."
+                : pictures.is_reference ? "What the right program draws of what is set."
+                                        : "What the program draws with this mistake.");
     note_text(ui, name, caption.title + (caption.words.empty() ? "" : ": " + caption.words));
     ImDrawList* const list = ImGui::GetWindowDrawList();
     list->AddImage(texture.id, low, high);
@@ -85,8 +97,8 @@ void draw_captioned(Ui& ui, bool is_own, const PairLayout& layout, const Picture
 void draw_lab_pictures(Ui& ui, const PictureCaption& beside) {
     const Image& image = ui.lab.pictures.own;
     const float width = ImGui::CalcItemWidth();
-    const PairLayout layout = pair_layout(ui, image, width, ImGui::GetWindowHeight());
     ImGui::Spacing();
+    const PairLayout layout = pair_layout(ui, image, width);
     const float left = ImGui::GetCursorScreenPos().x;
     draw_captioned(ui, true, layout, {"Your picture", ""});
     if (!layout.is_stacked) {

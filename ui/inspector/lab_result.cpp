@@ -6,7 +6,6 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
-#include "base/numbers.h"
 #include "settings/value_words.h"
 #include "ui/actions/compare.h"
 #include "ui/actions/lab.h"
@@ -100,7 +99,8 @@ PictureCaption caption_beside(const Diagnosis& diagnosis) {
     if (likely == nullptr) return {"The reference", "Orange: not as in yours."};
     if (likely->distance == 0.0) return {candidate_words(*likely), "The very same."};
     return {candidate_words(*likely),
-            counted(likely->different, "pixel differs", "pixels differ") + " from yours."};
+            grouped(likely->different) +
+                (likely->different == 1 ? " pixel differs" : " pixels differ") + " from yours."};
 }
 
 /// One candidate: how much of the difference it explains, as a bar and a number, and its name.

@@ -102,16 +102,13 @@ bool has_one_line_of_buttons(const RowHistory& history) {
     return needed <= ImGui::GetContentRegionAvail().x;
 }
 
-float height_of_buttons(const RowHistory& history) {
-    return ImGui::GetFrameHeightWithSpacing() +
-           (has_one_line_of_buttons(history) ? 0.0f : ImGui::GetTextLineHeightWithSpacing());
-}
-
 /// What can be done with the table, and how many samples are not in it.
-void draw_table_buttons(Ui& ui) {
+/// @param is_one_line leaves the count out if it has no room beside the buttons: the samples
+///                    outside are lines of the table
+void draw_table_buttons(Ui& ui, bool is_one_line) {
     const Palette& p = palette(ui.options.theme);
     const RowHistory& history = ui.results.a.rows;
-    const bool is_one_line = has_one_line_of_buttons(history);
+    const bool has_room = has_one_line_of_buttons(history);
     if (button(ui, "rows.copy", copy_label, Look::plain,
                "Copies the table in the form that the lab prints.")) {
         ImGui::SetClipboardText(rows_text(history.rows).c_str());
@@ -123,7 +120,8 @@ void draw_table_buttons(Ui& ui) {
                "Shows 1/z and the varyings of both ends in further columns.")) {
         ui.inspector.shows_end_values = !ui.inspector.shows_end_values;
     }
-    if (is_one_line) ImGui::SameLine();
+    if (is_one_line && !has_room) return;
+    if (has_room) ImGui::SameLine();
     text_in(history.outside.empty() ? p.dim : colour_of(Meaning::fail, ui.options.theme),
             words_of_outside(history));
     name_widget(ui, "rows.outside",
@@ -139,28 +137,29 @@ void draw_rows_panel(Ui& ui) {
     const RowHistory& history = ui.results.a.rows;
     const float line = ImGui::GetTextLineHeightWithSpacing();
     const float slack = 10.0f * ui.options.text_scale; // the lines between the rows
-    const float needed =
-        slack + static_cast<float>(history.rows.size() + history.outside.size() + 1) *
-                    (ui.fonts.mono->FontSize + 2.0f * ImGui::GetStyle().CellPadding.y);
-    const float buttons = height_of_buttons(history);
+    const float needed = slack +
+                         static_cast<float>(history.rows.size() + history.outside.size() + 1) *
+                             (ui.fonts.mono->FontSize + 2.0f * ImGui::GetStyle().CellPadding.y) +
+                         (ui.inspector.shows_end_values ? ImGui::GetStyle().ScrollbarSize : 0.0f);
+    const float buttons = ImGui::GetFrameHeightWithSpacing();
     const float all = ImGui::GetContentRegionAvail().y;
     const float room = all - 6.2f * line - buttons;
     if (!is_low && room >= std::min(needed, 6.0f * line)) {
         draw_row_table(ui, std::min(needed, room));
         draw_moment(ui);
-        draw_table_buttons(ui);
+        draw_table_buttons(ui, false);
         return;
     }
     if (ui.inspector.shows_end_values) {
         // More columns than there is room for scroll both ways, and then nothing else does.
         draw_row_table(ui, std::max(std::min(needed, all - buttons), 3.0f * line));
-        draw_table_buttons(ui);
+        draw_table_buttons(ui, true);
         return;
     }
     // Where there are few lines the table has them; the rest is scrolled to.
     draw_row_table_with(ui, [&] {
         draw_moment(ui);
-        draw_table_buttons(ui);
+        draw_table_buttons(ui, false);
         if (is_low) draw_bench_examples(ui);
     });
 }
