@@ -195,7 +195,13 @@ void keep_in_sight(Ui& ui, const Bug& chosen, float below) {
     lab.bottom = bottom;
     const bool is_seen =
         ImGui::GetItemRectMin().y >= top && ImGui::GetItemRectMax().y + below <= bottom;
-    if (is_new && !is_seen) ImGui::SetScrollHereY(below > 0.0f ? 0.0f : 0.8f);
+    if (!is_new || is_seen) return;
+    if (below > 0.0f) {
+        // Nothing of the line above is seen.
+        ImGui::SetScrollFromPosY(ImGui::GetItemRectMin().y - top, 0.0f);
+    } else {
+        ImGui::SetScrollHereY(0.8f);
+    }
 }
 
 float height_of_card_head() {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <string>
@@ -186,6 +187,13 @@ bool begin_samples(const char* name, const SampleColumns& columns, ImGuiTableFla
     return true;
 }
 
+/// Brings a sample to the middle; at the top stands a whole line.
+void scroll_to_sample(int index) {
+    const float line = ImGui::GetTextLineHeight() + 2.0f * ImGui::GetStyle().CellPadding.y;
+    const float lines = std::floor(ImGui::GetWindowHeight() / line);
+    ImGui::SetScrollY(std::max(static_cast<float>(index) - std::floor(0.5f * lines), 0.0f) * line);
+}
+
 void draw_samples(Ui& ui, const SampleColumns& columns, bool appears) {
     const int count = ui.inspector.microscope.shown.count;
     ImGui::PushFont(ui.fonts.mono);
@@ -197,7 +205,7 @@ void draw_samples(Ui& ui, const SampleColumns& columns, bool appears) {
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             draw_sample(ui, columns, i, current, walked);
-            if (follows && i == current && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
+            if (follows && i == current && !ImGui::IsItemVisible()) scroll_to_sample(i);
         }
     }
     ImGui::PopFont();
