@@ -34,13 +34,17 @@ std::string candidate_text(const Candidate& candidate) {
     return candidate.remark.empty() ? text : fmt::format("{} ({})", text, candidate.remark);
 }
 
+bool is_likely(const Candidate& candidate) {
+    return candidate.distance == 0.0 || candidate.explained >= explains_nothing;
+}
+
 std::string verdict_text(const Candidate& first, std::string_view same) {
     const std::string who = candidate_text(first);
     if (first.distance == 0.0) {
         return fmt::format("{} {} {}.", who, first.ids.size() > 1 ? "make" : "makes", same);
     }
     const long percent = std::lround(100.0 * first.explained);
-    if (first.explained < explains_nothing) {
+    if (!is_likely(first)) {
         return fmt::format("No known mistake explains the difference; the nearest, {}, explains "
                            "{} % of it.",
                            who, percent);
@@ -99,7 +103,7 @@ void rank_candidates(std::vector<Hypothesis> hypotheses, std::string_view same,
                                         h.distance,
                                         h.different,
                                         std::clamp(explained, 0.0, 1.0),
-                                        h.settings});
+                                        h.recipe});
     }
     if (diagnosis.is_same()) {
         diagnosis.verdict = "no difference";
@@ -108,6 +112,12 @@ void rank_candidates(std::vector<Hypothesis> hypotheses, std::string_view same,
     } else {
         diagnosis.verdict = verdict_text(diagnosis.candidates.front(), same);
     }
+}
+
+const Candidate* likely_candidate(const Diagnosis& diagnosis) {
+    if (diagnosis.is_same() || diagnosis.candidates.empty()) return nullptr;
+    const Candidate& first = diagnosis.candidates.front();
+    return is_likely(first) ? &first : nullptr;
 }
 
 } // namespace rasterwalk

@@ -5,9 +5,17 @@
 #include <string>
 #include <vector>
 
+#include "laboratory/image_variant.h"
 #include "settings/settings.h"
 
 namespace rasterwalk {
+
+/// How a picture that was tried is made: drawn by the settings, then turned, then moved.
+struct PictureRecipe {
+    Settings settings;
+    Orientation orientation = Orientation::upright;
+    int right = 0, down = 0; ///< pixels
+};
 
 /// A mistake that may have made a result. Mistakes that make the very same result are one
 /// candidate.
@@ -18,8 +26,7 @@ struct Candidate {
     double distance = 0.0;      ///< from the result; 0: the very same
     std::int64_t different = 0; ///< pixels or rows that differ from the result
     double explained = 0.0;     ///< part of the difference from the reference, 0..1
-    std::optional<Settings>
-        settings{}; ///< by which a picture with a bug of the laboratory was drawn
+    std::optional<PictureRecipe> recipe{}; ///< of its picture; none: it makes rows
 };
 
 /// What may be wrong with a result that was compared with the reference.
@@ -40,14 +47,17 @@ struct Hypothesis {
     bool explains_more = true; ///< than what it assumes beside the mistake does alone
     double distance = 0.0;
     std::int64_t different = 0;
-    std::uint64_t result = 0;           ///< the same number for the same result
-    std::optional<Settings> settings{}; ///< as those of the candidate
+    std::uint64_t result = 0;              ///< the same number for the same result
+    std::optional<PictureRecipe> recipe{}; ///< as that of the candidate
 };
 
 /// Ranks the hypotheses, names those of the same result together, and says the verdict.
 /// @param same what a candidate of distance 0 makes: "this very picture"
 void rank_candidates(std::vector<Hypothesis> hypotheses, std::string_view same,
                      Diagnosis& diagnosis);
+
+/// The candidate of which the verdict says that it is likely; null if there is none.
+const Candidate* likely_candidate(const Diagnosis& diagnosis);
 
 /// So many candidates are named at most.
 inline constexpr std::size_t most_candidates = 10;

@@ -28,7 +28,8 @@ void try_bases(PictureTrial& trial, const std::vector<Base>& bases) {
         trial.add({.id = other_power ? "light_power" : "stage",
                    .name = std::move(name),
                    .remark = other_power ? base.remark : "", // the name says the stage
-                   .assumptions = base.assumptions},
+                   .assumptions = base.assumptions,
+                   .recipe = PictureRecipe{base.settings}},
                   trial.drawn(base.settings));
     }
 }
@@ -41,7 +42,8 @@ void try_orientations(PictureTrial& trial, const std::vector<Base>& bases) {
             trial.add({.id = info.id,
                        .name = info.name,
                        .remark = base.remark,
-                       .assumptions = base.assumptions + 1},
+                       .assumptions = base.assumptions + 1,
+                       .recipe = PictureRecipe{base.settings, info.orientation}},
                       oriented(image, info.orientation));
         }
     }
@@ -60,7 +62,8 @@ void try_shifts(PictureTrial& trial, const std::vector<Base>& bases) {
                 trial.add({.id = "shifted",
                            .name = fmt::format("Shifted by a pixel {}{}{}", where_x, both, where_y),
                            .remark = base.remark,
-                           .assumptions = base.assumptions + 1},
+                           .assumptions = base.assumptions + 1,
+                           .recipe = PictureRecipe{base.settings, Orientation::upright, dx, dy}},
                           shifted(image, dx, dy));
             }
         }
@@ -136,7 +139,7 @@ void try_powers_again(PictureTrial& trial, const std::vector<Base>& bases) {
         }
         const Drawn& drawn = trial.drawn(*lit);
         hypothesis.explains_more = is_clearly_nearer(drawn, without);
-        hypothesis.settings = *lit;
+        hypothesis.recipe = PictureRecipe{*lit};
         trial.add(std::move(hypothesis), drawn);
     }
 }
@@ -155,7 +158,8 @@ void try_choices(PictureTrial& trial, const std::vector<Base>& bases) {
                 Hypothesis hypothesis{.id = id,
                                       .name = "Drawn by " + id,
                                       .remark = base.remark,
-                                      .assumptions = base.assumptions + 1};
+                                      .assumptions = base.assumptions + 1,
+                                      .recipe = PictureRecipe{settings}};
                 const Drawn& one = trial.drawn(settings);
                 if (one.print == trial.drawn(base.settings).print) continue;
                 trial.add(std::move(hypothesis), one);

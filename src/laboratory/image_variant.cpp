@@ -1,9 +1,14 @@
 #include "laboratory/image_variant.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 
 #include <glm/vec2.hpp>
+
+#include "picture/resample.h"
 
 namespace rasterwalk {
 
@@ -47,6 +52,39 @@ ImageDistance image_distance(const Image& a, const Image& b) {
     const double channels = 0.75 * static_cast<double>(a.rgba.size());
     if (channels > 0.0) distance.mean = static_cast<double>(sum) / channels;
     return distance;
+}
+
+Image with_differences_marked(const Image& image, const Image& other, float scale) {
+    constexpr std::array<std::uint8_t, 3> orange{0xF0, 0x72, 0x2B};
+    Image result = resampled(image, scale);
+    for (std::size_t i = 0; i + 3 < result.rgba.size(); i += 4) {
+        // Dark enough for the orange to stand out on white too.
+        const int sum = 2 * result.rgba[i] + 5 * result.rgba[i + 1] + result.rgba[i + 2];
+        const auto grey = static_cast<std::uint8_t>(sum / 16);
+        std::fill_n(result.rgba.begin() + static_cast<std::ptrdiff_t>(i), 3, grey);
+    }
+    const auto pixel = [](auto& of, int column, int row) {
+        return of.rgba.begin() + 4 * (static_cast<std::ptrdiff_t>(row) * of.width + column);
+    };
+    // The new pixels in which an old one lies, at least in part.
+    const auto first = [&](int place, int side) {
+        return std::min(static_cast<int>(scale * static_cast<float>(place)), side - 1);
+    };
+    const auto last = [&](int place, int side) {
+        const float end = std::ceil(scale * static_cast<float>(place + 1));
+        return std::clamp(static_cast<int>(end) - 1, first(place, side), side - 1);
+    };
+    for (int row = 0; row < image.height; ++row) {
+        for (int column = 0; column < image.width; ++column) {
+            const auto from = pixel(image, column, row);
+            if (std::equal(from, from + 3, pixel(other, column, row))) continue;
+            for (int y = first(row, result.height); y <= last(row, result.height); ++y) {
+                for (int x = first(column, result.width); x <= last(column, result.width); ++x)
+                    std::copy(orange.begin(), orange.end(), pixel(result, x, y));
+            }
+        }
+    }
+    return result;
 }
 
 /// FNV-1a.

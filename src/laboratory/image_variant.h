@@ -16,6 +16,11 @@ struct ImageDistance {
 };
 ImageDistance image_distance(const Image& a, const Image& b);
 
+/// The picture in another size and in grey, and over it in orange what is not so in a picture of
+/// the same size: be it one pixel, it is seen.
+/// @param scale new pixels for each old one, above 0
+Image with_differences_marked(const Image& image, const Image& other, float scale);
+
 /// The same number for the same pixels, and hardly ever for others.
 std::uint64_t fingerprint(const Image& image);
 

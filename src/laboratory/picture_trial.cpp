@@ -83,6 +83,12 @@ StripStep nearest_step(PictureTrial& trial, const Settings& reference) {
 
 } // namespace
 
+Image picture_of(const Scene& scene, const PictureRecipe& recipe) {
+    const Frame frame = prepare_frame(scene, recipe.settings);
+    const Image image = view_image(draw_frame(frame), View::colour);
+    return shifted(oriented(image, recipe.orientation), recipe.right, recipe.down);
+}
+
 const Drawn& PictureTrial::drawn(const Settings& settings) {
     for (const Drawn& one : drawn_) {
         if (one.settings == settings) return one;
@@ -93,7 +99,7 @@ const Drawn& PictureTrial::drawn(const Settings& settings) {
 }
 
 Image PictureTrial::draw_again(const Settings& settings) const {
-    return view_image(draw_frame(prepare_frame(scene_, settings)), View::colour);
+    return picture_of(scene_, {settings});
 }
 
 std::string power_remark(const std::string& remark, const Settings& settings) {

@@ -15,6 +15,9 @@
 
 namespace rasterwalk {
 
+/// The picture of this scene, made by the recipe.
+Image picture_of(const Scene& scene, const PictureRecipe& recipe);
+
 /// What was drawn and measured once.
 struct Drawn {
     Settings settings;
@@ -48,7 +51,7 @@ class PictureTrial {
     /// Of a mistake, with which the lamp's power may be fitted anew.
     void add(Hypothesis hypothesis, const Drawn& one, const Settings& settings) {
         tried.push_back({hypotheses.size(), settings});
-        hypothesis.settings = settings;
+        hypothesis.recipe = PictureRecipe{settings};
         add(std::move(hypothesis), one);
     }
 

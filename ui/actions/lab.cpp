@@ -6,6 +6,7 @@
 #include "base/files.h"
 #include "base/image.h"
 #include "laboratory/diagnose.h"
+#include "laboratory/picture_trial.h"
 #include "laboratory/quiz.h"
 #include "session/second_run.h"
 #include "ui/actions/actions.h"
@@ -28,6 +29,21 @@ std::string picture_words(const Session& session, const Settings& reference) {
     if (reference.viewport == set) return what + ", " + size_words(set) + " pixels like yours";
     return what + ", drawn anew in the size of yours: " + size_words(reference.viewport) +
            " pixels instead of " + size_words(set);
+}
+
+/// Keeps what is shown side by side: the student's picture, and what the likely mistake makes.
+void keep_pictures(LabLook& lab, const Image& picture) {
+    LabPictures& pictures = lab.pictures;
+    pictures.own = picture;
+    // Opacity is not looked at: a picture that says it is transparent is shown, too.
+    for (std::size_t i = 3; i < pictures.own.rgba.size(); i += 4)
+        pictures.own.rgba[i] = 255;
+    const Candidate* const likely = likely_candidate(*lab.diagnosis);
+    pictures.is_reference = likely == nullptr || !likely->recipe;
+    pictures.beside =
+        picture_of(*lab.compared_scene,
+                   pictures.is_reference ? PictureRecipe{lab.reference} : *likely->recipe);
+    ++pictures.number;
 }
 
 /// The largest side of a picture for which the student is made to wait, pixels.
@@ -66,7 +82,7 @@ void turn_on(Ui& ui, const Bug& bug, bool on_its_scene) {
 
 void show_candidate(Ui& ui, const Bug& bug, const Candidate& candidate) {
     Session& session = ui.session;
-    if (!candidate.settings || ui.lab.compared_scene == nullptr) {
+    if (!candidate.recipe || ui.lab.compared_scene == nullptr) {
         turn_on(ui, bug, false);
         return;
     }
@@ -75,7 +91,7 @@ void show_candidate(Ui& ui, const Bug& bug, const Candidate& candidate) {
     const Run before = session.a;
     const std::shared_ptr<const Scene> before_scene = session.scene;
     if (before_scene != ui.lab.compared_scene) show_scene(session, ui.lab.compared_scene);
-    show_bug(bug.id, *candidate.settings, ui.lab.reference, session);
+    show_bug(bug.id, candidate.recipe->settings, ui.lab.reference, session);
     session.replaced->before = before;
     if (session.scene != before_scene) session.replaced->before_scene = before_scene;
     session.notice.clear();
@@ -141,6 +157,7 @@ void carry_on_diagnosis(Ui& ui) {
             lab.compared_scene = session.scene;
             lab.reference = reference;
             lab.is_picture = true;
+            keep_pictures(lab, picture);
         } else {
             const std::vector<PrintedRow> rows = parse_printed_rows(read_file(path), path);
             std::string about;

@@ -13,8 +13,8 @@ struct Pane {
     ImVec2 room() const { return {high.x - low.x, high.y - low.y}; }
 };
 
-/// In a canvas lower than this the titles lie on the pictures, and the scale of the difference says
-/// less; design pixels.
+/// In a canvas lower than this the titles stand beside the pictures if they can, and the scale of
+/// the difference says less; design pixels.
 inline constexpr float low_canvas = 200.0f;
 
 /// The line above the pictures while two runs are compared: in which way they are shown, how far

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <functional>
 #include <string>
 
 #include "laboratory/bug_rule.h"
@@ -25,30 +26,23 @@ std::string page_of(const Bug& bug) {
     return text.append("\n\n**Cure.** ").append(plain_markdown(bug.cure)).append("\n");
 }
 
-/// The line chosen last stays in sight when its card takes away room.
-void keep_in_sight(Ui& ui, const Bug& bug) {
-    LabLook& lab = ui.lab;
-    if (lab.chosen != bug.id) return;
-    const float bottom = ImGui::GetWindowPos().y + ImGui::GetWindowHeight();
-    const bool is_new = lab.in_sight != bug.id || lab.bottom != bottom;
-    if (is_new && ImGui::GetItemRectMax().y > bottom) ImGui::SetScrollHereY(0.8f);
-    lab.in_sight = bug.id;
-    lab.bottom = bottom;
-}
-
 void draw_line(Ui& ui, const Bug& bug) {
     const Palette& p = palette(ui.options.theme);
     const bool on = is_on(ui.session, bug.id);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const std::string name = "lab." + bug.id;
     if (ImGui::Selectable(("##" + name).c_str(), ui.lab.chosen == bug.id)) ui.lab.chosen = bug.id;
-    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) turn_on(ui, bug, false);
-    keep_in_sight(ui, bug);
+    // Where the card opens below the line, the second click would fall on something else.
+    const bool can_double = !ui.inspector.is_low;
+    const bool is_double = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0);
+    if (can_double && is_double) turn_on(ui, bug, false);
     const bool is_made = !on && is_made_by(bug, ui.session.a.settings);
     name_widget(ui, name,
-                bug.sentence + (is_made ? "\nRun A does so as it is set now.\nClick: describes it. "
-                                          "Double click: compares it with the cure."
-                                        : "\nClick: describes it. Double click: turns it on."));
+                bug.sentence + (is_made ? "\nRun A does so as it is set now." : "") +
+                    "\nClick: describes it." +
+                    (!can_double ? ""
+                     : is_made   ? " Double click: compares it with the cure."
+                                 : " Double click: turns it on."));
     const float u = ui.options.text_scale;
     ImDrawList* const list = ImGui::GetWindowDrawList();
     const ImVec4& ink = on ? colour_of(Meaning::fail, ui.options.theme) : p.dim;
@@ -64,7 +58,8 @@ void draw_line(Ui& ui, const Bug& bug) {
 }
 
 /// The mistakes by the lab's sections.
-void draw_list(Ui& ui) {
+/// @param below draws what stands below the line of a mistake
+void draw_list(Ui& ui, const std::function<void(const Bug&)>& below) {
     std::string section;
     for (const Bug& bug : lab_bugs(ui)) {
         if (bug.section != section) {
@@ -75,6 +70,7 @@ void draw_list(Ui& ui) {
             ImGui::PopFont();
         }
         draw_line(ui, bug);
+        below(bug);
     }
 }
 
@@ -135,8 +131,24 @@ void draw_bugs(Ui& ui) {
     const auto found = std::find_if(bugs.begin(), bugs.end(),
                                     [&](const Bug& bug) { return bug.id == ui.lab.chosen; });
     const Bug& chosen = found == bugs.end() ? bugs.front() : *found;
+    const auto is_chosen = [&](const Bug& bug) { return &bug == &chosen; };
+    if (ui.inspector.is_low) {
+        // One list that scrolls, with the card in it: two would each show next to nothing.
+        draw_list(ui, [&](const Bug& bug) {
+            if (!is_chosen(bug)) return;
+            keep_in_sight(ui, bug, height_of_card_head());
+            draw_card(ui, bug);
+        });
+        return;
+    }
     draw_with_card(
-        "lab", [&] { draw_list(ui); }, [&] { draw_card(ui, chosen); });
+        "lab",
+        [&] {
+            draw_list(ui, [&](const Bug& bug) {
+                if (is_chosen(bug)) keep_in_sight(ui, bug, 0.0f);
+            });
+        },
+        [&] { draw_card(ui, chosen); });
 }
 
 void draw_modes(Ui& ui) {
@@ -173,6 +185,27 @@ std::string plain_markdown(const std::string& text) {
         result += c;
     }
     return result;
+}
+
+void keep_in_sight(Ui& ui, const Bug& chosen, float below) {
+    LabLook& lab = ui.lab;
+    const float top = ImGui::GetWindowPos().y, bottom = top + ImGui::GetWindowHeight();
+    const bool is_new = lab.in_sight != chosen.id || lab.bottom != bottom;
+    lab.in_sight = chosen.id;
+    lab.bottom = bottom;
+    const bool is_seen =
+        ImGui::GetItemRectMin().y >= top && ImGui::GetItemRectMax().y + below <= bottom;
+    if (!is_new || is_seen) return;
+    if (below > 0.0f) {
+        // Nothing of the line above is seen.
+        ImGui::SetScrollFromPosY(ImGui::GetItemRectMin().y - top, 0.0f);
+    } else {
+        ImGui::SetScrollHereY(0.8f);
+    }
+}
+
+float height_of_card_head() {
+    return 2.0f * ImGui::GetFrameHeightWithSpacing() + ImGui::GetFrameHeight();
 }
 
 void draw_lab_panel(Ui& ui) {

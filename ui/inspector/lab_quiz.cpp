@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <functional>
 #include <string>
 
 #include "base/numbers.h"
@@ -111,7 +112,8 @@ void draw_guesses(Ui& ui) {
 }
 
 /// What may be guessed: every mistake, each a line; the one chosen is described by its tooltip.
-void draw_choices(Ui& ui) {
+/// @param below draws what stands below the line of a mistake
+void draw_choices(Ui& ui, const std::function<void(const Bug&)>& below) {
     for (const Bug& bug : lab_bugs(ui)) {
         const std::string name = "lab.choice." + bug.id;
         if (ImGui::Selectable((bug.id + "  " + bug.name + "###" + name).c_str(),
@@ -119,6 +121,7 @@ void draw_choices(Ui& ui) {
             ui.lab.chosen = bug.id;
         }
         name_widget(ui, name, bug.sentence);
+        below(bug);
     }
 }
 
@@ -128,9 +131,10 @@ void draw_question_card(Ui& ui) {
     draw_guesses(ui);
     const bool has_choice = bug_of(ui, ui.lab.chosen) != nullptr;
     ImGui::BeginDisabled(!has_choice);
-    const std::string label = has_choice               ? "it is " + ui.lab.chosen
-                              : ui.inspector.is_narrow ? "choose"
-                                                       : "choose one above";
+    const bool is_small = ui.inspector.is_narrow || ui.inspector.is_low;
+    const std::string label = has_choice ? "it is " + ui.lab.chosen
+                              : is_small ? "choose"
+                                         : "choose one above";
     if (button(ui, "lab.guess", label, Look::main,
                "Takes the guess. A wrong one costs " + std::to_string(cost_of_wrong_guess) +
                    " points.")) {
@@ -211,8 +215,19 @@ void draw_lab_quiz(Ui& ui) {
         finish_quiz(ui);
         return;
     }
-    draw_with_card(
-        "quiz", [&] { draw_choices(ui); }, [&] { draw_question_card(ui); });
+    if (!ui.inspector.is_low) {
+        draw_with_card(
+            "quiz", [&] { draw_choices(ui, [](const Bug&) {}); }, [&] { draw_question_card(ui); });
+        return;
+    }
+    // One list that scrolls, with the card in it, as that of the mistakes.
+    const Bug* const chosen = bug_of(ui, ui.lab.chosen);
+    if (chosen == nullptr) draw_question_card(ui);
+    draw_choices(ui, [&](const Bug& bug) {
+        if (&bug != chosen) return;
+        keep_in_sight(ui, bug, height_of_card_head());
+        draw_question_card(ui);
+    });
 }
 
 } // namespace rasterwalk

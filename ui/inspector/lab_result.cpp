@@ -80,22 +80,39 @@ std::string verdict_words(const LabLook& lab) {
                           : "Your rows are those of the reference, end for end.";
 }
 
-/// One candidate: how much of the difference it explains, as a bar and a number, and its name.
-void draw_candidate(Ui& ui, const Candidate& candidate, int index) {
-    const Palette& p = palette(ui.options.theme);
-    const float u = ui.options.text_scale;
+/// The mistakes of a candidate, and what it is assumed with.
+std::string candidate_words(const Candidate& candidate) {
     std::string names;
-    const Bug* bug = nullptr;
     for (std::size_t i = 0; i < candidate.ids.size(); ++i) {
         const bool is_bug = candidate.ids[i].starts_with('B');
         names += (i > 0 ? " or " : "") + (is_bug ? candidate.ids[i] + " " : std::string()) +
                  candidate.names[i];
-        for (const Bug& known : lab_bugs(ui)) {
-            if (bug == nullptr && known.id == candidate.ids[i]) bug = &known;
-        }
     }
     if (!candidate.remark.empty()) names += ", " + candidate.remark;
-    names = in_words(names);
+    return in_words(names);
+}
+
+/// What is said of the picture beside the student's own.
+PictureCaption caption_beside(const Diagnosis& diagnosis) {
+    if (diagnosis.is_same()) return {"The reference", "The very same."};
+    const Candidate* const likely = likely_candidate(diagnosis);
+    if (likely == nullptr) return {"The reference", "Orange: not as in yours."};
+    if (likely->distance == 0.0) return {candidate_words(*likely), "The very same."};
+    return {candidate_words(*likely),
+            grouped(likely->different) +
+                (likely->different == 1 ? " pixel differs" : " pixels differ") + " from yours."};
+}
+
+/// One candidate: how much of the difference it explains, as a bar and a number, and its name.
+void draw_candidate(Ui& ui, const Candidate& candidate, int index) {
+    const Palette& p = palette(ui.options.theme);
+    const float u = ui.options.text_scale;
+    const Bug* bug = nullptr;
+    for (const std::string& id : candidate.ids) {
+        for (const Bug& known : lab_bugs(ui)) {
+            if (bug == nullptr && known.id == id) bug = &known;
+        }
+    }
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushFont(ui.fonts.mono);
@@ -109,7 +126,7 @@ void draw_candidate(Ui& ui, const Candidate& candidate, int index) {
                                               {low.x + part * full, bottom + 2.0f * u},
                                               packed(colour_of(Meaning::pass, ui.options.theme)));
     ImGui::TableNextColumn();
-    wrapped_text(names);
+    wrapped_text(candidate_words(candidate));
     const std::string name = "lab.candidate." + std::to_string(index);
     name_widget(ui, name,
                 "With this " + grouped(candidate.different) +
@@ -160,6 +177,7 @@ void draw_diagnosis(Ui& ui) {
     ImGui::PopFont();
     name_widget(ui, "lab.diagnosis", "What is most likely.");
     note_text(ui, "lab.diagnosis", verdict);
+    if (lab.is_picture) draw_lab_pictures(ui, caption_beside(diagnosis));
     ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
     if (!diagnosis.is_same()) {
         wrapped_text(grouped(diagnosis.different) +

@@ -1,15 +1,18 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/image.h"
 #include "laboratory/bug.h"
 #include "laboratory/candidate.h"
 #include "scene/scene.h"
 #include "settings/settings.h"
+#include "ui/widgets/picture_state.h"
 
 namespace rasterwalk {
 
@@ -20,6 +23,15 @@ enum class LabMode : std::uint8_t {
     bugs,   ///< the mistakes, to be turned on
     quiz,   ///< which of them is it?
     result, ///< a result of the student's own, and what may be wrong with it
+};
+
+/// The student's picture, and beside it one of the program's own.
+struct LabPictures {
+    Image own;
+    Image beside;                        ///< what the likely mistake makes, or else the reference
+    bool is_reference = true;            ///< no mistake is likely
+    std::uint64_t number = 0;            ///< of both; grows with each diagnosis
+    std::array<PictureTexture, 2> small; ///< as they are shown
 };
 
 /// What the bug laboratory keeps from one frame to the next.
@@ -45,6 +57,7 @@ struct LabLook {
     /// What a picture was held against, so that a mistake is shown on the very same.
     std::shared_ptr<const Scene> compared_scene;
     Settings reference;
+    LabPictures pictures; ///< of a picture that was diagnosed
 };
 
 } // namespace rasterwalk

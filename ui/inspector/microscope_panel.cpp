@@ -25,6 +25,10 @@ std::string some_samples(std::size_t count, int of) {
     return std::to_string(count) + " of " + counted(of, "sample", "samples");
 }
 
+/// From this height of the page on, below the buttons, summary and curve leave the table a good
+/// many lines; design pixels.
+constexpr float roomy_page = 480.0f;
+
 /// The edge that was picked, until the cursor comes to another.
 void look_at_edge(Ui& ui) {
     MicroscopeView& view = ui.inspector.microscope;
@@ -240,18 +244,14 @@ void draw_microscope_panel(Ui& ui) {
     const bool appears = ImGui::IsWindowAppearing();
     look_at_edge(ui);
     draw_buttons(ui);
-    const float line = ui.fonts.mono->FontSize + 2.0f * ImGui::GetStyle().CellPadding.y;
-    const float needed = static_cast<float>(ui.inspector.microscope.shown.count + 2) * line;
     const float u = ui.options.text_scale;
     const float room = ImGui::GetContentRegionAvail().y;
-    const auto table_height = [&](int fewest_lines) {
-        const float fewest = static_cast<float>(fewest_lines) * line;
-        return std::max(std::min(needed, ImGui::GetContentRegionAvail().y), fewest);
-    };
-    if (room >= 400.0f * u) {
+    if (room >= roomy_page * u && !ui.inspector.is_narrow) {
         draw_summary(ui);
         draw_drift_curve(ui);
-        draw_sample_table(ui, table_height(7), appears);
+        const float line = ui.fonts.mono->FontSize + 2.0f * ImGui::GetStyle().CellPadding.y;
+        const float needed = static_cast<float>(ui.inspector.microscope.shown.count + 2) * line;
+        draw_sample_table(ui, std::min(needed, ImGui::GetContentRegionAvail().y), appears);
         return;
     }
     // Where there is little room the numbers come first, and the words below them.
@@ -260,9 +260,10 @@ void draw_microscope_panel(Ui& ui) {
         draw_verdict(ui);
         ImGui::PopTextWrapPos();
     }
-    draw_sample_table(ui, table_height(4), appears);
-    draw_drift_curve(ui);
-    draw_summary(ui);
+    draw_sample_table_with(ui, appears, [&] {
+        draw_drift_curve(ui);
+        draw_summary(ui);
+    });
 }
 
 } // namespace rasterwalk

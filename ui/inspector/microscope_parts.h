@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "inspect/microscope.h"
 
 namespace rasterwalk {
@@ -23,5 +25,9 @@ void draw_drift_curve(Ui& ui);
 /// Every sample of the edge, one a line.
 /// @param appears the panel was not on the screen before
 void draw_sample_table(Ui& ui, float height, bool appears);
+
+/// The same where there are few lines, in all that is left of the panel: the headers stay, the
+/// samples scroll together with what is drawn below them.
+void draw_sample_table_with(Ui& ui, bool appears, const std::function<void()>& below);
 
 } // namespace rasterwalk

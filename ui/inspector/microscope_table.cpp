@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -142,7 +144,7 @@ float width_of(const Ui& ui, const SampleColumns& columns, float padding) {
     ImGui::PushFont(ui.fonts.mono);
     const float letter = ImGui::CalcTextSize("0").x;
     ImGui::PopFont();
-    float width = ImGui::GetStyle().ScrollbarSize;
+    float width = 0.0f;
     for (const SampleColumn& column : columns)
         width += letter * static_cast<float>(column.letters) + 2.0f * padding;
     return width;
@@ -159,46 +161,97 @@ void draw_sample_headers(Ui& ui, const SampleColumns& columns) {
     }
 }
 
-} // namespace
-
-void draw_sample_table(Ui& ui, float height, bool appears) {
-    const EdgeMicroscope& edge = ui.inspector.microscope.shown;
-    const float u = ui.options.text_scale;
+/// The columns for which there is room.
+SampleColumns fitting_columns(const Ui& ui, float room, float padding) {
     SampleColumns columns = columns_of(ui);
-    const ImVec2 padding{4.0f * u, ImGui::GetStyle().CellPadding.y};
-    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, padding);
     for (const int number : {drift_column, exact_column}) {
-        if (width_of(ui, columns, padding.x) <= ImGui::GetContentRegionAvail().x) break;
+        if (width_of(ui, columns, padding) <= room) break;
         std::erase_if(columns, [&](const SampleColumn& c) { return c.number == number; });
     }
-    if (!ImGui::BeginTable("samples", static_cast<int>(columns.size()),
-                           ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH |
-                               ImGuiTableFlags_PadOuterX | ImGuiTableFlags_SizingStretchProp,
-                           {0, height})) {
-        ImGui::PopStyleVar();
-        return;
-    }
-    ImGui::TableSetupScrollFreeze(1, 1);
+    return columns;
+}
+
+/// False if nothing of it is to be drawn.
+bool begin_samples(const char* name, const SampleColumns& columns, ImGuiTableFlags flags,
+                   ImVec2 size) {
+    const bool is_open =
+        ImGui::BeginTable(name, static_cast<int>(columns.size()),
+                          flags | ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_PadOuterX |
+                              ImGuiTableFlags_SizingStretchProp,
+                          size);
+    if (!is_open) return false;
     for (const SampleColumn& column : columns) {
         ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch,
                                 static_cast<float>(column.letters));
     }
-    draw_sample_headers(ui, columns);
+    return true;
+}
+
+/// Brings a sample to the middle; at the top stands a whole line.
+void scroll_to_sample(int index) {
+    const float line = ImGui::GetTextLineHeight() + 2.0f * ImGui::GetStyle().CellPadding.y;
+    const float lines = std::floor(ImGui::GetWindowHeight() / line);
+    ImGui::SetScrollY(std::max(static_cast<float>(index) - std::floor(0.5f * lines), 0.0f) * line);
+}
+
+void draw_samples(Ui& ui, const SampleColumns& columns, bool appears) {
+    const int count = ui.inspector.microscope.shown.count;
     ImGui::PushFont(ui.fonts.mono);
     const int current = current_sample(ui), walked = samples_walked(ui);
     ImGuiListClipper clipper;
-    clipper.Begin(edge.count);
-    const bool follows = (ui.follow_cursor || appears) && current >= 0 && current < edge.count;
+    clipper.Begin(count);
+    const bool follows = (ui.follow_cursor || appears) && current >= 0 && current < count;
     if (follows) clipper.ForceDisplayRangeByIndices(current, current + 1);
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             draw_sample(ui, columns, i, current, walked);
-            if (follows && i == current && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
+            if (follows && i == current && !ImGui::IsItemVisible()) scroll_to_sample(i);
         }
     }
     ImGui::PopFont();
-    ImGui::EndTable();
+}
+
+/// Of a cell, screen pixels.
+ImVec2 sample_padding(const Ui& ui) {
+    return {4.0f * ui.options.text_scale, ImGui::GetStyle().CellPadding.y};
+}
+
+} // namespace
+
+void draw_sample_table(Ui& ui, float height, bool appears) {
+    const ImVec2 padding = sample_padding(ui);
+    const SampleColumns columns = fitting_columns(
+        ui, ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ScrollbarSize, padding.x);
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, padding);
+    if (begin_samples("samples", columns, ImGuiTableFlags_ScrollY, {0, height})) {
+        ImGui::TableSetupScrollFreeze(1, 1);
+        draw_sample_headers(ui, columns);
+        draw_samples(ui, columns, appears);
+        ImGui::EndTable();
+    }
     ImGui::PopStyleVar();
+}
+
+void draw_sample_table_with(Ui& ui, bool appears, const std::function<void()>& below) {
+    // The same width in both, whether the samples need a scroll bar or not.
+    const float width = ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ScrollbarSize;
+    const ImVec2 padding = sample_padding(ui);
+    const SampleColumns columns = fitting_columns(ui, width, padding.x);
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, padding);
+    if (begin_samples("samples.head", columns, 0, {width, 0})) {
+        draw_sample_headers(ui, columns);
+        ImGui::EndTable();
+    }
+    ImGui::BeginChild("samples.body", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    if (begin_samples("samples", columns, 0, {width, 0})) {
+        draw_samples(ui, columns, appears);
+        ImGui::EndTable();
+    }
+    ImGui::PopStyleVar();
+    ImGui::PushTextWrapPos(width);
+    below();
+    ImGui::PopTextWrapPos();
+    ImGui::EndChild();
 }
 
 } // namespace rasterwalk

@@ -85,27 +85,45 @@ void draw_moment(Ui& ui) {
     end_card(ui);
 }
 
-/// What stands below the table.
-void draw_below_table(Ui& ui) {
+constexpr const char *copy_label = "copy as text", *values_label = "ends' values";
+
+std::string words_of_outside(const RowHistory& history) {
+    const bool is_finished = history.samples == history.sample_count;
+    return counted(static_cast<std::int64_t>(history.outside.size()), "sample outside",
+                   "samples outside") +
+           (is_finished ? "" : " so far");
+}
+
+/// Have the buttons below the table room on a line with what is said beside them?
+bool has_one_line_of_buttons(const RowHistory& history) {
+    const float needed = button_width(copy_label) + button_width(values_label) +
+                         text_width(words_of_outside(history)) +
+                         2.0f * ImGui::GetStyle().ItemSpacing.x;
+    return needed <= ImGui::GetContentRegionAvail().x;
+}
+
+/// What can be done with the table, and how many samples are not in it.
+/// @param is_one_line leaves the count out if it has no room beside the buttons: the samples
+///                    outside are lines of the table
+void draw_table_buttons(Ui& ui, bool is_one_line) {
     const Palette& p = palette(ui.options.theme);
     const RowHistory& history = ui.results.a.rows;
-    draw_moment(ui);
-    if (button(ui, "rows.copy", "copy as text", Look::plain,
+    const bool has_room = has_one_line_of_buttons(history);
+    if (button(ui, "rows.copy", copy_label, Look::plain,
                "Copies the table in the form that the lab prints.")) {
         ImGui::SetClipboardText(rows_text(history.rows).c_str());
         tell(ui.session, "The row table is in the clipboard.");
     }
     ImGui::SameLine();
-    if (button(ui, "rows.values", "ends' values",
+    if (button(ui, "rows.values", values_label,
                ui.inspector.shows_end_values ? Look::chosen : Look::plain,
                "Shows 1/z and the varyings of both ends in further columns.")) {
         ui.inspector.shows_end_values = !ui.inspector.shows_end_values;
     }
-    ImGui::SameLine();
-    const auto outside = static_cast<std::int64_t>(history.outside.size());
-    const bool is_finished = history.samples == history.sample_count;
-    text_in(outside > 0 ? colour_of(Meaning::fail, ui.options.theme) : p.dim,
-            counted(outside, "sample outside", "samples outside") + (is_finished ? "" : " so far"));
+    if (is_one_line && !has_room) return;
+    if (has_room) ImGui::SameLine();
+    text_in(history.outside.empty() ? p.dim : colour_of(Meaning::fail, ui.options.theme),
+            words_of_outside(history));
     name_widget(ui, "rows.outside",
                 "Samples of this triangle, up to this moment, that fell in no row of the table.");
 }
@@ -114,27 +132,36 @@ void draw_below_table(Ui& ui) {
 
 void draw_rows_panel(Ui& ui) {
     if (!begin_triangle_panel(ui, "rows")) return;
-    if (ui.inspector.is_low && !ui.inspector.shows_end_values) {
-        // Where there are few lines the table has them; the rest is scrolled to.
-        draw_row_table_with(ui, [&] {
-            draw_below_table(ui);
-            draw_bench_examples(ui);
-        });
-        return;
-    }
     const bool is_low = ui.inspector.is_low;
     if (!is_low) draw_bench_examples(ui);
     const RowHistory& history = ui.results.a.rows;
     const float line = ImGui::GetTextLineHeightWithSpacing();
-    const float below = is_low ? 0.0f : 6.2f * line + ImGui::GetFrameHeightWithSpacing();
     const float slack = 10.0f * ui.options.text_scale; // the lines between the rows
-    const float needed =
-        slack + static_cast<float>(history.rows.size() + history.outside.size() + 1) *
-                    (ui.fonts.mono->FontSize + 2.0f * ImGui::GetStyle().CellPadding.y);
-    const float room = ImGui::GetContentRegionAvail().y - below;
-    draw_row_table(ui, std::max(std::min(needed, room), (is_low ? 4.0f : 6.0f) * line));
-    draw_below_table(ui);
-    if (is_low) draw_bench_examples(ui);
+    const float needed = slack +
+                         static_cast<float>(history.rows.size() + history.outside.size() + 1) *
+                             (ui.fonts.mono->FontSize + 2.0f * ImGui::GetStyle().CellPadding.y) +
+                         (ui.inspector.shows_end_values ? ImGui::GetStyle().ScrollbarSize : 0.0f);
+    const float buttons = ImGui::GetFrameHeightWithSpacing();
+    const float all = ImGui::GetContentRegionAvail().y;
+    const float room = all - 6.2f * line - buttons;
+    if (!is_low && room >= std::min(needed, 6.0f * line)) {
+        draw_row_table(ui, std::min(needed, room));
+        draw_moment(ui);
+        draw_table_buttons(ui, false);
+        return;
+    }
+    if (ui.inspector.shows_end_values) {
+        // More columns than there is room for scroll both ways, and then nothing else does.
+        draw_row_table(ui, std::max(std::min(needed, all - buttons), 3.0f * line));
+        draw_table_buttons(ui, true);
+        return;
+    }
+    // Where there are few lines the table has them; the rest is scrolled to.
+    draw_row_table_with(ui, [&] {
+        draw_moment(ui);
+        draw_table_buttons(ui, false);
+        if (is_low) draw_bench_examples(ui);
+    });
 }
 
 } // namespace rasterwalk

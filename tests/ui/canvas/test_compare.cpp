@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <imgui_internal.h>
+
 #include "picture/view_image.h"
 #include "pipeline/draw.h"
 #include "session/second_run.h"
@@ -47,6 +49,43 @@ TEST_CASE("One click compares the picture as it is with affine, and one ends it 
     CHECK_FALSE(driver.ui.session.b);
     CHECK_FALSE(driver.ui.results.b);
     CHECK(driver.ui.session.a.settings == before);
+}
+
+TEST_CASE("In a low canvas no title lies over a picture, and each picture has one") {
+    for (const char* size : {"500x500", "235x100", "1000x100"}) {
+        INFO(size);
+        Session session = lit_room();
+        set_from_text(session.a.settings, std::string("viewport.size=") + size);
+        Driver driver(std::move(session), {1024, 640}, 1.5f);
+        driver.hand.press('C');
+        REQUIRE(driver.ui.results.b);
+        for (const CompareViewInfo& info : compare_view_list()) {
+            INFO(info.name);
+            driver.ui.session.compare_view = info.view;
+            driver.hand.frames(frames_to_rest);
+            const Viewport picture = driver.ui.results.a.frame.settings.viewport;
+            int titles = 0;
+            for (const char* name : {"compare.title_a", "compare.title_b"}) {
+                const auto found = driver.ui.widgets.find(name);
+                if (found == driver.ui.widgets.end()) continue;
+                ++titles;
+                CHECK(found->second.is_whole);
+                const ImRect title(found->second.top_left, found->second.bottom_right);
+                const auto lies_on = [&](const PicturePlace& place) {
+                    const ImVec2 high{
+                        place.origin.x + place.scale * static_cast<float>(picture.width),
+                        place.origin.y + place.scale * static_cast<float>(picture.height)};
+                    return title.Overlaps({place.origin, high});
+                };
+                CHECK_FALSE(lies_on(driver.ui.canvas.place));
+                if (driver.ui.compare.place_of_b)
+                    CHECK_FALSE(lies_on(*driver.ui.compare.place_of_b));
+            }
+            const bool has_one = info.view == CompareView::run_a ||
+                                 info.view == CompareView::run_b || info.view == CompareView::blink;
+            CHECK(titles == (has_one ? 1 : 2));
+        }
+    }
 }
 
 TEST_CASE("A comparison brings the tab that explains it, and the one before is back at its end") {

@@ -1,12 +1,15 @@
 #include <cstdlib>
 #include <fstream>
+#include <map>
 
 #include <catch2/catch.hpp>
 
 #include "base/numbers.h"
 #include "laboratory/diagnose.h"
+#include "laboratory/image_variant.h"
 #include "laboratory/quiz.h"
 #include "opening/opened_view.h"
+#include "picture/resample.h"
 #include "picture/view_image.h"
 #include "pipeline/draw.h"
 #include "settings/setting_table.h"
@@ -182,6 +185,41 @@ void check_picture(Driver& driver, const Settings& settings) {
     driver.hand.frames(2 + frames_to_rest);
 }
 
+/// The same with any picture.
+void check_image(Driver& driver, const Image& picture) {
+    test::TemporaryFolder folder;
+    const std::string path = folder.file("mine.png");
+    write_png(picture, path);
+    diagnose_file(driver.ui, path);
+    driver.hand.frames(2 + frames_to_rest);
+}
+
+Image drawn_by(const Driver& driver, const Settings& settings) {
+    const Frame frame = prepare_frame(*driver.ui.session.scene, settings);
+    return view_image(draw_frame(frame), View::colour);
+}
+
+/// Keeps all textures.
+struct AllTextures : TextureHost {
+    ImTextureID upload(ImTextureID old, const Image& image) override {
+        const ImTextureID id =
+            old != nullptr ? old : reinterpret_cast<ImTextureID>(images.size() + 1000);
+        images[id] = image;
+        return id;
+    }
+    std::map<ImTextureID, Image> images;
+};
+
+/// Pixels of the colour in which differences are marked.
+int marked_pixels(const Image& image) {
+    int count = 0;
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+        const std::uint8_t* const p = &image.rgba[i];
+        count += p[0] == 0xF0 && p[1] == 0x72 && p[2] == 0x2B ? 1 : 0;
+    }
+    return count;
+}
+
 Settings pixel_light(const Driver& driver) {
     Settings settings = with_handout_rules(driver.ui.session.a.settings);
     set_step(settings, StripStep::pixel_light);
@@ -189,6 +227,74 @@ Settings pixel_light(const Driver& driver) {
 }
 
 } // namespace
+
+TEST_CASE("A diagnosis shows the student's picture beside the one that the mistake makes") {
+    Driver driver;
+    AllTextures textures;
+    driver.ui.host.textures = &textures;
+    driver.ui.session.a.settings = pixel_light(driver);
+    const auto shown = [&](std::size_t i) -> const Image& {
+        return textures.images.at(driver.ui.lab.pictures.small[i].id);
+    };
+    const Settings reference = pixel_light(driver);
+    const Image mine = drawn_by(driver, wrong_run(find_bug(read_bugs(), "B9"), reference));
+    check_image(driver, mine);
+    const WidgetPlace own = driver.hand.find("lab.picture.own");
+    const WidgetPlace beside = driver.hand.find("lab.picture.beside");
+    CHECK(own.is_whole);
+    CHECK(beside.is_whole);
+    CHECK(own.top_left.y == beside.top_left.y);
+    CHECK(own.bottom_right.x < beside.top_left.x);
+    CHECK(shown_text(driver, "lab.picture.own") == "Your picture");
+    CHECK_THAT(shown_text(driver, "lab.picture.beside"),
+               Catch::StartsWith("B9 ") && Catch::EndsWith("The very same."));
+    const auto width = static_cast<float>(shown(0).width);
+    CHECK(own.bottom_right.x - own.top_left.x == Approx(width));
+    CHECK(width > 150.0f);
+    CHECK(shown(0) == resampled(mine, driver.ui.lab.pictures.small[0].scale));
+    CHECK(shown(1) == shown(0));
+    // Another one takes its place: turned, which no setting does.
+    const Image mirrored = oriented(drawn_by(driver, reference), Orientation::mirrored);
+    check_image(driver, mirrored);
+    CHECK_THAT(shown_text(driver, "lab.picture.beside"), Catch::StartsWith("Mirrored"));
+    CHECK(shown(0) == resampled(mirrored, driver.ui.lab.pictures.small[0].scale));
+    CHECK(shown(1) == shown(0));
+    // Moved, too.
+    check_image(driver, shifted(drawn_by(driver, reference), 1, 0));
+    CHECK_THAT(shown_text(driver, "lab.picture.beside"), Catch::StartsWith("Shifted"));
+    CHECK(shown(1) == shown(0));
+    // Without a likely mistake the reference, in which even one pixel is seen.
+    Image scratched = drawn_by(driver, reference);
+    std::fill_n(scratched.rgba.begin() + 4 * (250 * 500 + 250), 3, std::uint8_t{255});
+    check_image(driver, scratched);
+    CHECK_THAT(shown_text(driver, "lab.picture.beside"), Catch::StartsWith("The reference"));
+    CHECK(marked_pixels(shown(1)) >= 1);
+    CHECK(marked_pixels(shown(1)) <= 4);
+    check_image(driver, drawn_by(driver, reference));
+    CHECK(shown_text(driver, "lab.picture.beside") == "The reference: The very same.");
+    CHECK(marked_pixels(shown(1)) == 0);
+    driver.ui.host.textures = &driver.textures;
+}
+
+TEST_CASE("In a small window both pictures of a diagnosis can be seen whole") {
+    for (const SmallWindow& window : small_windows) {
+        INFO(window.size.x << " x " << window.size.y << ", text " << window.text_scale);
+        Driver driver("lab-room.toml", window.size, window.text_scale);
+        driver.ui.session.a.settings = pixel_light(driver);
+        Settings wrong = pixel_light(driver);
+        wrong.interpolation = Interpolation::affine;
+        set_from_text(wrong, "viewport.size=300x100");
+        driver.ui.session.a.settings = wrong;
+        driver.ui.session.a.settings.interpolation = Interpolation::perspective;
+        check_picture(driver, wrong);
+        for (const char* name : {"lab.picture.own", "lab.picture.beside"}) {
+            INFO(name);
+            const WidgetPlace place = driver.hand.find(name);
+            CHECK(place.is_whole);
+            CHECK(place.bottom_right.x - place.top_left.x >= 60.0f * window.text_scale);
+        }
+    }
+}
 
 TEST_CASE("What is wrong with a picture is in sight at once, and scrolled by keys") {
     for (const SmallWindow& window : test::some_of(small_windows, 2)) {

@@ -1,0 +1,112 @@
+// What is scrolled in the inspector scrolls once: the wheel and the keys then reach all of it.
+
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include <imgui_internal.h>
+
+#include "tests/support/effort.h"
+#include "tests/ui/shown_number.h"
+#include "ui/actions/lab.h"
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+namespace {
+
+bool scrolls_down(const ImGuiWindow& window) {
+    return window.Active && window.ScrollMax.y > 0.0f;
+}
+
+bool is_of_inspector(const ImGuiWindow& window) {
+    return std::string(window.RootWindow->Name) == "inspector";
+}
+
+/// The windows of the inspector that scroll within another one that does.
+std::vector<std::string> nested_scrolls() {
+    std::vector<std::string> names;
+    for (const ImGuiWindow* const window : GImGui->Windows) {
+        if (!is_of_inspector(*window) || !scrolls_down(*window)) continue;
+        for (const ImGuiWindow* at = window; at != window->RootWindow; at = at->ParentWindow) {
+            if (!scrolls_down(*at->ParentWindow)) continue;
+            names.emplace_back(window->Name);
+            break;
+        }
+    }
+    return names;
+}
+
+int count_of_scrolls() {
+    int count = 0;
+    for (const ImGuiWindow* const window : GImGui->Windows)
+        count += is_of_inspector(*window) && scrolls_down(*window) ? 1 : 0;
+    return count;
+}
+
+} // namespace
+
+TEST_CASE("Nothing in the inspector that scrolls lies in something that scrolls") {
+    for (const SmallWindow& window : small_windows) {
+        INFO(window.size.x << " x " << window.size.y << ", text " << window.text_scale);
+        for (const char* scene : {"lab-room.toml", "one-triangle.toml"}) {
+            INFO(scene);
+            Driver driver(scene, window.size, window.text_scale);
+            for (const char* tab : {"vertices", "rows", "microscope", "fragment", "history",
+                                    "graph", "compare", "lab"}) {
+                INFO(tab);
+                driver.ui.session.tab = tab;
+                driver.hand.frames(frames_to_rest + 2);
+                CHECK(nested_scrolls().empty());
+            }
+            driver.ui.session.tab = "rows";
+            driver.ui.inspector.shows_end_values = true;
+            driver.hand.frames(frames_to_rest + 2);
+            CHECK(nested_scrolls().empty());
+            CHECK(driver.hand.find("rows.values").is_whole);
+        }
+    }
+}
+
+TEST_CASE("In a low panel the wheel goes from the samples on to what stands below them") {
+    Driver driver("lab-room.toml", {1024, 640}, 1.5f);
+    driver.ui.session.tab = "microscope";
+    driver.hand.frames(frames_to_rest);
+    const int last = driver.ui.inspector.microscope.shown.count - 1;
+    const std::string name = "microscope.sample." + std::to_string(last);
+    driver.hand.find(name);
+    driver.hand.wheel(name, -50.0f);
+    driver.hand.frames(frames_to_rest);
+    CHECK_FALSE(driver.hand.is_visible(name));
+    CHECK(driver.ui.widgets.at("microscope.header.0").is_whole);
+}
+
+TEST_CASE("In a low panel the card of a mistake opens below its line") {
+    Driver driver("lab-room.toml", {1024, 640}, 1.5f);
+    driver.ui.session.tab = "lab";
+    driver.hand.frames(frames_to_rest);
+    CHECK(count_of_scrolls() == 1);
+    for (const char* id : {"B9", "B20a", "B3"}) {
+        INFO(id);
+        const std::string line = std::string("lab.") + id;
+        driver.hand.click(line);
+        driver.hand.frames(frames_to_rest);
+        const WidgetPlace& at = driver.ui.widgets.at(line);
+        const WidgetPlace& on = driver.ui.widgets.at("lab.on");
+        CHECK(at.is_whole);
+        CHECK(on.is_whole);
+        CHECK(on.top_left.y >= at.bottom_right.y);
+        CHECK(on.top_left.y < at.bottom_right.y + 60.0f * driver.ui.options.text_scale);
+    }
+    driver.hand.click("lab.mode.quiz");
+    driver.hand.click("lab.quiz.start");
+    driver.hand.frames(frames_to_rest);
+    CHECK(count_of_scrolls() == 1);
+    driver.hand.click("lab.choice.B3");
+    driver.hand.frames(frames_to_rest);
+    CHECK(driver.ui.widgets.at("lab.choice.B3").is_whole);
+    CHECK(driver.ui.widgets.at("lab.guess").is_whole);
+}
+
+} // namespace rasterwalk

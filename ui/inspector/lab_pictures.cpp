@@ -1,0 +1,113 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "laboratory/image_variant.h"
+#include "picture/resample.h"
+#include "ui/inspector/lab_parts.h"
+#include "ui/ui.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// Design pixels: of a column, of a picture, and between them.
+constexpr float least_column = 88.0f, least_shown = 56.0f, largest_shown = 216.0f;
+constexpr float pair_gap = 12.0f, pair_border = 4.0f;
+
+/// With such a height a picture is large enough for words below it to be in sight too, or else to
+/// be seen whole at once; design pixels.
+constexpr float good_side = 100.0f, fair_side = 68.0f;
+
+/// How both pictures, which have the same size, are shown.
+struct PairLayout {
+    float column; ///< width for a picture and its caption, screen pixels
+    float scale;  ///< screen pixels a picture pixel
+    bool is_stacked;
+};
+
+/// How high a picture may be, screen pixels: both are seen whole at once, with what is said below
+/// them if they so stay large enough. Where they would get too small, one scrolls to them.
+float picture_room(const Ui& ui) {
+    const float u = ui.options.text_scale, page = ImGui::GetWindowHeight();
+    const float below = page - ImGui::GetCursorPosY() - pair_border * u;
+    const float words = 4.0f * ui.fonts.small->FontSize;
+    if (below - words >= good_side * u) return below - words;
+    return below >= fair_side * u ? below : page - words;
+}
+
+PairLayout pair_layout(const Ui& ui, const Image& image, float width) {
+    const float u = ui.options.text_scale;
+    PairLayout layout{};
+    layout.column = std::floor(0.5f * (width - pair_gap * u));
+    layout.is_stacked = layout.column < least_column * u;
+    if (layout.is_stacked) layout.column = width;
+    const float high = std::clamp(picture_room(ui), least_shown * u, largest_shown * u);
+    const float wide = std::min(layout.column, largest_shown * u);
+    const float scale =
+        std::min(wide / static_cast<float>(image.width), high / static_cast<float>(image.height));
+    // Pixels stay equally large.
+    layout.scale = scale >= 1.0f ? std::floor(scale) : scale;
+    return layout;
+}
+
+/// What is shown as the second picture: without a likely mistake, where it is not as the first.
+Image small_one(const LabPictures& pictures, bool is_own, float scale) {
+    if (is_own) return resampled(pictures.own, scale);
+    if (!pictures.is_reference || pictures.own == pictures.beside)
+        return resampled(pictures.beside, scale);
+    return with_differences_marked(pictures.beside, pictures.own, scale);
+}
+
+void draw_captioned(Ui& ui, bool is_own, const PairLayout& layout, const PictureCaption& caption) {
+    const Palette& p = palette(ui.options.theme);
+    LabPictures& pictures = ui.lab.pictures;
+    PictureTexture& texture = pictures.small[is_own ? 0 : 1];
+    if (texture.number != pictures.number || texture.scale != layout.scale) {
+        const Image small = small_one(pictures, is_own, layout.scale);
+        texture.id = ui.host.textures->upload(texture.id, small);
+        texture.number = pictures.number;
+        texture.scale = layout.scale;
+        texture.size = {static_cast<float>(small.width), static_cast<float>(small.height)};
+    }
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const ImVec2 high{low.x + texture.size.x, low.y + texture.size.y};
+    ImGui::BeginGroup();
+    ImGui::Dummy(texture.size);
+    const std::string name = is_own ? "lab.picture.own" : "lab.picture.beside";
+    name_widget(ui, name,
+                is_own                  ? "The picture that you chose."
+                : pictures.is_reference ? "What the right program draws of what is set."
+                                        : "What the program draws with this mistake.");
+    note_text(ui, name, caption.title + (caption.words.empty() ? "" : ": " + caption.words));
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    list->AddImage(texture.id, low, high);
+    list->AddRect(low, high, packed(p.line));
+    ImGui::PushFont(ui.fonts.small);
+    text_in(p.text, broken_into_lines(caption.title, layout.column));
+    if (!caption.words.empty()) text_in(p.dim, broken_into_lines(caption.words, layout.column));
+    ImGui::PopFont();
+    ImGui::EndGroup();
+}
+
+} // namespace
+
+void draw_lab_pictures(Ui& ui, const PictureCaption& beside) {
+    const Image& image = ui.lab.pictures.own;
+    const float width = ImGui::CalcItemWidth();
+    ImGui::Spacing();
+    const PairLayout layout = pair_layout(ui, image, width);
+    const float left = ImGui::GetCursorScreenPos().x;
+    draw_captioned(ui, true, layout, {"Your picture", ""});
+    if (!layout.is_stacked) {
+        ImGui::SameLine();
+        const float next = left + layout.column + std::round(pair_gap * ui.options.text_scale);
+        ImGui::SetCursorScreenPos({next, ImGui::GetCursorScreenPos().y});
+    }
+    draw_captioned(ui, false, layout, beside);
+    ImGui::Spacing();
+}
+
+} // namespace rasterwalk
