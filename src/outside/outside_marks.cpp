@@ -16,9 +16,6 @@ namespace {
 /// Lines are cut so far outside the picture, pixels: no end of one is seen.
 constexpr double beside = 40.0;
 
-/// Half of the room that a point takes from texts, pixels.
-constexpr float point_room = 6.0f;
-
 /// Collects what the eye can see.
 struct Collector {
     const OutsideEye& eye;
@@ -87,32 +84,45 @@ void add_triangle(const Scene& scene, int triangle, const OutsideThings& things,
     }
 }
 
-struct Box {
-    glm::vec2 low, high;
-
-    bool meets(const Box& other) const {
-        return low.x < other.high.x && other.low.x < high.x && low.y < other.high.y &&
-               other.low.y < high.y;
-    }
-};
+bool meet(const OutsideBox& a, const OutsideBox& b) {
+    return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
+}
 
 /// Where a text may stand beside its point, the best first: in parts of its size from the point.
 constexpr std::array<glm::vec2, 8> label_sides{
     glm::vec2{1.0f, 0.0f},  glm::vec2{-1.0f, 0.0f},  glm::vec2{0.0f, 1.0f}, glm::vec2{0.0f, -1.0f},
     glm::vec2{1.0f, -1.0f}, glm::vec2{-1.0f, -1.0f}, glm::vec2{1.0f, 1.0f}, glm::vec2{-1.0f, 1.0f}};
 
-constexpr std::size_t side_below = 2;
-
-Box label_box(const OutsideLabel& label, const glm::vec2& side) {
-    const glm::vec2 middle = label.point + side * (0.5f * label.size + label.distance);
-    return {middle - 0.5f * label.size, middle + 0.5f * label.size};
+/// The place in label_sides at which the search begins.
+std::size_t place_of(LabelSide side) {
+    switch (side) {
+    case LabelSide::right:
+        break;
+    case LabelSide::below:
+        return 2;
+    case LabelSide::above_right:
+        return 4;
+    }
+    return 0;
 }
 
-bool is_free(const Box& box, std::span<const Box> taken, glm::vec2 size) {
+/// A text that is moved along stays so far from the border, pixels.
+constexpr float border = 0.5f;
+
+/// Above, below or at a side of a point near the border it is moved along until it is seen whole.
+OutsideBox label_box(const OutsideLabel& label, const glm::vec2& side, glm::vec2 size) {
+    glm::vec2 low = label.point + side * (0.5f * label.size + label.distance) - 0.5f * label.size;
+    const glm::vec2 most = size - label.size - border;
+    if (side.x == 0.0f) low.x = std::max(std::min(low.x, most.x), border);
+    if (side.y == 0.0f) low.y = std::max(std::min(low.y, most.y), border);
+    return {low, low + label.size};
+}
+
+bool is_free(const OutsideBox& box, std::span<const OutsideBox> taken, glm::vec2 size) {
     const bool is_inside =
         box.low.x >= 0.0f && box.low.y >= 0.0f && box.high.x <= size.x && box.high.y <= size.y;
     return is_inside && std::none_of(taken.begin(), taken.end(),
-                                     [&](const Box& other) { return box.meets(other); });
+                                     [&](const OutsideBox& other) { return meet(box, other); });
 }
 
 } // namespace
@@ -139,21 +149,18 @@ OutsideMarks outside_marks(const Scene& scene, const OutsideThings& things, cons
 }
 
 std::vector<std::optional<glm::vec2>> label_places(std::span<const OutsideLabel> labels,
-                                                   std::span<const OutsidePoint> points,
-                                                   glm::vec2 size) {
-    std::vector<Box> taken;
-    for (const OutsidePoint& point : points)
-        taken.push_back({point.at - point_room, point.at + point_room});
+                                                   std::vector<OutsideBox> taken, glm::vec2 size) {
     std::vector<std::optional<glm::vec2>> places;
     for (const OutsideLabel& label : labels) {
         std::optional<glm::vec2> place;
-        for (std::size_t i = 0; i < label_sides.size(); ++i) {
-            const std::size_t first = label.is_below ? side_below : 0;
-            const Box box = label_box(label, label_sides[(first + i) % label_sides.size()]);
+        const bool is_seen = label.point.x >= 0.0f && label.point.y >= 0.0f &&
+                             label.point.x <= size.x && label.point.y <= size.y;
+        for (std::size_t i = 0; is_seen && !place && i < label_sides.size(); ++i) {
+            const std::size_t at = (place_of(label.first) + i) % label_sides.size();
+            const OutsideBox box = label_box(label, label_sides[at], size);
             if (!is_free(box, taken, size)) continue;
             place = box.low;
             taken.push_back(box);
-            break;
         }
         places.push_back(place);
     }

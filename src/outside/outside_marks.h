@@ -60,20 +60,28 @@ OutsideMarks outside_marks(const Scene& scene, const OutsideThings& things, cons
                            std::optional<int> triangle, std::optional<glm::ivec2> pixel,
                            glm::ivec2 size);
 
+/// A part of the picture of the eye, pixels.
+struct OutsideBox {
+    glm::vec2 low{0.0f}, high{0.0f};
+};
+
+/// Where a text is tried first.
+enum class LabelSide : std::uint8_t { right, below, above_right };
+
 /// A text that is to stand beside a point.
 struct OutsideLabel {
     glm::vec2 point{0.0f}; ///< pixels
-    glm::vec2 size{0.0f};  ///< of the text, pixels
+    glm::vec2 size{0.0f};  ///< of the text with the room around it, pixels
     float distance = 0.0f; ///< between them, pixels
-    bool is_below = false; ///< rather than at the right
+    LabelSide first = LabelSide::right;
 };
 
 /// The top left corner of each text: beside its point, within the picture, and where it can be
-/// neither over another text nor over one of the points to be kept free. A text for which there is
-/// no such place, or whose point lies outside the picture, has none.
-/// @param size of the picture, pixels
+/// neither over an earlier text nor over what is taken. A text for which there is no such place, or
+/// whose point lies outside the picture, has none: what matters most comes first.
+/// @param taken to be kept free of texts
+/// @param size  of the picture, pixels
 std::vector<std::optional<glm::vec2>> label_places(std::span<const OutsideLabel> labels,
-                                                   std::span<const OutsidePoint> points,
-                                                   glm::vec2 size);
+                                                   std::vector<OutsideBox> taken, glm::vec2 size);
 
 } // namespace rasterwalk

@@ -3,43 +3,81 @@
 #include <algorithm>
 #include <cmath>
 
-#include "picture/resample.h"
 #include "picture/view_image.h"
 #include "pipeline/draw.h"
 #include "pipeline/work.h"
 
 namespace rasterwalk {
 
+namespace {
+
 /// What it costs to clear a pixel and to show it, in the work of a fragment.
 constexpr double work_of_pixel = 0.5;
 
-Settings scaled_to(const Scene& scene, const Settings& settings, int side) {
-    Settings small = settings;
-    if (scene.space == SceneSpace::pixels) return small;
+/// A picture of a few pixels is not made larger than it is.
+float scale_to(const Scene& scene, const Settings& settings, int side) {
     const Viewport whole = settings.viewport;
     const float scale =
         static_cast<float>(side) / static_cast<float>(std::max(whole.width, whole.height));
+    return scene.space == SceneSpace::pixels ? std::min(scale, 1.0f) : scale;
+}
+
+/// The frame of a small picture, and the scene that it refers to.
+struct SmallFrame {
+    Scene scene; ///< one in pixels, made smaller; else without triangles
+    Frame frame;
+};
+
+/// The middle of each pixel on which a vertex lies goes where it lies in the smaller picture.
+Mesh shrunken(const Mesh& mesh, float scale) {
+    Mesh small;
+    for (Vertex vertex : mesh.vertices()) {
+        vertex.position.x = (vertex.position.x + 0.5f) * scale;
+        vertex.position.y = (vertex.position.y + 0.5f) * scale;
+        small.add_vertex(vertex);
+    }
+    for (const TriangleIndices& triangle : mesh.triangles())
+        small.add_triangle(triangle);
+    return small;
+}
+
+void prepare_small_frame(const Scene& scene, const Settings& settings, int side,
+                         SmallFrame& small) {
+    const float scale = scale_to(scene, settings, side);
+    const bool is_shrunken = scene.space == SceneSpace::pixels && scale < 1.0f;
+    if (is_shrunken) {
+        small.scene.space = scene.space;
+        small.scene.mesh = shrunken(scene.mesh, scale);
+    }
+    prepare_frame(is_shrunken ? small.scene : scene, scaled_to(scene, settings, side), nullptr,
+                  small.frame);
+}
+
+} // namespace
+
+Settings scaled_to(const Scene& scene, const Settings& settings, int side) {
+    const float scale = scale_to(scene, settings, side);
     const auto scaled = [&](int length) {
         return std::max(1, static_cast<int>(std::lround(static_cast<float>(length) * scale)));
     };
-    small.viewport = {scaled(whole.width), scaled(whole.height)};
+    Settings small = settings;
+    small.viewport = {scaled(settings.viewport.width), scaled(settings.viewport.height)};
     small.camera.focal_length *= scale;
     return small;
 }
 
 Image thumbnail(const Scene& scene, const Settings& settings, int side) {
-    const Frame frame = prepare_frame(scene, scaled_to(scene, settings, side));
-    const Image drawn = view_image(draw_frame(frame), View::colour);
-    const int longer = std::max(drawn.width, drawn.height);
-    return longer <= side ? drawn
-                          : resampled(drawn, static_cast<float>(side) / static_cast<float>(longer));
+    SmallFrame small;
+    prepare_small_frame(scene, settings, side, small);
+    return view_image(draw_frame(small.frame), View::colour);
 }
 
 double thumbnail_work(const Scene& scene, const Settings& settings, int side) {
-    const Frame frame = prepare_frame(scene, scaled_to(scene, settings, side));
+    SmallFrame small;
+    prepare_small_frame(scene, settings, side, small);
     FrameWork work;
-    work.begin(frame);
-    const Viewport size = frame.settings.viewport;
+    work.begin(small.frame);
+    const Viewport size = small.frame.settings.viewport;
     return work.total() + work_of_pixel * static_cast<double>(size.width) * size.height;
 }
 

@@ -7,12 +7,12 @@
 namespace rasterwalk {
 
 /// The settings for a picture that is so many pixels high or wide, whichever is more, and shows
-/// the same. Vertices that are given in pixels stay where they are.
+/// the same. One whose vertices are given in pixels is not made larger.
 /// @param side 1 or more
 Settings scaled_to(const Scene& scene, const Settings& settings, int side);
 
-/// The finished picture, drawn small: see scaled_to(). What keeps its size is made smaller after it
-/// is drawn, to no more than `side`.
+/// The finished picture, drawn small: see scaled_to(). Vertices that are given in pixels lie nearer
+/// to each other.
 Image thumbnail(const Scene& scene, const Settings& settings, int side);
 
 /// What it costs to draw it and to show it, see FrameWork::total().

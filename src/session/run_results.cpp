@@ -82,6 +82,13 @@ int unset_row_pixels(const Frame& frame) {
     return row_span(frame.stages, rows, 0).count;
 }
 
+/// Where the rows of a triangle begin and end; empty if it is not drawn.
+PolygonRows whole_rows(const Frame& frame, int triangle) {
+    PolygonRows rows;
+    if (frame.is_drawn(triangle)) compute_rows(frame, triangle, rows, nullptr, VaryingSet());
+    return rows;
+}
+
 /// Makes the picture anew, or only what the replay has just changed of it.
 /// @param is_same_view it shows the same of the framebuffer as before
 void update_picture(View view, const std::optional<DepthRange>& depths, bool is_same_view,
@@ -164,6 +171,8 @@ RunChanges update_run(const Session& session, const Run& run, const SharedView* 
     }
     const std::optional<int> triangle =
         shared != nullptr ? shared->triangle : shown_triangle(session, results);
+    if (changes.frame || triangle != results.triangle)
+        results.whole_rows = triangle ? whole_rows(results.frame, *triangle) : PolygonRows{};
     if (changes.moment || triangle != results.triangle) {
         results.triangle = triangle;
         results.rows =

@@ -47,6 +47,7 @@ struct RunResults {
     std::optional<int> triangle; ///< that the inspector shows: selected, or of the picked pixel in
                                  ///< a whole picture, or being drawn, or first
     RowHistory rows;             ///< row table of that triangle, as far as it is made at the cursor
+    PolygonRows whole_rows;      ///< the same when it is whole; empty if the triangle is not drawn
     Inspected inspected; ///< the vertices, the fragment and the row on show, with their formulas
     std::vector<Trouble> troubles; ///< triangles left out, samples outside
     bool has_all_troubles = false; ///< false: only of what has been drawn so far

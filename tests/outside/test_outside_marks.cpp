@@ -162,13 +162,16 @@ TEST_CASE("Names stand inside, beside their points, and over nothing") {
     int placed = 0;
     for (int i = 0; i < 200; ++i) {
         std::vector<OutsideLabel> labels;
-        std::vector<OutsidePoint> points;
+        std::vector<OutsideBox> taken;
         for (int k = 0; k < 8; ++k) {
             const glm::vec2 at(random.number(0, 500), random.number(0, 300));
-            points.push_back({OutsidePointKind::vertex, k, at});
-            labels.push_back({at, {random.number(20, 120), 16.0f}, 8.0f, k % 2 == 0});
+            taken.push_back({at - 6.0f, at + 6.0f});
+            labels.push_back({at,
+                              {random.number(20, 120), 16.0f},
+                              8.0f,
+                              k % 2 == 0 ? LabelSide::below : LabelSide::right});
         }
-        const auto places = label_places(labels, points, size);
+        const auto places = label_places(labels, taken, size);
         REQUIRE(places.size() == labels.size());
         for (std::size_t a = 0; a < places.size(); ++a) {
             if (!places[a]) continue;
@@ -178,9 +181,9 @@ TEST_CASE("Names stand inside, beside their points, and over nothing") {
             CHECK(low.y >= 0.0f);
             CHECK(high.x <= size.x);
             CHECK(high.y <= size.y);
-            for (const OutsidePoint& point : points) {
-                const bool is_over = point.at.x > low.x && point.at.y > low.y &&
-                                     point.at.x < high.x && point.at.y < high.y;
+            for (const OutsideBox& box : taken) {
+                const bool is_over = low.x < box.high.x && box.low.x < high.x &&
+                                     low.y < box.high.y && box.low.y < high.y;
                 CHECK_FALSE(is_over);
             }
             for (std::size_t b = 0; b < a; ++b) {
@@ -196,6 +199,23 @@ TEST_CASE("Names stand inside, beside their points, and over nothing") {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     const OutsideLabel nowhere{{nan, nan}, {10.0f, 10.0f}, 1.0f};
     CHECK_FALSE(label_places(std::array{nowhere}, {}, size)[0]);
+}
+
+TEST_CASE("Names that matter most are placed first, and moved along where the border is near") {
+    const OutsideLabel first{{3.0f, 50.0f}, {40.0f, 16.0f}, 8.0f, LabelSide::below};
+    const OutsideLabel second{{5.0f, 52.0f}, {40.0f, 16.0f}, 8.0f, LabelSide::below};
+    // Beside and above both points all is taken.
+    const std::vector<OutsideBox> taken{{{0.0f, 0.0f}, {100.0f, 56.0f}}};
+    const glm::vec2 size(44.0f, 80.0f);
+    for (const bool is_swapped : {false, true}) {
+        const std::array labels{is_swapped ? second : first, is_swapped ? first : second};
+        const auto places = label_places(labels, taken, size);
+        REQUIRE(places[0]);
+        CHECK_FALSE(places[1]);
+        CHECK(places[0]->x >= 0.0f);
+        CHECK(places[0]->x < 4.0f);
+        CHECK(places[0]->y == labels[0].point.y + labels[0].distance);
+    }
 }
 
 TEST_CASE("The outline of the room has the edges of its boxes and no diagonals") {

@@ -89,7 +89,7 @@ TEST_CASE("What a picture does not reach is transparent, and tints keep their co
     CHECK(resampled(Image{}, 2.0f).width == 0);
 }
 
-TEST_CASE("A scene in pixels is drawn as large as it is, and its small picture made from that") {
+TEST_CASE("A scene in pixels is drawn small, and shows the same") {
     const Scene scene =
         test::pixel_scene({{{{10, 10, 1}, {600, 40, 1}, {300, 390, 1}}}}, {640, 400});
     const Settings settings = default_settings(scene);
@@ -97,8 +97,17 @@ TEST_CASE("A scene in pixels is drawn as large as it is, and its small picture m
     const Image small = thumbnail(scene, settings, 160);
     CHECK(small.width == 160);
     CHECK(small.height == 100);
-    CHECK(small == resampled(whole, 0.25f));
+    // Only along the edges it is another one than the whole picture made small.
+    const Image reference = resampled(whole, 0.25f);
+    REQUIRE(reference.rgba.size() == small.rgba.size());
+    int different = 0;
+    for (std::size_t i = 0; i < small.rgba.size(); i += 4)
+        different += std::abs(small.rgba[i] - reference.rgba[i]) > 40 ? 1 : 0;
+    CHECK(different > 0);
+    CHECK(different < 600);
+    CHECK(thumbnail_work(scene, settings, 160) < 0.1 * thumbnail_work(scene, settings, 640));
     CHECK(thumbnail(scene, settings, 640) == whole);
+    CHECK(thumbnail(scene, settings, 2000) == whole);
 }
 
 TEST_CASE("A part that is resampled anew is the same as in the whole") {

@@ -8,6 +8,7 @@
 #include "session/canvas_view.h"
 #include "ui/actions/compare.h"
 #include "ui/ui.h"
+#include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
 
@@ -97,10 +98,9 @@ PicturePart drawn_part(const Frame& frame) {
 
 ImVec2 ruler_size(const Ui& ui) {
     const float u = ui.options.text_scale;
-    ImFont* const font = ui.fonts.small;
+    const ImFont* const font = ui.fonts.small;
     const int last_row = std::max(ui.results.a.frame.settings.viewport.height - 1, 10);
-    const float width =
-        font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, std::to_string(last_row).c_str()).x;
+    const float width = text_width(font, std::to_string(last_row));
     return {std::ceil(width + 10.0f * u), std::ceil(font->FontSize + 8.0f * u)};
 }
 
@@ -123,26 +123,21 @@ PictureFit fit_part(const Ui& ui, const PicturePart& part, ImVec2 low, ImVec2 hi
         const PicturePlace place = place_in(ui, part, low, {high.x - table.width, high.y});
         if (place.scale >= least) return {place, table};
     }
-    PictureFit alone{place_in(ui, part, low, high), {}};
-    if (tables.empty() || alone.place.scale < least) return alone;
-    // It would lie on the picture: a little smaller, and there is none.
-    const float smaller = least - 1.0f;
-    const ImVec2 middle{0.5f * (part.left + part.right), 0.5f * (part.top + part.bottom)};
-    const float by = alone.place.scale - smaller;
-    alone.place.origin = {std::round(alone.place.origin.x + by * middle.x),
-                          std::round(alone.place.origin.y + by * middle.y)};
-    alone.place.scale = smaller;
-    return alone;
+    return {place_in(ui, part, low, high), {}};
 }
 
-PicturePart part_that_fits(const Ui& ui, ImVec2 low, ImVec2 high) {
+PicturePart part_that_fits(Ui& ui, ImVec2 low, ImVec2 high) {
     const Frame& frame = ui.results.a.frame;
     const Viewport size = frame.settings.viewport;
     const PicturePart whole{0.0f, 0.0f, static_cast<float>(size.width),
                             static_cast<float>(size.height)};
     if (std::max(size.width, size.height) > longest_small_side || is_comparing(ui)) return whole;
     const float scale = scale_in(whole, room_within(numbered_margins(ui), low, high));
-    return scale >= readable_pixel * ui.options.text_scale ? whole : drawn_part(frame);
+    if (scale >= readable_pixel * ui.options.text_scale) return whole;
+    DrawnPart& drawn = ui.canvas.drawn;
+    if (drawn.frame_number != ui.results.a.frame_number)
+        drawn = {ui.results.a.frame_number, drawn_part(frame)};
+    return drawn.part;
 }
 
 } // namespace rasterwalk

@@ -10,11 +10,6 @@ struct Ui;
 /// Around a picture that fits and has no numbers, design pixels.
 inline constexpr float picture_border = 10.0f;
 
-/// A part of the picture, in its pixels; `right` and `bottom` are not of it.
-struct PicturePart {
-    float left = 0.0f, top = 0.0f, right = 0.0f, bottom = 0.0f;
-};
-
 /// Where a picture lies on the canvas so that a part of it is seen whole, and the row table that
 /// has room beside it; without width: none.
 struct PictureFit {
@@ -29,7 +24,7 @@ PictureFit fit_part(const Ui& ui, const PicturePart& part, ImVec2 low, ImVec2 hi
 
 /// What a picture that fits shows: all of it. Of a very small one, where its pixels would be too
 /// small to be looked at, the triangles alone.
-PicturePart part_that_fits(const Ui& ui, ImVec2 low, ImVec2 high);
+PicturePart part_that_fits(Ui& ui, ImVec2 low, ImVec2 high);
 
 /// What the numbers need: at the left of the picture and above it, screen pixels.
 ImVec2 ruler_size(const Ui& ui);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "ui/actions/compare.h"
 #include "ui/actions/outside.h"
@@ -105,7 +107,7 @@ void draw_picture(Ui& ui, const Pane& pane) {
     const ImVec2 frame_high{frame_low.x + frame_room.x, frame_low.y + frame_room.y};
     const Pane canvas{frame_low, frame_high};
     const Panes panes = panes_of(ui, canvas);
-    RowTableLayout table = place_pictures(ui, panes);
+    std::vector<RowTableLayout> tables = place_pictures(ui, panes);
     draw_wipe_handle(ui, canvas);
     ImGui::SetCursorScreenPos(frame_low);
     ImGui::InvisibleButton("picture", frame_room,
@@ -116,8 +118,9 @@ void draw_picture(Ui& ui, const Pane& pane) {
     handle_canvas_pointer(ui, panes.a);
     handle_canvas_keys(ui, panes.a, seen_of_picture(ui, panes.a, canvas));
     if (ui.session.canvas != before || ui.canvas.dragged_vertex != held_before)
-        table = place_pictures(ui, panes);
-    ui.canvas.row_table = place_row_table(ui, table, canvas);
+        tables = place_pictures(ui, panes);
+    const std::optional<RowTableBeside> table = place_row_table(ui, tables, canvas);
+    ui.canvas.row_table = table ? std::optional(table->place) : std::nullopt;
     const Pane seen = seen_of_canvas(ui, canvas);
 
     ImDrawList* const list = ImGui::GetWindowDrawList();
@@ -136,8 +139,8 @@ void draw_picture(Ui& ui, const Pane& pane) {
     if (!is_comparing(ui)) draw_cells(ui, seen, labels);
     if (shows_cell_key(ui))
         draw_cell_key(ui, {{seen.low.x, seen.high.y}, {seen.high.x, canvas.high.y}});
-    if (ui.canvas.row_table) {
-        const bool is_over = draw_row_table_beside(ui, table, *ui.canvas.row_table, canvas);
+    if (table) {
+        const bool is_over = draw_row_table_beside(ui, *table, canvas);
         const ImGuiIO& io = ImGui::GetIO();
         if (is_over && io.MouseWheel != 0.0f)
             zoom_by_wheel(ui, io.MousePos, io.MouseWheel, panes.a);

@@ -240,12 +240,12 @@ bool crosses(ImVec2 a, ImVec2 b, ImVec2 low, ImVec2 high) {
 
 ShownRun run_a(const Ui& ui) {
     const RunResults& a = ui.results.a;
-    return {a.frame, a.rows, a.cursor, a.done, ui.canvas.place};
+    return {a.frame, a.rows, a.whole_rows, a.cursor, a.done, ui.canvas.place};
 }
 
 ShownRun run_b(const Ui& ui, const PicturePlace& place) {
     const RunResults& b = *ui.results.b;
-    return {b.frame, b.rows, b.cursor, b.done, place};
+    return {b.frame, b.rows, b.whole_rows, b.cursor, b.done, place};
 }
 
 std::vector<VertexLabel> draw_canvas_marks(const Ui& ui, const ShownRun& run, ImDrawList* list,

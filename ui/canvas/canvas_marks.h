@@ -17,7 +17,8 @@ struct Ui;
 /// One of the two runs, as far as it is marked on its picture, and where that lies.
 struct ShownRun {
     const Frame& frame;
-    const RowHistory& rows; ///< of the triangle on show
+    const RowHistory& rows;        ///< of the triangle on show
+    const PolygonRows& whole_rows; ///< likewise
     const Cursor& cursor;
     const std::optional<Cursor>& done;
     PicturePlace place;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -22,11 +23,18 @@ struct RowTablePlace {
     bool is_at_left = false; ///< of the canvas; or else at its right
 };
 
+/// What the triangles cover of the picture.
+struct DrawnPart {
+    std::uint64_t frame_number = 0; ///< of the frame that was looked through; see RunResults
+    PicturePart part;
+};
+
 /// What the canvas keeps from one frame to the next.
 struct CanvasState {
     PictureTexture picture; ///< shows Results::picture
     PictureTexture overlay; ///< shows Results::overlay
     PicturePlace place;     ///< of the picture in this frame
+    DrawnPart drawn;        ///< looked for anew when the frame is another
     PictureTexture outside; ///< shows the drawing of the scene from outside
     std::shared_ptr<OutsideDrawing> outside_drawing; ///< none before it was shown first
     bool shows_legend = true; ///< of the overlays; or else only their swatches

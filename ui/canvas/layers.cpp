@@ -68,7 +68,8 @@ void draw_cell_list(Ui& ui) {
     draw_switch(ui, "layers.row_table", "row table beside its rows", canvas.row_table,
                 row_table_zoom(ui),
                 "leftPixels and rightPixels of the triangle on show, each line beside the row of "
-                "the picture that it describes.");
+                "the picture that it describes.\nOnly where it covers nothing of the triangle: the "
+                "Rows tab always has it.");
     const std::string fates = std::string("pass ") + passed_sign + " and fail " + failed_sign;
     draw_switch(ui, "layers.fates", fates.c_str(), canvas.fates, fates_zoom(ui),
                 "What the depth test said of each fragment of the triangle on show, and of all "

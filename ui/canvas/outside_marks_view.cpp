@@ -1,13 +1,14 @@
 #include "ui/canvas/outside_marks_view.h"
 
 #include <algorithm>
-#include <cfloat>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
 
@@ -17,6 +18,10 @@ namespace {
 /// names are short; design pixels.
 constexpr float roomy_view = 420.0f;
 constexpr float smallest_marks = 0.6f;
+
+/// Design pixels: of the dark around a name, and from that to what it names.
+constexpr float halo_width = 1.4f;
+constexpr float name_distance = 2.5f;
 
 /// What the marks are drawn with.
 struct Pen {
@@ -129,11 +134,31 @@ void draw_point(const Pen& pen, const OutsidePoint& point) {
     }
 }
 
+/// Half of what a point takes from names, design pixels.
+float reach_of(OutsidePointKind kind) {
+    switch (kind) {
+    case OutsidePointKind::camera:
+        return 10.0f;
+    case OutsidePointKind::lamp:
+        return 8.5f;
+    case OutsidePointKind::vertex:
+    case OutsidePointKind::behind:
+    case OutsidePointKind::pixel:
+        return 6.0f;
+    case OutsidePointKind::crossing:
+        return 4.5f;
+    case OutsidePointKind::picture:
+        break; // nothing is drawn there
+    }
+    return 0.0f;
+}
+
 struct Name {
+    OutsidePoint point;
     std::string text;
     ImU32 colour;
-    float distance;        ///< from its point, design pixels
-    bool is_below = false; ///< rather than at the right
+    int rank; ///< the first is placed first
+    LabelSide side = LabelSide::right;
 };
 
 /// Empty for a point without one.
@@ -142,19 +167,21 @@ Name name_of(const Pen& pen, const OutsidePoint& point) {
         (pen.is_narrow ? "[" : "vertices[") + std::to_string(point.number) + "]";
     switch (point.kind) {
     case OutsidePointKind::camera:
-        return {"camera", pen.text(), 12.0f, true};
+        return {point, "camera", pen.text(), 0, LabelSide::below};
     case OutsidePointKind::lamp:
-        return {"lamp", pen.meaning(Meaning::left_end), 12.0f};
-    case OutsidePointKind::picture:
-        return {"the picture", pen.text(), 8.0f};
+        return {point, "lamp", pen.text(), 1};
     case OutsidePointKind::vertex:
-        return {vertex, pen.text(), 11.0f};
+        return {point, vertex, pen.text(), 2};
     case OutsidePointKind::behind:
-        return {pen.is_narrow ? vertex : vertex + ", behind the camera", pen.meaning(Meaning::fail),
-                11.0f};
-    default:
-        return {};
+        return {point, pen.is_narrow ? vertex : vertex + ", behind the camera",
+                pen.meaning(Meaning::fail), 2};
+    case OutsidePointKind::picture:
+        return {point, "the picture", pen.text(), 3, LabelSide::above_right};
+    case OutsidePointKind::crossing:
+    case OutsidePointKind::pixel:
+        break;
     }
+    return {point, {}, 0, 4};
 }
 
 /// The corner of the picture that lies farthest up and to the right: there its name has room.
@@ -170,7 +197,7 @@ const OutsidePoint* named_corner(const OutsideMarks& marks) {
 /// Text that can be read on any ground.
 void draw_name(const Pen& pen, const Name& name, ImVec2 low) {
     ImFont* const font = pen.ui.fonts.small;
-    const float far = 1.4f * pen.u, near = 1.0f * pen.u;
+    const float far = halo_width * pen.u, near = 1.0f * pen.u;
     for (const ImVec2 aside :
          {ImVec2{far, 0.0f}, ImVec2{-far, 0.0f}, ImVec2{0.0f, far}, ImVec2{0.0f, -far},
           ImVec2{near, near}, ImVec2{-near, near}, ImVec2{near, -near}, ImVec2{-near, -near}}) {
@@ -180,32 +207,48 @@ void draw_name(const Pen& pen, const Name& name, ImVec2 low) {
     pen.list->AddText(font, font->FontSize, low, name.colour, name.text.c_str());
 }
 
-void draw_names(const Pen& pen, const OutsideMarks& marks) {
-    ImFont* const font = pen.ui.fonts.small;
+std::vector<Name> names_of(const Pen& pen, const OutsideMarks& marks) {
     const OutsidePoint* const corner = named_corner(marks);
     std::vector<Name> names;
-    std::vector<OutsideLabel> labels;
     for (const OutsidePoint& point : marks.points) {
         if (point.kind == OutsidePointKind::picture && &point != corner) continue;
         Name name = name_of(pen, point);
-        if (name.text.empty()) continue;
-        const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, name.text.c_str());
-        labels.push_back({point.at, {size.x, size.y}, name.distance * pen.u, name.is_below});
-        names.push_back(std::move(name));
+        if (!name.text.empty()) names.push_back(std::move(name));
+    }
+    std::stable_sort(names.begin(), names.end(),
+                     [](const Name& a, const Name& b) { return a.rank < b.rank; });
+    return names;
+}
+
+/// @param taken beside the points
+void draw_names(const Pen& pen, const OutsideMarks& marks, std::vector<OutsideBox> taken) {
+    const ImFont* const font = pen.ui.fonts.small;
+    for (const OutsidePoint& point : marks.points) {
+        const float reach = reach_of(point.kind) * pen.u;
+        if (reach > 0.0f) taken.push_back({point.at - reach, point.at + reach});
+    }
+    // Names lie on whole pixels.
+    const float halo = halo_width * pen.u + 1.0f, away = name_distance * pen.u;
+    const std::vector<Name> names = names_of(pen, marks);
+    std::vector<OutsideLabel> labels;
+    for (const Name& name : names) {
+        const glm::vec2 size{text_width(font, name.text), font->FontSize};
+        labels.push_back({name.point.at, size + 2.0f * halo,
+                          reach_of(name.point.kind) * pen.u + away, name.side});
     }
     const ImVec2 room = pen.pane.room();
-    const auto places = label_places(labels, marks.points, {room.x, room.y});
+    const auto places = label_places(labels, std::move(taken), {room.x, room.y});
     for (std::size_t i = 0; i < names.size(); ++i) {
         if (!places[i]) continue;
-        const ImVec2 low = pen.at(*places[i]);
+        const ImVec2 low = pen.at(*places[i] + halo);
         draw_name(pen, names[i], {std::round(low.x), std::round(low.y)});
     }
 }
 
 } // namespace
 
-void draw_outside_marks(const Ui& ui, ImDrawList* list, const OutsideMarks& marks,
-                        const Pane& pane) {
+void draw_outside_marks(const Ui& ui, ImDrawList* list, const OutsideMarks& marks, const Pane& pane,
+                        float top, float bottom) {
     const float roomy = roomy_view * ui.options.text_scale;
     const float size = std::min(pane.room().x, pane.room().y) / roomy;
     const Pen pen{ui, list, pane, ui.options.text_scale * std::clamp(size, smallest_marks, 1.0f),
@@ -214,7 +257,9 @@ void draw_outside_marks(const Ui& ui, ImDrawList* list, const OutsideMarks& mark
         draw_line(pen, line);
     for (const OutsidePoint& point : marks.points)
         draw_point(pen, point);
-    draw_names(pen, marks);
+    const ImVec2 room = pane.room();
+    draw_names(pen, marks,
+               {{{0.0f, 0.0f}, {room.x, top}}, {{0.0f, room.y - bottom}, {room.x, room.y}}});
 }
 
 } // namespace rasterwalk

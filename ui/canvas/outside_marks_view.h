@@ -9,9 +9,12 @@ namespace rasterwalk {
 
 struct Ui;
 
-/// Draws the marks over the view from outside, and their names.
-/// @param pane where it stands; marks count from its corner
-void draw_outside_marks(const Ui& ui, ImDrawList* list, const OutsideMarks& marks,
-                        const Pane& pane);
+/// Draws the marks over the view from outside, and their names. Where there is no room for all
+/// names, those of the camera and of the lamp come first, then the vertices of the triangle.
+/// @param pane   where it stands; marks count from its corner
+/// @param top    height of what is written above, screen pixels: no name stands there
+/// @param bottom of what is written below
+void draw_outside_marks(const Ui& ui, ImDrawList* list, const OutsideMarks& marks, const Pane& pane,
+                        float top, float bottom);
 
 } // namespace rasterwalk

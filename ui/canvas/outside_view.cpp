@@ -121,6 +121,18 @@ void draw_image(Ui& ui, ImDrawList* list, const Pane& pane) {
     draw_texture(list, ui.canvas.outside, place);
 }
 
+/// Above the caption's words, design pixels.
+constexpr float caption_top = 2.0f;
+
+/// From the lower border to what is still to come, and from there to the names: design pixels.
+constexpr float coming_border = 8.0f, coming_gap = 4.0f;
+
+/// The height of the line with the caption, screen pixels.
+float caption_height(const Ui& ui) {
+    return caption_top * ui.options.text_scale + ui.fonts.small->FontSize +
+           2.0f * ImGui::GetStyle().FramePadding.y;
+}
+
 /// What can be done here, and the way through the camera.
 void draw_caption(Ui& ui, ImDrawList* list, const Pane& pane) {
     const float u = ui.options.text_scale;
@@ -132,7 +144,7 @@ void draw_caption(Ui& ui, ImDrawList* list, const Pane& pane) {
                                           : "look through the camera";
     const float width = ImGui::CalcTextSize(label).x + 4.0f * u;
     const float right = pane.high.x - 8.0f * u;
-    const float top = pane.low.y + 2.0f * u;
+    const float top = pane.low.y + caption_top * u;
     ImGui::SetCursorScreenPos({right - width, top});
     if (button(ui, "outside.camera", label, Look::link, tooltip_of("view.through_camera"))) {
         switch_camera_view(ui);
@@ -151,20 +163,20 @@ void draw_caption(Ui& ui, ImDrawList* list, const Pane& pane) {
     ImGui::PopFont();
 }
 
-void draw_coming(const Ui& ui, ImDrawList* list, const Pane& pane) {
-    const std::string words =
-        coming_words(ui.results.a.frame.triangle_count(), ui.results.a.cursor);
-    if (words.empty()) return;
+/// Which triangles are still to come; empty where there are none, or no room to say it.
+std::string fitting_coming_words(const Ui& ui, const Pane& pane) {
     const float u = ui.options.text_scale;
-    ImFont* const font = ui.fonts.small;
-    ImGui::PushFont(font);
-    const float room = pane.room().x - 20.0f * u;
-    const bool has_room =
-        ImGui::CalcTextSize(words.c_str()).x <= room && pane.room().y >= low_canvas * u;
-    ImGui::PopFont();
-    if (!has_room) return;
+    if (pane.room().y < low_canvas * u) return {};
+    std::string words = coming_words(ui.results.a.frame.triangle_count(), ui.results.a.cursor);
+    const bool has_room = text_width(ui.fonts.small, words) <= pane.room().x - 20.0f * u;
+    return has_room ? words : std::string();
+}
+
+void draw_coming(const Ui& ui, ImDrawList* list, const Pane& pane, const std::string& words) {
+    const float u = ui.options.text_scale;
+    const ImFont* const font = ui.fonts.small;
     list->AddText(font, font->FontSize,
-                  {pane.low.x + 10.0f * u, pane.high.y - font->FontSize - 8.0f * u},
+                  {pane.low.x + 10.0f * u, pane.high.y - font->FontSize - coming_border * u},
                   packed(palette(ui.options.theme).dim), words.c_str());
 }
 
@@ -199,9 +211,12 @@ void draw_outside(Ui& ui, const Pane& pane) {
     draw_image(ui, list, pane);
     const OutsideMarks marks = outside_marks(*a.scene, drawing.things(), drawing.eye(), a.triangle,
                                              ui.session.selection.pixel, size_of(pane));
-    draw_outside_marks(ui, list, marks, pane);
+    const std::string coming = fitting_coming_words(ui, pane);
+    const float below =
+        coming.empty() ? 0.0f : ui.fonts.small->FontSize + (coming_border + coming_gap) * u;
+    draw_outside_marks(ui, list, marks, pane, caption_height(ui), below);
     draw_caption(ui, list, pane);
-    draw_coming(ui, list, pane);
+    draw_coming(ui, list, pane, coming);
     list->PopClipRect();
     list->AddRect(pane.low, pane.high, packed(p.line), 4.0f * u);
 }

@@ -1,8 +1,8 @@
 #include "ui/canvas/picture_view.h"
 
 #include <algorithm>
-#include <climits>
 #include <cmath>
+#include <utility>
 
 #include "ui/actions/picture_fit.h"
 #include "ui/ui.h"
@@ -11,35 +11,26 @@ namespace rasterwalk {
 
 namespace {
 
-/// The table beside a zoomed picture: the roomiest that leaves room for the triangle on show; where
-/// none does, the roomiest.
-RowTableLayout table_beside_zoomed(const Ui& ui, float zoom, float canvas_width) {
-    const std::vector<RowTableLayout> tables = row_table_layouts(ui, canvas_width);
-    if (tables.empty()) return {};
-    int first = INT_MAX, last = INT_MIN;
-    for (const ScreenVertex& vertex :
-         ui.results.a.frame.triangle_vertices(*ui.results.a.triangle)) {
-        first = std::min(first, vertex.column);
-        last = std::max(last, vertex.column);
-    }
-    const float needed = ruler_size(ui).x + zoom * static_cast<float>(last - first + 1);
-    const auto found = std::find_if(tables.begin(), tables.end(), [&](const RowTableLayout& table) {
-        return table.width + needed <= canvas_width;
-    });
-    return found != tables.end() ? *found : tables.front();
-}
+/// Where the picture lies, and the tables that may stand beside it.
+struct Placed {
+    PicturePlace place;
+    std::vector<RowTableLayout> tables;
+};
 
-PictureFit place_picture(const Ui& ui, const Pane& pane) {
+Placed place_picture(Ui& ui, const Pane& pane) {
     const CanvasView& canvas = ui.session.canvas;
-    if (canvas.zoom <= 0.0f)
-        return fit_part(ui, part_that_fits(ui, pane.low, pane.high), pane.low, pane.high);
-    PictureFit placed;
-    placed.place.scale = canvas.zoom;
-    placed.place.origin = {
-        std::round(0.5f * (pane.low.x + pane.high.x) - canvas.zoom * canvas.centre.x),
-        std::round(0.5f * (pane.low.y + pane.high.y) - canvas.zoom * canvas.centre.y)};
-    placed.table = table_beside_zoomed(ui, canvas.zoom, pane.room().x);
-    return placed;
+    if (canvas.zoom <= 0.0f) {
+        const PicturePart part = part_that_fits(ui, pane.low, pane.high);
+        const PictureFit fit = fit_part(ui, part, pane.low, pane.high);
+        Placed placed{fit.place, {}};
+        if (fit.table.width > 0.0f) placed.tables.push_back(fit.table);
+        return placed;
+    }
+    PicturePlace place;
+    place.scale = canvas.zoom;
+    place.origin = {std::round(0.5f * (pane.low.x + pane.high.x) - canvas.zoom * canvas.centre.x),
+                    std::round(0.5f * (pane.low.y + pane.high.y) - canvas.zoom * canvas.centre.y)};
+    return {place, row_table_layouts(ui, pane.room().x)};
 }
 
 /// Sets zoom and centre such that the picture point under the pointer stays there.
@@ -60,8 +51,8 @@ float next_zoom(float zoom, float wheel) {
 
 } // namespace
 
-RowTableLayout place_pictures(Ui& ui, const Panes& panes) {
-    PictureFit placed = place_picture(ui, panes.a);
+std::vector<RowTableLayout> place_pictures(Ui& ui, const Panes& panes) {
+    Placed placed = place_picture(ui, panes.a);
     // It does not move away under a vertex that is held.
     const bool is_held = ui.session.canvas.zoom <= 0.0f && ui.canvas.dragged_vertex >= 0;
     if (is_held) placed.place = ui.canvas.place;
@@ -73,7 +64,7 @@ RowTableLayout place_pictures(Ui& ui, const Panes& panes) {
         ui.compare.place_of_b->origin.x += aside.x;
         ui.compare.place_of_b->origin.y += aside.y;
     }
-    return placed.table;
+    return std::move(placed.tables);
 }
 
 ImVec2 picture_point(const PicturePlace& place, ImVec2 screen) {

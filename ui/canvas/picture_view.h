@@ -1,9 +1,12 @@
 #pragma once
 
+#include <vector>
+
 #include <imgui.h>
 
 #include "ui/actions/row_table_layout.h"
 #include "ui/canvas/compare_view.h"
+#include "ui/widgets/picture_state.h"
 
 namespace rasterwalk {
 
@@ -11,8 +14,8 @@ struct Ui;
 
 /// Where the pictures of both runs lie in their panes; that of B only while it stands beside or
 /// below A's. They fit, or are zoomed.
-/// @return the row table beside them; without width: none
-RowTableLayout place_pictures(Ui& ui, const Panes& panes);
+/// @return the row tables that may stand beside them, the roomiest first
+std::vector<RowTableLayout> place_pictures(Ui& ui, const Panes& panes);
 
 /// Where a point of the screen lies in the picture, pixels of the picture.
 ImVec2 picture_point(const PicturePlace& place, ImVec2 screen);

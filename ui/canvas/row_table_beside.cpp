@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <climits>
 #include <cmath>
 #include <string>
 
 #include "base/element_names.h"
 #include "base/numbers.h"
+#include "ui/actions/picture_fit.h"
 #include "ui/canvas/marks.h"
 #include "ui/ui.h"
 #include "ui/widgets/row_ends.h"
@@ -206,35 +206,56 @@ void draw_outside(const Table& t) {
                     packed(colour_of(Meaning::fail, t.ui.options.theme)), text.c_str());
 }
 
-} // namespace
+/// From left to right, screen pixels.
+struct RowsReach {
+    float left, right;
+};
 
-std::optional<RowTablePlace> place_row_table(const Ui& ui, const RowTableLayout& layout,
-                                             const Pane& canvas) {
-    const PicturePlace& picture = ui.canvas.place;
-    if (!(layout.width > 0.0f) || picture.scale < row_table_zoom(ui)) return std::nullopt;
-    const PolygonRows& rows = ui.results.a.rows.rows;
-    const float top = picture.origin.y + picture.scale * static_cast<float>(rows.first_row);
-    const float bottom = top + picture.scale * static_cast<float>(rows.size());
-    if (bottom <= canvas.low.y + header_height(ui) || top >= canvas.high.y) return std::nullopt;
-    int first = INT_MAX, last = INT_MIN;
-    for (const ScreenVertex& vertex :
-         ui.results.a.frame.triangle_vertices(*ui.results.a.triangle)) {
-        first = std::min(first, vertex.column);
-        last = std::max(last, vertex.column);
+/// What the rows of the triangle on show take of the canvas; none if no row is in view.
+std::optional<RowsReach> reach_of_rows(const Ui& ui, const Pane& canvas) {
+    const PicturePlace& place = ui.canvas.place;
+    const PolygonRows& rows = ui.results.a.whole_rows;
+    const auto index_at = [&](float y) {
+        const float row = (y - place.origin.y) / place.scale - static_cast<float>(rows.first_row);
+        return std::clamp(row, 0.0f, static_cast<float>(rows.size()));
+    };
+    const int first = static_cast<int>(index_at(canvas.low.y + header_height(ui)));
+    const int end = static_cast<int>(std::ceil(index_at(canvas.high.y)));
+    if (first >= end) return std::nullopt;
+    float left = canvas.high.x, right = canvas.low.x;
+    for (int i = first; i < end; ++i) {
+        if (rows.is_empty_row(i)) continue;
+        const auto at = static_cast<std::size_t>(i);
+        const auto from = static_cast<float>(rows.left[at].column);
+        const auto to = static_cast<float>(rows.right[at].column);
+        left = std::min(left, place.origin.x + place.scale * from);
+        right = std::max(right, place.origin.x + place.scale * (to + 1.0f));
     }
-    const float left = picture.origin.x + picture.scale * static_cast<float>(first);
-    const float right = picture.origin.x + picture.scale * (static_cast<float>(last) + 1.0f);
-    const float covered_at_left =
-        std::min(right, canvas.low.x + layout.width) - std::max(left, canvas.low.x);
-    const float covered_at_right =
-        std::min(right, canvas.high.x) - std::max(left, canvas.high.x - layout.width);
-    const bool is_at_left = std::max(covered_at_left, 0.0f) < std::max(covered_at_right, 0.0f);
-    const float low = std::round(is_at_left ? canvas.low.x : canvas.high.x - layout.width);
-    return RowTablePlace{low, low + layout.width, is_at_left};
+    return RowsReach{std::max(left, canvas.low.x), std::min(right, canvas.high.x)};
 }
 
-bool draw_row_table_beside(Ui& ui, const RowTableLayout& layout, const RowTablePlace& place,
-                           const Pane& canvas) {
+} // namespace
+
+std::optional<RowTableBeside>
+place_row_table(const Ui& ui, const std::vector<RowTableLayout>& layouts, const Pane& canvas) {
+    if (layouts.empty() || ui.canvas.place.scale < row_table_zoom(ui)) return std::nullopt;
+    const std::optional<RowsReach> covered = reach_of_rows(ui, canvas);
+    if (!covered) return std::nullopt;
+    for (const RowTableLayout& layout : layouts) {
+        for (const bool is_at_left : {false, true}) {
+            const float left = std::round(is_at_left ? canvas.low.x : canvas.high.x - layout.width);
+            // The numbers of the rows stand beside a table at the left.
+            const float right = left + layout.width + (is_at_left ? ruler_size(ui).x : 0.0f);
+            if (covered->left < right && left < covered->right) continue;
+            return RowTableBeside{layout, {left, left + layout.width, is_at_left}};
+        }
+    }
+    return std::nullopt;
+}
+
+bool draw_row_table_beside(Ui& ui, const RowTableBeside& table, const Pane& canvas) {
+    const RowTableLayout& layout = table.layout;
+    const RowTablePlace& place = table.place;
     const Palette& p = palette(ui.options.theme);
     const PolygonRows& rows = ui.results.a.rows.rows;
     ImGui::SetCursorScreenPos({place.left, canvas.low.y});

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "ui/actions/row_table_layout.h"
 #include "ui/canvas/canvas_state.h"
@@ -8,17 +9,22 @@
 
 namespace rasterwalk {
 
-/// The edge of the canvas that the row table takes, once the picture is placed: that at which it
-/// covers less of the triangle on show. None where the zoom gives no room for it, or no row of the
-/// triangle is in view.
-std::optional<RowTablePlace> place_row_table(const Ui& ui, const RowTableLayout& layout,
-                                             const Pane& canvas);
+/// The row table of this frame.
+struct RowTableBeside {
+    RowTableLayout layout;
+    RowTablePlace place;
+};
+
+/// The row table, once the picture is placed: the first of these that covers no pixel of the
+/// triangle's rows at the right edge of the canvas, or at the left one. None where all do, the zoom
+/// gives no room for it, or no row of the triangle is in view.
+std::optional<RowTableBeside>
+place_row_table(const Ui& ui, const std::vector<RowTableLayout>& layouts, const Pane& canvas);
 
 /// leftPixels and rightPixels of the triangle on show, each line as high as the row of the picture
 /// that it describes, and beside it. A click on a line selects the row, one on an end that is
 /// written leads to its sample. Costs what is visible.
 /// @return is the pointer over it?
-bool draw_row_table_beside(Ui& ui, const RowTableLayout& layout, const RowTablePlace& place,
-                           const Pane& canvas);
+bool draw_row_table_beside(Ui& ui, const RowTableBeside& table, const Pane& canvas);
 
 } // namespace rasterwalk

@@ -22,7 +22,7 @@ constexpr int direction_count = 32;
 struct Surroundings {
     const Marks& m;
     std::vector<ImVec2> vertices; ///< in order, joined by the edges
-    PolygonRows rows;             ///< of the triangle on show
+    const PolygonRows& rows;      ///< of the triangle on show
     ImVec2 low, high;             ///< between which names are not cut off
     ImVec2 middle;                ///< of the triangle
 };
@@ -138,14 +138,13 @@ std::optional<std::vector<VertexLabel>> find_labels(const Surroundings& s, bool 
 std::vector<VertexLabel> vertex_labels(const Marks& m) {
     const std::optional<int>& triangle = m.ui.results.a.triangle;
     if (!triangle || !m.run.frame.is_drawn(*triangle) || !m.is_large()) return {};
-    Surroundings s{m, {}, {}, corner_of_labels(m), m.high, {}};
+    Surroundings s{m, {}, m.run.whole_rows, corner_of_labels(m), m.high, {}};
     for (const ScreenVertex& vertex : m.run.frame.triangle_vertices(*triangle)) {
         s.vertices.push_back(m.at(vertex));
         s.middle = {s.middle.x + s.vertices.back().x, s.middle.y + s.vertices.back().y};
     }
     const auto count = static_cast<float>(s.vertices.size());
     s.middle = {s.middle.x / count, s.middle.y / count};
-    compute_rows(m.run.frame, *triangle, s.rows);
     // With numbers in the cells a long name would lie on those of the next ones.
     const bool is_full =
         m.scale >= full_name_zoom * m.u && m.ui.session.canvas.numbers == CellNumbers::none;

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <array>
 #include <string>
+#include <vector>
 
 #include "base/element_names.h"
 #include "explain/light_formulas.h"
@@ -98,17 +100,27 @@ void draw_title(Ui& ui) {
     const Palette& p = palette(ui.options.theme);
     const Scene& scene = *ui.results.a.scene;
     const int triangle = report.cursor.triangle;
+    const std::string part = part_name(scene, triangle);
+    const std::vector<std::string> parts{part, part.substr(part.rfind(' ') + 1)};
+    const std::string pixel =
+        "(" + std::to_string(report.pixel.x) + ", " + std::to_string(report.pixel.y) + ")";
+    const bool is_picked = ui.session.selection.pixel.has_value();
+    const std::string title = (is_picked ? "Pixel " : "Drawn last: pixel ") + pixel;
+    const std::string short_title = (is_picked ? "Pixel " : "Last: pixel ") + pixel;
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float beside = style.ItemSpacing.x + ImGui::GetTextLineHeight() +
+                         style.ItemInnerSpacing.x + text_width(parts.back());
     ImGui::PushFont(ui.fonts.bold);
-    ImGui::Text(ui.session.selection.pixel ? "Pixel (%d, %d)" : "Drawn last: pixel (%d, %d)",
-                report.pixel.x, report.pixel.y);
+    const bool has_room = text_width(title) + beside <= ImGui::GetContentRegionAvail().x;
+    ImGui::TextUnformatted((has_room ? title : short_title).c_str());
     ImGui::PopFont();
-    name_widget(ui, "fragment.pixel", "Column and row of the picture on which the fragment fell.");
+    name_widget(ui, "fragment.pixel",
+                is_picked ? "Column and row of the picture on which the fragment fell."
+                          : "Column and row of the picture on which the fragment drawn last fell.");
     ImGui::SameLine();
     draw_swatch(ui, scene.corner(triangle, 0).reflectance);
-    ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
-    const std::string part = part_name(scene, triangle);
-    const std::string shown =
-        first_fitting({part, part.substr(part.rfind(' ') + 1)}, ImGui::GetContentRegionAvail().x);
+    ImGui::SameLine(0.0f, style.ItemInnerSpacing.x);
+    const std::string shown = first_fitting(parts, ImGui::GetContentRegionAvail().x);
     text_in(p.dim, shown);
     name_widget(ui, "fragment.part",
                 "The part of the scene that the triangle belongs to: " + part + ".");
@@ -136,6 +148,9 @@ void draw_number(Ui& ui, const std::string& id, const std::string& cell, int dig
     }
 }
 
+/// Between the columns of a narrow table, design pixels on each side.
+constexpr float narrow_padding = 2.0f;
+
 /// An error beyond this, in world units or parts of full light, is one that can be seen.
 constexpr float visible_error = 0.1f;
 
@@ -155,42 +170,100 @@ void draw_error(Ui& ui, const QuantityInfo& info) {
     draw_number(ui, id, id, 4, colour);
 }
 
-void draw_column_headers(Ui& ui) {
-    const Palette& p = palette(ui.options.theme);
+/// The quantities that have a line in the table.
+std::vector<QuantityInfo> listed_quantities(const Ui& ui) {
+    std::vector<QuantityInfo> listed = shown_quantities(ui.results.a.frame);
+    if (shows_vertex_light(ui)) return listed;
+    const int light = varying_index(&Varyings::illumination);
+    std::erase_if(listed, [&](const QuantityInfo& info) { return info.varying == light; });
+    return listed;
+}
+
+/// A column of the table.
+struct ValueColumn {
+    const char* name;
+    std::vector<std::string> titles; ///< from the longest form to the shortest
+    const char* help;
+    bool in_force = false;
+    float cells = 0.0f; ///< the width of its numbers or names, screen pixels
+
+    float width_with(const ImFont* font, const std::string& title) const {
+        return std::max(cells, text_width(font, title));
+    }
+};
+
+std::array<ValueColumn, 4> value_columns(const Ui& ui) {
     const Interpolation way = report_of(ui).interpolation;
     const bool affine = way != Interpolation::perspective;
     const bool twice = way == Interpolation::zinv_twice;
-    struct Header {
-        const char* title;
-        const char* name;
-        const char* help;
-        bool in_force;
+    const float number = text_width(ui.fonts.mono, "−0.0000");
+    float names = 0.0f;
+    for (const QuantityInfo& info : listed_quantities(ui))
+        names = std::max(names, text_width(ui.fonts.mono, info.words.name));
+    std::array<ValueColumn, 4> columns{
+        ValueColumn{"value", {"value"}, "What is interpolated along the row.", false, names},
+        twice
+            ? ValueColumn{"affine",
+                          {"1/z twice", "twice"},
+                          "Carried as q/z², by mistake, and divided by 1/z only once at the pixel.",
+                          true,
+                          number}
+            : ValueColumn{"affine",
+                          {"affine"},
+                          "Interpolated as it is, in equal steps across the picture.",
+                          affine,
+                          number},
+        ValueColumn{"perspective",
+                    {"perspective", "persp."},
+                    "Carried as q/z and divided by 1/z at the pixel.",
+                    !affine,
+                    number},
+        ValueColumn{"off",
+                    {"off by"},
+                    twice ? "How far the value divided by z twice is from the right one."
+                          : "How far the affine value is from the right one.",
+                    false,
+                    number}};
+    for (ValueColumn& column : columns) {
+        if (!column.in_force) continue;
+        for (std::string& title : column.titles)
+            title.insert(0, "● ");
+    }
+    return columns;
+}
+
+/// Each column gets what it needs for the long form of its title, or, where that is too much for
+/// the table, for the short one; and its share of what is left.
+void set_up_values(const Ui& ui, const std::array<ValueColumn, 4>& columns, float padding,
+                   float room) {
+    const auto width = [&](const ValueColumn& column, bool is_long) {
+        const std::string& title = is_long ? column.titles.front() : column.titles.back();
+        return column.width_with(ui.fonts.small, title) + 2.0f * padding;
     };
-    const Header headers[] = {
-        {"value", "value", "What is interpolated along the row.", false},
-        {twice ? "1/z twice" : "affine", "affine",
-         twice ? "Carried as q/z², by mistake, and divided by 1/z only once at the pixel."
-               : "Interpolated as it is, in equal steps across the picture.",
-         affine},
-        {"perspective", "perspective", "Carried as q/z and divided by 1/z at the pixel.", !affine},
-        {"off by", "off",
-         twice ? "How far the value divided by z twice is from the right one."
-               : "How far the affine value is from the right one.",
-         false}};
+    float all = 0.0f;
+    for (const ValueColumn& column : columns)
+        all += width(column, true);
+    for (const ValueColumn& column : columns)
+        ImGui::TableSetupColumn("", 0, width(column, all <= room));
+}
+
+void draw_column_headers(Ui& ui, const std::array<ValueColumn, 4>& columns) {
+    const Palette& p = palette(ui.options.theme);
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     ImGui::PushFont(ui.fonts.small);
-    for (const Header& header : headers) {
+    for (const ValueColumn& column : columns) {
         ImGui::TableNextColumn();
-        const std::string help =
-            std::string(header.help) + (header.in_force ? "\nThis is the way in force." : "");
-        std::string title = std::string(header.in_force ? "● " : "") + header.title;
-        if (ui.inspector.is_narrow) title = shortened(title, ImGui::GetContentRegionAvail().x);
-        if (&header == headers) {
+        const std::string title = first_fitting(column.titles, ImGui::GetContentRegionAvail().x);
+        if (&column == &columns.front()) {
             text_in(p.dim, title);
         } else {
-            right_aligned(title, header.in_force ? p.link : p.dim);
+            right_aligned(title, column.in_force ? p.link : p.dim);
         }
-        name_widget(ui, std::string("fragment.header.") + header.name, help);
+        const std::string name = std::string("fragment.header.") + column.name;
+        name_widget(ui, name,
+                    std::string(column.help) +
+                        (column.in_force ? "\nThis is the way in force." : ""));
+        note_text(ui, name, title);
     }
     ImGui::PopFont();
 }
@@ -200,17 +273,19 @@ void draw_values(Ui& ui) {
     const FragmentReport& report = report_of(ui);
     const bool affine = report.interpolation != Interpolation::perspective;
     const Interpolation wrong_way = affine ? report.interpolation : Interpolation::affine;
-    if (!ImGui::BeginTable("values", 4,
-                           ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_BordersInnerH)) {
-        return;
-    }
-    for (const float width : {0.9f, 1.0f, 1.25f, 0.9f})
-        ImGui::TableSetupColumn("", 0, width);
-    draw_column_headers(ui);
+    const std::array<ValueColumn, 4> columns = value_columns(ui);
+    const float room = ImGui::GetContentRegionAvail().x;
+    const float padding = ui.inspector.is_narrow ? narrow_padding * ui.options.text_scale
+                                                 : ImGui::GetStyle().CellPadding.x;
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {padding, ImGui::GetStyle().CellPadding.y});
+    const bool is_open = ImGui::BeginTable(
+        "values", 4, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_BordersInnerH);
+    ImGui::PopStyleVar();
+    if (!is_open) return;
+    set_up_values(ui, columns, padding, room);
+    draw_column_headers(ui, columns);
     ImGui::PushFont(ui.fonts.mono);
-    for (const QuantityInfo& info : shown_quantities(ui.results.a.frame)) {
-        const bool is_light = info.varying == varying_index(&Varyings::illumination);
-        if (is_light && !shows_vertex_light(ui)) continue;
+    for (const QuantityInfo& info : listed_quantities(ui)) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         ImGui::TextUnformatted(std::string(info.words.name).c_str());

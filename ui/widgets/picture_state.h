@@ -15,6 +15,11 @@ struct PicturePlace {
     float scale = 1.0f; ///< screen pixels a picture pixel
 };
 
+/// A part of the picture, in its pixels; `right` and `bottom` are not of it.
+struct PicturePart {
+    float left = 0.0f, top = 0.0f, right = 0.0f, bottom = 0.0f;
+};
+
 /// A picture that the graphics system knows.
 struct PictureTexture {
     ImTextureID id = nullptr;

@@ -49,7 +49,7 @@ std::string all_words(const std::string& name) {
 
 /// What is said in this tab, however little room there is; empty: nothing in particular.
 std::string said_by(std::string_view tab) {
-    if (tab == "history") return "(250, 400)";
+    if (tab == "history" || tab == "fragment") return "(250, 400)";
     if (tab == "graph") return "column ";
     return "";
 }
@@ -63,7 +63,7 @@ TEST_CASE("No panel shortens what it says, nor does the line below the time line
         driver.ui.session.selection.pixel = glm::ivec2(250, 400);
         driver.ui.session.selection.triangle = 10;
         for (const char* tab :
-             {"vertices", "rows", "microscope", "history", "graph", "compare", "lab"}) {
+             {"vertices", "rows", "microscope", "fragment", "history", "graph", "compare", "lab"}) {
             CAPTURE(tab);
             driver.open(tab);
             driver.hand.leave();
@@ -71,6 +71,39 @@ TEST_CASE("No panel shortens what it says, nor does the line below the time line
             // Nor does it leave out what it is about.
             if (const auto said = said_by(tab); !said.empty())
                 CHECK_THAT(all_words("inspector"), Catch::Contains(said));
+        }
+    }
+}
+
+TEST_CASE("The Fragment tab names its columns and its pixel in whole words") {
+    for (const SmallWindow& window : all_windows()) {
+        for (const Interpolation way :
+             {Interpolation::perspective, Interpolation::affine, Interpolation::zinv_twice}) {
+            CAPTURE(window.size.x, window.size.y, window.text_scale, word_of(way));
+            Driver driver("lab-room.toml", window.size, window.text_scale);
+            driver.ui.session.a.settings.interpolation = way;
+            for (const CanvasShows shows : {CanvasShows::picture, CanvasShows::both}) {
+                driver.ui.session.canvas.shows = shows;
+                driver.open("fragment"); // without a pixel: of the fragment drawn last
+                driver.hand.leave();
+                CHECK(shortened_lines({"inspector"}) == nothing);
+                CHECK_THAT(all_words("inspector"), Catch::Contains("ast: pixel ("));
+                CHECK(driver.hand.find("fragment.z_world").bottom_right.x <=
+                      driver.hand.find("fragment.z_world.affine").top_left.x);
+                CHECK(driver.hand.find("fragment.z_world").is_whole);
+                const std::string right = shown_text(driver, "fragment.header.perspective");
+                const std::string wrong = shown_text(driver, "fragment.header.affine");
+                const bool is_right = way == Interpolation::perspective;
+                CHECK(right.starts_with("● ") == is_right);
+                CHECK(wrong.starts_with("● ") == !is_right);
+                CHECK((right.ends_with("perspective") || right.ends_with("persp.")));
+                CHECK(wrong.ends_with(way == Interpolation::zinv_twice ? "twice" : "affine"));
+                // At the usual size nothing need be short.
+                if (window.size.x / window.text_scale >= 1600.0f) {
+                    CHECK(right.ends_with("perspective"));
+                    CHECK_THAT(all_words("inspector"), Catch::Contains("Drawn last: pixel ("));
+                }
+            }
         }
     }
 }

@@ -22,12 +22,13 @@ namespace {
 std::vector<ImDrawVert> marks_on(Driver& driver, const Frame& frame, const Cursor& cursor,
                                  const std::optional<Cursor>& done, PicturePlace place) {
     const RowHistory rows = row_history(frame, 0, cursor);
+    const PolygonRows whole_rows = row_history(frame, 0).rows;
     ImDrawList list(ImGui::GetDrawListSharedData());
     list._ResetForNewFrame();
     list.PushTextureID(ImGui::GetIO().Fonts->TexID);
     list.PushClipRectFullScreen();
-    draw_canvas_marks(driver.ui, {frame, rows, cursor, done, place}, &list, {-9999, -9999},
-                      {9999, 9999});
+    draw_canvas_marks(driver.ui, {frame, rows, whole_rows, cursor, done, place}, &list,
+                      {-9999, -9999}, {9999, 9999});
     return {list.VtxBuffer.begin(), list.VtxBuffer.end()};
 }
 
@@ -226,7 +227,8 @@ TEST_CASE("Where the picture is larger than the canvas its numbers stand on a st
         list.PushClipRectFullScreen();
         const Cursor cursor = cursor_end;
         const std::optional<Cursor> done;
-        draw_canvas_marks(driver.ui, {frame, rows, cursor, done, place}, &list, {0, 0}, {400, 400});
+        draw_canvas_marks(driver.ui, {frame, rows, rows.rows, cursor, done, place}, &list, {0, 0},
+                          {400, 400});
         const ImVec2 white = ImGui::GetIO().Fonts->TexUvWhitePixel;
         const ImU32 ground = packed(palette(theme).canvas);
         float strip_bottom = 0.0f, strip_right = 0.0f;

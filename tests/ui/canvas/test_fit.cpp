@@ -5,6 +5,7 @@
 #include "support/project_root.h"
 #include "tests/ui/driver.h"
 #include "ui/actions/picture_fit.h"
+#include "ui/actions/row_table_layout.h"
 #include "ui/canvas/compare_view.h"
 #include "ui/ui.h"
 
@@ -123,6 +124,41 @@ TEST_CASE("Zoomed to the triangle, all of it lies beside the row table, or there
             if (text_scale == 1.0f && window.x > 1300.0f) CHECK(driver.ui.canvas.row_table);
         }
     }
+}
+
+TEST_CASE("Where the row table has no room the triangle is as large as without it") {
+    int without = 0;
+    for (float width = 800.0f; width <= 1500.0f; width += 100.0f) {
+        CAPTURE(width);
+        Driver driver("one-triangle.toml", {width, 900.0f});
+        for (const bool is_zoomed : {false, true}) {
+            CAPTURE(is_zoomed);
+            const auto scale_with = [&](bool row_table) {
+                driver.ui.session.canvas.row_table = row_table;
+                driver.hand.frames(frames_to_rest);
+                if (is_zoomed) driver.hand.press('X');
+                driver.hand.leave();
+                return driver.ui.canvas.place.scale;
+            };
+            const float alone = scale_with(false);
+            const float beside = scale_with(true);
+            if (driver.ui.canvas.row_table) continue;
+            CHECK(beside == alone);
+            without += alone >= row_table_zoom(driver.ui) ? 1 : 0;
+        }
+    }
+    CHECK(without > 0);
+}
+
+TEST_CASE("What fits of a small picture follows a vertex that is moved, and is looked for once") {
+    Driver driver("one-triangle.toml", {800, 600});
+    const PicturePart before = driver.ui.canvas.drawn.part;
+    REQUIRE(driver.ui.canvas.drawn.frame_number == driver.ui.results.a.frame_number);
+    CHECK(before.left == 4.0f);
+    CHECK(before.bottom == 17.0f);
+    driver.hand.drag_picture(5, 10, 7, 10);
+    CHECK(driver.ui.canvas.drawn.frame_number == driver.ui.results.a.frame_number);
+    CHECK(driver.ui.canvas.drawn.part.left == 6.0f);
 }
 
 } // namespace rasterwalk

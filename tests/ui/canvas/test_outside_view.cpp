@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
@@ -7,6 +9,8 @@
 #include "session/content.h"
 #include "tests/support/made_scene.h"
 #include "tests/ui/driver.h"
+#include "tests/ui/screen_text.h"
+#include "tests/ui/shown_number.h"
 #include "ui/actions/keys.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/app/app.h"
@@ -38,6 +42,52 @@ void click_at(Driver& driver, const glm::dvec3& world) {
     driver.hand.frames(1);
     io.MouseDown[0] = false;
     driver.hand.frames(frames_to_rest);
+}
+
+/// What is written over the view from outside; a name with its halo, which is the same name a
+/// little aside, once.
+std::vector<ScreenText> outside_texts(Driver& driver) {
+    const WidgetPlace view = driver.hand.find("canvas.outside");
+    std::vector<ScreenText> texts;
+    for (const ScreenText& text : screen_text()) {
+        const bool is_within = text.window == "canvas" && text.low.x >= view.top_left.x - 1.0f &&
+                               text.low.y >= view.top_left.y - 1.0f &&
+                               text.low.y < view.bottom_right.y;
+        const auto known = std::find_if(texts.begin(), texts.end(), [&](const ScreenText& other) {
+            return other.words == text.words && std::abs(other.low.x - text.low.x) < 5.0f &&
+                   std::abs(other.low.y - text.low.y) < 5.0f;
+        });
+        if (!is_within) continue;
+        if (known == texts.end()) {
+            texts.push_back(text);
+            continue;
+        }
+        known->low = {std::min(known->low.x, text.low.x), std::min(known->low.y, text.low.y)};
+        known->high = {std::max(known->high.x, text.high.x), std::max(known->high.y, text.high.y)};
+    }
+    return texts;
+}
+
+bool has_text(const std::vector<ScreenText>& texts, const std::string& words) {
+    return std::any_of(texts.begin(), texts.end(),
+                       [&](const ScreenText& text) { return text.words == words; });
+}
+
+/// Two texts one of which lies on the other, or one that is not seen whole; empty if there are
+/// none.
+std::string crowded_texts(const std::vector<ScreenText>& texts, const WidgetPlace& view) {
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        const ScreenText& a = texts[i];
+        if (a.high.x > view.bottom_right.x + 1.0f || a.high.y > view.bottom_right.y + 1.0f)
+            return a.words + " is cut off";
+        for (std::size_t j = 0; j < i; ++j) {
+            const ScreenText& b = texts[j];
+            if (a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y &&
+                b.low.y < a.high.y)
+                return b.words + " and " + a.words;
+        }
+    }
+    return "";
 }
 
 } // namespace
@@ -79,6 +129,27 @@ TEST_CASE("Keys show the scene from outside, and the picture again") {
     CHECK(view(driver).pitch == Approx(pitch));
     // The camera of the scene stays.
     CHECK(driver.ui.session.a.settings.camera == driver.ui.session.scene->camera);
+}
+
+TEST_CASE("Names do not lie on each other from outside; camera and lamp are always named") {
+    for (const SmallWindow& window : small_windows) {
+        Driver driver("lab-room.toml", window.size, window.text_scale);
+        driver.hand.press('9');
+        int vertices = 0;
+        for (int triangle = 0; triangle < 30; ++triangle) {
+            CAPTURE(window.size.x, window.text_scale, triangle);
+            driver.ui.session.selection.triangle = triangle;
+            if (triangle % 5 == 0) driver.hand.press(key::right, {.shift = true});
+            driver.hand.leave();
+            const std::vector<ScreenText> texts = outside_texts(driver);
+            CHECK(crowded_texts(texts, driver.hand.find("canvas.outside")) == "");
+            CHECK(has_text(texts, "camera"));
+            CHECK(has_text(texts, "lamp"));
+            for (const char* const name : {"[0]", "[1]", "[2]", "vertices[0]"})
+                vertices += has_text(texts, name) ? 1 : 0;
+        }
+        CHECK(vertices > 45);
+    }
 }
 
 TEST_CASE("A scene in pixels has no outside") {
