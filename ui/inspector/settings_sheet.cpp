@@ -101,31 +101,36 @@ void draw_setting(Ui& ui, const Setting& setting, const Settings& usual,
     ImGui::PopID();
 }
 
-/// Which settings come first is asked when the sheet opens, so that none leaves its place under the
-/// student's hand. One that is set back is changed no more, and goes.
+/// Which settings come first is asked when the sheet opens, and at every step of a lesson: none
+/// leaves its place under the student's hand, whether it is changed or set back.
 void note_changed(Ui& ui, const Settings& usual) {
-    InspectorState& state = ui.inspector;
-    const Settings& now = ui.session.a.settings;
+    SettingsSheet& sheet = ui.inspector.settings_sheet;
     const int frame = ImGui::GetFrameCount();
-    const bool was_open = state.settings_frame + 1 >= frame;
-    state.settings_frame = frame;
-    if (was_open) {
-        if (ImGui::IsAnyItemActive()) return; // a number that is dragged may pass its default
-        std::erase_if(state.changed_settings, [&](std::string_view name) {
-            return has_same_value(*find_setting(name), usual, now);
-        });
-        return;
-    }
-    state.changed_settings.clear();
+    const bool was_open = sheet.frame + 1 >= frame && sheet.lesson == ui.session.lesson &&
+                          sheet.step == ui.session.step;
+    sheet.frame = frame;
+    if (was_open) return;
+    sheet.lesson = ui.session.lesson;
+    sheet.step = ui.session.step;
+    sheet.changed.clear();
     for (const Setting& setting : setting_table()) {
-        if (has_same_value(setting, usual, now)) continue;
-        state.changed_settings.push_back(setting.name);
+        if (has_same_value(setting, usual, ui.session.a.settings)) continue;
+        sheet.changed.push_back(setting.name);
     }
 }
 
 bool is_first(const Ui& ui, const Setting& setting) {
-    const std::vector<std::string_view>& first = ui.inspector.changed_settings;
+    const std::vector<std::string_view>& first = ui.inspector.settings_sheet.changed;
     return std::find(first.begin(), first.end(), setting.name) != first.end();
+}
+
+/// The heading over those that come first.
+std::string_view heading_of_changed(const Ui& ui, const Settings& usual) {
+    const std::vector<std::string_view>& first = ui.inspector.settings_sheet.changed;
+    const bool is_any_set_back = std::any_of(first.begin(), first.end(), [&](auto name) {
+        return has_same_value(*find_setting(name), usual, ui.session.a.settings);
+    });
+    return is_any_set_back ? "Changed or set back" : "Changed";
 }
 
 void draw_heading(Ui& ui, std::string_view text) {
@@ -186,7 +191,7 @@ void draw_all_settings(Ui& ui) {
         for (const Setting& setting : setting_table()) {
             if (is_first(ui, setting) != changed) continue;
             if (!is_wanted(setting, ui.inspector.setting_search)) continue;
-            draw(setting, changed ? std::string_view("Changed") : setting.group);
+            draw(setting, changed ? heading_of_changed(ui, usual) : setting.group);
         }
     }
     if (!any) text_in(p.dim, "No setting has that word.");
