@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <climits>
-#include <cmath>
 #include <functional>
 #include <optional>
 #include <span>
@@ -253,56 +251,6 @@ void draw_row_headers(Ui& ui) {
     }
 }
 
-/// A row among the lines of the table.
-struct RowPlace {
-    int line;     ///< from the first that can be scrolled away
-    float height; ///< of a line, screen pixels
-};
-
-/// Brings a row to the middle; at the top stands a whole line. Returns true if it stands so.
-bool scroll_to(const RowPlace& row) {
-    const float lines = std::floor(ImGui::GetWindowHeight() / row.height);
-    const float first = static_cast<float>(row.line) - std::floor(0.5f * lines);
-    const float wished = std::max(first, 0.0f) * row.height;
-    ImGui::SetScrollY(wished);
-    return std::abs(ImGui::GetScrollY() - wished) < 1.0f;
-}
-
-/// Scrolls to the row just drawn. A table that has only just come knows its height a frame later:
-/// what is wanted stays wanted until it is seen.
-/// @param is_last below it there are no rows
-void bring_into_view(Ui& ui, const RowPlace& row, bool is_last) {
-    const float top = ImGui::GetWindowPos().y + ImGui::GetTextLineHeightWithSpacing();
-    const float bottom = ImGui::GetWindowPos().y + ImGui::GetWindowHeight();
-    const bool is_seen = ImGui::GetItemRectMin().y > top && ImGui::GetItemRectMax().y < bottom;
-    if (is_last && !is_seen) {
-        ImGui::SetScrollHereY(1.0f);
-    } else if (is_seen || scroll_to(row)) {
-        ui.inspector.scroll_to_row = false;
-    }
-}
-
-/// The row to bring into view, as an index into the table, -1: none. A table that comes to be shown
-/// or gets another height shows its selected row, or else the row at work.
-int wanted_row(Ui& ui, float height) {
-    const RowHistory& history = ui.results.a.rows;
-    const RowsPlace place{*ui.results.a.triangle, ui.session.selection.row, ui.session.jumps,
-                          height};
-    if (!(place == ui.inspector.rows_place)) {
-        ui.inspector.rows_place = place;
-        ui.inspector.scroll_to_row = true;
-    }
-    if (!ui.inspector.scroll_to_row) return -1;
-    const auto in_table = [&](std::optional<int> row) {
-        const int index = row.value_or(-1) - history.rows.first_row;
-        return row && index >= 0 && index < history.rows.size() ? index : -1;
-    };
-    const int selected = in_table(ui.session.selection.row);
-    const int shown = selected >= 0 ? selected : in_table(row_at_work(ui));
-    // What was scrolled to before the first sample is of no use for it.
-    return shown < 0 && history.samples == 0 && history.rows.size() > 0 ? 0 : shown;
-}
-
 /// Begins a table with the columns of the row table; false if nothing of it is to be drawn.
 bool begin_row_table(Ui& ui, const char* name, ImGuiTableFlags flags, ImVec2 size) {
     const float u = ui.options.text_scale;
@@ -364,9 +312,9 @@ void draw_all_rows(Ui& ui, float height) {
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             draw_row(ui, i);
-            const RowPlace place{above + i, line};
+            const RowLine place{above + i, line};
             const bool is_at_work = at_work == history.rows.first_row + i;
-            if (ui.follow_cursor && is_at_work && !ImGui::IsItemVisible()) scroll_to(place);
+            if (ui.follow_cursor && is_at_work && !ImGui::IsItemVisible()) scroll_to_row(place);
             if (i == wanted) bring_into_view(ui, place, i + 1 == history.rows.size());
         }
     }
