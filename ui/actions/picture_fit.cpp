@@ -8,6 +8,7 @@
 #include "session/canvas_view.h"
 #include "ui/actions/compare.h"
 #include "ui/ui.h"
+#include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
 
@@ -99,8 +100,7 @@ ImVec2 ruler_size(const Ui& ui) {
     const float u = ui.options.text_scale;
     ImFont* const font = ui.fonts.small;
     const int last_row = std::max(ui.results.a.frame.settings.viewport.height - 1, 10);
-    const float width =
-        font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, std::to_string(last_row).c_str()).x;
+    const float width = text_width(font, std::to_string(last_row));
     return {std::ceil(width + 10.0f * u), std::ceil(font->FontSize + 8.0f * u)};
 }
 

@@ -41,8 +41,7 @@ void draw_end_cell(Ui& ui, const std::string& name, const RowEnd& end, const End
 constexpr float sign_gap = 4.0f;
 
 float width_of_sign(const Ui& ui) {
-    ImFont* const font = ui.fonts.small;
-    return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, "↻0").x;
+    return text_width(ui.fonts.small, "↻0");
 }
 
 /// The width of the longest name of a sample of the triangle on show.
@@ -50,8 +49,7 @@ float widest_writer(const Ui& ui) {
     const std::vector<int>& counts = ui.results.a.rows.edge_samples;
     const auto most = std::max_element(counts.begin(), counts.end());
     const int last = most != counts.end() ? std::max(*most - 1, 0) : 0;
-    ImFont* const font = ui.fonts.mono;
-    return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, sample_text(0, last).c_str()).x;
+    return text_width(ui.fonts.mono, sample_text(0, last));
 }
 
 void draw_writer_cell(Ui& ui, const std::string& name, const EndWriter& writer) {
