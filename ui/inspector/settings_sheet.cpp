@@ -145,6 +145,23 @@ std::string_view brief(std::string_view about) {
     return about.substr(0, about.find_first_of(":."));
 }
 
+bool preset_button(Ui& ui, const Preset& preset, float width) {
+    return button(ui, "settings.preset." + preset.name, preset.name, Look::plain, preset.about,
+                  {width, 0.0f});
+}
+
+/// Where lines are few: what each does is left to its tooltip.
+void draw_presets_in_a_row(Ui& ui) {
+    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    for (const Preset& preset : ui.session.presets) {
+        const bool is_first = &preset == &ui.session.presets.front();
+        const float end = ImGui::GetItemRectMax().x + gap + button_width(preset.name);
+        if (!is_first && end <= right) ImGui::SameLine(0.0f, gap);
+        if (preset_button(ui, preset, 0.0f)) apply_preset(preset, ui.session.a.settings);
+    }
+}
+
 /// Each beside what it does.
 void draw_presets(Ui& ui) {
     const float gap = ImGui::GetStyle().ItemSpacing.x;
@@ -154,10 +171,7 @@ void draw_presets(Ui& ui) {
     if (!ui.session.presets.empty()) draw_heading(ui, "Sets of settings");
     for (const Preset& preset : ui.session.presets) {
         const ImVec2 start = ImGui::GetCursorScreenPos();
-        if (button(ui, "settings.preset." + preset.name, preset.name, Look::plain, preset.about,
-                   {widest, 0.0f})) {
-            apply_preset(preset, ui.session.a.settings);
-        }
+        if (preset_button(ui, preset, widest)) apply_preset(preset, ui.session.a.settings);
         const float bottom = ImGui::GetItemRectMax().y;
         ImGui::PushFont(ui.fonts.small);
         ImGui::SetCursorScreenPos({start.x + widest + gap, start.y});
@@ -176,7 +190,9 @@ void draw_presets(Ui& ui) {
 
 void draw_all_settings(Ui& ui) {
     const Palette& p = palette(ui.options.theme);
-    if (ui.inspector.setting_search.empty()) draw_presets(ui);
+    const bool is_searched = !ui.inspector.setting_search.empty();
+    if (!is_searched && ui.inspector.is_low) draw_presets_in_a_row(ui);
+    if (!is_searched && !ui.inspector.is_low) draw_presets(ui);
     const Settings usual = default_settings(*ui.session.scene);
     note_changed(ui, usual);
     const SheetColumns columns = sheet_columns(ui);

@@ -7,6 +7,7 @@
 #include "settings/value_words.h"
 #include "tests/ui/driver.h"
 #include "tests/ui/screen_text.h"
+#include "tests/ui/shown_number.h"
 #include "ui/actions/keys.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/ui.h"
@@ -253,6 +254,20 @@ TEST_CASE("What closes the settings and what sets one back have no sign of failu
     }
     // What a preset does stands beside its button.
     CHECK(has_words(screen_text(), "The same lab done carefully"));
+}
+
+TEST_CASE("Where lines are few the presets share one, and what is changed is in sight") {
+    for (const SmallWindow& small : small_windows) {
+        INFO(small.size.x << " x " << small.size.y << ", text " << small.text_scale);
+        Driver driver("lab-room.toml", small.size, small.text_scale);
+        set_from_text(driver.ui.session.a.settings, "camera.yaw=-0.3");
+        driver.hand.click("tab.settings");
+        driver.hand.leave();
+        const auto& widgets = driver.ui.widgets;
+        const float first = widgets.at("settings.preset.handout").top_left.y;
+        CHECK(widgets.at("settings.preset.exact").top_left.y == first);
+        CHECK(widgets.at("setting.camera.yaw").is_whole);
+    }
 }
 
 } // namespace rasterwalk
