@@ -104,12 +104,14 @@ void draw_title(Ui& ui) {
     ImGui::PopFont();
     name_widget(ui, "fragment.pixel", "Column and row of the picture on which the fragment fell.");
     ImGui::SameLine();
+    ImGui::BeginGroup();
     draw_swatch(ui, scene.corner(triangle, 0).reflectance);
     ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
     const std::string part = part_name(scene, triangle);
-    const std::string shown =
-        first_fitting({part, part.substr(part.rfind(' ') + 1)}, ImGui::GetContentRegionAvail().x);
+    const std::string shown = first_fitting({part, part.substr(part.rfind(' ') + 1), ""},
+                                            ImGui::GetContentRegionAvail().x);
     text_in(p.dim, shown);
+    ImGui::EndGroup();
     name_widget(ui, "fragment.part",
                 "The part of the scene that the triangle belongs to: " + part + ".");
     note_text(ui, "fragment.part", shown);
@@ -162,18 +164,20 @@ void draw_column_headers(Ui& ui) {
     const bool twice = way == Interpolation::zinv_twice;
     struct Header {
         const char* title;
+        const char* short_title;
         const char* name;
         const char* help;
         bool in_force;
     };
     const Header headers[] = {
-        {"value", "value", "What is interpolated along the row.", false},
-        {twice ? "1/z twice" : "affine", "affine",
+        {"value", "value", "value", "What is interpolated along the row.", false},
+        {twice ? "1/z twice" : "affine", twice ? "twice" : "affine", "affine",
          twice ? "Carried as q/z², by mistake, and divided by 1/z only once at the pixel."
                : "Interpolated as it is, in equal steps across the picture.",
          affine},
-        {"perspective", "perspective", "Carried as q/z and divided by 1/z at the pixel.", !affine},
-        {"off by", "off",
+        {"perspective", "persp.", "perspective", "Carried as q/z and divided by 1/z at the pixel.",
+         !affine},
+        {"off by", "off", "off",
          twice ? "How far the value divided by z twice is from the right one."
                : "How far the affine value is from the right one.",
          false}};
@@ -183,8 +187,9 @@ void draw_column_headers(Ui& ui) {
         ImGui::TableNextColumn();
         const std::string help =
             std::string(header.help) + (header.in_force ? "\nThis is the way in force." : "");
-        std::string title = std::string(header.in_force ? "● " : "") + header.title;
-        if (ui.inspector.is_narrow) title = shortened(title, ImGui::GetContentRegionAvail().x);
+        const std::string mark = header.in_force ? "● " : "";
+        const std::string title = first_fitting({mark + header.title, mark + header.short_title},
+                                                ImGui::GetContentRegionAvail().x);
         if (&header == headers) {
             text_in(p.dim, title);
         } else {
