@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <string>
 #include <vector>
@@ -166,6 +167,10 @@ void draw_sample_table(Ui& ui, float height, bool appears) {
     const float u = ui.options.text_scale;
     SampleColumns columns = columns_of(ui);
     const ImVec2 padding{4.0f * u, ImGui::GetStyle().CellPadding.y};
+    // Whole lines, so that the table begins with one when it is scrolled to its end, too.
+    const float head = ui.fonts.small->FontSize + 2.0f * padding.y;
+    const float line = ui.fonts.mono->FontSize + 2.0f * padding.y;
+    height = head + std::max(std::floor((height - head) / line), 1.0f) * line;
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, padding);
     for (const int number : {drift_column, exact_column}) {
         if (width_of(ui, columns, padding.x) <= ImGui::GetContentRegionAvail().x) break;
@@ -187,13 +192,13 @@ void draw_sample_table(Ui& ui, float height, bool appears) {
     ImGui::PushFont(ui.fonts.mono);
     const int current = current_sample(ui), walked = samples_walked(ui);
     ImGuiListClipper clipper;
-    clipper.Begin(edge.count);
+    clipper.Begin(edge.count, line);
     const bool follows = (ui.follow_cursor || appears) && current >= 0 && current < edge.count;
     if (follows) clipper.ForceDisplayRangeByIndices(current, current + 1);
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             draw_sample(ui, columns, i, current, walked);
-            if (follows && i == current && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
+            if (follows && i == current && !ImGui::IsItemVisible()) scroll_to_line(i, line);
         }
     }
     ImGui::PopFont();

@@ -1,28 +1,19 @@
-#include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "ui/inspector/rows_parts.h"
 #include "ui/ui.h"
 #include "ui/widgets/row_ends.h"
+#include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
 
-bool scroll_to_row(const RowLine& row) {
-    const float lines = std::floor(ImGui::GetWindowHeight() / row.height);
-    const float first = static_cast<float>(row.line) - std::floor(0.5f * lines);
-    const float wished = std::max(first, 0.0f) * row.height;
-    ImGui::SetScrollY(wished);
-    return std::abs(ImGui::GetScrollY() - wished) < 1.0f;
-}
-
-void bring_into_view(Ui& ui, const RowLine& row, bool is_last) {
+void bring_into_view(Ui& ui, int line, float height, bool is_last) {
     const float top = ImGui::GetWindowPos().y + ImGui::GetTextLineHeightWithSpacing();
     const float bottom = ImGui::GetWindowPos().y + ImGui::GetWindowHeight();
     const bool is_seen = ImGui::GetItemRectMin().y > top && ImGui::GetItemRectMax().y < bottom;
     if (is_last && !is_seen) {
         ImGui::SetScrollHereY(1.0f);
-    } else if (is_seen || scroll_to_row(row)) {
+    } else if (is_seen || scroll_to_line(line, height)) {
         ui.inspector.scroll_to_row = false;
     }
 }

@@ -310,10 +310,10 @@ void draw_all_rows(Ui& ui, float height) {
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             draw_row(ui, i);
-            const RowLine place{above + i, line};
             const bool is_at_work = at_work == history.rows.first_row + i;
-            if (ui.follow_cursor && is_at_work && !ImGui::IsItemVisible()) scroll_to_row(place);
-            if (i == wanted) bring_into_view(ui, place, i + 1 == history.rows.size());
+            if (ui.follow_cursor && is_at_work && !ImGui::IsItemVisible())
+                scroll_to_line(above + i, line);
+            if (i == wanted) bring_into_view(ui, above + i, line, i + 1 == history.rows.size());
         }
     }
     for (std::size_t i = 0; i < history.outside.size(); ++i) {
