@@ -168,7 +168,7 @@ void draw_presets(Ui& ui) {
     float widest = 0.0f;
     for (const Preset& preset : ui.session.presets)
         widest = std::max(widest, button_width(preset.name));
-    if (!ui.session.presets.empty()) draw_heading(ui, "Sets of settings");
+    if (!ui.session.presets.empty()) draw_heading(ui, "Presets");
     for (const Preset& preset : ui.session.presets) {
         const ImVec2 start = ImGui::GetCursorScreenPos();
         if (preset_button(ui, preset, widest)) apply_preset(preset, ui.session.a.settings);
