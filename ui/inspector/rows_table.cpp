@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 
 #include "base/element_names.h"
-#include "base/numbers.h"
 #include "ui/inspector/rows_parts.h"
 #include "ui/ui.h"
+#include "ui/widgets/number_text.h"
 #include "ui/widgets/row_ends.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -135,15 +135,15 @@ void draw_row(Ui& ui, int index) {
     }
     if (ImGui::IsItemHovered()) ui.inspector.hovered_row = row;
     name_widget(ui, name,
-                "Row " + std::to_string(row) + " of the picture: " +
-                    element_name(entry_form, index) + " of leftPixels and rightPixels.");
+                "Row " + whole_text(row) + " of the picture: " + element_name(entry_form, index) +
+                    " of leftPixels and rightPixels.");
     if (at_work == row) {
         draw_current_bar(ui, ImGui::GetWindowDrawList(),
                          {ImGui::GetWindowPos().x, ImGui::GetItemRectMin().y},
                          ImGui::GetItemRectMax().y);
     }
     ImGui::SameLine(0.0f, 0.0f);
-    right_aligned(std::to_string(row), p.text);
+    right_aligned(whole_text(row), p.text);
     ImGui::PopID();
     const RowWrite write = just_written(ui, row);
     ImGui::TableNextColumn();
@@ -176,11 +176,11 @@ void draw_outside(Ui& ui, const OutsideSample& sample, int number) {
     const bool pressed = ImGui::Selectable("##outside", false,
                                            ImGuiSelectableFlags_SpanAllColumns |
                                                ImGuiSelectableFlags_AllowItemOverlap);
-    const std::string value = "y = " + nine_digits(sample.y);
+    const std::string value = "y = " + nine_digits_shown(sample.y);
     const std::string tooltip = fmt::format(
         "{}: {} becomes row {}, which the table does not have. A program without a guard writes to "
         "{} here, outside its arrays.",
-        sample_name(sample.edge, sample.sample), value, sample.row,
+        sample_name(sample.edge, sample.sample), value, whole_text(sample.row),
         element_name(entry_form, sample.row - ui.results.a.rows.rows.first_row));
     name_widget(ui, "rows.outside." + std::to_string(number), tooltip);
     ImGui::PopID();

@@ -60,6 +60,22 @@ TEST_CASE("A vertex of the bench is shown and typed with its minus sign too") {
     driver.hand.enter("bench.vertex.0.x", "−3");
     CHECK(driver.ui.session.scene->corner(0, 0).position.x == -3.0f);
     CHECK(words_in(driver.hand.find("bench.vertex.0.x")) == "x0 −3");
+    // In a large window all six are on a line.
+    CHECK(driver.hand.find("bench.vertex.2.y").top_left.y ==
+          driver.hand.find("bench.vertex.0.x").top_left.y);
+    // Whatever follows from it is written with the same sign.
+    driver.hand.enter("bench.vertex.0.y", "-3");
+    driver.ui.session.cursor = {0, Phase::edges, 0, 1};
+    driver.hand.frames(frames_to_rest);
+    REQUIRE(driver.ui.results.a.rows.last);
+    REQUIRE(driver.ui.results.a.rows.last->y == -3.0f);
+    int numbers = 0;
+    for (const ScreenText& line : screen_text()) {
+        INFO(line.words);
+        CHECK(line.words.find("-3") == line.words.npos);
+        numbers += line.words == "x = −3 → −3" || line.words == "y = −3 → −3" ? 1 : 0;
+    }
+    CHECK(numbers == 2);
 }
 
 } // namespace rasterwalk
