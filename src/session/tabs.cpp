@@ -93,11 +93,6 @@ std::string_view usual_tab(const Session& session) {
     return panels.front();
 }
 
-std::string_view tab_of_guide(const Session& session) {
-    const std::string& of_step = session.tab_guide.of_step;
-    return session.lesson.empty() || of_step.empty() ? usual_tab(session) : of_step;
-}
-
 void guide_to_tab(Session& session, std::string_view tab) {
     TabGuide& guide = session.tab_guide;
     guide.of_step = tab;

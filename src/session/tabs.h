@@ -61,8 +61,6 @@ struct TabGuide {
 /// The tab where nobody has said which: the one that suits the stage, or, if the lesson's step
 /// hides that one, the first that it shows.
 std::string_view usual_tab(const Session& session);
-/// The tab that the lesson's step asks for, or else the usual one.
-std::string_view tab_of_guide(const Session& session);
 
 /// The lesson's step, or whoever opens a view, shows this tab; empty: the usual one. Where no
 /// lesson is open, a tab that is named is the student's own.

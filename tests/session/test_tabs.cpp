@@ -209,7 +209,7 @@ TEST_CASE("A link of a lesson leads to a tab that stays the lesson's") {
     lead_to_tab(session, "history");
     CHECK(session.tab == "history");
     CHECK_FALSE(session.tab_guide.is_own);
-    CHECK(tab_of_guide(session) == "history");
+    CHECK(session.tab_guide.of_step == "history");
 }
 
 TEST_CASE("A step shows only the panels that it names, and never hides the one on show") {

@@ -145,7 +145,7 @@ TEST_CASE("A tab that the student chose against the lesson is still theirs when 
     options.lesson = "05-row-table";
     options.step = "3";
     Session session = open_view(options);
-    const std::string of_lesson(tab_of_guide(session));
+    const std::string of_lesson = session.tab_guide.of_step;
     REQUIRE(of_lesson == "rows");
     REQUIRE_FALSE(session.tab_guide.is_own);
     write_view(session, path);

@@ -37,4 +37,7 @@ void draw_status_line(Ui& ui, const Area& area);
 /// Room at both ends of a bar, screen pixels.
 float bar_margin(const Ui& ui);
 
+/// Between the groups of the transport, screen pixels.
+float group_gap(const Ui& ui);
+
 } // namespace rasterwalk

@@ -204,13 +204,11 @@ std::string tooltip_of_variant(const Ui& ui, const Variant& variant) {
 
 /// The widest single word of the shortest words of all: the small pictures stay equally large.
 float least_words(const Ui& ui, const std::array<Variant, 3>& variants) {
-    ImFont* const font = ui.fonts.small;
     float width = 0.0f;
     for (const Variant& variant : variants) {
         std::istringstream words(variant.words.back());
         for (std::string word; words >> word;)
-            width =
-                std::max(width, font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, word.c_str()).x);
+            width = std::max(width, text_width(ui.fonts.small, word));
     }
     return width;
 }

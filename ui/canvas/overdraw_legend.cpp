@@ -65,18 +65,15 @@ void draw_overdraw_legend(Ui& ui, ImVec2 low, ImVec2 high) {
     const float u = ui.options.text_scale;
     ImGui::PushFont(ui.fonts.small);
     const float text_y = std::round(0.5f * (low.y + high.y - ImGui::GetFontSize()));
-    const auto width_of = [](const std::string& text) {
-        return ImGui::CalcTextSize(text.c_str()).x;
-    };
     const std::string most = std::to_string(counts.most);
-    const float box = std::ceil(std::max(width_of(most), width_of("00")) + 10.0f * u);
+    const float box = std::ceil(std::max(text_width(most), text_width("00")) + 10.0f * u);
     const float width = high.x - low.x;
     // In a narrow canvas the boxes come first.
     const std::string title = width > 16.0f * box ? "fragments on a pixel" : "fragments";
-    const bool has_title = width > width_of(title) + 5.0f * box;
-    const float left = low.x + (has_title ? width_of(title) + 12.0f * u : 0.0f);
+    const bool has_title = width > text_width(title) + 5.0f * box;
+    const float left = low.x + (has_title ? text_width(title) + 12.0f * u : 0.0f);
     const std::optional<std::uint32_t> here = overdraw_asked(ui);
-    const float room_for_here = width_of("here " + most) + 12.0f * u;
+    const float room_for_here = text_width("here " + most) + 12.0f * u;
     const bool has_here = high.x - room_for_here > left + 3.0f * box;
     const float right = high.x - (has_here ? room_for_here : 0.0f);
     if (has_title) {
@@ -85,7 +82,7 @@ void draw_overdraw_legend(Ui& ui, ImVec2 low, ImVec2 high) {
     }
     if (has_here && here) {
         const std::string words = "here " + std::to_string(*here);
-        ImGui::SetCursorScreenPos({high.x - width_of(words), text_y});
+        ImGui::SetCursorScreenPos({high.x - text_width(words), text_y});
         text_in(p.text, words);
         name_widget(ui, "overdraw.here", "Fragments on the pixel pointed at, or else picked.");
         note_text(ui, "overdraw.here", std::to_string(*here));
@@ -110,7 +107,7 @@ void draw_overdraw_legend(Ui& ui, ImVec2 low, ImVec2 high) {
                           0.0f, 0, 1.5f * u);
         }
         const std::string text = std::to_string(number);
-        ImGui::SetCursorScreenPos({std::round(corner.x + 0.5f * (box - width_of(text))), text_y});
+        ImGui::SetCursorScreenPos({std::round(corner.x + 0.5f * (box - text_width(text))), text_y});
         const ImVec4 ink = has_dark_ink(rgb) ? ImVec4(0, 0, 0, 1) : ImVec4(1, 1, 1, 1);
         text_in(ink, text);
         ImGui::SetCursorScreenPos(corner);

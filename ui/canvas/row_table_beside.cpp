@@ -10,6 +10,7 @@
 #include "ui/actions/picture_fit.h"
 #include "ui/canvas/marks.h"
 #include "ui/ui.h"
+#include "ui/widgets/number_text.h"
 #include "ui/widgets/row_ends.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -102,11 +103,12 @@ void draw_end(const Table& t, int index, bool is_left) {
     const std::string name = "canvas.rows." + std::to_string(row) + (is_left ? ".left" : ".right");
     const bool pressed = ImGui::InvisibleButton(
         name.c_str(), {place.right - place.left + 2.0f * around, high_y - low_y});
-    name_widget(
-        t.ui, name,
-        (is_set ? "x " + text + (t.layout.is_flat ? "" : ", 1/z " + nine_digits(end.inv_w)) + ". "
-                : std::string()) +
-            end_tooltip(end, writer));
+    name_widget(t.ui, name,
+                (is_set
+                     ? "x " + text +
+                           (t.layout.is_flat ? "" : ", 1/z " + nine_digits_shown(end.inv_w)) + ". "
+                     : std::string()) +
+                    end_tooltip(end, writer));
     note_text(t.ui, name, text);
     if (!pressed) return;
     t.ui.session.selection.row = row;
@@ -137,8 +139,8 @@ void draw_line(const Table& t, int index, std::optional<int> at_work, bool is_ov
         t.ui.session.selection.row = row;
     ImGui::SetItemAllowOverlap();
     name_widget(t.ui, name,
-                "Row " + std::to_string(row) + " of the picture: " +
-                    element_name(entry_form, index) + " of leftPixels and rightPixels.");
+                "Row " + whole_text(row) + " of the picture: " + element_name(entry_form, index) +
+                    " of leftPixels and rightPixels.");
     const std::string entry = "[" + std::to_string(index) + "]";
     note_text(t.ui, name, entry);
     ImFont* const font = t.ui.fonts.mono_small;

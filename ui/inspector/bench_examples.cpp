@@ -6,6 +6,7 @@
 #include "ui/inspector/panels.h"
 #include "ui/ui.h"
 #include "ui/widgets/focus.h"
+#include "ui/widgets/number_field.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -17,15 +18,15 @@ namespace {
 bool edit_coordinate(Ui& ui, const char* axis, int vertex, float width, int& value) {
     const std::string label = axis + std::to_string(vertex);
     ImGui::SetNextItemWidth(width);
-    bool is_changed = ImGui::DragInt(("##" + label).c_str(), &value, 0.1f, -1000, 1000,
-                                     (label + " %d").c_str(), ImGuiSliderFlags_AlwaysClamp);
+    constexpr DragRange<int> range{0.1f, -1000, 1000};
+    bool is_changed = drag_number(("##" + label).c_str(), value, range, label);
     const char* const what = *axis == 'x' ? "Column x of " : "Row y of ";
     const std::string name = "bench.vertex." + std::to_string(vertex) + "." + axis;
     name_widget(ui, name,
                 what + vertex_name(vertex) +
                     ". Drag, double click to type, or drag the vertex itself in the picture.");
     if (const int more = take_arrows(ui, name).more(); more != 0) {
-        value = std::clamp(value + more, -1000, 1000);
+        value = std::clamp(value + more, range.smallest, range.largest);
         is_changed = true;
     }
     return is_changed;
@@ -36,7 +37,7 @@ void edit_vertices(Ui& ui) {
     const std::array<Vertex, 3> vertices = corners_of(*ui.session.scene, 0);
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float room = ImGui::GetContentRegionAvail().x;
-    const float needed = ImGui::CalcTextSize("x0 -10").x + 2.0f * ImGui::GetStyle().FramePadding.x;
+    const float needed = text_width("x0 −10") + 10.0f * ui.options.text_scale;
     const bool is_one_line = room >= 6.0f * needed + 5.0f * gap;
     const int columns = is_one_line ? 6 : 3;
     const float width = std::max(

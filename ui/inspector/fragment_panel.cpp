@@ -118,10 +118,12 @@ void draw_title(Ui& ui) {
                 is_picked ? "Column and row of the picture on which the fragment fell."
                           : "Column and row of the picture on which the fragment drawn last fell.");
     ImGui::SameLine();
+    ImGui::BeginGroup();
     draw_swatch(ui, scene.corner(triangle, 0).reflectance);
     ImGui::SameLine(0.0f, style.ItemInnerSpacing.x);
     const std::string shown = first_fitting(parts, ImGui::GetContentRegionAvail().x);
     text_in(p.dim, shown);
+    ImGui::EndGroup();
     name_widget(ui, "fragment.part",
                 "The part of the scene that the triangle belongs to: " + part + ".");
     note_text(ui, "fragment.part", shown);

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "base/element_names.h"
-#include "base/numbers.h"
 #include "picture/view_image.h"
 #include "session/moment_text.h"
 #include "session/walk.h"
@@ -144,10 +143,10 @@ std::string tooltip(const Ui& ui, const PixelHistory& history, int index) {
     std::string text = describe_moment(ui.results.a.frame, entry.cursor);
     if (history.depth_tested) {
         text += fmt::format("\n{} {}, stored before {}, margin {}", depth_value_words(ui),
-                            nine_digits(entry.depth), nine_digits(entry.stored),
-                            nine_digits(entry.margin));
+                            nine_digits_shown(entry.depth), nine_digits_shown(entry.stored),
+                            nine_digits_shown(entry.margin));
     } else if (has_fragments(ui.results.a.frame.settings.stage)) {
-        text += fmt::format("\n1/z {}; no depth test asks for it", nine_digits(entry.zinv));
+        text += fmt::format("\n1/z {}; no depth test asks for it", nine_digits_shown(entry.zinv));
     }
     if (entry.fate == Fate::depth_failed) {
         const bool is_reversed = depth_rule(ui.results.a.frame.settings) == DepthTest::reversed;
@@ -159,7 +158,8 @@ std::string tooltip(const Ui& ui, const PixelHistory& history, int index) {
         text += "\nWritten, and written over later.";
     }
     const auto colour = [](const glm::vec3& of) {
-        return fmt::format("{} {} {}", nine_digits(of.r), nine_digits(of.g), nine_digits(of.b));
+        return fmt::format("{} {} {}", nine_digits_shown(of.r), nine_digits_shown(of.g),
+                           nine_digits_shown(of.b));
     };
     return fmt::format("{}\ncolour {} → {}\nClick: to the moment just after it.", text,
                        colour(entry.colour_before), colour(entry.colour_after));

@@ -39,17 +39,24 @@ struct InspectView {
     std::string graph_quantity = "z";           ///< id of a quantity, see carried_row.h
 };
 
+/// What the sheet of settings was opened for, and what was changed then.
+struct SettingsSheet {
+    int frame = -2; ///< of ImGui, in which it was drawn last
+    std::string lesson;
+    int step = 0;
+    std::vector<std::string_view> changed; ///< they come first
+};
+
 /// What the inspector keeps from one frame to the next.
 struct InspectorState {
     bool is_low = false;    ///< the page has few lines: panels are brief
     bool is_narrow = false; ///< and few letters a line
     MicroscopeView microscope;
     InspectView chosen;
-    std::string setting_search;                     ///< what the sheet of settings is filtered by
-    std::vector<std::string_view> changed_settings; ///< when the sheet was opened: they come first
-    int settings_frame = -2;                        ///< of ImGui, in which the sheet was drawn last
-    int formula_frame =
-        -2; ///< of ImGui, in which a number was clicked: its formula is due after it
+    std::string setting_search; ///< what the sheet of settings is filtered by
+    SettingsSheet settings_sheet;
+    /// Of ImGui, in which a number was clicked: its formula is due after it.
+    int formula_frame = -2;
     bool settings_over_drawer = false; ///< they were opened over the lesson's whole text
     std::optional<int> hovered_row;    ///< row of the picture pointed at in the row table
     bool shows_end_values = false;     ///< further columns in the row table

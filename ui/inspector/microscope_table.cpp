@@ -187,25 +187,19 @@ bool begin_samples(const char* name, const SampleColumns& columns, ImGuiTableFla
     return true;
 }
 
-/// Brings a sample to the middle; at the top stands a whole line.
-void scroll_to_sample(int index) {
-    const float line = ImGui::GetTextLineHeight() + 2.0f * ImGui::GetStyle().CellPadding.y;
-    const float lines = std::floor(ImGui::GetWindowHeight() / line);
-    ImGui::SetScrollY(std::max(static_cast<float>(index) - std::floor(0.5f * lines), 0.0f) * line);
-}
-
 void draw_samples(Ui& ui, const SampleColumns& columns, bool appears) {
     const int count = ui.inspector.microscope.shown.count;
     ImGui::PushFont(ui.fonts.mono);
     const int current = current_sample(ui), walked = samples_walked(ui);
     ImGuiListClipper clipper;
-    clipper.Begin(count);
+    const float line = ImGui::GetTextLineHeight() + 2.0f * ImGui::GetStyle().CellPadding.y;
+    clipper.Begin(count, line);
     const bool follows = (ui.follow_cursor || appears) && current >= 0 && current < count;
     if (follows) clipper.ForceDisplayRangeByIndices(current, current + 1);
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             draw_sample(ui, columns, i, current, walked);
-            if (follows && i == current && !ImGui::IsItemVisible()) scroll_to_sample(i);
+            if (follows && i == current && !ImGui::IsItemVisible()) scroll_to_line(i, line);
         }
     }
     ImGui::PopFont();
@@ -220,6 +214,10 @@ ImVec2 sample_padding(const Ui& ui) {
 
 void draw_sample_table(Ui& ui, float height, bool appears) {
     const ImVec2 padding = sample_padding(ui);
+    // Whole lines, so that the table begins with one when it is scrolled to its end, too.
+    const float head = ui.fonts.small->FontSize + 2.0f * padding.y;
+    const float line = ui.fonts.mono->FontSize + 2.0f * padding.y;
+    height = head + std::max(std::floor((height - head) / line), 1.0f) * line;
     const SampleColumns columns = fitting_columns(
         ui, ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ScrollbarSize, padding.x);
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, padding);

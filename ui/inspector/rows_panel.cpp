@@ -8,6 +8,7 @@
 #include "ui/inspector/panels.h"
 #include "ui/inspector/rows_parts.h"
 #include "ui/ui.h"
+#include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -22,16 +23,15 @@ void draw_row_in_work(Ui& ui, const Cursor& done) {
     const auto i = static_cast<std::size_t>(done.index);
     const int left = a.rows.rows.left[i].column, right = a.rows.rows.right[i].column;
     text_in(p.dim, "all samples are entered, now the rows: ");
-    ImGui::TextUnformatted(("row " + std::to_string(a.rows.rows.first_row + done.index) + ", " +
+    ImGui::TextUnformatted(("row " + whole_text(a.rows.rows.first_row + done.index) + ", " +
                             element_name_of(entry_form, done.index, a.rows.rows.size()))
                                .c_str());
     ImGui::PushFont(ui.fonts.mono);
     ImGui::TextUnformatted(fmt::format("left = {}, right = {}", left, right).c_str());
     ImGui::PopFont();
-    ImGui::TextUnformatted(
-        has_fragments(a.frame.settings.stage)
-            ? ("now the pixel in column " + std::to_string(left + done.step)).c_str()
-            : "its two ends are drawn");
+    ImGui::TextUnformatted(has_fragments(a.frame.settings.stage)
+                               ? ("now the pixel in column " + whole_text(left + done.step)).c_str()
+                               : "its two ends are drawn");
 }
 
 /// What the moment did, in words and numbers: the sample that was entered last, or the row.
@@ -60,13 +60,14 @@ void draw_moment(Ui& ui) {
                                    history.edge_samples[static_cast<std::size_t>(last.edge)]));
     ImGui::PushFont(ui.fonts.mono);
     const auto show = [](const char* axis, float place, int pixel) {
-        const std::string line = fmt::format("{} = {} → {}", axis, nine_digits(place), pixel);
+        const std::string line =
+            fmt::format("{} = {} → {}", axis, nine_digits_shown(place), whole_text(pixel));
         ImGui::TextUnformatted(line.c_str());
     };
     show("x", last.x, last.fragment.column);
     show("y", last.y, last.fragment.row);
     ImGui::PopFont();
-    std::string words = "row " + std::to_string(last.fragment.row);
+    std::string words = "row " + whole_text(last.fragment.row);
     if (last.write.inside) {
         words += ", " + element_name(entry_form, last.fragment.row - history.rows.first_row);
     }
@@ -75,7 +76,7 @@ void draw_moment(Ui& ui) {
         words += "outside the table, not written";
         text_in(colour_of(Meaning::fail, ui.options.theme), words);
     } else {
-        const std::string column = std::to_string(last.fragment.column);
+        const std::string column = whole_text(last.fragment.column);
         words += last.write.left && last.write.right ? "both ends become " + column
                  : last.write.left                   ? "left end becomes " + column
                  : last.write.right                  ? "right end becomes " + column

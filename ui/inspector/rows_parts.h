@@ -16,4 +16,16 @@ void draw_row_table(Ui& ui, float height);
 /// scroll together with what is drawn below them.
 void draw_row_table_with(Ui& ui, const std::function<void()>& below);
 
+/// Scrolls to the row just drawn. A table that has only just come knows its height a frame later:
+/// what is wanted stays wanted until it is seen.
+/// @param line of the row, from the first that can be scrolled away
+/// @param height of a line, screen pixels
+/// @param is_last below it there are no rows
+void bring_into_view(Ui& ui, int line, float height, bool is_last);
+
+/// The row to bring into view, as an index into the table, -1: none. A table that comes to be shown
+/// or gets another height shows its selected row, or else the row at work.
+/// @param height of what scrolls, screen pixels
+int wanted_row(Ui& ui, float height);
+
 } // namespace rasterwalk

@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <climits>
-#include <cmath>
 #include <functional>
 #include <optional>
 #include <span>
@@ -10,9 +8,9 @@
 #include <fmt/format.h>
 
 #include "base/element_names.h"
-#include "base/numbers.h"
 #include "ui/inspector/rows_parts.h"
 #include "ui/ui.h"
+#include "ui/widgets/number_text.h"
 #include "ui/widgets/row_ends.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -43,8 +41,7 @@ void draw_end_cell(Ui& ui, const std::string& name, const RowEnd& end, const End
 constexpr float sign_gap = 4.0f;
 
 float width_of_sign(const Ui& ui) {
-    ImFont* const font = ui.fonts.small;
-    return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, "↻0").x;
+    return text_width(ui.fonts.small, "↻0");
 }
 
 /// The width of the longest name of a sample of the triangle on show.
@@ -52,8 +49,7 @@ float widest_writer(const Ui& ui) {
     const std::vector<int>& counts = ui.results.a.rows.edge_samples;
     const auto most = std::max_element(counts.begin(), counts.end());
     const int last = most != counts.end() ? std::max(*most - 1, 0) : 0;
-    ImFont* const font = ui.fonts.mono;
-    return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, sample_text(0, last).c_str()).x;
+    return text_width(ui.fonts.mono, sample_text(0, last));
 }
 
 void draw_writer_cell(Ui& ui, const std::string& name, const EndWriter& writer) {
@@ -139,15 +135,15 @@ void draw_row(Ui& ui, int index) {
     }
     if (ImGui::IsItemHovered()) ui.inspector.hovered_row = row;
     name_widget(ui, name,
-                "Row " + std::to_string(row) + " of the picture: " +
-                    element_name(entry_form, index) + " of leftPixels and rightPixels.");
+                "Row " + whole_text(row) + " of the picture: " + element_name(entry_form, index) +
+                    " of leftPixels and rightPixels.");
     if (at_work == row) {
         draw_current_bar(ui, ImGui::GetWindowDrawList(),
                          {ImGui::GetWindowPos().x, ImGui::GetItemRectMin().y},
                          ImGui::GetItemRectMax().y);
     }
     ImGui::SameLine(0.0f, 0.0f);
-    right_aligned(std::to_string(row), p.text);
+    right_aligned(whole_text(row), p.text);
     ImGui::PopID();
     const RowWrite write = just_written(ui, row);
     ImGui::TableNextColumn();
@@ -180,11 +176,11 @@ void draw_outside(Ui& ui, const OutsideSample& sample, int number) {
     const bool pressed = ImGui::Selectable("##outside", false,
                                            ImGuiSelectableFlags_SpanAllColumns |
                                                ImGuiSelectableFlags_AllowItemOverlap);
-    const std::string value = "y = " + nine_digits(sample.y);
+    const std::string value = "y = " + nine_digits_shown(sample.y);
     const std::string tooltip = fmt::format(
         "{}: {} becomes row {}, which the table does not have. A program without a guard writes to "
         "{} here, outside its arrays.",
-        sample_name(sample.edge, sample.sample), value, sample.row,
+        sample_name(sample.edge, sample.sample), value, whole_text(sample.row),
         element_name(entry_form, sample.row - ui.results.a.rows.rows.first_row));
     name_widget(ui, "rows.outside." + std::to_string(number), tooltip);
     ImGui::PopID();
@@ -253,56 +249,6 @@ void draw_row_headers(Ui& ui) {
     }
 }
 
-/// A row among the lines of the table.
-struct RowPlace {
-    int line;     ///< from the first that can be scrolled away
-    float height; ///< of a line, screen pixels
-};
-
-/// Brings a row to the middle; at the top stands a whole line. Returns true if it stands so.
-bool scroll_to(const RowPlace& row) {
-    const float lines = std::floor(ImGui::GetWindowHeight() / row.height);
-    const float first = static_cast<float>(row.line) - std::floor(0.5f * lines);
-    const float wished = std::max(first, 0.0f) * row.height;
-    ImGui::SetScrollY(wished);
-    return std::abs(ImGui::GetScrollY() - wished) < 1.0f;
-}
-
-/// Scrolls to the row just drawn. A table that has only just come knows its height a frame later:
-/// what is wanted stays wanted until it is seen.
-/// @param is_last below it there are no rows
-void bring_into_view(Ui& ui, const RowPlace& row, bool is_last) {
-    const float top = ImGui::GetWindowPos().y + ImGui::GetTextLineHeightWithSpacing();
-    const float bottom = ImGui::GetWindowPos().y + ImGui::GetWindowHeight();
-    const bool is_seen = ImGui::GetItemRectMin().y > top && ImGui::GetItemRectMax().y < bottom;
-    if (is_last && !is_seen) {
-        ImGui::SetScrollHereY(1.0f);
-    } else if (is_seen || scroll_to(row)) {
-        ui.inspector.scroll_to_row = false;
-    }
-}
-
-/// The row to bring into view, as an index into the table, -1: none. A table that comes to be shown
-/// or gets another height shows its selected row, or else the row at work.
-int wanted_row(Ui& ui, float height) {
-    const RowHistory& history = ui.results.a.rows;
-    const RowsPlace place{*ui.results.a.triangle, ui.session.selection.row, ui.session.jumps,
-                          height};
-    if (!(place == ui.inspector.rows_place)) {
-        ui.inspector.rows_place = place;
-        ui.inspector.scroll_to_row = true;
-    }
-    if (!ui.inspector.scroll_to_row) return -1;
-    const auto in_table = [&](std::optional<int> row) {
-        const int index = row.value_or(-1) - history.rows.first_row;
-        return row && index >= 0 && index < history.rows.size() ? index : -1;
-    };
-    const int selected = in_table(ui.session.selection.row);
-    const int shown = selected >= 0 ? selected : in_table(row_at_work(ui));
-    // What was scrolled to before the first sample is of no use for it.
-    return shown < 0 && history.samples == 0 && history.rows.size() > 0 ? 0 : shown;
-}
-
 /// Begins a table with the columns of the row table; false if nothing of it is to be drawn.
 bool begin_row_table(Ui& ui, const char* name, ImGuiTableFlags flags, ImVec2 size) {
     const float u = ui.options.text_scale;
@@ -364,10 +310,10 @@ void draw_all_rows(Ui& ui, float height) {
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             draw_row(ui, i);
-            const RowPlace place{above + i, line};
             const bool is_at_work = at_work == history.rows.first_row + i;
-            if (ui.follow_cursor && is_at_work && !ImGui::IsItemVisible()) scroll_to(place);
-            if (i == wanted) bring_into_view(ui, place, i + 1 == history.rows.size());
+            if (ui.follow_cursor && is_at_work && !ImGui::IsItemVisible())
+                scroll_to_line(above + i, line);
+            if (i == wanted) bring_into_view(ui, above + i, line, i + 1 == history.rows.size());
         }
     }
     for (std::size_t i = 0; i < history.outside.size(); ++i) {

@@ -10,6 +10,7 @@
 #include "ui/inspector/panels.h"
 #include "ui/ui.h"
 #include "ui/widgets/focus.h"
+#include "ui/widgets/number_field.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -59,13 +60,12 @@ void edit_choice(Ui& ui, Settings& settings, const Setting& setting, const std::
     ImGui::EndCombo();
 }
 
-/// A number is dragged, moved by the arrows, or typed after a double click or Enter; it never
-/// leaves its range. Returns true if it was changed.
+/// A number is dragged, typed, or moved by the arrows. Returns true if it was changed.
 template <typename Bounds>
 bool edit_float(Ui& ui, const std::string& name, const std::string& help, const Bounds& bounds,
                 float& value) {
-    bool is_changed = ImGui::DragFloat("##value", &value, bounds.drag_step, bounds.smallest,
-                                       bounds.largest, "%.3f", ImGuiSliderFlags_AlwaysClamp);
+    bool is_changed =
+        drag_number("##value", value, {bounds.drag_step, bounds.smallest, bounds.largest});
     name_widget(ui, name, help);
     if (const int more = take_arrows(ui, name).more(); more != 0) {
         value = std::clamp(value + static_cast<float>(more) * bounds.drag_step, bounds.smallest,

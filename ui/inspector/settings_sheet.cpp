@@ -101,31 +101,36 @@ void draw_setting(Ui& ui, const Setting& setting, const Settings& usual,
     ImGui::PopID();
 }
 
-/// Which settings come first is asked when the sheet opens, so that none leaves its place under the
-/// student's hand. One that is set back is changed no more, and goes.
+/// Which settings come first is asked when the sheet opens, and at every step of a lesson: none
+/// leaves its place under the student's hand, whether it is changed or set back.
 void note_changed(Ui& ui, const Settings& usual) {
-    InspectorState& state = ui.inspector;
-    const Settings& now = ui.session.a.settings;
+    SettingsSheet& sheet = ui.inspector.settings_sheet;
     const int frame = ImGui::GetFrameCount();
-    const bool was_open = state.settings_frame + 1 >= frame;
-    state.settings_frame = frame;
-    if (was_open) {
-        if (ImGui::IsAnyItemActive()) return; // a number that is dragged may pass its default
-        std::erase_if(state.changed_settings, [&](std::string_view name) {
-            return has_same_value(*find_setting(name), usual, now);
-        });
-        return;
-    }
-    state.changed_settings.clear();
+    const bool was_open = sheet.frame + 1 >= frame && sheet.lesson == ui.session.lesson &&
+                          sheet.step == ui.session.step;
+    sheet.frame = frame;
+    if (was_open) return;
+    sheet.lesson = ui.session.lesson;
+    sheet.step = ui.session.step;
+    sheet.changed.clear();
     for (const Setting& setting : setting_table()) {
-        if (has_same_value(setting, usual, now)) continue;
-        state.changed_settings.push_back(setting.name);
+        if (has_same_value(setting, usual, ui.session.a.settings)) continue;
+        sheet.changed.push_back(setting.name);
     }
 }
 
 bool is_first(const Ui& ui, const Setting& setting) {
-    const std::vector<std::string_view>& first = ui.inspector.changed_settings;
+    const std::vector<std::string_view>& first = ui.inspector.settings_sheet.changed;
     return std::find(first.begin(), first.end(), setting.name) != first.end();
+}
+
+/// The heading over those that come first.
+std::string_view heading_of_changed(const Ui& ui, const Settings& usual) {
+    const std::vector<std::string_view>& first = ui.inspector.settings_sheet.changed;
+    const bool is_any_set_back = std::any_of(first.begin(), first.end(), [&](auto name) {
+        return has_same_value(*find_setting(name), usual, ui.session.a.settings);
+    });
+    return is_any_set_back ? "Changed or set back" : "Changed";
 }
 
 void draw_heading(Ui& ui, std::string_view text) {
@@ -140,19 +145,33 @@ std::string_view brief(std::string_view about) {
     return about.substr(0, about.find_first_of(":."));
 }
 
+bool preset_button(Ui& ui, const Preset& preset, float width) {
+    return button(ui, "settings.preset." + preset.name, preset.name, Look::plain, preset.about,
+                  {width, 0.0f});
+}
+
+/// Where lines are few: what each does is left to its tooltip.
+void draw_presets_in_a_row(Ui& ui) {
+    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    for (const Preset& preset : ui.session.presets) {
+        const bool is_first = &preset == &ui.session.presets.front();
+        const float end = ImGui::GetItemRectMax().x + gap + button_width(preset.name);
+        if (!is_first && end <= right) ImGui::SameLine(0.0f, gap);
+        if (preset_button(ui, preset, 0.0f)) apply_preset(preset, ui.session.a.settings);
+    }
+}
+
 /// Each beside what it does.
 void draw_presets(Ui& ui) {
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     float widest = 0.0f;
     for (const Preset& preset : ui.session.presets)
         widest = std::max(widest, button_width(preset.name));
-    if (!ui.session.presets.empty()) draw_heading(ui, "Sets of settings");
+    if (!ui.session.presets.empty()) draw_heading(ui, "Presets");
     for (const Preset& preset : ui.session.presets) {
         const ImVec2 start = ImGui::GetCursorScreenPos();
-        if (button(ui, "settings.preset." + preset.name, preset.name, Look::plain, preset.about,
-                   {widest, 0.0f})) {
-            apply_preset(preset, ui.session.a.settings);
-        }
+        if (preset_button(ui, preset, widest)) apply_preset(preset, ui.session.a.settings);
         const float bottom = ImGui::GetItemRectMax().y;
         ImGui::PushFont(ui.fonts.small);
         ImGui::SetCursorScreenPos({start.x + widest + gap, start.y});
@@ -171,7 +190,9 @@ void draw_presets(Ui& ui) {
 
 void draw_all_settings(Ui& ui) {
     const Palette& p = palette(ui.options.theme);
-    if (ui.inspector.setting_search.empty()) draw_presets(ui);
+    const bool is_searched = !ui.inspector.setting_search.empty();
+    if (!is_searched && ui.inspector.is_low) draw_presets_in_a_row(ui);
+    if (!is_searched && !ui.inspector.is_low) draw_presets(ui);
     const Settings usual = default_settings(*ui.session.scene);
     note_changed(ui, usual);
     const SheetColumns columns = sheet_columns(ui);
@@ -186,7 +207,7 @@ void draw_all_settings(Ui& ui) {
         for (const Setting& setting : setting_table()) {
             if (is_first(ui, setting) != changed) continue;
             if (!is_wanted(setting, ui.inspector.setting_search)) continue;
-            draw(setting, changed ? std::string_view("Changed") : setting.group);
+            draw(setting, changed ? heading_of_changed(ui, usual) : setting.group);
         }
     }
     if (!any) text_in(p.dim, "No setting has that word.");

@@ -15,20 +15,29 @@ namespace rasterwalk {
 
 namespace {
 
+/// The text with line breaks where it would be wider than this in the font, screen pixels.
+std::string lines_of(ImFont* font, std::string_view text, float width) {
+    ImGui::PushFont(font);
+    std::string lines = broken_into_lines(text, width);
+    ImGui::PopFont();
+    return lines;
+}
+
 /// A line of the list that can be pressed: a title, and small text below it.
 bool draw_entry(Ui& ui, const std::string& name, const std::string& mark, const ImVec4& mark_colour,
-                const std::string& title, const std::string& below, const std::string& right,
-                float width, const char* help) {
+                const std::string& title_text, const std::string& below_text,
+                const std::string& right, float width, const char* help) {
     const Palette& p = palette(ui.options.theme);
     const float u = ui.options.text_scale;
     const float margin = 8.0f * u, indent = 30.0f * u;
     const float wrap = width - indent - margin;
-    const ImFont* const font = ui.fonts.text;
-    const ImFont* const small = ui.fonts.small;
+    ImFont* const font = ui.fonts.text;
+    ImFont* const small = ui.fonts.small;
     const float right_width = text_width(small, right);
-    const ImVec2 title_size =
-        font->CalcTextSizeA(font->FontSize, FLT_MAX, wrap - right_width - margin, title.c_str());
-    const ImVec2 below_size = small->CalcTextSizeA(small->FontSize, FLT_MAX, wrap, below.c_str());
+    const std::string title = lines_of(font, title_text, wrap - right_width - margin);
+    const std::string below = lines_of(small, below_text, wrap);
+    const ImVec2 title_size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, title.c_str());
+    const ImVec2 below_size = small->CalcTextSizeA(small->FontSize, FLT_MAX, 0.0f, below.c_str());
     const float height =
         title_size.y + (below.empty() ? 0.0f : below_size.y + 3.0f * u) + 14.0f * u;
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -40,17 +49,13 @@ bool draw_entry(Ui& ui, const std::string& name, const std::string& mark, const 
         list->AddRectFilled(low, {low.x + width, low.y + height}, packed(p.row_lit), 4.0f * u);
     }
     const float y = low.y + 6.0f * u;
-    list->AddText(ui.fonts.text, font->FontSize, {low.x + margin, y}, packed(mark_colour),
-                  mark.c_str());
-    list->AddText(ui.fonts.text, font->FontSize, {low.x + indent, y}, packed(p.text), title.c_str(),
-                  nullptr, wrap - right_width - margin);
-    list->AddText(ui.fonts.small, small->FontSize,
-                  {low.x + width - margin - right_width, y + 2.0f * u}, packed(p.dim),
-                  right.c_str());
+    list->AddText(font, font->FontSize, {low.x + margin, y}, packed(mark_colour), mark.c_str());
+    list->AddText(font, font->FontSize, {low.x + indent, y}, packed(p.text), title.c_str());
+    list->AddText(small, small->FontSize, {low.x + width - margin - right_width, y + 2.0f * u},
+                  packed(p.dim), right.c_str());
     if (!below.empty()) {
-        list->AddText(ui.fonts.small, small->FontSize,
-                      {low.x + indent, y + title_size.y + 3.0f * u}, packed(p.dim), below.c_str(),
-                      nullptr, wrap);
+        list->AddText(small, small->FontSize, {low.x + indent, y + title_size.y + 3.0f * u},
+                      packed(p.dim), below.c_str());
     }
     return pressed;
 }

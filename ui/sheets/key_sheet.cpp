@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include "ui/actions/actions.h"
 #include "ui/sheets/reading_sheet.h"
 #include "ui/sheets/sheets.h"
@@ -15,52 +19,116 @@ const SheetLook keys_look{.sheet = Sheet::keys,
                           .title = "Keys",
                           .close_help = "Closes this sheet. Keys: F1, Esc"};
 
-struct HeldKeyLine {
-    const char* keys;
-    const char* help;
+struct KeyLine {
+    std::string keys, help;
 };
 
-const HeldKeyLine held_lines[] = {
-    {"Tab", "Go to the next widget and frame it; with Shift, the one before"},
-    {"F6", "Go to the next part of the window; with Shift, the one before"},
-    {"Enter Space", "Press what has the frame; Esc takes the frame away"},
-    {"Arrows", "Move what has the frame, or the frame; on the picture, the pixel"},
-    {"Ctrl+↑ ↓", "Scroll what has the frame, or the sheet that was opened"},
-    {"+ −", "On the picture that has the frame: zoom"},
-    {"↑ ↓", "Move the camera forward and back"},
-    {"← →", "Turn the camera"},
-    {"W A S D", "Move the light"},
-    {"Q E", "Raise and lower the light"},
-    {"Wheel", "Zoom about the pointer"},
-    {"Drag", "Move the picture; with the right button, turn the camera"},
-    {"Click", "Pick a pixel; with Shift, only its triangle"},
+struct KeyGroup {
+    std::string title;
+    std::vector<KeyLine> lines;
 };
 
-void draw_line(const Ui& ui, const std::string& keys, const char* help) {
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    ImGui::PushFont(ui.fonts.mono);
-    text_in(palette(ui.options.theme).link, keys);
+/// What is not one press of a key, then the actions of each menu.
+std::vector<KeyGroup> key_groups() {
+    std::vector<KeyGroup> groups = {
+        {"Everywhere",
+         {{"Tab", "Go to the next widget and frame it; with Shift, the one before"},
+          {"F6", "Go to the next part of the window; with Shift, the one before"},
+          {"Enter Space", "Press what has the frame; Esc takes the frame away"},
+          {"Arrows", "Move what has the frame, or the frame; on the picture, the pixel"},
+          {"Ctrl+↑ ↓", "Scroll what has the frame, or the sheet that was opened"},
+          {"+ −", "On the picture that has the frame: zoom"}}},
+        {"Camera and light",
+         {{"↑ ↓", "Move the camera forward and back"},
+          {"← →", "Turn the camera"},
+          {"W A S D", "Move the light"},
+          {"Q E", "Raise and lower the light"}}},
+        {"Mouse, on the picture",
+         {{"Wheel", "Zoom about the pointer"},
+          {"Drag", "Move the picture; with the right button, turn the camera"},
+          {"Click", "Pick a pixel; with Shift, only its triangle"}}},
+    };
+    for (const Action& action : action_table()) {
+        if (action.chord.key == 0) continue;
+        // What stands in no menu belongs to the actions before it.
+        const bool is_new = !action.menu.empty() && action.menu != groups.back().title;
+        if (is_new) groups.push_back({action.menu, {}});
+        groups.back().lines.push_back({chord_text(action.chord), action.title});
+    }
+    return groups;
+}
+
+/// Widths in screen pixels.
+struct KeyColumns {
+    int count;
+    float keys; ///< what the keys of a column take
+    float gap;  ///< between columns
+};
+
+/// As many columns as the window has room for.
+KeyColumns key_columns(const Ui& ui, const std::vector<KeyGroup>& groups, float window_width) {
+    const float u = ui.options.text_scale;
+    float keys = 0.0f, help = 0.0f;
+    for (const KeyGroup& group : groups) {
+        for (const KeyLine& line : group.lines) {
+            keys = std::max(keys, text_width(ui.fonts.mono, line.keys));
+            help = std::max(help, text_width(line.help));
+        }
+    }
+    keys += 16.0f * u;
+    const float gap = 36.0f * u;
+    const int count = static_cast<int>((window_width - gap) / (keys + help + gap));
+    return {std::clamp(count, 1, 3), keys, gap};
+}
+
+void draw_group(const Ui& ui, const KeyGroup& group, float keys_width) {
+    const Palette& p = palette(ui.options.theme);
+    ImGui::PushFont(ui.fonts.bold);
+    text_in(p.dim, group.title);
     ImGui::PopFont();
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(help);
+    for (const KeyLine& line : group.lines) {
+        ImGui::PushFont(ui.fonts.mono);
+        text_in(p.link, line.keys);
+        ImGui::PopFont();
+        ImGui::SameLine(keys_width);
+        ImGui::TextUnformatted(line.help.c_str());
+    }
+    ImGui::Dummy({0.0f, 4.0f * ui.options.text_scale});
+}
+
+/// Lines that a group takes, with its title and the space below it.
+std::size_t lines_of(const KeyGroup& group) {
+    return group.lines.size() + 2;
 }
 
 } // namespace
 
 void draw_key_sheet(Ui& ui, ImVec2 window) {
     if (!ui.sheets.is_open(Sheet::keys)) return;
+    const std::vector<KeyGroup> groups = key_groups();
+    const KeyColumns columns = key_columns(ui, groups, window.x);
     begin_sheet(ui, keys_look, window);
     ImGui::Spacing();
-    if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
-        for (const HeldKeyLine& line : held_lines)
-            draw_line(ui, line.keys, line.help);
-        for (const Action& action : action_table()) {
-            if (action.chord.key != 0)
-                draw_line(ui, chord_text(action.chord), action.title.c_str());
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
+                        {ImGui::GetStyle().ItemSpacing.x, 3.0f * ui.options.text_scale});
+    std::size_t left = 0; // to be drawn, in lines
+    for (const KeyGroup& group : groups)
+        left += lines_of(group);
+    std::size_t next = 0;
+    for (int column = 0; column < columns.count; ++column) {
+        if (column > 0) ImGui::SameLine(0.0f, columns.gap);
+        ImGui::BeginGroup();
+        const std::size_t share = left / static_cast<std::size_t>(columns.count - column);
+        for (std::size_t drawn = 0; next < groups.size(); ++next) {
+            const std::size_t lines = lines_of(groups[next]);
+            if (drawn + lines / 2 > share) break; // more of it would stand beyond the share
+            draw_group(ui, groups[next], columns.keys);
+            drawn += lines;
+            left -= lines;
         }
-        ImGui::EndTable();
+        ImGui::EndGroup();
     }
+    ImGui::PopStyleVar();
     end_sheet();
 }
 

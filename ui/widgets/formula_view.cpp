@@ -1,4 +1,5 @@
 #include "ui/widgets/formula_view.h"
+#include "ui/widgets/number_text.h"
 
 #include <algorithm>
 
@@ -12,8 +13,8 @@ namespace rasterwalk {
 namespace {
 
 std::string exact_text(const Number& number) {
-    return number.is_whole ? decimals(static_cast<double>(number.value), 0)
-                           : nine_digits(number.value);
+    return number.is_whole ? with_minus_signs(decimals(static_cast<double>(number.value), 0))
+                           : nine_digits_shown(number.value);
 }
 
 std::string input_tooltip(const FormulaInput& input) {

@@ -4,6 +4,7 @@
 #include "base/numbers.h"
 #include "session/walk.h"
 #include "ui/ui.h"
+#include "ui/widgets/number_text.h"
 
 namespace rasterwalk {
 
@@ -13,7 +14,7 @@ std::string sample_text(int edge, int sample) {
 
 std::string end_text(const RowEnd& end, bool is_left, bool is_short) {
     const bool is_extreme = end.column == empty_left || end.column == empty_right;
-    if (!is_extreme) return std::to_string(end.column);
+    if (!is_extreme) return whole_text(end.column);
     if (is_short) return is_left ? "+MAX" : "−MAX";
     return is_left ? "+INT_MAX" : "−INT_MAX";
 }

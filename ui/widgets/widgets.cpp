@@ -285,6 +285,14 @@ std::string fixed(double value, int digits) {
     return (value < 0 && !is_zero ? "−" : "") + text;
 }
 
+bool scroll_to_line(int line, float height) {
+    const float lines = std::floor(ImGui::GetWindowHeight() / height);
+    const float first = static_cast<float>(line) - std::floor(0.5f * lines);
+    const float wished = std::max(first, 0.0f) * height;
+    ImGui::SetScrollY(wished);
+    return std::abs(ImGui::GetScrollY() - wished) < 1.0f;
+}
+
 std::string shortened(const std::string& text, float width) {
     if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
     std::size_t length = text.size();

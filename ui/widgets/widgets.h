@@ -80,6 +80,11 @@ void end_card(Ui& ui);
 /// do not jump: "-0.821", " 1.000". Numbers too large for it come out as 1.2e+06.
 std::string fixed(double value, int digits);
 
+/// Brings a line of the scrolling window, counted from its first, to the middle; at the top stands
+/// a whole line. Returns true if it stands so.
+/// @param height of each line, screen pixels
+bool scroll_to_line(int line, float height);
+
 /// As much of the text as fits into the width in the present font, with an ellipsis if that is not
 /// all.
 std::string shortened(const std::string& text, float width);

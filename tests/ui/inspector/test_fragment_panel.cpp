@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "tests/ui/screen_text.h"
 #include "tests/ui/shown_number.h"
 #include "ui/actions/keys.h"
 #include "ui/actions/open_lesson.h"
@@ -136,6 +137,24 @@ TEST_CASE("In a small window the fragment's formula is in sight, and all else ca
               "fragment.after", "fragment.fate", "fragment.pixel", "fragment.go"}) {
             INFO(name);
             CHECK(driver.hand.find(name).is_whole);
+        }
+    }
+}
+
+TEST_CASE("Nothing in the table of a fragment and above it is cut short") {
+    for (const SmallWindow& small : small_windows) {
+        INFO(small.size.x << " x " << small.size.y << ", text " << small.text_scale);
+        Driver driver("lab-room.toml", small.size, small.text_scale);
+        driver.open("fragment");
+        driver.hand.leave();
+        const auto& widgets = driver.ui.widgets;
+        const float top = widgets.at("fragment.pixel").top_left.y;
+        const float bottom = widgets.at("fragment.header.perspective").bottom_right.y;
+        const float left = widgets.at("fragment.pixel").top_left.x;
+        for (const ScreenText& line : screen_text()) {
+            if (line.low.x < left || line.low.y < top || line.high.y > bottom) continue;
+            INFO(line.words);
+            CHECK(line.words.find("…") == std::string::npos);
         }
     }
 }

@@ -7,7 +7,9 @@
 #include "session/bench.h"
 #include "tests/ui/driver.h"
 #include "tests/ui/screen_text.h"
+#include "tests/ui/shown_number.h"
 #include "ui/actions/keys.h"
+#include "ui/actions/open_lesson.h"
 #include "ui/ui.h"
 
 namespace rasterwalk {
@@ -128,6 +130,32 @@ TEST_CASE("The microscope has a word for a triangle that is left out, and for no
     set_scene(driver.ui.session, empty);
     driver.hand.frames(2);
     CHECK_FALSE(driver.hand.is_visible("microscope.edge.0"));
+}
+
+TEST_CASE("The samples around the one at work begin with a whole line") {
+    for (const SmallWindow& small : small_windows) {
+        INFO(small.size.x << " x " << small.size.y << ", text " << small.text_scale);
+        Driver driver("lab-room.toml", small.size, small.text_scale);
+        open_lesson(driver.ui, "12-float-traps", 2);
+        driver.hand.frames(frames_to_rest);
+        const int current = driver.ui.results.a.done->step;
+        REQUIRE(current > 20);
+        const auto& widgets = driver.ui.widgets;
+        const auto is_seen = [&](int i) {
+            const auto place = widgets.find("microscope.sample." + std::to_string(i));
+            return place != widgets.end() && place->second.visible;
+        };
+        REQUIRE(is_seen(current));
+        int first = current;
+        while (is_seen(first - 1))
+            --first;
+        // The lines reach into each other by a pixel or two.
+        const auto height = [&](int i) {
+            const WidgetPlace& place = widgets.at("microscope.sample." + std::to_string(i));
+            return place.bottom_right.y - place.top_left.y;
+        };
+        CHECK(height(first) > 0.8f * height(current - 1));
+    }
 }
 
 } // namespace rasterwalk

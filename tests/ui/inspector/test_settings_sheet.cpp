@@ -7,11 +7,23 @@
 #include "settings/value_words.h"
 #include "tests/ui/driver.h"
 #include "tests/ui/screen_text.h"
+#include "tests/ui/shown_number.h"
 #include "ui/actions/keys.h"
+#include "ui/actions/open_lesson.h"
 #include "ui/ui.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
+
+namespace {
+
+bool has_words(const std::vector<ScreenText>& lines, std::string_view words) {
+    return std::any_of(lines.begin(), lines.end(), [&](const ScreenText& line) {
+        return line.words.find(words) != std::string::npos;
+    });
+}
+
+} // namespace
 
 TEST_CASE("A number typed into a setting takes effect at once") {
     Driver driver;
@@ -124,24 +136,60 @@ TEST_CASE(
     CHECK(top("rounding") < top("shading"));
 }
 
-TEST_CASE("Nothing stands under 'Changed' that is as the handout has it") {
+TEST_CASE("A setting that is set back stays in its place until the settings are opened again") {
     Driver driver;
-    set_from_text(driver.ui.session.a.settings, "rounding=floor");
-    set_from_text(driver.ui.session.a.settings, "spans=last_dropped");
+    Settings& settings = driver.ui.session.a.settings;
+    set_from_text(settings, "rounding=floor");
+    set_from_text(settings, "spans=last_dropped");
+    set_from_text(settings, "camera.yaw=0.3");
     const auto top = [&](const char* name) {
         driver.hand.leave();
         return driver.ui.widgets.at(std::string("setting.") + name).top_left.y;
     };
     driver.hand.click("tab.settings");
-    REQUIRE(top("rounding") < top("stage"));
-    REQUIRE(top("spans") < top("stage"));
+    const float rounding = top("rounding"), spans = top("spans"), yaw = top("camera.yaw");
+    REQUIRE(std::max({rounding, spans, yaw}) < top("stage"));
     driver.hand.click("setting.rounding");
     driver.hand.click("setting.rounding=truncate"); // the default, chosen
-    CHECK(top("rounding") > top("stage"));
-    CHECK(top("spans") < top("stage"));
+    driver.hand.enter("setting.camera.yaw", "0");
     driver.hand.click("reset.spans");
-    CHECK(top("spans") > top("stage"));
+    REQUIRE(common_rounding(settings) == Rounding::truncate);
+    REQUIRE(settings.camera.yaw == 0.0f);
+    CHECK(top("rounding") == rounding);
+    CHECK(top("camera.yaw") == yaw);
+    CHECK(top("spans") == spans);
     CHECK_FALSE(driver.hand.is_visible("reset.spans"));
+    CHECK(has_words(screen_text(), "Changed or set back"));
+    driver.hand.click("tab.settings");
+    driver.hand.click("tab.settings");
+    CHECK(top("rounding") > top("stage"));
+    CHECK(top("spans") > top("stage"));
+    CHECK_FALSE(has_words(screen_text(), "Changed or set back"));
+}
+
+TEST_CASE("A setting that a lesson asks for stays where it is until its next step") {
+    Driver driver;
+    open_lesson(driver.ui, "02-moving-the-camera", 4);
+    driver.hand.frames(frames_to_rest);
+    const auto top = [&](const char* name) {
+        return driver.ui.widgets.at(std::string("setting.") + name).top_left.y;
+    };
+    driver.hand.find("setting.camera.yaw"); // scrolls to it
+    REQUIRE(top("camera.yaw") < top("stage"));
+    driver.hand.find("setting.camera.position");
+    const float before = top("camera.position"), after = top("camera.pitch");
+    REQUIRE(before < after);
+    REQUIRE(top("camera.yaw") < before);
+    driver.hand.enter("setting.camera.position.x", "-0.887");
+    driver.hand.enter("setting.camera.position.z", "-2.867");
+    CHECK(top("camera.position") == before);
+    CHECK(top("camera.pitch") == after);
+    CHECK(driver.hand.is_visible("reset.camera.position"));
+    // The next step sets the stage as well.
+    driver.hand.click("lesson.next");
+    REQUIRE(driver.ui.session.step == 5);
+    driver.hand.find("setting.stage");
+    CHECK(top("stage") < top("camera.yaw"));
 }
 
 TEST_CASE("Values are said in words, each another one, and how they are written stands beside") {
@@ -205,10 +253,21 @@ TEST_CASE("What closes the settings and what sets one back have no sign of failu
         CHECK(line.words.find(failed_sign) == std::string::npos);
     }
     // What a preset does stands beside its button.
-    const std::vector<ScreenText> lines = screen_text();
-    CHECK(std::any_of(lines.begin(), lines.end(), [](const ScreenText& line) {
-        return line.words.find("The same lab done carefully") != std::string::npos;
-    }));
+    CHECK(has_words(screen_text(), "The same lab done carefully"));
+}
+
+TEST_CASE("Where lines are few the presets share one, and what is changed is in sight") {
+    for (const SmallWindow& small : small_windows) {
+        INFO(small.size.x << " x " << small.size.y << ", text " << small.text_scale);
+        Driver driver("lab-room.toml", small.size, small.text_scale);
+        set_from_text(driver.ui.session.a.settings, "camera.yaw=-0.3");
+        driver.hand.click("tab.settings");
+        driver.hand.leave();
+        const auto& widgets = driver.ui.widgets;
+        const float first = widgets.at("settings.preset.handout").top_left.y;
+        CHECK(widgets.at("settings.preset.exact").top_left.y == first);
+        CHECK(widgets.at("setting.camera.yaw").is_whole);
+    }
 }
 
 } // namespace rasterwalk

@@ -11,6 +11,7 @@
 #include "tests/ui/driver.h"
 #include "tests/ui/screen_text.h"
 #include "tests/ui/shown_colours.h"
+#include "tests/ui/shown_number.h"
 #include "ui/actions/keys.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/actions/open_lesson.h"
@@ -461,6 +462,18 @@ TEST_CASE("The buttons to the next and the last step stay where they are, whatev
     }
     CHECK(ends["lesson.next"].size() == 1);
     CHECK(ends["lesson.previous"].size() == 1);
+}
+
+TEST_CASE("What a lesson is about is broken between words, never within a number") {
+    for (const SmallWindow& small : small_windows) {
+        INFO(small.size.x << " x " << small.size.y << ", text " << small.text_scale);
+        Driver driver("lab-room.toml", small.size, small.text_scale);
+        driver.hand.press('L');
+        const std::vector<ScreenText> lines = screen_text();
+        CHECK(std::any_of(lines.begin(), lines.end(), [](const ScreenText& line) {
+            return line.words.find("−3.001") != std::string::npos;
+        }));
+    }
 }
 
 } // namespace rasterwalk

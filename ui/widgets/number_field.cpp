@@ -1,0 +1,83 @@
+#include "ui/widgets/number_field.h"
+
+#include <string>
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include "ui/widgets/number_text.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+constexpr std::string_view minus_sign = "−";
+constexpr ImWchar minus_letter = 0x2212;
+
+/// The clipboard of the host, while a field reads it by way of clipboard_number.
+const char* (*host_clipboard)(void*) = nullptr;
+
+const char* clipboard_number(void* host) {
+    static std::string text;
+    const char* const copied = host_clipboard(host);
+    text = copied != nullptr ? copied : "";
+    for (std::size_t at = 0; (at = text.find(minus_sign, at)) != text.npos; ++at)
+        text.replace(at, minus_sign.size(), "-");
+    return text.c_str();
+}
+
+/// ImGui drops minus signs that are no hyphens: a number typed or pasted with one would lose it.
+template <typename Draw>
+bool draw_while_typed(const Draw& draw) {
+    ImGuiIO& io = ImGui::GetIO();
+    for (ImWchar& letter : io.InputQueueCharacters) {
+        if (letter == minus_letter) letter = '-';
+    }
+    host_clipboard = io.GetClipboardTextFn;
+    io.GetClipboardTextFn = clipboard_number;
+    const bool is_changed = draw();
+    io.GetClipboardTextFn = host_clipboard;
+    return is_changed;
+}
+
+/// ImGui writes hyphens: unless somebody types, its text is left out for one with minus signs.
+/// @param draw the field
+/// @param shown its text, asked for when the field is drawn
+template <typename Draw, typename Shown>
+bool draw_field(const char* id, const Draw& draw, const Shown& shown) {
+    const ImGuiID item = ImGui::GetID(id);
+    if (ImGui::TempInputIsActive(item)) return draw_while_typed(draw);
+    ImGui::PushStyleColor(ImGuiCol_Text, 0);
+    const bool is_changed = draw();
+    ImGui::PopStyleColor();
+    if (ImGui::TempInputIsActive(item)) return is_changed; // from now on
+    const std::string text = shown();
+    ImGui::RenderTextClipped(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), text.data(),
+                             text.data() + text.size(), nullptr, {0.5f, 0.5f});
+    return is_changed;
+}
+
+} // namespace
+
+bool drag_number(const char* id, float& value, const DragRange<float>& range) {
+    return draw_field(
+        id,
+        [&] {
+            return ImGui::DragFloat(id, &value, range.step, range.smallest, range.largest, "%.3f",
+                                    ImGuiSliderFlags_AlwaysClamp);
+        },
+        [&] { return fixed(value, 3); });
+}
+
+bool drag_number(const char* id, int& value, const DragRange<int>& range, std::string_view label) {
+    return draw_field(
+        id,
+        [&] {
+            return ImGui::DragInt(id, &value, range.step, range.smallest, range.largest, "%d",
+                                  ImGuiSliderFlags_AlwaysClamp);
+        },
+        [&] { return std::string(label).append(" ").append(whole_text(value)); });
+}
+
+} // namespace rasterwalk
