@@ -13,13 +13,12 @@ namespace {
 
 /// Shows the list of lessons, or what was read before.
 void toggle_list(Ui& ui) {
-    SidePage& page = ui.session.page;
-    const bool is_seen = page == SidePage::list && (!ui.lesson.is_strip || is_drawer_open(ui));
-    page = is_seen ? SidePage::lesson : SidePage::list;
-    if (is_seen) {
+    if (is_list_on_show(ui)) {
         close_drawer(ui);
+        ui.session.page = SidePage::lesson;
     } else {
         open_drawer(ui);
+        ui.session.page = SidePage::list;
     }
 }
 
@@ -36,8 +35,8 @@ std::vector<Action> lesson_actions() {
         {"lesson.on",
          "Lesson",
          "On in the lesson",
-         "Goes on: to the next step, in a small window to the step's next card; in a lecture "
-         "without a lesson, to the next moment.",
+         "Goes on: to a question further down, then to the next step, in a small window to the "
+         "step's next card; in a lecture without a lesson, to the next moment.",
          {key::page_down},
          walk_on,
          nullptr},
@@ -75,7 +74,7 @@ std::vector<Action> lesson_actions() {
          "The list of lessons, with a search.",
          {'L'},
          toggle_list,
-         [](const Ui& ui) { return ui.session.page == SidePage::list; }},
+         is_list_on_show},
     };
 }
 

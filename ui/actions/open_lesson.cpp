@@ -9,6 +9,7 @@
 #include "session/content.h"
 #include "ui/actions/kept_file.h"
 #include "ui/actions/lesson_links.h"
+#include "ui/actions/open_tab.h"
 #include "ui/ui.h"
 
 namespace rasterwalk {
@@ -27,6 +28,7 @@ void forget_step(LessonView& view) {
     view.strip.place = {};
     view.strip.read_to.reset();
     view.place_to_show.reset();
+    view.question_below.reset();
     view.wants_end = false;
 }
 
@@ -116,7 +118,12 @@ void open_neighbour_step(Ui& ui, int distance) {
 
 bool turn_card(Ui& ui, int distance) {
     LessonView& view = ui.lesson;
-    if (!view.is_strip || ui.session.page != SidePage::lesson) return false;
+    if (ui.session.page == SidePage::stage || is_list_on_show(ui)) return false;
+    if (!view.is_strip) {
+        if (distance < 0 || !view.question_below) return false;
+        view.place_to_show = LessonPlace{*view.question_below};
+        return true;
+    }
     // What is scrolled away comes first.
     if (distance > 0 ? view.has_more_below : view.has_more_above) {
         view.pages_to_scroll = static_cast<float>(distance);

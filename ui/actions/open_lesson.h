@@ -27,11 +27,12 @@ void open_lesson_to_go_on(Ui& ui);
 /// without a lesson or beyond its ends.
 void open_neighbour_step(Ui& ui, int distance);
 
-/// One card on (1) or back (-1) in the strip; where its whole text stands open, a page of that.
+/// One card on (1) or back (-1) in the strip; where its whole text stands open, a page of that. In
+/// a column, on to a question that is open and scrolled away.
 /// @return false where there is none: the step is at its end, or at its beginning
 bool turn_card(Ui& ui, int distance);
 
-/// The card after the one on show and the one before; beyond the step's, the neighbour step: its
+/// What turn_card() does; where it does nothing, the neighbour step: its
 /// beginning, and in the strip or its whole text the end of the one before.
 void read_on(Ui& ui);
 void read_back(Ui& ui);

@@ -7,10 +7,17 @@ namespace rasterwalk {
 
 namespace {
 
+/// Where the lesson is a strip, the list of lessons is read in the drawer alone.
+void leave_list(Ui& ui) {
+    SidePage& page = ui.session.page;
+    if (ui.lesson.is_strip && page == SidePage::list) page = SidePage::lesson;
+}
+
 /// The lesson's whole text gives way; the settings remember that they lie over it.
 void uncover(Ui& ui, std::string_view name) {
     if (name != settings_tab) {
         ui.inspector.settings_over_drawer = false;
+        leave_list(ui);
     } else if (!is_settings_open(ui)) {
         ui.inspector.settings_over_drawer = is_drawer_open(ui);
     }
@@ -65,8 +72,14 @@ bool is_drawer_open(const Ui& ui) {
     return ui.lesson.is_strip && ui.lesson.drawer_is_open;
 }
 
+bool is_list_on_show(const Ui& ui) {
+    const bool has_place = !ui.lesson.is_strip || is_drawer_open(ui);
+    return ui.session.page == SidePage::list && has_place;
+}
+
 void open_drawer(Ui& ui) {
     LessonView& lesson = ui.lesson;
+    leave_list(ui);
     lesson.drawer_is_open = lesson.is_strip;
     // What the strip has come to is read on.
     if (lesson.is_strip && !lesson.strip.cards.empty()) lesson.place_to_show = lesson.strip.place;
@@ -74,9 +87,7 @@ void open_drawer(Ui& ui) {
 
 void close_drawer(Ui& ui) {
     ui.lesson.drawer_is_open = false;
-    // The list of lessons is read in the drawer alone.
-    SidePage& page = ui.session.page;
-    if (page == SidePage::list) page = SidePage::lesson;
+    leave_list(ui);
 }
 
 } // namespace rasterwalk

@@ -32,6 +32,9 @@ void toggle_settings(Ui& ui);
 /// Does the whole text of the lesson stand in place of its strip and the inspector?
 bool is_drawer_open(const Ui& ui);
 
+/// Can the list of lessons be seen? In place of a strip it stands in the drawer alone.
+bool is_list_on_show(const Ui& ui);
+
 /// Shows the whole text of the lesson in place of its strip and the inspector, and takes it away
 /// again. Where the lesson has a column nothing is seen of it.
 void open_drawer(Ui& ui);

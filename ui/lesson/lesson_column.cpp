@@ -10,6 +10,7 @@
 #include "ui/lesson/strip_buttons.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -21,16 +22,13 @@ SidePage page_on_show(const Ui& ui, const Lesson* lesson) {
     return page == SidePage::lesson && lesson == nullptr ? SidePage::stage : page;
 }
 
-/// Text that goes on below the edge fades out there.
-void draw_fade(const Ui& ui, float width) {
+/// Text that goes on has a line below it.
+void draw_edge(const Ui& ui, float width) {
     if (ImGui::GetScrollY() >= ImGui::GetScrollMaxY()) return;
-    const ImVec4& ground = palette(ui.options.theme).ground;
     const ImVec2 low = ImGui::GetWindowPos();
     const float bottom = low.y + ImGui::GetWindowHeight();
-    const float top = bottom - 30.0f * ui.options.text_scale;
-    const ImU32 clear = packed(ground, 0.0f), full = packed(ground);
-    ImGui::GetWindowDrawList()->AddRectFilledMultiColor({low.x, top}, {low.x + width, bottom},
-                                                        clear, clear, full, full);
+    ImGui::GetWindowDrawList()->AddRectFilled({low.x, bottom - 1.0f}, {low.x + width, bottom},
+                                              packed(palette(ui.options.theme).line));
 }
 
 /// The three pages side by side: small words, the one on show underlined.
@@ -129,9 +127,11 @@ void draw_scrolled(Ui& ui, const Lesson* lesson, SidePage page, ImVec2 size, flo
     ImGui::BeginChild("lesson.text", size, false, ImGuiWindowFlags_NoNav);
     const std::string name = name_of_page(ui, lesson, page);
     keep_place(ui.lesson, name, page == SidePage::lesson && ui.lesson.wants_end);
+    begin_whole_lines(ui);
     draw_text(ui, lesson, page, width);
     if (has_footer) draw_footer(ui, lesson, page, width);
-    draw_fade(ui, width);
+    end_whole_lines(ui);
+    draw_edge(ui, width);
     ImGui::EndChild();
 }
 

@@ -9,6 +9,7 @@
 #include "ui/actions/open_lesson.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -44,6 +45,7 @@ bool draw_entry(Ui& ui, const std::string& name, const std::string& mark, const 
     const bool pressed = ImGui::InvisibleButton(name.c_str(), {width, height});
     const bool hovered = ImGui::IsItemHovered();
     name_widget(ui, name, help);
+    keep_item_whole(ui);
     ImDrawList* const list = ImGui::GetWindowDrawList();
     if (hovered) {
         list->AddRectFilled(low, {low.x + width, low.y + height}, packed(p.row_lit), 4.0f * u);

@@ -1,6 +1,7 @@
 #include "ui/lesson/lesson_page.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "ui/page/markdown.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -73,14 +75,22 @@ float line_above(const Ui& ui) {
     return 1.4f * ui.fonts.text->FontSize;
 }
 
-void scroll_to(const Ui& ui, const PartArea& area, float share) {
+/// How far the text is scrolled where this place stands at the top.
+float scroll_at(const Ui& ui, const PartArea& area, float share) {
+    if (area.part == 0 && share == 0.0f) return 0.0f; // the heading above it
     const float top = area.top + share * (area.bottom - area.top);
-    if (area.part == 0 && share == 0.0f) {
-        ImGui::SetScrollY(0.0f); // the heading above it
-    } else {
-        const float above = share > 0.0f ? line_above(ui) : 0.0f;
-        ImGui::SetScrollFromPosY(top - above - ImGui::GetWindowPos().y, 0.0f);
-    }
+    const float above = share > 0.0f ? line_above(ui) : 0.0f;
+    return std::floor(top - above - ImGui::GetWindowPos().y + ImGui::GetScrollY());
+}
+
+/// Is this question open, and not yet in sight? One that the window cannot hold is when it stands
+/// at the top.
+bool is_question_below(const Ui& ui, const LessonPrediction& prediction, const PartArea& area) {
+    const auto view = ui.lesson.predictions.find(prediction.id);
+    if (view == ui.lesson.predictions.end()) return false; // a link has led elsewhere
+    const bool is_open = view->second.is_taken_up && !view->second.judged;
+    const float furthest = std::min(scroll_at(ui, area, 0.0f), ImGui::GetScrollMaxY());
+    return is_open && is_cut_off(ui) && ImGui::GetScrollY() < furthest - 1.0f;
 }
 
 /// Notes for the strip how far the student has scrolled the whole text.
@@ -129,6 +139,7 @@ void draw_step_text(Ui& ui, const Lesson& lesson, float width) {
     std::shared_ptr<MarkdownPage>& heading = ui.lesson.pages["heading"];
     draw_markdown(ui, heading, "# " + step.heading, width, "lesson.heading.link.");
     std::vector<PartArea> areas;
+    ui.lesson.question_below.reset();
     for (std::size_t i = 0; i < step.parts.size(); ++i) {
         const LessonPart& part = step.parts[i];
         ImGui::Dummy({0.0f, i == 0 ? 0.4f * gap : gap});
@@ -151,12 +162,19 @@ void draw_step_text(Ui& ui, const Lesson& lesson, float width) {
                             width);
             break;
         }
-        areas.push_back({static_cast<int>(i), top, ImGui::GetCursorScreenPos().y});
+        const PartArea area{static_cast<int>(i), top, ImGui::GetCursorScreenPos().y};
+        areas.push_back(area);
+        if (part.kind != LessonPart::Kind::prediction || ui.lesson.question_below) continue;
+        const auto& asked = lesson.predictions[static_cast<std::size_t>(part.index)];
+        if (is_question_below(ui, asked, area)) ui.lesson.question_below = area.part;
     }
     // What is drawn may have led to another step, which asks for a place of its own.
     std::optional<LessonPlace>& place = ui.lesson.place_to_show;
     const bool is_here = place && static_cast<std::size_t>(place->part) < areas.size();
-    if (is_here) scroll_to(ui, areas[static_cast<std::size_t>(place->part)], place->share);
+    if (is_here) {
+        const PartArea& area = areas[static_cast<std::size_t>(place->part)];
+        ImGui::SetScrollY(scroll_at(ui, area, place->share));
+    }
     note_place(ui, areas);
     if (ui.lesson.frames_to_scroll == 0) place.reset();
     ImGui::Dummy({0.0f, 10.0f * ui.options.text_scale});
@@ -182,8 +200,23 @@ void turn_to_step(Ui& ui, const Lesson& lesson, int wanted) {
     }
 }
 
+void turn_in_lesson(Ui& ui, const Lesson& lesson, int direction) {
+    if (direction < 0) {
+        read_back(ui);
+    } else if (!turn_card(ui, direction)) {
+        turn_to_step(ui, lesson, ui.session.step + 1);
+    }
+}
+
 void draw_step_footer(Ui& ui, const Lesson& lesson, float width) {
-    turn_to_step(ui, lesson, draw_page_footer(ui, pages_of_lesson(ui, lesson), width));
+    PageFooter pages = pages_of_lesson(ui, lesson);
+    pages.has_question_below = ui.lesson.question_below.has_value();
+    const PageWish wish = draw_page_footer(ui, pages, width);
+    if (wish.direction != 0) {
+        turn_in_lesson(ui, lesson, wish.direction);
+    } else {
+        turn_to_step(ui, lesson, wish.page);
+    }
 }
 
 } // namespace rasterwalk

@@ -20,6 +20,9 @@ void draw_step_footer(Ui& ui, const Lesson& lesson, float width);
 PageFooter pages_of_lesson(Ui& ui, const Lesson& lesson);
 void turn_to_step(Ui& ui, const Lesson& lesson, int wanted);
 
+/// Goes on or back in the lesson as the buttons say; after its last step, to the next lesson.
+void turn_in_lesson(Ui& ui, const Lesson& lesson, int direction);
+
 /// The step on show. Valid as long as the lesson is.
 const LessonStep& step_on_show(const Ui& ui, const Lesson& lesson);
 

@@ -14,6 +14,7 @@
 #include "ui/page/markdown.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -52,6 +53,11 @@ class Box {
         ImGui::PushFont(ui_.fonts.small);
         text_in(colour, text);
         ImGui::PopFont();
+        // With the first line.
+        const float bottom = ImGui::GetItemRectMax().y + ImGui::GetStyle().ItemSpacing.y +
+                             1.4f * ui_.fonts.text->FontSize;
+        keep_beginning(ui_, start_.y - 1.0f, bottom);
+        keep_item_whole(ui_);
     }
 
     void markdown(const std::string& name, std::shared_ptr<MarkdownPage>& page,
@@ -85,6 +91,7 @@ void draw_number_field(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
     const bool entered = ImGui::InputTextWithHint("##number", "your number", &view.typed,
                                                   ImGuiInputTextFlags_EnterReturnsTrue);
     name_widget(ui, name + ".number", "Your number; 1/3 and 500*2 are numbers too.");
+    keep_item_whole(ui);
     if (!prediction.unit.empty()) {
         ImGui::SameLine(0.0f, 6.0f * u);
         ImGui::AlignTextToFramePadding();
@@ -94,10 +101,12 @@ void draw_number_field(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
     if (ImGui::GetContentRegionAvail().x < button_width("answer")) ImGui::NewLine();
     const bool pressed =
         button(ui, name + ".answer", "answer", Look::main, "Then the program tells its own.");
+    keep_item_whole(ui);
     if (view.is_no_number) {
         text_in(colour_of(Meaning::fail, ui.options.theme),
                 view.typed.empty() ? "Type a number first." : "That is not a number.");
         name_widget(ui, name + ".fault", "1/3 and 500*2 are numbers too.");
+        keep_item_whole(ui);
     }
     if (!entered && !pressed) return;
     const std::optional<double> number = read_answer(view.typed);
@@ -154,6 +163,7 @@ void draw_choices(Ui& ui, const Lesson& lesson, const LessonPrediction& predicti
         ImGui::PopID();
         const bool hovered = ImGui::IsItemHovered();
         name_widget(ui, name + ".choice." + std::to_string(i), "Choose this answer.");
+        keep_item_whole(ui);
         ImDrawList* const list = ImGui::GetWindowDrawList();
         list->AddRectFilled(low, {low.x + size.x, low.y + size.y},
                             packed(hovered ? p.button_hovered : p.button), 4.0f * u);
@@ -176,12 +186,14 @@ void draw_pixel_answer(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
     const std::optional<glm::ivec2>& pixel = ui.session.selection.pixel;
     if (!pixel) {
         text_in(palette(ui.options.theme).dim, "Click a pixel in the picture.");
+        keep_item_whole(ui);
         return;
     }
     if (button(ui, name + ".answer", "answer " + pixel_words(*pixel), Look::main,
                "Answers with the pixel that is picked in the picture.")) {
         answer_prediction(ui, lesson, prediction, {*pixel}, answer_words(prediction, {*pixel}));
     }
+    keep_item_whole(ui);
 }
 
 /// A chosen sentence in quotation marks; a number or a pixel as it is, with a full stop.
@@ -216,6 +228,7 @@ void draw_verdict(Ui& ui, const LessonPrediction& prediction, const std::string&
     ImGui::PopFont();
     ImGui::PopStyleColor();
     name_widget(ui, name + ".verdict");
+    keep_item_whole(ui);
 }
 
 void draw_again(Ui& ui, const LessonPrediction& prediction, const std::string& name) {
@@ -223,6 +236,7 @@ void draw_again(Ui& ui, const LessonPrediction& prediction, const std::string& n
                "The first answer is the one that is remembered.")) {
         ui.lesson.predictions[prediction.id].judged.reset();
     }
+    keep_item_whole(ui);
     if (!std::exchange(ui.lesson.predictions[prediction.id].is_fresh, false)) return;
     ImGui::SetScrollHereY(1.0f);
     if (!ui.focus.is_shown) return;
@@ -276,6 +290,8 @@ void draw_hint(Ui& ui, const LessonTask& task, const std::string& name, float wi
                     width);
     } else if (button(ui, name + ".hint", "hint", Look::link, "A nudge, if you are stuck.")) {
         hints.insert(task.id);
+    } else {
+        keep_item_whole(ui);
     }
 }
 

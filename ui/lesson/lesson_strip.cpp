@@ -15,6 +15,7 @@
 #include "ui/page/markdown.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -80,6 +81,25 @@ int draw_head(Ui& ui, const Head& head, float width, Area& words) {
     return wanted;
 }
 
+/// The card has a window of its own, which scrolls below the head.
+void begin_card_window(Ui& ui, float width) {
+    const float scroll_bar = ImGui::GetStyle().ScrollbarSize;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+    ImGui::BeginChild("lesson.strip.text", {width + scroll_bar, 0.0f}, false,
+                      ImGuiWindowFlags_NoNav);
+    ImGui::PopStyleVar();
+    ImGui::PushTextWrapPos(width);
+    begin_whole_lines(ui);
+}
+
+void end_card_window(Ui& ui) {
+    end_whole_lines(ui);
+    ImGui::PopTextWrapPos();
+    const float card = ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y;
+    ui.lesson.strip.height = head_height * ui.options.text_scale + card;
+    ImGui::EndChild();
+}
+
 /// Some lines of a text.
 void draw_text_card(Ui& ui, const std::string& text, float width) {
     std::shared_ptr<MarkdownPage>& page = ui.lesson.pages["strip"];
@@ -118,16 +138,18 @@ int draw_lesson_text(Ui& ui, const Lesson& lesson, const PageFooter& pages, floa
     const ImVec2 below = ImGui::GetCursorScreenPos();
     const int pressed = draw_part_words(ui, lesson, step, part, words);
     if (pressed >= 0) strip.card = card_of_part(strip, pressed);
+    ImGui::SetCursorScreenPos(below);
+    begin_card_window(ui, width);
     if (strip.card != strip.scrolled_card) {
         ImGui::SetScrollY(0.0f);
         ui.lesson.pages_to_scroll = 0.0f;
     }
     strip.scrolled_card = strip.card;
     scroll_by_key(ui.lesson);
-    ImGui::SetCursorScreenPos(below);
     // A copy: a link in it may lead to another step.
     const LessonCard card = strip.cards[static_cast<std::size_t>(strip.card)];
     draw_card(ui, lesson, step, card, width);
+    end_card_window(ui);
     return wanted;
 }
 
@@ -136,12 +158,14 @@ int draw_stage(Ui& ui, const PageFooter& pages, float width) {
     const Head head{
         std::string(info.title),
         "stage " + std::to_string(pages.current + 1) + " of " + std::to_string(stage_count), pages};
-    scroll_by_key(ui.lesson);
     Area words{};
     const int wanted = draw_head(ui, head, width, words);
+    begin_card_window(ui, width);
+    scroll_by_key(ui.lesson);
     const StageNote& note = ui.lesson.notes.find(note_name(ui.session));
     const std::string text = note.fault.empty() ? note.text : std::string(info.summary);
     draw_text_card(ui, fitting_sentences(ui, text, width, lines_of_strip), width);
+    end_card_window(ui);
     return wanted;
 }
 
@@ -175,17 +199,9 @@ void draw_lesson_strip(Ui& ui, const Area& area) {
     const Lesson* const lesson = ui.session.page != SidePage::stage ? open : nullptr;
     const PageFooter pages = lesson != nullptr ? pages_of_lesson(ui, *lesson) : pages_of_stages(ui);
 
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-    ImGui::BeginChild("lesson.strip.text", {text, room.y}, false, ImGuiWindowFlags_NoNav);
-    ImGui::PopStyleVar();
     const float width = std::max(text - ImGui::GetStyle().ScrollbarSize, 1.0f);
-    ImGui::PushTextWrapPos(width);
     const int bar = lesson != nullptr ? draw_lesson_text(ui, *lesson, pages, width)
                                       : draw_stage(ui, pages, width);
-    ImGui::PopTextWrapPos();
-    ui.lesson.strip.height = ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y;
-    ImGui::EndChild();
-
     const int direction = draw_strip_buttons(ui, lesson, pages, {start.x + room.x, start.y});
     ImGui::End();
     ImGui::PopStyleVar();

@@ -55,8 +55,8 @@ const std::string& title_of(const PageFooter& footer, int page) {
 }
 
 bool has_next(const PageFooter& footer) {
-    return footer.has_more_after || footer.current + 1 < static_cast<int>(footer.pages.size()) ||
-           !footer.beyond.empty();
+    return footer.has_more_after || footer.has_question_below ||
+           footer.current + 1 < static_cast<int>(footer.pages.size()) || !footer.beyond.empty();
 }
 
 bool has_previous(const PageFooter& footer) {
@@ -64,11 +64,11 @@ bool has_previous(const PageFooter& footer) {
 }
 
 bool draw_next(Ui& ui, const PageFooter& footer, const std::string& label, ImVec2 size) {
-    return button(ui, "lesson.next", label, Look::main,
-                  footer.has_more_after
-                      ? "What this step says next."
-                      : "To the next page: " + title_of(footer, footer.current + 1),
-                  size);
+    const std::string help = footer.has_question_below ? "Scrolls to it: answer first, then go on."
+                             : footer.has_more_after
+                                 ? "What this step says next."
+                                 : "To the next page: " + title_of(footer, footer.current + 1);
+    return button(ui, "lesson.next", label, Look::main, help, size);
 }
 
 bool draw_previous(Ui& ui, const PageFooter& footer, const std::string& label, ImVec2 size) {
@@ -77,6 +77,15 @@ bool draw_previous(Ui& ui, const PageFooter& footer, const std::string& label, I
                       ? "What this step said before."
                       : "To the page before: " + title_of(footer, footer.current - 1),
                   size);
+}
+
+/// What the button on says in a footer.
+std::string next_label(const PageFooter& footer, float room) {
+    if (footer.has_question_below) {
+        const std::string word = fitting_label("question", "next", room);
+        return fitting_label("to the question", word.c_str(), room) + "  ▾";
+    }
+    return fitting_label(title_of(footer, footer.current + 1), "next", room) + "  ›";
 }
 
 /// Of the buttons in a strip, design pixels.
@@ -90,19 +99,17 @@ float page_footer_height(const Ui& ui) {
            26.0f * ui.options.text_scale;
 }
 
-int draw_page_footer(Ui& ui, const PageFooter& footer, float width) {
+PageWish draw_page_footer(Ui& ui, const PageFooter& footer, float width) {
     const float u = ui.options.text_scale;
     const ImVec2 start = ImGui::GetCursorScreenPos();
-    int wanted = draw_page_bars(ui, footer, width);
+    PageWish wish{draw_page_bars(ui, footer, width)};
     const float y = start.y + 24.0f * u;
     // The halves of the line, whatever stands on the buttons: who walks on need not look for them.
     const float gap = 8.0f * u;
     const float half = std::floor(0.5f * (width - gap));
     if (has_next(footer)) {
-        const std::string label =
-            fitting_label(title_of(footer, footer.current + 1), "next", half) + "  ›";
         ImGui::SetCursorScreenPos({start.x + width - half, y});
-        if (draw_next(ui, footer, label, {half, 0.0f})) wanted = footer.current + 1;
+        if (draw_next(ui, footer, next_label(footer, half), {half, 0.0f})) wish.direction = 1;
     }
     // Where there is no way back there is room for the title of what comes.
     const std::string& next = title_of(footer, footer.current + 1);
@@ -119,9 +126,9 @@ int draw_page_footer(Ui& ui, const PageFooter& footer, float width) {
         const std::string label =
             "‹  " + fitting_label(title_of(footer, footer.current - 1), "back", half);
         ImGui::SetCursorScreenPos({start.x, y});
-        if (draw_previous(ui, footer, label, {half, 0.0f})) wanted = footer.current - 1;
+        if (draw_previous(ui, footer, label, {half, 0.0f})) wish.direction = -1;
     }
-    return wanted;
+    return wish;
 }
 
 float page_buttons_width(const Ui& ui) {

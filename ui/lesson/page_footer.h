@@ -19,11 +19,17 @@ struct PageFooter {
     std::string beyond;           ///< what comes after the last page; empty: nothing
     bool has_more_before = false; ///< in a strip: parts of the page that are not on show
     bool has_more_after = false;
+    bool has_question_below = false; ///< in a column: one that is open, and scrolled away
 };
 
-/// Draws the footer at ImGui's cursor. Returns the page to which the student wants to go, or -1;
-/// one beyond the last is what comes after it.
-int draw_page_footer(Ui& ui, const PageFooter& footer, float width);
+/// What the student asks a footer for.
+struct PageWish {
+    int page = -1;     ///< whose bar was pressed; -1: none
+    int direction = 0; ///< 1: on, -1: back, by a button; beyond the last is what comes after it
+};
+
+/// Draws the footer at ImGui's cursor.
+PageWish draw_page_footer(Ui& ui, const PageFooter& footer, float width);
 
 /// The buttons on and back alone, side by side at ImGui's cursor, for a strip: their size does not
 /// depend on what they lead to. Returns 1 for on, -1 for back, 0 if none was pressed.

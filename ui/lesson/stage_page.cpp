@@ -79,7 +79,9 @@ void turn_to_stage(Ui& ui, int wanted) {
 }
 
 void draw_stage_footer(Ui& ui, float width) {
-    turn_to_stage(ui, draw_page_footer(ui, pages_of_stages(ui), width));
+    const PageFooter pages = pages_of_stages(ui);
+    const PageWish wish = draw_page_footer(ui, pages, width);
+    turn_to_stage(ui, wish.direction != 0 ? pages.current + wish.direction : wish.page);
 }
 
 } // namespace rasterwalk

@@ -1,6 +1,7 @@
 #include "ui/lesson/strip_buttons.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "ui/actions/actions.h"
@@ -41,23 +42,29 @@ int draw_strip_buttons(Ui& ui, const Lesson* lesson, PageFooter pages, ImVec2 co
     return direction;
 }
 
+namespace {
+
+/// Where a key scrolls to.
+/// @param pages 1 is one on, -1 one back
+float scrolled(float at, float pages, float last) {
+    const float line = 1.4f * ImGui::GetFontSize();
+    // A line of the page before stays in sight.
+    const float most = std::max(ImGui::GetWindowHeight() - line, line);
+    const float to = std::clamp(at + pages * std::max(most - line, line), 0.0f, last);
+    // Nobody stops for less than a line.
+    const float end = pages > 0.0f ? last : 0.0f;
+    const bool is_nearly_there = std::abs(end - to) < line && std::abs(end - at) <= most;
+    return is_nearly_there ? end : to;
+}
+
+} // namespace
+
 void scroll_by_key(LessonView& view) {
     const float at = ImGui::GetScrollY(), last = ImGui::GetScrollMaxY();
     view.has_more_above = at > 1.0f;
     view.has_more_below = at < last - 1.0f;
     if (view.pages_to_scroll == 0.0f) return;
-    // A line of the page before stays in sight.
-    const float page = std::max(ImGui::GetWindowHeight() - 2.0f * ImGui::GetTextLineHeight(), 1.0f);
-    const float by = std::exchange(view.pages_to_scroll, 0.0f) * page;
-    ImGui::SetScrollY(std::clamp(at + by, 0.0f, last));
-}
-
-void turn_in_lesson(Ui& ui, const Lesson& lesson, int direction) {
-    if (direction < 0) {
-        read_back(ui);
-    } else if (!turn_card(ui, direction)) {
-        turn_to_step(ui, lesson, ui.session.step + 1);
-    }
+    ImGui::SetScrollY(scrolled(at, std::exchange(view.pages_to_scroll, 0.0f), last));
 }
 
 } // namespace rasterwalk

@@ -16,9 +16,6 @@ struct Ui;
 /// @param corner at the upper right, screen pixels
 int draw_strip_buttons(Ui& ui, const Lesson* lesson, PageFooter pages, ImVec2 corner);
 
-/// Goes on or back in the lesson as the buttons say; after its last step, to the next lesson.
-void turn_in_lesson(Ui& ui, const Lesson& lesson, int direction);
-
 /// Design pixels: above and below the strip, and of its buttons with the gap below them.
 inline constexpr float strip_margin_y = 8.0f;
 inline constexpr float strip_button_height = 36.0f;

@@ -37,6 +37,9 @@ constexpr float least_canvas = 340.0f;
 /// The strip leaves this share of the height between the bars to canvas and inspector.
 constexpr float least_share_below = 0.42f;
 
+/// So much more it may have where it needs no more than that: a line of text is not scrolled for.
+constexpr float line_of_strip = 22.0f;
+
 float column_width(float share, float wished, float window, float smallest, float largest) {
     const float width = share > 0.0f ? share * window : wished;
     return std::round(std::clamp(width, smallest, std::max(smallest, largest)));
@@ -129,10 +132,9 @@ Layout compute_layout(ImVec2 window, const UiOptions& options, const LayoutNeeds
         layout.inspector = {{width - inspector, top}, {inspector, middle}};
         return layout;
     }
-    const float lesson =
-        needs.has_drawer
-            ? 0.0f
-            : std::round(std::min(needs.lesson_strip, (1.0f - least_share_below) * middle));
+    const float most = (1.0f - least_share_below) * middle;
+    const bool has_room = needs.lesson_strip <= most + line_of_strip * u;
+    const float lesson = needs.has_drawer ? 0.0f : std::round(has_room ? needs.lesson_strip : most);
     const float below = std::max(middle - lesson, 1.0f);
     const float inspector = inspector_width(window, options, needs, layout.is_narrow, below);
     const float canvas = std::max(width - inspector, 1.0f);

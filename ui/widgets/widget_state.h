@@ -46,6 +46,15 @@ struct Focus {
     std::vector<std::string> openers; ///< what had it before each menu or list that is open
 };
 
+/// The edges of a text that scrolls, while it is drawn; see whole_lines.h. Screen pixels.
+struct WholeLines {
+    ImGuiID window = 0;              ///< whose text it is; 0: none
+    int first_command = 0;           ///< of the window's draw list, with which the text begins
+    float top = 0.0f, bottom = 0.0f; ///< the window's edges
+    float begin = 0.0f, end = 0.0f; ///< beyond these nothing is shown, because an edge would cut it
+    float lowest = 0.0f;            ///< end of all that was to be kept whole
+};
+
 /// Fonts in the sizes that the interface uses.
 struct Fonts {
     ImFont* text = nullptr;

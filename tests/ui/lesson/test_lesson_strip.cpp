@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <imgui_internal.h>
+
 #include "tests/support/effort.h"
 #include "tests/ui/driver.h"
 #include "ui/actions/keys.h"
@@ -47,6 +49,17 @@ void turn_to_prediction(Driver& driver, const std::string& id) {
 /// The cards of the step on show.
 const std::vector<LessonCard>& cards(const Driver& driver) {
     return driver.ui.lesson.strip.cards;
+}
+
+/// How much of the card on show is scrolled away, screen pixels.
+float hidden_of_card() {
+    for (const ImGuiWindow* const window : ImGui::GetCurrentContext()->Windows) {
+        const std::string_view name = window->Name;
+        if (window->Active && name.find("lesson.strip.text") != name.npos)
+            return window->ScrollMax.y;
+    }
+    FAIL("there is no card");
+    return 0.0f;
 }
 
 /// The last card of the text with which the step on show begins.
@@ -188,8 +201,8 @@ TEST_CASE("The whole text opens in place of strip and table, and closes by its b
 }
 
 TEST_CASE("A card that has no room is scrolled by the key before the next one comes") {
-    Driver driver("lab-room.toml", {1024, 640}, 2.0f);
-    open_lesson(driver.ui, "05-row-table", 8);
+    Driver driver("lab-room.toml", {1024, 640}, 1.5f);
+    open_lesson(driver.ui, "09-light-per-vertex", 7);
     driver.hand.leave();
     const LessonView& lesson = driver.ui.lesson;
     for (int i = 0; i < 30 && !lesson.has_more_below; ++i) {
@@ -198,10 +211,15 @@ TEST_CASE("A card that has no room is scrolled by the key before the next one co
     }
     REQUIRE(lesson.has_more_below);
     const int card = lesson.strip.card;
+    const std::string bar = "lesson.step.7";
+    const float head = driver.hand.find(bar).top_left.y;
     driver.hand.press(key::page_down);
     driver.hand.leave();
     CHECK(lesson.strip.card == card);
     CHECK(lesson.has_more_above);
+    // The title stays.
+    CHECK(driver.ui.widgets.at(bar).is_whole);
+    CHECK(driver.ui.widgets.at(bar).top_left.y == head);
     for (int i = 0; i < 5 && lesson.has_more_below; ++i) {
         driver.hand.press(key::page_down);
         driver.hand.leave();
@@ -210,6 +228,67 @@ TEST_CASE("A card that has no room is scrolled by the key before the next one co
     driver.hand.leave();
     CHECK(lesson.strip.card == card + 1);
     CHECK_FALSE(lesson.has_more_above);
+}
+
+TEST_CASE("No card is scrolled for less than a line") {
+    Driver driver("lab-room.toml", {1024, 640}, 1.5f);
+    const float line = 32.0f; // as high as code is set, screen pixels
+    const std::vector<Lesson> all = driver.ui.lesson.lessons.all();
+    std::vector<Lesson> lessons = test::some_of(all, 2);
+    lessons.push_back(*driver.ui.lesson.lessons.find("04-edges"));
+    for (const Lesson& lesson : lessons) {
+        for (int step = 0; step < static_cast<int>(lesson.steps.size()); ++step) {
+            open_lesson(driver.ui, lesson.id, step);
+            driver.hand.leave();
+            for (int i = 0; i < static_cast<int>(cards(driver).size()); ++i) {
+                INFO(lesson.id << ", step " << step << ", card " << i);
+                driver.ui.lesson.strip.card = i;
+                driver.hand.leave();
+                const float hidden = hidden_of_card();
+                CHECK((hidden < 1.0f || hidden > line));
+            }
+        }
+    }
+}
+
+TEST_CASE(
+    "A key turns the cards where a tab or the settings took the place of the list of lessons") {
+    Driver driver("lab-room.toml", {1024, 640}, 1.5f);
+    open_lesson(driver.ui, "05-row-table", 5);
+    driver.hand.press('L');
+    REQUIRE(is_there(driver, "lesson.item.05-row-table"));
+    const auto turns_a_card = [&] {
+        driver.hand.leave();
+        const int card = driver.ui.lesson.strip.card;
+        driver.hand.press(key::page_down);
+        driver.hand.leave();
+        CHECK(driver.ui.session.step == 5);
+        CHECK(driver.ui.lesson.strip.card == card + 1);
+    };
+    SECTION("a tab") {
+        open_tab(driver.ui, "rows");
+        turns_a_card();
+        driver.hand.press('T');
+        driver.hand.leave();
+        CHECK_FALSE(is_there(driver, "lesson.item.05-row-table"));
+    }
+    SECTION("the settings, which give it back") {
+        driver.hand.press(key::comma, {.ctrl = true});
+        REQUIRE(is_there(driver, "settings.close"));
+        driver.hand.leave();
+        turns_a_card();
+        driver.hand.click("settings.close");
+        driver.hand.leave();
+        CHECK(is_there(driver, "lesson.item.05-row-table"));
+    }
+    SECTION("a window with room for both") {
+        driver.resize({1900, 1000});
+        REQUIRE(is_there(driver, "lesson.item.05-row-table"));
+        driver.open("rows");
+        CHECK(is_there(driver, "lesson.item.05-row-table"));
+        driver.resize({1024, 640});
+        turns_a_card();
+    }
 }
 
 TEST_CASE("Steps, list and hints of a lesson are reached by the keyboard alone") {

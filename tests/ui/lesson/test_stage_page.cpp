@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 
@@ -9,10 +10,13 @@
 #include "support/effort.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/driver.h"
+#include "tests/ui/screen_text.h"
+#include "tests/ui/shown_colours.h"
 #include "ui/actions/keys.h"
 #include "ui/actions/open_tab.h"
 #include "ui/page/markdown.h"
 #include "ui/ui.h"
+#include "ui/widgets/style.h"
 #include "view/widget_names.h"
 
 namespace rasterwalk {
@@ -51,6 +55,20 @@ Session room_at(const StripStep& step) {
     Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
     set_step(session.a.settings, step);
     return session;
+}
+
+/// Where the text of the lesson's column ends on the screen.
+float end_of_text() {
+    float end = 1e9f;
+    const ImDrawData* const data = ImGui::GetDrawData();
+    for (int i = 0; i < data->CmdListsCount; ++i) {
+        const ImDrawList& list = *data->CmdLists[i];
+        if (std::string_view(list._OwnerName).find("lesson.text") == std::string_view::npos)
+            continue;
+        for (const ImDrawCmd& command : list.CmdBuffer)
+            if (command.ElemCount > 0) end = std::min(end, command.ClipRect.w);
+    }
+    return end;
 }
 
 float top_of(const Driver& driver, const std::string& widget) {
@@ -131,6 +149,35 @@ TEST_CASE("Another page begins at its top; the same page keeps its place") {
     driver.hand.click("stage.fill");
     driver.hand.click("stage.rows");
     CHECK(top_of(driver, "lesson.link.0") == top);
+}
+
+TEST_CASE("The column ends with a whole line, and with no box that has none") {
+    for (const ImVec2 window : {ImVec2(1366, 768), ImVec2(1280, 720)}) {
+        for (const StageInfo& info : stage_list()) {
+            INFO(info.name << " at " << window.x << " x " << window.y);
+            Driver driver(room_at(info.step), window);
+            driver.hand.leave();
+            CHECK(driver.ui.lesson.has_more_below);
+            const float end = end_of_text();
+            float last = 0.0f;
+            for (const ScreenText& line : screen_text()) {
+                if (line.window.find("lesson.text") == std::string::npos) continue;
+                INFO(line.words);
+                if (line.low.y < end) {
+                    CHECK(line.high.y <= end + 1.0f);
+                    last = std::max(last, line.high.y);
+                }
+            }
+            CHECK(last > 0.5f * window.y);
+            if (info.step != StripStep::pixel_light) continue;
+            // After the last line a box begins.
+            WidgetPlace below;
+            below.top_left = {0.0f, last};
+            below.bottom_right = {300.0f, end - 0.5f};
+            const ImU32 card = packed(palette(driver.ui.options.theme).card);
+            CHECK(shown_colours(below).count(card) == 0);
+        }
+    }
 }
 
 TEST_CASE("The buttons of the lesson are whole in small windows and at large text") {

@@ -1,0 +1,69 @@
+#include "ui/widgets/whole_lines.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <imgui_internal.h>
+
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// Windows end at whole pixels.
+constexpr float rounding = 1.0f;
+
+} // namespace
+
+void begin_whole_lines(Ui& ui) {
+    const ImGuiWindow* const window = ImGui::GetCurrentWindow();
+    // What is drawn from here on is clipped when it is known where it ends.
+    ImDrawList* const list = window->DrawList;
+    if (list->CmdBuffer.back().ElemCount > 0) list->AddDrawCmd();
+    const float top = window->ClipRect.Min.y, bottom = window->ClipRect.Max.y;
+    ui.whole_lines = {window->ID, list->CmdBuffer.Size - 1, top, bottom, top, bottom, top};
+}
+
+void keep_beginning(Ui& ui, float top, float bottom) {
+    WholeLines& lines = ui.whole_lines;
+    const ImGuiWindow* const window = ImGui::GetCurrentWindow();
+    if (lines.window != window->ID) return;
+    lines.lowest = std::max(lines.lowest, bottom);
+    const bool is_cut = top < lines.bottom && bottom > lines.bottom + rounding;
+    // Of what fills the window a part must do.
+    const bool is_tall = bottom - top > 0.5f * window->Size.y || top < lines.top;
+    if (is_cut && !is_tall) lines.end = std::min(lines.end, std::floor(top));
+}
+
+void keep_whole(Ui& ui, float top, float bottom) {
+    keep_beginning(ui, top, bottom);
+    WholeLines& lines = ui.whole_lines;
+    const ImGuiWindow* const window = ImGui::GetCurrentWindow();
+    if (lines.window != window->ID) return;
+    const bool is_cut = top < lines.top - rounding && bottom > lines.top;
+    const bool is_tall = bottom - top > 0.5f * window->Size.y;
+    if (is_cut && !is_tall) lines.begin = std::max(lines.begin, std::ceil(bottom));
+}
+
+void keep_item_whole(Ui& ui) {
+    keep_whole(ui, ImGui::GetItemRectMin().y, ImGui::GetItemRectMax().y);
+}
+
+bool is_cut_off(const Ui& ui) {
+    return ui.whole_lines.lowest > ui.whole_lines.bottom + rounding;
+}
+
+void end_whole_lines(Ui& ui) {
+    const WholeLines lines = ui.whole_lines;
+    ui.whole_lines = {};
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    for (int i = lines.first_command; i < list->CmdBuffer.Size; ++i) {
+        ImVec4& clip = list->CmdBuffer[i].ClipRect;
+        clip.y = std::min(std::max(clip.y, lines.begin), clip.w);
+        clip.w = std::max(std::min(clip.w, lines.end), clip.y);
+    }
+    list->AddDrawCmd();
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,25 @@
+#pragma once
+
+namespace rasterwalk {
+
+struct Ui;
+
+/// At the upper and lower edge of a window that scrolls, what keep_whole() names is shown whole or
+/// not at all. Around the drawing of what scrolls, in its window.
+void begin_whole_lines(Ui& ui);
+void end_whole_lines(Ui& ui);
+
+/// A line of text or a widget lies between these heights, screen pixels. Does nothing where the
+/// window does not end with whole lines.
+void keep_whole(Ui& ui, float top, float bottom);
+/// The same for the widget drawn last.
+void keep_item_whole(Ui& ui);
+
+/// Of a box that begins at the first height, nothing is shown at the lower edge where it is not
+/// shown as far as to the second.
+void keep_beginning(Ui& ui, float top, float bottom);
+
+/// Lies anything that was to be kept whole below the edge, so far?
+bool is_cut_off(const Ui& ui);
+
+} // namespace rasterwalk
