@@ -62,7 +62,7 @@ ClipPlanes view_planes(const VertexRules& rules) {
 }
 
 ClipPlanes outer_planes(const VertexRules& rules) {
-    return planes_beside_picture(rules, 1.0f);
+    return planes_beside_picture(rules, 2.0f);
 }
 
 ClipPlanes guard_band_planes(const VertexRules& rules) {

@@ -48,8 +48,8 @@ using ClipPlanes = std::array<glm::vec4, clip_plane_count>;
 /// The planes through the camera and the picture's borders, and those at `near` and `far`.
 ClipPlanes view_planes(const VertexRules& rules);
 
-/// Like view_planes(), with the four sides a pixel farther out: the snap to whole pixels, toward
-/// the middle, takes what lies that far beside the picture into it. What lies beyond is never seen.
+/// Like view_planes(), with the four sides two pixels farther out: vertices are cut to whole
+/// pixels, toward the middle, and the samples of edges once more. What lies beyond is never seen.
 ClipPlanes outer_planes(const VertexRules& rules);
 
 /// Like view_planes(), with the four sides as far out as the arithmetic behind bears. What lies
