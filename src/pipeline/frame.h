@@ -41,8 +41,8 @@ struct Frame {
 Stages stages_for(const Settings& settings, const ReplaceStages& replace);
 
 /// Takes each vertex of the scene's mesh through vertex shader and projection, once, and each
-/// triangle through reject, clip and cull. A polygon with one vertex that is rejected is left out whole,
-/// for the reason of the first such vertex.
+/// triangle through reject, clip and cull. A polygon with one vertex that is rejected is left out
+/// whole, for the reason of the first such vertex.
 Frame prepare_frame(const Scene& scene, const Settings& settings,
                     const ReplaceStages& replace = nullptr);
 
