@@ -10,66 +10,85 @@ Stages stages_for(const Settings& settings, const ReplaceStages& replace) {
 
 namespace {
 
-/// What the triangles of a mesh go through before they are covered. Vertex shader and project run
-/// once a vertex, however many triangles meet in it.
+/// Shades and projects the vertices of the mesh: once a vertex, however many triangles meet in it.
+void shade_vertices(const Mesh& mesh, const VertexRules& rules, Frame& frame) {
+    frame.triangles = mesh.triangles();
+    frame.shaded.clear();
+    frame.projected.clear();
+    frame.shaded.reserve(mesh.vertices().size());
+    frame.projected.reserve(mesh.vertices().size());
+    const glm::mat3 rotation = camera_rotation(rules.camera);
+    for (const Vertex& vertex : mesh.vertices()) {
+        frame.shaded.push_back(
+            frame.stages.vertex_shader(vertex, rotation, rules, frame.stages, nullptr));
+        frame.projected.push_back(
+            frame.stages.project(frame.shaded.back(), rules, frame.stages, nullptr));
+    }
+}
+
+/// What the triangles of a frame go through before they are covered.
 class PolygonMaker {
   public:
-    PolygonMaker(const Mesh& mesh, const VertexRules& rules, const Stages& stages)
-        : rules_(rules), stages_(stages) {
-        const glm::mat3 rotation = camera_rotation(rules.camera);
-        shaded_.reserve(mesh.vertices().size());
-        projected_.reserve(mesh.vertices().size());
-        for (const Vertex& vertex : mesh.vertices()) {
-            shaded_.push_back(stages.vertex_shader(vertex, rotation, rules_, stages, nullptr));
-            projected_.push_back(stages.project(shaded_.back(), rules_, stages, nullptr));
-        }
-    }
+    PolygonMaker(const VertexRules& rules, Frame& frame) : rules_(rules), frame_(frame) {}
 
-    /// Reject, clip, cull and project; appends the corners to `vertices`.
-    Polygon make(const TriangleIndices& triangle, std::vector<ScreenVertex>& vertices) {
-        Polygon polygon{static_cast<int>(vertices.size()), 0, Rejection::none, false};
+    /// Reject, clip, cull and project; appends the corners to the frame's.
+    Polygon make(int triangle) {
+        Polygon polygon{static_cast<int>(frame_.vertices.size()), 0, Rejection::none, false};
         clip(triangle, polygon);
         if (polygon.rejection == Rejection::none)
-            polygon.rejection = stages_.cull(corners_, rules_);
+            polygon.rejection = frame_.stages.cull(corners_, rules_, nullptr);
         if (polygon.is_cut) {
             for (const ClipVertex& corner : corners_)
-                add(stages_.project(corner, rules_, stages_, nullptr), polygon, vertices);
+                add(frame_.stages.project(corner, rules_, frame_.stages, nullptr), polygon);
         } else {
-            for (const int index : triangle)
-                add(projected_[static_cast<std::size_t>(index)], polygon, vertices);
+            for (int corner = 0; corner < triangle_corners; ++corner)
+                add(frame_.given_vertex(triangle, corner), polygon);
         }
         return polygon;
     }
 
   private:
-    void clip(const TriangleIndices& triangle, Polygon& polygon) {
+    void clip(int triangle, Polygon& polygon) {
         corners_.clear();
-        for (const int index : triangle)
-            corners_.push_back(shaded_[static_cast<std::size_t>(index)]);
-        polygon.rejection = stages_.reject(corners_, rules_);
+        for (int corner = 0; corner < triangle_corners; ++corner)
+            corners_.push_back(frame_.given_clip_vertex(triangle, corner));
+        polygon.rejection = frame_.stages.reject(corners_, rules_);
         if (polygon.rejection != Rejection::none) return;
-        const Clipped clipped = stages_.clip(corners_, rules_);
+        const Clipped clipped = frame_.stages.clip(corners_, rules_, nullptr);
         polygon.rejection = clipped.rejection;
         if (corners_.size() < least_corners) polygon.rejection = Rejection::clipped_away;
         // Of what nothing is drawn is shown as the scene has it.
         polygon.is_cut = clipped.is_cut && polygon.rejection == Rejection::none;
     }
 
-    static void add(const ProjectedVertex& corner, Polygon& polygon,
-                    std::vector<ScreenVertex>& vertices) {
+    void add(const ProjectedVertex& corner, Polygon& polygon) {
         if (polygon.rejection == Rejection::none) polygon.rejection = corner.rejection;
-        vertices.push_back(corner.pixel);
+        frame_.vertices.push_back(corner.pixel);
         ++polygon.count;
     }
 
-    static constexpr std::size_t least_corners = 3;
-
     VertexRules rules_;
-    const Stages& stages_;
-    std::vector<ClipVertex> shaded_;         ///< of the mesh, in its order
-    std::vector<ProjectedVertex> projected_; ///< the same, projected
-    std::vector<ClipVertex> corners_;        ///< of the polygon on its way
+    Frame& frame_;
+    std::vector<ClipVertex> corners_; ///< of the polygon on its way
 };
+
+std::vector<ClipVertex> given_corners(const Frame& frame, int triangle) {
+    std::vector<ClipVertex> corners;
+    for (int corner = 0; corner < triangle_corners; ++corner)
+        corners.push_back(frame.given_clip_vertex(triangle, corner));
+    return corners;
+}
+
+void make_polygons(const Mesh& mesh, const VertexRules& rules, Frame& frame) {
+    shade_vertices(mesh, rules, frame);
+    frame.vertices.clear();
+    frame.polygons.clear();
+    frame.vertices.reserve(triangle_corners * mesh.triangles().size());
+    frame.polygons.reserve(mesh.triangles().size());
+    PolygonMaker maker(rules, frame);
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+        frame.polygons.push_back(maker.make(t));
+}
 
 } // namespace
 
@@ -79,13 +98,7 @@ void prepare_frame(const Scene& scene, const Settings& settings, const ReplaceSt
     frame.settings = settings;
     frame.replace = replace;
     frame.stages = stages_for(settings, replace);
-    frame.vertices.clear();
-    frame.polygons.clear();
-    frame.vertices.reserve(triangle_corners * scene.mesh.triangles().size());
-    frame.polygons.reserve(scene.mesh.triangles().size());
-    PolygonMaker maker(scene.mesh, vertex_rules(settings, scene.space), frame.stages);
-    for (const TriangleIndices& triangle : scene.mesh.triangles())
-        frame.polygons.push_back(maker.make(triangle, frame.vertices));
+    make_polygons(scene.mesh, vertex_rules(settings, scene.space), frame);
 }
 
 Frame prepare_frame(const Scene& scene, const Settings& settings, const ReplaceStages& replace) {
@@ -96,13 +109,27 @@ Frame prepare_frame(const Scene& scene, const Settings& settings, const ReplaceS
 
 std::vector<ScreenVertex> polygon_under(const Frame& frame, int triangle,
                                         const Settings& settings) {
-    const Stages stages = stages_for(settings, frame.replace);
     Mesh mesh;
     mesh.add_triangle_of(corners_of(*frame.scene, triangle));
-    std::vector<ScreenVertex> vertices;
-    PolygonMaker(mesh, vertex_rules(settings, frame.scene->space), stages)
-        .make(mesh.triangles().front(), vertices);
-    return vertices;
+    Frame other;
+    other.stages = stages_for(settings, frame.replace);
+    make_polygons(mesh, vertex_rules(settings, frame.scene->space), other);
+    return std::move(other.vertices);
+}
+
+void tell_clipping(const Frame& frame, int triangle, ClipSink& sink) {
+    if (!frame.is_clip_told(triangle)) return;
+    std::vector<ClipVertex> corners = given_corners(frame, triangle);
+    frame.stages.clip(corners, vertex_rules(frame.settings, frame.scene->space), &sink);
+}
+
+CullTest cull_test(const Frame& frame, int triangle) {
+    CullTest test;
+    const VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
+    std::vector<ClipVertex> corners = given_corners(frame, triangle);
+    frame.stages.clip(corners, rules, nullptr);
+    test.is_back = frame.stages.cull(corners, rules, &test) != Rejection::none;
+    return test;
 }
 
 void compute_rows(const Frame& frame, int triangle, PolygonRows& rows, SampleSink* sink,

@@ -18,10 +18,13 @@ using ReplaceStages = std::function<void(Stages&)>;
 struct Frame {
     const Scene* scene = nullptr;
     Settings settings;
-    ReplaceStages replace;              ///< functions beside those of the settings, or null
-    Stages stages;                      ///< the table by which it is drawn and inspected
-    std::vector<ScreenVertex> vertices; ///< the corners of the polygons, one after another
-    std::vector<Polygon> polygons;      ///< what has become of each triangle of the scene, in order
+    ReplaceStages replace;                  ///< functions beside those of the settings, or null
+    Stages stages;                          ///< the table by which it is drawn and inspected
+    std::vector<ClipVertex> shaded;         ///< the vertices of the mesh in clip space
+    std::vector<ProjectedVertex> projected; ///< the same, projected
+    std::vector<TriangleIndices> triangles; ///< of the mesh: which vertices are their corners
+    std::vector<ScreenVertex> vertices;     ///< the corners of the polygons, one after another
+    std::vector<Polygon> polygons; ///< what has become of each triangle of the scene, in order
 
     int triangle_count() const { return static_cast<int>(polygons.size()); }
     Rejection rejection(int triangle) const {
@@ -30,6 +33,35 @@ struct Frame {
     bool is_drawn(int triangle) const { return rejection(triangle) == Rejection::none; }
     /// Are its corners no longer those that the scene gives the triangle?
     bool is_cut(int triangle) const { return polygons[static_cast<std::size_t>(triangle)].is_cut; }
+    /// Did the triangle get as far as culling, and does anything stand in that slot?
+    bool is_cull_asked(int triangle) const {
+        const Rejection why = rejection(triangle);
+        return stages.cull != cull_nothing &&
+               (why == Rejection::none || why == Rejection::back_facing);
+    }
+    /// Has clipping left a polygon of other corners, or nothing?
+    bool is_clip_told(int triangle) const {
+        return is_cut(triangle) || rejection(triangle) == Rejection::clipped_away;
+    }
+    /// Can time stand on the triangle? Of those that are not drawn on the ones that clip or cull
+    /// have taken away: the reason is a moment of theirs.
+    bool has_moments(int triangle) const {
+        const Rejection why = rejection(triangle);
+        return why == Rejection::none || why == Rejection::clipped_away ||
+               why == Rejection::back_facing;
+    }
+    /// One of the three vertices that the scene gives a triangle, before it is clipped.
+    const ProjectedVertex& given_vertex(int triangle, int corner) const {
+        return projected[vertex_index(triangle, corner)];
+    }
+    const ClipVertex& given_clip_vertex(int triangle, int corner) const {
+        return shaded[vertex_index(triangle, corner)];
+    }
+    /// Of a corner of a triangle as the scene gives it, 0, 1 or 2: its number in the mesh.
+    std::size_t vertex_index(int triangle, int corner) const {
+        return static_cast<std::size_t>(
+            triangles[static_cast<std::size_t>(triangle)][static_cast<std::size_t>(corner)]);
+    }
     /// The corners of what is drawn of a triangle; of one that is not drawn, as far as known.
     std::span<const ScreenVertex> triangle_vertices(int triangle) const {
         const Polygon& polygon = polygons[static_cast<std::size_t>(triangle)];
@@ -54,6 +86,14 @@ void prepare_frame(const Scene& scene, const Settings& settings, const ReplaceSt
 /// The corners of one triangle as they would be under other settings, with the functions that were
 /// put in slots of the frame.
 std::vector<ScreenVertex> polygon_under(const Frame& frame, int triangle, const Settings& settings);
+
+/// Clips a triangle once more, by the function that clipped it.
+/// @param sink    is told of each edge at each plane; of a triangle that no plane has cut, nothing
+void tell_clipping(const Frame& frame, int triangle, ClipSink& sink);
+
+/// Culls a triangle once more, by the function that culled it.
+/// @return what that looked at
+CullTest cull_test(const Frame& frame, int triangle);
 
 /// The row table of a drawn triangle.
 /// @param sink    is told of each edge sample, or null

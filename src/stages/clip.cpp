@@ -29,10 +29,12 @@ ClipPlanes planes_beside_picture(const VertexRules& rules, float pixels) {
 }
 
 /// Cuts by the first `count` planes.
-Clipped clip_by(const ClipPlanes& planes, std::size_t count, std::vector<ClipVertex>& corners) {
+Clipped clip_by(const ClipPlanes& planes, std::size_t count, std::vector<ClipVertex>& corners,
+                ClipSink* sink) {
     // What is no number lies on no side; project() says so of it.
     const auto is_finite = [](const ClipVertex& v) { return std::isfinite(v.position_clip.w); };
     if (!std::all_of(corners.begin(), corners.end(), is_finite)) return {};
+    if (sink != nullptr) sink->begin_planes(planes, count);
     Clipped clipped;
     std::vector<ClipVertex> kept;
     for (std::size_t p = 0; p < count; ++p) {
@@ -44,13 +46,14 @@ Clipped clip_by(const ClipPlanes& planes, std::size_t count, std::vector<ClipVer
         const auto is_within = [&](const ClipVertex& v) {
             return inner_distance(planes[p], v) > 0.0f;
         };
+        const bool is_any_within = std::any_of(corners.begin(), corners.end(), is_within);
+        clip_by_plane(corners, planes, static_cast<ClipPlane>(p), kept, sink);
+        corners.swap(kept);
         // What only touches the plane has no area inside.
-        if (std::none_of(corners.begin(), corners.end(), is_within)) {
+        if (!is_any_within) {
             clipped.rejection = Rejection::clipped_away;
             break;
         }
-        clip_by_plane(corners, planes[p], kept);
-        corners.swap(kept);
     }
     return clipped;
 }
@@ -72,43 +75,66 @@ ClipPlanes guard_band_planes(const VertexRules& rules) {
 
 ClipVertex cut_edge(const ClipVertex& inside, const ClipVertex& outside, float d_inside,
                     float d_outside) {
-    const float t = d_inside / (d_inside - d_outside);
+    const float t = cut_place(d_inside, d_outside);
     ClipVertex cut;
     cut.position_clip = inside.position_clip + t * (outside.position_clip - inside.position_clip);
     cut.varyings = inside.varyings + (outside.varyings - inside.varyings) * t;
     return cut;
 }
 
-void clip_by_plane(std::span<const ClipVertex> corners, const glm::vec4& plane,
-                   std::vector<ClipVertex>& result) {
+void clip_by_plane(std::span<const ClipVertex> corners, const ClipPlanes& planes, ClipPlane plane,
+                   std::vector<ClipVertex>& result, ClipSink* sink) {
+    const glm::vec4& coefficients = planes[static_cast<std::size_t>(plane)];
+    if (sink != nullptr) sink->begin_plane(plane, corners);
     result.clear();
     for (std::size_t i = 0; i < corners.size(); ++i) {
+        const std::size_t next = (i + 1) % corners.size();
         const ClipVertex& a = corners[i];
-        const ClipVertex& b = corners[(i + 1) % corners.size()];
-        const float d_a = inner_distance(plane, a), d_b = inner_distance(plane, b);
+        const ClipVertex& b = corners[next];
+        const float d_a = inner_distance(coefficients, a), d_b = inner_distance(coefficients, b);
         const bool is_a_inside = d_a >= 0.0f, is_b_inside = d_b >= 0.0f;
+        const std::size_t first_kept = result.size();
         if (is_a_inside) result.push_back(a);
         if (is_a_inside && !is_b_inside)
             result.push_back(cut_edge(a, b, d_a, d_b));
         else if (!is_a_inside && is_b_inside)
             result.push_back(cut_edge(b, a, d_b, d_a));
+        if (sink == nullptr) continue;
+        ClipStep step;
+        step.plane = plane;
+        step.from = static_cast<int>(i);
+        step.to = static_cast<int>(next);
+        step.d_from = d_a;
+        step.d_to = d_b;
+        step.is_from_inside = step.keeps_from = is_a_inside;
+        step.is_to_inside = is_b_inside;
+        step.is_cut = is_a_inside != is_b_inside;
+        if (step.is_cut) {
+            step.t = is_a_inside ? cut_place(d_a, d_b) : cut_place(d_b, d_a);
+            step.cut = result.back();
+        }
+        step.first_kept = static_cast<int>(first_kept);
+        sink->clip_step(step);
     }
+    if (sink != nullptr) sink->end_plane(plane, result);
 }
 
-Clipped clip_near(std::vector<ClipVertex>& corners, const VertexRules& rules) {
-    return rules.space == SceneSpace::pixels ? Clipped{} : clip_by(view_planes(rules), 1, corners);
+Clipped clip_near(std::vector<ClipVertex>& corners, const VertexRules& rules, ClipSink* sink) {
+    return rules.space == SceneSpace::pixels ? Clipped{}
+                                             : clip_by(view_planes(rules), 1, corners, sink);
 }
 
-Clipped clip_all(std::vector<ClipVertex>& corners, const VertexRules& rules) {
+Clipped clip_all(std::vector<ClipVertex>& corners, const VertexRules& rules, ClipSink* sink) {
     return rules.space == SceneSpace::pixels
                ? Clipped{}
-               : clip_by(view_planes(rules), clip_plane_count, corners);
+               : clip_by(view_planes(rules), clip_plane_count, corners, sink);
 }
 
-Clipped clip_guard_band(std::vector<ClipVertex>& corners, const VertexRules& rules) {
+Clipped clip_guard_band(std::vector<ClipVertex>& corners, const VertexRules& rules,
+                        ClipSink* sink) {
     return rules.space == SceneSpace::pixels
                ? Clipped{}
-               : clip_by(guard_band_planes(rules), clip_plane_count, corners);
+               : clip_by(guard_band_planes(rules), clip_plane_count, corners, sink);
 }
 
 } // namespace rasterwalk

@@ -61,17 +61,66 @@ inline float inner_distance(const glm::vec4& plane, const ClipVertex& vertex) {
     return glm::dot(plane, vertex.position_clip);
 }
 
-/// Where an edge meets a plane: t = d_inside / (d_inside - d_outside), 0 at the corner inside, and
-/// place and varyings cut linearly there. Always from the inside, whichever way the edge runs, so
-/// that both neighbours of an edge get the same bits.
+/// Where an edge meets a plane: t = d_inside / (d_inside - d_outside), 0 at the corner inside and 1
+/// at the one outside.
 /// @param d_inside, d_outside of the two corners: not negative, and negative
+inline float cut_place(float d_inside, float d_outside) {
+    return d_inside / (d_inside - d_outside);
+}
+
+/// The corner where an edge meets a plane: place and varyings cut linearly at cut_place(). Always
+/// from the inside, whichever way the edge runs, so that both neighbours of an edge get the same
+/// bits.
 ClipVertex cut_edge(const ClipVertex& inside, const ClipVertex& outside, float d_inside,
                     float d_outside);
 
+/// What one plane does with one edge of the polygon, in the moment in which it does it. It passes
+/// on the corner `from` if that lies inside, and behind it the new corner if the edge is cut.
+struct ClipStep {
+    ClipPlane plane = ClipPlane::near;
+    int from = 0, to = 0;             ///< its corners, of the polygon as it was before this plane
+    float d_from = 0.0f, d_to = 0.0f; ///< their inner distances from the plane
+    bool is_from_inside = false, is_to_inside = false;
+    bool keeps_from = false; ///< the corner `from` is passed on
+    bool is_cut = false;     ///< a new corner is passed on
+    float t = 0.0f;          ///< if it is cut: from the corner inside, 0, to the one outside, 1
+    ClipVertex cut;          ///< if it is cut: the new corner, with all its varyings
+    int first_kept = 0;      ///< corners of the new polygon that earlier edges have passed on
+
+    int kept_count() const { return (keeps_from ? 1 : 0) + (is_cut ? 1 : 0); }
+};
+
+/// Is told what clipping does to a polygon, while it does it. A plane on whose inner side the whole
+/// polygon lies has no work and is not told of.
+class ClipSink {
+  public:
+    virtual ~ClipSink() = default;
+    /// The first `count` of these planes are those that cut. Not told where nothing cuts.
+    virtual void begin_planes(const ClipPlanes& planes, std::size_t count) {
+        static_cast<void>(planes);
+        static_cast<void>(count);
+    }
+    /// The polygon before a plane that has work.
+    virtual void begin_plane(ClipPlane plane, std::span<const ClipVertex> corners) {
+        static_cast<void>(plane);
+        static_cast<void>(corners);
+    }
+    virtual void clip_step(const ClipStep& step) = 0;
+    /// The polygon after it; of what only touches the plane fewer than three corners, or no area.
+    virtual void end_plane(ClipPlane plane, std::span<const ClipVertex> corners) {
+        static_cast<void>(plane);
+        static_cast<void>(corners);
+    }
+};
+
 /// One plane of Sutherland and Hodgman: what of the polygon lies on its inner side.
 /// @param result receives the corners; other memory than `corners`
-void clip_by_plane(std::span<const ClipVertex> corners, const glm::vec4& plane,
-                   std::vector<ClipVertex>& result);
+/// @param sink   is told of each edge, or null
+void clip_by_plane(std::span<const ClipVertex> corners, const ClipPlanes& planes, ClipPlane plane,
+                   std::vector<ClipVertex>& result, ClipSink* sink = nullptr);
+
+/// Fewer corners than these are no polygon.
+inline constexpr std::size_t least_corners = 3;
 
 /// What clipping does to a polygon.
 struct Clipped {
@@ -81,19 +130,25 @@ struct Clipped {
 
 /// Every polygon stays as it is.
 /// @param corners at least three, in order; they are replaced by those of what is left
-inline Clipped clip_nothing(std::vector<ClipVertex>& corners, const VertexRules& rules) {
+/// @param sink    is told of each edge at each plane, or null
+inline Clipped clip_nothing(std::vector<ClipVertex>& corners, const VertexRules& rules,
+                            ClipSink* sink = nullptr) {
     static_cast<void>(corners);
     static_cast<void>(rules);
+    static_cast<void>(sink);
     return {};
 }
 
 /// Cuts by the near plane alone: enough that the division is safe.
-Clipped clip_near(std::vector<ClipVertex>& corners, const VertexRules& rules);
+Clipped clip_near(std::vector<ClipVertex>& corners, const VertexRules& rules,
+                  ClipSink* sink = nullptr);
 
 /// Cuts by all six planes of the view volume.
-Clipped clip_all(std::vector<ClipVertex>& corners, const VertexRules& rules);
+Clipped clip_all(std::vector<ClipVertex>& corners, const VertexRules& rules,
+                 ClipSink* sink = nullptr);
 
 /// Cuts by near, far and the sides of the guard band.
-Clipped clip_guard_band(std::vector<ClipVertex>& corners, const VertexRules& rules);
+Clipped clip_guard_band(std::vector<ClipVertex>& corners, const VertexRules& rules,
+                        ClipSink* sink = nullptr);
 
 } // namespace rasterwalk

@@ -8,7 +8,25 @@ namespace rasterwalk {
 
 namespace {
 
-Rejection back_facing_if(bool is_back) {
+/// The words of a way of culling.
+struct Words {
+    std::string_view measure, front, back;
+};
+
+constexpr Words face_words{"dot(n, p - C)", "the normal points to the camera's side",
+                           "the normal points away from the camera"};
+constexpr Words area_words{"area times w", "its corners go round clockwise on the screen",
+                           "its corners go round counterclockwise on the screen"};
+constexpr Words corner_words{"dot(n, p - C)", "not every normal points away from the camera",
+                             "the normals of all corners point away from the camera"};
+
+/// @param test receives words and answer, or null; the values stand in it
+Rejection back_facing_if(bool is_back, const Words& words, CullTest* test) {
+    if (test != nullptr) {
+        test->measure = words.measure;
+        test->reason = is_back ? words.back : words.front;
+        test->is_back = is_back;
+    }
     return is_back ? Rejection::back_facing : Rejection::none;
 }
 
@@ -31,21 +49,35 @@ float screen_area_sign(std::span<const ClipVertex> corners, const VertexRules& r
     return sum;
 }
 
-Rejection cull_by_face_normal(std::span<const ClipVertex> corners, const VertexRules& rules) {
-    return back_facing_if(away_from_camera(corners.front(), rules) > 0.0f);
+Rejection cull_by_face_normal(std::span<const ClipVertex> corners, const VertexRules& rules,
+                              CullTest* test) {
+    const float away = away_from_camera(corners.front(), rules);
+    if (test != nullptr) test->values = {away};
+    return back_facing_if(away > 0.0f, face_words, test);
 }
 
-Rejection cull_by_screen_area(std::span<const ClipVertex> corners, const VertexRules& rules) {
+Rejection cull_by_screen_area(std::span<const ClipVertex> corners, const VertexRules& rules,
+                              CullTest* test) {
     const auto is_in_front = [](const ClipVertex& v) { return v.position_clip.w > 0.0f; };
     if (rules.space == SceneSpace::world &&
-        !std::all_of(corners.begin(), corners.end(), is_in_front))
+        !std::all_of(corners.begin(), corners.end(), is_in_front)) {
+        if (test != nullptr) test->reason = "a corner lies behind the camera";
         return Rejection::none;
-    return back_facing_if(screen_area_sign(corners, rules) < 0.0f);
+    }
+    const float area = screen_area_sign(corners, rules);
+    if (test != nullptr) test->values = {area};
+    return back_facing_if(area < 0.0f, area_words, test);
 }
 
-Rejection cull_by_vertex_normals(std::span<const ClipVertex> corners, const VertexRules& rules) {
+Rejection cull_by_vertex_normals(std::span<const ClipVertex> corners, const VertexRules& rules,
+                                 CullTest* test) {
     const auto is_away = [&](const ClipVertex& v) { return away_from_camera(v, rules) > 0.0f; };
-    return back_facing_if(std::all_of(corners.begin(), corners.end(), is_away));
+    if (test != nullptr) {
+        test->values.clear();
+        for (const ClipVertex& corner : corners)
+            test->values.push_back(away_from_camera(corner, rules));
+    }
+    return back_facing_if(std::all_of(corners.begin(), corners.end(), is_away), corner_words, test);
 }
 
 } // namespace rasterwalk

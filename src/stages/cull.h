@@ -18,30 +18,46 @@
 // Greer, "Triangle Scan Conversion using 2D Homogeneous Coordinates", Graphics Hardware 1997.
 
 #include <span>
+#include <string_view>
+#include <vector>
 
 #include "stages/vertex_shader.h"
 
 namespace rasterwalk {
 
+/// What a way of culling has looked at, and what it took it for. Only reports ask for it.
+struct CullTest {
+    std::string_view measure; ///< what the values are: "dot(n, p - C)"; empty: nothing was measured
+    std::string_view reason;  ///< why it is a front or a back, after a colon
+    std::vector<float> values; ///< of the polygon, or of each corner that was asked
+    bool is_back = false;      ///< it is culled
+};
+
 /// Every polygon is drawn, whichever side it shows.
 /// @param corners what clipping has left, at least three
-inline Rejection cull_nothing(std::span<const ClipVertex> corners, const VertexRules& rules) {
+/// @param test    receives what was looked at, or null
+inline Rejection cull_nothing(std::span<const ClipVertex> corners, const VertexRules& rules,
+                              CullTest* test = nullptr) {
     static_cast<void>(corners);
     static_cast<void>(rules);
+    static_cast<void>(test);
     return Rejection::none;
 }
 
 /// By the normal of the surface: it is a back if the normal of the first corner points the way from
 /// the camera to that corner, dot(n, p - C) > 0. In world space.
-Rejection cull_by_face_normal(std::span<const ClipVertex> corners, const VertexRules& rules);
+Rejection cull_by_face_normal(std::span<const ClipVertex> corners, const VertexRules& rules,
+                              CullTest* test = nullptr);
 
 /// By the order of the corners on the screen: the front goes round clockwise, y down, which is a
 /// positive area. Where a corner lies behind the camera there is no such order, and it is drawn.
-Rejection cull_by_screen_area(std::span<const ClipVertex> corners, const VertexRules& rules);
+Rejection cull_by_screen_area(std::span<const ClipVertex> corners, const VertexRules& rules,
+                              CullTest* test = nullptr);
 
 /// By the normals of all corners: it is a back if each of them points away from the camera. A
 /// smooth body keeps the faces of its outline.
-Rejection cull_by_vertex_normals(std::span<const ClipVertex> corners, const VertexRules& rules);
+Rejection cull_by_vertex_normals(std::span<const ClipVertex> corners, const VertexRules& rules,
+                                 CullTest* test = nullptr);
 
 /// Twice the area of the polygon on the screen in square pixels, times the w of three corners a
 /// triangle of its fan; the sign is that of the area where every w is positive.

@@ -72,7 +72,7 @@ ClipVertex between(const ClipVertex& a, const ClipVertex& b, float t) {
             a.varyings + (b.varyings - a.varyings) * t};
 }
 /// Sutherland-Hodgman against one plane, w = near: triangles become quadrilaterals, or nothing.
-Clipped clip_at_near_plane(std::vector<ClipVertex>& corners, const VertexRules&) {
+Clipped clip_at_near_plane(std::vector<ClipVertex>& corners, const VertexRules&, ClipSink*) {
     constexpr float near = 1.5f;
     std::vector<ClipVertex> left;
     bool is_cut = false;
@@ -96,7 +96,7 @@ float signed_area(std::span<const ClipVertex> corners) {
     }
     return area;
 }
-Rejection cull_back_faces(std::span<const ClipVertex> corners, const VertexRules&) {
+Rejection cull_back_faces(std::span<const ClipVertex> corners, const VertexRules&, CullTest*) {
     return signed_area(corners) < 0.0f ? Rejection::back_facing : Rejection::none;
 }
 void clip_and_cull(Stages& stages) {

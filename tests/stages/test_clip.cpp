@@ -191,12 +191,12 @@ TEST_CASE("Two triangles that share an edge get the same bits where it is cut") 
     for (int i = 0; i < rounds(100'000, 10'000); ++i) {
         std::vector<ClipVertex> one = random_triangle(random, rules);
         const std::vector<ClipVertex> other = random_triangle(random, rules);
-        const std::size_t plane = static_cast<std::size_t>(random.integer(0, 5));
+        const auto plane = static_cast<ClipPlane>(random.integer(0, 5));
         // The edge runs the other way in the neighbour.
         const std::vector<ClipVertex> neighbour{one[1], one[0], other[2]};
         std::vector<ClipVertex> of_one, of_neighbour;
-        clip_by_plane(one, view_planes(rules)[plane], of_one);
-        clip_by_plane(neighbour, view_planes(rules)[plane], of_neighbour);
+        clip_by_plane(one, view_planes(rules), plane, of_one);
+        clip_by_plane(neighbour, view_planes(rules), plane, of_neighbour);
         const auto is_of_edge = [](const ClipVertex& v) {
             return v.varyings.colour.z == 0.0f && v.varyings.colour.x > 0.0f &&
                    v.varyings.colour.y > 0.0f;

@@ -1,0 +1,109 @@
+#include "inspect/clip_history.h"
+
+#include <algorithm>
+
+namespace rasterwalk {
+
+namespace {
+
+/// Writes down what clipping tells of.
+class HistoryMaker : public ClipSink {
+  public:
+    explicit HistoryMaker(ClipHistory& into) : history_(into) {}
+
+    void begin_planes(const ClipPlanes& planes, std::size_t count) override {
+        history_.cuts = count > 0;
+        history_.codes.planes = planes;
+        history_.codes.plane_count = std::min(count, planes.size());
+    }
+    void begin_plane(ClipPlane plane, std::span<const ClipVertex> corners) override {
+        PlaneHistory& of_plane = history_.planes.emplace_back();
+        of_plane.plane = plane;
+        of_plane.before.assign(corners.begin(), corners.end());
+    }
+    void clip_step(const ClipStep& step) override {
+        if (history_.planes.empty() || history_.planes.back().plane != step.plane)
+            begin_plane(step.plane, {});
+        history_.planes.back().steps.push_back(step);
+    }
+    void end_plane(ClipPlane plane, std::span<const ClipVertex> corners) override {
+        if (history_.planes.empty() || history_.planes.back().plane != plane) return;
+        history_.planes.back().after.assign(corners.begin(), corners.end());
+    }
+
+  private:
+    ClipHistory& history_;
+};
+
+void find_codes(std::span<const ClipVertex> corners, TriangleCodes& codes) {
+    const unsigned asked = (1u << codes.plane_count) - 1u;
+    for (std::size_t i = 0; i < codes.of_corner.size(); ++i)
+        codes.of_corner[i] = static_cast<Outcode>(outcode(corners[i], codes.planes) & asked);
+}
+
+std::vector<std::array<int, triangle_corners>> fan_of(std::size_t corners) {
+    std::vector<std::array<int, triangle_corners>> fan;
+    for (std::size_t i = least_corners; i <= corners; ++i)
+        fan.push_back({0, static_cast<int>(i) - 2, static_cast<int>(i) - 1});
+    return fan;
+}
+
+/// Cull, and what is left for the division.
+void cull(const Frame& frame, const VertexRules& rules, ClipHistory& history) {
+    history.is_cull_asked = true;
+    const Rejection rejection = frame.stages.cull(history.polygon, rules, &history.cull);
+    history.cull.is_back = rejection != Rejection::none;
+    history.fan = fan_of(history.polygon.size());
+}
+
+} // namespace
+
+Outcode TriangleCodes::common() const {
+    return static_cast<Outcode>(of_corner[0] & of_corner[1] & of_corner[2]);
+}
+
+Outcode TriangleCodes::any() const {
+    return static_cast<Outcode>(of_corner[0] | of_corner[1] | of_corner[2]);
+}
+
+ClipHistory clip_history(const Frame& frame, int triangle) {
+    ClipHistory history;
+    history.triangle = triangle;
+    history.rejection = frame.rejection(triangle);
+    const VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
+    std::vector<ClipVertex> corners;
+    for (int corner = 0; corner < triangle_corners; ++corner) {
+        corners.push_back(frame.given_clip_vertex(triangle, corner));
+        history.corners[static_cast<std::size_t>(corner)] = corners.back();
+        history.projected[static_cast<std::size_t>(corner)] = frame.given_vertex(triangle, corner);
+    }
+    if (rules.space == SceneSpace::world) {
+        history.codes = {view_planes(rules), clip_plane_count, {}};
+        history.outer_codes = {outer_planes(rules), clip_plane_count, {}};
+    }
+    history.rejected = frame.stages.reject(corners, rules);
+    HistoryMaker maker(history);
+    if (history.rejected == Rejection::none)
+        history.clipped = frame.stages.clip(corners, rules, &maker);
+    find_codes(history.corners, history.codes);
+    find_codes(history.corners, history.outer_codes);
+    const bool is_left = history.rejected == Rejection::none &&
+                         history.clipped.rejection == Rejection::none &&
+                         corners.size() >= least_corners;
+    if (!is_left) return history;
+    history.polygon = std::move(corners);
+    cull(frame, rules, history);
+    return history;
+}
+
+std::string code_text(Outcode code) {
+    std::string text;
+    for (std::size_t i = 0; i < clip_plane_count; ++i) {
+        if ((code >> i & 1u) == 0) continue;
+        if (!text.empty()) text += ' ';
+        text += word_of(static_cast<ClipPlane>(i));
+    }
+    return text.empty() ? "inside" : text;
+}
+
+} // namespace rasterwalk

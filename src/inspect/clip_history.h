@@ -1,0 +1,72 @@
+#pragma once
+
+// What becomes of a triangle between the vertex shader and the division: outcodes, clipping plane
+// by plane and edge by edge, culling. Listens to the stages of the frame, whatever functions stand
+// in their slots.
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "pipeline/frame.h"
+
+namespace rasterwalk {
+
+/// The outcodes of a triangle's corners under some planes.
+struct TriangleCodes {
+    ClipPlanes planes{};         ///< the first `plane_count` of them
+    std::size_t plane_count = 0; ///< 0: no plane is asked, and every code is 0
+    std::array<Outcode, triangle_corners> of_corner{};
+
+    /// The planes beyond which all corners lie. Not 0: the triangle lies outside as a whole.
+    Outcode common() const;
+    /// The planes beyond which any corner lies. 0: the triangle lies inside as a whole.
+    Outcode any() const;
+};
+
+/// What one plane does to the polygon that the planes before it have left.
+struct PlaneHistory {
+    ClipPlane plane = ClipPlane::near;
+    std::vector<ClipVertex> before; ///< its corners; edge i goes from corner i to the next
+    std::vector<ClipStep> steps;    ///< one for each edge, in order
+    std::vector<ClipVertex> after;  ///< what the steps passed on, in order
+};
+
+/// A triangle on its way from the vertex shader to the division.
+struct ClipHistory {
+    int triangle = -1;
+    std::array<ClipVertex, triangle_corners> corners;        ///< as the vertex shader left them
+    std::array<ProjectedVertex, triangle_corners> projected; ///< the same on the screen, if there
+
+    /// Under the planes that cut; where clipping asks none, under those of the view volume.
+    TriangleCodes codes;
+    bool cuts = false; ///< clipping asks planes at all
+    /// Under the planes by which the setting `reject` rejects, a little outside of the picture.
+    TriangleCodes outer_codes;
+
+    Rejection rejected = Rejection::none; ///< by the codes, before clipping
+    std::vector<PlaneHistory> planes;     ///< those with work, in the order in which they cut
+    Clipped clipped;                      ///< what clipping answered; of what is rejected, nothing
+
+    std::vector<ClipVertex> polygon; ///< what is left; without a cut the corners; none: nothing
+    /// Its triangles about its first corner: corners of `polygon`.
+    std::vector<std::array<int, triangle_corners>> fan;
+
+    bool is_cull_asked = false; ///< the triangle got as far as culling
+    CullTest cull;              ///< what it looked at; no measure: the setting culls nothing
+    Rejection rejection = Rejection::none; ///< why the triangle is not drawn in the end, or none
+
+    bool is_trivially_rejected() const { return codes.common() != 0; }
+    bool is_trivially_accepted() const { return codes.any() == 0; }
+};
+
+/// The way of a triangle of the frame. Runs reject, clip and cull once more; costs no more than the
+/// corners of one triangle.
+/// @param triangle 0 to frame.triangle_count() - 1
+ClipHistory clip_history(const Frame& frame, int triangle);
+
+/// The planes of a code by their words, in order: "near left"; "inside" for none.
+std::string code_text(Outcode code);
+
+} // namespace rasterwalk
