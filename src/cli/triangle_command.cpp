@@ -81,6 +81,50 @@ Json to_json(const EdgeReport& edge, int number) {
             {"to", {edge.to.column, edge.to.row}}};
 }
 
+Json to_json(const ClipVertex& corner) {
+    const glm::vec4& p = corner.position_clip;
+    return {p.x, p.y, p.z, p.w};
+}
+
+Json to_json(const ClipStep& step) {
+    Json object;
+    if (step.is_cut) object["cut"] = to_json(step.cut);
+    object["distance_from"] = step.d_from;
+    object["distance_to"] = step.d_to;
+    object["from"] = step.from;
+    object["kept"] = step.keeps_from;
+    if (step.is_cut) object["t"] = step.t;
+    object["to"] = step.to;
+    return object;
+}
+
+Json clip_to_json(const ClipHistory& clip) {
+    Json codes = Json::array(), corners = Json::array(), planes = Json::array();
+    for (const Outcode code : clip.codes.of_corner)
+        codes.push_back(code_text(code));
+    for (const ClipVertex& corner : clip.polygon)
+        corners.push_back(to_json(corner));
+    for (const PlaneHistory& plane : clip.planes) {
+        Json steps = Json::array();
+        for (const ClipStep& step : plane.steps)
+            steps.push_back(to_json(step));
+        planes.push_back({{"plane", word_of(plane.plane)}, {"steps", std::move(steps)}});
+    }
+    return {{"corners", std::move(corners)},
+            {"outcodes", std::move(codes)},
+            {"planes", std::move(planes)},
+            {"triangles", clip.fan.size()}};
+}
+
+/// Nothing where the triangle does not come to be culled.
+Json cull_to_json(const ClipHistory& clip) {
+    if (!clip.is_cull_asked) return nullptr;
+    return {{"culled", clip.cull.is_back},
+            {"measure", clip.cull.measure},
+            {"reason", clip.cull.reason},
+            {"values", clip.cull.values}};
+}
+
 Json to_json(const TriangleReport& report, const Scene& scene) {
     Json vertices = Json::array(), edges = Json::array();
     for (const ShadedVertex& vertex : report.vertices)
@@ -89,7 +133,9 @@ Json to_json(const TriangleReport& report, const Scene& scene) {
         for (std::size_t e = 0; e < report.edges.size(); ++e)
             edges.push_back(to_json(report.edges[e], static_cast<int>(e)));
     }
-    return {{"edges", std::move(edges)},
+    return {{"clip", clip_to_json(report.clip)},
+            {"cull", cull_to_json(report.clip)},
+            {"edges", std::move(edges)},
             {"left_out", words(report.rejection).name},
             {"name", part_name(scene, report.triangle)},
             {"outside", outside_json(report.rows)},
@@ -144,6 +190,23 @@ void print_vertices(std::ostream& out, const TriangleReport& report, bool is_pro
     });
 }
 
+/// Nothing where no plane cuts and nothing culls.
+void print_clipping(std::ostream& out, const ClipHistory& clip) {
+    if (!clip.planes.empty()) out << "\nClipping\n";
+    for (const PlaneHistory& plane : clip.planes) {
+        out << fmt::format("  {}: of {} corners {} are left\n",
+                           plane_name(static_cast<int>(plane.plane)), plane.before.size(),
+                           plane.after.size());
+        for (const ClipStep& step : plane.steps)
+            out << fmt::format("    {}: {}\n", edge_name(step.from), clip_step_text(step));
+    }
+    if (!clip.planes.empty() && !clip.polygon.empty())
+        out << fmt::format("  drawn as {}\n", counted(static_cast<std::int64_t>(clip.fan.size()),
+                                                      "triangle", "triangles"));
+    if (!clip.cull.reason.empty() || clip.cull.is_back)
+        out << "\nCulling\n  " << culling_text(clip.cull) << '\n';
+}
+
 void print_edges(std::ostream& out, const TriangleReport& report) {
     out << "\nEdges\n";
     for (std::size_t e = 0; e < report.edges.size(); ++e) {
@@ -192,6 +255,7 @@ void print_text(std::ostream& out, const TriangleReport& report, const Scene& sc
     out << element_name_of(triangle_form, report.triangle, scene.triangle_count()) << " ("
         << part_name(scene, report.triangle) << ")\n\n";
     print_vertices(out, report, scene.space == SceneSpace::world);
+    print_clipping(out, report.clip);
     if (report.rejection != Rejection::none) {
         out << "\nIt is left out: " << words(report.rejection).sentence << ".\n";
         return;

@@ -53,8 +53,23 @@ Apart varyings_apart(const VertexEvent& a, const VertexEvent& b) {
 }
 
 Apart vertices_apart(const VertexEvent& a, const VertexEvent& b) {
+    if (a.has_pixel != b.has_pixel) return Apart::clearly;
     if (a.pixel.column != b.pixel.column || a.pixel.row != b.pixel.row) return Apart::clearly;
     return std::max(lengths_apart(a.pixel.depth, b.pixel.depth), varyings_apart(a, b));
+}
+
+/// By what they pass on: how far its corners lie from a plane shows only there.
+Apart steps_apart(const ClipStep& a, const ClipStep& b) {
+    if (a.keeps_from != b.keeps_from || a.is_cut != b.is_cut) return Apart::clearly;
+    if (!a.is_cut) return Apart::not_at_all;
+    const glm::vec4 &p = a.cut.position_clip, &q = b.cut.position_clip;
+    float largest = 0.0f;
+    for (int i = 0; i < 4; ++i)
+        largest = std::max({largest, std::abs(p[i]), std::abs(q[i])});
+    Apart most = numbers_apart(a.t, b.t, rounding_part);
+    for (int i = 0; i < 4; ++i)
+        most = std::max(most, numbers_apart(p[i], q[i], rounding_part * largest));
+    return most;
 }
 
 Apart samples_apart(const SampleEvent& a, const SampleEvent& b) {
@@ -92,6 +107,7 @@ struct Difference {
 /// How the two runs differ at a moment; nothing if they do not.
 std::optional<Difference> difference_at(const MomentEvents& a, const MomentEvents& b,
                                         const SightRules& rules) {
+    if (a.is_nothing() && b.is_nothing()) return std::nullopt;
     if (b.is_nothing()) return Difference{DivergenceKind::missing, false};
     if (a.is_nothing()) return Difference{DivergenceKind::extra, false};
     // A mark that only one of them puts on the picture.
@@ -99,6 +115,8 @@ std::optional<Difference> difference_at(const MomentEvents& a, const MomentEvent
     if (a.fragments.size() < b.fragments.size()) return Difference{DivergenceKind::extra, false};
     Apart most = Apart::not_at_all;
     if (a.vertex != nullptr && b.vertex != nullptr) most = vertices_apart(*a.vertex, *b.vertex);
+    if (a.clip != nullptr && b.clip != nullptr)
+        most = std::max(most, steps_apart(a.clip->step, b.clip->step));
     if (a.sample != nullptr && b.sample != nullptr) {
         most = std::max(most, samples_apart(*a.sample, *b.sample));
     }

@@ -2,7 +2,8 @@
 
 // Where two runs of one scene part: the moments at which run A does something else than run B.
 //
-// Compared is what can be seen of a run: vertices with their pixel, 1/z and light; edge samples
+// Compared is what can be seen of a run: vertices with their pixel, 1/z and light; what each edge
+// passes on at each clipping plane; triangles that are culled; edge samples
 // with their pixel and whether they fall in the row table; fragments and marks with their pixel,
 // fate, depth and colour. Row ends show through the samples that make them and the fragments
 // between them. How varyings are carried (q or q/z) is a way to calculate, not a difference.

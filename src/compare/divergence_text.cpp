@@ -10,6 +10,7 @@
 
 #include "base/element_names.h"
 #include "base/numbers.h"
+#include "inspect/clip_history.h"
 #include "inspect/row_history.h"
 #include "picture/view_image.h"
 
@@ -67,6 +68,10 @@ std::string rejection_text(Rejection rejection) {
     std::string text(words(rejection).sentence);
     if (const std::size_t at = text.find('-'); at != std::string::npos) text.replace(at, 1, "−");
     return text;
+}
+
+std::string left_out_sentence(std::string_view run, Rejection rejection) {
+    return fmt::format("{} leaves the triangle out: {}.", run, rejection_text(rejection));
 }
 
 /// The sentence for a moment that only one run has because the other stops before it.
@@ -138,12 +143,11 @@ std::string varying_text(const VertexEvent& a, const VertexEvent& b) {
 std::string vertex_text(const Frame& a, const Frame& b, const PairMoment& moment) {
     const std::string vertex = vertex_name(moment.cursor.index);
     const VertexEvent &in_a = *moment.a.vertex, &in_b = *moment.b.vertex;
-    const bool differs = in_a.pixel.column != in_b.pixel.column || in_a.pixel.row != in_b.pixel.row;
-    if (differs && (a.is_cut(moment.cursor.triangle) || b.is_cut(moment.cursor.triangle))) {
-        return fmt::format("{}: in A {}; in B {}.", vertex,
-                           pixel_text(in_a.pixel.column, in_a.pixel.row),
-                           pixel_text(in_b.pixel.column, in_b.pixel.row));
+    if (in_a.has_pixel != in_b.has_pixel) {
+        return fmt::format("{} has no pixel in {}: {}.", vertex, in_a.has_pixel ? "B" : "A",
+                           rejection_text((in_a.has_pixel ? in_b : in_a).rejection));
     }
+    const bool differs = in_a.pixel.column != in_b.pixel.column || in_a.pixel.row != in_b.pixel.row;
     if (differs) {
         const ShadedVertex p = shade(a, moment.cursor), q = shade(b, moment.cursor);
         const int digits = std::max(digits_for(p.in("projected").x, q.in("projected").x),
@@ -157,6 +161,40 @@ std::string vertex_text(const Frame& a, const Frame& b, const PairMoment& moment
                            number(in_b.pixel.depth, digits));
     }
     return fmt::format("{}: {}", vertex, varying_text(in_a, in_b));
+}
+
+/// What one run does with an edge at a plane; `other` tells which digits are needed.
+std::string clip_side(const ClipEvent* event, const ClipEvent* other) {
+    if (event == nullptr) return "does nothing";
+    const ClipStep& step = event->step;
+    const std::string kept =
+        fmt::format("{} corner {}", step.keeps_from ? "keeps" : "leaves out", step.from);
+    if (!step.is_cut) return kept;
+    const glm::vec4& p = step.cut.position_clip;
+    int digits = 4;
+    if (other != nullptr && other->step.is_cut) {
+        const glm::vec4& q = other->step.cut.position_clip;
+        digits = std::max({digits_for(step.t, other->step.t), digits_for(p.x, q.x),
+                           digits_for(p.y, q.y), digits_for(p.w, q.w)});
+    }
+    return fmt::format("{} and cuts at t = {}, ({}, {}, {}, {}) in clip space", kept,
+                       number(step.t, digits), number(p.x, digits), number(p.y, digits),
+                       number(p.z, digits), number(p.w, digits));
+}
+
+/// "near plane, edge 1: A does nothing; B keeps corner 1 and cuts at t = 0.3, ..."
+std::string clip_text(const PairMoment& moment) {
+    return fmt::format("{}, {}: A {}; B {}.", plane_name(moment.cursor.index),
+                       edge_name(moment.cursor.step), clip_side(moment.a.clip, moment.b.clip),
+                       clip_side(moment.b.clip, moment.a.clip));
+}
+
+/// "A does not cull; B culls: dot(n, p - C) = 0.7, the normal points away from the camera."
+std::string cull_text(const PairMoment& moment) {
+    const auto side = [](const CullEvent* event) {
+        return event == nullptr ? std::string("does not cull") : culling_text(event->test);
+    };
+    return fmt::format("A {}; B {}.", side(moment.a.cull), side(moment.b.cull));
 }
 
 /// One coordinate of a sample on its way to a pixel: "y = 0.999842 is cut to 0".
@@ -324,12 +362,15 @@ std::string row_text(const Frame& a, const Frame& b, const PairMoment& moment) {
 std::string divergence_text(const Frame& a, const Frame& b, const PairMoment& moment,
                             DivergenceKind kind) {
     const Cursor& cursor = moment.cursor;
-    const bool drawn_in_a = a.is_drawn(cursor.triangle), drawn_in_b = b.is_drawn(cursor.triangle);
-    if (drawn_in_a != drawn_in_b) {
-        const Rejection rejection = (drawn_in_a ? b : a).rejection(cursor.triangle);
-        return fmt::format("{} leaves the triangle out: {}.", drawn_in_a ? "B" : "A",
-                           rejection_text(rejection));
-    }
+    const int t = cursor.triangle;
+    if (a.has_moments(t) != b.has_moments(t))
+        return left_out_sentence(a.has_moments(t) ? "B" : "A",
+                                 (a.has_moments(t) ? b : a).rejection(t));
+    // Of one that clip or cull takes away, that is a moment of its own.
+    const bool shows_it =
+        cursor.phase > Phase::cull || moment.a.fragments.size() != moment.b.fragments.size();
+    if (shows_it && a.is_drawn(t) != b.is_drawn(t))
+        return left_out_sentence(a.is_drawn(t) ? "B" : "A", (a.is_drawn(t) ? b : a).rejection(t));
     const bool one_is_idle = moment.a.is_nothing() || moment.b.is_nothing();
     const Stage first = std::min(a.settings.stage, b.settings.stage);
     switch (cursor.phase) {
@@ -341,6 +382,10 @@ std::string divergence_text(const Frame& a, const Frame& b, const PairMoment& mo
             return outside_sentence(kind, moment.a.vertex->pixel, moment.b.vertex->pixel);
         }
         return vertex_text(a, b, moment);
+    case Phase::clip:
+        return clip_text(moment);
+    case Phase::cull:
+        return cull_text(moment);
     case Phase::edges:
         if (one_is_idle && first < Stage::edges) return stage_sentence(a, b, "edges");
         if (!one_is_idle && moment.a.fragments.size() != moment.b.fragments.size() &&
@@ -355,9 +400,8 @@ std::string divergence_text(const Frame& a, const Frame& b, const PairMoment& mo
     case Phase::rows:
         if (one_is_idle && first < Stage::rows) return stage_sentence(a, b, "rows");
         return row_text(a, b, moment);
-    default:
-        return "";
     }
+    return "";
 }
 
 } // namespace rasterwalk

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "mistakes/interpolate.h"
 #include "pipeline/draw.h"
 
 namespace rasterwalk {
@@ -12,17 +11,6 @@ namespace {
 
 /// So many fragments of a run may be kept at once.
 constexpr int most_kept = 1 << 16;
-
-/// The varyings at a vertex as q, however the run carries them on.
-Varyings varyings_at(const Frame& frame, const Cursor& cursor, const ScreenVertex& pixel) {
-    if (frame.is_cut(cursor.triangle)) {
-        return recover_varyings(mark_of(pixel), frame.stages);
-    }
-    const Vertex& vertex = frame.scene->corner(cursor.triangle, cursor.index);
-    const VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
-    const glm::mat3 rotation = camera_rotation(rules.camera);
-    return frame.stages.vertex_shader(vertex, rotation, rules, frame.stages, nullptr).varyings;
-}
 
 /// The rows [first, last) of a triangle's row table that lie in the picture.
 struct RowRange {
@@ -64,7 +52,7 @@ void copy_row(const Frame& frame, const Framebuffer& picture, const Cursor& curs
 void watch_moment(const Frame& frame, const Framebuffer& picture, const Cursor& cursor,
                   Framebuffer& scratch, EventRecorder& recorder) {
     if (cursor.triangle < 0 || cursor.triangle >= frame.triangle_count()) return;
-    if (!frame.is_drawn(cursor.triangle)) return;
+    if (!frame.has_moments(cursor.triangle)) return;
     copy_row(frame, picture, cursor, scratch);
     draw(frame, {cursor, behind(cursor), {}}, scratch, &recorder);
 }
@@ -82,34 +70,53 @@ TableRows table_rows(const Frame& frame, int triangle) {
 
 void EventRecorder::clear() {
     vertices_.clear();
+    clips_.clear();
+    culls_.clear();
     samples_.clear();
     fragments_.clear();
-    vertex_ = sample_ = fragment_ = 0;
+    vertex_ = clip_ = cull_ = sample_ = fragment_ = 0;
 }
 
-void EventRecorder::vertex(const Cursor& cursor, const ScreenVertex& pixel) {
-    VertexEvent event{cursor, pixel, {}, {}};
+void EventRecorder::vertex(const Cursor& cursor, const ProjectedVertex& vertex) {
+    VertexEvent event{cursor, vertex.pixel, vertex.has_pixel, vertex.rejection, {}, {}};
     event.compared = carried_varyings(frame_.stages, shading_rule(frame_.settings));
-    if (!(event.compared == VaryingSet{})) event.varyings = varyings_at(frame_, cursor, pixel);
+    if (!(event.compared == VaryingSet{}))
+        event.varyings = frame_.given_clip_vertex(cursor.triangle, cursor.index).varyings;
     vertices_.push_back(event);
 }
 
+namespace {
+
+/// The earlier of a moment and that of the next event of a list.
+template <class Event>
+Cursor earlier(const Cursor& cursor, const std::vector<Event>& events, std::size_t next) {
+    return next < events.size() ? std::min(cursor, events[next].cursor) : cursor;
+}
+
+/// The next event of a list if it is of this moment, or null.
+template <class Event>
+const Event* take_at(const Cursor& cursor, const std::vector<Event>& events, std::size_t& next) {
+    const bool is_there = next < events.size() && events[next].cursor == cursor;
+    return is_there ? &events[next++] : nullptr;
+}
+
+} // namespace
+
 Cursor EventRecorder::next() const {
     Cursor cursor = cursor_end;
-    if (vertex_ < vertices_.size()) cursor = std::min(cursor, vertices_[vertex_].cursor);
-    if (sample_ < samples_.size()) cursor = std::min(cursor, samples_[sample_].cursor);
-    if (fragment_ < fragments_.size()) cursor = std::min(cursor, fragments_[fragment_].cursor);
-    return cursor;
+    cursor = earlier(cursor, vertices_, vertex_);
+    cursor = earlier(cursor, clips_, clip_);
+    cursor = earlier(cursor, culls_, cull_);
+    cursor = earlier(cursor, samples_, sample_);
+    return earlier(cursor, fragments_, fragment_);
 }
 
 MomentEvents EventRecorder::take(const Cursor& cursor) {
     MomentEvents events;
-    if (vertex_ < vertices_.size() && vertices_[vertex_].cursor == cursor) {
-        events.vertex = &vertices_[vertex_++];
-    }
-    if (sample_ < samples_.size() && samples_[sample_].cursor == cursor) {
-        events.sample = &samples_[sample_++];
-    }
+    events.vertex = take_at(cursor, vertices_, vertex_);
+    events.clip = take_at(cursor, clips_, clip_);
+    events.cull = take_at(cursor, culls_, cull_);
+    events.sample = take_at(cursor, samples_, sample_);
     const std::size_t first = fragment_;
     while (fragment_ < fragments_.size() && fragments_[fragment_].cursor == cursor)
         ++fragment_;
@@ -168,9 +175,9 @@ Cursor RunWalk::part_end() const {
 
 bool RunWalk::walk_part(const PairVisitor& visit) {
     const Cursor from = next_;
-    const bool is_drawn = a_.is_drawn(from.triangle) || b_.is_drawn(from.triangle);
-    next_ = is_drawn ? part_end() : Cursor{from.triangle + 1, Phase::vertices, 0, 0};
-    if (!is_drawn) return true;
+    const bool is_walked = a_.has_moments(from.triangle) || b_.has_moments(from.triangle);
+    next_ = is_walked ? part_end() : Cursor{from.triangle + 1, Phase::vertices, 0, 0};
+    if (!is_walked) return true;
     const Cursor end = std::min(next_, to_);
     recorder_a_.clear();
     recorder_b_.clear();

@@ -23,18 +23,27 @@ TableRows table_rows(const Frame& frame, int triangle);
 /// A vertex in the moment in which it is projected.
 struct VertexEvent {
     Cursor cursor;
-    ScreenVertex pixel;
-    Varyings varyings;   ///< as q, however the run carries them on
-    VaryingSet compared; ///< those that the run carries
+    ScreenVertex pixel;                    ///< valid if has_pixel
+    bool has_pixel = false;                ///< it lies where it can be projected
+    Rejection rejection = Rejection::none; ///< why not
+    Varyings varyings;                     ///< as q, however the run carries them on
+    VaryingSet compared;                   ///< those that the run carries
 };
 
 /// What one run does at one moment; what it does not do is null or empty.
 struct MomentEvents {
     const VertexEvent* vertex = nullptr;
+    const ClipEvent* clip = nullptr;
+    const CullEvent* cull = nullptr;
     const SampleEvent* sample = nullptr;
     std::span<const FragmentEvent> fragments; ///< and marks; both ends of a row are one moment
 
-    bool is_nothing() const { return vertex == nullptr && sample == nullptr && fragments.empty(); }
+    /// A triangle that is asked and shows its front goes on as if nobody had asked.
+    bool is_culled() const { return cull != nullptr && cull->test.is_back; }
+    bool is_nothing() const {
+        return vertex == nullptr && clip == nullptr && !is_culled() && sample == nullptr &&
+               fragments.empty();
+    }
 };
 
 /// A moment at which at least one of the runs does something.
@@ -53,13 +62,19 @@ class EventRecorder : public Observer {
     explicit EventRecorder(const Frame& frame) : frame_(frame) {}
 
     void clear();
-    void vertex(const Cursor& cursor, const ScreenVertex& pixel) override;
+    void vertex(const Cursor& cursor, const ProjectedVertex& vertex) override;
+    void clip_step(const ClipEvent& event) override { clips_.push_back(event); }
+    void cull(const CullEvent& event) override { culls_.push_back(event); }
     void edge_sample(const SampleEvent& event) override { samples_.push_back(event); }
     void fragment(const FragmentEvent& event) override { fragments_.push_back(event); }
     bool wants_edge_samples() const override { return true; }
+    bool wants_clipping() const override { return true; }
 
-    /// How many vertices, edge samples and fragments there are.
-    std::size_t count() const { return vertices_.size() + samples_.size() + fragments_.size(); }
+    /// How many moments there are; of a row that is only bounded both ends.
+    std::size_t count() const {
+        return vertices_.size() + clips_.size() + culls_.size() + samples_.size() +
+               fragments_.size();
+    }
 
     /// The next moment that has not been taken; the end if all have been.
     Cursor next() const;
@@ -69,9 +84,11 @@ class EventRecorder : public Observer {
   private:
     const Frame& frame_;
     std::vector<VertexEvent> vertices_;
+    std::vector<ClipEvent> clips_;
+    std::vector<CullEvent> culls_;
     std::vector<SampleEvent> samples_;
     std::vector<FragmentEvent> fragments_;
-    std::size_t vertex_ = 0, sample_ = 0, fragment_ = 0; ///< the next of each
+    std::size_t vertex_ = 0, clip_ = 0, cull_ = 0, sample_ = 0, fragment_ = 0; ///< the next of each
 };
 
 /// A walk through two runs of the same scene, with viewports of the same size.
@@ -93,7 +110,7 @@ class RunWalk {
     /// The triangle that the next part belongs to.
     int triangle() const { return next_.triangle; }
 
-    /// How many vertices, edge samples and fragments of both runs have been drawn and told of.
+    /// How many moments of both runs have been drawn and told of.
     std::int64_t events() const { return events_; }
 
     /// The pictures so far.

@@ -24,6 +24,9 @@ constexpr auto phase_words = [] {
     return words;
 }();
 
+/// Of a triangle behind all planes, one of which cuts off each of the corners it has by then.
+constexpr int most_corners = triangle_corners + static_cast<int>(clip_plane_count);
+
 const ValueRange yes_or_no = whole(0, 1);
 const ValueRange count = whole(0, endless);
 const ValueRange place = whole(0, largest_viewport - 1); ///< column or row of the picture
@@ -39,6 +42,12 @@ const Cursor* cursor_in(const Facts& facts, Phase phase) {
 Value cursor_phase(const Facts& facts, int) {
     const Cursor& cursor = facts.results().a.cursor;
     return std::string(cursor == cursor_end ? phase_words.back() : phase_info(cursor.phase).word);
+}
+
+Value cursor_plane(const Facts& facts, int) {
+    const Cursor* const at = cursor_in(facts, Phase::clip);
+    if (at == nullptr) return {};
+    return std::string(word_of(static_cast<ClipPlane>(at->index)));
 }
 
 /// Row or column of the picture where the next fragment falls.
@@ -66,8 +75,17 @@ void add_cursor_facts(std::vector<Fact>& table) {
              const Cursor* const at = cursor_in(f, Phase::vertices);
              return at != nullptr ? number(at->index) : Value();
          }});
-    table.push_back({"cursor.edge", "Edge whose sample comes next, 0 to 2.", whole(0, 2),
-                     [](const Facts& f, int) {
+    table.push_back({"cursor.plane", "Clipping plane at which an edge comes next.",
+                     words(enum_words<ClipPlane>), cursor_plane});
+    table.push_back({"cursor.clip_edge", "Edge that comes next at that plane, from 0.",
+                     whole(0, most_corners - 1), [](const Facts& f, int) {
+                         const Cursor* const at = cursor_in(f, Phase::clip);
+                         return at != nullptr ? number(at->step) : Value();
+                     }});
+    table.push_back({"cursor.edge",
+                     "Edge whose sample comes next; of a triangle that is not cut 0 "
+                     "to 2.",
+                     whole(0, most_corners - 1), [](const Facts& f, int) {
                          const Cursor* const at = cursor_in(f, Phase::edges);
                          return at != nullptr ? number(at->index) : Value();
                      }});
@@ -238,6 +256,39 @@ void add_pixel_facts(std::vector<Fact>& table) {
                      }});
 }
 
+// --- clipping and culling of the triangle on show
+
+template <class Read>
+void add_clip_fact(std::vector<Fact>& table, const char* name, const char* help, ValueRange range,
+                   Read) {
+    table.push_back({name, help, std::move(range), [](const Facts& f, int) {
+                         const ClipHistory* const clip = f.clip();
+                         return clip != nullptr ? Read{}(*clip) : Value();
+                     }});
+}
+
+void add_clip_facts(std::vector<Fact>& table) {
+    add_clip_fact(table, "polygon.planes", "Planes that cut the triangle on show.",
+                  whole(0, static_cast<int>(clip_plane_count)),
+                  [](const ClipHistory& c) { return number(std::ssize(c.planes)); });
+    add_clip_fact(table, "polygon.cuts", "Cuts of its edges, at all planes together.", count,
+                  [](const ClipHistory& c) {
+                      std::ptrdiff_t cuts = 0;
+                      for (const PlaneHistory& plane : c.planes)
+                          cuts += std::count_if(plane.steps.begin(), plane.steps.end(),
+                                                [](const ClipStep& step) { return step.is_cut; });
+                      return number(cuts);
+                  });
+    add_clip_fact(table, "polygon.corners", "Corners that clipping leaves of it; 0: nothing.",
+                  whole(0, most_corners),
+                  [](const ClipHistory& c) { return number(std::ssize(c.polygon)); });
+    add_clip_fact(
+        table, "polygon.triangles", "Triangles as which it is drawn: a fan of what is left.",
+        whole(0, most_corners - 2), [](const ClipHistory& c) { return number(std::ssize(c.fan)); });
+    add_clip_fact(table, "polygon.culled", "1 if the triangle on show is culled.", yes_or_no,
+                  [](const ClipHistory& c) { return number(c.cull.is_back ? 1 : 0); });
+}
+
 // --- the row table of the triangle on show
 
 Value edge_samples(const Facts& facts, int edge) {
@@ -391,6 +442,7 @@ std::span<const Fact> fact_table() {
         add_session_facts(facts);
         add_frame_facts(facts);
         add_pixel_facts(facts);
+        add_clip_facts(facts);
         add_table_facts(facts);
         add_vertex_facts(facts);
         add_compare_facts(facts);

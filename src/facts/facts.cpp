@@ -62,6 +62,15 @@ const FrameStats& Facts::frame_stats() const {
     return *known.frame;
 }
 
+const ClipHistory* Facts::clip() const {
+    const std::optional<int>& triangle = results_->a.triangle;
+    if (!triangle) return nullptr;
+    FactCache& known = cache();
+    if (!known.clip || known.clip->triangle != *triangle)
+        known.clip = clip_history(results_->a.frame, *triangle);
+    return &*known.clip;
+}
+
 const RowHistory* Facts::table() const {
     const std::optional<int>& triangle = results_->a.triangle;
     const Frame& frame = results_->a.frame;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "facts/value.h"
+#include "inspect/clip_history.h"
 #include "inspect/row_history.h"
 #include "inspect/stats.h"
 #include "session/results.h"
@@ -28,6 +29,7 @@ struct InterpolationError {
 struct FactCache {
     std::uint64_t frame_number = 0;
     std::optional<FrameStats> frame;
+    std::optional<ClipHistory> clip; ///< of the triangle that it names
     std::optional<int> table_triangle;
     RowHistory table;
     std::optional<Cursor> error_at;
@@ -50,6 +52,8 @@ class Facts {
     const Results& results() const { return *results_; }
     /// The whole frame in numbers.
     const FrameStats& frame_stats() const;
+    /// What clipping and culling do to the triangle on show; null if there is none.
+    const ClipHistory* clip() const;
     /// The finished row table of the triangle on show; null if it has none.
     const RowHistory* table() const;
     /// The selected row in that table; none if no row is selected, or it lies outside of it.

@@ -2,14 +2,23 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
+#include "base/element_names.h"
+#include "base/numbers.h"
+
 namespace rasterwalk {
 
 namespace {
 
+std::string four_digits(float value) {
+    return significant(static_cast<double>(value), 4);
+}
+
 /// Writes down what clipping tells of.
-class HistoryMaker : public ClipSink {
+class ClipWriter : public ClipSink {
   public:
-    explicit HistoryMaker(ClipHistory& into) : history_(into) {}
+    explicit ClipWriter(ClipHistory& into) : history_(into) {}
 
     void begin_planes(const ClipPlanes& planes, std::size_t count) override {
         history_.cuts = count > 0;
@@ -50,10 +59,10 @@ std::vector<std::array<int, triangle_corners>> fan_of(std::size_t corners) {
 
 /// Cull, and what is left for the division.
 void cull(const Frame& frame, const VertexRules& rules, ClipHistory& history) {
-    history.is_cull_asked = true;
+    history.fan = fan_of(history.polygon.size());
+    history.is_cull_asked = frame.stages.cull != cull_nothing;
     const Rejection rejection = frame.stages.cull(history.polygon, rules, &history.cull);
     history.cull.is_back = rejection != Rejection::none;
-    history.fan = fan_of(history.polygon.size());
 }
 
 } // namespace
@@ -82,7 +91,7 @@ ClipHistory clip_history(const Frame& frame, int triangle) {
         history.outer_codes = {outer_planes(rules), clip_plane_count, {}};
     }
     history.rejected = frame.stages.reject(corners, rules);
-    HistoryMaker maker(history);
+    ClipWriter maker(history);
     if (history.rejected == Rejection::none)
         history.clipped = frame.stages.clip(corners, rules, &maker);
     find_codes(history.corners, history.codes);
@@ -94,6 +103,37 @@ ClipHistory clip_history(const Frame& frame, int triangle) {
     history.polygon = std::move(corners);
     cull(frame, rules, history);
     return history;
+}
+
+std::string plane_name(int plane) {
+    if (plane < 0 || plane >= static_cast<int>(clip_plane_count))
+        return element_name(plane_form, plane);
+    return std::string(word_of(static_cast<ClipPlane>(plane))) + " plane";
+}
+
+std::string clip_step_text(const ClipStep& step) {
+    std::string text =
+        fmt::format("corner {} is {}", step.from, step.is_from_inside ? "inside" : "outside");
+    // A stage may keep what lies outside; then it is told.
+    text += step.keeps_from ? " and kept" : " and left out";
+    if (!step.is_cut) return text;
+    const glm::vec4& p = step.cut.position_clip;
+    return fmt::format("{}, the edge {} at t = {:.4f}: ({}, {}, {}, {})", text,
+                       step.is_from_inside ? "leaves" : "enters", step.t, four_digits(p.x),
+                       four_digits(p.y), four_digits(p.z), four_digits(p.w));
+}
+
+std::string culling_text(const CullTest& test) {
+    std::string text = test.is_back ? "culls" : "does not cull";
+    std::string_view separator = ": ";
+    if (!test.values.empty() && !test.measure.empty()) {
+        text.append(separator).append(test.measure).append(" = ");
+        for (std::size_t i = 0; i < test.values.size(); ++i)
+            text.append(i > 0 ? ", " : "").append(four_digits(test.values[i]));
+        separator = ", ";
+    }
+    if (!test.reason.empty()) text.append(separator).append(test.reason);
+    return text;
 }
 
 std::string code_text(Outcode code) {

@@ -53,8 +53,8 @@ struct ClipHistory {
     /// Its triangles about its first corner: corners of `polygon`.
     std::vector<std::array<int, triangle_corners>> fan;
 
-    bool is_cull_asked = false; ///< the triangle got as far as culling
-    CullTest cull;              ///< what it looked at; no measure: the setting culls nothing
+    bool is_cull_asked = false;            ///< something culls, and the triangle got so far
+    CullTest cull;                         ///< then: what it looked at
     Rejection rejection = Rejection::none; ///< why the triangle is not drawn in the end, or none
 
     bool is_trivially_rejected() const { return codes.common() != 0; }
@@ -65,6 +65,17 @@ struct ClipHistory {
 /// corners of one triangle.
 /// @param triangle 0 to frame.triangle_count() - 1
 ClipHistory clip_history(const Frame& frame, int triangle);
+
+/// "near plane", "left plane"; of a number that is no ClipPlane "plane 9".
+std::string plane_name(int plane);
+
+/// What a step passes on: "corner 0 is inside and kept, the edge leaves at t = 0.3000: (45.00,
+/// 0.000, 1.000, 0.1000)".
+std::string clip_step_text(const ClipStep& step);
+
+/// What culling does, and why: "culls: dot(n, p - C) = 0.7071, the normal points away from the
+/// camera".
+std::string culling_text(const CullTest& test);
 
 /// The planes of a code by their words, in order: "near left"; "inside" for none.
 std::string code_text(Outcode code);

@@ -1,18 +1,54 @@
 #include "inspect/event_list.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cstddef>
 
 #include <fmt/format.h>
+
+#include "inspect/clip_history.h"
 
 namespace rasterwalk {
 
 namespace {
 
 std::string vertex_event(const EventList& list, int index) {
-    const ScreenVertex& vertex = list.vertices[static_cast<std::size_t>(index)];
-    return fmt::format("vertices[{}]: column {}, row {}", index, vertex.column, vertex.row);
+    const ProjectedVertex& vertex = list.vertices[static_cast<std::size_t>(index)];
+    if (!vertex.has_pixel)
+        return fmt::format("vertices[{}]: no pixel, {}", index, words(vertex.rejection).sentence);
+    return fmt::format("vertices[{}]: column {}, row {}", index, vertex.pixel.column,
+                       vertex.pixel.row);
+}
+
+std::string clip_event(const EventList& list, int number) {
+    const ClipStep& step = list.clip_steps[static_cast<std::size_t>(number)].step;
+    return fmt::format("{}, edge {}: {}", plane_name(static_cast<int>(step.plane)), step.from,
+                       clip_step_text(step));
+}
+
+/// Keeps the steps of one triangle with their moments.
+class StepList : public ClipSink {
+  public:
+    explicit StepList(EventList& into) : list_(into) {}
+
+    void clip_step(const ClipStep& step) override {
+        const auto plane = static_cast<std::size_t>(step.plane);
+        const Cursor cursor{list_.triangle, Phase::clip, static_cast<int>(plane), told_[plane]++};
+        list_.clip_steps.push_back({cursor, step});
+    }
+
+  private:
+    EventList& list_;
+    std::array<int, clip_plane_count> told_{};
+};
+
+/// The steps in order of time, also where a stage comes to the planes in another order.
+void list_clip_steps(const Frame& frame, EventList& list) {
+    StepList steps(list);
+    tell_clipping(frame, list.triangle, steps);
+    std::sort(list.clip_steps.begin(), list.clip_steps.end(),
+              [](const ClipEvent& a, const ClipEvent& b) { return a.cursor < b.cursor; });
 }
 
 /// What a sample did to its row.
@@ -44,13 +80,15 @@ std::string row_event(const EventList& list, const Cursor& cursor) {
 EventList list_events(const Frame& frame, int triangle) {
     EventList list;
     list.triangle = triangle;
-    if (triangle < 0 || triangle >= frame.triangle_count() || !frame.is_drawn(triangle)) {
+    if (triangle < 0 || triangle >= frame.triangle_count() || !frame.has_moments(triangle)) {
         return list;
     }
     list.moments = Timeline(frame).moments(triangle);
-    const std::span<const ScreenVertex> vertices = frame.triangle_vertices(triangle);
-    list.vertices.assign(vertices.begin(), vertices.end());
-    list.samples = edge_samples(frame, triangle);
+    for (int v = 0; v < triangle_corners; ++v)
+        list.vertices.push_back(frame.given_vertex(triangle, v));
+    list_clip_steps(frame, list);
+    if (frame.is_cull_asked(triangle)) list.cull = cull_test(frame, triangle);
+    if (frame.is_drawn(triangle)) list.samples = edge_samples(frame, triangle);
     list.has_fragments = has_fragments(frame.settings.stage);
     return list;
 }
@@ -73,18 +111,24 @@ Cursor event_cursor(const EventList& list, int ordinal) {
 std::string event_text(const EventList& list, int ordinal) {
     const Cursor cursor = event_cursor(list, ordinal);
     std::string text = to_text(cursor) + "  ";
+    int in_phase = ordinal; // its number among those of its phase
+    for (const PhaseInfo& info : phase_list) {
+        if (info.phase == cursor.phase) break;
+        in_phase -= list.moments.of(info.phase).count();
+    }
     switch (cursor.phase) {
     case Phase::vertices:
         return text + vertex_event(list, cursor.index);
     case Phase::edges:
-        return text + sample_event(list, ordinal - list.moments.of(Phase::vertices).count());
+        return text + sample_event(list, in_phase);
     case Phase::rows:
         return text + row_event(list, cursor);
     case Phase::clip:
+        return text + clip_event(list, in_phase);
     case Phase::cull:
-        break;
+        return text + culling_text(list.cull);
     }
-    return text + std::string(phase_info(cursor.phase).word);
+    return text;
 }
 
 std::vector<int> find_events(const EventList& list, const std::string& words, int first,

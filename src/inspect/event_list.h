@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "inspect/row_history.h"
+#include "pipeline/observer.h"
 #include "pipeline/timeline.h"
 
 namespace rasterwalk {
@@ -13,10 +14,12 @@ namespace rasterwalk {
 /// All moments of a triangle. Their lines are made when they are asked for.
 struct EventList {
     int triangle = -1;
-    TriangleMoments moments; ///< none where the triangle is left out
-    std::vector<ScreenVertex> vertices;
-    std::vector<EdgeSample> samples; ///< of all edges, in order
-    bool has_fragments = false;      ///< rows are filled, not only bounded
+    TriangleMoments moments;               ///< none where the triangle is left out
+    std::vector<ProjectedVertex> vertices; ///< as the scene gives them
+    std::vector<ClipEvent> clip_steps;     ///< in order of time
+    CullTest cull;                         ///< where it has a moment
+    std::vector<EdgeSample> samples;       ///< of all edges, in order
+    bool has_fragments = false;            ///< rows are filled, not only bounded
 
     int count() const { return moments.count; }
 };

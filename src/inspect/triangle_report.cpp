@@ -10,6 +10,7 @@ TriangleReport triangle_report(const Frame& frame, int triangle, const Cursor& t
     const VertexRules vertex = vertex_rules(frame.settings, frame.scene->space);
     for (const Vertex& corner : corners_of(*frame.scene, triangle))
         report.vertices.push_back(shade_vertex(corner, rotation, vertex, frame.stages));
+    report.clip = clip_history(frame, triangle);
     if (!frame.is_drawn(triangle)) return report;
     report.rows = row_history(frame, triangle, to);
     const std::span<const ScreenVertex> pixels = frame.triangle_vertices(triangle);

@@ -3,6 +3,7 @@
 #include <string_view>
 #include <vector>
 
+#include "inspect/clip_history.h"
 #include "inspect/row_history.h"
 #include "pipeline/cursor.h"
 #include "pipeline/frame.h"
@@ -21,6 +22,7 @@ struct TriangleReport {
     int triangle = 0;
     Rejection rejection = Rejection::none; ///< why it is not drawn, or none
     std::vector<ShadedVertex> vertices;    ///< of the scene, through the spaces
+    ClipHistory clip;                      ///< between vertex shader and division
     std::vector<EdgeReport> edges;         ///< of what is drawn; empty for a triangle left out
     RowHistory rows;                       ///< the row table, likewise
 };

@@ -33,7 +33,7 @@ struct PhaseInfo {
 inline constexpr std::array phase_list{
     PhaseInfo{Phase::vertices, "vertices", 'v', true, vertex_form, 0, ""},
     PhaseInfo{Phase::clip, "clip", 'p', true, plane_form, 's', edge_form},
-    PhaseInfo{Phase::cull, "cull", 'k', false, "sign of the area", 0, ""},
+    PhaseInfo{Phase::cull, "cull", 'k', false, "front or back", 0, ""},
     PhaseInfo{Phase::edges, "edges", 'e', true, edge_form, 's', sample_form},
     PhaseInfo{Phase::rows, "rows", 'r', true, entry_form, 'c', fragment_form},
 };

@@ -1,7 +1,8 @@
 // The pipeline from the polygons on the screen to the picture; what comes before, prepare_frame()
 // has done. For each polygon, in this order:
 //
-//   show_vertices    stage `points`: a mark for each corner                     (draw_marks.cpp)
+//   show_vertices    stage `points`: a mark for each vertex                     (draw_marks.cpp)
+//   tell_clip_and_cull   what has been done to it; leaves no mark            (tell_clipping.cpp)
 //   cover            the row table; stage `edges` shows the samples that make it
 //   show_row_ends    stage `rows`: both ends of each row                        (draw_marks.cpp)
 //   fill_rows        for each row:
@@ -19,6 +20,7 @@
 
 #include "pipeline/draw_marks.h"
 #include "pipeline/drawing.h"
+#include "pipeline/tell_clipping.h"
 
 namespace rasterwalk {
 
@@ -48,8 +50,25 @@ Rectangle reach_of(const Frame& frame, int triangle) {
     return {box.left - stray, box.top - stray, box.right + stray, box.bottom + stray};
 }
 
+bool is_in(const Rectangle& area, const ScreenVertex& vertex) {
+    return vertex.column >= area.left && vertex.column < area.right && vertex.row >= area.top &&
+           vertex.row < area.bottom;
+}
+
+/// Does a mark lie in the scissor that is put where clipping has left no corner?
+bool has_mark_of_cut(const Drawing& d, int triangle) {
+    if (d.frame.settings.stage != Stage::points || !d.frame.is_cut(triangle)) return false;
+    for (int v = 0; v < triangle_corners; ++v) {
+        const ProjectedVertex& vertex = d.frame.given_vertex(triangle, v);
+        if (vertex.has_pixel && is_in(d.scissor, vertex.pixel)) return true;
+    }
+    return false;
+}
+
 /// Can a pixel of the triangle lie in the scissor?
 bool can_reach(const Drawing& d, int triangle) {
+    if (!d.frame.is_drawn(triangle)) return false;
+    if (has_mark_of_cut(d, triangle)) return true;
     const Rectangle reach = reach_of(d.frame, triangle);
     return reach.left < d.scissor.right && reach.right > d.scissor.left &&
            reach.top < d.scissor.bottom && reach.bottom > d.scissor.top;
@@ -232,7 +251,8 @@ void fill_rows(Drawing& d, int triangle) {
 void draw_polygon(Drawing& d, int triangle) {
     const Stage stage = d.frame.settings.stage;
     show_vertices(d, triangle);
-    if (stage == Stage::points) return;
+    tell_clip_and_cull(d, triangle);
+    if (stage == Stage::points || !d.frame.is_drawn(triangle)) return;
     cover(d, triangle);
     if (stage == Stage::rows) show_row_ends(d, triangle);
     if (has_fragments(stage)) fill_rows(d, triangle);
@@ -309,7 +329,7 @@ DrawTally draw(const Frame& frame, const DrawWindow& window, Framebuffer& frameb
     const int count = frame.triangle_count();
     const int last = std::min(window.to.triangle, count - 1);
     for (int t = std::max(window.from.triangle, 0); t <= last; ++t) {
-        if (frame.is_drawn(t) && (!draws_part || can_reach(d, t))) draw_polygon(d, t);
+        if (frame.has_moments(t) && (!draws_part || can_reach(d, t))) draw_polygon(d, t);
     }
     return d.tally;
 }

@@ -1,7 +1,6 @@
 #include "pipeline/draw_marks.h"
 
 #include <algorithm>
-#include <span>
 
 namespace rasterwalk {
 
@@ -40,15 +39,16 @@ void show_row_end(Drawing& d, const Cursor& cursor, const RowEnd& end, const glm
 } // namespace
 
 void show_vertices(Drawing& d, int triangle) {
-    const std::span<const ScreenVertex> vertices = d.frame.triangle_vertices(triangle);
+    const bool is_shown = d.frame.settings.stage == Stage::points && d.frame.is_drawn(triangle);
     const PieceRange range = clamp_to_window(d.window, {triangle, Phase::vertices, 0, 0},
-                                             &Cursor::index, static_cast<int>(vertices.size()));
+                                             &Cursor::index, triangle_corners);
     for (int v = range.first; v < range.last; ++v) {
         const Cursor cursor{triangle, Phase::vertices, v, 0};
-        if (d.observer != nullptr) d.observer->vertex(cursor, vertices[v]);
-        if (d.frame.settings.stage != Stage::points) continue;
-        put_mark(d, cursor, {vertices[v].column, vertices[v].row}, white,
-                 [&] { return mark_of(vertices[v]); });
+        const ProjectedVertex& vertex = d.frame.given_vertex(triangle, v);
+        if (d.observer != nullptr) d.observer->vertex(cursor, vertex);
+        if (!is_shown || !vertex.has_pixel) continue;
+        put_mark(d, cursor, {vertex.pixel.column, vertex.pixel.row}, white,
+                 [&] { return mark_of(vertex.pixel); });
     }
 }
 

@@ -7,7 +7,8 @@
 
 namespace rasterwalk {
 
-/// Stage `points`: the corners of a triangle. In every stage an observer is told of them.
+/// Stage `points`: the three vertices of a triangle that is drawn, before it is clipped. In every
+/// stage an observer is told of them, of a triangle that is not drawn too.
 void show_vertices(Drawing& d, int triangle);
 
 /// Listens to the coverage of one triangle: shows the samples of its edges, and tells the observer.

@@ -8,9 +8,9 @@ namespace rasterwalk {
 
 namespace {
 
-/// The first drawn triangle from this one on; the count of triangles if there is none.
-int drawn_from(const Frame& frame, int triangle) {
-    while (triangle < frame.triangle_count() && !frame.is_drawn(triangle))
+/// The first triangle with moments from this one on; the count of triangles if there is none.
+int walked_from(const Frame& frame, int triangle) {
+    while (triangle < frame.triangle_count() && !frame.has_moments(triangle))
         ++triangle;
     return triangle;
 }
@@ -41,7 +41,7 @@ int leap_within(const TriangleMoments& moments, int ordinal, std::int64_t& steps
 Cursor leap_triangles(const Frame& frame, const Cursor& from, std::int64_t triangles) {
     int t = from.triangle;
     for (; triangles > 0 && t < frame.triangle_count(); --triangles)
-        t = drawn_from(frame, t + 1);
+        t = walked_from(frame, t + 1);
     return t < frame.triangle_count() ? Cursor{t, Phase::vertices, 0, 0} : cursor_end;
 }
 
@@ -57,11 +57,11 @@ Instant instant_at(const Timeline& timeline, int triangle, double at, int least,
     return {timeline.at_ordinal(triangle, begin), std::clamp(passed, 0.0, 1.0)};
 }
 
-std::vector<int> drawn_triangles(const Frame& frame) {
-    std::vector<int> drawn;
-    for (int t = drawn_from(frame, 0); t < frame.triangle_count(); t = drawn_from(frame, t + 1))
-        drawn.push_back(t);
-    return drawn;
+std::vector<int> walked_triangles(const Frame& frame) {
+    std::vector<int> walked;
+    for (int t = walked_from(frame, 0); t < frame.triangle_count(); t = walked_from(frame, t + 1))
+        walked.push_back(t);
+    return walked;
 }
 
 int step_count(const TriangleMoments& moments, Granularity step) {
@@ -95,7 +95,7 @@ Cursor leap(const Timeline& timeline, const Cursor& cursor, std::int64_t steps, 
     const Frame& frame = timeline.frame();
     if (step == Granularity::triangle) return leap_triangles(frame, here, steps);
     int ordinal = timeline.ordinal(here);
-    for (int t = here.triangle; t < frame.triangle_count(); t = drawn_from(frame, t + 1)) {
+    for (int t = here.triangle; t < frame.triangle_count(); t = walked_from(frame, t + 1)) {
         const TriangleMoments& moments = timeline.moments(t);
         ordinal = leap_within(moments, ordinal, steps, step);
         if (ordinal < moments.count) return timeline.at_ordinal(t, ordinal);
@@ -116,22 +116,22 @@ Instant run_on(const Timeline& timeline, const Instant& from, double triangles, 
     triangles -= (moments.count - at) / moments.count;
 
     const Frame& frame = timeline.frame();
-    int t = drawn_from(frame, here.triangle + 1);
+    int t = walked_from(frame, here.triangle + 1);
     for (; triangles >= 1.0 && t < frame.triangle_count(); --triangles)
-        t = drawn_from(frame, t + 1);
+        t = walked_from(frame, t + 1);
     if (t >= frame.triangle_count()) return {cursor_end, 0.0};
     return instant_at(timeline, t, std::max(triangles, 0.0) * timeline.moments(t).count, 0, step);
 }
 
 FrameLength frame_length(const Timeline& timeline) {
-    const std::vector<int> drawn = drawn_triangles(timeline.frame());
+    const std::vector<int> walked = walked_triangles(timeline.frame());
     FrameLength length;
-    length.triangles = static_cast<int>(drawn.size());
+    length.triangles = static_cast<int>(walked.size());
     const int looked_at = std::min(length.triangles, counted_triangles);
     for (int i = 0; i < looked_at; ++i) {
         const std::size_t spread =
-            drawn.size() * static_cast<std::size_t>(i) / static_cast<std::size_t>(looked_at);
-        const TriangleMoments& moments = timeline.moments(drawn[spread]);
+            walked.size() * static_cast<std::size_t>(i) / static_cast<std::size_t>(looked_at);
+        const TriangleMoments& moments = timeline.moments(walked[spread]);
         for (std::size_t step = 0; step < length.steps.size(); ++step)
             length.steps[step] += step_count(moments, static_cast<Granularity>(step));
     }

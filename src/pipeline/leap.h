@@ -22,7 +22,7 @@ StepRange step_around(const TriangleMoments& moments, int ordinal, Granularity s
 
 /// So many steps of this size on: where as many calls of Timeline::next() would lead. Leaps over
 /// triangles by their counts: costs the rows of each that it passes, and with steps of a whole
-/// triangle only a look whether it is drawn. Of no steps, the moment at or after the cursor.
+/// triangle only a look whether it has any. Of no steps, the moment at or after the cursor.
 Cursor leap(const Timeline& timeline, const Cursor& cursor, std::int64_t steps, Granularity step);
 
 /// How far time has run: a moment, and how much has passed of the step that begins there.
@@ -33,15 +33,15 @@ struct Instant {
     friend bool operator==(const Instant&, const Instant&) = default;
 };
 
-/// Lets time run on by the time of so many triangles: all that are drawn take equally long, and so
-/// do all moments of one. Comes to rest at the beginning of a step of this size. Costs the rows of
-/// two triangles, however many lie between.
+/// Lets time run on by the time of so many triangles: all that have moments take equally long, and
+/// so do all moments of one. Comes to rest at the beginning of a step of this size. Costs the rows
+/// of two triangles, however many lie between.
 /// @param triangles >= 0, with a fraction
 Instant run_on(const Timeline& timeline, const Instant& from, double triangles, Granularity step);
 
 /// How long a frame is.
 struct FrameLength {
-    int triangles = 0;                                          ///< that are drawn
+    int triangles = 0;                                          ///< that have moments
     std::array<double, enum_words<Granularity>.size()> steps{}; ///< of each size, by Granularity
 
     double of(Granularity step) const { return steps[static_cast<std::size_t>(step)]; }

@@ -5,9 +5,11 @@
 #include <glm/vec3.hpp>
 
 #include "pipeline/cursor.h"
+#include "stages/clip.h"
+#include "stages/cull.h"
 #include "stages/fragment.h"
 #include "stages/polygon_rows.h"
-#include "stages/screen_vertex.h"
+#include "stages/project.h"
 
 namespace rasterwalk {
 
@@ -43,15 +45,32 @@ struct SampleEvent {
     EdgeSample sample;
 };
 
+/// One edge at one plane, in the moment in which it is clipped.
+struct ClipEvent {
+    Cursor cursor;
+    ClipStep step;
+};
+
+/// One triangle, in the moment in which it is asked whether it shows its back.
+struct CullEvent {
+    Cursor cursor;
+    CullTest test;
+};
+
 /// Is told what draw() does. Watching never changes what is drawn.
 class Observer {
   public:
     virtual ~Observer() = default;
-    virtual void vertex(const Cursor&, const ScreenVertex&) {}
+    /// A vertex as the scene gives it, before clipping; one behind the camera has no pixel.
+    virtual void vertex(const Cursor&, const ProjectedVertex&) {}
+    virtual void clip_step(const ClipEvent&) {}
+    virtual void cull(const CullEvent&) {}
     virtual void edge_sample(const SampleEvent&) {}
     virtual void fragment(const FragmentEvent&) {}
     /// False spares draw() the telling of edge samples.
     virtual bool wants_edge_samples() const { return false; }
+    /// False spares draw() the telling of clipping and culling.
+    virtual bool wants_clipping() const { return false; }
 };
 
 } // namespace rasterwalk

@@ -1,6 +1,7 @@
 #include "pipeline/timeline.h"
 
 #include <algorithm>
+#include <array>
 #include <climits>
 #include <cmath>
 
@@ -16,6 +17,31 @@ class SampleCounts : public SampleSink {
     }
     std::vector<int> samples;
 };
+
+/// Counts the steps at each plane.
+class StepCounts : public ClipSink {
+  public:
+    void clip_step(const ClipStep& step) override { ++steps[static_cast<std::size_t>(step.plane)]; }
+    std::array<int, clip_plane_count> steps{};
+};
+
+void find_clip_steps(const Frame& frame, int triangle, PhaseMoments& moments) {
+    if (!frame.is_clip_told(triangle)) return;
+    StepCounts counts;
+    tell_clipping(frame, triangle, counts);
+    for (const int steps : counts.steps)
+        moments.add({0, steps});
+}
+
+/// The samples of each edge of what is drawn; makes the row table.
+void find_samples(const Frame& frame, int triangle, PolygonRows& rows, PhaseMoments& moments) {
+    SampleCounts counts;
+    counts.samples.assign(frame.triangle_vertices(triangle).size(), 0);
+    compute_rows(frame, triangle, rows, &counts, {});
+    if (frame.settings.stage < Stage::edges) return;
+    for (const int samples : counts.samples)
+        moments.add({0, samples});
+}
 
 void find_rows(const Frame& frame, const PolygonRows& rows, PhaseMoments& moments) {
     const Rectangle area = drawn_area(frame);
@@ -134,21 +160,23 @@ void PhaseMoments::add(const Steps& piece) {
 
 const TriangleMoments& Timeline::moments(int triangle) const {
     if (cache_.triangle == triangle) return cache_;
-    const Stage stage = frame_->settings.stage;
-    const std::size_t corners = frame_->triangle_vertices(triangle).size();
-    SampleCounts counts;
-    counts.samples.assign(corners, 0);
-    compute_rows(*frame_, triangle, cache_.rows, &counts, {});
     cache_.triangle = triangle;
     for (PhaseMoments& phase : cache_.phases)
         phase.clear();
-    for (std::size_t v = 0; v < corners; ++v)
-        cache_.of(Phase::vertices).add({0, 1});
-    if (stage >= Stage::edges) {
-        for (const int samples : counts.samples)
-            cache_.of(Phase::edges).add({0, samples});
+    cache_.rows.left.clear();
+    cache_.rows.right.clear();
+    const Frame& frame = *frame_;
+    if (frame.has_moments(triangle)) {
+        for (int v = 0; v < triangle_corners; ++v)
+            cache_.of(Phase::vertices).add({0, 1});
+        find_clip_steps(frame, triangle, cache_.of(Phase::clip));
+        if (frame.is_cull_asked(triangle)) cache_.of(Phase::cull).add({0, 1});
     }
-    if (stage >= Stage::rows) find_rows(*frame_, cache_.rows, cache_.of(Phase::rows));
+    if (frame.is_drawn(triangle)) {
+        find_samples(frame, triangle, cache_.rows, cache_.of(Phase::edges));
+        if (frame.settings.stage >= Stage::rows)
+            find_rows(frame, cache_.rows, cache_.of(Phase::rows));
+    }
     cache_.count = 0;
     for (const PhaseMoments& phase : cache_.phases)
         cache_.count += phase.count();
@@ -159,7 +187,7 @@ Cursor Timeline::at_or_after(const Cursor& cursor) const {
     if (cursor.pass > 0) return cursor_end;
     Cursor wanted = cursor;
     for (int t = std::max(cursor.triangle, 0); t < frame_->triangle_count(); ++t) {
-        if (frame_->is_drawn(t)) {
+        if (frame_->has_moments(t)) {
             if (t != cursor.triangle) wanted = begin_of(t);
             const TriangleMoments& m = moments(t);
             const int ordinal = ordinal_at_or_after(wanted, m);
@@ -186,7 +214,7 @@ Cursor Timeline::previous(const Cursor& cursor, Granularity step) const {
         before = at_ordinal(here.triangle, ordinal(here) - 1);
     } else {
         int t = std::min(here.triangle, frame_->triangle_count()) - 1;
-        while (t >= 0 && !frame_->is_drawn(t))
+        while (t >= 0 && !frame_->has_moments(t))
             --t;
         if (t < 0) return first();
         before = at_ordinal(t, moments(t).count - 1);
@@ -216,7 +244,7 @@ Cursor Timeline::at_place(double place) const {
     const double at = std::clamp(place, 0.0, 1.0) * triangles;
     if (!(at < triangles)) return cursor_end;
     const int triangle = static_cast<int>(at);
-    if (!frame_->is_drawn(triangle)) return at_or_after(begin_of(triangle));
+    if (!frame_->has_moments(triangle)) return at_or_after(begin_of(triangle));
     // place() and its way back lose a little; no more than this part of a moment.
     constexpr double slack = 0.01;
     const int count = moments(triangle).count;

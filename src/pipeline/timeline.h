@@ -1,11 +1,12 @@
 #pragma once
 
 // The moments of a frame: which cursors exist, and how to go from one to another. The moments of a
-// triangle go through the phases of phase_list: its vertices; then, from stage `edges` on, the
-// samples of its edges;
-// then in stage `rows` one moment for every row, in which its two ends are shown, and from stage
-// `fill` on one moment for every fragment. Rows and fragments beyond the picture have no moments,
-// nor has a triangle that is left out. Every question costs at most the edges of a triangle or two.
+// triangle go through the phases of phase_list: its three vertices; where planes cut it, each edge
+// at each of them; where something culls, the answer; then, from stage `edges` on, the samples of
+// the edges of what is left; then in stage `rows` one moment for every row, in which its two ends
+// are shown, and from stage `fill` on one moment for every fragment. Rows and fragments beyond the
+// picture have no moments, nor has a triangle that is left out; one that clip or cull have taken
+// away ends there. Every question costs at most the edges of a triangle or two.
 
 #include <array>
 #include <cstdint>
@@ -79,7 +80,7 @@ class Timeline {
     double place(const Cursor& cursor) const;
     Cursor at_place(double place) const;
 
-    /// The moments of a drawn triangle; valid until the next question.
+    /// The moments of a triangle; none of one that is left out. Valid until the next question.
     const TriangleMoments& moments(int triangle) const;
 
     /// Number of a moment within its triangle, from 0, and back.

@@ -3,9 +3,21 @@
 #include <fmt/format.h>
 
 #include "base/element_names.h"
+#include "inspect/clip_history.h"
 #include "pipeline/timeline.h"
 
 namespace rasterwalk {
+
+namespace {
+
+/// What a piece of a phase is called.
+/// @param count of all pieces of the phase
+std::string piece_name(const Cursor& cursor, int count) {
+    if (cursor.phase == Phase::clip) return plane_name(cursor.index);
+    return element_name_of(phase_info(cursor.phase).piece, cursor.index, count);
+}
+
+} // namespace
 
 std::string describe_moment(const Frame& frame, const Cursor& cursor) {
     const Timeline timeline(frame);
@@ -17,7 +29,7 @@ std::string describe_moment(const Frame& frame, const Cursor& cursor) {
         "{} ({}) · {}{}", element_name_of(triangle_form, cursor.triangle, frame.triangle_count()),
         part_name(*frame.scene, cursor.triangle),
         is_row ? fmt::format("row {}, ", moments.rows.first_row + cursor.index) : "",
-        element_name_of(phase.piece, cursor.index, static_cast<int>(of_phase.pieces.size())));
+        piece_name(cursor, static_cast<int>(of_phase.pieces.size())));
     if (phase.step.empty()) return text;
     if (is_row && !has_fragments(frame.settings.stage)) return text + ": its two ends";
     // Of the whole row, of which only the part in the picture has moments.
@@ -29,8 +41,9 @@ std::string describe_moment(const Frame& frame, const Cursor& cursor) {
 std::string moment_name(const Cursor& cursor) {
     if (cursor == cursor_end) return "end of the frame";
     const PhaseInfo& phase = phase_info(cursor.phase);
-    const std::string text =
-        triangle_name(cursor.triangle) + ", " + element_name(phase.piece, cursor.index);
+    const std::string piece = cursor.phase == Phase::clip ? plane_name(cursor.index)
+                                                          : element_name(phase.piece, cursor.index);
+    const std::string text = triangle_name(cursor.triangle) + ", " + piece;
     return phase.step.empty() ? text : text + ", " + element_name(phase.step, cursor.step);
 }
 

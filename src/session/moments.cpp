@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/quoted.h"
+#include "inspect/clip_history.h"
 #include "pipeline/timeline.h"
 
 namespace rasterwalk {
@@ -47,6 +48,30 @@ std::string row_sentence(const Frame& frame, const Cursor& cursor, const std::st
     return triangle + " has " + pieces("row", 0, moments.rows.size() - 1);
 }
 
+std::string clip_sentence(const Frame& frame, const Cursor& cursor, const std::string& triangle) {
+    if (!frame.is_clip_told(cursor.triangle)) return "no plane cuts " + triangle;
+    const Timeline timeline(frame);
+    const PhaseMoments& planes = timeline.moments(cursor.triangle).of(Phase::clip);
+    const auto plane = static_cast<std::size_t>(cursor.index);
+    if (plane < planes.pieces.size() && planes.pieces[plane].count > 0) {
+        return "the " + plane_name(cursor.index) + " p" + std::to_string(cursor.index) + " has " +
+               pieces("step", 0, planes.pieces[plane].count - 1) + " for " + triangle;
+    }
+    std::string those;
+    for (std::size_t p = 0; p < planes.pieces.size(); ++p) {
+        if (planes.pieces[p].count == 0) continue;
+        those.append(those.empty() ? "p" : ", p").append(std::to_string(p));
+    }
+    return triangle + " is cut by the planes " + those;
+}
+
+std::string cull_sentence(const Frame& frame, const Cursor& cursor, const std::string& triangle) {
+    if (frame.is_cull_asked(cursor.triangle)) return "culling is a single moment";
+    return frame.rejection(cursor.triangle) == Rejection::clipped_away
+               ? "clipping leaves nothing of " + triangle
+               : "no triangle is culled";
+}
+
 /// What would be possible in the place of a cursor that does not exist.
 std::string possible(const Frame& frame, const Cursor& cursor) {
     if (cursor.pass > 0) return "a frame is drawn in a single pass";
@@ -54,22 +79,24 @@ std::string possible(const Frame& frame, const Cursor& cursor) {
         return "the scene has " + pieces("triangle", 0, frame.triangle_count() - 1);
     }
     const std::string triangle = "triangle t" + std::to_string(cursor.triangle);
-    if (!frame.is_drawn(cursor.triangle)) {
+    const bool ends_early = cursor.phase > Phase::cull && !frame.is_drawn(cursor.triangle);
+    if (ends_early || !frame.has_moments(cursor.triangle)) {
         return triangle +
                " is left out: " + std::string(words(frame.rejection(cursor.triangle)).sentence);
     }
     switch (cursor.phase) {
     case Phase::vertices:
-        return "a triangle has the vertices v0 to v" +
-               std::to_string(frame.triangle_vertices(cursor.triangle).size() - 1);
+        return "a triangle has the vertices v0 to v" + std::to_string(triangle_corners - 1);
+    case Phase::clip:
+        return clip_sentence(frame, cursor, triangle);
+    case Phase::cull:
+        return cull_sentence(frame, cursor, triangle);
     case Phase::edges:
         return edge_sentence(frame, cursor, triangle);
     case Phase::rows:
         return row_sentence(frame, cursor, triangle);
-    default:
-        return triangle + " has no moments in its phase " +
-               std::string(phase_info(cursor.phase).word);
     }
+    return {};
 }
 
 /// Does the cursor name a row of a row table?

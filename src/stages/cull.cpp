@@ -9,19 +9,19 @@ namespace rasterwalk {
 namespace {
 
 /// The words of a way of culling.
-struct Words {
+struct CullWords {
     std::string_view measure, front, back;
 };
 
-constexpr Words face_words{"dot(n, p - C)", "the normal points to the camera's side",
-                           "the normal points away from the camera"};
-constexpr Words area_words{"area times w", "its corners go round clockwise on the screen",
-                           "its corners go round counterclockwise on the screen"};
-constexpr Words corner_words{"dot(n, p - C)", "not every normal points away from the camera",
-                             "the normals of all corners point away from the camera"};
+constexpr CullWords face_words{"dot(n, p - C)", "the normal points to the camera's side",
+                               "the normal points away from the camera"};
+constexpr CullWords area_words{"area times w", "its corners go round clockwise on the screen",
+                               "its corners go round counterclockwise on the screen"};
+constexpr CullWords corner_words{"dot(n, p - C)", "not every normal points away from the camera",
+                                 "the normals of all corners point away from the camera"};
 
 /// @param test receives words and answer, or null; the values stand in it
-Rejection back_facing_if(bool is_back, const Words& words, CullTest* test) {
+Rejection back_facing_if(bool is_back, const CullWords& words, CullTest* test) {
     if (test != nullptr) {
         test->measure = words.measure;
         test->reason = is_back ? words.back : words.front;

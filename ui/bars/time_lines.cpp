@@ -47,8 +47,8 @@ void zoom_by_wheel(const TimeLines& s, double about) {
     const double turns = std::clamp(io.MouseWheel, -10.0f, 10.0f);
     const int triangle = static_cast<int>(std::clamp(about, 0.0, s.triangles() - 1.0));
     const Frame& frame = s.timeline.frame();
-    const bool is_drawn = triangle < frame.triangle_count() && frame.is_drawn(triangle);
-    const int moments = is_drawn ? s.timeline.moments(triangle).count : 1;
+    const bool is_walked = triangle < frame.triangle_count() && frame.has_moments(triangle);
+    const int moments = is_walked ? s.timeline.moments(triangle).count : 1;
     const double least = std::min(1.0, fewest_moments / std::max(moments, 1));
     zoom_window(s.window(), std::pow(wheel_factor, -turns), about, least);
 }

@@ -82,11 +82,14 @@ struct StepChoice {
 std::array<StepChoice, 4> step_choices(Stage stage) {
     const bool fragments = has_fragments(stage);
     return {{{Granularity::moment, fragments ? "fragment" : "sample",
-              "A step is the smallest piece of work: one vertex, one edge sample, one fragment."},
-             {Granularity::line, fragments ? "row" : "edge", "A step is one edge or one row."},
+              "A step is the smallest piece of work: one vertex, one edge at a clipping plane, one "
+              "edge sample, one fragment."},
+             {Granularity::line, fragments ? "row" : "edge",
+              "A step is one clipping plane, one edge or one row."},
              {Granularity::triangle, "triangle", "A step is one triangle."},
              {Granularity::phase, "phase",
-              "A step is one phase of a triangle: its vertices, its edges, its rows."}}};
+              "A step is one phase of a triangle: its vertices, clipping, culling, its edges, its "
+              "rows."}}};
 }
 
 /// How the groups of the transport are put: buttons, size of a step, dial, time lines.

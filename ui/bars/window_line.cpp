@@ -25,12 +25,12 @@ Cursor moment_in_scale(const Timeline& timeline, double place) {
     const Frame& frame = timeline.frame();
     if (place >= frame.triangle_count()) return cursor_end;
     const int triangle = static_cast<int>(std::max(place, 0.0));
-    if (frame.is_drawn(triangle)) {
+    if (frame.has_moments(triangle)) {
         const TriangleMoments& moments = timeline.moments(triangle);
         const int ordinal = triangle_scale(moments).ordinal_at(place - triangle);
         if (ordinal < moments.count) return timeline.at_ordinal(triangle, ordinal);
     }
-    const int next = frame.is_drawn(triangle) ? triangle + 1 : triangle;
+    const int next = frame.has_moments(triangle) ? triangle + 1 : triangle;
     return timeline.at_or_after({next, Phase::vertices, 0, 0});
 }
 
@@ -140,9 +140,10 @@ std::vector<Piece> pieces_in_window(const TimeLines& s) {
     for (int t = static_cast<int>(window.begin); t < last; ++t) {
         const double first = t;
         const std::string index = fmt::format("[{}]", t);
-        if (!frame.is_drawn(t)) {
+        const bool is_divided = each >= divided_triangle * s.unit();
+        if (!frame.has_moments(t) || (!is_divided && !frame.is_drawn(t))) {
             pieces.push_back({first, first + 1.0, p.line, "left out", index, 0, {}, 1});
-        } else if (each < divided_triangle * s.unit()) {
+        } else if (!is_divided) {
             pieces.push_back({first, first + 1.0, p.accent, "triangles" + index, index, 0, {}, 1});
         } else {
             add_pieces(s, t, pieces);

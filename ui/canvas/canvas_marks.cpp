@@ -34,10 +34,11 @@ std::vector<std::pair<int, int>> visible_points(const Marks& m) {
     std::vector<std::pair<int, int>> points;
     for (int t = 0; t < frame.triangle_count(); ++t) {
         if (!frame.is_drawn(t)) continue;
-        int v = 0;
-        for (const ScreenVertex& vertex : frame.triangle_vertices(t)) {
-            if (Cursor{t, Phase::vertices, v++, 0} >= m.run.cursor) break;
-            if (m.is_visible(m.at(vertex))) points.emplace_back(vertex.row, vertex.column);
+        for (int v = 0; v < triangle_corners; ++v) {
+            if (Cursor{t, Phase::vertices, v, 0} >= m.run.cursor) break;
+            const ProjectedVertex& vertex = frame.given_vertex(t, v);
+            if (vertex.has_pixel && m.is_visible(m.at(vertex.pixel)))
+                points.emplace_back(vertex.pixel.row, vertex.pixel.column);
         }
         // Neighbours share their corners, but no more than this.
         if (points.size() > 16 * most_rings) return {};
@@ -183,12 +184,14 @@ void draw_current(const Marks& m) {
     const Frame& frame = m.run.frame;
     const Cursor done = *m.run.done;
     const Timeline timeline(frame);
-    const std::span<const ScreenVertex> vertices = frame.triangle_vertices(done.triangle);
     const ImU32 white = m.colour(Meaning::current);
     switch (done.phase) {
-    case Phase::vertices:
-        frame_pixel(m, vertices[done.index].column, vertices[done.index].row, white, 2.5f * m.u);
+    case Phase::vertices: {
+        const ProjectedVertex& vertex = frame.given_vertex(done.triangle, done.index);
+        if (!vertex.has_pixel) break;
+        frame_pixel(m, vertex.pixel.column, vertex.pixel.row, white, 2.5f * m.u);
         break;
+    }
     case Phase::edges: {
         const Fragment sample = edge_samples(frame, done.triangle, m.run.cursor).back().fragment;
         frame_pixel(m, sample.column, sample.row, white, 2.5f * m.u);
@@ -203,7 +206,8 @@ void draw_current(const Marks& m) {
         }
         break;
     }
-    default:
+    case Phase::clip:
+    case Phase::cull:
         break; // nothing of it lies in the picture
     }
 }

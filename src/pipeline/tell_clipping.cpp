@@ -1,0 +1,43 @@
+#include "pipeline/tell_clipping.h"
+
+#include <array>
+
+namespace rasterwalk {
+
+namespace {
+
+bool is_in_window(const DrawWindow& window, const Cursor& cursor) {
+    return cursor >= window.from && cursor < window.to;
+}
+
+/// Gives each step its moment. A function that comes to a plane twice goes on counting there.
+class ClipTelling : public ClipSink {
+  public:
+    ClipTelling(const Drawing& d, int triangle) : d_(d), triangle_(triangle) {}
+
+    void clip_step(const ClipStep& step) override {
+        const auto plane = static_cast<std::size_t>(step.plane);
+        const Cursor cursor{triangle_, Phase::clip, static_cast<int>(plane), told_[plane]++};
+        if (is_in_window(d_.window, cursor)) d_.observer->clip_step({cursor, step});
+    }
+
+  private:
+    const Drawing& d_;
+    int triangle_;
+    std::array<int, clip_plane_count> told_{};
+};
+
+} // namespace
+
+void tell_clip_and_cull(const Drawing& d, int triangle) {
+    if (d.observer == nullptr || !d.observer->wants_clipping()) return;
+    const Cursor cull{triangle, Phase::cull, 0, 0};
+    if (d.window.to > Cursor{triangle, Phase::clip, 0, 0} && d.window.from < cull) {
+        ClipTelling telling(d, triangle);
+        tell_clipping(d.frame, triangle, telling);
+    }
+    if (d.frame.is_cull_asked(triangle) && is_in_window(d.window, cull))
+        d.observer->cull({cull, cull_test(d.frame, triangle)});
+}
+
+} // namespace rasterwalk
