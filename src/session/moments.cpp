@@ -125,8 +125,8 @@ Cursor moment_of(const Frame& frame, const std::string& text) {
     const std::optional<Cursor> cursor = parse_cursor(text);
     if (!cursor) {
         throw UsageError(in_quotes(text) +
-                         " is not a moment; one is written t12, t12/v1, t12/e2/s14, t12/r37/c5 "
-                         "or end.");
+                         " is not a moment; one is written t12, t12/v1, t12/p2/s1, t12/k, "
+                         "t12/e2/s14, t12/r37/c5 or end.");
     }
     return find_moment(frame, *cursor, text);
 }

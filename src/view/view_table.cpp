@@ -98,7 +98,7 @@ ViewField cursor_field() {
         if (!cursor) {
             block.input().fail(node, in_quotes(block.text(node)) +
                                          " is not a moment; one is written t12, t12/v1, "
-                                         "t12/e2/s14, t12/r37/c5 or end.");
+                                         "t12/p2/s1, t12/k, t12/e2/s14, t12/r37/c5 or end.");
         }
         return *cursor;
     };
@@ -116,7 +116,8 @@ ViewField cursor_field() {
         session.cursor = moment_of(prepare_frame(*session.scene, session.a.settings), *cursor);
     };
     const ViewOption option{"to", "CURSOR",
-                            "Draw up to this moment: t12, t12/v1, t12/e2/s14, t12/r37/c5 or end"};
+                            "Draw up to this moment: t12, t12/v1, t12/p2/s1, t12/k, t12/e2/s14, "
+                            "t12/r37/c5 or end"};
     ViewField field = make_field("cursor", ViewPart::selection, option, form);
     field.is_of_scene = true;
     field.link = cursor_link();

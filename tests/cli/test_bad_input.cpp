@@ -138,15 +138,44 @@ TEST_CASE("An output that cannot be written ends with exit code 4 and leaves not
     CHECK(folder.file_count() == 0);
 }
 
+TEST_CASE("A moment of clip or cull that does not exist says which ones do") {
+    // Two corners of the floor lie behind this camera, and one plane cuts it.
+    const auto expect_at = [](const char* text, const std::string& complaint) {
+        expect({"stats", "--to", text, "--set", "clip=near", "--set", "camera.position=0,0,-0.9"},
+               2, std::string("there is no moment ") + text + ": " + complaint);
+    };
+    expect_at("t0/p0/s3", "the near plane p0 has the steps s0 to s2 for triangle t0.");
+    expect_at("t0/p3/s0", "triangle t0 is cut by the planes p0.");
+    expect_at("t0/p99/s99", "triangle t0 is cut by the planes p0.");
+    expect_at("t0/p2147483647/s2147483647", "triangle t0 is cut by the planes p0.");
+    expect_at("t0/k", "no triangle is culled.");
+    expect_at("t0/v3", "a triangle has the vertices v0 to v2.");
+    const std::vector<std::string> at_edge{"stats",
+                                           "--to",
+                                           "t0/e0/s0",
+                                           "--set",
+                                           "cull=face_normal",
+                                           "--set",
+                                           "camera.position=0,5,-3"};
+    expect(at_edge, 2,
+           "there is no moment t0/e0/s0: triangle t0 is left out: it turns its back to the "
+           "camera.");
+    CHECK(
+        run({"stats", "--to", "t0/k", at_edge[3], at_edge[4], at_edge[5], at_edge[6]}).exit_code ==
+        0);
+    CHECK(run({"stats", "--to", "t0/p0/s2", "--set", "clip=near", "--set",
+               "camera.position=0,0,-0.9"})
+              .exit_code == 0);
+}
+
 TEST_CASE("A moment that does not exist ends with exit code 2 and says which ones do") {
     expect({"stats", "--to", "t30"}, 2,
            "there is no moment t30: the scene has the triangles t0 to t29.");
     expect({"stats", "--to", "t3/v3"}, 2,
            "there is no moment t3/v3: a triangle has the vertices v0 to v2.");
     expect({"stats", "--to", "t3/p0/s2"}, 2,
-           "there is no moment t3/p0/s2: triangle t3 has no moments in its phase clip.");
-    expect({"stats", "--to", "t3/k"}, 2,
-           "there is no moment t3/k: triangle t3 has no moments in its phase cull.");
+           "there is no moment t3/p0/s2: no plane cuts triangle t3.");
+    expect({"stats", "--to", "t3/k"}, 2, "there is no moment t3/k: no triangle is culled.");
     expect({"stats", "--to", "p1:t3/k"}, 2,
            "there is no moment p1:t3/k: a frame is drawn in a single pass.");
     expect({"stats", "--to", "t3/e3"}, 2,
@@ -165,8 +194,8 @@ TEST_CASE("A moment that does not exist ends with exit code 2 and says which one
     for (const std::string text : {"t", "x", "t1/", "t-1", "t1/v1/s1", "t99999999999", "END"}) {
         expect({"stats", "--to", text}, 2,
                "'" + text +
-                   "' is not a moment; one is written t12, t12/v1, t12/e2/s14, t12/r37/c5 or "
-                   "end.");
+                   "' is not a moment; one is written t12, t12/v1, t12/p2/s1, t12/k, "
+                   "t12/e2/s14, t12/r37/c5 or end.");
     }
 }
 

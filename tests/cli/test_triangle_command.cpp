@@ -112,6 +112,40 @@ TEST_CASE("triangle --to stops in the middle of the row table") {
     CHECK_THAT(nothing, !Contains("\"wrote\""));
 }
 
+TEST_CASE("A triangle that is cut or culled tells of every plane and edge, and of the answer") {
+    const std::vector<std::string> cut{"--set", "camera.position=0,0,-0.9", "--set", "clip=near"};
+    // Corner 0 lies at z = 1.9, the others 0.1 behind the camera: 1.8 of 2.0 up to the plane.
+    const CliRun text = run({"triangle", "0", cut[0], cut[1], cut[2], cut[3]});
+    CHECK(text.exit_code == 0);
+    CHECK_THAT(
+        text.out,
+        Contains("\nClipping\n  near plane: of 3 corners 3 are left\n    edge 0: corner 0 is "
+                 "inside and kept, the edge leaves at t = 0.9000: ("));
+    CHECK_THAT(text.out,
+               Contains("    edge 1: corner 1 is outside and left out\n    edge 2: corner "
+                        "2 is outside and left out, the edge enters at t = 0.9000: ("));
+    CHECK_THAT(text.out, Contains(")\n  drawn as 1 triangle\n"));
+    CHECK_THAT(text.out, !Contains("Culling"));
+    const std::string json = json_of({"0", cut[0], cut[1], cut[2], cut[3]});
+    CHECK_THAT(json, Contains("\"plane\":\"near\",\"steps\":[{\"cut\":["));
+    CHECK_THAT(json, Contains("\"outcodes\":[\"inside\",\"near\",\"near\"]"));
+    CHECK_THAT(json, Contains("\"cull\":null"));
+    CHECK_THAT(json, Contains("\"triangles\":1"));
+    const std::vector<std::string> culled{"--set", "camera.position=0,5,-3", "--set",
+                                          "cull=face_normal"};
+    const CliRun back = run({"triangle", "0", culled[0], culled[1], culled[2], culled[3]});
+    CHECK_THAT(back.out, Contains("\nCulling\n  culls: dot(n, p - C) = 4, the normal points away "
+                                  "from the camera\n"));
+    CHECK_THAT(back.out, Contains("It is left out: it turns its back to the camera.\n"));
+    CHECK_THAT(json_of({"0", culled[0], culled[1], culled[2], culled[3]}),
+               Contains("\"cull\":{\"culled\":true,"));
+    // Where nothing cuts and nothing culls there is nothing to tell.
+    const CliRun plain = run({"triangle", "0"});
+    CHECK_THAT(plain.out, !Contains("Clipping"));
+    CHECK_THAT(plain.out, !Contains("Culling"));
+    CHECK_THAT(json_of({"0"}), Contains("\"planes\":[]"));
+}
+
 TEST_CASE("A triangle that is left out says why, and still has its vertices") {
     const std::vector<std::string> view{"--set", "camera.position=0,0,0"};
     const CliRun text = run({"triangle", "0", view[0], view[1]});

@@ -10,6 +10,7 @@
 #include "picture/view_image.h"
 #include "settings/setting_table.h"
 #include "stages/light.h"
+#include "support/cut_frames.h"
 #include "support/effort.h"
 #include "support/frames.h"
 #include "support/recorder.h"
@@ -49,15 +50,26 @@ std::map<Cursor, Seen> everything(const Frame& frame, bool with_light, bool as_s
     std::map<Cursor, Seen> all;
     for (const Recorder::VertexEvent& event : recorder.vertices) {
         std::vector<std::uint32_t>& work = all[event.cursor].work;
-        work = {bits(event.vertex.column), bits(event.vertex.row), bits(event.vertex.inv_w)};
-        if (with_light && frame.is_cut(event.cursor.triangle)) {
-            add(work, event.vertex.varyings.illumination / event.vertex.inv_w);
-        } else if (with_light) {
+        work = {bits(event.vertex.column), bits(event.vertex.row), bits(event.vertex.inv_w),
+                event.has_pixel ? 1U : 0U};
+        if (with_light) {
             const Vertex& vertex = frame.scene->corner(event.cursor.triangle, event.cursor.index);
             add(work, reflected_light(vertex.position, vertex.normal, vertex.reflectance,
                                       frame.settings.light, frame.settings.light_rules)
                           .reflected);
         }
+    }
+    for (const ClipEvent& event : recorder.clip_steps) {
+        std::vector<std::uint32_t>& work = all[event.cursor].work;
+        work = {event.step.keeps_from ? 1U : 0U};
+        if (!event.step.is_cut) continue;
+        work.push_back(bits(event.step.t));
+        for (int i = 0; i < 4; ++i)
+            work.push_back(bits(event.step.cut.position_clip[i]));
+    }
+    // Who is asked and shows the front goes on as if nobody had asked.
+    for (const CullEvent& event : recorder.culls) {
+        if (event.test.is_back) all[event.cursor].work = {1U};
     }
     for (const SampleEvent& event : recorder.samples) {
         all[event.cursor].work = {bits(event.sample.fragment.column),
@@ -178,6 +190,40 @@ TEST_CASE("For every two values of a choice the divergences are those of a plain
 TEST_CASE("For every two values of a choice the divergences are those of a plain walk: the room") {
     const Scene scene = small_room();
     for_each_pair(scene, require_true_divergences);
+}
+
+TEST_CASE("Where triangles are cut and culled the divergences are those of a plain walk") {
+    const Scene scene = cut_scene();
+    for (const StageInfo& info : stage_list()) {
+        std::vector<Frame> frames;
+        for (const CutRules& rules : cut_rules)
+            frames.push_back(cut_frame(scene, info.step, rules));
+        for (const Frame& a : frames) {
+            for (const Frame& b : frames)
+                require_true_divergences(a, b);
+        }
+    }
+}
+
+TEST_CASE("The first difference names plane and edge, or why a triangle is culled") {
+    const Scene scene = cut_scene();
+    const Frame near = cut_frame(scene, {Stage::fill}, {Clip::near, Cull::none, Reject::none});
+    const Frame all = cut_frame(scene, {Stage::fill}, {Clip::all, Cull::none, Reject::none});
+    const std::optional<Divergence> first = next_divergence(near, all, cursor_begin);
+    REQUIRE(first);
+    CHECK(first->cursor.phase == Phase::clip);
+    CHECK(first->cursor.index > 0);
+    CHECK(first->kind == DivergenceKind::extra);
+    const std::string plane(word_of(static_cast<ClipPlane>(first->cursor.index)));
+    CHECK(first->text.starts_with(plane + " plane, edge 0: A does nothing; B "));
+    const Frame culled =
+        cut_frame(scene, {Stage::fill}, {Clip::near, Cull::screen_area, Reject::none});
+    const std::optional<Divergence> back = next_divergence(near, culled, cursor_begin);
+    REQUIRE(back);
+    CHECK(back->cursor.phase == Phase::cull);
+    CHECK(culled.rejection(back->cursor.triangle) == Rejection::back_facing);
+    CHECK(back->text.starts_with("A does not cull; B culls: area times w = -"));
+    CHECK(back->text.ends_with("its corners go round counterclockwise on the screen."));
 }
 
 TEST_CASE("For cameras and lamps that differ the divergences are those of a plain walk") {

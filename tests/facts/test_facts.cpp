@@ -105,12 +105,41 @@ TEST_CASE("The frame's facts are the golden numbers of the room") {
     CHECK(room.number("frame.triangles") + room.number("frame.left_out") == 30);
 }
 
+TEST_CASE("Clipping and culling of the triangle on show are facts, and so are their moments") {
+    Asked room;
+    room.session.selection.triangle = 0;
+    CHECK(room.number("polygon.planes") == 0);
+    CHECK(room.number("polygon.corners") == 3);
+    CHECK(room.number("polygon.triangles") == 1);
+    CHECK_FALSE(room.is_there("cursor.plane"));
+    room.session.a.settings.camera.position.z = -0.9f;
+    room.session.a.settings.clip = Clip::near;
+    CHECK(room.number("polygon.planes") == 1);
+    CHECK(room.number("polygon.cuts") == 2);
+    CHECK(room.number("polygon.corners") == 3); // of two corners behind the plane one is left
+    room.session.selection.triangle = 1;
+    CHECK(room.number("polygon.corners") == 4);
+    CHECK(room.number("polygon.triangles") == 2);
+    CHECK(room.number("polygon.culled") == 0);
+    room.session.cursor = {1, Phase::clip, 0, 2};
+    CHECK(room.value("cursor.phase") == Value(std::string("clip")));
+    CHECK(room.value("cursor.plane") == Value(std::string("near")));
+    CHECK(room.number("cursor.clip_edge") == 2);
+    CHECK_FALSE(room.is_there("cursor.edge"));
+    room.session.a.settings.cull = Cull::face_normal;
+    room.session.a.settings.camera.position = {0.0f, 5.0f, -3.0f};
+    CHECK(room.number("polygon.culled") == 1);
+    room.session.cursor = {1, Phase::cull, 0, 0};
+    CHECK(room.value("cursor.phase") == Value(std::string("cull")));
+    CHECK(room.value("cursor") == Value(Cursor{1, Phase::cull, 0, 0}));
+}
+
 TEST_CASE("What is not selected is not there") {
     Asked room;
-    for (const char* name :
-         {"triangle", "row", "vertex", "pixel.column", "pixel.owner", "pixel.z",
-          "pixel.light_error", "table.left", "table.count", "vertex.column", "cursor.triangle",
-          "cursor.edge", "cursor.row", "compare.first", "compare.different_pixels"}) {
+    for (const char* name : {"triangle", "row", "vertex", "pixel.column", "pixel.owner", "pixel.z",
+                             "pixel.light_error", "table.left", "table.count", "vertex.column",
+                             "cursor.triangle", "cursor.edge", "cursor.plane", "cursor.clip_edge",
+                             "cursor.row", "compare.first", "compare.different_pixels"}) {
         INFO(name);
         CHECK_FALSE(room.is_there(name));
     }

@@ -10,6 +10,7 @@
 
 #include "compare/divergence.h"
 #include "explain/fragment_report.h"
+#include "inspect/event_list.h"
 #include "inspect/microscope.h"
 #include "inspect/pixel_history.h"
 #include "inspect/row_graph.h"
@@ -72,16 +73,29 @@ ClipVertex between(const ClipVertex& a, const ClipVertex& b, float t) {
             a.varyings + (b.varyings - a.varyings) * t};
 }
 /// Sutherland-Hodgman against one plane, w = near: triangles become quadrilaterals, or nothing.
-Clipped clip_at_near_plane(std::vector<ClipVertex>& corners, const VertexRules&, ClipSink*) {
+Clipped clip_at_near_plane(std::vector<ClipVertex>& corners, const VertexRules&, ClipSink* sink) {
     constexpr float near = 1.5f;
     std::vector<ClipVertex> left;
+    std::vector<ClipStep> steps;
     bool is_cut = false;
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const ClipVertex &a = corners[i], &b = corners[(i + 1) % corners.size()];
         const float da = a.position_clip.w - near, db = b.position_clip.w - near;
-        if (da >= 0.0f) left.push_back(a);
-        if ((da >= 0.0f) != (db >= 0.0f)) left.push_back(between(a, b, da / (da - db)));
-        is_cut = is_cut || !(da >= 0.0f);
+        ClipStep& step = steps.emplace_back();
+        step.from = static_cast<int>(i);
+        step.keeps_from = da >= 0.0f;
+        step.is_cut = (da >= 0.0f) != (db >= 0.0f);
+        step.t = step.is_cut ? da / (da - db) : 0.0f;
+        if (step.is_cut) step.cut = between(a, b, step.t);
+        if (step.keeps_from) left.push_back(a);
+        if (step.is_cut) left.push_back(step.cut);
+        is_cut = is_cut || !step.keeps_from;
+    }
+    if (sink != nullptr && is_cut) {
+        sink->begin_plane(ClipPlane::near, corners);
+        for (const ClipStep& step : steps)
+            sink->clip_step(step);
+        sink->end_plane(ClipPlane::near, left);
     }
     corners = left;
     return {left.empty() ? Rejection::clipped_away : Rejection::none, is_cut};
@@ -96,8 +110,10 @@ float signed_area(std::span<const ClipVertex> corners) {
     }
     return area;
 }
-Rejection cull_back_faces(std::span<const ClipVertex> corners, const VertexRules&, CullTest*) {
-    return signed_area(corners) < 0.0f ? Rejection::back_facing : Rejection::none;
+Rejection cull_back_faces(std::span<const ClipVertex> corners, const VertexRules&, CullTest* test) {
+    const float area = signed_area(corners);
+    if (test != nullptr) *test = {"area", "by its area", {area}, area < 0.0f};
+    return area < 0.0f ? Rejection::back_facing : Rejection::none;
 }
 void clip_and_cull(Stages& stages) {
     stages.clip = clip_at_near_plane;
@@ -305,6 +321,10 @@ void check_moments(const Frame& frame, const Story& story) {
     std::vector<Cursor> told;
     for (const auto& vertex : story.told.vertices)
         told.push_back(vertex.cursor);
+    for (const ClipEvent& event : story.told.clip_steps)
+        told.push_back(event.cursor);
+    for (const CullEvent& event : story.told.culls)
+        told.push_back(event.cursor);
     for (const SampleEvent& event : story.told.samples)
         told.push_back(event.cursor);
     for (const FragmentEvent& event : story.told.fragments)
@@ -317,6 +337,39 @@ void check_moments(const Frame& frame, const Story& story) {
         cursor = timeline.next(cursor, Granularity::moment);
     }
     CHECK(cursor == cursor_end);
+}
+
+/// History, report and list of moments tell of clipping and culling what the observer was told.
+void check_clipping(const Frame& frame, const Story& story, int triangle) {
+    std::vector<std::string> told, of_history, of_report;
+    for (const ClipEvent& event : story.told.clip_steps) {
+        if (event.cursor.triangle == triangle) told.push_back(clip_step_text(event.step));
+    }
+    const auto steps_of = [](const ClipHistory& history) {
+        std::vector<std::string> steps;
+        for (const PlaneHistory& plane : history.planes) {
+            for (const ClipStep& step : plane.steps)
+                steps.push_back(clip_step_text(step));
+        }
+        return steps;
+    };
+    const ClipHistory history = clip_history(frame, triangle);
+    CAPTURE(triangle);
+    CHECK(steps_of(history) == told);
+    CHECK(steps_of(triangle_report(frame, triangle).clip) == told);
+    const EventList list = list_events(frame, triangle);
+    REQUIRE(list.clip_steps.size() == told.size());
+    for (std::size_t i = 0; i < told.size(); ++i)
+        CHECK(clip_step_text(list.clip_steps[i].step) == told[i]);
+    const auto cull =
+        std::find_if(story.told.culls.begin(), story.told.culls.end(),
+                     [&](const CullEvent& event) { return event.cursor.triangle == triangle; });
+    const bool is_told = cull != story.told.culls.end();
+    REQUIRE(list.moments.of(Phase::cull).count() == (is_told ? 1 : 0));
+    CHECK(history.is_cull_asked == is_told);
+    if (!is_told) return;
+    CHECK(culling_text(history.cull) == culling_text(cull->test));
+    CHECK(culling_text(list.cull) == culling_text(cull->test));
 }
 
 void check_pixels(const Frame& frame, const Story& story) {
@@ -404,6 +457,7 @@ TEST_CASE("With another function in any slot all that is shown tells the same, n
         CHECK(tells_something_new);
         CHECK(draw_frame(frame) == story.picture); // also when nobody watches
         for (int t = 0; t < frame.triangle_count(); ++t) {
+            if (frame.has_moments(t)) check_clipping(frame, story, t);
             if (!frame.is_drawn(t)) continue;
             check_tables(frame, story, t);
             check_microscope(frame, story, t);
@@ -427,9 +481,9 @@ TEST_CASE("Clipping and culling show in polygons, reports, counts and the compar
             corners.push_back(vertex_shader(vertex, camera_rotation(settings.camera),
                                             vertex_rules(settings, scene.space), {}, nullptr));
         }
-        const Clipped clipped = clip_at_near_plane(corners, {});
+        const Clipped clipped = clip_at_near_plane(corners, {}, nullptr);
         Rejection rejection = clipped.rejection;
-        if (rejection == Rejection::none) rejection = cull_back_faces(corners, {});
+        if (rejection == Rejection::none) rejection = cull_back_faces(corners, {}, nullptr);
         CAPTURE(t);
         CHECK(frame.rejection(t) == rejection);
         CHECK(triangle_report(frame, t).rejection == rejection);
@@ -457,13 +511,26 @@ TEST_CASE("Clipping and culling show in polygons, reports, counts and the compar
     // The comparison says so too, of the first triangle that is drawn in one run only.
     for (int t = 0; t < frame.triangle_count(); ++t) {
         if (!usual.is_drawn(t) || frame.is_drawn(t)) continue;
-        const Cursor first{t, Phase::vertices, 0, 0};
-        const std::optional<Divergence> divergence = next_divergence(usual, frame, first);
+        const std::optional<Divergence> divergence =
+            next_divergence(usual, frame, {t, Phase::vertices, 0, 0});
         REQUIRE(divergence);
-        CHECK(divergence->cursor == first);
-        CHECK(divergence->kind == DivergenceKind::missing);
+        CHECK(divergence->kind == DivergenceKind::extra);
+        const ClipHistory history = clip_history(frame, t);
+        if (!history.planes.empty()) {
+            CHECK(divergence->cursor == Cursor{t, Phase::clip, 0, 0});
+            CHECK(divergence->text.starts_with("near plane, edge 0: A does nothing; B "));
+        } else {
+            CHECK(divergence->cursor == Cursor{t, Phase::cull, 0, 0});
+            CHECK(divergence->text.find("B culls: area = -") != std::string::npos);
+        }
+        // Behind it, what the other run draws is missing.
+        const std::optional<Divergence> edge =
+            next_divergence(usual, frame, {t, Phase::edges, 0, 0});
+        REQUIRE(edge);
+        CHECK(edge->cursor == Cursor{t, Phase::edges, 0, 0});
+        CHECK(edge->kind == DivergenceKind::missing);
         const std::string reason(words(frame.rejection(t)).sentence);
-        CHECK(divergence->text.find(reason) != std::string::npos);
+        CHECK(edge->text.find(reason) != std::string::npos);
     }
     CHECK_FALSE(next_divergence(frame, frame, cursor_begin));
     // A triangle that reaches behind the camera is left out whole where nothing is clipped.

@@ -7,6 +7,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "support/cut_frames.h"
 #include "support/frames.h"
 #include "support/moments.h"
 #include "support/samples.h"
@@ -103,7 +104,7 @@ TEST_CASE("A leap of many steps leads where as many single steps do") {
 TEST_CASE("A leap from the middle of a step, or from no moment at all, counts as steps do") {
     const Scene scene = small_scene();
     Random random(33);
-    for_each_frame(scene, [&](const Frame& frame) {
+    const auto check = [&](const Frame& frame) {
         const Timeline timeline(frame);
         for (int i = 0; i < 25; ++i) {
             const Cursor from = any_cursor(random, frame.triangle_count() + 1);
@@ -115,7 +116,9 @@ TEST_CASE("A leap from the middle of a step, or from no moment at all, counts as
             CAPTURE(to_text(from), word_of(step), steps);
             REQUIRE(to_text(leap(timeline, from, steps, step)) == to_text(expected));
         }
-    });
+    };
+    for_each_frame(scene, check);
+    for_each_cut_frame(cut_scene(), 2, check);
 }
 
 TEST_CASE("Time gives every drawn triangle as long, and every moment of a triangle") {

@@ -7,6 +7,7 @@
 
 #include "pipeline/draw.h"
 #include "support/bits.h"
+#include "support/cut_frames.h"
 #include "support/effort.h"
 #include "support/frames.h"
 #include "support/moments.h"
@@ -18,8 +19,7 @@ using namespace rasterwalk;
 using namespace rasterwalk::test;
 
 TEST_CASE("An observer is told every moment in order, and changes no bit") {
-    const Scene scene = small_scene();
-    for_each_frame(scene, [&](const Frame& frame) {
+    const auto check = [](const Frame& frame) {
         Recorder recorder(true);
         Framebuffer watched;
         clear(watched, frame);
@@ -29,9 +29,14 @@ TEST_CASE("An observer is told every moment in order, and changes no bit") {
         CHECK(draw(frame, {}, unwatched) == tally);
         require_same(unwatched, watched);
         CHECK(tally.fragments == static_cast<std::int64_t>(recorder.fragments.size()));
-        // Vertices, samples and fragments together are the moments; from stage `edges` on.
+        // Vertices, clip steps, culling, samples and fragments together are the moments; from stage
+        // `edges` on.
         std::vector<Cursor> told;
         for (const auto& event : recorder.vertices)
+            told.push_back(event.cursor);
+        for (const ClipEvent& event : recorder.clip_steps)
+            told.push_back(event.cursor);
+        for (const CullEvent& event : recorder.culls)
             told.push_back(event.cursor);
         for (const SampleEvent& event : recorder.samples)
             told.push_back(event.cursor);
@@ -53,7 +58,78 @@ TEST_CASE("An observer is told every moment in order, and changes no bit") {
         for (std::size_t i = 0; i < told.size(); ++i) {
             if (told[i] != expected[i]) FAIL(to_text(told[i]) + " for " + to_text(expected[i]));
         }
+    };
+    for_each_frame(small_scene(), check);
+    for_each_cut_frame(cut_scene(), 5, check);
+}
+
+TEST_CASE("A window tells of its own clip steps and culls only") {
+    const Scene scene = cut_scene();
+    Random random(35);
+    for_each_cut_frame(scene, 2, [&](const Frame& frame) {
+        Recorder all;
+        Framebuffer framebuffer;
+        clear(framebuffer, frame);
+        draw(frame, {}, framebuffer, &all);
+        for (int round = 0; round < 30; ++round) {
+            Cursor from = any_cursor(random, frame.triangle_count());
+            Cursor to = any_cursor(random, frame.triangle_count());
+            if (to < from) std::swap(from, to);
+            Recorder part;
+            draw(frame, {from, to, {}}, framebuffer, &part);
+            const auto in_window = [&](const auto& events) {
+                std::vector<Cursor> cursors;
+                for (const auto& event : events) {
+                    if (event.cursor >= from && event.cursor < to) cursors.push_back(event.cursor);
+                }
+                return cursors;
+            };
+            const auto cursors_of = [](const auto& events) {
+                std::vector<Cursor> cursors;
+                for (const auto& event : events)
+                    cursors.push_back(event.cursor);
+                return cursors;
+            };
+            CAPTURE(to_text(from), to_text(to));
+            REQUIRE(cursors_of(part.clip_steps) == in_window(all.clip_steps));
+            REQUIRE(cursors_of(part.culls) == in_window(all.culls));
+            REQUIRE(cursors_of(part.vertices) == in_window(all.vertices));
+        }
     });
+}
+
+TEST_CASE("The vertices of a cut triangle are its own three, and its edges join what is left") {
+    const Scene scene = cut_scene();
+    const Frame frame = cut_frame(scene, {Stage::points}, cut_rules[0]);
+    Recorder recorder;
+    Framebuffer framebuffer;
+    clear(framebuffer, frame);
+    draw(frame, {}, framebuffer, &recorder);
+    const VertexRules rules = vertex_rules(frame.settings, scene.space);
+    int behind = 0, cut = 0;
+    for (const Recorder::VertexEvent& event : recorder.vertices) {
+        const ShadedVertex own =
+            shade_vertex(scene.corner(event.cursor.triangle, event.cursor.index),
+                         camera_rotation(rules.camera), rules, frame.stages);
+        CAPTURE(to_text(event.cursor));
+        REQUIRE(event.has_pixel == own.has_pixel);
+        behind += own.has_pixel ? 0 : 1;
+        if (own.has_pixel) REQUIRE(same_bits(event.vertex, own.pixel));
+    }
+    for (int t = 0; t < frame.triangle_count(); ++t)
+        cut += frame.is_cut(t) && frame.is_drawn(t) ? 1 : 0;
+    CHECK(behind > 3);
+    CHECK(cut > 2);
+    // A scissor shows the same marks as the whole picture does there.
+    for (int column = 0; column < 24; column += 3) {
+        Framebuffer part;
+        clear(part, frame);
+        draw(frame, {cursor_begin, cursor_end, Rectangle{column, 0, column + 3, 18}}, part);
+        for (int row = 0; row < 18; ++row) {
+            for (int x = column; x < column + 3; ++x)
+                REQUIRE(part.owner[part.at(x, row)] == framebuffer.owner[part.at(x, row)]);
+        }
+    }
 }
 
 TEST_CASE("The planes follow from the fragments that an observer is told") {

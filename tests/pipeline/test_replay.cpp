@@ -7,6 +7,7 @@
 
 #include "pipeline/replay.h"
 #include "support/bits.h"
+#include "support/cut_frames.h"
 #include "support/effort.h"
 #include "support/moments.h"
 #include "support/samples.h"
@@ -46,6 +47,12 @@ void with_all_moments(
             look(frame, moments);
         }
     }
+    const Scene cut = cut_scene();
+    for_each_cut_frame(cut, 1, [&](const Frame& frame) {
+        std::vector<Cursor> moments = all_moments(frame);
+        moments.push_back(cursor_end);
+        look(frame, moments);
+    });
 }
 
 /// Many triangles on a small picture: enough work for keyframes to be laid.

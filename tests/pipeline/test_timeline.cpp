@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pipeline/timeline.h"
+#include "support/cut_frames.h"
 #include "support/frames.h"
 #include "support/moments.h"
 #include "support/samples.h"
@@ -106,20 +107,47 @@ void check_steps(const Timeline& timeline, const NaiveTimeline& naive, const Cur
 TEST_CASE("Every step from every moment is the one that plain loops find") {
     const Scene scene = small_scene();
     Random random(22);
-    for (const Variant& variant : rule_variants()) {
-        for (int s = 0; s < stage_count; ++s) {
-            const Frame frame =
-                frame_of(scene, stage_list()[static_cast<std::size_t>(s)].step, variant);
-            const Timeline timeline(frame);
-            const NaiveTimeline naive(frame);
-            CAPTURE(variant.name, s);
-            REQUIRE(timeline.first() == naive.at(0));
-            REQUIRE(naive.moments.size() > 20);
-            for (const Cursor& cursor : naive.moments)
-                check_steps(timeline, naive, cursor);
-            for (const Cursor& cursor : strange_cursors(frame, random))
-                check_steps(timeline, naive, cursor);
+    const auto check = [&](const Frame& frame) {
+        const Timeline timeline(frame);
+        const NaiveTimeline naive(frame);
+        REQUIRE(timeline.first() == naive.at(0));
+        REQUIRE(naive.moments.size() > 20);
+        for (const Cursor& cursor : naive.moments)
+            check_steps(timeline, naive, cursor);
+        for (const Cursor& cursor : strange_cursors(frame, random))
+            check_steps(timeline, naive, cursor);
+    };
+    for_each_frame(scene, check);
+    for_each_cut_frame(cut_scene(), 2, check);
+}
+
+TEST_CASE("Numbers and places of moments lead back to them where triangles are cut and culled") {
+    for_each_cut_frame(cut_scene(), 2, [](const Frame& frame) {
+        const Timeline timeline(frame);
+        int triangle = -1, ordinal = 0;
+        for (const Cursor& cursor : all_moments(frame)) {
+            ordinal = cursor.triangle == triangle ? ordinal + 1 : 0;
+            triangle = cursor.triangle;
+            CAPTURE(to_text(cursor));
+            REQUIRE(timeline.ordinal(cursor) == ordinal);
+            REQUIRE(timeline.at_ordinal(triangle, ordinal) == cursor);
+            REQUIRE(timeline.at_place(timeline.place(cursor)) == cursor);
+            REQUIRE(parse_cursor(to_text(cursor)) == cursor);
         }
+    });
+}
+
+TEST_CASE("Cursors beyond every plane and step stand for the next moment") {
+    const Scene scene = cut_scene();
+    const Frame frame = cut_frame(scene, {Stage::fill}, cut_rules[0]);
+    const Timeline timeline(frame);
+    const std::vector<Cursor> moments = all_moments(frame);
+    for (const char* text : {"t0/p99/s99", "t1/p0/s2147483647", "t2/p2147483647/s0", "t3/p6/s0",
+                             "t4/p5/s99", "t5/k", "t2147483647/p9/s9"}) {
+        const Cursor cursor = parse_cursor(text).value();
+        const auto next = std::lower_bound(moments.begin(), moments.end(), cursor);
+        CAPTURE(text);
+        CHECK(timeline.at_or_after(cursor) == (next == moments.end() ? cursor_end : *next));
     }
 }
 

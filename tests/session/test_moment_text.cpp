@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "base/element_names.h"
 #include "pipeline/timeline.h"
 #include "session/content.h"
 #include "session/scene_file.h"
@@ -82,6 +83,33 @@ TEST_CASE("A moment in words") {
           "triangles[20] of 30 (tall block) · edge 1 · line[13] of 98");
     CHECK(describe_moment(frame, {0, Phase::vertices, 2, 0}) ==
           "triangles[0] of 30 (floor) · vertices[2] of 3");
+}
+
+TEST_CASE("A moment of clip or cull in words") {
+    const Scene room = read_scene_file(lessons_folder() + "/scenes/lab-room.toml");
+    Settings settings = default_settings(room);
+    settings.camera.position.z = -0.9f;
+    settings.clip = Clip::all;
+    settings.cull = Cull::screen_area;
+    const Frame frame = prepare_frame(room, settings);
+    CHECK(describe_moment(frame, {0, Phase::clip, 0, 2}) ==
+          "triangles[0] of 30 (floor) · near plane · edge 2");
+    CHECK(describe_moment(frame, {0, Phase::cull, 0, 0}) ==
+          "triangles[0] of 30 (floor) · front or back");
+    CHECK(moment_name({0, Phase::clip, 3, 1}) == "triangles[0], right plane, edge 1");
+    CHECK(moment_name({0, Phase::clip, 99, 99}) == "triangles[0], plane 99, edge 99");
+    CHECK(moment_name({0, Phase::cull, 0, 0}) == "triangles[0], front or back");
+    // Every moment of the frame can be told, of what is taken away too.
+    const Timeline timeline(frame);
+    int clip = 0, cull = 0;
+    for (Cursor at = timeline.first(); at != cursor_end;
+         at = timeline.next(at, Granularity::line)) {
+        CHECK(describe_moment(frame, at).starts_with(triangle_name(at.triangle) + " of 30 ("));
+        clip += at.phase == Phase::clip ? 1 : 0;
+        cull += at.phase == Phase::cull ? 1 : 0;
+    }
+    CHECK(clip > 10);
+    CHECK(cull > 10);
 }
 
 TEST_CASE("A moment has a short name that no decimal can be mistaken for") {

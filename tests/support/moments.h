@@ -6,6 +6,7 @@
 
 #include "pipeline/cursor.h"
 #include "pipeline/frame.h"
+#include "support/clip_oracle.h"
 #include "support/walks.h"
 
 namespace rasterwalk::test {
@@ -17,12 +18,22 @@ inline std::vector<Cursor> all_moments(const Frame& frame) {
     const Viewport size = settings.viewport;
     const int first = settings.bounds == Bounds::excludes_zero ? 1 : 0;
     for (int t = 0; t < frame.triangle_count(); ++t) {
-        if (!frame.is_drawn(t)) continue;
+        const Rejection rejection = frame.rejection(t);
+        const bool is_clipped_away = rejection == Rejection::clipped_away;
+        const bool is_culled = rejection == Rejection::back_facing;
+        if (rejection != Rejection::none && !is_clipped_away && !is_culled) continue;
+        for (int v = 0; v < 3; ++v)
+            moments.push_back({t, Phase::vertices, v, 0});
+        const OracleClip clip = oracle_clip(frame, t);
+        for (int p = 0; p < 6; ++p) {
+            for (int s = 0; s < clip.steps[static_cast<std::size_t>(p)]; ++s)
+                moments.push_back({t, Phase::clip, p, s});
+        }
+        if (settings.cull != Cull::none && !is_clipped_away)
+            moments.push_back({t, Phase::cull, 0, 0});
+        if (settings.stage == Stage::points || is_clipped_away || is_culled) continue;
         const std::span<const ScreenVertex> vertices = frame.triangle_vertices(t);
         const int corners = static_cast<int>(vertices.size());
-        for (int v = 0; v < corners; ++v)
-            moments.push_back({t, Phase::vertices, v, 0});
-        if (settings.stage == Stage::points) continue;
         for (int e = 0; e < corners; ++e) {
             const int count =
                 edge_sample_count(vertices[e], vertices[(e + 1) % corners], settings.edge_samples);

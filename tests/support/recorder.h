@@ -13,15 +13,21 @@ struct Recorder : Observer {
     struct VertexEvent {
         Cursor cursor;
         ScreenVertex vertex;
+        bool has_pixel;
     };
     bool with_samples;
     std::vector<VertexEvent> vertices;
+    std::vector<ClipEvent> clip_steps;
+    std::vector<CullEvent> culls;
     std::vector<SampleEvent> samples;
     std::vector<FragmentEvent> fragments;
 
-    void vertex(const Cursor& cursor, const ScreenVertex& vertex) override {
-        vertices.push_back({cursor, vertex});
+    void vertex(const Cursor& cursor, const ProjectedVertex& vertex) override {
+        vertices.push_back({cursor, vertex.pixel, vertex.has_pixel});
     }
+    void clip_step(const ClipEvent& event) override { clip_steps.push_back(event); }
+    void cull(const CullEvent& event) override { culls.push_back(event); }
+    bool wants_clipping() const override { return true; }
     void edge_sample(const SampleEvent& event) override { samples.push_back(event); }
     void fragment(const FragmentEvent& event) override { fragments.push_back(event); }
     bool wants_edge_samples() const override { return with_samples; }

@@ -331,7 +331,7 @@ void draw_groups(Ui& ui) {
         ImGui::TableSetupColumn("", 0, width);
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     header_cell(ui, "triangle", "compare.header.triangle", "The triangle being drawn.", true);
-    header_cell(ui, "phase", "compare.header.phase", "Vertices, edges or rows.", true);
+    header_cell(ui, "phase", "compare.header.phase", "Vertices, clip, cull, edges or rows.", true);
     header_cell(ui, "how", "compare.header.kind",
                 "Missing in B: only A does something there. Extra in B: only B does.", true);
     header_cell(ui, "moments", "compare.header.moments",
