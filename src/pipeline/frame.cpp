@@ -1,5 +1,7 @@
 #include "pipeline/frame.h"
 
+#include <utility>
+
 namespace rasterwalk {
 
 Stages stages_for(const Settings& settings, const ReplaceStages& replace) {

@@ -54,7 +54,7 @@ done
             "$root"/src/settings/choose_stages.cpp \
             "$root"/src/pipeline/*.cpp "$root"/src/picture/view_image.cpp \
             "$root"/src/picture/colour_map.cpp "$root"/src/inspect/row_history.cpp \
-            "$root"/src/inspect/carried_row.cpp "$root"/src/inspect/row_graph.cpp \
+            "$root"/src/inspect/clip_history.cpp "$root"/src/inspect/carried_row.cpp "$root"/src/inspect/row_graph.cpp \
             "$root"/src/compare/run_walk.cpp; do
         if [ -f "$file" ]; then echo "#include \"$file\""; fi
     done
