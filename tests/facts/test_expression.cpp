@@ -75,6 +75,8 @@ TEST_CASE("A condition compares numbers, words and moments") {
                              "cursor < end",
                              "cursor > t0/r3",
                              "cursor >= t0/e2/s0",
+                             "cursor > t0/p5/s3 and cursor > t0/k",
+                             "cursor < t1/p0",
                              "cursor.phase == rows",
                              "cursor.phase != end",
                              "view == triangle",
