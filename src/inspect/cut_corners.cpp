@@ -1,0 +1,111 @@
+#include "inspect/cut_corners.h"
+
+#include <algorithm>
+
+#include "base/element_names.h"
+
+namespace rasterwalk {
+
+namespace {
+
+std::vector<CutCorner> given_corners(const ClipHistory& history) {
+    std::vector<CutCorner> corners;
+    for (int i = 0; i < triangle_corners; ++i) {
+        CutCorner corner;
+        corner.vertex = history.corners[static_cast<std::size_t>(i)];
+        corner.vertex_index = i;
+        corner.edge = i;
+        corners.push_back(corner);
+    }
+    return corners;
+}
+
+/// How many corners the planes before this one make.
+int made_before(const ClipHistory& history, int plane) {
+    int count = 0;
+    for (int p = 0; p < plane; ++p) {
+        for (const ClipStep& step : history.planes[static_cast<std::size_t>(p)].steps)
+            count += step.is_cut ? 1 : 0;
+    }
+    return count;
+}
+
+/// What the first steps of a plane pass on.
+std::vector<CutCorner> passed_on(const std::vector<CutCorner>& before, const PlaneHistory& plane,
+                                 std::size_t steps, int made) {
+    std::vector<CutCorner> after;
+    for (std::size_t i = 0; i < steps; ++i) {
+        const ClipStep& step = plane.steps[i];
+        if (step.from < 0 || step.from >= static_cast<int>(before.size())) break;
+        const CutCorner& from = before[static_cast<std::size_t>(step.from)];
+        if (step.keeps_from) after.push_back(from);
+        if (!step.is_cut) continue;
+        // Where the polygon goes out it goes on along the plane, where it comes in along its edge.
+        CutCorner corner = from;
+        corner.vertex = step.cut;
+        corner.vertex_index = -1;
+        corner.new_index = made++;
+        corner.plane = step.plane;
+        corner.plane_edge = step.from;
+        if (step.is_from_inside) {
+            corner.edge = -1;
+            corner.edge_plane = step.plane;
+        }
+        after.push_back(corner);
+    }
+    return after;
+}
+
+/// What is left by a function that does not tell what it did: its corners are all new.
+std::vector<CutCorner> unexplained_corners(const ClipHistory& history) {
+    std::vector<CutCorner> corners;
+    for (const ClipVertex& vertex : history.polygon) {
+        CutCorner corner;
+        corner.vertex = vertex;
+        corner.new_index = static_cast<int>(corners.size());
+        corners.push_back(corner);
+    }
+    return corners;
+}
+
+} // namespace
+
+std::vector<CutCorner> corners_before(const ClipHistory& history, int planes) {
+    const auto all = static_cast<int>(history.planes.size());
+    if (all == 0 && history.clipped.is_cut) return unexplained_corners(history);
+    std::vector<CutCorner> corners = given_corners(history);
+    for (int p = 0; p < std::min(planes, all); ++p) {
+        const PlaneHistory& plane = history.planes[static_cast<std::size_t>(p)];
+        corners = passed_on(corners, plane, plane.steps.size(), made_before(history, p));
+    }
+    return corners;
+}
+
+std::vector<CutCorner> corners_passed(const ClipHistory& history, const ClipProgress& progress) {
+    std::vector<CutCorner> corners = corners_before(history, progress.planes);
+    if (progress.planes >= static_cast<int>(history.planes.size())) return corners;
+    const PlaneHistory& plane = history.planes[static_cast<std::size_t>(progress.planes)];
+    const auto steps = std::min(static_cast<std::size_t>(progress.steps), plane.steps.size());
+    return passed_on(corners, plane, steps, made_before(history, progress.planes));
+}
+
+std::optional<CutCorner> corner_made(const ClipHistory& history, int plane, int edge) {
+    for (const CutCorner& corner : corners_before(history, plane + 1)) {
+        const bool is_of_plane =
+            corner.plane == history.planes[static_cast<std::size_t>(plane)].plane;
+        if (corner.is_new() && is_of_plane && corner.plane_edge == edge) return corner;
+    }
+    return std::nullopt;
+}
+
+std::string corner_name(const CutCorner& corner) {
+    return corner.is_new() ? "new " + std::to_string(corner.new_index)
+                           : vertex_name(corner.vertex_index);
+}
+
+std::string short_corner_name(const CutCorner& corner) {
+    return corner.is_new() ? "n" + std::to_string(corner.new_index)
+                           : short_vertex_name(corner.vertex_index);
+}
+
+} // namespace rasterwalk

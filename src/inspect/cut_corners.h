@@ -1,0 +1,51 @@
+#pragma once
+
+// The corners of a polygon on its way through clipping, each with where it comes from, so that
+// whoever shows them can name them and their edges.
+
+#include <climits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "inspect/clip_history.h"
+
+namespace rasterwalk {
+
+/// A corner of the polygon, and the way from it to the next one.
+struct CutCorner {
+    ClipVertex vertex;
+    int vertex_index = -1; ///< 0..2, of the triangle; -1: a plane has made it
+    int new_index = -1;    ///< of all corners that planes make of the triangle, from 0
+    ClipPlane plane = ClipPlane::near; ///< that has made it
+    int plane_edge = -1;               ///< and the edge that it cut, of the polygon before it
+
+    int edge = -1;                          ///< of the triangle, on which the way lies; -1: none
+    ClipPlane edge_plane = ClipPlane::near; ///< on which it lies otherwise
+
+    bool is_new() const { return vertex_index < 0; }
+};
+
+/// How far clipping has come.
+struct ClipProgress {
+    int planes = INT_MAX; ///< of those with work, so many are done
+    int steps = 0;        ///< of the one after them
+};
+
+/// The corners of the polygon before the plane at work. Without a plane at work what is left.
+std::vector<CutCorner> corners_before(const ClipHistory& history, int planes = INT_MAX);
+
+/// What the plane at work has passed on so far; without a plane at work what is left.
+std::vector<CutCorner> corners_passed(const ClipHistory& history, const ClipProgress& progress);
+
+/// The corner that a plane makes where it cuts this edge of the polygon before it; none where it
+/// does not.
+/// @param plane in history.planes
+std::optional<CutCorner> corner_made(const ClipHistory& history, int plane, int edge);
+
+/// "vertices[0]", or "new 0".
+std::string corner_name(const CutCorner& corner);
+/// "v0", or "n0": where room is short.
+std::string short_corner_name(const CutCorner& corner);
+
+} // namespace rasterwalk

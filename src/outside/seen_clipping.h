@@ -1,0 +1,43 @@
+#pragma once
+
+// What clipping does to a triangle, as it stands in the world.
+
+#include <optional>
+#include <vector>
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "outside/picture_plane.h"
+#include "stages/clip.h"
+
+namespace rasterwalk {
+
+/// A corner of what clipping leaves of a triangle.
+struct SeenCorner {
+    glm::dvec3 place{0.0};          ///< in the world
+    std::optional<ClipPlane> plane; ///< that made it; none: it is a vertex of the triangle
+    int edge = -1; ///< of the triangle, on which the way to the next corner lies; -1: on a plane
+};
+
+/// A plane that cuts.
+struct SeenPlane {
+    ClipPlane plane = ClipPlane::near;
+    glm::vec4 coefficients{0.0f}; ///< in clip space, see ClipPlanes
+};
+
+/// The clipping of the triangle on show.
+struct SeenClipping {
+    /// Near and far plane, world units in front of the camera; none where no plane cuts.
+    std::optional<glm::dvec2> ends;
+    bool is_cut = false;             ///< a plane has taken a part of the triangle away
+    std::vector<SeenCorner> corners; ///< of what is left of it; may be none
+    std::optional<SeenPlane> plane;  ///< that is looked at
+};
+
+/// The part of a plane that is drawn, as a convex polygon in the world: its side of the view volume
+/// and whatever it cuts of the triangle. None for a plane of another kind than view_planes() and
+/// guard_band_planes() have.
+std::vector<glm::dvec3> plane_face(const SeenClipping& clipping, const PicturePlane& picture);
+
+} // namespace rasterwalk
