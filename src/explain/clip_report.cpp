@@ -100,13 +100,6 @@ struct Maker {
     Formula area_of(int triangle) const;
     Formula area() const;
 
-    /// The place of a plane with work in the history; -1: it has none.
-    int place_of(ClipPlane plane) const {
-        for (std::size_t i = 0; i < history.planes.size(); ++i) {
-            if (history.planes[i].plane == plane) return static_cast<int>(i);
-        }
-        return -1;
-    }
     /// Where a new corner comes from.
     struct Origin {
         const ClipStep& step;
@@ -120,12 +113,8 @@ std::optional<Formula> Maker::corner(int vertex, int i) const {
     const std::string name = coordinate_names[static_cast<std::size_t>(i)];
     const std::string camera = i == 3 ? "rotated.z" : "rotated." + name;
     const Source source = from_vertex(history.triangle, vertex, camera);
-    Formula formula{fmt::format("corner.{}.{}", vertex, name),
-                    name,
-                    "",
-                    "",
-                    {},
-                    {coordinate(v, i)}};
+    Formula formula{
+        fmt::format("corner.{}.{}", vertex, name), name, "", "", {}, {coordinate(v, i)}};
     const auto camera_place = [&] {
         const VertexReport report = vertex_report(frame, history.triangle, vertex);
         return report.shaded.in("rotated");
@@ -142,8 +131,8 @@ std::optional<Formula> Maker::corner(int vertex, int i) const {
     formula.help = i == 2 ? "What the depth 1/z is made of: it is divided by w too."
                           : "What x, y and z are divided by: how far in front of the camera.";
     formula.expression = "v";
-    formula.inputs = {
-        {"v", formula.result, i == 2 ? from_words("1 for every vertex, under perspective") : source}};
+    formula.inputs = {{"v", formula.result,
+                       i == 2 ? from_words("1 for every vertex, under perspective") : source}};
     return formula;
 }
 
@@ -191,9 +180,7 @@ Formula Maker::distance(const CutCorner& corner, ClipPlane plane, std::string id
 }
 
 std::optional<Formula> Maker::distance_before(ClipPlane plane, std::string_view corner) const {
-    const int place = place_of(plane);
-    if (place < 0) return std::nullopt;
-    const std::vector<CutCorner> corners = corners_before(history, place);
+    const std::vector<CutCorner> corners = corners_before(history, planes_before(history, plane));
     const int i = index_of(corner, corners.size());
     if (i < 0) return std::nullopt;
     return distance(corners[static_cast<std::size_t>(i)], plane,
@@ -201,9 +188,9 @@ std::optional<Formula> Maker::distance_before(ClipPlane plane, std::string_view 
 }
 
 std::optional<Formula> Maker::cut(ClipPlane plane, std::string_view edge) const {
-    const int place = place_of(plane);
-    if (place < 0) return std::nullopt;
-    const std::vector<ClipStep>& steps = history.planes[static_cast<std::size_t>(place)].steps;
+    const PlaneHistory* const work = work_of(history, plane);
+    if (work == nullptr) return std::nullopt;
+    const std::vector<ClipStep>& steps = work->steps;
     const int e = index_of(edge, steps.size());
     if (e < 0 || !steps[static_cast<std::size_t>(e)].is_cut) return std::nullopt;
     const ClipStep& step = steps[static_cast<std::size_t>(e)];
@@ -273,14 +260,14 @@ std::optional<Formula> Maker::made(std::string_view number,
     const VaryingInfo& info = varying_list[static_cast<std::size_t>(index)];
     const int part = index_of(parts[1], static_cast<std::size_t>(info.count));
     if (part < 0) return std::nullopt;
-    return checked({fmt::format("new.{}.{}.{}", new_index, index, part),
-                    std::string(info.components[static_cast<std::size_t>(part)].name),
-                    help,
-                    "a + (b − a) · t",
-                    {varying("a", from->inside, index, part),
-                     varying("b", from->outside, index, part), t},
-                    {info.component(from->corner.vertex.varyings, part)}},
-                   other);
+    return checked(
+        {fmt::format("new.{}.{}.{}", new_index, index, part),
+         std::string(info.components[static_cast<std::size_t>(part)].name),
+         help,
+         "a + (b − a) · t",
+         {varying("a", from->inside, index, part), varying("b", from->outside, index, part), t},
+         {info.component(from->corner.vertex.varyings, part)}},
+        other);
 }
 
 std::optional<Formula> Maker::pixel(std::string_view corner, std::string_view part) const {
@@ -324,8 +311,8 @@ Formula Maker::away(const CutCorner& corner, std::string id) const {
     const int normal = varying_index(&Varyings::normal);
     for (int i = 0; i < 3; ++i) {
         const std::string axis = axis_names[static_cast<std::size_t>(i)];
-        formula.expression += (i == 0 ? "n." : " + n.") + axis + " · (p." + axis + " − C." + axis +
-                              ")";
+        formula.expression +=
+            (i == 0 ? "n." : " + n.") + axis + " · (p." + axis + " − C." + axis + ")";
         formula.inputs.push_back(varying("n." + axis, corner, normal, i));
         formula.inputs.push_back(varying("p." + axis, corner, place, i));
         formula.inputs.push_back({"C." + axis, {camera[i]}, from_setting("camera.position")});
@@ -337,19 +324,20 @@ Formula Maker::area_of(int triangle) const {
     const std::vector<CutCorner> corners = corners_before(history);
     const std::array<int, 3>& fan = history.fan[static_cast<std::size_t>(triangle)];
     std::array<ClipVertex, 3> places;
-    Formula formula{fmt::format("cull.area.{}", triangle),
-                    fmt::format("A{}", triangle),
-                    "Twice the area on the screen of a triangle of the fan, times the w of its "
-                    "corners: less than 0 where they go round counterclockwise.",
-                    "x0 · (y1 · w2 − y2 · w1) + y0 · (w1 · x2 − w2 · x1) + w0 · (x1 · y2 − x2 · y1)",
-                    {},
-                    {}};
+    Formula formula{
+        fmt::format("cull.area.{}", triangle),
+        fmt::format("A{}", triangle),
+        "Twice the area on the screen of a triangle of the fan, times the w of its "
+        "corners: less than 0 where they go round counterclockwise.",
+        "x0 · (y1 · w2 − y2 · w1) + y0 · (w1 · x2 − w2 · x1) + w0 · (x1 · y2 − x2 · y1)",
+        {},
+        {}};
     for (std::size_t k = 0; k < fan.size(); ++k) {
         const CutCorner& corner = corners[static_cast<std::size_t>(fan[k])];
         places[k] = corner.vertex;
         for (const int i : {0, 1, 3}) {
-            formula.inputs.push_back(
-                input(coordinate_names[static_cast<std::size_t>(i)] + std::to_string(k), corner, i));
+            formula.inputs.push_back(input(
+                coordinate_names[static_cast<std::size_t>(i)] + std::to_string(k), corner, i));
         }
     }
     formula.result.value = screen_area_sign(places, rules());
@@ -443,7 +431,8 @@ std::vector<CullAnswer> cull_answers(const Frame& frame, const ClipHistory& hist
                     screen_area_sign(polygon, rules), "cull.area"};
     area.is_open = !std::all_of(polygon.begin(), polygon.end(),
                                 [](const ClipVertex& v) { return v.position_clip.w > 0.0f; });
-    CullAnswer normals{Cull::vertex_normals, is_back(cull_by_vertex_normals(polygon, rules))};
+    CullAnswer normals{
+        Cull::vertex_normals, is_back(cull_by_vertex_normals(polygon, rules)), 0.0f, {}};
     std::size_t least = 0;
     const auto away = [&](std::size_t i) { return away_from_camera(polygon[i], rules); };
     for (std::size_t i = 1; i < polygon.size(); ++i)

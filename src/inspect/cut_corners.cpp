@@ -70,6 +70,17 @@ std::vector<CutCorner> unexplained_corners(const ClipHistory& history) {
 
 } // namespace
 
+std::optional<ClipProgress> clip_progress(const ClipHistory& history,
+                                          const std::optional<Cursor>& done) {
+    if (!done || done->phase != Phase::clip || done->triangle != history.triangle)
+        return std::nullopt;
+    for (std::size_t p = 0; p < history.planes.size(); ++p) {
+        if (static_cast<int>(history.planes[p].plane) == done->index)
+            return ClipProgress{static_cast<int>(p), done->step + 1};
+    }
+    return std::nullopt;
+}
+
 std::vector<CutCorner> corners_before(const ClipHistory& history, int planes) {
     const auto all = static_cast<int>(history.planes.size());
     if (all == 0 && history.clipped.is_cut) return unexplained_corners(history);
@@ -79,6 +90,19 @@ std::vector<CutCorner> corners_before(const ClipHistory& history, int planes) {
         corners = passed_on(corners, plane, plane.steps.size(), made_before(history, p));
     }
     return corners;
+}
+
+int planes_before(const ClipHistory& history, ClipPlane plane) {
+    return static_cast<int>(
+        std::count_if(history.planes.begin(), history.planes.end(),
+                      [plane](const PlaneHistory& other) { return other.plane < plane; }));
+}
+
+const PlaneHistory* work_of(const ClipHistory& history, ClipPlane plane) {
+    const auto found =
+        std::find_if(history.planes.begin(), history.planes.end(),
+                     [plane](const PlaneHistory& other) { return other.plane == plane; });
+    return found == history.planes.end() ? nullptr : &*found;
 }
 
 std::vector<CutCorner> corners_passed(const ClipHistory& history, const ClipProgress& progress) {

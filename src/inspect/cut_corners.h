@@ -9,14 +9,15 @@
 #include <vector>
 
 #include "inspect/clip_history.h"
+#include "pipeline/cursor.h"
 
 namespace rasterwalk {
 
 /// A corner of the polygon, and the way from it to the next one.
 struct CutCorner {
     ClipVertex vertex;
-    int vertex_index = -1; ///< 0..2, of the triangle; -1: a plane has made it
-    int new_index = -1;    ///< of all corners that planes make of the triangle, from 0
+    int vertex_index = -1;             ///< 0..2, of the triangle; -1: a plane has made it
+    int new_index = -1;                ///< of all corners that planes make of the triangle, from 0
     ClipPlane plane = ClipPlane::near; ///< that has made it
     int plane_edge = -1;               ///< and the edge that it cut, of the polygon before it
 
@@ -32,8 +33,19 @@ struct ClipProgress {
     int steps = 0;        ///< of the one after them
 };
 
+/// How far clipping of the triangle has come if it is what was just done; otherwise none.
+/// @param done the moment just done, if there is one
+std::optional<ClipProgress> clip_progress(const ClipHistory& history,
+                                          const std::optional<Cursor>& done);
+
 /// The corners of the polygon before the plane at work. Without a plane at work what is left.
 std::vector<CutCorner> corners_before(const ClipHistory& history, int planes = INT_MAX);
+
+/// How many planes with work come before this one; those with work are in their order.
+int planes_before(const ClipHistory& history, ClipPlane plane);
+
+/// The plane's work; null if it has none.
+const PlaneHistory* work_of(const ClipHistory& history, ClipPlane plane);
 
 /// What the plane at work has passed on so far; without a plane at work what is left.
 std::vector<CutCorner> corners_passed(const ClipHistory& history, const ClipProgress& progress);

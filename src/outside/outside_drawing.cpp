@@ -74,6 +74,39 @@ SeenPolygon seen_triangle(const WorldTriangle& triangle, const OutsideEye& eye) 
     return clipped_to_near(corners, eye.near_distance);
 }
 
+/// Tells of places on a triangle whether they lie in what clipping leaves of it.
+class InsideTest {
+  public:
+    /// @param seen three corners or more of the triangle, in the space of the eye
+    InsideTest(const SeenClipping& clipping, std::span<const glm::dvec3> seen,
+               const OutsideEye& eye)
+        : is_cut_(clipping.is_cut) {
+        const glm::dvec3 normal = glm::cross(seen[1] - seen[0], seen[2] - seen[0]);
+        const std::vector<SeenCorner>& corners = clipping.corners;
+        for (std::size_t i = 0; corners.size() >= 3 && i < corners.size(); ++i) {
+            const glm::dvec3 from = eye.seen(corners[i].place);
+            const glm::dvec3 to = eye.seen(corners[(i + 1) % corners.size()].place);
+            const glm::dvec3 inward = glm::cross(normal, to - from);
+            sides_.push_back({inward, glm::dot(inward, from)});
+        }
+    }
+    bool is_cut() const { return is_cut_; }
+    bool has(const glm::dvec3& place) const {
+        return !sides_.empty() && std::all_of(sides_.begin(), sides_.end(), [&](const Side& side) {
+            return glm::dot(side.inward, place) >= side.least;
+        });
+    }
+
+  private:
+    /// Inside of one edge dot(inward, place) is not less.
+    struct Side {
+        glm::dvec3 inward;
+        double least;
+    };
+    bool is_cut_;
+    std::vector<Side> sides_;
+};
+
 } // namespace
 
 bool OutsideDrawing::update(const OutsideSubject& subject, const OutsideLook& look,
@@ -270,20 +303,27 @@ void OutsideDrawing::draw_triangle_at_work(const OutsideSubject& subject, const 
     const glm::vec3 own = own_colour(scene, triangle);
     const std::uint32_t lit = packed_colour(over_ground(style, own, 1.0f));
     const std::uint32_t dark = packed_colour(over_ground(style, own, style.drawn));
+    const std::uint32_t cut_off =
+        packed_colour(over_ground(style, style.cut_off, style.cut_off_share));
+    const InsideTest inside(subject.clipping, seen.all(), sample_eye_);
     const PicturePlane& plane = things_.plane;
     // From the space of the eye outside to that of the camera.
     const glm::dvec3 shift = (sample_eye_.position - plane.eye) * plane.rotation;
     for_each_sample(sample_eye_, seen.all(), grid_.size.x, samples, [&](const SampleHit& hit) {
         if (hit.inv_z * same_surface < static_cast<double>(grid_.inv_z[hit.index])) return;
+        grid_.inv_z[hit.index] = static_cast<float>(hit.inv_z);
+        grid_.id[hit.index] = triangle;
+        if (inside.is_cut() && !inside.has(hit.place())) {
+            grid_.colour[hit.index] = cut_off;
+            return;
+        }
         bool is_filled = filled.is_whole();
         if (!is_filled && !filled.is_empty()) {
             const glm::dvec3 turned = (sample_eye_.rotation * hit.place()) * plane.rotation;
             const std::optional<glm::dvec2> pixel = plane.pixel_of(turned + shift);
             is_filled = pixel && filled.has(*pixel);
         }
-        grid_.inv_z[hit.index] = static_cast<float>(hit.inv_z);
         grid_.colour[hit.index] = is_filled ? lit : dark;
-        grid_.id[hit.index] = triangle;
     });
 }
 

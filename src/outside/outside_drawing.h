@@ -12,6 +12,7 @@
 #include "outside/flat_raster.h"
 #include "outside/outline.h"
 #include "outside/outside_eye.h"
+#include "outside/seen_clipping.h"
 #include "outside/shrunken_picture.h"
 #include "outside/world_triangle.h"
 #include "pipeline/cursor.h"
@@ -32,14 +33,17 @@ struct OutsideSubject {
     const Framebuffer& framebuffer;   ///< of which the picture was made
     std::uint64_t picture_before = 0; ///< the picture with this number differs from it only in
     Rectangle picture_changed;        ///< these pixels; 0: nothing is known
+    SeenClipping clipping{};          ///< of the triangle
 };
 
 /// Its colours, 0..1.
 struct OutsideStyle {
     glm::vec3 ground{0.04f};
     glm::vec3 line{0.5f};
-    float drawn = 0.45f;  ///< how much of its colour a triangle has that is drawn
-    float coming = 0.15f; ///< the same for one that is still to come, or left out
+    float drawn = 0.45f;                 ///< how much of its colour a triangle has that is drawn
+    float coming = 0.15f;                ///< the same for one that is still to come, or left out
+    glm::vec3 cut_off{0.9f, 0.4f, 0.1f}; ///< what clipping takes of the triangle at work
+    float cut_off_share = 0.25f;         ///< how much of that colour it has
 
     friend bool operator==(const OutsideStyle&, const OutsideStyle&) = default;
 };

@@ -16,6 +16,9 @@ namespace {
 /// Lines are cut so far outside the picture, pixels: no end of one is seen.
 constexpr double beside = 40.0;
 
+/// The far plane is drawn up to so far behind the middle of the scene, radii of it.
+constexpr double farthest_end = 2.0;
+
 /// Collects what the eye can see.
 struct Collector {
     const OutsideEye& eye;
@@ -56,31 +59,149 @@ void add_camera(const OutsideThings& things, Collector& collector) {
     }
 }
 
-void add_triangle(const Scene& scene, int triangle, const OutsideThings& things,
+/// Where a convex polygon is not on the outer side: d(corner) >= 0.
+template <class Place, class Distance>
+std::vector<Place> cut_by(const std::vector<Place>& corners, Distance distance) {
+    std::vector<Place> kept;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Place &a = corners[i], &b = corners[(i + 1) % corners.size()];
+        const double d_a = distance(a), d_b = distance(b);
+        if (d_a >= 0.0) kept.push_back(a);
+        if ((d_a >= 0.0) != (d_b >= 0.0)) kept.push_back(a + (d_a / (d_a - d_b)) * (b - a));
+    }
+    return kept;
+}
+
+/// A convex polygon in the space of the eye, as far as it is seen: pixels.
+std::vector<glm::vec2> seen_face(const OutsideEye& eye, const std::vector<glm::dvec3>& corners,
+                                 const glm::dvec2& size) {
+    std::vector<glm::dvec2> places;
+    for (const glm::dvec3& corner :
+         cut_by(corners, [&](const glm::dvec3& p) { return p.z - eye.near_distance; }))
+        places.push_back(eye.pixel(corner));
+    for (const int axis : {0, 1}) {
+        places = cut_by(places, [&](const glm::dvec2& p) { return p[axis] + beside; });
+        places = cut_by(places, [&](const glm::dvec2& p) { return size[axis] + beside - p[axis]; });
+    }
+    std::vector<glm::vec2> face;
+    for (const glm::dvec2& place : places) {
+        if (!std::isfinite(place.x) || !std::isfinite(place.y)) return {};
+        face.emplace_back(place);
+    }
+    return face;
+}
+
+using Corners = std::array<glm::dvec3, triangle_corners>;
+
+const glm::dvec3& next_corner(const Corners& corners, int i) {
+    return corners[static_cast<std::size_t>((i + 1) % triangle_corners)];
+}
+
+/// How far the camera sees: its near plane, and its far plane unless that is far beyond the scene.
+void add_ends(const OutsideThings& things, const glm::dvec2& ends, Collector& collector) {
+    const PicturePlane& plane = things.plane;
+    const double reach = end_of_frustum(things) + farthest_end * things.box.radius();
+    const std::array<glm::dvec3, 4> corners = plane.corners();
+    for (const double end : {ends.x, ends.y}) {
+        if (!(end > 0.0) || end > reach) continue;
+        std::array<glm::dvec3, 4> places;
+        for (std::size_t i = 0; i < 4; ++i)
+            places[i] = plane.eye + (end / plane.distance) * (corners[i] - plane.eye);
+        for (std::size_t i = 0; i < 4; ++i)
+            collector.line(OutsideLineKind::end, static_cast<int>(i), places[i],
+                           places[(i + 1) % 4]);
+    }
+}
+
+/// The edges of a triangle that is cut: what is left of them, and what is taken.
+void add_cut_edges(const SeenClipping& clipping, const Corners& corners, Collector& collector) {
+    const std::vector<SeenCorner>& left = clipping.corners;
+    std::array<std::optional<std::size_t>, triangle_corners> left_of_edge;
+    for (std::size_t i = 0; i < left.size(); ++i) {
+        if (left[i].edge >= 0) left_of_edge[static_cast<std::size_t>(left[i].edge)] = i;
+    }
+    const auto end_of = [&](std::size_t i) { return left[(i + 1) % left.size()].place; };
+    for (int e = 0; e < triangle_corners; ++e) {
+        const glm::dvec3 &from = corners[static_cast<std::size_t>(e)],
+                         &to = next_corner(corners, e);
+        const std::optional<std::size_t> i = left_of_edge[static_cast<std::size_t>(e)];
+        if (!i) {
+            collector.line(OutsideLineKind::cut_off, e, from, to);
+            continue;
+        }
+        if (left[*i].plane) collector.line(OutsideLineKind::cut_off, e, from, left[*i].place);
+        if (left[(*i + 1) % left.size()].plane)
+            collector.line(OutsideLineKind::cut_off, e, end_of(*i), to);
+    }
+    for (std::size_t i = 2; i + 1 < left.size(); ++i)
+        collector.line(OutsideLineKind::fan, 0, left[0].place, left[i].place);
+    for (int e = 0; e < triangle_corners; ++e) {
+        const std::optional<std::size_t> i = left_of_edge[static_cast<std::size_t>(e)];
+        if (i) collector.line(OutsideLineKind::edge, e, left[*i].place, end_of(*i));
+    }
+    for (std::size_t i = 0; i < left.size(); ++i) {
+        if (left[i].edge < 0) collector.line(OutsideLineKind::cut, 0, left[i].place, end_of(i));
+    }
+}
+
+/// The face of the plane at work, and a place for its name.
+void add_plane(const SeenClipping& clipping, const OutsideThings& things, Collector& collector) {
+    const std::vector<glm::dvec3> face = plane_face(clipping, things.plane);
+    if (face.size() < 3) return;
+    std::vector<glm::dvec3> seen;
+    for (const glm::dvec3& corner : face)
+        seen.push_back(collector.eye.seen(corner));
+    collector.marks.face = seen_face(collector.eye, seen, collector.size);
+    const int number = static_cast<int>(clipping.plane->plane);
+    for (std::size_t i = 0; i < face.size(); ++i)
+        collector.line(OutsideLineKind::plane, number, face[i], face[(i + 1) % face.size()]);
+    for (const glm::dvec3& corner : face)
+        collector.point(OutsidePointKind::plane, number, corner);
+}
+
+/// Where the division puts a vertex behind the camera: on the other side of the picture.
+void add_mirrored(int vertex, const glm::dvec3& seen, const PicturePlane& plane,
+                  Collector& collector) {
+    if (!(seen.z < 0.0)) return;
+    const glm::dvec3 place = plane.in_world((plane.distance / seen.z) * seen);
+    collector.line(OutsideLineKind::mirrored, vertex, plane.eye, place);
+    collector.point(OutsidePointKind::mirrored, vertex, place);
+}
+
+void add_triangle(const Scene& scene, const MarkedTriangle& marked, const OutsideThings& things,
                   Collector& collector) {
     const PicturePlane& plane = things.plane;
-    std::array<glm::dvec3, triangle_corners> corners;
+    Corners corners;
     for (int i = 0; i < triangle_corners; ++i)
-        corners[static_cast<std::size_t>(i)] = scene.corner(triangle, i).position;
+        corners[static_cast<std::size_t>(i)] = scene.corner(*marked.triangle, i).position;
+    const auto seen = [&](int i) { return plane.in_camera(corners[static_cast<std::size_t>(i)]); };
     for (int i = 0; i < triangle_corners; ++i) {
-        const glm::dvec3& corner = corners[static_cast<std::size_t>(i)];
-        const bool is_behind = !(plane.in_camera(corner).z > 0.0);
+        const bool is_behind = !(seen(i).z > 0.0);
         collector.line(is_behind ? OutsideLineKind::behind : OutsideLineKind::ray, i, plane.eye,
-                       corner);
+                       corners[static_cast<std::size_t>(i)]);
+        if (is_behind && marked.is_mirrored) add_mirrored(i, seen(i), plane, collector);
     }
-    for (int i = 0; i < triangle_corners; ++i) {
-        collector.line(OutsideLineKind::edge, i, corners[static_cast<std::size_t>(i)],
-                       corners[static_cast<std::size_t>((i + 1) % triangle_corners)]);
+    if (marked.clipping.is_cut) {
+        add_plane(marked.clipping, things, collector);
+        add_cut_edges(marked.clipping, corners, collector);
+    } else {
+        for (int i = 0; i < triangle_corners; ++i) {
+            collector.line(OutsideLineKind::edge, i, corners[static_cast<std::size_t>(i)],
+                           next_corner(corners, i));
+        }
     }
     for (int i = 0; i < triangle_corners; ++i) {
         const glm::dvec3& corner = corners[static_cast<std::size_t>(i)];
-        const glm::dvec3 seen = plane.in_camera(corner);
-        const bool is_behind = !(seen.z > 0.0);
+        const bool is_behind = !(seen(i).z > 0.0);
         if (!is_behind) {
             collector.point(OutsidePointKind::crossing, i,
-                            plane.in_world((plane.distance / seen.z) * seen));
+                            plane.in_world((plane.distance / seen(i).z) * seen(i)));
         }
         collector.point(is_behind ? OutsidePointKind::behind : OutsidePointKind::vertex, i, corner);
+    }
+    for (const SeenCorner& corner : marked.clipping.made) {
+        collector.point(OutsidePointKind::cut, static_cast<int>(corner.plane.value_or(ClipPlane{})),
+                        corner.place);
     }
 }
 
@@ -128,12 +249,13 @@ bool is_free(const OutsideBox& box, std::span<const OutsideBox> taken, glm::vec2
 } // namespace
 
 OutsideMarks outside_marks(const Scene& scene, const OutsideThings& things, const OutsideEye& eye,
-                           std::optional<int> triangle, std::optional<glm::ivec2> pixel,
+                           const MarkedTriangle& marked, std::optional<glm::ivec2> pixel,
                            glm::ivec2 size) {
     Collector collector{eye, glm::dvec2(size)};
     add_camera(things, collector);
-    if (triangle && *triangle >= 0 && *triangle < scene.triangle_count()) {
-        add_triangle(scene, *triangle, things, collector);
+    if (marked.clipping.ends) add_ends(things, *marked.clipping.ends, collector);
+    if (marked.triangle && *marked.triangle >= 0 && *marked.triangle < scene.triangle_count()) {
+        add_triangle(scene, marked, things, collector);
     }
     const PicturePlane& plane = things.plane;
     if (pixel && pixel->x >= 0 && pixel->y >= 0 && pixel->x < plane.size.width &&

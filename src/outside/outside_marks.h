@@ -1,7 +1,8 @@
 #pragma once
 
 // What is drawn over the view from outside, thin and sharp: the camera, its frustum, the border of
-// its picture, the rays of a triangle, the lamp; and where their names may stand.
+// its picture, the rays of a triangle and what planes cut off it, the lamp; and where their names
+// may stand.
 
 #include <cstdint>
 #include <optional>
@@ -11,17 +12,24 @@
 #include <glm/vec2.hpp>
 
 #include "outside/outside_eye.h"
+#include "outside/seen_clipping.h"
 #include "scene/scene.h"
 
 namespace rasterwalk {
 
 enum class OutsideLineKind : std::uint8_t {
-    frustum, ///< from the camera to a corner of its picture
-    beyond,  ///< from there on through the scene
-    border,  ///< of the picture
-    edge,    ///< of the triangle; number: which edge
-    ray,     ///< from a vertex of the triangle to the camera; number: which vertex
-    behind,  ///< the same for a vertex that is not in front of the camera
+    frustum,  ///< from the camera to a corner of its picture
+    beyond,   ///< from there on through the scene
+    border,   ///< of the picture
+    edge,     ///< of the triangle, or what clipping leaves of it; number: which edge
+    cut_off,  ///< what it takes of it; number: which edge
+    cut,      ///< where a plane cuts the triangle
+    fan,      ///< between the triangles that are drawn of what is left
+    plane,    ///< around the part of a plane that is seen
+    end,      ///< around near and far plane within the view volume
+    ray,      ///< from a vertex of the triangle to the camera; number: which vertex
+    behind,   ///< the same for a vertex that is not in front of the camera
+    mirrored, ///< from there on to where the division puts such a vertex; number: which vertex
 };
 
 /// A straight line in the picture of the eye, pixels.
@@ -39,6 +47,9 @@ enum class OutsidePointKind : std::uint8_t {
     behind,   ///< the same if it is not in front of the camera
     crossing, ///< where the ray of a vertex goes through the picture; number: of which vertex
     pixel,    ///< the middle of the picked pixel on the picture
+    cut,      ///< a corner that a plane has made; number: of which ClipPlane
+    plane,    ///< where the name of a plane may stand; number: of which ClipPlane
+    mirrored, ///< where the division puts a vertex behind the camera; number: which vertex
 };
 
 struct OutsidePoint {
@@ -48,16 +59,23 @@ struct OutsidePoint {
 };
 
 struct OutsideMarks {
+    std::vector<glm::vec2> face;      ///< of the plane that cuts, convex, pixels; below all lines
     std::vector<OutsideLine> lines;   ///< the first are to be drawn first
     std::vector<OutsidePoint> points; ///< likewise
 };
 
+/// The triangle whose rays are drawn, and what is known of it.
+struct MarkedTriangle {
+    std::optional<int> triangle; ///< if it is one of the scene
+    SeenClipping clipping{};
+    bool is_mirrored = false; ///< vertices behind the camera are divided and drawn all the same
+};
+
 /// All marks that can be seen; lines end where the picture of the eye ends, or a little beyond.
-/// @param triangle whose rays are drawn, if it is one of the scene
-/// @param pixel    of the scene's picture that is picked
-/// @param size     of the picture of the eye, pixels
+/// @param pixel of the scene's picture that is picked
+/// @param size  of the picture of the eye, pixels
 OutsideMarks outside_marks(const Scene& scene, const OutsideThings& things, const OutsideEye& eye,
-                           std::optional<int> triangle, std::optional<glm::ivec2> pixel,
+                           const MarkedTriangle& marked, std::optional<glm::ivec2> pixel,
                            glm::ivec2 size);
 
 /// A part of the picture of the eye, pixels.

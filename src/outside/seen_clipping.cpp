@@ -15,14 +15,12 @@ constexpr double face_margin = 0.08;
 /// A side of the view volume is drawn so many times as deep as the picture stands, at least.
 constexpr double side_depth = 1.0;
 
-/// The corners that the plane has made, in camera space.
-std::vector<glm::dvec3> made_corners(const SeenClipping& clipping, const PicturePlane& picture) {
-    std::vector<glm::dvec3> corners;
-    for (const SeenCorner& corner : clipping.corners) {
-        if (corner.plane == clipping.plane->plane)
-            corners.push_back(picture.in_camera(corner.place));
-    }
-    return corners;
+/// Where the plane cuts, in camera space.
+std::vector<glm::dvec3> cuts_of(const SeenClipping& clipping, const PicturePlane& picture) {
+    std::vector<glm::dvec3> places;
+    for (const glm::dvec3& place : clipping.plane->cuts)
+        places.push_back(picture.in_camera(place));
+    return places;
 }
 
 /// Twice the area of the triangle, positive if its corners go round from x to y.
@@ -59,7 +57,7 @@ std::vector<glm::dvec3> end_face(const SeenClipping& clipping, const PicturePlan
     const glm::dvec2 size(picture.size.width, picture.size.height);
     const double scale = z / picture.focal_length;
     glm::dvec2 low = -picture.middle * scale, high = (size - picture.middle) * scale;
-    for (const glm::dvec3& corner : made_corners(clipping, picture)) {
+    for (const glm::dvec3& corner : cuts_of(clipping, picture)) {
         low = glm::min(low, glm::dvec2(corner));
         high = glm::max(high, glm::dvec2(corner));
     }
@@ -78,15 +76,15 @@ std::vector<glm::dvec3> side_face(const SeenClipping& clipping, const PicturePla
     const glm::dvec2 size(picture.size.width, picture.size.height);
     const double low = -picture.middle[along] / picture.focal_length;
     const double high = (size[along] - picture.middle[along]) / picture.focal_length;
-    const std::vector<glm::dvec3> made = made_corners(clipping, picture);
+    const std::vector<glm::dvec3> cuts = cuts_of(clipping, picture);
     double near = clipping.ends ? clipping.ends->x : 0.0, deep = side_depth * picture.distance;
-    for (const glm::dvec3& corner : made)
+    for (const glm::dvec3& corner : cuts)
         deep = std::max(deep, (1.0 + face_margin) * corner.z);
     near = std::min(near, deep);
     // Depth, and place along the border.
     std::vector<glm::dvec2> places{
         {near, low * near}, {near, high * near}, {deep, low * deep}, {deep, high * deep}};
-    for (const glm::dvec3& corner : made)
+    for (const glm::dvec3& corner : cuts)
         places.emplace_back(corner.z, corner[along]);
     std::vector<glm::dvec3> face;
     for (const glm::dvec2& place : hull_of(places)) {

@@ -23,15 +23,17 @@ struct SeenCorner {
 /// A plane that cuts.
 struct SeenPlane {
     ClipPlane plane = ClipPlane::near;
-    glm::vec4 coefficients{0.0f}; ///< in clip space, see ClipPlanes
+    glm::vec4 coefficients{0.0f};   ///< in clip space, see ClipPlanes
+    std::vector<glm::dvec3> cuts{}; ///< where it cuts the triangle, in the world
 };
 
 /// The clipping of the triangle on show.
 struct SeenClipping {
     /// Near and far plane, world units in front of the camera; none where no plane cuts.
     std::optional<glm::dvec2> ends;
-    bool is_cut = false;             ///< a plane has taken a part of the triangle away
+    bool is_cut = false;             ///< a plane takes a part of the triangle away
     std::vector<SeenCorner> corners; ///< of what is left of it; may be none
+    std::vector<SeenCorner> made;    ///< those that planes have made so far
     std::optional<SeenPlane> plane;  ///< that is looked at
 };
 

@@ -60,6 +60,9 @@ void update_inspected(const Session& session, const InspectedMoment& moment, boo
         inspected.vertices.clear();
         for (int v = 0; moment.triangle && v < triangle_corners; ++v)
             inspected.vertices.push_back(vertex_report(moment.frame, *moment.triangle, v));
+        const bool is_clipped = moment.triangle && moment.frame.scene->space == SceneSpace::world;
+        inspected.clip =
+            is_clipped ? std::optional(clip_history(moment.frame, *moment.triangle)) : std::nullopt;
     }
     if (new_fragment) {
         const std::optional<Cursor> wanted = wanted_fragment(session, moment);

@@ -5,6 +5,7 @@
 
 #include "explain/fragment_report.h"
 #include "explain/vertex_report.h"
+#include "inspect/clip_history.h"
 #include "inspect/row_graph.h"
 #include "session/session.h"
 
@@ -12,7 +13,9 @@ namespace rasterwalk {
 
 /// The part of the results that answers where numbers come from.
 struct Inspected {
-    std::vector<VertexReport> vertices;     ///< three, of the triangle on show; empty without one
+    std::vector<VertexReport> vertices; ///< three, of the triangle on show; empty without one
+    std::optional<ClipHistory>
+        clip; ///< of that triangle; none in a scene in pixels, without a camera
     std::optional<FragmentReport> fragment; ///< on the picked pixel, or just done at the cursor
     std::optional<RowGraph> graph; ///< of the triangle on show: the selected row, or the row of the
                                    ///< fragment on show, or the widest

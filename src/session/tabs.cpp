@@ -15,6 +15,10 @@ constexpr std::array tabs{
     TabInfo{"vertices", "Vertices",
             "The corners of the triangle in every space on their way to a pixel.",
             TabGroup::triangle},
+    TabInfo{"clip", "Clip",
+            "Which part of the triangle lies in the view: outcodes, the cuts plane by plane, and "
+            "whether it shows its front.",
+            TabGroup::triangle, true},
     TabInfo{"rows", "Rows", "The triangle's row table: leftPixels and rightPixels.",
             TabGroup::triangle},
     TabInfo{"microscope", "Floats",
@@ -199,7 +203,10 @@ bool hides_tabs(const Session& session) {
 }
 
 bool is_offered(const Session& session, const TabInfo& tab) {
-    if (!hides_tabs(session) || tab.name == tab_below(session)) return true;
+    if (tab.name == tab_below(session)) return true;
+    const bool has_camera = session.scene && session.scene->space == SceneSpace::world;
+    if (tab.needs_camera && !has_camera) return false;
+    if (!hides_tabs(session)) return true;
     return contains(session.tab_guide.panels, tab.name);
 }
 

@@ -32,6 +32,7 @@ struct TabInfo {
     std::string_view title;
     std::string_view help; ///< one sentence
     TabGroup group = TabGroup::triangle;
+    bool needs_camera = false; ///< of no use to a scene in pixels, which has no view volume
 };
 
 /// The tabs in their order, group by group.
@@ -90,7 +91,8 @@ void follow_stage(Session& session);
 std::string_view tab_below(const Session& session);
 /// The tab that a click on the group opens: the one shown last, or the first that is not hidden.
 std::string_view tab_of_group(const Session& session, TabGroup group);
-/// Does the inspector offer this tab? A lesson's step may hide it, though never the one on show.
+/// Does the inspector offer this tab? Only where the scene has use for it, and a lesson's step may
+/// hide it; though never the one on show.
 bool is_offered(const Session& session, const TabInfo& tab);
 /// Does the lesson's step hide any tab?
 bool hides_tabs(const Session& session);

@@ -27,6 +27,7 @@ std::string tab_of(std::string_view widget) {
                                        {"bench.", "rows"},
                                        {"triangle.", "rows"},
                                        {"vertices.", "vertices"},
+                                       {"clip.", "clip"},
                                        {"fragment.", "fragment"},
                                        {"microscope.", "microscope"},
                                        {"history.", "history"},

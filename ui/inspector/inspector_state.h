@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -8,6 +9,7 @@
 
 #include "inspect/microscope.h"
 #include "pipeline/cursor.h"
+#include "stages/clip.h"
 
 namespace rasterwalk {
 
@@ -19,6 +21,15 @@ struct MicroscopeView {
     /// The triangle and edge for which x or y was last chosen; another edge chooses anew.
     std::pair<int, int> axis_chosen_for{-1, -1};
     EdgeMicroscope shown; ///< of that edge; worked out anew when another is shown
+};
+
+/// What is asked about in the Clip tab, for one triangle.
+struct ClipLook {
+    int triangle = -1;
+    std::optional<Cursor> picked_at; ///< where the cursor stood when the number was picked
+    std::string number;              ///< id of a formula, see clip_report.h; empty: the usual one
+    std::array<bool, clip_plane_count> is_turned{}; ///< opened or closed otherwise than usual
+    std::optional<ClipPlane> plane; ///< that is looked at, on the canvas too; none: the usual one
 };
 
 /// What the row table has on show.
@@ -52,6 +63,7 @@ struct InspectorState {
     bool is_low = false;    ///< the page has few lines: panels are brief
     bool is_narrow = false; ///< and few letters a line
     MicroscopeView microscope;
+    ClipLook clip;
     InspectView chosen;
     std::string setting_search; ///< what the sheet of settings is filtered by
     SettingsSheet settings_sheet;

@@ -21,6 +21,7 @@ void draw_triangle_title(Ui& ui);
 /// @param what "rows"
 bool begin_triangle_panel(Ui& ui, const char* what);
 void draw_vertices_panel(Ui& ui);
+void draw_clip_panel(Ui& ui);
 void draw_rows_panel(Ui& ui);
 void draw_fragment_panel(Ui& ui);
 void draw_graph_panel(Ui& ui);

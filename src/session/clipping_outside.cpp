@@ -1,0 +1,65 @@
+#include "session/clipping_outside.h"
+
+#include <algorithm>
+
+namespace rasterwalk {
+
+namespace {
+
+SeenCorner seen_corner(const CutCorner& corner) {
+    SeenCorner seen;
+    seen.place = corner.vertex.varyings.position_world;
+    if (corner.is_new()) seen.plane = corner.plane;
+    seen.edge = corner.edge;
+    return seen;
+}
+
+/// The place of the plane that is looked at in the history: the one at work, the one chosen if it
+/// cuts, or the first that does; -1: none does.
+int plane_on_show(const ClipHistory& history, const std::optional<ClipProgress>& progress,
+                  std::optional<ClipPlane> chosen) {
+    if (progress) return progress->planes;
+    const auto& planes = history.planes;
+    const auto found = std::find_if(planes.begin(), planes.end(),
+                                    [&](const PlaneHistory& p) { return p.plane == chosen; });
+    if (found != planes.end()) return static_cast<int>(found - planes.begin());
+    return planes.empty() ? -1 : 0;
+}
+
+} // namespace
+
+SeenClipping clipping_outside(const Frame& frame, const ClipHistory& history,
+                              const std::optional<Cursor>& done, std::optional<ClipPlane> chosen) {
+    SeenClipping seen;
+    if (history.cuts) seen.ends = glm::dvec2(frame.settings.near, frame.settings.far);
+    seen.is_cut = history.clipped.is_cut || !history.planes.empty();
+    if (!seen.is_cut) return seen;
+    const std::optional<ClipProgress> progress = clip_progress(history, done);
+    // Until the last edge is done the plane has not taken anything away.
+    const bool is_at_work =
+        progress &&
+        progress->steps <
+            static_cast<int>(
+                history.planes[static_cast<std::size_t>(progress->planes)].steps.size());
+    const int planes = progress ? progress->planes + (is_at_work ? 0 : 1) : INT_MAX;
+    for (const CutCorner& corner : corners_before(history, planes))
+        seen.corners.push_back(seen_corner(corner));
+    if (history.clipped.rejection != Rejection::none && !progress) seen.corners.clear();
+    const std::vector<CutCorner> passed =
+        progress ? corners_passed(history, *progress) : corners_before(history);
+    for (const CutCorner& corner : passed) {
+        if (corner.is_new()) seen.made.push_back(seen_corner(corner));
+    }
+    const int at = plane_on_show(history, progress, chosen);
+    if (at < 0) return seen;
+    const PlaneHistory& plane = history.planes[static_cast<std::size_t>(at)];
+    SeenPlane& shown = seen.plane.emplace();
+    shown.plane = plane.plane;
+    shown.coefficients = history.codes.planes[static_cast<std::size_t>(plane.plane)];
+    for (const ClipStep& step : plane.steps) {
+        if (step.is_cut) shown.cuts.emplace_back(step.cut.varyings.position_world);
+    }
+    return seen;
+}
+
+} // namespace rasterwalk

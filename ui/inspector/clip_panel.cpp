@@ -1,0 +1,264 @@
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/element_names.h"
+#include "base/numbers.h"
+#include "session/quiz_state.h"
+#include "session/tabs.h"
+#include "stages/project.h"
+#include "ui/actions/go_to_source.h"
+#include "ui/inspector/clip_parts.h"
+#include "ui/inspector/panels.h"
+#include "ui/ui.h"
+#include "ui/widgets/formula_view.h"
+#include "ui/widgets/number_text.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// "the near plane and the left side", "the near plane, the left side and the top side".
+std::string list_of_planes(Outcode code) {
+    std::vector<std::string> names;
+    for (std::size_t p = 0; p < clip_plane_count; ++p) {
+        if ((code >> p & 1u) != 0) names.push_back("the " + plane_name(static_cast<ClipPlane>(p)));
+    }
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+    return text;
+}
+
+/// What becomes of the triangle, in a sentence.
+std::string verdict_of(const ClipHistory& history, const Settings& settings) {
+    const TriangleCodes& codes = history.codes;
+    if (history.rejected != Rejection::none) {
+        return "Rejected before clipping: all corners lie beyond " +
+               list_of_planes(history.outer_codes.common()) + ".";
+    }
+    if (!history.cuts) {
+        if (settings.clip == Clip::none)
+            return "Nothing is cut: what reaches out of the view is divided as it is.";
+        return "Nothing is cut, as in the lab: a triangle with a vertex behind the camera is left "
+               "out whole, and what lies beside the picture is left out pixel by pixel.";
+    }
+    if (history.clipped.rejection != Rejection::none) {
+        if (codes.common() != 0) {
+            return "Nothing is left: all corners lie beyond " + list_of_planes(codes.common()) +
+                   ".";
+        }
+        return "Nothing is left, though no plane has all corners beyond it: the triangle passes by "
+               "a corner of the view. Outcodes alone cannot tell.";
+    }
+    if (history.planes.empty()) {
+        return "Accepted: no corner lies beyond a plane. There is nothing to cut.";
+    }
+    Outcode cut = 0;
+    for (const PlaneHistory& plane : history.planes)
+        cut = static_cast<Outcode>(cut | 1u << static_cast<unsigned>(plane.plane));
+    return fmt::format("Cut by {}: 3 corners become {}, drawn as {}.", list_of_planes(cut),
+                       history.polygon.size(),
+                       counted(static_cast<int>(history.fan.size()), "triangle", "triangles"));
+}
+
+/// The vertex behind the camera that is explained; -1: none is there.
+int vertex_behind(const ClipHistory& history) {
+    for (int v = 0; v < triangle_corners; ++v) {
+        const float w = history.corners[static_cast<std::size_t>(v)].position_clip.w;
+        if (w <= 0.0f) return v;
+    }
+    return -1;
+}
+
+/// What the division would make of a vertex behind the camera.
+std::string behind_text(const ClipHistory& history, const Frame& frame, int vertex) {
+    const glm::vec4& clip = history.corners[static_cast<std::size_t>(vertex)].position_clip;
+    const std::string w = shown({clip.w});
+    std::string text;
+    if (clip.w < 0.0f) {
+        const VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
+        const glm::vec2 place = glm::vec2(frame.stages.viewport_middle(rules)) +
+                                frame.stages.perspective_divide(clip, 1.0f / clip.w);
+        const auto part = [](float value) { return fixed(static_cast<double>(value), 0); };
+        text = fmt::format("{} lies behind the camera: w = {}. Dividing by it turns left to right "
+                           "and top to bottom: it lands at ({}, {}), on the other side of the "
+                           "picture, and the triangle turns inside out.",
+                           vertex_name(vertex), w, part(place.x), part(place.y));
+    } else {
+        text = vertex_name(vertex) + " lies in the camera's own plane: w = 0, and nothing can be "
+                                     "divided by it.";
+    }
+    if (history.cuts) return text + " So it is cut off before the division.";
+    if (!frame.is_drawn(history.triangle)) return text + " So the whole triangle is left out.";
+    return text + " That is what is drawn now.";
+}
+
+/// Nothing is cut: what it takes to see it.
+void draw_offer(Ui& ui) {
+    if (hides_settings(ui.session)) return;
+    if (button(ui, "clip.cut_all", "Cut by all six planes", Look::plain,
+               "Sets \"Clipped\" to \"by all planes\": what reaches out of the view is cut off "
+               "before the division.")) {
+        ui.session.a.settings.clip = Clip::all;
+    }
+}
+
+void draw_clip_verdict(const ClipPage& page) {
+    Ui& ui = page.ui;
+    wrapped_text(verdict_of(page.history, page.frame.settings));
+    name_widget(ui, "clip.verdict",
+                "What becomes of the triangle between the vertex shader and the division by w.");
+    if (!page.history.cuts && page.history.rejected == Rejection::none) draw_offer(ui);
+    const int behind = vertex_behind(page.history);
+    if (behind < 0) return;
+    ImGui::PushStyleColor(ImGuiCol_Text, colour_of(Meaning::fail, ui.options.theme));
+    wrapped_text(behind_text(page.history, page.frame, behind));
+    ImGui::PopStyleColor();
+    name_widget(ui, "clip.behind",
+                "Behind the camera w is negative. The division by w makes a place in front of it "
+                "of one behind it, mirrored through the eye.");
+}
+
+/// What is explained while nobody has asked: what was just done, or the first cut, or else what
+/// culling looks at.
+std::string usual_number(const ClipHistory& history, const std::optional<ClipProgress>& progress) {
+    const auto id_of = [](const ClipStep& step) {
+        const auto plane = static_cast<int>(step.plane);
+        return step.is_cut ? fmt::format("t.{}.{}", plane, step.from)
+                           : fmt::format("d.{}.{}", plane, step.from);
+    };
+    if (progress) {
+        const PlaneHistory& plane = history.planes[static_cast<std::size_t>(progress->planes)];
+        const int last = std::clamp(progress->steps, 1, static_cast<int>(plane.steps.size())) - 1;
+        return id_of(plane.steps[static_cast<std::size_t>(last)]);
+    }
+    for (const PlaneHistory& plane : history.planes) {
+        for (const ClipStep& step : plane.steps) {
+            if (step.is_cut) return id_of(step);
+        }
+    }
+    return "corner." + std::to_string(std::max(vertex_behind(history), 0)) + ".w";
+}
+
+/// The number that was asked for, until the triangle is another one or the cursor comes to a step.
+std::string number_on_show(Ui& ui, const ClipHistory& history,
+                           const std::optional<ClipProgress>& progress) {
+    ClipLook& look = ui.inspector.clip;
+    if (look.triangle != history.triangle) look = {};
+    look.triangle = history.triangle;
+    const bool has_moved = progress && look.picked_at != ui.results.a.cursor;
+    if (has_moved || !clip_formula(ui.results.a.frame, history, look.number)) look.number.clear();
+    return look.number.empty() ? usual_number(history, progress) : look.number;
+}
+
+void draw_clip_card(const ClipPage& page) {
+    Ui& ui = page.ui;
+    std::optional<Formula> formula = clip_formula(page.frame, page.history, page.number);
+    if (!formula) return;
+    begin_card(ui);
+    text_in(page.palette().dim, formula->help);
+    name_widget(ui, "clip.formula", formula->help);
+    ImGui::PushFont(ui.inspector.is_low ? ui.fonts.small : ui.fonts.text);
+    const std::optional<Source> clicked = draw_formula(ui, *formula, "clip.formula");
+    ImGui::PopFont();
+    end_card(ui);
+    if (!clicked) return;
+    if (clicked->kind == SourceKind::formula) {
+        ui.inspector.clip.number = clicked->name;
+        ui.inspector.clip.picked_at = ui.results.a.cursor;
+    }
+    go_to_source(ui, *clicked);
+}
+
+/// All parts; where lines are few each is followed by the card of a number that stands in it.
+class ClipParts {
+  public:
+    explicit ClipParts(const ClipPage& page) : page_(page) {}
+
+    void draw() {
+        draw_clip_verdict(page_);
+        draw_clip_corners(page_);
+        card_after("corner.");
+        draw_clip_codes(page_);
+        card_after("code.");
+        if (page_.history.cuts && page_.history.rejected == Rejection::none) draw_planes();
+        draw_clip_rest(page_);
+        card_after("pixel.");
+        draw_clip_culling(page_);
+        card_after("");
+    }
+
+  private:
+    void draw_planes() {
+        draw_clip_plane_buttons(page_);
+        for (std::size_t p = 0; p < page_.history.codes.plane_count; ++p) {
+            const auto plane = static_cast<ClipPlane>(p);
+            draw_clip_plane(page_, plane);
+            const std::string place = std::to_string(p) + ".";
+            card_after("d." + place);
+            card_after("t." + place);
+        }
+        card_after("new.");
+    }
+    void card_after(const std::string& prefix) {
+        if (!page_.ui.inspector.is_low || is_drawn_ || !page_.number.starts_with(prefix)) return;
+        is_drawn_ = true;
+        draw_clip_card(page_);
+        // The click has been in the frame before: there the formula stood elsewhere.
+        if (page_.ui.inspector.formula_frame + 1 == ImGui::GetFrameCount())
+            ImGui::SetScrollHereY(1.0f);
+    }
+
+    const ClipPage& page_;
+    bool is_drawn_ = false;
+};
+
+} // namespace
+
+const Palette& ClipPage::palette() const {
+    return rasterwalk::palette(ui.options.theme);
+}
+
+bool ClipPage::is_coming(ClipPlane plane, int step) const {
+    if (!progress) return false;
+    const int place = planes_before(history, plane);
+    return place > progress->planes || (place == progress->planes && step >= progress->steps);
+}
+
+bool ClipPage::is_current(ClipPlane plane, int step) const {
+    return progress && planes_before(history, plane) == progress->planes &&
+           work_of(history, plane) != nullptr && step + 1 == progress->steps;
+}
+
+void draw_clip_panel(Ui& ui) {
+    const RunResults& a = ui.results.a;
+    if (!a.inspected.clip) {
+        const char* const why = a.triangle ? "The scene is given in pixels: it has no camera, and "
+                                             "nothing of it is clipped."
+                                           : "The scene has no triangles.";
+        ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
+        wrapped_text(why);
+        ImGui::PopStyleColor();
+        return;
+    }
+    const ClipHistory& history = *a.inspected.clip;
+    const std::optional<ClipProgress> progress = clip_progress(history, a.done);
+    const ClipPage page{ui, a.frame, history, progress, number_on_show(ui, history, progress)};
+    const std::string before = ui.inspector.clip.number;
+    draw_triangle_title(ui);
+    ClipParts parts(page);
+    if (ui.inspector.is_low) {
+        parts.draw();
+    } else {
+        draw_with_card(
+            "clip", [&] { parts.draw(); }, [&] { draw_clip_card(page); });
+    }
+    if (ui.inspector.clip.number != before) ui.inspector.formula_frame = ImGui::GetFrameCount();
+}
+
+} // namespace rasterwalk
