@@ -30,7 +30,7 @@ struct Seen {
         eye = eye_of(view, things, size, 40.0);
     }
     OutsideMarks marks(const Scene& scene, int triangle) const {
-        return outside_marks(scene, things, eye, triangle, glm::ivec2(250, 400), size);
+        return outside_marks(scene, things, eye, {triangle}, glm::ivec2(250, 400), size);
     }
 };
 

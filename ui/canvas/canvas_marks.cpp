@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "session/bench.h"
+#include "ui/canvas/clip_marks.h"
 #include "ui/canvas/marks.h"
 
 namespace rasterwalk {
@@ -221,6 +222,10 @@ void draw_lit_row(const Marks& m, int row, float opacity) {
                           m.colour(Meaning::pass, opacity));
 }
 
+const ClipHistory* clip_of(const RunResults& run) {
+    return run.inspected.clip ? &*run.inspected.clip : nullptr;
+}
+
 } // namespace
 
 bool crosses(ImVec2 a, ImVec2 b, ImVec2 low, ImVec2 high) {
@@ -244,12 +249,12 @@ bool crosses(ImVec2 a, ImVec2 b, ImVec2 low, ImVec2 high) {
 
 ShownRun run_a(const Ui& ui) {
     const RunResults& a = ui.results.a;
-    return {a.frame, a.rows, a.whole_rows, a.cursor, a.done, ui.canvas.place};
+    return {a.frame, a.rows, a.whole_rows, a.cursor, a.done, ui.canvas.place, clip_of(a)};
 }
 
 ShownRun run_b(const Ui& ui, const PicturePlace& place) {
     const RunResults& b = *ui.results.b;
-    return {b.frame, b.rows, b.whole_rows, b.cursor, b.done, place};
+    return {b.frame, b.rows, b.whole_rows, b.cursor, b.done, place, clip_of(b)};
 }
 
 std::vector<VertexLabel> draw_canvas_marks(const Ui& ui, const ShownRun& run, ImDrawList* list,
@@ -262,7 +267,10 @@ std::vector<VertexLabel> draw_canvas_marks(const Ui& ui, const ShownRun& run, Im
     const bool has_triangle = ui.results.a.triangle && frame.is_drawn(*ui.results.a.triangle);
     const bool is_picked = ui.session.selection.triangle.has_value();
     const bool is_walking = run.cursor != cursor_end;
-    if (has_triangle && (m.is_large() || is_picked || is_walking)) {
+    const bool is_marked = m.is_large() || is_picked || is_walking;
+    if (run.clip != nullptr && is_marked) draw_clip_marks(m, *run.clip);
+    const bool has_edges = run.clip == nullptr || !is_before_edges(m, *run.clip);
+    if (has_triangle && is_marked && has_edges) {
         const std::span<const ScreenVertex> vertices =
             frame.triangle_vertices(*ui.results.a.triangle);
         if (m.is_large() && frame.settings.stage >= Stage::edges) draw_row_ends(m);

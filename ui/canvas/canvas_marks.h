@@ -5,6 +5,7 @@
 
 #include <imgui.h>
 
+#include "inspect/clip_history.h"
 #include "inspect/row_history.h"
 #include "pipeline/frame.h"
 #include "ui/canvas/vertex_labels.h"
@@ -22,15 +23,16 @@ struct ShownRun {
     const Cursor& cursor;
     const std::optional<Cursor>& done;
     PicturePlace place;
+    const ClipHistory* clip = nullptr; ///< of the triangle on show, or null
 };
 
 /// The runs of the interface; there must be a run B to ask for it.
 ShownRun run_a(const Ui& ui);
 ShownRun run_b(const Ui& ui, const PicturePlace& place);
 
-/// Draws over the picture: grid and numbers, the triangle's true edges, vertices, edge samples up
-/// to the cursor, row ends, the current piece, what is picked and pointed at. Costs what is
-/// visible.
+/// Draws over the picture: grid and numbers, the triangle's true edges, vertices, what
+/// clipping does to it, edge samples up to the cursor, row ends, the current piece, what is picked
+/// and pointed at. Costs what is visible.
 /// @return the names of vertices that stand there: nothing else is written on them
 std::vector<VertexLabel> draw_canvas_marks(const Ui& ui, const ShownRun& run, ImDrawList* list,
                                            ImVec2 low, ImVec2 high);

@@ -54,6 +54,16 @@ void draw_dashed(const Pen& pen, ImVec2 from, ImVec2 to, ImU32 colour, float wid
     }
 }
 
+/// A plane is a pane that everything is seen through.
+void draw_face(const Pen& pen, const std::vector<glm::vec2>& face) {
+    std::vector<ImVec2> corners;
+    for (const glm::vec2& corner : face)
+        corners.push_back(pen.at(corner));
+    if (corners.size() < 3) return;
+    pen.list->AddConvexPolyFilled(corners.data(), static_cast<int>(corners.size()),
+                                  pen.meaning(Meaning::left_end, 0.12f));
+}
+
 void draw_line(const Pen& pen, const OutsideLine& line) {
     const ImVec2 from = pen.at(line.from), to = pen.at(line.to);
     const float u = pen.u;
@@ -76,7 +86,23 @@ void draw_line(const Pen& pen, const OutsideLine& line) {
         pen.list->AddLine(from, to, pen.meaning(Meaning::pass), 1.5f * u);
         break;
     case OutsideLineKind::behind:
+    case OutsideLineKind::mirrored:
+    case OutsideLineKind::cut_off:
         draw_dashed(pen, from, to, pen.meaning(Meaning::fail), 1.5f * u);
+        break;
+    case OutsideLineKind::cut:
+        pen.list->AddLine(from, to, pen.ground(0.7f), 5.0f * u);
+        pen.list->AddLine(from, to, pen.meaning(Meaning::left_end), 2.6f * u);
+        break;
+    case OutsideLineKind::fan:
+        pen.list->AddLine(from, to, pen.ground(0.6f), 2.6f * u);
+        pen.list->AddLine(from, to, pen.text(0.9f), 1.0f * u);
+        break;
+    case OutsideLineKind::plane:
+        pen.list->AddLine(from, to, pen.meaning(Meaning::left_end, 0.8f), 1.3f * u);
+        break;
+    case OutsideLineKind::end:
+        pen.list->AddLine(from, to, pen.meaning(Meaning::left_end, 0.55f), 1.0f * u);
         break;
     }
 }
@@ -113,7 +139,15 @@ void draw_point(const Pen& pen, const OutsidePoint& point) {
         draw_lamp(pen, at);
         break;
     case OutsidePointKind::picture:
+    case OutsidePointKind::plane:
         break; // only its name stands there
+    case OutsidePointKind::cut:
+        draw_dot(pen, at, 4.5f * u, pen.meaning(Meaning::left_end));
+        break;
+    case OutsidePointKind::mirrored:
+        pen.list->AddCircle(at, 5.0f * u, pen.ground(), 0, 4.0f * u);
+        pen.list->AddCircle(at, 5.0f * u, pen.meaning(Meaning::fail), 0, 1.8f * u);
+        break;
     case OutsidePointKind::vertex:
         draw_dot(pen, at, 4.5f * u, pen.meaning(Meaning::current));
         break;
@@ -144,10 +178,13 @@ float reach_of(OutsidePointKind kind) {
     case OutsidePointKind::vertex:
     case OutsidePointKind::behind:
     case OutsidePointKind::pixel:
+    case OutsidePointKind::cut:
+    case OutsidePointKind::mirrored:
         return 6.0f;
     case OutsidePointKind::crossing:
         return 4.5f;
     case OutsidePointKind::picture:
+    case OutsidePointKind::plane:
         break; // nothing is drawn there
     }
     return 0.0f;
@@ -165,6 +202,12 @@ struct Name {
 Name name_of(const Pen& pen, const OutsidePoint& point) {
     const std::string vertex =
         (pen.is_narrow ? "[" : "vertices[") + std::to_string(point.number) + "]";
+    const bool is_of_plane =
+        point.kind == OutsidePointKind::cut || point.kind == OutsidePointKind::plane;
+    const auto which = is_of_plane ? static_cast<ClipPlane>(point.number) : ClipPlane::near;
+    const std::string_view plane = word_of(which);
+    const bool is_end = which == ClipPlane::near || which == ClipPlane::far;
+    const char* const end_of_name = is_end ? " plane" : " side";
     switch (point.kind) {
     case OutsidePointKind::camera:
         return {point, "camera", pen.text(), 0, LabelSide::below};
@@ -177,6 +220,14 @@ Name name_of(const Pen& pen, const OutsidePoint& point) {
                 pen.meaning(Meaning::fail), 2};
     case OutsidePointKind::picture:
         return {point, "the picture", pen.text(), 3, LabelSide::above_right};
+    case OutsidePointKind::cut:
+        return {point, std::string(plane), pen.meaning(Meaning::left_end), 3};
+    case OutsidePointKind::plane:
+        return {point, pen.is_narrow ? std::string(plane) : std::string(plane) + end_of_name,
+                pen.meaning(Meaning::left_end), 4, LabelSide::above_right};
+    case OutsidePointKind::mirrored:
+        return {point, pen.is_narrow ? "divided" : "dividing puts it here",
+                pen.meaning(Meaning::fail), 2};
     case OutsidePointKind::crossing:
     case OutsidePointKind::pixel:
         break;
@@ -184,11 +235,12 @@ Name name_of(const Pen& pen, const OutsidePoint& point) {
     return {point, {}, 0, 4};
 }
 
-/// The corner of the picture that lies farthest up and to the right: there its name has room.
-const OutsidePoint* named_corner(const OutsideMarks& marks) {
+/// The corner of the picture, or of the plane, that lies farthest up and to the right: there its
+/// name has room.
+const OutsidePoint* named_corner(const OutsideMarks& marks, OutsidePointKind kind) {
     const OutsidePoint* best = nullptr;
     for (const OutsidePoint& point : marks.points) {
-        if (point.kind != OutsidePointKind::picture) continue;
+        if (point.kind != kind) continue;
         if (best == nullptr || point.at.x - point.at.y > best->at.x - best->at.y) best = &point;
     }
     return best;
@@ -208,10 +260,12 @@ void draw_name(const Pen& pen, const Name& name, ImVec2 low) {
 }
 
 std::vector<Name> names_of(const Pen& pen, const OutsideMarks& marks) {
-    const OutsidePoint* const corner = named_corner(marks);
+    const OutsidePoint* const corner = named_corner(marks, OutsidePointKind::picture);
+    const OutsidePoint* const plane = named_corner(marks, OutsidePointKind::plane);
     std::vector<Name> names;
     for (const OutsidePoint& point : marks.points) {
         if (point.kind == OutsidePointKind::picture && &point != corner) continue;
+        if (point.kind == OutsidePointKind::plane && &point != plane) continue;
         Name name = name_of(pen, point);
         if (!name.text.empty()) names.push_back(std::move(name));
     }
@@ -253,6 +307,7 @@ void draw_outside_marks(const Ui& ui, ImDrawList* list, const OutsideMarks& mark
     const float size = std::min(pane.room().x, pane.room().y) / roomy;
     const Pen pen{ui, list, pane, ui.options.text_scale * std::clamp(size, smallest_marks, 1.0f),
                   pane.room().x < roomy};
+    draw_face(pen, marks.face);
     for (const OutsideLine& line : marks.lines)
         draw_line(pen, line);
     for (const OutsidePoint& point : marks.points)

@@ -9,6 +9,7 @@
 
 #include "base/element_names.h"
 #include "outside/outside_drawing.h"
+#include "session/clipping_outside.h"
 #include "ui/actions/actions.h"
 #include "ui/actions/outside.h"
 #include "ui/canvas/canvas_pointer.h"
@@ -46,6 +47,8 @@ OutsideStyle style_of(const Ui& ui) {
     const bool is_dark = ui.options.theme == Theme::dark;
     style.drawn = is_dark ? 0.42f : 0.5f;
     style.coming = is_dark ? 0.13f : 0.18f;
+    style.cut_off = rgb(colour_of(Meaning::fail, ui.options.theme));
+    style.cut_off_share = is_dark ? 0.3f : 0.35f;
     return style;
 }
 
@@ -172,6 +175,19 @@ std::string fitting_coming_words(const Ui& ui, const Pane& pane) {
     return has_room ? words : std::string();
 }
 
+/// What clipping does to the triangle on show.
+SeenClipping seen_clipping(const Ui& ui) {
+    const RunResults& a = ui.results.a;
+    if (!a.inspected.clip) return {};
+    return clipping_outside(a.frame, *a.inspected.clip, a.done, ui.inspector.clip.plane);
+}
+
+/// Is the triangle on show drawn though it has a vertex behind the camera, which is divided too?
+bool is_mirrored(const RunResults& run) {
+    return run.triangle && run.frame.settings.clip == Clip::none &&
+           run.frame.is_drawn(*run.triangle);
+}
+
 void draw_coming(const Ui& ui, ImDrawList* list, const Pane& pane, const std::string& words) {
     const float u = ui.options.text_scale;
     const ImFont* const font = ui.fonts.small;
@@ -199,9 +215,10 @@ void draw_outside(Ui& ui, const Pane& pane) {
                      0.1f * static_cast<float>(arrows.up));
     }
     const RunResults& a = ui.results.a;
-    const OutsideSubject subject{
-        a.scene,   a.frame,          a.frame_number, a.cursor,         a.triangle,
-        a.picture, a.picture_number, *a.framebuffer, a.picture_before, a.picture_changed};
+    const OutsideSubject subject{a.scene,           a.frame,          a.frame_number,
+                                 a.cursor,          a.triangle,       a.picture,
+                                 a.picture_number,  *a.framebuffer,   a.picture_before,
+                                 a.picture_changed, seen_clipping(ui)};
     // What lies under the pointer is asked of what was seen last.
     if (drawing.number() > 0) handle_pointer(ui, pane);
     drawing.update(subject, look_of(ui, pane));
@@ -209,7 +226,8 @@ void draw_outside(Ui& ui, const Pane& pane) {
     list->AddRectFilled(pane.low, pane.high, packed(p.canvas), 4.0f * u);
     list->PushClipRect(pane.low, pane.high, true);
     draw_image(ui, list, pane);
-    const OutsideMarks marks = outside_marks(*a.scene, drawing.things(), drawing.eye(), a.triangle,
+    const OutsideMarks marks = outside_marks(*a.scene, drawing.things(), drawing.eye(),
+                                             {a.triangle, subject.clipping, is_mirrored(a)},
                                              ui.session.selection.pixel, size_of(pane));
     const std::string coming = fitting_coming_words(ui, pane);
     const float below =

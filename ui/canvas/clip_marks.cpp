@@ -1,0 +1,258 @@
+#include "ui/canvas/clip_marks.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "outside/outside_marks.h"
+#include "ui/canvas/marks.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// In this colour are planes and what they make.
+constexpr Meaning plane_ink = Meaning::left_end;
+
+/// Where an edge goes through the camera plane it has no place on the screen: it is drawn up to
+/// this part of the greater w of its ends.
+constexpr float least_w_share = 1e-4f;
+
+/// Beyond the canvas lines are not drawn, design pixels.
+constexpr float beside_canvas = 40.0f;
+
+struct ScreenLine {
+    ImVec2 from, to;
+};
+
+/// The picture's place of a corner in clip space; w must not be 0.
+ImVec2 place_of(const Marks& m, const glm::vec4& clip) {
+    const Frame& frame = m.run.frame;
+    const VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
+    const glm::vec2 place = frame.stages.perspective_divide(clip, 1.0f / clip.w) +
+                            glm::vec2(frame.stages.viewport_middle(rules));
+    // As the corners that were not rounded: see draw_vertices().
+    const bool is_rounded = frame.settings.vertex_rounding == VertexRounding::round;
+    const float shift = is_rounded ? 0.0f : -0.5f;
+    return m.at(place.x + shift, place.y + shift);
+}
+
+/// The part of a line within a rectangle, by Liang and Barsky's way; none if there is none.
+std::optional<ScreenLine> cut_to(const ScreenLine& line, ImVec2 low, ImVec2 high) {
+    double from = 0.0, to = 1.0;
+    const double dx = static_cast<double>(line.to.x) - static_cast<double>(line.from.x);
+    const double dy = static_cast<double>(line.to.y) - static_cast<double>(line.from.y);
+    const auto cut = [&](double p, double q) {
+        if (p == 0.0) return q >= 0.0;
+        const double t = q / p;
+        (p < 0.0 ? from : to) = p < 0.0 ? std::max(from, t) : std::min(to, t);
+        return from <= to;
+    };
+    const auto wide = [](float a, float b) {
+        return static_cast<double>(a) - static_cast<double>(b);
+    };
+    const bool is_seen = cut(-dx, wide(line.from.x, low.x)) && cut(dx, wide(high.x, line.from.x)) &&
+                         cut(-dy, wide(line.from.y, low.y)) && cut(dy, wide(high.y, line.from.y));
+    if (!is_seen || !std::isfinite(dx) || !std::isfinite(dy)) return std::nullopt;
+    const auto at = [&](double t) {
+        return ImVec2(line.from.x + static_cast<float>(t * dx),
+                      line.from.y + static_cast<float>(t * dy));
+    };
+    return ScreenLine{at(from), at(to)};
+}
+
+/// An edge between two places in clip space, as far as it lies in front of the camera and within
+/// the canvas.
+std::optional<ScreenLine> seen_edge(const Marks& m, glm::vec4 a, glm::vec4 b) {
+    const float least = least_w_share * std::max(a.w, b.w);
+    if (!(least > 0.0f)) return std::nullopt;
+    const auto cut = [&](glm::vec4& end, const glm::vec4& other) {
+        if (end.w < least) end = other + (other.w - least) / (other.w - end.w) * (end - other);
+        end.w = std::max(end.w, least);
+    };
+    cut(a, b);
+    cut(b, a);
+    const float beside = beside_canvas * m.u;
+    return cut_to({place_of(m, a), place_of(m, b)}, {m.low.x - beside, m.low.y - beside},
+                  {m.high.x + beside, m.high.y + beside});
+}
+
+void draw_seen_edge(const Marks& m, const CutCorner& a, const CutCorner& b, ImU32 colour,
+                    float width) {
+    const auto line = seen_edge(m, a.vertex.position_clip, b.vertex.position_clip);
+    if (!line) return;
+    m.list->AddLine(line->from, line->to, dark_casing, (width + 2.0f) * m.u);
+    m.list->AddLine(line->from, line->to, colour, width * m.u);
+}
+
+/// The triangle as it was before any plane.
+void draw_outline_before(const Marks& m, const ClipHistory& history) {
+    const std::vector<CutCorner> corners = corners_before(history, 0);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const auto line = seen_edge(m, corners[i].vertex.position_clip,
+                                    corners[(i + 1) % corners.size()].vertex.position_clip);
+        if (!line) continue;
+        const float dx = line->to.x - line->from.x, dy = line->to.y - line->from.y;
+        const float length = std::hypot(dx, dy);
+        const float dash = std::max(6.0f * m.u, length / 300.0f);
+        for (float d = 0.0f; d < length && m.has_room(); d += 2.0f * dash) {
+            const float s = d / length, t = std::min((d + dash) / length, 1.0f);
+            const ImVec2 from{line->from.x + s * dx, line->from.y + s * dy};
+            const ImVec2 to{line->from.x + t * dx, line->from.y + t * dy};
+            m.list->AddLine(from, to, dark_casing, 3.4f * m.u);
+            m.list->AddLine(from, to, m.colour(edge_meaning(corners[i].edge)), 1.6f * m.u);
+        }
+    }
+}
+
+/// The edges that lie on planes, wide enough to be seen beside the lines drawn on them.
+void draw_plane_edges(const Marks& m, const std::vector<CutCorner>& corners) {
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        if (corners[i].edge >= 0) continue;
+        draw_seen_edge(m, corners[i], corners[(i + 1) % corners.size()], m.colour(plane_ink), 5.0f);
+    }
+}
+
+void draw_fan(const Marks& m, const std::vector<CutCorner>& corners) {
+    for (std::size_t i = 2; i + 1 < corners.size(); ++i)
+        draw_seen_edge(m, corners[0], corners[i], m.colour(Meaning::current, 0.8f), 1.0f);
+}
+
+/// The polygon while planes are at work on it.
+void draw_polygon_at_work(const Marks& m, const std::vector<CutCorner>& corners) {
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Meaning meaning = corners[i].edge >= 0 ? edge_meaning(corners[i].edge) : plane_ink;
+        draw_seen_edge(m, corners[i], corners[(i + 1) % corners.size()], m.colour(meaning), 1.8f);
+    }
+}
+
+void draw_diamond(const Marks& m, ImVec2 at, float reach, ImU32 colour) {
+    m.list->AddQuadFilled({at.x, at.y - reach}, {at.x + reach, at.y}, {at.x, at.y + reach},
+                          {at.x - reach, at.y}, colour);
+}
+
+/// A name that is to stand beside a place of the canvas.
+struct PlaceName {
+    ImVec2 at;
+    std::string text;
+    ImU32 colour;
+};
+
+void draw_place_names(const Marks& m, const std::vector<PlaceName>& names, float distance) {
+    ImFont* const font = m.ui.fonts.small;
+    const float around = 3.0f * m.u;
+    std::vector<OutsideLabel> labels;
+    std::vector<OutsideBox> taken;
+    for (const PlaceName& name : names) {
+        const glm::vec2 at(name.at.x - m.low.x, name.at.y - m.low.y);
+        const glm::vec2 extent(text_width(font, name.text) + 2.0f * around,
+                               font->FontSize + 2.0f * around);
+        labels.push_back({at, extent, distance});
+        taken.push_back({at - distance, at + distance});
+    }
+    const auto places =
+        label_places(labels, std::move(taken), {m.high.x - m.low.x, m.high.y - m.low.y});
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (!places[i]) continue;
+        const ImVec2 low{std::round(m.low.x + places[i]->x), std::round(m.low.y + places[i]->y)};
+        m.list->AddRectFilled(low, {low.x + labels[i].size.x, low.y + labels[i].size.y},
+                              dark_casing, 3.0f * m.u);
+        m.list->AddText(font, font->FontSize, {low.x + around, low.y + around}, names[i].colour,
+                        names[i].text.c_str());
+    }
+}
+
+/// The corners that planes have made; from far away with the names of the planes, near by the
+/// names of all corners are written.
+void draw_new_corners(const Marks& m, const std::vector<CutCorner>& corners, bool has_names) {
+    const float reach = 5.5f * m.u;
+    std::vector<PlaceName> names;
+    for (const CutCorner& corner : corners) {
+        if (!corner.is_new() || !(corner.vertex.position_clip.w > 0.0f)) continue;
+        const ImVec2 at = place_of(m, corner.vertex.position_clip);
+        if (at.x < m.low.x || at.x > m.high.x || at.y < m.low.y || at.y > m.high.y) continue;
+        draw_diamond(m, at, reach + 1.8f * m.u, dark_casing);
+        draw_diamond(m, at, reach, m.colour(plane_ink));
+        names.push_back({at, std::string(word_of(corner.plane)), m.colour(plane_ink)});
+    }
+    if (has_names) draw_place_names(m, names, reach + 1.5f * m.u);
+}
+
+/// The edge at which the step just done has worked.
+void draw_step_at_work(const Marks& m, const ClipHistory& history, const ClipProgress& progress) {
+    const PlaneHistory& plane = history.planes[static_cast<std::size_t>(progress.planes)];
+    const auto last = static_cast<std::size_t>(progress.steps - 1);
+    if (progress.steps < 1 || last >= plane.steps.size()) return;
+    const std::vector<CutCorner> before = corners_before(history, progress.planes);
+    const ClipStep& step = plane.steps[last];
+    draw_seen_edge(m, before[static_cast<std::size_t>(step.from)],
+                   before[static_cast<std::size_t>(step.to)], m.colour(Meaning::current), 3.0f);
+}
+
+/// Which way round the corners go: an arrow on each edge, and in the middle what culling took it
+/// for.
+void draw_cull_answer(const Marks& m, const ClipHistory& history) {
+    const std::vector<CutCorner> corners = corners_before(history);
+    ImVec2 middle{0.0f, 0.0f};
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const glm::vec4& a = corners[i].vertex.position_clip;
+        const glm::vec4& b = corners[(i + 1) % corners.size()].vertex.position_clip;
+        if (!(a.w > 0.0f) || !(b.w > 0.0f)) return; // they have no order on the screen
+        draw_seen_edge(m, corners[i], corners[(i + 1) % corners.size()], m.colour(Meaning::current),
+                       1.6f);
+        const ImVec2 from = place_of(m, a), to = place_of(m, b);
+        middle = {middle.x + from.x, middle.y + from.y};
+        const float length = std::hypot(to.x - from.x, to.y - from.y);
+        if (!(length > 24.0f * m.u) || !std::isfinite(length)) continue;
+        const float reach = 7.0f * m.u;
+        const ImVec2 along{reach * (to.x - from.x) / length, reach * (to.y - from.y) / length};
+        const ImVec2 at{0.5f * (from.x + to.x), 0.5f * (from.y + to.y)};
+        m.list->AddTriangleFilled(
+            {at.x + along.x, at.y + along.y}, {at.x - along.x - along.y, at.y - along.y + along.x},
+            {at.x - along.x + along.y, at.y - along.y - along.x}, m.colour(Meaning::current));
+    }
+    const auto count = static_cast<float>(corners.size());
+    const bool is_back = history.cull.is_back;
+    draw_place_names(m,
+                     {{{middle.x / count, middle.y / count},
+                       is_back ? "back" : "front",
+                       m.colour(is_back ? Meaning::fail : Meaning::pass)}},
+                     2.0f * m.u);
+}
+
+bool is_culling(const Marks& m, const ClipHistory& history) {
+    const std::optional<Cursor>& done = m.run.done;
+    return done && done->phase == Phase::cull && done->triangle == history.triangle;
+}
+
+} // namespace
+
+bool is_before_edges(const Marks& m, const ClipHistory& history) {
+    return clip_progress(history, m.run.done).has_value() || is_culling(m, history);
+}
+
+void draw_clip_marks(const Marks& m, const ClipHistory& history) {
+    if (!history.planes.empty()) {
+        const std::optional<ClipProgress> progress = clip_progress(history, m.run.done);
+        draw_outline_before(m, history);
+        if (progress) {
+            draw_polygon_at_work(m, corners_before(history, progress->planes));
+            draw_step_at_work(m, history, *progress);
+            draw_new_corners(m, corners_passed(history, *progress), true);
+        } else {
+            const std::vector<CutCorner> corners = corners_before(history);
+            draw_plane_edges(m, corners);
+            draw_fan(m, corners);
+            draw_new_corners(m, corners, !m.is_large() || !m.run.frame.is_drawn(history.triangle));
+        }
+    }
+    if (is_culling(m, history)) draw_cull_answer(m, history);
+}
+
+} // namespace rasterwalk
