@@ -14,6 +14,17 @@ LeftOut count_left_out(const Frame& frame) {
     return left_out;
 }
 
+ClipCounts count_clipping(const Frame& frame) {
+    ClipCounts counts;
+    for (const Polygon& polygon : frame.polygons) {
+        if (polygon.rejection != Rejection::none && polygon.rejection != Rejection::back_facing)
+            continue;
+        counts.clipped += polygon.is_cut ? 1 : 0;
+        counts.clip_triangles += polygon.count - 2;
+    }
+    return counts;
+}
+
 FrameStats frame_stats(const Frame& frame, const Cursor& to, Framebuffer& framebuffer) {
     clear(framebuffer, frame);
     const DrawTally tally =
@@ -33,12 +44,9 @@ FrameStats frame_stats(const Frame& frame, const Cursor& to, Framebuffer& frameb
         stats.uncovered += fragments == 0 ? 1 : 0;
     }
     stats.left_out = count_left_out(frame);
-    for (const Polygon& polygon : frame.polygons) {
-        if (polygon.rejection != Rejection::none && polygon.rejection != Rejection::back_facing)
-            continue;
-        stats.clipped += polygon.is_cut ? 1 : 0;
-        stats.clip_triangles += polygon.count - 2;
-    }
+    const ClipCounts clipping = count_clipping(frame);
+    stats.clipped = clipping.clipped;
+    stats.clip_triangles = clipping.clip_triangles;
     return stats;
 }
 

@@ -19,6 +19,14 @@ struct LeftOut {
     friend bool operator==(const LeftOut&, const LeftOut&) = default;
 };
 
+/// What clipping has made of the triangles of a frame.
+struct ClipCounts {
+    int clipped = 0;        ///< triangles that were cut
+    int clip_triangles = 0; ///< triangles after clipping, uncut ones too: a fan of each
+
+    friend bool operator==(const ClipCounts&, const ClipCounts&) = default;
+};
+
 /// What a frame comes to, in numbers.
 struct FrameStats {
     int triangles = 0;          ///< of the scene, drawn or not
@@ -41,6 +49,9 @@ struct FrameStats {
 
 /// Counts the triangles that the vertex shader left out.
 LeftOut count_left_out(const Frame& frame);
+
+/// Counts what is cut. What is left out counts only if culling has left it out, which comes after.
+ClipCounts count_clipping(const Frame& frame);
 
 /// Draws everything before `to` and counts; `framebuffer` receives the picture.
 FrameStats frame_stats(const Frame& frame, const Cursor& to, Framebuffer& framebuffer);

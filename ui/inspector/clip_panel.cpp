@@ -191,6 +191,7 @@ class ClipParts {
         card_after("pixel.");
         draw_clip_culling(page_);
         card_after("");
+        draw_clip_counts(page_);
     }
 
   private:

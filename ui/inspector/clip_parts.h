@@ -45,5 +45,7 @@ void draw_clip_plane(const ClipPage& page, ClipPlane plane);
 void draw_clip_rest(const ClipPage& page);
 /// What each way of culling takes it for.
 void draw_clip_culling(const ClipPage& page);
+/// What rejecting, clipping and culling come to in the whole frame.
+void draw_clip_counts(const ClipPage& page);
 
 } // namespace rasterwalk

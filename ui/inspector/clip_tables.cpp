@@ -607,4 +607,36 @@ void draw_clip_culling(const ClipPage& page) {
                 "not be drawn. The setting \"Backs left out\" says which way is in force.");
 }
 
+void draw_clip_counts(const ClipPage& page) {
+    const RunResults& a = page.ui.results.a;
+    const bool is_whole = a.replay.tallied() == cursor_end;
+    draw_clip_title(page, "In the whole frame",
+                    counted(page.frame.triangle_count(), "triangle", "triangles"));
+    if (!begin_clip_table(page, "counts", {2.2f, 1.0f})) return;
+    const auto line = [&](const std::string& title, const std::string& name, std::int64_t count,
+                          const std::string& help) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(title.c_str());
+        name_widget(page.ui, "clip.count." + name, help);
+        ImGui::PushFont(page.ui.fonts.mono);
+        ImGui::TableNextColumn();
+        right_aligned(whole_text(count), page.palette().text);
+        ImGui::PopFont();
+        note_text(page.ui, "clip.count." + name, whole_text(count));
+    };
+    line("rejected", "rejected", a.left_out.of(Rejection::outside),
+         "Triangles of which all corners lie beyond the same plane, found by their outcodes.");
+    line("cut", "clipped", a.clip_counts.clipped, "Triangles from which a plane has cut a part.");
+    line("after clipping", "clip_triangles", a.clip_counts.clip_triangles,
+         "Triangles after clipping: a fan of each polygon; those that were not cut count as well.");
+    line("culled", "culled", a.left_out.of(Rejection::back_facing),
+         "Triangles that show their back and are left out.");
+    line(is_whole ? "fragments outside" : "fragments outside, so far", "fragments_outside",
+         a.replay.tally().fragments_outside,
+         "Fragments that fall beside the picture: worked out for nothing. Clipping by all planes "
+         "saves them.");
+    end_clip_table();
+}
+
 } // namespace rasterwalk

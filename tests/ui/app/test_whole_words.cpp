@@ -62,8 +62,8 @@ TEST_CASE("No panel shortens what it says, nor does the line below the time line
         Driver driver("lab-room.toml", window.size, window.text_scale);
         driver.ui.session.selection.pixel = glm::ivec2(250, 400);
         driver.ui.session.selection.triangle = 10;
-        for (const char* tab :
-             {"vertices", "rows", "microscope", "fragment", "history", "graph", "compare", "lab"}) {
+        for (const char* tab : {"vertices", "clip", "rows", "microscope", "fragment", "history",
+                                "graph", "compare", "lab"}) {
             CAPTURE(tab);
             driver.open(tab);
             driver.hand.leave();

@@ -36,6 +36,7 @@ class Tour {
         small_triangle();
         small_window();
         from_outside();
+        clipped();
         groups();
     }
 
@@ -128,6 +129,17 @@ class Tour {
         driver.resize({800, 600});
         follow_link(driver.ui, "canvas:picture");
         look(driver);
+    }
+
+    /// Cut by some planes, with a corner behind the camera, and left out.
+    void clipped() {
+        Driver driver("corridor.toml");
+        follow_link(driver.ui, "triangle:0");
+        follow_link(driver.ui, "tab:clip");
+        for (const char* clip : {"none", "all"}) {
+            follow_link(driver.ui, std::string("set:clip=") + clip);
+            look(driver);
+        }
     }
 
     void small_window() {

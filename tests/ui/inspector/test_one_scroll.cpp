@@ -53,7 +53,7 @@ TEST_CASE("Nothing in the inspector that scrolls lies in something that scrolls"
         for (const char* scene : {"lab-room.toml", "one-triangle.toml"}) {
             INFO(scene);
             Driver driver(scene, window.size, window.text_scale);
-            for (const char* tab : {"vertices", "rows", "microscope", "fragment", "history",
+            for (const char* tab : {"vertices", "clip", "rows", "microscope", "fragment", "history",
                                     "graph", "compare", "lab"}) {
                 INFO(tab);
                 driver.ui.session.tab = tab;

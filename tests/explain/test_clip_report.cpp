@@ -1,0 +1,142 @@
+#include "explain/clip_report.h"
+
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "support/clipped_room.h"
+#include "support/effort.h"
+
+using namespace rasterwalk;
+using namespace rasterwalk::test;
+
+TEST_CASE("Every number of clipping comes out of its formula bit by bit") {
+    const Scene room = lab_room();
+    Random random(19);
+    int count = 0;
+    const auto check = [&](const Frame& frame, const ClipHistory& history, const std::string& id,
+                           float value) {
+        const auto formula = clip_formula(frame, history, id);
+        CAPTURE(id);
+        REQUIRE(formula);
+        CHECK(formula->id == id);
+        CHECK(formula->result.value == value);
+        CHECK(evaluate(*formula) == value);
+        CHECK(formula->expression != "v");
+        ++count;
+    };
+    for (int i = 0; i < rounds(12, 4); ++i) {
+        const Frame frame = room_frame(room, random, i % 3 == 2 ? Clip::guard_band : Clip::all);
+        const VertexRules rules = vertex_rules(frame.settings, room.space);
+        for (int t = 0; t < frame.triangle_count(); t += 5) {
+            const ClipHistory history = clip_history(frame, t);
+            CAPTURE(i, t);
+            for (int v = 0; v < 3; ++v) {
+                const glm::vec4& clip = history.corners[static_cast<std::size_t>(v)].position_clip;
+                check(frame, history, "corner." + std::to_string(v) + ".x", clip.x);
+                check(frame, history, "corner." + std::to_string(v) + ".y", clip.y);
+                for (std::size_t p = 0; p < history.codes.plane_count; ++p) {
+                    check(frame, history, "code." + std::to_string(p) + "." + std::to_string(v),
+                          inner_distance(history.codes.planes[p],
+                                         history.corners[static_cast<std::size_t>(v)]));
+                }
+            }
+            for (std::size_t p = 0; p < history.planes.size(); ++p) {
+                const std::string plane =
+                    std::to_string(static_cast<int>(history.planes[p].plane)) + ".";
+                for (const ClipStep& step : history.planes[p].steps) {
+                    check(frame, history, "d." + plane + std::to_string(step.from), step.d_from);
+                    if (!step.is_cut) continue;
+                    check(frame, history, "t." + plane + std::to_string(step.from), step.t);
+                    const auto made = corner_made(history, static_cast<int>(p), step.from);
+                    REQUIRE(made);
+                    for (int k = 0; k < 4; ++k)
+                        check(frame, history, corner_formula_id(*made, k),
+                              step.cut.position_clip[k]);
+                    const std::string made_id = "new." + std::to_string(made->new_index);
+                    for (int v = 0; v < varying_count; ++v) {
+                        const VaryingInfo& info = varying_list[static_cast<std::size_t>(v)];
+                        for (int k = 0; k < info.count; ++k)
+                            check(frame, history,
+                                  made_id + "." + std::to_string(v) + "." + std::to_string(k),
+                                  info.component(step.cut.varyings, k));
+                    }
+                }
+            }
+            if (history.polygon.empty()) continue;
+            check(frame, history, "cull.normal", away_from_camera(history.polygon[0], rules));
+            check(frame, history, "cull.area", screen_area_sign(history.polygon, rules));
+            if (!frame.is_drawn(t)) continue;
+            const auto pixels = frame.triangle_vertices(t);
+            for (std::size_t c = 0; c < pixels.size(); ++c) {
+                const std::string id = "pixel." + std::to_string(c);
+                check(frame, history, id + ".column", static_cast<float>(pixels[c].column));
+                check(frame, history, id + ".row", static_cast<float>(pixels[c].row));
+            }
+        }
+    }
+    CHECK(count > 500);
+}
+
+TEST_CASE("What is no number of the triangle has no formula") {
+    const Scene room = lab_room();
+    Settings settings = default_settings(room);
+    settings.clip = Clip::near;
+    settings.camera.position.z = -0.5f;
+    const Frame frame = prepare_frame(room, settings);
+    const ClipHistory history = clip_history(frame, 1);
+    for (const char* const id : {"",
+                                 ".",
+                                 "corner",
+                                 "corner.3.x",
+                                 "corner.0.q",
+                                 "corner.-1.x",
+                                 "code.1.0",
+                                 "code.0.9",
+                                 "d.6.0",
+                                 "d.0.99",
+                                 "t.0.0",
+                                 "t.1.0",
+                                 "new.9.x",
+                                 "new.0.x.y",
+                                 "new.0.99.0",
+                                 "new.0.0.3",
+                                 "new.0.0.0.0",
+                                 "pixel.9.column",
+                                 "pixel.0.depth",
+                                 "cull",
+                                 "cull.area.9",
+                                 "cull.normal.9",
+                                 "cull.nothing",
+                                 "t.99999999999.0"}) {
+        CAPTURE(id);
+        CHECK_FALSE(clip_formula(frame, history, id));
+    }
+}
+
+TEST_CASE("The ways of culling answer what they would do") {
+    const Scene room = lab_room();
+    Random random(20);
+    int backs = 0;
+    for (int i = 0; i < rounds(20, 6); ++i) {
+        Frame frame = room_frame(room, random, Clip::all);
+        for (int t = 0; t < frame.triangle_count(); ++t) {
+            const std::vector<CullAnswer> answers = cull_answers(frame, clip_history(frame, t));
+            for (const CullAnswer& answer : answers) {
+                Settings settings = frame.settings;
+                settings.cull = answer.way;
+                const Frame culled = prepare_frame(room, settings);
+                CAPTURE(i, t, std::string(word_of(answer.way)));
+                CHECK((culled.rejection(t) == Rejection::back_facing) == answer.is_back);
+                if (!answer.is_open && answer.way != Cull::screen_area)
+                    CHECK((answer.measure > 0.0f) == answer.is_back);
+                if (!answer.is_open && answer.way == Cull::screen_area)
+                    CHECK((answer.measure < 0.0f) == answer.is_back);
+                backs += answer.is_back ? 1 : 0;
+            }
+            if (!answers.empty()) t += 4; // some of them are enough
+        }
+    }
+    CHECK(backs > 0);
+}

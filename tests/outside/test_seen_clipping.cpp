@@ -1,0 +1,208 @@
+#include "outside/seen_clipping.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
+
+#include "outside/outside_marks.h"
+#include "session/clipping_outside.h"
+#include "support/clipped_room.h"
+#include "support/effort.h"
+#include "support/outside_subject.h"
+
+using namespace rasterwalk;
+using namespace rasterwalk::test;
+
+namespace {
+
+/// The place in clip space, worked out once more: x and y times the focal length, 1, depth.
+glm::dvec4 in_clip_space(const glm::dvec3& world, const PicturePlane& plane) {
+    const glm::dvec3 p = plane.in_camera(world);
+    return {plane.focal_length * p.x, plane.focal_length * p.y, 1.0, p.z};
+}
+
+/// Does a place of a flat convex polygon lie in it?
+bool is_within(const std::vector<glm::dvec3>& face, const glm::dvec3& place) {
+    const glm::dvec3 normal = glm::cross(face[1] - face[0], face[2] - face[0]);
+    bool is_left = true, is_right = true;
+    for (std::size_t i = 0; i < face.size(); ++i) {
+        const glm::dvec3 along = face[(i + 1) % face.size()] - face[i];
+        const double side = glm::dot(normal, glm::cross(along, place - face[i])) /
+                            std::max(glm::length(normal) * glm::length(along), 1e-12);
+        is_left = is_left && side > -1e-4;
+        is_right = is_right && side < 1e-4;
+    }
+    return is_left || is_right;
+}
+
+/// The cut triangles of the room under random cameras.
+template <class Visit>
+void for_each_cut(Visit visit) {
+    const Scene room = lab_room();
+    Random random(41);
+    for (int i = 0; i < rounds(20, 6); ++i) {
+        const Frame frame = room_frame(room, random, i % 4 == 0 ? Clip::near : Clip::all);
+        const PicturePlane plane =
+            picture_plane(frame.settings.camera, frame.settings.viewport, box_of(room));
+        for (int t = 0; t < frame.triangle_count(); ++t) {
+            const ClipHistory history = clip_history(frame, t);
+            CAPTURE(i, t);
+            if (!history.planes.empty()) visit(frame, history, plane);
+        }
+    }
+}
+
+} // namespace
+
+TEST_CASE("The face of a plane lies in the plane and holds what the plane cuts") {
+    int count = 0;
+    for_each_cut([&](const Frame& frame, const ClipHistory& history, const PicturePlane& plane) {
+        for (const PlaneHistory& work : history.planes) {
+            const SeenClipping seen = clipping_outside(frame, history, std::nullopt, work.plane);
+            REQUIRE(seen.plane);
+            CHECK(seen.plane->plane == work.plane);
+            const std::vector<glm::dvec3> face = plane_face(seen, plane);
+            REQUIRE(face.size() >= 3);
+            const glm::dvec4 coefficients(seen.plane->coefficients);
+            for (const glm::dvec3& corner : face) {
+                const glm::dvec4 clip = in_clip_space(corner, plane);
+                CHECK(std::abs(glm::dot(coefficients, clip)) <
+                      1e-5 * glm::length(coefficients) * (1.0 + glm::length(clip)));
+            }
+            for (const glm::dvec3& cut : seen.plane->cuts)
+                CHECK(is_within(face, cut));
+            ++count;
+        }
+    });
+    CHECK(count > 50);
+}
+
+TEST_CASE("From outside a cut triangle has what is left of it, and dashed what is taken") {
+    int count = 0;
+    for_each_cut([&](const Frame& frame, const ClipHistory& history, const PicturePlane& plane) {
+        OutsideThings things;
+        things.box = box_of(*frame.scene);
+        things.plane = plane;
+        const glm::ivec2 extent{900, 700};
+        const OutsideEye eye = eye_of({}, things, extent, 40.0);
+        const SeenClipping seen = clipping_outside(frame, history, std::nullopt, std::nullopt);
+        const bool is_left = !history.polygon.empty();
+        CHECK(seen.corners.size() == history.polygon.size());
+        const OutsideMarks marks =
+            outside_marks(*frame.scene, things, eye, {history.triangle, seen}, {}, extent);
+        const auto lines = [&](OutsideLineKind kind) {
+            return std::count_if(marks.lines.begin(), marks.lines.end(),
+                                 [kind](const OutsideLine& line) { return line.kind == kind; });
+        };
+        // All of the room is seen.
+        const auto corners = static_cast<std::ptrdiff_t>(history.polygon.size());
+        const auto fan = std::max<std::ptrdiff_t>(corners - 3, 0);
+        CHECK(lines(OutsideLineKind::edge) + lines(OutsideLineKind::cut) == corners);
+        CHECK(lines(OutsideLineKind::fan) == fan);
+        CHECK(lines(OutsideLineKind::cut_off) >= 1);
+        if (!is_left) CHECK(lines(OutsideLineKind::cut_off) == 3);
+        CHECK(marks.face.size() >= 3);
+        ++count;
+    });
+    CHECK(count > 30);
+}
+
+TEST_CASE("While clipping is at work only what is done is seen") {
+    const Scene room = lab_room();
+    Settings settings = default_settings(room);
+    settings.clip = Clip::near;
+    settings.camera.position.z = -0.5f;
+    const Frame frame = prepare_frame(room, settings);
+    const ClipHistory history = clip_history(frame, 1);
+    REQUIRE(history.planes.size() == 1);
+    const auto seen_after = [&](int step) {
+        return clipping_outside(frame, history, Cursor{1, Phase::clip, 0, step}, std::nullopt);
+    };
+    std::size_t made = 0;
+    for (int step = 0; step < 3; ++step) {
+        made += history.planes[0].steps[static_cast<std::size_t>(step)].is_cut ? 1 : 0;
+        CHECK(seen_after(step).made.size() == made);
+        CHECK(seen_after(step).corners.size() == (step < 2 ? 3 : history.polygon.size()));
+    }
+    CHECK(made == 2);
+    // Nothing is cut where no plane has work.
+    CHECK_FALSE(clipping_outside(frame, clip_history(frame, 4), {}, {}).is_cut);
+}
+
+TEST_CASE("What clipping takes of the triangle at work has another colour from outside") {
+    const Scene room = lab_room();
+    Settings settings = default_settings(room);
+    settings.clip = Clip::near;
+    settings.camera.position.z = -0.5f;
+    const Moment moment(room, settings, cursor_end);
+    OutsideLook look;
+    look.size = {500, 400};
+    look.margin = 20.0;
+    const auto draw = [&](const SeenClipping& clipping) {
+        OutsideDrawing drawing;
+        OutsideSubject subject = moment.subject();
+        subject.triangle = 1;
+        subject.clipping = clipping;
+        do
+            drawing.update(subject, look);
+        while (drawing.is_working());
+        return drawing;
+    };
+    const ClipHistory history = clip_history(moment.frame(), 1);
+    const SeenClipping clipping = clipping_outside(moment.frame(), history, {}, {});
+    REQUIRE(clipping.is_cut);
+    const OutsideDrawing whole = draw({}), cut = draw(clipping);
+    // Pixels of the triangle differ where, and only where, they lie nearer than the near plane.
+    int taken = 0, kept = 0;
+    const PicturePlane& plane = cut.things().plane;
+    const WorldTriangle world = world_triangle(room, 1);
+    const OutsideEye& eye = cut.eye();
+    for (int y = 0; y < look.size.y; ++y) {
+        for (int x = 0; x < look.size.x; ++x) {
+            const glm::vec2 middle(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
+            if (cut.at(middle).triangle != 1) continue;
+            const glm::dvec3 ray =
+                eye.rotation *
+                glm::dvec3((glm::dvec2(middle) - eye.middle) / eye.focal_length, 1.0);
+            const double t = glm::dot(world.normal, world.corners[0] - eye.position) /
+                             glm::dot(world.normal, ray);
+            const double depth = plane.in_camera(eye.position + t * ray).z;
+            if (std::abs(depth - 0.1) < 0.03) continue; // near the cut
+            const std::size_t byte =
+                4 * (static_cast<std::size_t>(y) * 500 + static_cast<std::size_t>(x));
+            bool is_same = true;
+            for (std::size_t k = 0; k < 3; ++k)
+                is_same = is_same && whole.image().rgba[byte + k] == cut.image().rgba[byte + k];
+            (depth < 0.1 ? taken : kept) += 1;
+            // At its border a pixel is mixed with what lies beside it.
+            const bool is_deep =
+                cut.at(middle + 2.0f).triangle == 1 && cut.at(middle - 2.0f).triangle == 1;
+            if (is_deep) CHECK(is_same == (depth > 0.1));
+        }
+    }
+    CHECK(taken > 100);
+    CHECK(kept > 100);
+}
+
+TEST_CASE("A vertex behind the camera is mirrored through the eye where it is divided") {
+    const Scene room = lab_room();
+    Settings settings = default_settings(room);
+    settings.camera.position.z = -0.5f;
+    OutsideThings things;
+    things.box = box_of(room);
+    things.plane = picture_plane(settings.camera, settings.viewport, things.box);
+    const glm::ivec2 extent{900, 700};
+    const OutsideEye eye = eye_of({}, things, extent, 40.0);
+    const auto mirrored = [&](bool is_mirrored) {
+        const OutsideMarks marks =
+            outside_marks(room, things, eye, {1, {}, is_mirrored}, {}, extent);
+        return std::count_if(marks.lines.begin(), marks.lines.end(), [](const OutsideLine& line) {
+            return line.kind == OutsideLineKind::mirrored;
+        });
+    };
+    CHECK(mirrored(true) >= 1);
+    CHECK(mirrored(false) == 0);
+}

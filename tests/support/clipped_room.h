@@ -1,0 +1,20 @@
+#pragma once
+
+#include "pipeline/frame.h"
+#include "support/random.h"
+#include "support/samples.h"
+
+namespace rasterwalk::test {
+
+/// The room seen by a camera that stands somewhere in it and looks somewhere.
+inline Frame room_frame(const Scene& room, Random& random, Clip clip) {
+    Settings settings = default_settings(room);
+    settings.clip = clip;
+    settings.camera.position = {random.number(-0.9f, 0.9f), random.number(-0.9f, 0.9f),
+                                random.number(-2.0f, 0.9f)};
+    settings.camera.yaw = random.number(-3.0f, 3.0f);
+    settings.camera.pitch = random.number(-0.8f, 0.8f);
+    return prepare_frame(room, settings);
+}
+
+} // namespace rasterwalk::test

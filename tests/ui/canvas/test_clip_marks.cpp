@@ -1,0 +1,164 @@
+// What is seen of clipping on the picture and from outside.
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "inspect/cut_corners.h"
+#include "tests/ui/driver.h"
+#include "tests/ui/screen_text.h"
+#include "ui/actions/lesson_links.h"
+#include "ui/canvas/canvas_marks.h"
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// The left wall of the corridor is triangle 5, C G E: it begins behind the camera.
+constexpr const char* wall = "triangle:5";
+
+Driver& with_clip(Driver& driver, const std::string& clip) {
+    follow_link(driver.ui, "set:clip=" + clip);
+    follow_link(driver.ui, wall);
+    driver.hand.frames(frames_to_rest);
+    return driver;
+}
+
+/// How often a word stands alone on the canvas.
+int count_on_canvas(const std::string& word) {
+    const std::vector<ScreenText> texts = screen_text();
+    return static_cast<int>(std::count_if(texts.begin(), texts.end(), [&](const ScreenText& text) {
+        return text.window == "canvas" && text.words == word;
+    }));
+}
+
+/// The corners of all that is marked on the picture.
+std::vector<ImDrawVert> clip_marks(Driver& driver) {
+    ImDrawList list(ImGui::GetDrawListSharedData());
+    list._ResetForNewFrame();
+    list.PushTextureID(ImGui::GetIO().Fonts->TexID);
+    list.PushClipRectFullScreen();
+    draw_canvas_marks(driver.ui, run_a(driver.ui), &list, {-9999, -9999}, {9999, 9999});
+    return {list.VtxBuffer.begin(), list.VtxBuffer.end()};
+}
+
+} // namespace
+
+TEST_CASE("New corners stand on the picture with the names of their planes") {
+    Driver driver("corridor.toml");
+    with_clip(driver, "all");
+    const ClipHistory& history = *driver.ui.results.a.inspected.clip;
+    const std::vector<CutCorner> corners = corners_before(history);
+    REQUIRE(corners.size() >= 4);
+    int made = 0;
+    for (const CutCorner& corner : corners) {
+        if (!corner.is_new()) continue;
+        ++made;
+        CAPTURE(std::string(word_of(corner.plane)));
+        CHECK(count_on_canvas(std::string(word_of(corner.plane))) >= 1);
+    }
+    CHECK(made >= 2);
+    // Without a selection nothing of it is marked.
+    follow_link(driver.ui, "triangle:none");
+    driver.hand.frames(frames_to_rest);
+    for (const CutCorner& corner : corners)
+        CHECK((!corner.is_new() || count_on_canvas(std::string(word_of(corner.plane))) == 0));
+}
+
+TEST_CASE("The outline before the cut reaches beyond the picture's border") {
+    Driver driver("corridor.toml");
+    with_clip(driver, "leave_out");
+    const auto beyond = [&] {
+        const PicturePlace& place = driver.ui.canvas.place;
+        const std::vector<ImDrawVert> marks = clip_marks(driver);
+        return std::count_if(marks.begin(), marks.end(), [&](const ImDrawVert& corner) {
+            return corner.pos.x < place.origin.x - 20.0f;
+        });
+    };
+    CHECK(beyond() == 0);
+    with_clip(driver, "all");
+    CHECK(beyond() > 0);
+    for (const ImDrawVert& corner : clip_marks(driver)) {
+        CHECK(std::isfinite(corner.pos.x));
+        CHECK(std::abs(corner.pos.x) < 2e4f);
+        CHECK(std::abs(corner.pos.y) < 2e4f);
+    }
+}
+
+TEST_CASE("The default picture has no mark of clipping") {
+    Driver driver;
+    follow_link(driver.ui, "triangle:12");
+    driver.hand.frames(frames_to_rest);
+    const std::size_t with = clip_marks(driver).size();
+    ShownRun run = run_a(driver.ui);
+    REQUIRE(run.clip != nullptr);
+    run.clip = nullptr;
+    ImDrawList list(ImGui::GetDrawListSharedData());
+    list._ResetForNewFrame();
+    list.PushTextureID(ImGui::GetIO().Fonts->TexID);
+    list.PushClipRectFullScreen();
+    draw_canvas_marks(driver.ui, run, &list, {-9999, -9999}, {9999, 9999});
+    CHECK(static_cast<std::size_t>(list.VtxBuffer.Size) == with);
+}
+
+TEST_CASE("While planes are at work no edge of the polygon is drawn yet") {
+    Driver driver("corridor.toml");
+    with_clip(driver, "all");
+    const ClipHistory history = *driver.ui.results.a.inspected.clip;
+    const auto first = static_cast<int>(history.planes[0].plane);
+    const std::string word(word_of(history.planes[0].plane));
+    // The corner appears with the step that makes it.
+    for (std::size_t s = 0; s < history.planes[0].steps.size(); ++s) {
+        const std::string moment = "cursor:t5/p" + std::to_string(first) + "/s" + std::to_string(s);
+        CAPTURE(moment);
+        follow_link(driver.ui, moment);
+        driver.hand.frames(frames_to_rest);
+        const std::optional<ClipProgress> progress =
+            clip_progress(history, driver.ui.results.a.done);
+        CHECK((s == 0 || progress));
+        if (!progress) continue;
+        CHECK(progress->steps == static_cast<int>(s));
+        for (const ImDrawVert& corner : clip_marks(driver))
+            CHECK(std::isfinite(corner.pos.x));
+    }
+}
+
+TEST_CASE("The cull step says on the picture which side it takes the triangle for") {
+    Driver driver("corridor.toml");
+    with_clip(driver, "all");
+    follow_link(driver.ui, "set:cull=screen_area");
+    driver.hand.frames(frames_to_rest);
+    CHECK(count_on_canvas("front") + count_on_canvas("back") == 0);
+    follow_link(driver.ui, "cursor:t5/k");
+    driver.hand.frames(frames_to_rest);
+    driver.hand.press('.');
+    const bool is_back = driver.ui.results.a.inspected.clip->cull.is_back;
+    CHECK(count_on_canvas(is_back ? "back" : "front") == 1);
+}
+
+TEST_CASE("From outside the plane that cuts is named, and another one can be looked at") {
+    Driver driver("corridor.toml");
+    follow_link(driver.ui, "canvas:outside");
+    with_clip(driver, "leave_out");
+    driver.open("clip");
+    const auto says = [](const std::string& words) {
+        const std::vector<ScreenText> texts = screen_text();
+        return std::any_of(texts.begin(), texts.end(), [&](const ScreenText& text) {
+            return text.window == "canvas" && text.words.find(words) != std::string::npos;
+        });
+    };
+    CHECK_FALSE(says("near plane"));
+    CHECK_FALSE(says("dividing puts it here"));
+    with_clip(driver, "near");
+    CHECK(says("near plane"));
+    with_clip(driver, "all");
+    CHECK(says("near plane"));
+    with_clip(driver, "none");
+    CHECK_FALSE(says("near plane"));
+}
+
+} // namespace rasterwalk
