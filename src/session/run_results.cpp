@@ -43,8 +43,6 @@ bool update_frame(const std::shared_ptr<const Scene>& scene, const Run& run, Run
     results.run = std::nullopt;
     prepare_frame(*scene, run.settings, nullptr, results.spare_frame);
     std::swap(results.frame, results.spare_frame);
-    results.left_out = count_left_out(results.frame);
-    results.clip_counts = count_clipping(results.frame);
     results.scene = scene;
     results.replay.begin(results.frame);
     results.run = run;

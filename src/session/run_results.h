@@ -8,7 +8,6 @@
 
 #include "base/image.h"
 #include "inspect/row_history.h"
-#include "inspect/stats.h"
 #include "picture/view_image.h"
 #include "pipeline/frame.h"
 #include "pipeline/replay.h"
@@ -49,9 +48,7 @@ struct RunResults {
                                  ///< a whole picture, or being drawn, or first
     RowHistory rows;             ///< row table of that triangle, as far as it is made at the cursor
     PolygonRows whole_rows;      ///< the same when it is whole; empty if the triangle is not drawn
-    Inspected inspected;    ///< the vertices, the fragment and the row on show, with their formulas
-    LeftOut left_out;       ///< triangles that are not drawn, by reason
-    ClipCounts clip_counts; ///< triangles that are cut
+    Inspected inspected; ///< the vertices, the fragment and the row on show, with their formulas
     std::vector<Trouble> troubles; ///< triangles left out, samples outside
     bool has_all_troubles = false; ///< false: only of what has been drawn so far
 

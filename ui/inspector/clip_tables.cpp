@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -7,6 +8,7 @@
 
 #include "base/element_names.h"
 #include "base/numbers.h"
+#include "inspect/stats.h"
 #include "pipeline/timeline.h"
 #include "session/walk.h"
 #include "settings/value_words.h"
@@ -120,8 +122,8 @@ void draw_corner_name(const ClipPage& page, const CutCorner& corner, bool is_dim
     text_in(is_dim ? page.palette().dim : corner_colour(page, corner), fitting_corner_name(corner));
 }
 
-std::string place_in(const ClipPage& page, ClipPlane plane) {
-    static_cast<void>(page);
+/// As ids and names of widgets have it.
+std::string number_of(ClipPlane plane) {
     return std::to_string(static_cast<int>(plane));
 }
 
@@ -206,7 +208,7 @@ void go_to_step(const ClipPage& page, ClipPlane plane, int step) {
 void draw_step(const ClipPage& page, const ClipStep& step, const std::vector<CutCorner>& before) {
     const CutCorner& from = before[static_cast<std::size_t>(step.from)];
     const CutCorner& to = before[static_cast<std::size_t>(step.to)];
-    const std::string plane = place_in(page, step.plane);
+    const std::string plane = number_of(step.plane);
     const std::string place = plane + "." + std::to_string(step.from);
     const bool is_coming = page.is_coming(step.plane, step.from);
     const bool is_current = page.is_current(step.plane, step.from);
@@ -307,8 +309,7 @@ void draw_made_corners(const ClipPage& page, ClipPlane plane) {
             made.push_back(*std::move(corner));
     }
     if (made.empty()) return;
-    if (!begin_clip_table(page, "made" + place_in(page, plane), {1.1f, 1.1f, 1.1f, 0.9f, 0.9f}))
-        return;
+    if (!begin_clip_table(page, "made" + number_of(plane), {1.1f, 1.1f, 1.1f, 0.9f, 0.9f})) return;
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     for (std::size_t i = 0; i < clip_coordinates.size(); ++i)
@@ -499,7 +500,7 @@ void draw_clip_plane(const ClipPage& page, ClipPlane plane) {
         corners_before(page.history, planes_before(page.history, plane));
     draw_clip_title(page, plane_name(plane),
                     work == nullptr ? "nothing to cut" : become_text(*work));
-    if (begin_clip_table(page, "plane" + place_in(page, plane), {0.9f, 1.3f, 1.3f, 0.9f, 0.9f})) {
+    if (begin_clip_table(page, "plane" + number_of(plane), {0.9f, 1.3f, 1.3f, 0.9f, 0.9f})) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         ImGui::PushFont(page.ui.fonts.small);
@@ -610,6 +611,8 @@ void draw_clip_culling(const ClipPage& page) {
 void draw_clip_counts(const ClipPage& page) {
     const RunResults& a = page.ui.results.a;
     const bool is_whole = a.replay.tallied() == cursor_end;
+    const LeftOut left_out = count_left_out(page.frame);
+    const ClipCounts clipping = count_clipping(page.frame);
     draw_clip_title(page, "In the whole frame",
                     counted(page.frame.triangle_count(), "triangle", "triangles"));
     if (!begin_clip_table(page, "counts", {2.2f, 1.0f})) return;
@@ -625,12 +628,12 @@ void draw_clip_counts(const ClipPage& page) {
         ImGui::PopFont();
         note_text(page.ui, "clip.count." + name, whole_text(count));
     };
-    line("rejected", "rejected", a.left_out.of(Rejection::outside),
+    line("rejected", "rejected", left_out.of(Rejection::outside),
          "Triangles of which all corners lie beyond the same plane, found by their outcodes.");
-    line("cut", "clipped", a.clip_counts.clipped, "Triangles from which a plane has cut a part.");
-    line("after clipping", "clip_triangles", a.clip_counts.clip_triangles,
+    line("cut", "clipped", clipping.clipped, "Triangles from which a plane has cut a part.");
+    line("after clipping", "clip_triangles", clipping.clip_triangles,
          "Triangles after clipping: a fan of each polygon; those that were not cut count as well.");
-    line("culled", "culled", a.left_out.of(Rejection::back_facing),
+    line("culled", "culled", left_out.of(Rejection::back_facing),
          "Triangles that show their back and are left out.");
     line(is_whole ? "fragments outside" : "fragments outside, so far", "fragments_outside",
          a.replay.tally().fragments_outside,
