@@ -91,7 +91,8 @@ void draw_seen_edge(const Marks& m, const CutCorner& a, const CutCorner& b, ImU3
     m.list->AddLine(line->from, line->to, colour, width * m.u);
 }
 
-/// The triangle as it was before any plane.
+/// The triangle as it was before any plane, in the colour of what is taken: what is left is drawn
+/// over it.
 void draw_outline_before(const Marks& m, const ClipHistory& history) {
     const std::vector<CutCorner> corners = corners_before(history, 0);
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -106,7 +107,7 @@ void draw_outline_before(const Marks& m, const ClipHistory& history) {
             const ImVec2 from{line->from.x + s * dx, line->from.y + s * dy};
             const ImVec2 to{line->from.x + t * dx, line->from.y + t * dy};
             m.list->AddLine(from, to, dark_casing, 3.4f * m.u);
-            m.list->AddLine(from, to, m.colour(edge_meaning(corners[i].edge)), 1.6f * m.u);
+            m.list->AddLine(from, to, m.colour(Meaning::fail), 1.6f * m.u);
         }
     }
 }
