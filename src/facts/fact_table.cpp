@@ -193,6 +193,13 @@ void add_side_facts(std::vector<Fact>& table) {
                              return number(triangle_sides(frame, triangle).away);
                          });
                      }});
+    table.push_back({"triangle.near_t",
+                     "t of its first edge that the near plane cuts: 0 at the corner in front.",
+                     real(0, 1), [](const Facts& f, int) {
+                         return of_shown_triangle(f, [](const Frame& frame, int triangle) {
+                             return number(triangle_sides(frame, triangle).near_t);
+                         });
+                     }});
     table.push_back({"triangle.dot",
                      "Dot product of its arrows on the screen, from vertices[0] to vertices[1] and "
                      "to vertices[2], in pixels.",

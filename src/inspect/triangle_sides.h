@@ -17,6 +17,9 @@ struct TriangleSides {
     std::array<Outcode, triangle_corners> outcodes{};
     /// dot(n, v0 - camera): positive if it shows its back. World units.
     float away = 0.0f;
+    /// t of its first edge that the near plane cuts, 0 at the corner in front of the plane; none if
+    /// it cuts none.
+    std::optional<float> near_t;
 
     Outcode common() const { return outcodes[0] & outcodes[1] & outcodes[2]; }
     Outcode any() const { return outcodes[0] | outcodes[1] | outcodes[2]; }
