@@ -52,7 +52,7 @@ Json to_json(const Scene& scene, const PixelEntry& entry, bool stays, const Curs
     object["cursor"] = to_text(entry.cursor);
     object["depth"] = entry.depth;
     object["drawn"] = entry.cursor < to;
-    object["fate"] = entry.fate == Fate::written ? "written" : "depth_failed";
+    object["fate"] = word_of(entry.fate);
     object["margin"] = entry.margin;
     object["margin_to_winner"] = entry.margin_to_winner;
     object["name"] = part_name(scene, entry.cursor.triangle);
@@ -110,18 +110,29 @@ Json to_json(const Scene& scene, const PixelHistory& history, const Cursor& to) 
             {"uncovered", std::move(nearest)}};
 }
 
+const char* word_in_table(Fate fate) {
+    switch (fate) {
+    case Fate::written:
+        break;
+    case Fate::depth_failed:
+        return "hidden";
+    case Fate::back_facing:
+        return "back";
+    }
+    return "written";
+}
+
 std::string entry_line(const Scene& scene, const PixelHistory& history, std::size_t i,
                        const Cursor& to) {
     const PixelEntry& entry = history.entries[i];
     std::string name = part_name(scene, entry.cursor.triangle);
     name.resize(std::max(name.size(), name_width), ' '); // bytes
     const glm::vec3& colour = entry.colour_after;
-    std::string line =
-        fmt::format("{:>3}  {:<15}  {}  {:>9.6f}  {:>9.6f}  {:>+9.6f}  {:>+9.6f}  {:<7}  {:.4f} "
-                    "{:.4f} {:.4f}",
-                    i, to_text(entry.cursor), name, entry.zinv, entry.stored, entry.margin,
-                    entry.margin_to_winner, entry.fate == Fate::written ? "written" : "hidden",
-                    colour.r, colour.g, colour.b);
+    std::string line = fmt::format(
+        "{:>3}  {:<15}  {}  {:>9.6f}  {:>9.6f}  {:>+9.6f}  {:>+9.6f}  {:<7}  {:.4f} "
+        "{:.4f} {:.4f}",
+        i, to_text(entry.cursor), name, entry.zinv, entry.stored, entry.margin,
+        entry.margin_to_winner, word_in_table(entry.fate), colour.r, colour.g, colour.b);
     if (static_cast<int>(i) == history.winner) line += "  stays";
     if (entry.cursor >= to) line += "  not drawn yet";
     return line + "\n";

@@ -8,6 +8,7 @@
 #include "base/limits.h"
 #include "facts/fact_values.h"
 #include "facts/facts.h"
+#include "inspect/triangle_sides.h"
 #include "picture/view_image.h"
 #include "session/tabs.h"
 
@@ -30,6 +31,7 @@ constexpr int most_corners = triangle_corners + static_cast<int>(clip_plane_coun
 const ValueRange yes_or_no = whole(0, 1);
 const ValueRange count = whole(0, endless);
 const ValueRange place = whole(0, largest_viewport - 1); ///< column or row of the picture
+const ValueRange outcode_bits = whole(0, (1 << clip_plane_count) - 1);
 
 // --- cursor
 
@@ -141,6 +143,97 @@ void add_session_facts(std::vector<Fact>& table) {
                      [](const Facts& f, int) { return number(f.session().canvas.zoom); }});
 }
 
+// --- where the triangle on show lies, and which side it shows
+
+/// Calls `read` with the frame of run A and the triangle on show; none without one.
+template <class Read>
+Value of_shown_triangle(const Facts& facts, Read read) {
+    const RunResults& run = facts.results().a;
+    return run.triangle ? read(run.frame, *run.triangle) : Value();
+}
+
+/// The words of the reasons why a triangle is not drawn.
+constexpr auto rejection_names = [] {
+    std::array<std::string_view, rejection_list.size()> names;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        names[i] = rejection_list[i].name;
+    return names;
+}();
+
+Value triangle_arrows(const Facts& facts, int is_cross) {
+    return of_shown_triangle(facts, [&](const Frame& frame, int triangle) {
+        const bool has_pixels =
+            frame.is_drawn(triangle) || frame.rejection(triangle) == Rejection::back_facing;
+        const std::optional<Arrows> arrows =
+            has_pixels ? arrows_of(frame.triangle_vertices(triangle)) : std::nullopt;
+        if (!arrows) return Value();
+        return number(is_cross != 0 ? arrows->cross : arrows->dot);
+    });
+}
+
+Value triangle_outcode(const Facts& facts, int is_any) {
+    return of_shown_triangle(facts, [&](const Frame& frame, int triangle) {
+        const TriangleSides sides = triangle_sides(frame, triangle);
+        return number(is_any != 0 ? sides.any() : sides.common());
+    });
+}
+
+Value vertex_outcode(const Facts& facts, int) {
+    const std::optional<int>& vertex = facts.session().selection.vertex;
+    if (!vertex || *vertex < 0 || *vertex >= triangle_corners) return {};
+    return of_shown_triangle(facts, [&](const Frame& frame, int triangle) {
+        return number(triangle_sides(frame, triangle).outcodes[static_cast<std::size_t>(*vertex)]);
+    });
+}
+
+void add_side_facts(std::vector<Fact>& table) {
+    table.push_back({"triangle.rejection", "Why the triangle on show is not drawn, or none.",
+                     words(rejection_names), [](const Facts& f, int) {
+                         return of_shown_triangle(f, [](const Frame& frame, int triangle) {
+                             return Value(std::string(words(frame.rejection(triangle)).name));
+                         });
+                     }});
+    table.push_back({"triangle.corners",
+                     "Corners of what is drawn of the triangle on show: 3 unless it is cut; 0 if "
+                     "nothing is.",
+                     count, [](const Facts& f, int) {
+                         return of_shown_triangle(f, [](const Frame& frame, int triangle) {
+                             const auto corners = frame.triangle_vertices(triangle).size();
+                             return number(frame.is_drawn(triangle) ? static_cast<int>(corners)
+                                                                    : 0);
+                         });
+                     }});
+    table.push_back({"triangle.away",
+                     "dot(n, v0 - camera) of the triangle on show, world units: positive if it "
+                     "shows its back.",
+                     real(), [](const Facts& f, int) {
+                         return of_shown_triangle(f, [](const Frame& frame, int triangle) {
+                             return number(triangle_sides(frame, triangle).away);
+                         });
+                     }});
+    table.push_back({"triangle.near_t",
+                     "t of its first edge that the near plane cuts: 0 at the corner in front.",
+                     real(0, 1), [](const Facts& f, int) {
+                         return of_shown_triangle(f, [](const Frame& frame, int triangle) {
+                             return number(triangle_sides(frame, triangle).near_t);
+                         });
+                     }});
+    table.push_back({"triangle.dot",
+                     "Dot product of its arrows on the screen, from vertices[0] to vertices[1] and "
+                     "to vertices[2], in pixels.",
+                     real(), triangle_arrows, 0});
+    table.push_back({"triangle.cross",
+                     "Cross product of the same two arrows: twice the area; positive if the "
+                     "corners go round clockwise.",
+                     real(), triangle_arrows, 1});
+    table.push_back({"triangle.outcode_and",
+                     "Bits that the outcodes of its three vertices have in common: near 1, far 2, "
+                     "left 4, right 8, top 16, bottom 32.",
+                     outcode_bits, triangle_outcode, 0});
+    table.push_back({"triangle.outcode_or", "Bits that any of its outcodes has.", outcode_bits,
+                     triangle_outcode, 1});
+}
+
 // --- the whole frame
 
 template <class Number>
@@ -155,6 +248,8 @@ void add_frame_facts(std::vector<Fact>& table) {
                    [](const FrameStats& s) { return number(s.fragments); });
     add_frame_fact(table, "frame.fragments_outside", "Fragments that fall beside the picture.",
                    [](const FrameStats& s) { return number(s.fragments_outside); });
+    add_frame_fact(table, "frame.shaded", "Fragments whose colour is worked out.",
+                   [](const FrameStats& s) { return number(s.shaded); });
     add_frame_fact(table, "frame.clipped", "Triangles that clipping has cut.",
                    [](const FrameStats& s) { return number(s.clipped); });
     add_frame_fact(table, "frame.clip_triangles",
@@ -379,6 +474,10 @@ void add_vertex_facts(std::vector<Fact>& table) {
                      }});
     table.push_back(
         {"vertex.z", "Its z before the camera; negative behind it.", real(), vertex_place, 5});
+    table.push_back({"vertex.outcode",
+                     "Outcode of the selected vertex of the triangle on show: the sides of the "
+                     "view beyond which it lies, two pixels at least.",
+                     outcode_bits, vertex_outcode});
     constexpr std::array<const char*, 8> names{"world_x",     "world_y",    "world_z",
                                                "camera_x",    "camera_y",   "camera_z",
                                                "projected_x", "projected_y"};
@@ -440,6 +539,7 @@ std::span<const Fact> fact_table() {
         std::vector<Fact> facts;
         add_cursor_facts(facts);
         add_session_facts(facts);
+        add_side_facts(facts);
         add_frame_facts(facts);
         add_pixel_facts(facts);
         add_clip_facts(facts);

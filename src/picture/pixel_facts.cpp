@@ -114,7 +114,8 @@ class FactsObserver : public Observer {
         if (!facts_.drawn_twice.empty()) note_neighbours(event.cursor.triangle, f, pixel);
         if (!facts_.depth.empty()) {
             DepthVerdicts& verdicts = facts_.depth[pixel];
-            ++(event.fate == Fate::written ? verdicts.passed : verdicts.failed);
+            if (event.fate != Fate::back_facing)
+                ++(event.fate == Fate::written ? verdicts.passed : verdicts.failed);
         }
         if (!positions.empty() && event.fate == Fate::written) {
             positions[pixel] = recover_varyings(f, frame_.stages).position_world;

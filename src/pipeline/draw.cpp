@@ -8,6 +8,7 @@
 //   fill_rows        for each row:
 //     interpolate_row    its fragments, from the left to the right end
 //     pass_over_hidden   a row that is hidden altogether is only counted, without varyings
+//     is_culled          does the fragment belong to a back?
 //     test_depth         is the fragment nearer than what its pixel shows?
 //     shade              the pixel shader: its colour
 //     put_pixel          into the planes
@@ -96,13 +97,25 @@ void put_pixel(Drawing& d, std::size_t pixel, int triangle, const glm::vec3& col
     d.target.owner[pixel] = triangle;
 }
 
-/// Depth test, pixel shader, put pixel.
+bool is_culled(const Drawing& d, const Fragment& fragment) {
+    return d.culls_fragments &&
+           d.stages.cull_fragment(fragment, d.frame.settings.camera.position, d.stages);
+}
+
+/// Cull, depth test, pixel shader, put pixel.
 /// @param pixel where the fragment stands in the planes
 template <bool is_watched>
 void draw_fragment(Drawing& d, const Cursor& cursor, const Fragment& fragment, std::size_t pixel,
                    const Surface& surface) {
     const float stored = d.target.depth[pixel];
     const glm::vec3 before = d.target.colour[pixel];
+    if (is_culled(d, fragment)) {
+        ++d.target.overdraw[pixel];
+        if constexpr (is_watched)
+            d.observer->fragment(
+                {cursor, fragment, Fate::back_facing, fragment.depth, stored, before, before});
+        return;
+    }
     glm::vec3 colour(0.0f);
     if (d.shades_first) colour = shade(d, fragment, surface);
     const bool is_stored = has_cell(d, fragment);
@@ -313,6 +326,7 @@ DrawTally draw(const Frame& frame, const DrawWindow& window, Framebuffer& frameb
               .carried = carried,
               .is_depth_tested = depth_rule(settings) != DepthTest::off,
               .all_have_cells = frame.stages.depth_cell == depth_cell,
+              .culls_fragments = frame.stages.cull_fragment != keep_fragment,
               .shades_first = settings.depth_order == DepthOrder::before_depth_test,
               .draws_unset = draws_unset_rows(frame),
               .skips_hidden = observer == nullptr && !(carried == VaryingSet{}) &&

@@ -19,10 +19,11 @@ struct Drawing {
     PixelRules pixels;
     VaryingSet carried; ///< those that edges and rows carry
     bool is_depth_tested;
-    bool all_have_cells; ///< each pixel of the picture has a depth cell: nothing to ask
-    bool shades_first;   ///< the pixel shader comes before the depth test
-    bool draws_unset;    ///< rows that no edge sample has reached are drawn like the others
-    bool skips_hidden;   ///< rows that are hidden altogether go without varyings: nobody reads them
+    bool all_have_cells;  ///< each pixel of the picture has a depth cell: nothing to ask
+    bool culls_fragments; ///< each fragment is asked whether it shows a back
+    bool shades_first;    ///< the pixel shader comes before the depth test
+    bool draws_unset;     ///< rows that no edge sample has reached are drawn like the others
+    bool skips_hidden; ///< rows that are hidden altogether go without varyings: nobody reads them
     Framebuffer& target;
     Observer* observer;
     PolygonRows rows;                  ///< the row table of the triangle

@@ -4,6 +4,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "base/enum_words.h"
 #include "pipeline/cursor.h"
 #include "stages/clip.h"
 #include "stages/cull.h"
@@ -17,7 +18,11 @@ namespace rasterwalk {
 enum class Fate : std::uint8_t {
     written,      ///< now the pixel's colour
     depth_failed, ///< something nearer was there
+    back_facing,  ///< its normal points away from the camera, and such fragments are culled
 };
+template <>
+inline constexpr auto enum_words<Fate> = word_list("written", "depth_failed", "back_facing");
+static_assert(words_match<Fate>);
 
 /// Points and row ends that are put on the screen are told of as fragments.
 inline Fragment mark_of(const ScreenVertex& v) {

@@ -67,7 +67,15 @@ void Replay::place_marks() {
     }
 }
 
+bool Replay::is_held(const Cursor& cursor, const WorkLimit& limit) const {
+    return work_.before(cursor) - work_.before(cursor_) > limit.most;
+}
+
 const Framebuffer& Replay::toward(const Cursor& cursor, const WorkLimit& limit) {
+    if (is_held(cursor, limit)) {
+        changed_ = {};
+        return framebuffer_;
+    }
     const Mark* const mark = last_laid(cursor);
     const Cursor before = cursor_;
     if (cursor < cursor_) {

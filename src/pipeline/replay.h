@@ -29,10 +29,13 @@ class Replay {
     /// The framebuffer with everything before `cursor` drawn; valid until the next call.
     const Framebuffer& at(const Cursor& cursor) { return toward(cursor, {}); }
 
-    /// Goes toward the cursor as far as the limit allows. The framebuffer has everything before
-    /// drawn() drawn; valid until the next call.
+    /// Goes toward the cursor as far as the limit allows, and stays where it is if it is_held().
+    /// The framebuffer has everything before drawn() drawn; valid until the next call.
     const Framebuffer& toward(const Cursor& cursor, const WorkLimit& limit);
     const Cursor& drawn() const { return cursor_; }
+
+    /// Is there more left to draw up to the cursor than the limit allows to begin?
+    bool is_held(const Cursor& cursor, const WorkLimit& limit) const;
 
     /// All pixels that the last call has changed lie in this rectangle, of any plane.
     const Rectangle& changed() const { return changed_; }

@@ -52,18 +52,23 @@ double twice_the_area(std::span<const ScreenVertex> v) {
     return area;
 }
 
-/// The work of one triangle. Its box is taken to be filled evenly.
-double work_of(const Frame& frame, int triangle) {
-    if (!frame.is_drawn(triangle)) return 0.0;
+double samples_of(const Box& box) {
+    return 2.0 * std::max(box.width(), box.height());
+}
+
+/// The fragments of a drawn triangle. Its box is taken to be filled evenly.
+FragmentEstimate fragments_of(const Frame& frame, int triangle) {
+    if (!has_fragments(frame.settings.stage)) return {};
     const std::span<const ScreenVertex> v = frame.triangle_vertices(triangle);
     const Box box = box_of(v);
-    const double samples = 2.0 * std::max(box.width(), box.height());
-    double fragments = 0.0;
-    if (has_fragments(frame.settings.stage)) {
-        fragments = (twice_the_area(v) + samples) / 2.0;
-        fragments *= in_picture(box, frame.settings.viewport).area() / box.area();
-    }
-    return triangle_work + sample_work * samples + fragments;
+    const double all = (twice_the_area(v) + samples_of(box)) / 2.0;
+    return {all, all * (in_picture(box, frame.settings.viewport).area() / box.area())};
+}
+
+/// The work of a drawn triangle.
+double work_of(const Frame& frame, int triangle, const FragmentEstimate& fragments) {
+    const Box box = box_of(frame.triangle_vertices(triangle));
+    return triangle_work + sample_work * samples_of(box) + fragments.in_picture;
 }
 
 bool is_divided(const Frame& frame, double work) {
@@ -76,10 +81,15 @@ void FrameWork::begin(const Frame& frame) {
     frame_ = &frame;
     before_.clear();
     before_.reserve(static_cast<std::size_t>(frame.triangle_count()) + 1);
+    fragments_ = {};
     double before = 0.0;
     for (int t = 0; t < frame.triangle_count(); ++t) {
         before_.push_back(before);
-        before += work_of(frame, t);
+        if (!frame.is_drawn(t)) continue;
+        const FragmentEstimate fragments = fragments_of(frame, t);
+        fragments_.all += fragments.all;
+        fragments_.in_picture += fragments.in_picture;
+        before += work_of(frame, t, fragments);
     }
     before_.push_back(before);
 }

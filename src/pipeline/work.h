@@ -12,10 +12,12 @@
 namespace rasterwalk {
 
 /// How much one call of a function may do: what is estimated at no more than `at_once` it does as a
-/// whole, of anything larger only a part of about `slice`. Without limits: everything.
+/// whole, of anything larger only a part of about `slice`, and what is more than `most` it does not
+/// begin at all. Without limits: everything.
 struct WorkLimit {
     double at_once = std::numeric_limits<double>::infinity();
     double slice = std::numeric_limits<double>::infinity();
+    double most = std::numeric_limits<double>::infinity();
 
     /// How much of this work may be done.
     double of(double work) const { return work <= at_once ? work : slice; }
@@ -23,7 +25,15 @@ struct WorkLimit {
 
 /// The limit of one update of the window: the lessons' scenes are done at once, what is larger a
 /// few hundredths of a second at a time.
-inline constexpr WorkLimit frame_limit{4'000'000.0, 1'000'000.0};
+inline constexpr WorkLimit frame_limit{.at_once = 4'000'000.0, .slice = 1'000'000.0};
+
+/// How many fragments a frame makes, estimated from the areas of its triangles.
+struct FragmentEstimate {
+    double all = 0.0;        ///< of whole triangles, as the lab's loop interpolates them
+    double in_picture = 0.0; ///< of those only what falls in the picture: that is drawn
+
+    double share_outside() const { return all > 0.0 ? 1.0 - in_picture / all : 0.0; }
+};
 
 /// The work of a frame, triangle by triangle.
 class FrameWork {
@@ -32,6 +42,9 @@ class FrameWork {
     void begin(const Frame& frame);
 
     double total() const { return before_.empty() ? 0.0 : before_.back(); }
+
+    /// None in a stage that draws marks alone.
+    const FragmentEstimate& fragments() const { return fragments_; }
 
     /// The work of everything before the cursor.
     double before(const Cursor& cursor) const;
@@ -42,6 +55,7 @@ class FrameWork {
 
   private:
     const Frame* frame_ = nullptr;
+    FragmentEstimate fragments_;
     std::vector<double> before_; ///< work of all triangles before; one entry more than triangles
 };
 

@@ -143,8 +143,11 @@ bool finish(const Session& session, Results& results) {
 }
 
 bool is_working(const Results& results) {
-    return !results.a.is_drawn() ||
-           (results.b && (!results.b->is_drawn() || !results.comparison.work.is_done()));
+    const auto is_drawing = [](const RunResults& run) { return !run.is_drawn() && !run.is_held; };
+    if (is_drawing(results.a)) return true;
+    if (!results.b) return false;
+    const bool are_drawn = results.a.is_drawn() && results.b->is_drawn();
+    return is_drawing(*results.b) || (are_drawn && !results.comparison.work.is_done());
 }
 
 } // namespace rasterwalk

@@ -153,7 +153,8 @@ RunChanges update_run(const Session& session, const Run& run, const SharedView* 
     changes.frame = update_frame(session.scene, run, results);
     if (changes.frame) results.frame_number = ++numbers;
     changes.moment = update_cursor(session.cursor, changes.frame, results);
-    const bool draws_on = changes.moment || !results.is_drawn();
+    results.is_held = results.replay.is_held(results.cursor, limit);
+    const bool draws_on = changes.moment || !(results.is_drawn() || results.is_held);
     const std::optional<DepthRange> depths =
         shared != nullptr ? shared->depths : session.depth_range;
     const bool is_same_view =

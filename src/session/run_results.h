@@ -51,6 +51,8 @@ struct RunResults {
     Inspected inspected; ///< the vertices, the fragment and the row on show, with their formulas
     std::vector<Trouble> troubles; ///< triangles left out, samples outside
     bool has_all_troubles = false; ///< false: only of what has been drawn so far
+    bool is_held =
+        false; ///< more is left to draw than the limit of the last update allows to begin
 
     // Of what this was made.
     std::shared_ptr<const Scene> scene; ///< keeps the frame's scene alive; null before the first

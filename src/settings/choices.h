@@ -16,10 +16,15 @@ enum class Clip : std::uint8_t {
     near,       ///< they are cut by the near plane
     all,        ///< by all six planes
     guard_band, ///< by near, far and four sides far beside the picture
+    whole_only, ///< left out if one vertex lies outside the view: mistake B16
+    wrong_t,    ///< cut by the near plane, in a wrong place: mistake B31
+    after_division, ///< cut by the picture's sides on the screen: mistake B32
+    clamped,        ///< vertices behind the near plane are moved onto it: mistake B33
 };
 template <>
-inline constexpr auto enum_words<Clip> = word_list("leave_out", "none", "near", "all",
-                                                   "guard_band");
+inline constexpr auto enum_words<Clip> = word_list("leave_out", "none", "near", "all", "guard_band",
+                                                   "whole_only", "wrong_t", "after_division",
+                                                   "clamped");
 static_assert(words_match<Clip>);
 
 /// Which triangles are found to lie outside before they are clipped.
@@ -31,16 +36,19 @@ template <>
 inline constexpr auto enum_words<Reject> = word_list("none", "outcodes");
 static_assert(words_match<Reject>);
 
-/// Which triangles are left out because they show their back.
+/// What is left out because it shows its back: triangles, or single fragments.
 enum class Cull : std::uint8_t {
-    none,           ///< none: the lab
-    face_normal,    ///< whose normal points away from the camera
-    screen_area,    ///< whose corners go round the other way on the screen
-    vertex_normals, ///< of whose vertices all normals point away from the camera
+    none,            ///< none: the lab
+    face_normal,     ///< whose normal points away from the camera
+    screen_area,     ///< whose corners go round the other way on the screen
+    vertex_normals,  ///< of whose vertices all normals point away from the camera
+    fragment_normal, ///< no triangle, but the fragments at which the interpolated normal does
+    view_axis,       ///< whose normal points the way the camera looks: mistake B34
 };
 template <>
 inline constexpr auto enum_words<Cull> = word_list("none", "face_normal", "screen_area",
-                                                   "vertex_normals");
+                                                   "vertex_normals", "fragment_normal",
+                                                   "view_axis");
 static_assert(words_match<Cull>);
 
 /// How a vertex behind the camera is marked.

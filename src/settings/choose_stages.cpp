@@ -1,6 +1,8 @@
 #include "settings/choose_stages.h"
 
+#include "mistakes/clip.h"
 #include "mistakes/coverage.h"
+#include "mistakes/cull.h"
 #include "mistakes/depth_test.h"
 #include "mistakes/interpolate.h"
 #include "mistakes/light.h"
@@ -40,6 +42,19 @@ void choose(Clip clip, Stages& stages) {
     case Clip::guard_band:
         stages.clip = clip_guard_band;
         break;
+    case Clip::whole_only:
+        stages.clip = drop_partly_outside;
+        break;
+    case Clip::wrong_t:
+        stages.clip = clip_near_with_wrong_t;
+        break;
+    case Clip::after_division:
+        stages.clip = clip_after_division;
+        stages.is_in_front = is_in_front_unasked;
+        break;
+    case Clip::clamped:
+        stages.clip = move_to_near_plane;
+        break;
     }
 }
 
@@ -55,6 +70,12 @@ void choose(Cull cull, Stages& stages) {
         break;
     case Cull::vertex_normals:
         stages.cull = cull_by_vertex_normals;
+        break;
+    case Cull::fragment_normal:
+        stages.cull_fragment = cull_by_fragment_normal;
+        break;
+    case Cull::view_axis:
+        stages.cull = cull_by_view_axis;
         break;
     }
 }

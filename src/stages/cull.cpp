@@ -4,6 +4,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "stages/stage_table.h"
+
 namespace rasterwalk {
 
 namespace {
@@ -78,6 +80,12 @@ Rejection cull_by_vertex_normals(std::span<const ClipVertex> corners, const Vert
             test->values.push_back(away_from_camera(corner, rules));
     }
     return back_facing_if(std::all_of(corners.begin(), corners.end(), is_away), corner_words, test);
+}
+
+bool cull_by_fragment_normal(const Fragment& fragment, const glm::vec3& camera,
+                             const Stages& stages) {
+    const Varyings varyings = recover_varyings(fragment, stages);
+    return glm::dot(varyings.normal, varyings.position_world - camera) > 0.0f;
 }
 
 } // namespace rasterwalk

@@ -9,6 +9,9 @@
 //
 // The lab culls nothing: the walls of its room are seen from inside, and either side is drawn.
 //
+// One can also ask every fragment, by its interpolated normal. That follows a smooth body to the
+// pixel, but every row is walked before anything is left out.
+//
 // The classic mistake is to ask for the angle to the direction in which the camera looks: under
 // perspective one also sees sides that look past the camera. What counts is the way from the camera
 // to the surface.
@@ -21,10 +24,12 @@
 #include <string_view>
 #include <vector>
 
+#include "stages/fragment.h"
 #include "stages/vertex_shader.h"
 
 namespace rasterwalk {
 
+<<<<<<< HEAD
 /// What a way of culling has looked at, and what it took it for. Only reports ask for it.
 struct CullTest {
     std::string_view measure; ///< what the values are: "dot(n, p - C)"; empty: nothing was measured
@@ -32,6 +37,9 @@ struct CullTest {
     std::vector<float> values; ///< of the polygon, or of each corner that was asked
     bool is_back = false;      ///< it is culled
 };
+=======
+struct Stages;
+>>>>>>> 5511da8c624e15932a1d81e124590b7e89ca9415
 
 /// Every polygon is drawn, whichever side it shows.
 /// @param corners what clipping has left, at least three
@@ -58,6 +66,25 @@ Rejection cull_by_screen_area(std::span<const ClipVertex> corners, const VertexR
 /// smooth body keeps the faces of its outline.
 Rejection cull_by_vertex_normals(std::span<const ClipVertex> corners, const VertexRules& rules,
                                  CullTest* test = nullptr);
+
+/// The varyings that cull_by_fragment_normal() reads.
+inline constexpr VaryingSet varyings_read_by_culling =
+    VaryingSet::of(&Varyings::position_world, &Varyings::normal);
+
+/// Every fragment goes on to the depth test.
+inline bool keep_fragment(const Fragment& fragment, const glm::vec3& camera, const Stages& stages) {
+    static_cast<void>(fragment);
+    static_cast<void>(camera);
+    static_cast<void>(stages);
+    return false;
+}
+
+/// By the normal that was interpolated to the fragment: it belongs to a back, and is not drawn, if
+/// that points the way from the camera to the fragment's own place. In world space.
+/// @param camera its position
+/// @param stages the table whose function weighs the varyings
+bool cull_by_fragment_normal(const Fragment& fragment, const glm::vec3& camera,
+                             const Stages& stages);
 
 /// Twice the area of the polygon on the screen in square pixels, times the w of three corners a
 /// triangle of its fan; the sign is that of the area where every w is positive.

@@ -19,6 +19,7 @@ enum class Rejection : std::uint8_t {
     outside,          ///< all corners lie beyond the same plane of the view volume
     clipped_away,     ///< nothing is left of it after clipping
     back_facing,      ///< it shows its back, and backs are culled
+    partly_outside,   ///< a corner lies outside the view: mistake B16
 };
 
 /// The words for one reason.
@@ -58,6 +59,9 @@ inline constexpr std::array rejection_list{
                    "nothing left after clipping", "nothing left after clipping", false},
     RejectionWords{Rejection::back_facing, "back_facing", "it turns its back to the camera",
                    "its back turned to the camera", "its back turned to the camera", false},
+    RejectionWords{Rejection::partly_outside, "partly_outside", "a vertex lies outside the view",
+                   "a vertex outside the view", "a vertex outside the view, where one is enough",
+                   false},
 };
 inline constexpr int rejection_count = static_cast<int>(rejection_list.size());
 

@@ -3,7 +3,9 @@
 namespace rasterwalk {
 
 VaryingSet carried_varyings(const Stages& stages, Shading shading) {
-    return stages.varyings_read(shading) | varyings_with(VaryingUse::always);
+    VaryingSet carried = stages.varyings_read(shading) | varyings_with(VaryingUse::always);
+    if (stages.cull_fragment != keep_fragment) carried = carried | varyings_read_by_culling;
+    return carried;
 }
 
 RowSpan row_span(const Stages& stages, const PolygonRows& rows, int index) {

@@ -30,6 +30,8 @@ struct Stages {
     decltype(&reject_nothing) reject = reject_nothing;
     decltype(&clip_nothing) clip = clip_nothing;
     decltype(&cull_nothing) cull = cull_nothing;
+    // Asked of each fragment, before the depth test.
+    decltype(&keep_fragment) cull_fragment = keep_fragment;
 
     // Project: division, viewport transform and snap.
     decltype(&rasterwalk::project) project = rasterwalk::project;
@@ -84,8 +86,8 @@ auto call(decltype(likely) slot, const Arguments&... arguments) {
         return slot(arguments...);
 }
 
-/// The varyings that edges and rows carry in a frame: what the pixel shader reads, and those that
-/// are always carried.
+/// The varyings that edges and rows carry in a frame: what the pixel shader and the culling of
+/// fragments read, and those that are always carried.
 VaryingSet carried_varyings(const Stages& stages, Shading shading);
 
 /// Has the pixel a cell in a depth buffer of the picture's size? What would be read and written

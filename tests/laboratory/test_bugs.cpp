@@ -143,9 +143,9 @@ std::string with(const std::string& from, const std::string& to) {
 
 TEST_CASE("The laboratory has the mistakes that are promised, each with all that is to be said") {
     const std::set<std::string> promised{
-        "B1",   "B2",   "B3",   "B4",  "B5",   "B6",   "B7",   "B8",   "B9",  "B10", "B11",
-        "B12",  "B13",  "B14",  "B15", "B17a", "B17b", "B17c", "B17d", "B18", "B19", "B20a",
-        "B20b", "B20c", "B20d", "B21", "B22",  "B24",  "B25",  "B27",  "B30"};
+        "B1",   "B2",   "B3",  "B4",  "B5",   "B6",   "B7",   "B8",   "B9",  "B10", "B11",  "B12",
+        "B13",  "B14",  "B15", "B16", "B17a", "B17b", "B17c", "B17d", "B18", "B19", "B20a", "B20b",
+        "B20c", "B20d", "B21", "B22", "B24",  "B25",  "B27",  "B30",  "B31", "B32", "B33",  "B34"};
     std::set<std::string> ids, names;
     std::vector<std::string> sections;
     for (const Bug& bug : bugs()) {
@@ -162,7 +162,8 @@ TEST_CASE("The laboratory has the mistakes that are promised, each with all that
     // In the order of the lab's sections, so that each is one group in the list.
     CHECK(sections == std::vector<std::string>{"Drawing points", "Drawing edges",
                                                "Moving the camera", "Filled triangles",
-                                               "Depth buffer", "Illumination", "Light per pixel"});
+                                               "Depth buffer", "Illumination", "Light per pixel",
+                                               "Beyond the lab: geometry"});
     CHECK(names.size() == ids.size());
 }
 
@@ -668,4 +669,107 @@ TEST_CASE("B30: with both ends of a row neighbours draw their shared edge twice"
     CHECK(wrong > 3000);
     CHECK(correct < wrong / 2);
     CHECK(runs.wrong_stats.fragments == 328789);
+}
+
+TEST_CASE("B16: at z = -2.5 twelve of the room's thirty triangles are dropped") {
+    const Runs runs("B16");
+    CHECK(runs.correct_stats.left_out.total() == 0);
+    int dropped = 0;
+    for (int t = 0; t < runs.wrong.triangle_count(); ++t) {
+        bool reaches_out = false;
+        for (int v = 0; v < 3; ++v) {
+            const glm::dvec3 p(runs.session.scene->corner(t, v).position);
+            const double depth = p.z + 2.5;
+            reaches_out |= std::max(std::abs(p.x), std::abs(p.y)) * 500.0 / depth > 250.0;
+        }
+        dropped += reaches_out ? 1 : 0;
+        CHECK((runs.wrong.rejection(t) == Rejection::partly_outside) == reaches_out);
+    }
+    CHECK(dropped == 12);
+    CHECK(runs.wrong_stats.left_out.total() == 12);
+}
+
+namespace {
+
+/// The corners of what is drawn of a triangle, back in camera space; the camera stands at the
+/// origin and looks along z.
+std::vector<glm::dvec3> places_before_camera(const Frame& frame, int triangle) {
+    const glm::dvec2 middle(frame.settings.viewport.width / 2, frame.settings.viewport.height / 2);
+    const double f = frame.settings.camera.focal_length;
+    std::vector<glm::dvec3> places;
+    for (const ScreenVertex& corner : frame.triangle_vertices(triangle)) {
+        const glm::dvec2 across = (glm::dvec2(corner.position) - middle) / f;
+        const double z = corner.z;
+        places.push_back({across.x * z, across.y * z, z});
+    }
+    return places;
+}
+
+} // namespace
+
+TEST_CASE("B31: cut corners stand where the wrong t puts them, and not at the near plane") {
+    const Runs runs("B31");
+    // From z = -2 to z = 3: t = 2.1 / 3, where 2.1 / 5 is right.
+    const double wrong_z = -2.0 + 2.1 / 3.0 * 5.0;
+    int wrong_corners = 0, right_corners = 0;
+    for (int t = 0; t < runs.wrong.triangle_count(); ++t) {
+        for (const glm::dvec3& place : places_before_camera(runs.wrong, t))
+            wrong_corners += std::abs(place.z - wrong_z) < 1e-4 ? 1 : 0;
+        for (const glm::dvec3& place : places_before_camera(runs.correct, t))
+            right_corners += std::abs(place.z - 0.1) < 1e-4 ? 1 : 0;
+    }
+    CHECK(right_corners == 12);
+    CHECK(wrong_corners == right_corners);
+    CHECK(runs.wrong_stats.uncovered > runs.correct_stats.uncovered);
+}
+
+TEST_CASE("B32: what is cut after the division is mirrored, and stays in the picture") {
+    const Runs runs("B32");
+    int mirrored = 0;
+    for (int t = 0; t < runs.wrong.triangle_count(); ++t) {
+        if (!runs.wrong.is_drawn(t)) continue;
+        for (const ScreenVertex& corner : runs.wrong.triangle_vertices(t)) {
+            mirrored += corner.inv_w < 0.0f ? 1 : 0;
+            if (!runs.wrong.is_cut(t)) continue;
+            CHECK(corner.position.x >= -0.01f);
+            CHECK(corner.position.x <= 200.01f);
+            CHECK(corner.position.y >= -0.01f);
+            CHECK(corner.position.y <= 160.01f);
+        }
+    }
+    CHECK(mirrored > 0);
+    CHECK(runs.different_pixels() > 1000);
+}
+
+TEST_CASE("B33: corners behind the near plane keep x and y, and stand on it") {
+    const Runs runs("B33");
+    int moved = 0;
+    for (int t = 0; t < runs.wrong.triangle_count(); ++t) {
+        const std::vector<glm::dvec3> places = places_before_camera(runs.wrong, t);
+        REQUIRE(places.size() == 3);
+        for (int v = 0; v < 3; ++v) {
+            const glm::dvec3 given(runs.session.scene->corner(t, v).position);
+            const glm::dvec3 expected(given.x, given.y, std::max(given.z, 0.1));
+            CHECK(glm::distance(places[static_cast<std::size_t>(v)], expected) < 1e-3);
+            moved += given.z < 0.1 ? 1 : 0;
+        }
+    }
+    CHECK(moved == 9);
+    CHECK(runs.wrong_stats.left_out.total() == 0);
+}
+
+TEST_CASE("B34: the left wall is culled as soon as the camera turns away from it") {
+    const Runs runs("B34");
+    const double yaw = 0.08;
+    int wrongly_culled = 0;
+    for (int t = 0; t < runs.wrong.triangle_count(); ++t) {
+        const glm::dvec3 normal(runs.session.scene->corner(t, 0).normal);
+        const double along = normal.x * std::sin(yaw) + normal.z * std::cos(yaw);
+        CHECK((runs.wrong.rejection(t) == Rejection::back_facing) == (along > 0.0));
+        const bool is_lost = along > 0.0 && runs.correct.is_drawn(t);
+        wrongly_culled += is_lost ? 1 : 0;
+        if (is_lost) CHECK(part_name(*runs.session.scene, t) == "left wall");
+    }
+    CHECK(wrongly_culled == 2);
+    CHECK(runs.wrong_stats.uncovered > runs.correct_stats.uncovered);
 }

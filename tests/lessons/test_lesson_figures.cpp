@@ -237,3 +237,28 @@ TEST_CASE("r cubed brightens what is nearer than one unit and darkens what is fa
     CHECK(brighter > 1000);
     CHECK(darker > 1000);
 }
+
+TEST_CASE("Lessons 17 to 19 state what clipping, rejecting and culling leave") {
+    const Drawn left_out({"stage=depth", "camera.position=0,0,-0.9", "camera.focal_length=250"});
+    CHECK(left_out.stats.left_out.of(Rejection::behind_camera) == 8);
+    CHECK(std::count(left_out.picture.owner.begin(), left_out.picture.owner.end(), -1) == 126'200);
+    require_said("17-near-plane.md", "8 of 30 triangles");
+    require_said("17-near-plane.md", "126 200 pixels");
+
+    const Drawn cut({"stage=depth", "clip=all", "camera.position=0,0,-1.05"});
+    CHECK(cut.stats.fragments_outside == 1311);
+    CHECK(cut.stats.clipped == 21);
+    require_said("18-outcodes.md", "only 1311 fragments of this frame fall outside");
+    require_said("18-outcodes.md", "here 21 triangles are cut");
+
+    const Drawn turned({"stage=depth", "reject=outcodes", "clip=all", "camera.position=0,0,-1.5",
+                        "camera.yaw=0.2"});
+    CHECK(turned.stats.left_out.of(Rejection::outside) == 4);
+    CHECK(turned.stats.left_out.of(Rejection::clipped_away) == 2);
+    CHECK(turned.frame.rejection(2) == Rejection::outside);
+    require_said("18-outcodes.md", "reject four triangles; `triangles[2]`");
+
+    const Drawn culled({"stage=depth", "cull=face_normal"});
+    CHECK(culled.stats.fragments == 294'473);
+    require_said("19-culling.md", "294 473 is what a test of triangles leaves");
+}

@@ -52,3 +52,29 @@ TEST_CASE("The lessons' room is drawn and compared within the limit of one updat
     CHECK(frame_limit.of(work.total()) == work.total());
     CHECK(frame_limit.of(1e12) == frame_limit.slice);
 }
+
+TEST_CASE("A frame's fragments are estimated without drawing them, those beside the picture too") {
+    const Scene scene = lab_room();
+    Settings settings = default_settings(scene);
+    for (const float z : {-3.001f, -2.0f, -1.2f, -1.05f}) {
+        CAPTURE(z);
+        settings.camera.position.z = z;
+        const Frame frame = prepare_frame(scene, settings);
+        FrameWork work;
+        work.begin(frame);
+        const DrawTally counted = tally_rows(frame, 0);
+        Framebuffer framebuffer;
+        clear(framebuffer, frame);
+        const auto inside = static_cast<double>(draw(frame, {}, framebuffer).fragments);
+        const double all = inside + static_cast<double>(counted.fragments_outside);
+        CHECK(work.fragments().all > 0.98 * all);
+        CHECK(work.fragments().all < 1.02 * all);
+        CHECK(work.fragments().in_picture > 0.5 * inside);
+        CHECK(work.fragments().in_picture < 2.0 * inside);
+    }
+    settings.stage = Stage::edges;
+    FrameWork work;
+    const Frame edges = prepare_frame(scene, settings);
+    work.begin(edges);
+    CHECK(work.fragments().all == 0.0);
+}

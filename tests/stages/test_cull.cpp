@@ -82,3 +82,80 @@ TEST_CASE("From any camera a triangle's winding says what its normal says") {
     }
     CHECK(backs > 500);
 }
+
+namespace {
+
+/// A wall bent by its normals: on its left they point to the camera, on its right away from it.
+Scene bent_wall() {
+    Scene scene;
+    scene.viewport = {64, 48};
+    scene.camera.focal_length = 48.0f;
+    const auto corner = [](float x, float y) {
+        Vertex vertex;
+        vertex.position = {x, y, 3.0f};
+        vertex.normal = glm::normalize(glm::vec3(0.0f, 0.0f, x > 0.0f ? 1.0f : -1.0f));
+        return vertex;
+    };
+    scene.mesh.add_triangle_of({corner(-1, -1), corner(1, -1), corner(-1, 1)});
+    scene.mesh.add_triangle_of({corner(1, -1), corner(1, 1), corner(-1, 1)});
+    scene.parts.push_back({"wall", 0, 2});
+    return scene;
+}
+
+struct FateCount : Observer {
+    explicit FateCount(const Scene& of) : scene(of) {}
+    void fragment(const FragmentEvent& event) override {
+        // On a wall at one depth the normal's z goes with x, and both with the column: -1 to 1 over
+        // 32 columns about the middle.
+        const double normal_z = (event.fragment.column - 32) / 16.0;
+        const double x = normal_z * 1.0;
+        // n . (p - C) with n = (0, 0, normal_z) and p.z = 3.
+        if (std::abs(x) < 0.1) return; // the corner pixels are rounded
+        const bool is_back = normal_z * 3.0 > 0.0;
+        if ((event.fate == Fate::back_facing) != is_back)
+            FAIL("column " << event.fragment.column << " has another fate");
+        if (is_back && event.before != event.after) FAIL("a culled fragment left a colour");
+        ++(is_back ? backs : fronts);
+    }
+    const Scene& scene;
+    int backs = 0, fronts = 0;
+};
+
+} // namespace
+
+TEST_CASE("The interpolated normal of each fragment decides whether it is drawn") {
+    const Scene wall = bent_wall();
+    for (const char* const stage : {"stage=fill", "stage=depth", "stage=pixel_light"}) {
+        CAPTURE(stage);
+        Settings settings = default_settings(wall);
+        set_from_text(settings, stage);
+        settings.cull = Cull::fragment_normal;
+        const Frame frame = prepare_frame(wall, settings);
+        FateCount count(wall);
+        Framebuffer watched;
+        clear(watched, frame);
+        draw(frame, {}, watched, &count);
+        CHECK(count.backs > 300);
+        CHECK(count.fronts > 300);
+        // Unwatched, where fewer varyings travel, it is the same picture.
+        CHECK(draw_frame(frame).owner == watched.owner);
+        // No triangle is left out for it, and no row is walked less.
+        settings.cull = Cull::none;
+        const FrameStats all = frame_stats(prepare_frame(wall, settings));
+        const FrameStats culled = frame_stats(frame);
+        CHECK(culled.fragments == all.fragments);
+        CHECK(culled.shaded < all.shaded);
+        CHECK(culled.left_out.total() == 0);
+    }
+}
+
+TEST_CASE("In a room of flat walls every fragment says what its triangle says") {
+    const Scene room = lab_room();
+    const FrameStats by_face = frame_stats(room_with(room, "cull=face_normal"));
+    const FrameStats by_fragment = frame_stats(room_with(room, "cull=fragment_normal"));
+    const FrameStats all = frame_stats(room_with(room, "cull=none"));
+    CHECK(by_fragment.fragments == all.fragments);
+    CHECK(by_fragment.shaded == by_face.shaded);
+    CHECK(draw_frame(room_with(room, "cull=face_normal")).owner ==
+          draw_frame(room_with(room, "cull=fragment_normal")).owner);
+}

@@ -17,6 +17,7 @@
 #include "ui/app/kept_options.h"
 #include "ui/bars/bars.h"
 #include "ui/canvas/canvas.h"
+#include "ui/canvas/large_frame.h"
 #include "ui/canvas/outside_view.h"
 #include "ui/inspector/panels.h"
 #include "ui/lesson/lesson_column.h"
@@ -204,7 +205,7 @@ bool is_at_rest() {
 bool update_or_go_back(Ui& ui) {
     SessionInputs& asked = ui.session;
     const auto work = [&] {
-        update(ui.session, ui.results);
+        update(ui.session, ui.results, work_limit(ui));
         ui.worked_out = asked;
     };
     if (guarded(ui, work)) return true;
@@ -266,7 +267,7 @@ void open_ui(Ui& ui, TextureHost& textures) {
     map_keys();
     ui.host.textures = &textures;
     take_up_lesson(ui);
-    update(ui.session, ui.results);
+    update(ui.session, ui.results, work_limit(ui));
     const SessionInputs& asked = ui.session;
     ui.worked_out = asked;
     ui.options.text_scale = ui.options.wished_text_scale;

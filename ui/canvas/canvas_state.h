@@ -29,6 +29,20 @@ struct DrawnPart {
     PicturePart part;
 };
 
+/// What the student wants of a frame of very many fragments.
+enum class LargeFrameWish : std::uint8_t {
+    none, ///< not said: it is not begun if too much of it is in the picture
+    draw,
+    stop,
+};
+
+/// That wish, and what it was said of.
+struct LargeFrame {
+    LargeFrameWish wish = LargeFrameWish::none;
+    std::shared_ptr<const Scene> scene;
+    std::optional<Settings> a, b; ///< of the two runs
+};
+
 /// What the canvas keeps from one frame to the next.
 struct CanvasState {
     PictureTexture picture; ///< shows Results::picture
@@ -44,6 +58,7 @@ struct CanvasState {
     std::optional<RowTablePlace> row_table; ///< beside the picture in this frame; none: not shown
     FateFinder fates;                       ///< of the triangle on show
     int dragged_vertex = -1;                ///< of the bench triangle; -1: none
+    LargeFrame large_frame;
 };
 
 /// What run B of each pair would look like, small.

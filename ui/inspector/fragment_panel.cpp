@@ -309,6 +309,8 @@ void draw_values(Ui& ui) {
 }
 
 std::string verdict(const FragmentReport& report) {
+    if (report.fate == Fate::back_facing)
+        return "✗ culled before the depth test: its normal points away from the camera";
     if (report.depth_test == DepthTest::off) return "no depth test: the last one drawn stays";
     if (report.depth_test == DepthTest::reversed) {
         return report.fate == Fate::written ? "✓ passed: it is farther than what was there"
@@ -358,9 +360,10 @@ void draw_depth(Ui& ui) {
     const bool tested = report.depth_test != DepthTest::off;
     if (tested) draw_fragment_line(ui, "margin", "margin: new − stored");
     const ImVec4 colour =
-        !tested ? p.text
-                : colour_of(report.fate == Fate::written ? Meaning::pass : Meaning::fail,
-                            ui.options.theme);
+        !tested && report.fate == Fate::written
+            ? p.text
+            : colour_of(report.fate == Fate::written ? Meaning::pass : Meaning::fail,
+                        ui.options.theme);
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
     wrapped_text(verdict(report));
     ImGui::PopStyleColor();

@@ -152,6 +152,8 @@ std::string tooltip(const Ui& ui, const PixelHistory& history, int index) {
         const bool is_reversed = depth_rule(ui.results.a.frame.settings) == DepthTest::reversed;
         text += std::string("\nHidden: it is not ") + (is_reversed ? "smaller" : "larger") +
                 " than what is stored.";
+    } else if (entry.fate == Fate::back_facing) {
+        text += "\nCulled before the depth test: its normal points away from the camera.";
     } else if (stays(history, index)) {
         text += "\nWritten, and nothing written after it: its colour stays.";
     } else {
@@ -173,7 +175,10 @@ void draw_fate(const Ui& ui, const PixelHistory& history, int index, float opaci
     const float lower = 0.5f * (ImGui::GetFontSize() - ui.fonts.small->FontSize);
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + lower);
     ImGui::PushFont(ui.fonts.small);
-    const char* const word = !written ? " hidden" : stays(history, index) ? " stays" : " written";
+    const char* const word = entry.fate == Fate::back_facing ? " back"
+                             : !written                      ? " hidden"
+                             : stays(history, index)         ? " stays"
+                                                             : " written";
     text_in(colour, std::string(written ? passed_sign : failed_sign) + word);
     ImGui::PopFont();
 }

@@ -15,6 +15,7 @@
 #include "session/tabs.h"
 #include "settings/setting_table.h"
 #include "tests/ui/driver.h"
+#include "tests/ui/many_walls.h"
 #include "ui/actions/keys.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/actions/open_lesson.h"
@@ -38,6 +39,7 @@ class Tour {
         from_outside();
         clipped();
         groups();
+        large_frame();
     }
 
   private:
@@ -155,6 +157,15 @@ class Tour {
             driver.hand.press(key::f5);
             look(driver);
         }
+    }
+
+    /// One that is not drawn before it is asked for.
+    void large_frame() {
+        Driver driver(session_of(many_walls()));
+        look(driver);
+        driver.hand.click("canvas.draw_it");
+        for (const auto& [name, place] : driver.ui.widgets)
+            seen.insert(name);
     }
 
     /// Whoever chose the tab, and what a lesson hides.

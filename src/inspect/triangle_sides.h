@@ -1,0 +1,42 @@
+#pragma once
+
+// Where a triangle of the scene lies, and which side of it is seen: what reject, clip and cull ask.
+
+#include <array>
+#include <optional>
+#include <span>
+
+#include "pipeline/frame.h"
+#include "stages/reject.h"
+
+namespace rasterwalk {
+
+/// What is asked of a triangle before it is drawn.
+struct TriangleSides {
+    /// Of its vertices, by outer_planes(), as reject_by_outcodes() has them; 0 in pixel space.
+    std::array<Outcode, triangle_corners> outcodes{};
+    /// dot(n, v0 - camera): positive if it shows its back. World units.
+    float away = 0.0f;
+    /// t of its first edge that the near plane cuts, 0 at the corner in front of the plane; none if
+    /// it cuts none.
+    std::optional<float> near_t;
+
+    Outcode common() const { return outcodes[0] & outcodes[1] & outcodes[2]; }
+    Outcode any() const { return outcodes[0] | outcodes[1] | outcodes[2]; }
+};
+
+/// Asks the vertices as the scene has them, before they are clipped.
+TriangleSides triangle_sides(const Frame& frame, int triangle);
+
+/// The two arrows of a triangle on the screen, from its first corner to the two others, in whole
+/// pixels, x right and y down.
+struct Arrows {
+    double dot = 0.0;   ///< of both
+    double cross = 0.0; ///< u.x v.y - u.y v.x: twice the area, positive if the corners go round
+                        ///< clockwise, which is the front
+};
+
+/// None of a polygon that clipping has given more or fewer than three corners.
+std::optional<Arrows> arrows_of(std::span<const ScreenVertex> corners);
+
+} // namespace rasterwalk

@@ -1,0 +1,14 @@
+#pragma once
+
+// Mistakes in the slot of stages/cull.h.
+
+#include "stages/cull.h"
+
+namespace rasterwalk {
+
+/// B34, in the slot cull: by the angle to the direction in which the camera looks,
+/// dot(n, forward) > 0. Under perspective sides are culled that are seen, and others kept that are
+/// not.
+Rejection cull_by_view_axis(std::span<const ClipVertex> corners, const VertexRules& rules);
+
+} // namespace rasterwalk

@@ -1,0 +1,377 @@
+// The predictions of lessons 14, 17, 18 and 19: each answer that the program computes from its
+// facts is found here a second time, in double, from the handout's numbers and the places in the
+// scenes.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "lessons/lesson_run.h"
+#include "pipeline/draw.h"
+#include "scene/read_scene.h"
+#include "session/content.h"
+#include "settings/setting_table.h"
+#include "support/oracle.h"
+#include "support/prediction_checks.h"
+
+using namespace rasterwalk;
+using namespace rasterwalk::test;
+
+namespace {
+namespace geometry_track {
+
+/// A lesson, and a session to ask it in.
+struct Questions {
+    Lesson lesson;
+    Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
+
+    explicit Questions(const std::string& id)
+        : lesson(read_lesson(lessons_folder() + "/" + id + ".md")) {}
+
+    Judgement answered(const std::string& id, const GivenAnswer& answer) const {
+        note_asked(lesson.id, id);
+        const LessonPrediction* const found = find_prediction(lesson, id);
+        INFO(lesson.id << " " << id);
+        REQUIRE(found != nullptr);
+        Judgement judgement = judge(lesson, *found, answer, session);
+        INFO(judgement.fault);
+        CHECK(judgement.fault.empty());
+        CHECK_FALSE(judgement.because.empty());
+        return judgement;
+    }
+    /// The program has about this number and takes it for right, and this other one for wrong.
+    void require_number(const std::string& id, double expected, double margin, double wrong) const {
+        const Judgement judgement = answered(id, {expected});
+        INFO(lesson.id << " " << id << ": the program has " << judgement.number);
+        CHECK(judgement.number == Approx(expected).margin(margin));
+        CHECK(judgement.is_right);
+        CHECK_FALSE(answered(id, {wrong}).is_right);
+    }
+    void require_choice(const std::string& id, int expected) const {
+        const Judgement judgement = answered(id, {expected});
+        INFO(lesson.id << " " << id);
+        CHECK(judgement.choice == expected);
+        CHECK(judgement.is_right);
+    }
+};
+
+using Corner = glm::dvec3;
+using Corners3 = std::array<Corner, 3>;
+
+/// The handout's room, in the order of drawing: corners on the floor, then those above them.
+std::vector<Corners3> room_triangles() {
+    using Foot = std::array<glm::ivec2, 4>;
+    std::vector<Corners3> triangles;
+    const auto add = [&](const Foot& foot, int height, const std::string& letters) {
+        for (std::size_t i = 0; i + 2 < letters.size(); i += 3) {
+            Corners3& corners = triangles.emplace_back();
+            for (std::size_t k = 0; k < 3; ++k) {
+                const int n = letters[i + k] - 'A';
+                const glm::ivec2 at = foot[static_cast<std::size_t>(n % 4)];
+                corners[k] = {1.0 - 2.0 * at.x / 555.0, 1.0 - 2.0 * (n < 4 ? 0 : height) / 555.0,
+                              2.0 * at.y / 555.0 - 1.0};
+            }
+        }
+    };
+    const std::string block = "EBAEFBFDBFHDHCDHGCGECEACGFEGHF";
+    add({{{555, 0}, {0, 0}, {555, 555}, {0, 555}}}, 555, "CBACDBAECCEGFBDHFDEFGFHGGDCGHD");
+    add({{{290, 114}, {130, 65}, {240, 272}, {82, 225}}}, 165, block);
+    add({{{423, 247}, {265, 296}, {472, 406}, {314, 456}}}, 330, block);
+    return triangles;
+}
+
+/// The lab's normal, not of unit length.
+Corner upright(const Corners3& t) {
+    return glm::cross(t[2] - t[0], t[1] - t[0]);
+}
+
+bool shows_back(const Corners3& t, const Corner& camera) {
+    return glm::dot(upright(t), t[0] - camera) > 0.0;
+}
+
+/// What of the polygon lies at z >= near, seen from a camera that looks along z.
+std::vector<Corner> cut_near(const std::vector<Corner>& polygon, double near) {
+    std::vector<Corner> left;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Corner &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+        if (a.z >= near) left.push_back(a);
+        if ((a.z >= near) != (b.z >= near))
+            left.push_back(glm::mix(a, b, (near - a.z) / (b.z - a.z)));
+    }
+    return left;
+}
+
+/// A camera at (0, 0, z) that looks along z, and a square picture.
+struct Standpoint {
+    double z = -3.001;
+    double focal_length = 500.0;
+    double near = 0.0; ///< 0: nothing is cut
+};
+constexpr int side = 500;
+
+/// The corners of a triangle as pixels.
+std::vector<ScreenVertex> pixels_of(const Corners3& triangle, const Standpoint& view) {
+    std::vector<Corner> polygon;
+    for (const Corner& corner : triangle)
+        polygon.push_back(corner - Corner(0.0, 0.0, view.z));
+    if (view.near > 0.0) polygon = cut_near(polygon, view.near);
+    std::vector<ScreenVertex> pixels;
+    for (const Corner& corner : polygon) {
+        const auto snapped = [&](double x) {
+            return static_cast<int>(view.focal_length * x / corner.z) + side / 2;
+        };
+        pixels.push_back({{}, snapped(corner.x), snapped(corner.y), 0.0f, 0.0f, 0.0f, {}});
+    }
+    return pixels;
+}
+
+/// Row tables by their definition, of edges that are walked without error: the float walk strays
+/// from them by a pixel here and there.
+std::map<int, test::RowEnds> rows_of(const Corners3& triangle, const Standpoint& view) {
+    const std::vector<ScreenVertex> corners = pixels_of(triangle, view);
+    int outside = 0;
+    if (corners.empty()) return {};
+    return row_table(corners, {{LineWalk::exact, Rounding::truncate}, EdgeSamples::longest_axis},
+                     outside);
+}
+
+struct Fragments {
+    std::int64_t inside = 0, outside = 0;
+    double total() const { return static_cast<double>(inside + outside); }
+};
+
+template <class Wanted>
+Fragments count_fragments(const Standpoint& view, Wanted is_wanted) {
+    Fragments count;
+    for (const Corners3& triangle : room_triangles()) {
+        if (!is_wanted(triangle)) continue;
+        for (const auto& [row, ends] : rows_of(triangle, view)) {
+            if (ends.left > ends.right) continue;
+            const int seen =
+                row >= 0 && row < side
+                    ? std::max(std::min(ends.right, side - 1) - std::max(ends.left, 0) + 1, 0)
+                    : 0;
+            count.inside += seen;
+            count.outside += ends.right - ends.left + 1 - seen;
+        }
+    }
+    return count;
+}
+
+Fragments count_fragments(const Standpoint& view) {
+    return count_fragments(view, [](const Corners3&) { return true; });
+}
+
+/// Fragments nearer than all that were drawn on their pixel before; 1/z by the triangle's plane.
+template <class Wanted>
+std::int64_t count_lit(const Standpoint& view, Wanted is_wanted) {
+    std::vector<double> nearest(static_cast<std::size_t>(side * side), 0.0);
+    std::int64_t lit = 0;
+    for (const Corners3& triangle : room_triangles()) {
+        if (!is_wanted(triangle)) continue;
+        const Corner normal = upright(triangle);
+        const double distance = glm::dot(normal, triangle[0] - Corner(0.0, 0.0, view.z));
+        for (const auto& [row, ends] : rows_of(triangle, view)) {
+            if (row < 0 || row >= side) continue;
+            for (int column = std::max(ends.left, 0); column <= std::min(ends.right, side - 1);
+                 ++column) {
+                const Corner ray((column - side / 2) / view.focal_length,
+                                 (row - side / 2) / view.focal_length, 1.0);
+                const double zinv = glm::dot(normal, ray) / distance;
+                double& stored = nearest[static_cast<std::size_t>(row * side + column)];
+                if (zinv <= stored) continue;
+                stored = zinv;
+                ++lit;
+            }
+        }
+    }
+    return lit;
+}
+
+const Corner lab_camera(0.0, 0.0, -3.001);
+
+bool is_front(const Corners3& triangle) {
+    return !shows_back(triangle, lab_camera);
+}
+
+int count_backs(const Corner& camera) {
+    int backs = 0;
+    for (const Corners3& triangle : room_triangles())
+        backs += shows_back(triangle, camera) ? 1 : 0;
+    return backs;
+}
+
+double dot2(glm::dvec2 u, glm::dvec2 v) {
+    return u.x * v.x + u.y * v.y;
+}
+
+/// The bits of a place at depth 2 in a picture of 200 x 160 with f = 160.
+int code_of(double x, double y) {
+    return (x < -1.25 ? 4 : 0) + (x > 1.25 ? 8 : 0) + (y < -1.0 ? 16 : 0) + (y > 1.0 ? 32 : 0);
+}
+
+PREDICTIONS_TEST("Lesson 14: dot, cross and the side of a plane by hand", "14-arrows",
+                 "perpendicular", "behind", "area", "red-side", "swapped") {
+    const Questions lesson("14-arrows");
+    lesson.require_number("perpendicular", dot2({19 - 3, 14 - 14}, {3 - 3, 6 - 14}), 1e-9, 128.0);
+    lesson.require_number("behind", dot2({20 - 14, 14 - 14}, {8 - 14, 6 - 14}), 1e-9, 36.0);
+    // Half the sum over the corners, and not a product of two arrows.
+    const double twice = 10 * 10 - 5 * 5 + 5 * 15 - 15 * 10 + 15 * 5 - 10 * 15;
+    lesson.require_number("area", std::abs(twice) / 2.0, 1e-9, 75.0);
+    const double away = glm::dot(glm::normalize(upright(room_triangles()[12])),
+                                 room_triangles()[12][0] - lab_camera);
+    CHECK(away == Approx(-0.133).margin(0.001));
+    lesson.require_choice("red-side", away < 0.0 ? 0 : 1);
+    // A ceiling that turns its back to the lamp has the indirect light alone.
+    lesson.require_number("swapped", 0.75 * 0.5, 0.001, 0.75 * (0.5 - 14.0 / 3.14159265));
+}
+
+TEST_CASE("For every triangle of the room the sign of its area says which side it shows") {
+    for (const Corners3& triangle : room_triangles()) {
+        const std::vector<ScreenVertex> v = pixels_of(triangle, {});
+        const glm::dvec2 u(v[1].column - v[0].column, v[1].row - v[0].row);
+        const glm::dvec2 w(v[2].column - v[0].column, v[2].row - v[0].row);
+        CHECK((u.x * w.y - u.y * w.x < 0.0) == shows_back(triangle, lab_camera));
+    }
+}
+
+TEST_CASE("A room inside out under light from the lamp is the room") {
+    const auto picture = [](const char* name, const char* assignment) {
+        const Scene scene = read_scene(lessons_folder() + "/scenes/" + name + ".toml");
+        Settings settings = default_settings(scene);
+        set_from_text(settings, assignment);
+        return draw_frame(prepare_frame(scene, settings));
+    };
+    const Framebuffer room = picture("lab-room", "light.direction=to_light");
+    const Framebuffer both = picture("inside-out", "light.direction=from_light");
+    int apart = 0;
+    for (std::size_t i = 0; i < room.colour.size(); ++i)
+        apart += glm::distance(room.colour[i], both.colour[i]) > 1.0f / 255.0f ? 1 : 0;
+    CHECK(apart < 250); // ties on edges, which are walked in another order
+}
+
+PREDICTIONS_TEST("Lesson 17: cuts at the near plane by hand", "17-near-plane", "mirrored",
+                 "uncovered-after", "cut-t", "clipped-count", "screen-t", "near-too-small") {
+    const Questions lesson("17-near-plane");
+    const double x = 160.0 * -1.0 / -2.0, y = 160.0 * 1.0 / -2.0;
+    lesson.require_choice("mirrored", x > 0.0 && y < 0.0 ? 1 : 0);
+
+    // Inside the room each ray leaves through the nearest of the walls ahead.
+    int lost = 0;
+    for (int row = 0; row < side; ++row) {
+        for (int column = 0; column < side; ++column) {
+            const double across = std::max(std::abs(column - 250), std::abs(row - 250)) / 250.0;
+            const double to_side = across > 0.0 ? 1.0 / across : 1e9, to_back = 1.0 + 0.9;
+            lost += std::min(to_side, to_back) < 0.1 ? 1 : 0;
+        }
+    }
+    lesson.require_number("uncovered-after", lost, 1e-9, 63100.0);
+
+    lesson.require_number("cut-t", 1.0 - (0.1 + 2.0) / (3.0 + 2.0), 1e-6, 0.42);
+
+    int pieces = 0, reach_behind = 0;
+    for (const Corners3& triangle : room_triangles()) {
+        const auto behind = std::count_if(triangle.begin(), triangle.end(),
+                                          [](const Corner& c) { return c.z + 0.9 < 0.1; });
+        constexpr std::array<int, 4> left{1, 2, 1, 0};
+        pieces += left[static_cast<std::size_t>(behind)];
+        reach_behind += behind > 0 ? 1 : 0;
+    }
+    lesson.require_number("clipped-count", pieces, 1e-9, 30.0);
+    CHECK(250.0 * 1.0 / 0.01 > 16384.0); // where the corners of the cuts land
+    lesson.require_number("near-too-small", reach_behind, 1e-9, 0.0);
+
+    // The upper edge of the wall, x = 1 and z from 0.4 to 8, crosses the border at z = 1.6.
+    const double at_border = 160.0 / 100.0;
+    const double true_share = (at_border - 0.4) / (8.0 - 0.4);
+    const double screen_share = (160.0 / 0.4 - 100.0) / (160.0 / 0.4 - 160.0 / 8.0);
+    const auto light = [](double z) {
+        const Corner way = Corner(0.0, 0.0, 0.8) - Corner(1.0, -0.5, z);
+        const double r = glm::length(way);
+        return 0.9 * (14.0 * (1.0 / r) / (4.0 * 3.14159265 * r * r) + 0.1);
+    };
+    const double error = (light(8.0) - light(0.4)) * (screen_share - true_share);
+    int wrong_columns = 0;
+    for (int column = 21; column < 100; ++column) {
+        const double z = 160.0 / column;
+        wrong_columns += std::abs(error * (8.0 - z) / (8.0 - at_border)) > 0.02 ? 1 : 0;
+    }
+    CHECK(wrong_columns > 60);
+    lesson.require_choice("screen-t", 2);
+}
+
+PREDICTIONS_TEST("Lesson 18: fragments counted by row tables, and codes by hand", "18-outcodes",
+                 "share-outside", "all-fragments", "code", "needle", "and-rejects", "guard-band") {
+    const Questions lesson("18-outcodes");
+    const Fragments far = count_fragments({.z = -1.5});
+    lesson.require_number("share-outside", 100.0 * static_cast<double>(far.outside) / far.total(),
+                          0.1, 75.0);
+    const Fragments middle = count_fragments({.z = -1.2});
+    CHECK(100.0 * static_cast<double>(middle.outside) / middle.total() ==
+          Approx(98.2).margin(0.05));
+    const Fragments near = count_fragments({.z = -1.05});
+    lesson.require_number("all-fragments", near.total() / 1e6, 0.5, 100.0);
+    // The near plane lies nearer than any side of the band: 500 / 0.1 is less than 8192.
+    const Fragments cut = count_fragments({.z = -1.05, .near = 0.1});
+    lesson.require_number("guard-band", static_cast<double>(cut.outside) / 1e6, 0.5, 0.0);
+
+    lesson.require_number("code", code_of(1.9, -1.6), 1e-9, 40.0);
+    const int start = code_of(-1.7, -1.4), end = code_of(1.7, 1.35), other = code_of(1.6, 1.4);
+    CHECK((start & end & other) == 0);
+    CHECK((start | end | other) == 60);
+    lesson.require_choice("needle", 2);
+    const int pink = code_of(1.5, 0.1) & code_of(2.2, 0.2) & code_of(1.6, 0.8);
+    const int orange = code_of(0.9, -1.6) & code_of(1.9, -1.6) & code_of(1.9, -0.6);
+    CHECK(0.9 + 1.6 > 1.25 + 1.0); // its long side passes by the corner of the picture
+    lesson.require_number("and-rejects", (pink != 0 ? 1 : 0) + (orange != 0 ? 1 : 0), 1e-9, 2.0);
+}
+
+PREDICTIONS_TEST("Lesson 19: backs and what they cost", "19-culling", "backs", "fragments-left",
+                 "lit-left", "turned", "mirrored", "inside-out", "by-fragment", "same-picture") {
+    const Questions lesson("19-culling");
+    const int backs = count_backs(lab_camera);
+    lesson.require_number("backs", backs, 1e-9, 15.0);
+    const double all = count_fragments({}).total();
+    lesson.require_number("fragments-left", count_fragments({}, is_front).total(), 600.0,
+                          all / 2.0);
+    lesson.require_number("by-fragment", all, 600.0, 294473.0);
+    const auto lit = static_cast<double>(count_lit({}, is_front));
+    const auto lit_before =
+        static_cast<double>(count_lit({}, [](const Corners3&) { return true; }));
+    CHECK(lit_before == Approx(293357.0).margin(1500.0));
+    CHECK(lit_before - lit == Approx(293357.0 - 289497.0).margin(900.0));
+    lesson.require_number("lit-left", lit, 1500.0, lit_before * 0.9);
+    lesson.require_choice("turned", 1); // shows_back() never asks where the camera looks
+    // Half a turn of the picture changes neither sign of the two arrows' product.
+    lesson.require_number("mirrored", backs, 1e-9, 20.0);
+    lesson.require_number("inside-out", 30.0 - backs, 1e-9, 30.0);
+    CHECK(count_backs({0.5, 0.0, -3.001}) == 12); // the task
+
+    const Scene room = read_scene(lessons_folder() + "/scenes/lab-room.toml");
+    Settings settings = default_settings(room);
+    set_from_text(settings, "stage=depth");
+    const Framebuffer with = draw_frame(prepare_frame(room, settings));
+    settings.cull = Cull::face_normal;
+    const Framebuffer without = draw_frame(prepare_frame(room, settings));
+    int others = 0;
+    for (std::size_t i = 0; i < with.owner.size(); ++i) {
+        if (with.owner[i] == without.owner[i]) continue;
+        // Only where a back had been seen.
+        CHECK(shows_back(room_triangles()[static_cast<std::size_t>(with.owner[i])], lab_camera));
+        others += with.colour[i] != without.colour[i] ? 1 : 0;
+    }
+    CHECK(others == 3);
+    lesson.require_choice("same-picture", 1);
+}
+
+} // namespace geometry_track
+} // namespace

@@ -1,0 +1,138 @@
+#include "ui/canvas/large_frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/numbers.h"
+#include "ui/actions/compare.h"
+#include "ui/ui.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+std::optional<Settings> settings_of_b(const Session& session) {
+    return session.b ? std::optional(session.b->settings) : std::nullopt;
+}
+
+/// The wish for what is asked for now; said of anything else it holds no longer.
+LargeFrameWish wish_of(const Ui& ui) {
+    const LargeFrame& said = ui.canvas.large_frame;
+    const Session& session = ui.session;
+    const bool is_same = said.scene == session.scene && said.a == session.a.settings &&
+                         said.b == settings_of_b(session);
+    return is_same ? said.wish : LargeFrameWish::none;
+}
+
+void say(Ui& ui, LargeFrameWish wish) {
+    const Session& session = ui.session;
+    ui.canvas.large_frame = {wish, session.scene, session.a.settings, settings_of_b(session)};
+}
+
+bool is_large(const RunResults& run) {
+    return run.is_held || run.replay.work().fragments().all > many_fragments;
+}
+
+/// The run with so many fragments, A before B; null: neither has.
+const RunResults* large_run(const Results& results) {
+    if (is_large(results.a)) return &results.a;
+    return results.b && is_large(*results.b) ? &*results.b : nullptr;
+}
+
+/// What is said, from the longest form to the shortest.
+std::vector<std::string> forms_of(const RunResults& run, LargeFrameWish wish) {
+    const FragmentEstimate& fragments = run.replay.work().fragments();
+    const std::string number =
+        grouped(std::llround(fragments.all / 1'000'000.0)) + " million fragments";
+    const double outside = 100.0 * fragments.share_outside();
+    const std::string share =
+        outside >= 1.0 ? fmt::format(", {} % beside the picture", fixed(outside, 1)) : "";
+    std::string state;
+    if (run.is_held)
+        state = wish == LargeFrameWish::stop ? ": stopped" : ": not drawn yet";
+    else if (!run.is_drawn())
+        state = ": being drawn";
+    else if (outside >= 1.0)
+        state = ": those are not drawn";
+    return {"About " + number + share + state, number + share + state, number + state, number};
+}
+
+struct BarButton {
+    std::string_view name;
+    const char *label, *help;
+};
+
+} // namespace
+
+WorkLimit work_limit(const Ui& ui) {
+    WorkLimit limit = frame_limit;
+    switch (wish_of(ui)) {
+    case LargeFrameWish::none:
+        limit.most = many_fragments;
+        break;
+    case LargeFrameWish::draw:
+        break;
+    case LargeFrameWish::stop:
+        limit.most = 0.0;
+        break;
+    }
+    return limit;
+}
+
+void draw_large_frame_bar(Ui& ui) {
+    const RunResults* const run = large_run(ui.results);
+    if (run == nullptr) return;
+    const BarButton draw{"canvas.draw_it", "draw it",
+                         "Draws the frame all the same, a part at a time."};
+    const BarButton stop{"canvas.stop", "stop", "Stops the drawing; what is drawn stays."};
+    const BarButton clip{"canvas.clip_it", "clip it",
+                         "Cuts all triangles by the six planes of the view: clip=all. Then hardly "
+                         "a fragment falls beside the picture."};
+    std::vector<BarButton> buttons;
+    if (run->is_held)
+        buttons.push_back(draw);
+    else if (!run->is_drawn())
+        buttons.push_back(stop);
+    // In a quiz the settings are what is asked for.
+    const bool helps = run->frame.settings.clip != Clip::all && !hides_settings(ui.session);
+    if (helps && run->replay.work().fragments().share_outside() > 0.1) buttons.push_back(clip);
+
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    ImGui::PushFont(ui.fonts.small);
+    float width = 0.0f;
+    for (const BarButton& one : buttons)
+        width += button_width(one.label) + gap;
+    const float left = ImGui::GetCursorScreenPos().x;
+    const float right = left + ImGui::GetContentRegionAvail().x;
+    ImGui::AlignTextToFramePadding();
+    const std::vector<std::string> forms = forms_of(*run, wish_of(ui));
+    const std::string shown = first_fitting(forms, right - width - left);
+    text_in(palette(ui.options.theme).text, shown);
+    name_widget(ui, "canvas.fragments",
+                forms.front() +
+                    ".\nEstimated from the areas of the triangles. A program that interpolates "
+                    "every fragment of a triangle, in the picture or not, seems to hang here: "
+                    "lesson 18.");
+    note_text(ui, "canvas.fragments", shown);
+    float x = right - width + gap;
+    for (const BarButton& one : buttons) {
+        ImGui::SameLine();
+        ImGui::SetCursorScreenPos({x, ImGui::GetCursorScreenPos().y});
+        x += button_width(one.label) + gap;
+        if (!button(ui, one.name, one.label, Look::plain, one.help)) continue;
+        if (one.name == draw.name) say(ui, LargeFrameWish::draw);
+        if (one.name == stop.name) say(ui, LargeFrameWish::stop);
+        if (one.name == clip.name) ui.session.a.settings.clip = Clip::all;
+    }
+    ImGui::PopFont();
+}
+
+} // namespace rasterwalk
