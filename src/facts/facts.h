@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "facts/value.h"
+#include "inspect/edge_lines.h"
 #include "inspect/row_history.h"
 #include "inspect/stats.h"
 #include "session/results.h"
@@ -30,6 +31,13 @@ struct FactCache {
     std::optional<FrameStats> frame;
     std::optional<int> table_triangle;
     RowHistory table;
+    std::optional<EdgeEnds> edge_ends;
+    std::uint64_t samples_of = 0; ///< the frame of run B with which the next two were counted
+    std::optional<std::int64_t> different_samples;
+    std::optional<int> different_triangle;
+    std::vector<std::int64_t> different_edges; ///< of that triangle
+    std::optional<Cursor> decision_at;
+    std::optional<LineDecision> decision;
     std::optional<Cursor> error_at;
     std::optional<InterpolationError> error;
 };
@@ -50,6 +58,15 @@ class Facts {
     const Results& results() const { return *results_; }
     /// The whole frame in numbers.
     const FrameStats& frame_stats() const;
+    /// Whether the edges of the frame arrive.
+    const EdgeEnds& edge_ends() const;
+    /// Edge samples on another pixel in run B, of the whole frame and of an edge of the triangle on
+    /// show; none without a second run, or without such an edge.
+    std::optional<std::int64_t> different_samples() const;
+    std::optional<std::int64_t> different_samples(int edge) const;
+    /// What the line decides at the edge sample that comes next; none where none comes, or it
+    /// decides nothing.
+    std::optional<LineDecision> decision() const;
     /// The finished row table of the triangle on show; null if it has none.
     const RowHistory* table() const;
     /// The selected row in that table; none if no row is selected, or it lies outside of it.
@@ -63,6 +80,7 @@ class Facts {
 
   private:
     FactCache& cache() const;
+    FactCache& cache_with_b() const;
 
     const Session* session_;
     const Results* results_;
