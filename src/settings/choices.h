@@ -94,8 +94,8 @@ static_assert(words_match<LineAlgorithm>);
 /// How Bresenham's line is written down.
 enum class BresenhamRule : std::uint8_t {
     right,        ///< for all octants, with the right terms
-    first_octant, ///< only for lines that go right and gently down: mistake B31
-    wrong_term,   ///< a diagonal step adds -2 l to the decision, not 2 s - 2 l: mistake B32
+    first_octant, ///< only for lines that go right and gently down: mistake B38
+    wrong_term,   ///< a diagonal step adds -2 l to the decision, not 2 s - 2 l: mistake B39
 };
 template <>
 inline constexpr auto enum_words<BresenhamRule> = word_list("right", "first_octant", "wrong_term");

@@ -96,7 +96,7 @@ void line_by_midpoint(const LineEnd& a, const LineEnd& b, const LinePart& part,
 /// The digital differential analyser, DDA: a pixel along the longer axis with each step, and one
 /// float addition of the slope along the shorter, rounded to the nearest, halves upward. It adds up
 /// errors as Interpolate does, but they matter only half-way between two pixels, and the end of
-/// an edge is far from there: up to 4096 steps it arrives.
+/// an edge is far from there: where both ends have coordinates of at most 2048 it arrives.
 void line_by_dda(const LineEnd& a, const LineEnd& b, const LinePart& part, const Stages& stages,
                  std::span<LineSample> result, std::span<LineDecision> decisions);
 
