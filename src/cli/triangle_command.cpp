@@ -63,15 +63,15 @@ Json to_json(const ShadedVertex& vertex) {
 
 /// @param decides the line decides at each sample where it goes; Interpolate does not
 Json to_json(const EdgeSample& step, bool decides) {
-    Json object{{"column", step.fragment.column},
-                {"row", step.fragment.row},
-                {"sample", step.sample},
-                {"wrote", write_name(step.write)},
-                {"x", step.x},
-                {"y", step.y}};
-    if (!decides) return object;
-    object["decision"] = step.decision.before;
-    object["step"] = word_of(step.decision.step);
+    Json object = Json::object();
+    object["column"] = step.fragment.column;
+    if (decides) object["decision"] = step.decision.before;
+    object["row"] = step.fragment.row;
+    object["sample"] = step.sample;
+    if (decides) object["step"] = word_of(step.decision.step);
+    object["wrote"] = write_name(step.write);
+    object["x"] = step.x;
+    object["y"] = step.y;
     return object;
 }
 

@@ -66,6 +66,6 @@ TEST_CASE("Each decision is told with its sign, its step and its sum") {
     CHECK(decision_words(middle, LineAlgorithm::midpoint, 1) ==
           "d = 1.5 > 0: diagonal, then d = 1.5 − 3 = -1.5");
     const EdgeMicroscope floats = gentle_edge(with_line(LineAlgorithm::dda));
-    CHECK(decision_words(floats, LineAlgorithm::dda, 1) == "y = 2.4; next 2.8: diagonal");
+    CHECK(decision_words(floats, LineAlgorithm::dda, 1) == "y = 2.4; next 2.8000002: diagonal");
     CHECK(decision_words(gentle_edge(Settings{}), LineAlgorithm::interpolate, 1).empty());
 }
