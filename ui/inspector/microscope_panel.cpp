@@ -195,6 +195,18 @@ const char* walk_text(LineWalk walk) {
     return "";
 }
 
+/// The decision at the sample that was entered last, with its numbers; false: there is none.
+bool draw_current_decision(Ui& ui) {
+    const EdgeMicroscope& edge = ui.inspector.microscope.shown;
+    const int current = current_sample(ui);
+    if (!edge.decides() || current < 0 || current >= edge.count) return false;
+    const LineAlgorithm line = ui.results.a.frame.settings.line;
+    text_in(colour_of(Meaning::current, ui.options.theme),
+            "line[" + std::to_string(current) +
+                "]: " + with_minus_signs(decision_words(edge, line, current)));
+    return true;
+}
+
 /// How the samples of the edge are found.
 void draw_way(Ui& ui) {
     const EdgeMicroscope& edge = ui.inspector.microscope.shown;
@@ -209,11 +221,7 @@ void draw_way(Ui& ui) {
     text_in(p.dim, line_summary(settings.line, settings.bresenham_rule));
     for (const std::string& rule : line_rules(edge, settings.line, settings.bresenham_rule))
         text_in(p.text, with_minus_signs(rule));
-    const int current = current_sample(ui);
-    if (current < 0 || current >= edge.count) return;
-    text_in(colour_of(Meaning::current, ui.options.theme),
-            "line[" + std::to_string(current) +
-                "]: " + with_minus_signs(decision_words(edge, settings.line, current)));
+    draw_current_decision(ui);
 }
 
 /// What is to be seen on this edge, in words.
@@ -281,7 +289,7 @@ void draw_microscope_panel(Ui& ui) {
     // Where there is little room the numbers come first, and the words below them.
     if (room >= 220.0f * u) {
         ImGui::PushTextWrapPos(0.0f);
-        draw_verdict(ui);
+        if (!draw_current_decision(ui)) draw_verdict(ui);
         ImGui::PopTextWrapPos();
     }
     draw_sample_table_with(ui, appears, [&] {
