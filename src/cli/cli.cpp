@@ -89,7 +89,7 @@ void describe(CommandLine& line, std::ostream& out, std::ostream& err) {
         ->type_name("NAME")
         ->allow_extra_args(false);
     rows.add_option("--set", line.rows.assignments,
-                    "rounding, line_walk, edge_samples or row_start: name=value; repeatable")
+                    "rounding, line, line_walk, edge_samples or row_start: name=value; repeatable")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
 

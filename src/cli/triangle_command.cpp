@@ -61,19 +61,27 @@ Json to_json(const ShadedVertex& vertex) {
     return object;
 }
 
-Json to_json(const EdgeSample& step) {
-    return {{"column", step.fragment.column},
-            {"row", step.fragment.row},
-            {"sample", step.sample},
-            {"wrote", write_name(step.write)},
-            {"x", step.x},
-            {"y", step.y}};
+/// @param decides the line decides at each sample where it goes; Interpolate does not
+Json to_json(const EdgeSample& step, bool decides) {
+    Json object = Json::object();
+    object["column"] = step.fragment.column;
+    if (decides) object["decision"] = step.decision.before;
+    object["row"] = step.fragment.row;
+    object["sample"] = step.sample;
+    if (decides) object["step"] = word_of(step.decision.step);
+    object["wrote"] = write_name(step.write);
+    object["x"] = step.x;
+    object["y"] = step.y;
+    return object;
 }
 
 Json to_json(const EdgeReport& edge, int number) {
+    const bool decides =
+        std::any_of(edge.samples.begin(), edge.samples.end(),
+                    [](const EdgeSample& s) { return s.decision.step != PixelStep::none; });
     Json samples = Json::array();
     for (const EdgeSample& step : edge.samples)
-        samples.push_back(to_json(step));
+        samples.push_back(to_json(step, decides));
     return {{"count", edge.count},
             {"edge", number},
             {"from", {edge.from.column, edge.from.row}},

@@ -202,10 +202,11 @@ std::string coordinate_text(const Frame& frame, char axis, float place, int pixe
     const std::string at = fmt::format("{} = {}", axis, number(place, digits));
     if (static_cast<float>(pixel) == place) return at;
     // Walked without error, the place that is shown may itself be off by a rounding error.
-    const bool by_fraction = frame.settings.line_walk == LineWalk::exact &&
-                             to_pixel(place, frame.settings.line_rounding) != pixel;
+    const Rounding rounding = sample_rounding(frame.settings);
+    const bool by_fraction =
+        frame.settings.line_walk == LineWalk::exact && to_pixel(place, rounding) != pixel;
     if (by_fraction) return fmt::format("{}, without error {}", at, pixel);
-    return fmt::format("{} is {} to {}", at, rounding_word(frame.settings.line_rounding), pixel);
+    return fmt::format("{} is {} to {}", at, rounding_word(rounding), pixel);
 }
 
 std::string sample_side(const Frame& frame, const SampleEvent& event, bool with_x, bool with_y,

@@ -96,6 +96,19 @@ void add_cursor_facts(std::vector<Fact>& table) {
                          const Cursor* const at = cursor_in(f, Phase::edges);
                          return at != nullptr ? number(at->step) : Value();
                      }});
+    table.push_back({"cursor.decision",
+                     "Decision variable at that sample; only lines that decide have one.", real(),
+                     [](const Facts& f, int) {
+                         const std::optional<LineDecision> decision = f.decision();
+                         return decision ? number(decision->before) : Value();
+                     }});
+    table.push_back({"cursor.diagonal",
+                     "1 if the line goes on diagonally from that sample, 0 if straight.", yes_or_no,
+                     [](const Facts& f, int) {
+                         const std::optional<LineDecision> decision = f.decision();
+                         if (!decision || decision->step == PixelStep::none) return Value();
+                         return number(decision->step == PixelStep::diagonal ? 1 : 0);
+                     }});
     table.push_back({"cursor.column", "Column of the picture in which the next fragment falls.",
                      whole(-endless, endless), cursor_pixel, 0});
     table.push_back({"cursor.row", "Row of the picture in which the next fragment falls.",
@@ -265,6 +278,11 @@ void add_frame_facts(std::vector<Fact>& table) {
                    [](const FrameStats& s) { return number(s.triangles - s.left_out.total()); });
     add_frame_fact(table, "frame.left_out", "Triangles that are left out.",
                    [](const FrameStats& s) { return number(s.left_out.total()); });
+    table.push_back({"frame.edges", "Edges of the triangles that are drawn.", count,
+                     [](const Facts& f, int) { return number(f.edge_ends().edges); }});
+    table.push_back({"frame.ends_missed",
+                     "Edges whose last sample is not on the pixel of their end vertex.", count,
+                     [](const Facts& f, int) { return number(f.edge_ends().missed); }});
     add_frame_fact(table, "frame.max_overdraw", "Most fragments on one pixel.",
                    [](const FrameStats& s) { return number(std::int64_t{s.max_overdraw}); });
     add_frame_fact(table, "frame.uncovered", "Pixels on which nothing falls.",
@@ -523,6 +541,14 @@ void add_compare_facts(std::vector<Fact>& table) {
                      real(0), [](const Comparison& c) { return number(c.pixels.largest); });
     add_compare_fact(table, "compare.mean_difference", "The same on average, over all pixels.",
                      real(0), [](const Comparison& c) { return number(c.pixels.mean); });
+    table.push_back({"compare.samples", "Edge samples that lie on another pixel in run B.", count,
+                     [](const Facts& f, int) { return number(f.different_samples()); }});
+    for (int edge = 0; edge < triangle_corners; ++edge) {
+        table.push_back(
+            {fmt::format("compare.e{}.samples", edge),
+             fmt::format("The same of {} of the triangle on show.", edge_name(edge)), count,
+             [](const Facts& f, int e) { return number(f.different_samples(e)); }, edge});
+    }
     add_compare_fact(table, "compare.rows", "Rows of row tables that differ.", count,
                      [](const Comparison& c) { return number(c.different_rows); });
     add_compare_fact(table, "compare.first", "First moment at which the runs differ, or none.",

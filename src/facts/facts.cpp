@@ -71,6 +71,66 @@ const ClipHistory* Facts::clip() const {
     return &*known.clip;
 }
 
+const EdgeEnds& Facts::edge_ends() const {
+    FactCache& known = cache();
+    if (!known.edge_ends) known.edge_ends = count_edge_ends(results_->a.frame);
+    return *known.edge_ends;
+}
+
+/// Forgets what was counted with another frame of run B.
+FactCache& Facts::cache_with_b() const {
+    FactCache& known = cache();
+    if (known.samples_of != results_->b->frame_number) {
+        known.different_samples.reset();
+        known.different_triangle.reset();
+        known.samples_of = results_->b->frame_number;
+    }
+    return known;
+}
+
+std::optional<std::int64_t> Facts::different_samples() const {
+    if (!results_->b) return std::nullopt;
+    FactCache& known = cache_with_b();
+    if (!known.different_samples) {
+        known.different_samples =
+            rasterwalk::different_samples(results_->a.frame, results_->b->frame);
+    }
+    return known.different_samples;
+}
+
+std::optional<std::int64_t> Facts::different_samples(int edge) const {
+    const std::optional<int>& triangle = results_->a.triangle;
+    if (!results_->b || !triangle) return std::nullopt;
+    FactCache& known = cache_with_b();
+    if (known.different_triangle != triangle) {
+        known.different_edges =
+            rasterwalk::different_samples(results_->a.frame, results_->b->frame, *triangle);
+        known.different_triangle = triangle;
+    }
+    const auto i = static_cast<std::size_t>(edge);
+    if (i >= known.different_edges.size()) return std::nullopt;
+    return known.different_edges[i];
+}
+
+std::optional<LineDecision> Facts::decision() const {
+    const Cursor& at = results_->a.cursor;
+    const Frame& frame = results_->a.frame;
+    if (at == cursor_end || at.phase != Phase::edges || !frame.is_drawn(at.triangle) ||
+        frame.stages.line == line_by_interpolate)
+        return std::nullopt;
+    FactCache& known = cache();
+    if (known.decision_at != at) {
+        known.decision.reset();
+        Cursor behind = at;
+        ++behind.step;
+        const RowHistory history = row_history(frame, at.triangle, behind);
+        if (history.last && history.last->edge == at.index && history.last->sample == at.step)
+            known.decision = history.last->decision;
+        known.decision_at = at;
+    }
+    return known.decision;
+}
+
 const RowHistory* Facts::table() const {
     const std::optional<int>& triangle = results_->a.triangle;
     const Frame& frame = results_->a.frame;

@@ -12,6 +12,7 @@
 
 #include "facts/value.h"
 #include "inspect/clip_history.h"
+#include "inspect/edge_lines.h"
 #include "inspect/row_history.h"
 #include "inspect/stats.h"
 #include "session/results.h"
@@ -32,6 +33,13 @@ struct FactCache {
     std::optional<ClipHistory> clip; ///< of the triangle that it names
     std::optional<int> table_triangle;
     RowHistory table;
+    std::optional<EdgeEnds> edge_ends;
+    std::uint64_t samples_of = 0; ///< the frame of run B with which the next two were counted
+    std::optional<std::int64_t> different_samples;
+    std::optional<int> different_triangle;
+    std::vector<std::int64_t> different_edges; ///< of that triangle
+    std::optional<Cursor> decision_at;
+    std::optional<LineDecision> decision;
     std::optional<Cursor> error_at;
     std::optional<InterpolationError> error;
 };
@@ -54,6 +62,15 @@ class Facts {
     const FrameStats& frame_stats() const;
     /// What clipping and culling do to the triangle on show; null if there is none.
     const ClipHistory* clip() const;
+    /// Whether the edges of the frame arrive.
+    const EdgeEnds& edge_ends() const;
+    /// Edge samples on another pixel in run B, of the whole frame and of an edge of the triangle on
+    /// show; none without a second run, or without such an edge.
+    std::optional<std::int64_t> different_samples() const;
+    std::optional<std::int64_t> different_samples(int edge) const;
+    /// What the line decides at the edge sample that comes next; none where none comes, or it
+    /// decides nothing.
+    std::optional<LineDecision> decision() const;
     /// The finished row table of the triangle on show; null if it has none.
     const RowHistory* table() const;
     /// The selected row in that table; none if no row is selected, or it lies outside of it.
@@ -67,6 +84,7 @@ class Facts {
 
   private:
     FactCache& cache() const;
+    FactCache& cache_with_b() const;
 
     const Session* session_;
     const Results* results_;

@@ -14,20 +14,30 @@ namespace {
 /// Notes the places of both edges of a polygon of two vertices.
 class BothWays : public SampleSink {
   public:
-    explicit BothWays(EdgeMicroscope& into) : edge_(into) {}
+    explicit BothWays(EdgeMicroscope& into)
+        : edge_(into), decides_(into.stages.line != line_by_interpolate) {}
     void edge_sample(const EdgeSample& sample) override {
+        if (decides_ && sample.edge == 0) edge_.decisions.push_back(sample.decision);
         (sample.edge == 0 ? edge_.forward : edge_.reverse)
             .push_back({sample.x, sample.y, sample.fragment.column, sample.fragment.row});
     }
 
   private:
     EdgeMicroscope& edge_;
+    bool decides_;
 };
 
 /// (a (n - i) + b i) / n; for an edge of one sample, a.
 Fraction exact_place(int a, int b, int i, int n) {
     if (n == 0) return {a, 1};
     return reduced(static_cast<std::int64_t>(a) * n + static_cast<std::int64_t>(b - a) * i, n);
+}
+
+/// Which pixel a place should have of which there may be two that are equally near: its own, if it
+/// is one of them.
+int nearest_pixel(int pixel, const Fraction& exact, int other) {
+    const std::int64_t apart = 2 * (pixel * exact.denominator - exact.numerator);
+    return std::abs(apart) <= exact.denominator ? pixel : other;
 }
 
 /// walked - exact. The product has at most 24 + 16 binary digits and is exact in double, so that
@@ -57,6 +67,10 @@ void summarize(EdgeMicroscope& edge) {
         keep_larger(sample.y, i, summary.largest_drift_y, summary.largest_drift_y_at);
         summary.differ_from_reverse += sample.differs_from_reverse() ? 1 : 0;
         if (sample.differs_from_exact()) edge.differing.push_back(i);
+    }
+    for (const LineDecision& decision : edge.decisions) {
+        if (std::abs(decision.before) > std::abs(summary.largest_decision))
+            summary.largest_decision = decision.before;
     }
     const EdgeMicroscope::Place& last = edge.forward.back();
     summary.misses_end = last.column != edge.b.column || last.row != edge.b.row;
@@ -90,12 +104,15 @@ MicroscopeSample EdgeMicroscope::at(int sample) const {
     LineSample without_error;
     interpolate_exactly(line_end(a), line_end(b), {}, {count, sample, rules.rounding, {}},
                         {&without_error, 1});
-    const Fragment& exact = without_error.fragment;
-    return {sample,
-            coordinate(walked.x, exact_place(a.column, b.column, sample, n), walked.column,
-                       exact.column, other_way.column),
-            coordinate(walked.y, exact_place(a.row, b.row, sample, n), walked.row, exact.row,
-                       other_way.row)};
+    const Fraction x = exact_place(a.column, b.column, sample, n);
+    const Fraction y = exact_place(a.row, b.row, sample, n);
+    int column = without_error.fragment.column, row = without_error.fragment.row;
+    if (decides()) {
+        column = nearest_pixel(walked.column, x, column);
+        row = nearest_pixel(walked.row, y, row);
+    }
+    return {sample, coordinate(walked.x, x, walked.column, column, other_way.column),
+            coordinate(walked.y, y, walked.row, row, other_way.row)};
 }
 
 int EdgeMicroscope::next_difference(int sample) const {
@@ -122,6 +139,7 @@ EdgeMicroscope microscope(const ScreenVertex& a, const ScreenVertex& b, const Ed
     edge.step_y = reduced(b.row - a.row, steps);
     edge.float_step_x = step.x;
     edge.float_step_y = step.y;
+    edge.frame = line_frame(line_end(a), line_end(b));
     summarize(edge);
     return edge;
 }

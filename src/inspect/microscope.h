@@ -4,7 +4,7 @@
 //
 // An edge is walked in float: each sample adds a step that is, as a rule, already not the exact
 // fraction. The microscope puts the walked value beside the exact one, and the same edge walked the
-// other way beside both.
+// other way beside both. Of a line that decides step by step it keeps the decisions too.
 
 #include <cstdint>
 #include <string>
@@ -34,7 +34,8 @@ struct MicroscopeCoordinate {
     Fraction exact;        ///< where the sample would be without any error, pixels
     double drift = 0.0;    ///< walked - exact, pixels
     int pixel = 0;         ///< column or row of the walked value
-    int exact_pixel = 0;   ///< column or row of the exact place, rounded by the same rule
+    int exact_pixel = 0;   ///< column or row of the exact place, rounded by the same rule; of two
+                           ///< that are equally near a line that decides may take either
     int reverse_pixel = 0; ///< of the walk from b to a, at the sample that should be in this place
 
     bool differs_from_exact() const { return pixel != exact_pixel; }
@@ -56,8 +57,9 @@ struct MicroscopeSample {
 struct MicroscopeSummary {
     double largest_drift_x = 0.0, largest_drift_y = 0.0; ///< with their signs, pixels
     int largest_drift_x_at = 0, largest_drift_y_at = 0;  ///< the first samples that have them
-    int differ_from_reverse = 0; ///< samples that fall on another pixel than the other way's
-    bool misses_end = false;     ///< the last sample is not on the pixel of the end point
+    int differ_from_reverse = 0;   ///< samples that fall on another pixel than the other way's
+    double largest_decision = 0.0; ///< farthest from 0, with its sign; 0 where nothing is decided
+    bool misses_end = false;       ///< the last sample is not on the pixel of the end point
 };
 
 /// An edge under the microscope. Holds what has to be walked for; works out the rest when asked.
@@ -74,13 +76,21 @@ struct EdgeMicroscope {
         float x = 0.0f, y = 0.0f; ///< before rounding, pixels
         int column = 0, row = 0;
     };
-    std::vector<Place> forward; ///< of each sample from a to b
-    std::vector<Place> reverse; ///< of each sample from b to a
+    std::vector<Place> forward;          ///< of each sample from a to b
+    std::vector<Place> reverse;          ///< of each sample from b to a
+    std::vector<LineDecision> decisions; ///< of each sample from a to b; empty for Interpolate
+    LineFrame frame;                     ///< the two axes, for the formulas of the decisions
     std::vector<int> differing; ///< samples that fall on another pixel than their exact place
 
     /// Is this the edge that was put under the microscope?
     bool shows(const ScreenVertex& from, const ScreenVertex& to, const EdgeRules& by,
                const Stages& with) const;
+
+    /// Does a decision variable say where the line goes? Interpolate has none.
+    bool decides() const { return !decisions.empty(); }
+
+    /// Is there a decision variable beside the places? The DDA decides by the place itself.
+    bool has_decision_variable() const { return decides() && stages.line != line_by_dda; }
 
     /// The sample of the other way that should be in the place of this one. Where the two ways have
     /// different numbers of samples, the one that comes nearest.

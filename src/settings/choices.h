@@ -87,6 +87,28 @@ template <>
 inline constexpr auto enum_words<ImageAxes> = word_list("right_way", "mirrored");
 static_assert(words_match<ImageAxes>);
 
+/// How the samples of an edge are found.
+enum class LineAlgorithm : std::uint8_t {
+    interpolate, ///< Interpolate, by line_walk and line_rounding: the lab
+    bresenham,   ///< whole numbers only
+    midpoint,    ///< the sign of the implicit line at the middle between two pixels
+    dda,         ///< one float addition a step, rounded to the nearest
+};
+template <>
+inline constexpr auto enum_words<LineAlgorithm> = word_list("interpolate", "bresenham", "midpoint",
+                                                            "dda");
+static_assert(words_match<LineAlgorithm>);
+
+/// How Bresenham's line is written down.
+enum class BresenhamRule : std::uint8_t {
+    right,        ///< for all octants, with the right terms
+    first_octant, ///< only for lines that go right and gently down: mistake B38
+    wrong_term,   ///< a diagonal step adds -2 l to the decision, not 2 s - 2 l: mistake B39
+};
+template <>
+inline constexpr auto enum_words<BresenhamRule> = word_list("right", "first_octant", "wrong_term");
+static_assert(words_match<BresenhamRule>);
+
 /// How the value of sample i of a line is obtained from the two ends.
 enum class LineWalk : std::uint8_t {
     accumulate,   ///< current += step, in float: the lab

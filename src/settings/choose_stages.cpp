@@ -6,6 +6,7 @@
 #include "mistakes/depth_test.h"
 #include "mistakes/interpolate.h"
 #include "mistakes/light.h"
+#include "mistakes/lines.h"
 #include "mistakes/project.h"
 #include "mistakes/put_pixel.h"
 #include "mistakes/vertex_shader.h"
@@ -113,6 +114,39 @@ void choose(EdgeSamples samples, Stages& stages) {
         break;
     case EdgeSamples::shifted:
         stages.edge_sample_count = edge_sample_count_shifted;
+        break;
+    }
+}
+
+void choose(BresenhamRule rule, Stages& stages) {
+    switch (rule) {
+    case BresenhamRule::right:
+        stages.line = line_by_bresenham;
+        break;
+    case BresenhamRule::first_octant:
+        stages.line = line_in_first_octant;
+        stages.edge_sample_count = edge_sample_count_to_the_right;
+        break;
+    case BresenhamRule::wrong_term:
+        stages.line = line_by_wrong_term;
+        break;
+    }
+}
+
+/// Whoever does not interpolate has no use for another number of samples.
+void choose(LineAlgorithm line, const Settings& settings, Stages& stages) {
+    switch (line) {
+    case LineAlgorithm::interpolate:
+        choose(settings.edge_samples, stages);
+        break;
+    case LineAlgorithm::bresenham:
+        choose(settings.bresenham_rule, stages);
+        break;
+    case LineAlgorithm::midpoint:
+        stages.line = line_by_midpoint;
+        break;
+    case LineAlgorithm::dda:
+        stages.line = line_by_dda;
         break;
     }
 }
@@ -235,7 +269,7 @@ Stages choose_stages(const Settings& settings) {
     choose(settings.behind_mark, stages);
     choose(settings.outside_picture, stages);
     choose(settings.line_walk, stages);
-    choose(settings.edge_samples, stages);
+    choose(settings.line, settings, stages);
     choose(settings.row_start, stages);
     choose(settings.row_search, stages);
     choose(settings.empty_rows, stages);

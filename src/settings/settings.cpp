@@ -39,6 +39,10 @@ void set_rounding(Settings& settings, Rounding rounding) {
     settings.line_rounding = rounding;
 }
 
+Rounding sample_rounding(const Settings& settings) {
+    return settings.line == LineAlgorithm::interpolate ? settings.line_rounding : Rounding::round;
+}
+
 VertexRules vertex_rules(const Settings& settings, SceneSpace space) {
     return {.camera = settings.camera,
             .light = settings.light,
@@ -51,7 +55,7 @@ VertexRules vertex_rules(const Settings& settings, SceneSpace space) {
 }
 
 EdgeRules edge_rules(const Settings& settings, VaryingSet carried) {
-    return {.rounding = settings.line_rounding,
+    return {.rounding = sample_rounding(settings),
             .picture_width = settings.viewport.width,
             .carried = carried};
 }

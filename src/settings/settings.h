@@ -16,7 +16,9 @@ struct Settings {
     Stage stage = Stage::shade;
     Shading shading = Shading::phong; ///< of stage `shade`
     VertexRounding vertex_rounding = VertexRounding::truncate;
-    Rounding line_rounding = Rounding::truncate; ///< of the samples of edges and rows
+    LineAlgorithm line = LineAlgorithm::interpolate;
+    BresenhamRule bresenham_rule = BresenhamRule::right;
+    Rounding line_rounding = Rounding::truncate; ///< of the samples of Interpolate along edges
     LineWalk line_walk = LineWalk::accumulate;
     EdgeSamples edge_samples = EdgeSamples::longest_axis;
     RowStart row_start = RowStart::extreme;
@@ -57,6 +59,10 @@ void set_step(Settings& settings, const StripStep& step);
 /// The rounding of vertices and of lines; none if they are rounded differently.
 std::optional<Rounding> common_rounding(const Settings& settings);
 void set_rounding(Settings& settings, Rounding rounding);
+
+/// How the samples of edges become pixels: only Interpolate asks line_rounding; the other lines
+/// take the nearest pixel.
+Rounding sample_rounding(const Settings& settings);
 
 /// The part of the settings that each stage of the pipeline is told.
 VertexRules vertex_rules(const Settings& settings, SceneSpace space);

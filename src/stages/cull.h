@@ -29,7 +29,6 @@
 
 namespace rasterwalk {
 
-<<<<<<< HEAD
 /// What a way of culling has looked at, and what it took it for. Only reports ask for it.
 struct CullTest {
     std::string_view measure; ///< what the values are: "dot(n, p - C)"; empty: nothing was measured
@@ -37,9 +36,8 @@ struct CullTest {
     std::vector<float> values; ///< of the polygon, or of each corner that was asked
     bool is_back = false;      ///< it is culled
 };
-=======
+
 struct Stages;
->>>>>>> 5511da8c624e15932a1d81e124590b7e89ca9415
 
 /// Every polygon is drawn, whichever side it shows.
 /// @param corners what clipping has left, at least three

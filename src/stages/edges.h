@@ -1,6 +1,7 @@
 #pragma once
 
-// Edges: the outline of a polygon, pixel by pixel.
+// Edges: the outline of a polygon, pixel by pixel. All outlines together are the wireframe. How the
+// samples between the two ends are found is in lines.h.
 //
 // In:  two projected vertices.
 // Out: how many samples the edge between them has.

@@ -160,11 +160,10 @@ void interpolate_by_multiplying(const LineEnd& a, const LineEnd&, const LineStep
     }
 }
 
-void interpolate_exactly(const LineEnd& a, const LineEnd& b, const LineStep&, const LinePart& part,
-                         std::span<LineSample> result) {
+void mix_ends(const LineEnd& a, const LineEnd& b, const LinePart& part,
+              std::span<LineSample> result) {
     const int steps = part.count - 1;
     const LineStep start = values_at(a), end = values_at(b);
-    const glm::ivec2 first(a.x, a.y), last(b.x, b.y);
     LineStep current = start;
     int index = part.first;
     for (LineSample& sample : result) {
@@ -177,6 +176,17 @@ void interpolate_exactly(const LineEnd& a, const LineEnd& b, const LineStep&, co
                        });
         }
         put_sample(current, part, sample);
+        ++index;
+    }
+}
+
+void interpolate_exactly(const LineEnd& a, const LineEnd& b, const LineStep&, const LinePart& part,
+                         std::span<LineSample> result) {
+    mix_ends(a, b, part, result);
+    const int steps = part.count - 1;
+    const glm::ivec2 first(a.x, a.y), last(b.x, b.y);
+    int index = part.first;
+    for (LineSample& sample : result) {
         sample.fragment.column = exact_pixel(first.x, last.x, index, steps, part.rounding);
         sample.fragment.row = exact_pixel(first.y, last.y, index, steps, part.rounding);
         ++index;

@@ -12,9 +12,8 @@
 // 7 is 6.99998, is cut to 6, and the line ends one pixel short of its end point.
 //
 // Source: the DDA is in every textbook, for example Foley, van Dam, Feiner, Hughes, Computer
-// Graphics: Principles and Practice, 2nd edition, section 3.2.1. Bresenham, "Algorithm for computer
-// control of a digital plotter", IBM Systems Journal 4(1), 1965, walks lines in whole numbers,
-// without the error.
+// Graphics: Principles and Practice, 2nd edition, section 3.2.1. How to walk lines in whole
+// numbers, without the error, is in lines.h.
 
 #include <cstdint>
 #include <span>
@@ -92,8 +91,12 @@ void interpolate(const LineEnd& a, const LineEnd& b, const LineStep& step, const
 void interpolate_by_multiplying(const LineEnd& a, const LineEnd& b, const LineStep& step,
                                 const LinePart& part, std::span<LineSample> result);
 
-/// The same samples with pixels by fractions of whole numbers, without any error, as Bresenham's
-/// algorithm finds them; the values as a (1 - t) + b t. For lines that end on whole pixels.
+/// The same samples as a (1 - t) + b t, with t = i / (count - 1): the last one is b for certain.
+void mix_ends(const LineEnd& a, const LineEnd& b, const LinePart& part,
+              std::span<LineSample> result);
+
+/// The same samples with pixels by fractions of whole numbers, without any error; the values as
+/// a (1 - t) + b t. For lines that end on whole pixels.
 void interpolate_exactly(const LineEnd& a, const LineEnd& b, const LineStep& step,
                          const LinePart& part, std::span<LineSample> result);
 

@@ -16,6 +16,12 @@ void note(const LineSample& sample, bool has_varyings, EdgeSample& told) {
     enter(sample.fragment, has_varyings, told.fragment);
 }
 
+/// Room for the decisions of an edge.
+std::span<LineDecision> decisions_of(PolygonRows& rows, int count) {
+    rows.decisions.assign(static_cast<std::size_t>(count), {});
+    return rows.decisions;
+}
+
 } // namespace
 
 Rectangle polygon_box(std::span<const ScreenVertex> vertices, const EdgeRules&) {
@@ -72,6 +78,7 @@ void compute_polygon_rows(std::span<const ScreenVertex> vertices, const EdgeRule
     stages.begin_polygon_rows(vertices, rules, rows);
     if (sink != nullptr) sink->begin_rows(rows);
     const bool has_varyings = !(rules.carried == VaryingSet{});
+    const bool tells_decisions = sink != nullptr && stages.line != line_by_interpolate;
     EdgeSample told;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const ScreenVertex& from = vertices[i];
@@ -80,8 +87,8 @@ void compute_polygon_rows(std::span<const ScreenVertex> vertices, const EdgeRule
         const int count = call<edge_sample_count>(stages.edge_sample_count, from, to);
         const std::span<LineSample> line = samples_of(rows.line, count);
         const LinePart part{count, 0, rules.rounding, rules.carried};
-        const LineStep step = call<line_step>(stages.line_step, a, b, part);
-        call<interpolate>(stages.interpolate, a, b, step, part, line);
+        const std::span<LineDecision> decisions = decisions_of(rows, tells_decisions ? count : 0);
+        call<line_by_interpolate>(stages.line, a, b, part, stages, line, decisions);
         for (int s = 0; s < count; ++s) {
             const LineSample& sample = line[static_cast<std::size_t>(s)];
             const RowWrite write = add_edge_sample(sample.fragment, rules.carried, stages, rows);
@@ -89,6 +96,7 @@ void compute_polygon_rows(std::span<const ScreenVertex> vertices, const EdgeRule
             told.edge = static_cast<int>(i);
             told.sample = s;
             told.write = write;
+            if (tells_decisions) told.decision = decisions[static_cast<std::size_t>(s)];
             note(sample, has_varyings, told);
             sink->edge_sample(told);
         }

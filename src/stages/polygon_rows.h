@@ -22,7 +22,7 @@
 #include <span>
 #include <vector>
 
-#include "stages/interpolate.h"
+#include "stages/lines.h"
 #include "stages/rectangle.h"
 #include "stages/row_end.h"
 #include "stages/screen_vertex.h"
@@ -43,6 +43,7 @@ struct PolygonRows {
     int outside = 0;              ///< samples that fell above or below the table; never written
     std::int64_t looked_at = 0;   ///< rows that were asked on the samples' way to their own
     std::vector<LineSample> line; ///< room for the samples of an edge; kept to save allocations
+    std::vector<LineDecision> decisions; ///< likewise, and only where someone is told
 
     int size() const { return static_cast<int>(left.size()); }
     bool is_empty_row(int index) const { return left[index].column > right[index].column; }
@@ -67,6 +68,7 @@ struct EdgeSample {
     int sample = 0;           ///< of the edge
     float x = 0.0f, y = 0.0f; ///< its real place before rounding, pixels
     Fragment fragment;        ///< its pixel, 1/z and varyings
+    LineDecision decision;    ///< where the line goes from there; Interpolate decides nothing
     RowWrite write;           ///< what it did
 };
 
@@ -81,7 +83,7 @@ class SampleSink {
 
 /// The rules by which edges become rows.
 struct EdgeRules {
-    Rounding rounding = Rounding::truncate;
+    Rounding rounding = Rounding::truncate; ///< of what Interpolate answers
     int picture_width = 0;                  ///< pixels
     VaryingSet carried = VaryingSet::all(); ///< the varyings that are wanted
 

@@ -11,6 +11,7 @@
 #include "stages/edges.h"
 #include "stages/interpolate.h"
 #include "stages/light.h"
+#include "stages/lines.h"
 #include "stages/pixel_shader.h"
 #include "stages/polygon_rows.h"
 #include "stages/project.h"
@@ -53,6 +54,9 @@ struct Stages {
         rasterwalk::compute_polygon_rows;
     int (*row_pixel_count)(int left, int right) = rasterwalk::row_pixel_count;
     int (*drawn_pixels)(int pixel_count) = rasterwalk::drawn_pixels;
+
+    // The samples of an edge; the lab's function asks the two slots of Interpolate.
+    decltype(&line_by_interpolate) line = line_by_interpolate;
 
     // Interpolate: along edges and along rows.
     decltype(&rasterwalk::line_step) line_step = rasterwalk::line_step;

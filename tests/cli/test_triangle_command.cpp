@@ -221,3 +221,13 @@ TEST_CASE("A triangle's report is the row table in one go, sample by sample") {
         }
     }
 }
+
+TEST_CASE("A line that decides has its decisions in the JSON, another has none") {
+    const std::string lab = json_of({"0", "--scene", bench_file});
+    CHECK_THAT(lab, !Contains("\"decision\""));
+    // Edge 1, from (5,10) to (15,15): l = 10, s = 5, so that d begins at 0.
+    const std::string lines =
+        json_of({"0", "--scene", bench_file, "--set", "line=bresenham", "--to", "t0/e1/s1"});
+    CHECK_THAT(lines, Contains("{\"column\":5,\"decision\":0.0,\"row\":10,\"sample\":0,"
+                               "\"step\":\"diagonal\""));
+}

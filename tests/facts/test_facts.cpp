@@ -256,3 +256,30 @@ TEST_CASE("The names of tabs and views are found") {
     CHECK_FALSE(value_of_word<View>("colours"));
     CHECK(std::count(tab_names().begin(), tab_names().end(), "rows") == 1);
 }
+
+TEST_CASE("Facts of lines: ends that are missed, samples elsewhere in run B, decisions") {
+    Asked room;
+    CHECK(room.number("frame.edges") == 90);
+    CHECK(room.number("frame.ends_missed") == 24);
+    CHECK_FALSE(room.is_there("compare.samples"));
+    CHECK_FALSE(room.is_there("cursor.decision"));
+    room.session.selection.triangle = 7;
+    Settings other = room.session.a.settings;
+    other.line = LineAlgorithm::bresenham;
+    compare_with(room.session, other);
+    CHECK(room.number("compare.samples") == 3463);
+    CHECK(room.number("compare.e2.samples") == 187);
+    room.session.b->settings.line = LineAlgorithm::interpolate;
+    CHECK(room.number("compare.samples") == 0);
+    CHECK(room.number("compare.e2.samples") == 0);
+
+    room.session.a.settings.line = LineAlgorithm::bresenham;
+    room.session.selection.triangle.reset();
+    room.session.cursor = {0, Phase::edges, 0, 0};
+    CHECK(room.number("frame.ends_missed") == 0);
+    CHECK(room.is_there("cursor.decision"));
+    CHECK(room.is_there("cursor.diagonal"));
+    // Where the next thing is no sample, nothing is decided.
+    room.session.cursor = {0, Phase::vertices, 0, 0};
+    CHECK_FALSE(room.is_there("cursor.decision"));
+}

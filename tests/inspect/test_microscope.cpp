@@ -204,3 +204,34 @@ TEST_CASE("A fraction is written in lowest terms, a whole number without a denom
     CHECK(to_text(reduced(8, 4)) == "2");
     CHECK(to_text(reduced(0, 7)) == "0");
 }
+
+TEST_CASE("The microscope keeps what a line decides, and takes either of two nearest pixels") {
+    for (const LineAlgorithm line :
+         {LineAlgorithm::bresenham, LineAlgorithm::midpoint, LineAlgorithm::dda}) {
+        Settings settings;
+        settings.line = line;
+        // At 1 in 2, every second sample lies exactly between two pixels.
+        const EdgeMicroscope edge = rasterwalk::microscope(at(1, 2), at(9, 6), edge_rules(settings),
+                                                           choose_stages(settings));
+        CHECK(edge.decides());
+        CHECK(edge.has_decision_variable() == (line != LineAlgorithm::dda));
+        REQUIRE(edge.decisions.size() == 9);
+        CHECK(edge.differing.empty());
+        CHECK_FALSE(edge.summary.misses_end);
+        CHECK(edge.summary.differ_from_reverse == (line == LineAlgorithm::dda ? 0 : 4));
+        CHECK(edge.frame.longer == 8);
+        CHECK(edge.frame.shorter == 4);
+    }
+    CHECK_FALSE(microscope(at(1, 2), at(9, 6), WalkRules{}).decides());
+}
+
+TEST_CASE("The microscope marks the samples that a mistaken line puts beside it") {
+    Settings settings;
+    settings.line = LineAlgorithm::bresenham;
+    settings.bresenham_rule = BresenhamRule::wrong_term;
+    const EdgeMicroscope edge =
+        rasterwalk::microscope(at(0, 0), at(20, 10), edge_rules(settings), choose_stages(settings));
+    CHECK(edge.summary.misses_end);
+    CHECK_FALSE(edge.differing.empty());
+    CHECK(edge.differing.back() == 20);
+}

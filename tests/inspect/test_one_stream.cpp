@@ -19,6 +19,7 @@
 #include "mistakes/coverage.h"
 #include "mistakes/depth_test.h"
 #include "mistakes/interpolate.h"
+#include "mistakes/lines.h"
 #include "mistakes/put_pixel.h"
 #include "picture/view_image.h"
 #include "pipeline/draw.h"
@@ -209,6 +210,15 @@ const std::vector<Replacement>& replacements() {
         {"compute_polygon_rows", [](Stages& s) { s.compute_polygon_rows = rows_by_rows; }},
         {"row_pixel_count", [](Stages& s) { s.row_pixel_count = at_most_four; }},
         {"drawn_pixels", [](Stages& s) { s.drawn_pixels = no_more_than_three; }},
+        {"line: bresenham", [](Stages& s) { s.line = line_by_bresenham; }},
+        {"line: midpoint", [](Stages& s) { s.line = line_by_midpoint; }},
+        {"line: dda", [](Stages& s) { s.line = line_by_dda; }},
+        {"line: first octant",
+         [](Stages& s) {
+             s.line = line_in_first_octant;
+             s.edge_sample_count = edge_sample_count_to_the_right;
+         }},
+        {"line: wrong term", [](Stages& s) { s.line = line_by_wrong_term; }},
         {"line_step", [](Stages& s) { s.line_step = line_step_of_integers; }},
         {"interpolate", [](Stages& s) { s.interpolate = line_backwards; }},
         {"span_end", [](Stages& s) { s.span_end = nearer_end; }},
@@ -247,7 +257,7 @@ Story story_of(const Frame& frame) {
 
 bool same_place(const EdgeSample& a, const EdgeSample& b) {
     return a.edge == b.edge && a.sample == b.sample && same_bits(a.x, b.x) && same_bits(a.y, b.y) &&
-           same_bits(a.fragment, b.fragment) && a.write == b.write;
+           same_bits(a.fragment, b.fragment) && a.write == b.write && a.decision == b.decision;
 }
 
 std::vector<EdgeSample> told_samples(const Story& story, int triangle) {
@@ -311,9 +321,11 @@ void check_microscope(const Frame& frame, const Story& story, int triangle) {
             CHECK(same_bits(edge.forward[i].x, sample.x));
             CHECK(edge.forward[i].column == sample.fragment.column);
             CHECK(edge.forward[i].row == sample.fragment.row);
+            if (edge.decides()) CHECK(edge.decisions[i] == sample.decision);
             ++i;
         }
         CHECK(i == edge.forward.size());
+        CHECK(edge.decides() == (frame.stages.line != line_by_interpolate));
     }
 }
 

@@ -13,6 +13,7 @@
 
 #include "base/error.h"
 #include "compare/compare.h"
+#include "inspect/edge_lines.h"
 #include "inspect/stats.h"
 #include "lessons/lesson_link.h"
 #include "mistakes/coverage.h"
@@ -143,9 +144,10 @@ std::string with(const std::string& from, const std::string& to) {
 
 TEST_CASE("The laboratory has the mistakes that are promised, each with all that is to be said") {
     const std::set<std::string> promised{
-        "B1",   "B2",   "B3",  "B4",  "B5",   "B6",   "B7",   "B8",   "B9",  "B10", "B11",  "B12",
-        "B13",  "B14",  "B15", "B16", "B17a", "B17b", "B17c", "B17d", "B18", "B19", "B20a", "B20b",
-        "B20c", "B20d", "B21", "B22", "B24",  "B25",  "B27",  "B30",  "B31", "B32", "B33",  "B34"};
+        "B1",  "B2",  "B3",   "B4",   "B5",   "B6",   "B7",   "B8",   "B9",   "B10",
+        "B11", "B12", "B13",  "B14",  "B15",  "B16",  "B17a", "B17b", "B17c", "B17d",
+        "B18", "B19", "B20a", "B20b", "B20c", "B20d", "B21",  "B22",  "B24",  "B25",
+        "B27", "B30", "B31",  "B32",  "B33",  "B34",  "B38",  "B39"};
     std::set<std::string> ids, names;
     std::vector<std::string> sections;
     for (const Bug& bug : bugs()) {
@@ -399,6 +401,22 @@ TEST_CASE("B12: edges to the right or down lack two samples, the others none") {
     const Runs runs("B12");
     CHECK(runs.correct_stats.fragments - runs.wrong_stats.fragments == 4);
     CHECK(runs.different_pixels() == 10);
+}
+
+TEST_CASE("B38: only lines to the right and gently down are right") {
+    const Runs runs("B38");
+    CHECK(count_edge_ends(runs.correct) == EdgeEnds{3, 0});
+    CHECK(count_edge_ends(runs.wrong) == EdgeEnds{3, 3});
+    // Edges 0 and 2 go left and keep one sample; edge 1 goes up and stays level.
+    CHECK(row_history(runs.wrong, 0).edge_samples == std::vector<int>{1, 13, 1});
+    CHECK(runs.different_pixels() == 33);
+}
+
+TEST_CASE("B39: lines fall short along their shorter axis, and keep their number of samples") {
+    const Runs runs("B39");
+    CHECK(row_history(runs.wrong, 0).edge_samples == row_history(runs.correct, 0).edge_samples);
+    CHECK(count_edge_ends(runs.wrong) == EdgeEnds{3, 2});
+    CHECK(runs.different_pixels() == 14);
 }
 
 TEST_CASE("B13: what reaches behind the camera is drawn, mirrored, and within bounds") {

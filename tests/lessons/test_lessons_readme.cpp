@@ -20,7 +20,7 @@ TEST_CASE("The complete lesson of lessons/README.md has no faults") {
     const std::size_t to = text.find("````", from);
     REQUIRE(to != text.npos);
     const Lesson lesson =
-        parse_lesson(text.substr(from, to - from), lessons_folder() + "/20-two-pixels.md");
+        parse_lesson(text.substr(from, to - from), lessons_folder() + "/40-two-pixels.md");
     CHECK(lesson.tasks.size() == 1);
     CHECK(lesson.predictions.size() == 1);
     for (const Fault& fault : check_lesson(lesson, empty_session()))

@@ -38,6 +38,8 @@ TEST_CASE("The table holds exactly the settings that are promised, each with hel
                                                  "shading",
                                                  "rounding",
                                                  "vertex_rounding",
+                                                 "line",
+                                                 "bresenham_rule",
                                                  "line_rounding",
                                                  "line_walk",
                                                  "edge_samples",
@@ -87,6 +89,7 @@ TEST_CASE("The defaults are the lab's rules") {
     const Settings settings;
     CHECK(value_of(settings, "stage") == "pixel_light");
     CHECK(value_of(settings, "rounding") == "truncate");
+    CHECK(value_of(settings, "line") == "interpolate");
     CHECK(value_of(settings, "line_walk") == "accumulate");
     CHECK(value_of(settings, "edge_samples") == "longest_axis");
     CHECK(value_of(settings, "depth_test") == "inverse_z");
@@ -110,6 +113,8 @@ TEST_CASE("Every word of every choice is set and read back, and lands in its own
     // Every choice now stands on its last word.
     CHECK(step_of(settings) == StripStep::pixel_light);
     CHECK(settings.vertex_rounding == VertexRounding::truncate_sum);
+    CHECK(settings.line == LineAlgorithm::dda);
+    CHECK(settings.bresenham_rule == BresenhamRule::wrong_term);
     CHECK(settings.line_rounding == Rounding::round);
     CHECK(settings.line_walk == LineWalk::integer_step);
     CHECK(settings.edge_samples == EdgeSamples::shifted);

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <string>
 
+#include "explain/line_rules.h"
 #include "ui/inspector/microscope_parts.h"
 #include "ui/ui.h"
 #include "ui/widgets/number_text.h"
@@ -21,8 +22,11 @@ void draw_drift_curve(Ui& ui) {
     ImGui::InvisibleButton("microscope.curve", {width, height});
     const bool is_held = ImGui::IsItemActive();
     name_widget(ui, "microscope.curve",
-                "How far the float is off the exact fraction, along the edge. Marks: samples on a "
-                "wrong pixel. Click or drag: to a sample.");
+                edge.has_decision_variable()
+                    ? "The decision variable d along the edge: each step brings it back towards "
+                      "0. Click or drag: to a sample."
+                    : "How far the float is off the exact fraction, along the edge. Marks: samples "
+                      "on a wrong pixel. Click or drag: to a sample.");
     ImDrawList* const list = ImGui::GetWindowDrawList();
     list->AddRectFilled(low, high, packed(p.card), 5.0f * u);
     const int last = std::max(edge.count - 1, 1);
@@ -32,19 +36,25 @@ void draw_drift_curve(Ui& ui) {
                (width - 2.0f * inset) * static_cast<float>(sample) / static_cast<float>(last);
     };
     const MicroscopeSummary& summary = edge.summary;
-    const double largest =
+    const bool shows_decision = edge.has_decision_variable();
+    const double drift =
         ui.inspector.microscope.shows_x ? summary.largest_drift_x : summary.largest_drift_y;
+    const double largest = shows_decision ? summary.largest_decision : drift;
+    const auto value_at = [&](int sample) {
+        return shows_decision ? edge.decisions[static_cast<std::size_t>(sample)].before
+                              : shown_coordinate(ui, edge.at(sample)).drift;
+    };
     const float middle = low.y + 0.5f * height;
-    const auto y_of = [&](double drift) {
-        const double share = largest != 0.0 ? drift / std::abs(largest) : 0.0;
+    const auto y_of = [&](double value) {
+        const double share = largest != 0.0 ? value / std::abs(largest) : 0.0;
         return middle - 0.32f * height * static_cast<float>(share);
     };
     list->AddLine({low.x + inset, middle}, {high.x - inset, middle}, packed(p.line));
     // At most two samples a screen pixel: more cannot be seen.
     const int stride = std::max(1, edge.count / std::max(1, static_cast<int>(2.0f * width)));
-    ImVec2 before{x_of(0), y_of(0.0)};
+    ImVec2 before{x_of(0), y_of(value_at(0))};
     for (int i = 0; i < edge.count; i += stride) {
-        const ImVec2 here{x_of(i), y_of(shown_coordinate(ui, edge.at(i)).drift)};
+        const ImVec2 here{x_of(i), y_of(value_at(i))};
         list->AddLine(before, here, packed(p.link), 1.5f * u);
         before = here;
     }
@@ -61,9 +71,10 @@ void draw_drift_curve(Ui& ui) {
         list->AddLine({x_of(current), low.y + 2.0f * u}, {x_of(current), high.y - 2.0f * u},
                       packed(colour_of(Meaning::current, ui.options.theme)), 1.5f * u);
     }
-    const std::string label = std::string("drift of ") +
-                              (ui.inspector.microscope.shows_x ? "x" : "y") +
-                              (largest != 0.0 ? ", to " + drift_text(largest) : ": none");
+    const std::string label =
+        shows_decision ? "decision d, to " + with_minus_signs(decision_number(largest))
+                       : std::string("drift of ") + (ui.inspector.microscope.shows_x ? "x" : "y") +
+                             (largest != 0.0 ? ", to " + drift_text(largest) : ": none");
     list->AddText(ui.fonts.small, ui.fonts.small->FontSize, {low.x + 8.0f * u, low.y + 3.0f * u},
                   packed(p.dim), label.c_str());
     if (is_held) {

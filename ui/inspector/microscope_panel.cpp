@@ -4,6 +4,7 @@
 
 #include "base/element_names.h"
 #include "base/numbers.h"
+#include "explain/line_rules.h"
 #include "session/walk.h"
 #include "ui/inspector/microscope_parts.h"
 #include "ui/inspector/panels.h"
@@ -50,8 +51,11 @@ void look_at_edge(Ui& ui) {
     const std::pair<int, int> edge{*ui.results.a.triangle, view.edge};
     if (view.axis_chosen_for == edge) return;
     // One of the two steps by whole pixels and never drifts: the other one is worth looking at.
+    // A line that decides goes straight along its longer axis: the other one is decided.
     const MicroscopeSummary& summary = view.shown.summary;
-    view.shows_x = summary.largest_drift_y == 0.0 && summary.largest_drift_x != 0.0;
+    view.shows_x = view.shown.decides()
+                       ? view.shown.frame.is_steep
+                       : summary.largest_drift_y == 0.0 && summary.largest_drift_x != 0.0;
     view.axis_chosen_for = edge;
 }
 
@@ -96,7 +100,7 @@ void draw_axis_choice(Ui& ui, float gap) {
     }
     const MicroscopeSummary& summary = view.shown.summary;
     const bool x_drifts = summary.largest_drift_x != 0.0, y_drifts = summary.largest_drift_y != 0.0;
-    if (x_drifts == y_drifts || is_low) return;
+    if (x_drifts == y_drifts || is_low || view.shown.decides()) return;
     const char* const note = x_drifts ? "only x drifts" : "only y drifts";
     const float room = right - ImGui::GetItemRectMax().x - 2.0f * between;
     if (ImGui::CalcTextSize(note).x > room) return;
@@ -170,9 +174,11 @@ void draw_verdict(const Ui& ui) {
     const EdgeMicroscope& edge = ui.inspector.microscope.shown;
     const std::size_t differing = edge.differing.size();
     draw_statement(ui, differing == 0,
-                   differing == 0
-                       ? "every sample is on its exact pixel"
-                       : some_samples(differing, edge.count) + " on another pixel than exact");
+                   differing == 0 ? (edge.decides() ? "every sample is on a nearest pixel"
+                                                    : "every sample is on its exact pixel")
+                                  : some_samples(differing, edge.count) +
+                                        (edge.decides() ? " not on a nearest pixel"
+                                                        : " on another pixel than exact"));
 }
 
 const char* walk_text(LineWalk walk) {
@@ -189,11 +195,39 @@ const char* walk_text(LineWalk walk) {
     return "";
 }
 
+/// The decision at the sample that was entered last, with its numbers; false: there is none.
+bool draw_current_decision(Ui& ui) {
+    const EdgeMicroscope& edge = ui.inspector.microscope.shown;
+    const int current = current_sample(ui);
+    if (!edge.decides() || current < 0 || current >= edge.count) return false;
+    const LineAlgorithm line = ui.results.a.frame.settings.line;
+    text_in(colour_of(Meaning::current, ui.options.theme),
+            "line[" + std::to_string(current) +
+                "]: " + with_minus_signs(decision_words(edge, line, current)));
+    return true;
+}
+
+/// How the samples of the edge are found.
+void draw_way(Ui& ui) {
+    const EdgeMicroscope& edge = ui.inspector.microscope.shown;
+    const Settings& settings = ui.results.a.frame.settings;
+    const Palette& p = palette(ui.options.theme);
+    if (!edge.decides()) {
+        text_in(p.dim, walk_text(settings.line_walk));
+        draw_step(ui, "x", edge.step_x, edge.float_step_x, edge.summary.largest_drift_x);
+        draw_step(ui, "y", edge.step_y, edge.float_step_y, edge.summary.largest_drift_y);
+        return;
+    }
+    text_in(p.dim, line_summary(settings.line, settings.bresenham_rule));
+    for (const std::string& rule : line_rules(edge, settings.line, settings.bresenham_rule))
+        text_in(p.text, with_minus_signs(rule));
+    draw_current_decision(ui);
+}
+
 /// What is to be seen on this edge, in words.
 void draw_summary(Ui& ui) {
     const EdgeMicroscope& edge = ui.inspector.microscope.shown;
     const MicroscopeSummary& summary = edge.summary;
-    const Palette& p = palette(ui.options.theme);
     begin_card(ui);
     text_in(colour_of(edge_meaning(ui.inspector.microscope.edge), ui.options.theme),
             edge_name(ui.inspector.microscope.edge));
@@ -201,9 +235,7 @@ void draw_summary(Ui& ui) {
     ImGui::TextUnformatted((" from " + place_text(edge.a.column, edge.a.row) + " to " +
                             place_text(edge.b.column, edge.b.row))
                                .c_str());
-    text_in(p.dim, walk_text(ui.results.a.frame.settings.line_walk));
-    draw_step(ui, "x", edge.step_x, edge.float_step_x, summary.largest_drift_x);
-    draw_step(ui, "y", edge.step_y, edge.float_step_y, summary.largest_drift_y);
+    draw_way(ui);
     draw_verdict(ui);
     if (summary.misses_end) {
         const EdgeMicroscope::Place& last = edge.forward.back();
@@ -257,7 +289,7 @@ void draw_microscope_panel(Ui& ui) {
     // Where there is little room the numbers come first, and the words below them.
     if (room >= 220.0f * u) {
         ImGui::PushTextWrapPos(0.0f);
-        draw_verdict(ui);
+        if (!draw_current_decision(ui)) draw_verdict(ui);
         ImGui::PopTextWrapPos();
     }
     draw_sample_table_with(ui, appears, [&] {

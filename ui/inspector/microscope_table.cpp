@@ -2,11 +2,13 @@
 #include <cmath>
 #include <cstdlib>
 #include <functional>
+#include <iterator>
 #include <string>
 #include <vector>
 
 #include "base/element_names.h"
 #include "base/numbers.h"
+#include "explain/line_rules.h"
 #include "ui/inspector/microscope_parts.h"
 #include "ui/ui.h"
 #include "ui/widgets/number_text.h"
@@ -36,6 +38,19 @@ std::string coordinate_words(const char* axis, const char* pixel, const Microsco
     return text;
 }
 
+/// All that there is to say of a sample.
+std::string sample_words(const Ui& ui, const MicroscopeSample& sample) {
+    const EdgeMicroscope& edge = ui.inspector.microscope.shown;
+    std::string text = sample_name(ui.inspector.microscope.edge, sample.sample) + "\n" +
+                       coordinate_words("x", "column", sample.x) + "\n" +
+                       coordinate_words("y", "row", sample.y);
+    if (edge.decides()) {
+        const LineAlgorithm line = ui.results.a.frame.settings.line;
+        text += "\n" + with_minus_signs(decision_words(edge, line, sample.sample));
+    }
+    return text + "\nClick: to the moment in which it was entered.";
+}
+
 /// A whole pixel; one that is not what it is compared with is marked.
 void draw_pixel_cell(const Ui& ui, int pixel, bool differs, const ImVec4& quiet) {
     if (differs) {
@@ -47,6 +62,9 @@ void draw_pixel_cell(const Ui& ui, int pixel, bool differs, const ImVec4& quiet)
 
 /// Numbers of the columns that a narrow panel has no room for; the tooltip of a line says them.
 constexpr int exact_column = 2, drift_column = 3;
+
+/// Those that only some lines have: a float, a decision variable, a step that was decided.
+constexpr int float_column = 1, decision_column = 6, chosen_step_column = 7;
 
 struct SampleColumn {
     int number; ///< from the left, where all are shown
@@ -60,6 +78,17 @@ using SampleColumns = std::vector<SampleColumn>;
 bool has(const SampleColumns& columns, int number) {
     return std::any_of(columns.begin(), columns.end(),
                        [&](const SampleColumn& column) { return column.number == number; });
+}
+
+/// The cells of what was decided at a sample.
+void draw_decision(const LineDecision& decision, const SampleColumns& columns, const ImVec4& ink) {
+    if (has(columns, decision_column)) {
+        ImGui::TableNextColumn();
+        right_aligned(with_minus_signs(decision_number(decision.before)), ink);
+    }
+    ImGui::TableNextColumn();
+    right_aligned(decision.step == PixelStep::none ? "-" : std::string(word_of(decision.step)),
+                  ink);
 }
 
 void draw_sample(Ui& ui, const SampleColumns& columns, int index, int current, int walked) {
@@ -77,17 +106,18 @@ void draw_sample(Ui& ui, const SampleColumns& columns, int index, int current, i
     }
     const bool hovered = ImGui::IsItemHovered();
     if (hovered) ui.inspector.hovered_row = sample.y.pixel;
-    const std::string tooltip = hovered ? sample_name(ui.inspector.microscope.edge, index) + "\n" +
-                                              coordinate_words("x", "column", sample.x) + "\n" +
-                                              coordinate_words("y", "row", sample.y) +
-                                              "\nClick: to the moment in which it was entered."
-                                        : std::string();
+    const EdgeMicroscope& edge = ui.inspector.microscope.shown;
+    const std::string tooltip = hovered ? sample_words(ui, sample) : std::string();
     name_widget(ui, "microscope.sample." + std::to_string(index), tooltip);
     ImGui::SameLine(0.0f, 0.0f);
     right_aligned(std::to_string(index), ink);
     ImGui::PopID();
-    ImGui::TableNextColumn();
-    right_aligned(float_text(c.walked), ink);
+    if (has(columns, float_column)) {
+        ImGui::TableNextColumn();
+        right_aligned(float_text(c.walked), ink);
+    }
+    if (edge.decides())
+        draw_decision(edge.decisions[static_cast<std::size_t>(index)], columns, ink);
     if (has(columns, exact_column)) {
         ImGui::TableNextColumn();
         right_aligned(mixed_text(c.exact), ink);
@@ -117,26 +147,45 @@ SampleColumns columns_of(const Ui& ui) {
     const int whole = sign + digits(std::max(std::abs(a), std::abs(b)));
     const int fraction = denominator == 1 ? 0 : 2 + 2 * digits(denominator);
     const int exact = std::max(5, whole + fraction);
-    return {{0, "i", "Number of the sample along the edge, from 0: line[i].",
-             std::max(2, digits(edge.count))},
-            {1, x ? "x float" : "y float",
-             "The value that the walk carries, in nine digits: enough to tell every float from "
-             "its neighbours.",
-             denominator == 1 ? std::max(whole, 7) : 11 + sign},
-            {exact_column, x ? "x exact" : "y exact",
-             "Where the sample would be without any error: start + i (end - start) / steps, as a "
-             "fraction in lowest terms.",
-             exact},
-            {drift_column, "drift",
-             "Float minus exact: what the additions have lost on the way here.",
-             drift == 0.0 ? 4 : 9},
-            {4, x ? "column" : "row",
-             "The pixel that the float becomes. ≠: the exact place is on another pixel.",
-             std::max(5, whole + 2)},
-            {5, "reverse",
-             "The pixel of this place when the edge is walked from its end to its start. ≠: "
-             "another one than walking forwards.",
-             std::max(5, whole + 2)}};
+    SampleColumns columns{{0, "i", "Number of the sample along the edge, from 0: line[i].",
+                           std::max(2, digits(edge.count))}};
+    if (edge.has_decision_variable()) {
+        const double largest = edge.summary.largest_decision;
+        columns.push_back({decision_column, "d",
+                           "The decision variable at this sample: its sign chooses the next step.",
+                           std::max(3, static_cast<int>(decision_number(largest).size()) + 2)});
+    } else {
+        columns.push_back({float_column, x ? "x float" : "y float",
+                           "The value that the walk carries, in nine digits: enough to tell every "
+                           "float from its neighbours.",
+                           denominator == 1 ? std::max(whole, 7) : 11 + sign});
+    }
+    if (edge.decides()) {
+        columns.push_back({chosen_step_column, "step",
+                           "Where the line goes from this sample: straight along its longer axis, "
+                           "or diagonally.",
+                           8});
+    }
+    const bool decided = edge.has_decision_variable();
+    const SampleColumn others[] = {
+        {exact_column, x ? "x exact" : "y exact",
+         "Where the sample would be without any error: start + i (end - start) / steps, as a "
+         "fraction in lowest terms.",
+         exact},
+        {drift_column, decided ? "off" : "drift",
+         decided ? "Where the sample is minus where the line is: half a pixel at most."
+                 : "Float minus exact: what the additions have lost on the way here.",
+         drift == 0.0 ? 4 : 9},
+        {4, x ? "column" : "row",
+         decided ? "The pixel of the sample. ≠: another one is nearer to the line."
+                 : "The pixel that the float becomes. ≠: the exact place is on another pixel.",
+         std::max(5, whole + 2)},
+        {5, "reverse",
+         "The pixel of this place when the edge is walked from its end to its start. ≠: "
+         "another one than walking forwards.",
+         std::max(5, whole + 2)}};
+    columns.insert(columns.end(), std::begin(others), std::end(others));
+    return columns;
 }
 
 /// Screen pixels that the table takes.

@@ -96,6 +96,40 @@ TEST_CASE("What is chosen of a sample says what it decides, and which of both dr
     CHECK(says("only x drifts"));
 }
 
+TEST_CASE("A line that decides shows its decision variable, its steps and its rule with numbers") {
+    Driver driver("fence.toml");
+    driver.ui.session.a.settings.line = LineAlgorithm::bresenham;
+    driver.ui.session.selection.triangle = 0;
+    driver.hand.frames();
+    driver.open("microscope");
+    driver.hand.click("microscope.edge.1"); // (1,8) to (13,5): l = 12, s = 3, d begins at -6
+    driver.hand.frames(frames_to_rest);
+    const auto says = [&](const std::string& words) {
+        const std::vector<ScreenText> texts = screen_text();
+        return std::any_of(texts.begin(), texts.end(), [&](const ScreenText& text) {
+            return text.words.find(words) != std::string::npos;
+        });
+    };
+    CHECK_FALSE(driver.ui.inspector.microscope.shows_x);
+    CHECK(driver.hand.is_visible("microscope.header.6"));
+    CHECK(driver.hand.is_visible("microscope.header.7"));
+    CHECK_FALSE(driver.hand.is_visible("microscope.header.1"));
+    CHECK(says("l = 12, s = 3; d begins at 2 s − l = −6"));
+    CHECK(says("d < 0: straight, d + 2 s = d + 6"));
+    CHECK(says("d ≥ 0: diagonal, d + 2 s − 2 l = d − 18"));
+    driver.hand.click("microscope.sample.1");
+    driver.hand.frames(frames_to_rest);
+    CHECK(says("line[1]: d = 0 ≥ 0: diagonal, then d = 0 − 18 = −18"));
+    driver.hand.drag("microscope.curve", 5000.0f, 0.0f);
+    CHECK(driver.ui.results.a.done == sample(0, 1, 12));
+    // The DDA decides by its float.
+    driver.ui.session.a.settings.line = LineAlgorithm::dda;
+    driver.hand.frames(frames_to_rest);
+    CHECK(driver.hand.is_visible("microscope.header.1"));
+    CHECK(driver.hand.is_visible("microscope.header.7"));
+    CHECK_FALSE(driver.hand.is_visible("microscope.header.6"));
+}
+
 TEST_CASE("The current sample is in view, in every window and text size") {
     const ImVec2 windows[] = {{1600, 1000}, {1024, 640}, {800, 600}};
     for (const ImVec2& window : windows) {
