@@ -212,9 +212,8 @@ void add_pixel_facts(std::vector<Fact>& table) {
     table.push_back({"pixel.z", "z of what the picked pixel shows in the end.", real(),
                      [](const Facts& f, int) {
                          const PixelEntry* const winner = f.winner();
-                         return winner != nullptr && winner->zinv > 0.0f
-                                    ? number(1.0f / winner->zinv)
-                                    : Value();
+                         return winner != nullptr && winner->zinv > 0.0f ? number(winner->z)
+                                                                         : Value();
                      }});
     constexpr std::array<const char*, 3> channels{"red", "green", "blue"};
     for (int i = 0; i < 3; ++i) {

@@ -32,6 +32,10 @@ struct Settings {
     Camera camera;
     Rotation rotation = Rotation::row_vector;
     ImageAxes image_axes = ImageAxes::right_way;
+    Transform transform = Transform::lab;
+    MatrixOrder matrix_order = MatrixOrder::row_vectors; ///< of what is shown; changes no picture
+    float projection_mix = 0.0f;                         ///< 0: perspective, 1: orthographic
+    float orthographic_depth = 0.0f; ///< where sizes stay; 0: at the world's origin
     float near = 0.1f, far = 100.0f; ///< the view volume's ends, in front of the camera
     Reject reject = Reject::none;
     Clip clip = Clip::leave_out;
@@ -57,6 +61,13 @@ void set_step(Settings& settings, const StripStep& step);
 /// The rounding of vertices and of lines; none if they are rounded differently.
 std::optional<Rounding> common_rounding(const Settings& settings);
 void set_rounding(Settings& settings, Rounding rounding);
+
+/// The depth that the size of things is measured at when the projection is not perspective.
+float orthographic_depth_rule(const Settings& settings);
+
+/// Which depth clip space carries. Under perspective 1/z; without it 1/z is not linear on the
+/// screen, but z is.
+ClipDepth clip_depth_rule(const Settings& settings);
 
 /// The part of the settings that each stage of the pipeline is told.
 VertexRules vertex_rules(const Settings& settings, SceneSpace space);
