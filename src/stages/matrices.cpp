@@ -67,6 +67,11 @@ glm::dmat4 projection_matrix(const VertexRules& rules) {
                                      {0.0, 0.0, 1.0 - mix, mix}});
 }
 
+double ndc_depth(double z, const VertexRules& rules) {
+    const glm::dvec4 clip = projection_matrix(rules) * glm::dvec4(0.0, 0.0, z, 1.0);
+    return clip.z / clip.w;
+}
+
 glm::dmat4 viewport_matrix(const VertexRules& rules) {
     const glm::dvec2 half = half_of(rules.viewport);
     const glm::dvec2 middle(viewport_middle(rules));

@@ -60,6 +60,10 @@ glm::dmat4 look_at_matrix(const glm::dvec3& eye, const glm::dvec3& direction, co
 /// rules.projection.mix.
 glm::dmat4 projection_matrix(const VertexRules& rules);
 
+/// Ndc z of a point at this depth in front of the camera: 0 at the near plane, 1 at the far one.
+/// Under perspective f/(f - n) (1 - n/z): half of the range is used up at twice the near plane.
+double ndc_depth(double z, const VertexRules& rules);
+
 /// Ts, from ndc to the window in pixels: x_window = x_ndc W/2 + W/2 with the lab's whole W/2, y
 /// likewise since both run down.
 glm::dmat4 viewport_matrix(const VertexRules& rules);
