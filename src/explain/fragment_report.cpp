@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "base/element_names.h"
 #include "explain/light_formulas.h"
 #include "pipeline/draw.h"
@@ -268,6 +270,34 @@ void add_light(const Frame& frame, FragmentReport& report) {
     }
 }
 
+/// How many bits a value of the depth buffer has in which the test compares; 0: it is a float.
+int depth_bits(const Settings& settings) {
+    if (depth_rule(settings) != DepthTest::inverse_z) return 0;
+    switch (settings.depth_format) {
+    case DepthFormat::inv_z:
+    case DepthFormat::reversed_32:
+        break;
+    case DepthFormat::reversed_24:
+        return 24;
+    case DepthFormat::reversed_16:
+        return 16;
+    }
+    return 0;
+}
+
+/// The depth rounded to one of the values that the buffer has.
+void round_depth(Formula& depth, int bits) {
+    const int largest = (1 << bits) - 1;
+    const double step = std::round(static_cast<double>(depth.result.value) * largest);
+    depth.expression = "k / n";
+    depth.inputs = {
+        {"k",
+         {static_cast<float>(step), true},
+         from_words(fmt::format("the depth {} times n, to the nearest whole number",
+                                shown(depth.inputs[0].number)))},
+        {"n", {static_cast<float>(largest), true}, from_words(fmt::format("2^{} − 1", bits))}};
+}
+
 void add_depth_test(FragmentReport& report, const Frame& frame) {
     const bool is_linear = report.depth_test == DepthTest::linear_z;
     Formula depth{"depth",
@@ -285,6 +315,7 @@ void add_depth_test(FragmentReport& report, const Frame& frame) {
                       ends.left.depth, ends.right.depth, report.fragment.depth));
         depth.expression = "depth";
         depth.inputs = {{"depth", {report.fragment.depth}, from_formula("depth.carried")}};
+        if (const int bits = depth_bits(frame.settings); bits > 0) round_depth(depth, bits);
     }
     if (is_linear) {
         depth.help = "The fragment's value for the depth buffer, from z interpolated as if it "

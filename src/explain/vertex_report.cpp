@@ -23,6 +23,10 @@ struct Made {
     }
     /// Is the projection another than perspective?
     bool is_mixed() const { return !is_bench() && frame.settings.projection_mix > 0.0f; }
+    /// Does the depth buffer hold something else than 1/w?
+    bool has_own_depth() const {
+        return clip_depth_rule(frame.settings, frame.scene->space) != ClipDepth::inv_z;
+    }
 };
 
 /// What a matrix has worked out in double is shown as it came out; the way there stands with the
@@ -165,42 +169,54 @@ FormulaInput mix_of(const Settings& settings) {
     return {"mix", {settings.projection_mix}, from_setting("projection_mix")};
 }
 
-/// w of clip space, 1/w, and the depth, where w is not z.
-void add_mixed_depth(Made& made) {
+/// w of clip space and 1/w, where w is not z.
+void add_mixed_w(Made& made) {
     const ShadedVertex& shaded = made.report.shaded;
-    const Settings& settings = made.frame.settings;
-    const FormulaInput z{"z", {shaded.in("rotated").z}, from_formula("rotated.z")};
-    Formula w{"clip.w",
-              "w",
-              "What x and y are divided by: z under perspective, 1 under orthographic projection.",
-              "(1 − mix) · z + mix",
-              {mix_of(settings), z},
-              {shaded.position_clip.w}};
-    Formula depth{"clip.z",
-                  "z'",
-                  "What becomes the depth when it is divided by w: 1 at the near plane, 0 at the "
-                  "far one, so that larger is nearer. Ndc z is 1 less this.",
-                  "((1 − mix) · near + mix) · ((far − z) / (far − near))",
-                  {mix_of(settings),
-                   {"near", {settings.near}, from_setting("near")},
-                   {"far", {settings.far}, from_setting("far")},
-                   z},
-                  {shaded.position_clip.z}};
+    Formula w{
+        "clip.w",
+        "w",
+        "What x and y are divided by: z under perspective, 1 under orthographic projection.",
+        "(1 − mix) · z + mix",
+        {mix_of(made.frame.settings), {"z", {shaded.in("rotated").z}, from_formula("rotated.z")}},
+        {shaded.position_clip.w}};
     if (made.is_by_matrices()) {
         w.expression = "w";
         w.inputs = {by_matrix("w", shaded.position_clip.w, "Tp · Tv · P")};
-        depth.expression = "z'";
-        depth.inputs = {by_matrix("z'", shaded.position_clip.z, "Tp · Tv · P")};
     }
     made.add(w);
-    made.add(depth);
     if (!shaded.has_pixel) return;
     made.add({"zinv",
               "1/w",
-              "Of equal size at all vertices where rays are parallel.",
+              "By this values are weighed; the same at all vertices where rays are parallel.",
               "1 / w",
               {{"w", {shaded.position_clip.w}, from_formula("clip.w")}},
               {shaded.pixel.inv_w}});
+}
+
+/// The depth where it is not 1/w.
+void add_depth(Made& made) {
+    const ShadedVertex& shaded = made.report.shaded;
+    const Settings& settings = made.frame.settings;
+    Formula clip{
+        "clip.z",
+        "z'",
+        "What becomes the depth when it is divided by w: 1 at the near plane, 0 at the far "
+        "one, so that larger is nearer. Ndc z is 1 less this.",
+        "near · ((far − z) / (far − near))",
+        {{"near", {settings.near}, from_setting("near")},
+         {"far", {settings.far}, from_setting("far")},
+         {"z", {shaded.in("rotated").z}, from_formula("rotated.z")}},
+        {shaded.position_clip.z}};
+    if (made.is_mixed()) {
+        clip.expression = "((1 − mix) · near + mix) · ((far − z) / (far − near))";
+        clip.inputs.push_back(mix_of(settings));
+    }
+    if (made.is_by_matrices()) {
+        clip.expression = "z'";
+        clip.inputs = {by_matrix("z'", shaded.position_clip.z, "Tp · Tv · P")};
+    }
+    made.add(clip);
+    if (!shaded.has_pixel) return;
     made.add({"depth",
               "depth",
               "What the depth buffer holds: larger is nearer.",
@@ -215,15 +231,19 @@ void add_clip_place(Made& made, int i) {
     const ShadedVertex& shaded = made.report.shaded;
     const Settings& settings = made.frame.settings;
     const std::string axis = axis_names[i];
-    Formula formula{"clip." + axis,
-                    axis + "'",
-                    "Pixels from the middle of the picture, times w: in clip space.",
-                    "f · ((1 − mix) · d + mix) / d · " + axis,
-                    {{"f", {settings.camera.focal_length}, from_setting("camera.focal_length")},
-                     mix_of(settings),
-                     {"d", {orthographic_depth_rule(settings)}, from_setting("orthographic_depth")},
-                     {axis, {shaded.in("rotated")[i]}, from_formula("rotated." + axis)}},
-                    {shaded.position_clip[i]}};
+    Formula formula{
+        "clip." + axis,
+        axis + "'",
+        "Pixels from the middle of the picture, times w: in clip space.",
+        "f · ((1 − mix) · d + mix) / d · " + axis,
+        {{"f", {settings.camera.focal_length}, from_setting("camera.focal_length")},
+         mix_of(settings),
+         {"d",
+          {orthographic_depth_rule(settings)},
+          settings.orthographic_depth > 0.0f ? from_setting("orthographic_depth")
+                                             : from_words("the depth of the world's origin")},
+         {axis, {shaded.in("rotated")[i]}, from_formula("rotated." + axis)}},
+        {shaded.position_clip[i]}};
     if (settings.image_axes == ImageAxes::mirrored) formula.expression.insert(0, minus_sign);
     if (made.is_by_matrices()) {
         formula.expression = axis + "'";
@@ -335,7 +355,7 @@ VertexReport vertex_report(const Frame& frame, int triangle, int vertex) {
     add_camera_space(made);
     if (!made.is_bench()) add_rotation(made);
     add_rotated(made);
-    if (made.is_mixed()) add_mixed_depth(made);
+    if (made.is_mixed()) add_mixed_w(made);
     if (made.is_mixed() || made.is_by_matrices()) {
         add_clip_place(made, 0);
         add_clip_place(made, 1);
@@ -347,10 +367,11 @@ VertexReport vertex_report(const Frame& frame, int triangle, int vertex) {
                       "What the depth buffer holds: larger is nearer.",
                       "1 / z",
                       {{"z", {report.shaded.in("rotated").z}, from_formula("rotated.z")}},
-                      {report.shaded.pixel.depth}});
+                      {report.shaded.pixel.inv_w}});
         add_projected(made, 0);
         add_projected(made, 1);
     }
+    if (made.has_own_depth()) add_depth(made);
     add_given(made, "normal", axis_names, given.normal, "Across the surface, of unit length.");
     add_given(made, "reflectance", channel_names, given.reflectance,
               "The share of light that the surface gives back.");

@@ -192,9 +192,11 @@ void choose(const LightRules& rules, Stages& stages) {
     }
 }
 
-void choose(DepthTest test, Stages& stages) {
+void choose(DepthTest test, DepthFormat format, Stages& stages) {
     switch (test) {
     case DepthTest::inverse_z:
+        if (format == DepthFormat::reversed_24) stages.depth_test = depth_test_in_bits<24>;
+        if (format == DepthFormat::reversed_16) stages.depth_test = depth_test_in_bits<16>;
         break;
     case DepthTest::linear_z:
         stages.depth_test = depth_test_linear_z;
@@ -227,7 +229,7 @@ void choose(ColourOverOne over_one, Stages& stages) {
 Stages choose_stages(const Settings& settings) {
     Stages stages;
     choose(settings.rotation, stages);
-    choose(settings.image_axes, clip_depth_rule(settings), stages);
+    choose(settings.image_axes, clip_depth_rule(settings, SceneSpace::world), stages);
     choose(settings.transform, settings.rotation, settings.image_axes, stages);
     choose(settings.reject, stages);
     choose(settings.clip, stages);
@@ -242,7 +244,7 @@ Stages choose_stages(const Settings& settings) {
     choose(settings.spans, stages);
     choose(settings.interpolation, stages);
     choose(settings.light_rules, stages);
-    choose(depth_rule(settings), stages);
+    choose(depth_rule(settings), settings.depth_format, stages);
     choose(settings.depth_index, stages);
     choose(settings.bounds, stages);
     choose(settings.colour_over_one, stages);

@@ -119,6 +119,11 @@ std::vector<Setting> make_table() {
          "What decides which fragment is nearer: 1/z, z interpolated in a straight line, nothing, "
          "or 1/z the wrong way round.",
          "Depth buffer", "", choice<&Settings::depth_test>()},
+        {"depth_format", "Depth buffer holds", "Depth and interpolation",
+         "What the depth buffer holds: 1/z, or ndc z reversed, 1 at the near plane and 0 at the "
+         "far "
+         "one, as a float or rounded to 24 or 16 bits.",
+         "Depth buffer", "", choice<&Settings::depth_format>()},
         {"depth_clear", "Depth buffer begins at", "Depth and interpolation",
          "What the depth buffer starts with: 0 is infinitely far, 1 is one unit away.",
          "Depth buffer", "1/z",

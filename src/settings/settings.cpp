@@ -46,17 +46,19 @@ float orthographic_depth_rule(const Settings& settings) {
                                               : origin_depth(settings.camera, settings.near);
 }
 
-ClipDepth clip_depth_rule(const Settings& settings) {
-    return settings.projection_mix > 0.0f ? ClipDepth::reversed : ClipDepth::inv_z;
+ClipDepth clip_depth_rule(const Settings& settings, SceneSpace space) {
+    // What is given in pixels is projected already.
+    const bool is_mixed = space == SceneSpace::world && settings.projection_mix > 0.0f;
+    return is_mixed || settings.depth_format != DepthFormat::inv_z ? ClipDepth::reversed
+                                                                   : ClipDepth::inv_z;
 }
 
 namespace {
 
 Projection projection_rule(const Settings& settings, SceneSpace space) {
     Projection projection;
-    // What is given in pixels is projected already.
+    projection.clip_depth = clip_depth_rule(settings, space);
     if (space == SceneSpace::pixels || settings.projection_mix == 0.0f) return projection;
-    projection.clip_depth = clip_depth_rule(settings);
     projection.mix = settings.projection_mix;
     projection.depth = orthographic_depth_rule(settings);
     return projection;

@@ -26,6 +26,7 @@ struct Settings {
     Bounds bounds = Bounds::inside;
     DepthTest depth_test = DepthTest::inverse_z;
     float depth_clear = 0.0f; ///< 1/z that the depth buffer starts with
+    DepthFormat depth_format = DepthFormat::inv_z;
     DepthIndex depth_index = DepthIndex::row_major;
     Interpolation interpolation = Interpolation::perspective;
     DepthOrder depth_order = DepthOrder::after_depth_test;
@@ -65,9 +66,9 @@ void set_rounding(Settings& settings, Rounding rounding);
 /// The depth that the size of things is measured at when the projection is not perspective.
 float orthographic_depth_rule(const Settings& settings);
 
-/// Which depth clip space carries. Under perspective 1/z; without it 1/z is not linear on the
-/// screen, but z is.
-ClipDepth clip_depth_rule(const Settings& settings);
+/// Which depth clip space carries: 1/z, unless another format is chosen. Without perspective 1/z is
+/// not linear on the screen, but z is; then it is reversed ndc z in any case.
+ClipDepth clip_depth_rule(const Settings& settings, SceneSpace space);
 
 /// The part of the settings that each stage of the pipeline is told.
 VertexRules vertex_rules(const Settings& settings, SceneSpace space);

@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "stages/orthographic.h"
 #include "stages/stage_table.h"
 
 namespace rasterwalk {
@@ -40,8 +41,8 @@ glm::vec3 unit_or(const glm::vec3& direction, const glm::vec3& other) {
 }
 
 /// In a scene in pixel space x and y are columns and rows already: there is no camera.
-CameraPlace given_in_pixels(const glm::vec3& position) {
-    return {position, position, {position.x, position.y, 1.0f, position.z}};
+CameraPlace given_in_pixels(const glm::vec3& position, const VertexRules& rules) {
+    return {position, position, {position.x, position.y, clip_z(position.z, rules), position.z}};
 }
 
 } // namespace
@@ -98,7 +99,7 @@ ClipVertex vertex_shader(const Vertex& vertex, const glm::mat3& rotation, const 
                          const Stages& stages, VertexSpaces* spaces) {
     const CameraPlace place = rules.space == SceneSpace::world
                                   ? seen_by_camera(vertex.position, rotation, rules, stages)
-                                  : given_in_pixels(vertex.position);
+                                  : given_in_pixels(vertex.position, rules);
     if (spaces != nullptr) {
         spaces->add("world", vertex.position);
         spaces->add("minus_camera", place.minus_camera);

@@ -46,6 +46,7 @@ TEST_CASE("The table holds exactly the settings that are promised, each with hel
                                                  "empty_rows",
                                                  "spans",
                                                  "depth_test",
+                                                 "depth_format",
                                                  "depth_clear",
                                                  "depth_index",
                                                  "depth_order",
@@ -127,6 +128,7 @@ TEST_CASE("Every word of every choice is set and read back, and lands in its own
     CHECK(settings.spans == Spans::last_dropped);
     CHECK(settings.bounds == Bounds::excludes_zero);
     CHECK(settings.depth_test == DepthTest::reversed);
+    CHECK(settings.depth_format == DepthFormat::reversed_16);
     CHECK(settings.depth_index == DepthIndex::transposed);
     CHECK(settings.depth_order == DepthOrder::before_depth_test);
     CHECK(settings.interpolation == Interpolation::zinv_twice);

@@ -235,3 +235,49 @@ TEST_CASE("No projection and no planes make a number that is none") {
             if (std::isnan(depth)) FAIL("a depth is no number");
     }
 }
+
+TEST_CASE("A depth buffer of few bits holds the nearest of its values") {
+    Random random(131);
+    for (int i = 0; i < rounds(5000, 500); ++i) {
+        const float depth = random.number(0, 1);
+        const double step16 = 1.0 / 65535.0, step24 = 1.0 / 16777215.0;
+        const double held16 = depth_in_bits<16>(depth), held24 = depth_in_bits<24>(depth);
+        CHECK(std::abs(held16 - depth) <= 0.5 * step16 + 1e-7);
+        CHECK(std::abs(held24 - depth) <= 0.5 * step24 + 1e-7);
+        CHECK(held16 * 65535.0 == Approx(std::round(held16 * 65535.0)).margin(1e-2));
+        CHECK(depth_in_bits<16>(static_cast<float>(held16)) == static_cast<float>(held16));
+    }
+    for (const float outside : {-3.0f, 0.0f, -INFINITY, NAN})
+        CHECK(depth_in_bits<16>(outside) == 0.0f);
+    for (const float outside : {1.0f, 7.0f, INFINITY})
+        CHECK(depth_in_bits<24>(outside) == 1.0f);
+}
+
+TEST_CASE("The room is the same by every depth but that of 16 bits with a near plane too near") {
+    const Scene room = lab_room();
+    Settings settings = default_settings(room);
+    set_from_text(settings, "stage=depth");
+    const Framebuffer by_inv_z = draw_frame(prepare_frame(room, settings));
+    const auto other_pixels = [&](const char* format) {
+        Settings other = settings;
+        set_from_text(other, std::string("depth_format=").append(format));
+        const Framebuffer drawn = draw_frame(prepare_frame(room, other));
+        for (std::size_t i = 0; i < drawn.depth.size(); ++i) {
+            const double z = 1.0 / static_cast<double>(by_inv_z.depth[i]);
+            if (drawn.owner[i] < 0 || drawn.owner[i] != by_inv_z.owner[i]) continue;
+            const double ndc = static_cast<double>(other.far) / (other.far - other.near) *
+                               (1.0 - static_cast<double>(other.near) / z);
+            if (std::abs(1.0 - ndc - static_cast<double>(drawn.depth[i])) > 2e-5)
+                FAIL(format << ": " << drawn.depth[i] << " at " << i << " is not " << 1.0 - ndc);
+        }
+        int count = 0;
+        for (std::size_t i = 0; i < drawn.owner.size(); ++i)
+            count += drawn.owner[i] == by_inv_z.owner[i] ? 0 : 1;
+        return count;
+    };
+    CHECK(other_pixels("reversed_32") < 200); // ties where walls meet
+    CHECK(other_pixels("reversed_24") < 200);
+    // A step of 16 bits at z = 4 is 0.0024 units; with near at 0.001 a hundred times that.
+    settings.near = 0.001f;
+    CHECK(other_pixels("reversed_16") > other_pixels("reversed_24"));
+}
