@@ -16,7 +16,7 @@ namespace {
 constexpr unsigned all_convention_sets = 1u << convention_count;
 
 /// How a sentence convention_names a choice.
-constexpr std::array<std::string_view, convention_count> convention_names{
+constexpr std::array<std::string_view, convention_count> said_conventions{
     "R v for v R",          "the transpose of R", "y up in the world",
     "z out of the picture", "−f for f",           "rows counted from below"};
 
@@ -34,18 +34,40 @@ bool is_same(const glm::dvec2& a, const glm::dvec2& b) {
     return std::abs(a.x - b.x) <= tolerance * size && std::abs(a.y - b.y) <= tolerance * size;
 }
 
+/// The point before the camera, in axes as chosen.
+/// @param rotation R as the lab has it
+glm::dvec3 before_camera(const Camera& camera, const glm::dmat3& rotation, const glm::dvec3& point,
+                         Conventions chosen) {
+    const glm::dvec3 axes(1.0, has(chosen, Convention::y_up) ? -1.0 : 1.0,
+                          has(chosen, Convention::z_backward) ? -1.0 : 1.0);
+    // The world is written down in other axes; R stays as the program has it.
+    const glm::dvec3 d = axes * (point - glm::dvec3(camera.position));
+    const glm::dmat3 r = has(chosen, Convention::transposed) ? glm::transpose(rotation) : rotation;
+    return has(chosen, Convention::column_vectors) ? r * d : d * r;
+}
+
+glm::dvec2 in_picture(const Camera& camera, const glm::dvec3& before, Conventions chosen) {
+    const double f = (has(chosen, Convention::negative_f) ? -1.0 : 1.0) *
+                     static_cast<double>(camera.focal_length);
+    const glm::dvec2 place = f * glm::dvec2(before) / before.z;
+    return has(chosen, Convention::rows_up) ? glm::dvec2(place.x, -place.y) : place;
+}
+
 PictureChange change_of(const Camera& camera, const glm::dvec3& point, Conventions chosen) {
     constexpr std::array<glm::dvec2, 4> signs{glm::dvec2{1.0, 1.0}, glm::dvec2{-1.0, -1.0},
                                               glm::dvec2{1.0, -1.0}, glm::dvec2{-1.0, 1.0}};
-    for (std::size_t i = 0; i < signs.size(); ++i) {
-        const auto fits = [&](const glm::dvec3& probe) {
-            return is_same(convention_place(camera, probe, chosen).picture,
-                           signs[i] * convention_place(camera, probe, 0).picture);
+    const glm::dmat3 rotation(camera_rotation(camera));
+    std::array<bool, 4> fits{true, true, true, true};
+    for (const glm::dvec3& probe : probes(camera, point)) {
+        const auto seen = [&](Conventions under) {
+            return in_picture(camera, before_camera(camera, rotation, probe, under), under);
         };
-        const std::array<glm::dvec3, 4> places = probes(camera, point);
-        if (std::all_of(places.begin(), places.end(), fits)) return static_cast<PictureChange>(i);
+        const glm::dvec2 here = seen(chosen), lab = seen(0);
+        for (std::size_t i = 0; i < signs.size(); ++i)
+            fits[i] = fits[i] && is_same(here, signs[i] * lab);
     }
-    return PictureChange::elsewhere;
+    const auto* const first = std::find(fits.begin(), fits.end(), true);
+    return static_cast<PictureChange>(first - fits.begin());
 }
 
 std::string formula_of(Conventions chosen) {
@@ -63,7 +85,7 @@ std::string sentence_of(Conventions chosen) {
     for (std::size_t i = 0; i < convention_count; ++i) {
         if (!has(chosen, static_cast<Convention>(i))) continue;
         if (number > 0) sentence += number + 1 == count ? " and " : ", ";
-        sentence += convention_names[i];
+        sentence += said_conventions[i];
         ++number;
     }
     sentence[0] = sentence[0] >= 'a' && sentence[0] <= 'z'
@@ -74,31 +96,22 @@ std::string sentence_of(Conventions chosen) {
 
 } // namespace
 
+const std::array<std::string_view, convention_count>& convention_names() {
+    return said_conventions;
+}
+
 ConventionPlace convention_place(const Camera& camera, const glm::dvec3& point,
                                  Conventions chosen) {
-    const glm::dvec3 axes(1.0, has(chosen, Convention::y_up) ? -1.0 : 1.0,
-                          has(chosen, Convention::z_backward) ? -1.0 : 1.0);
-    // The world is written down in other axes; R stays as the program has it.
-    const glm::dvec3 d = axes * (point - glm::dvec3(camera.position));
-    glm::dmat3 rotation(camera_rotation(camera));
-    if (has(chosen, Convention::transposed)) rotation = glm::transpose(rotation);
-    ConventionPlace place;
-    place.chosen = chosen;
-    place.formula = formula_of(chosen);
-    place.camera = has(chosen, Convention::column_vectors) ? rotation * d : d * rotation;
-    const double f = (has(chosen, Convention::negative_f) ? -1.0 : 1.0) *
-                     static_cast<double>(camera.focal_length);
-    place.picture = f * glm::dvec2(place.camera) / place.camera.z;
-    if (has(chosen, Convention::rows_up)) place.picture.y = -place.picture.y;
-    return place;
+    const glm::dvec3 before =
+        before_camera(camera, glm::dmat3(camera_rotation(camera)), point, chosen);
+    return {chosen, formula_of(chosen), before, in_picture(camera, before, chosen),
+            change_of(camera, point, chosen)};
 }
 
 ConventionReport convention_report(const Camera& camera, const glm::vec3& point) {
     const glm::dvec3 place(point);
     const auto place_under = [&](unsigned chosen) {
-        ConventionPlace under = convention_place(camera, place, static_cast<Conventions>(chosen));
-        under.change = change_of(camera, place, under.chosen);
-        return under;
+        return convention_place(camera, place, static_cast<Conventions>(chosen));
     };
     ConventionReport report;
     report.lab = place_under(0);
@@ -114,8 +127,9 @@ ConventionReport convention_report(const Camera& camera, const glm::vec3& point)
             return (smaller.chosen & set) == smaller.chosen;
         };
         if (std::any_of(report.cancelling.begin(), report.cancelling.end(), is_within)) continue;
+        if (change_of(camera, place, static_cast<Conventions>(set)) != PictureChange::same)
+            continue;
         ConventionPlace under = place_under(set);
-        if (under.change != PictureChange::same) continue;
         report.sentences.push_back(sentence_of(under.chosen));
         report.cancelling.push_back(std::move(under));
     }

@@ -68,6 +68,9 @@ ConventionReport convention_report(const Camera& camera, const glm::vec3& point)
 /// A point under these choices.
 ConventionPlace convention_place(const Camera& camera, const glm::dvec3& point, Conventions chosen);
 
+/// What a sentence calls each choice, indexed by Convention: "R v for v R".
+const std::array<std::string_view, convention_count>& convention_names();
+
 /// Is this one among them?
 constexpr bool has(Conventions chosen, Convention one) {
     return (chosen >> static_cast<unsigned>(one) & 1u) != 0;
