@@ -19,6 +19,9 @@ inline constexpr std::size_t largest_text_file = std::size_t{64} << 20;
 /// The largest coordinate of a point in the world, world units, either sign.
 inline constexpr float largest_coordinate = 1e6f;
 
+/// The most steps of an object's model transformation.
+inline constexpr std::size_t most_model_steps = 64;
+
 /// The largest coordinate of a point given in pixels, either sign.
 inline constexpr float largest_pixel_coordinate = 16384.0f;
 

@@ -12,6 +12,7 @@
 #include "base/numbers.h"
 #include "cli/json.h"
 #include "cli/row_json.h"
+#include "cli/spaces_report.h"
 #include "inspect/triangle_report.h"
 #include "session/moments.h"
 
@@ -133,7 +134,13 @@ Json cull_to_json(const ClipHistory& clip) {
             {"values", clip.cull.values}};
 }
 
-Json to_json(const TriangleReport& report, const Scene& scene) {
+/// The spaces have matrices only where matrices do the work.
+bool has_spaces(const Frame& frame) {
+    return frame.settings.transform == Transform::matrices &&
+           frame.scene->space == SceneSpace::world;
+}
+
+Json to_json(const TriangleReport& report, const Frame& frame) {
     Json vertices = Json::array(), edges = Json::array();
     for (const ShadedVertex& vertex : report.vertices)
         vertices.push_back(to_json(vertex));
@@ -141,15 +148,19 @@ Json to_json(const TriangleReport& report, const Scene& scene) {
         for (std::size_t e = 0; e < report.edges.size(); ++e)
             edges.push_back(to_json(report.edges[e], static_cast<int>(e)));
     }
-    return {{"clip", clip_to_json(report.clip)},
-            {"cull", cull_to_json(report.clip)},
-            {"edges", std::move(edges)},
-            {"left_out", words(report.rejection).name},
-            {"name", part_name(scene, report.triangle)},
-            {"outside", outside_json(report.rows)},
-            {"rows", rows_json(report.rows)},
-            {"triangle", report.triangle},
-            {"vertices", std::move(vertices)}};
+    Json object = Json::object();
+    object["clip"] = clip_to_json(report.clip);
+    if (has_spaces(frame)) object["conventions"] = conventions_json(frame, report.triangle);
+    object["cull"] = cull_to_json(report.clip);
+    object["edges"] = std::move(edges);
+    object["left_out"] = words(report.rejection).name;
+    object["name"] = part_name(*frame.scene, report.triangle);
+    object["outside"] = outside_json(report.rows);
+    object["rows"] = rows_json(report.rows);
+    if (has_spaces(frame)) object["spaces"] = spaces_json(frame, report.triangle);
+    object["triangle"] = report.triangle;
+    object["vertices"] = std::move(vertices);
+    return object;
 }
 
 // Text
@@ -281,10 +292,13 @@ void triangle_command(const TriangleOptions& options, std::ostream& out) {
     const Frame frame = prepare_frame(scene, session.a.settings);
     const TriangleReport report = triangle_report(frame, triangle, session.cursor);
     if (options.json) {
-        print_json(to_json(report, scene), out);
-    } else {
-        print_text(out, report, scene);
+        print_json(to_json(report, frame), out);
+        return;
     }
+    print_text(out, report, scene);
+    if (!has_spaces(frame)) return;
+    print_spaces(out, frame, triangle);
+    print_conventions(out, frame, triangle);
 }
 
 } // namespace rasterwalk

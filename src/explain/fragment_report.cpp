@@ -2,9 +2,12 @@
 
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "base/element_names.h"
 #include "explain/light_formulas.h"
 #include "pipeline/draw.h"
+#include "stages/orthographic.h"
 
 namespace rasterwalk {
 
@@ -94,7 +97,28 @@ Formula along_row_twice(const FragmentReport& report, Formula formula, float lef
     return formula;
 }
 
-void add_depths(FragmentReport& report, const Carried& carried) {
+/// z as it is, from what the row carries.
+Formula true_depth(const Fragment& fragment, float mix) {
+    Formula formula{"z.perspective",
+                    "z",
+                    "z as it is: one over the interpolated 1/z.",
+                    "1 / (1/z)",
+                    {{"(1/z)", {fragment.inv_w}, from_formula("zinv")}},
+                    {fragment_depth(fragment, mix)}};
+    if (mix == 0.0f) return formula;
+    formula.inputs.push_back({"mix", {mix}, from_setting("projection_mix")});
+    formula.inputs[0].symbol = "(1/w)";
+    formula.help = "z as it is: from one over the interpolated 1/w, which is (1 − mix) z + mix.";
+    formula.expression = "(1 / (1/w) − mix) / (1 − mix)";
+    if (mix == 1.0f) {
+        formula.help = "z as it is: where rays are parallel it goes in equal steps.";
+        formula.expression = "z";
+        formula.inputs = {{"z", {fragment.z}, from_formula("z.affine")}};
+    }
+    return formula;
+}
+
+void add_depths(FragmentReport& report, const Frame& frame, const Carried& carried) {
     const RowEnds& ends = report.row.under(Interpolation::perspective);
     const Fragment& fragment = carried[0];
     report.formulas.push_back(
@@ -114,13 +138,8 @@ void add_depths(FragmentReport& report, const Carried& carried) {
                                         "z interpolated as if it changed in equal steps: wrong "
                                         "between the vertices.",
                                         ends.left.z, ends.right.z, fragment.z));
-    const float z = 1.0f / fragment.inv_w;
-    report.formulas.push_back({"z.perspective",
-                               "z",
-                               "z as it is: one over the interpolated 1/z.",
-                               "1 / (1/z)",
-                               {{"(1/z)", {fragment.inv_w}, from_formula("zinv")}},
-                               {z}});
+    const float mix = vertex_rules(frame.settings, frame.scene->space).projection.mix;
+    report.formulas.push_back(true_depth(fragment, mix));
 }
 
 Formula difference(const QuantityInfo& info, Interpolation way, float wrong, float perspective) {
@@ -251,7 +270,35 @@ void add_light(const Frame& frame, FragmentReport& report) {
     }
 }
 
-void add_depth_test(FragmentReport& report) {
+/// How many bits a value of the depth buffer has in which the test compares; 0: it is a float.
+int depth_bits(const Settings& settings) {
+    if (depth_rule(settings) != DepthTest::inverse_z) return 0;
+    switch (settings.depth_format) {
+    case DepthFormat::inv_z:
+    case DepthFormat::reversed_32:
+        break;
+    case DepthFormat::reversed_24:
+        return 24;
+    case DepthFormat::reversed_16:
+        return 16;
+    }
+    return 0;
+}
+
+/// The depth rounded to one of the values that the buffer has.
+void round_depth(Formula& depth, int bits) {
+    const int largest = (1 << bits) - 1;
+    const double step = std::round(static_cast<double>(depth.result.value) * largest);
+    depth.expression = "k / n";
+    depth.inputs = {
+        {"k",
+         {static_cast<float>(step), true},
+         from_words(fmt::format("the depth {} times n, to the nearest whole number",
+                                shown(depth.inputs[0].number)))},
+        {"n", {static_cast<float>(largest), true}, from_words(fmt::format("2^{} − 1", bits))}};
+}
+
+void add_depth_test(FragmentReport& report, const Frame& frame) {
     const bool is_linear = report.depth_test == DepthTest::linear_z;
     Formula depth{"depth",
                   "new",
@@ -259,6 +306,17 @@ void add_depth_test(FragmentReport& report) {
                   "(1/z)",
                   {{"(1/z)", {report.fragment.depth}, from_formula("zinv")}},
                   {report.depth}};
+    const VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
+    if (rules.projection.clip_depth != ClipDepth::inv_z && !is_linear) {
+        const RowEnds& ends = report.row.under(report.interpolation);
+        report.formulas.push_back(
+            along_row(report, "depth.carried", "depth",
+                      "Interpolated in equal steps: 1 at the near plane, 0 at the far one.",
+                      ends.left.depth, ends.right.depth, report.fragment.depth));
+        depth.expression = "depth";
+        depth.inputs = {{"depth", {report.fragment.depth}, from_formula("depth.carried")}};
+        if (const int bits = depth_bits(frame.settings); bits > 0) round_depth(depth, bits);
+    }
     if (is_linear) {
         depth.help = "The fragment's value for the depth buffer, from z interpolated as if it "
                      "changed in equal steps.";
@@ -341,14 +399,15 @@ std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& 
         carried[i] = report.row.at(way, report.step);
         report.varyings[i] = recover_varyings(carried[i], report.row.stages[i]);
     }
-    add_depths(report, carried);
-    report.formulas.push_back(difference(quantity_info(Quantity::z), Interpolation::affine,
-                                         carried[0].z, 1.0f / carried[0].inv_w));
+    add_depths(report, frame, carried);
+    report.formulas.push_back(
+        difference(quantity_info(Quantity::z), Interpolation::affine, carried[0].z,
+                   find_formula(report.formulas, "z.perspective")->result.value));
     for (const QuantityInfo& info : shown_quantities(frame)) {
         if (is_varying(info.quantity)) add_varying(report, info, carried);
     }
     add_light(frame, report);
-    add_depth_test(report);
+    add_depth_test(report, frame);
     return report;
 }
 

@@ -18,7 +18,22 @@ struct Made {
 
     void add(Formula formula) { report.formulas.push_back(std::move(formula)); }
     bool is_bench() const { return frame.scene->space == SceneSpace::pixels; }
+    bool is_by_matrices() const {
+        return !is_bench() && frame.settings.transform == Transform::matrices;
+    }
+    /// Is the projection another than perspective?
+    bool is_mixed() const { return !is_bench() && frame.settings.projection_mix > 0.0f; }
+    /// Does the depth buffer hold something else than 1/w?
+    bool has_own_depth() const {
+        return clip_depth_rule(frame.settings, frame.scene->space) != ClipDepth::inv_z;
+    }
 };
+
+/// What a matrix has worked out in double is shown as it came out; the way there stands with the
+/// spaces.
+FormulaInput by_matrix(const std::string& symbol, float value, const std::string& product) {
+    return {symbol, {value}, from_words(product + ", in double: see the vertex's spaces")};
+}
 
 std::string given_text(const Made& made) {
     return fmt::format("given by the scene: {} of {}, {}", vertex_name(made.report.vertex),
@@ -73,9 +88,24 @@ void add_rotation(Made& made) {
         {"cos(yaw)", "sin(pitch) · sin(yaw)", "cos(pitch) · sin(yaw)"},
         {"0", "cos(pitch)", "−sin(pitch)"},
         {"−sin(yaw)", "sin(pitch) · cos(yaw)", "cos(pitch) · cos(yaw)"}};
+    static constexpr const char* axes[] = {"right", "down", "forward"};
     const Camera& camera = made.frame.settings.camera;
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column) {
+            if (camera.aim == CameraAim::look_at) {
+                const std::string axis = fmt::format("{}.{}", axes[column], axis_names[row]);
+                made.add({rotation_id(row, column),
+                          rotation_symbol(row, column),
+                          "The camera's turn, row and column of R; its columns are the camera's "
+                          "right, down and forward axes in the world.",
+                          axis,
+                          {{axis,
+                            {made.rotation[column][row]},
+                            from_words("forward points to the target, right is forward × up, and "
+                                       "down is forward × right")}},
+                          {made.rotation[column][row]}});
+                continue;
+            }
             made.add({rotation_id(row, column),
                       rotation_symbol(row, column),
                       "The camera's turn, row and column of R; its columns are the camera's right, "
@@ -110,6 +140,12 @@ void add_rotated(Made& made) {
             made.add(formula);
             continue;
         }
+        if (made.is_by_matrices()) {
+            formula.expression = axis;
+            formula.inputs = {by_matrix(axis, shaded.in("rotated")[i], "Tv · P")};
+            made.add(formula);
+            continue;
+        }
         const bool is_row_vector = made.frame.settings.rotation == Rotation::row_vector;
         if (!is_row_vector) formula.help.replace(0, formula.help.find('.'), transposed_help);
         for (int k = 0; k < 3; ++k) {
@@ -129,6 +165,93 @@ void add_rotated(Made& made) {
 
 constexpr const char* minus_sign = "−";
 
+FormulaInput mix_of(const Settings& settings) {
+    return {"mix", {settings.projection_mix}, from_setting("projection_mix")};
+}
+
+/// w of clip space and 1/w, where w is not z.
+void add_mixed_w(Made& made) {
+    const ShadedVertex& shaded = made.report.shaded;
+    Formula w{
+        "clip.w",
+        "w",
+        "What x and y are divided by: z under perspective, 1 under orthographic projection.",
+        "(1 − mix) · z + mix",
+        {mix_of(made.frame.settings), {"z", {shaded.in("rotated").z}, from_formula("rotated.z")}},
+        {shaded.position_clip.w}};
+    if (made.is_by_matrices()) {
+        w.expression = "w";
+        w.inputs = {by_matrix("w", shaded.position_clip.w, "Tp · Tv · P")};
+    }
+    made.add(w);
+    if (!shaded.has_pixel) return;
+    made.add({"zinv",
+              "1/w",
+              "By this values are weighed; the same at all vertices where rays are parallel.",
+              "1 / w",
+              {{"w", {shaded.position_clip.w}, from_formula("clip.w")}},
+              {shaded.pixel.inv_w}});
+}
+
+/// The depth where it is not 1/w.
+void add_depth(Made& made) {
+    const ShadedVertex& shaded = made.report.shaded;
+    const Settings& settings = made.frame.settings;
+    Formula clip{
+        "clip.z",
+        "z'",
+        "What becomes the depth when it is divided by w: 1 at the near plane, 0 at the far "
+        "one, so that larger is nearer. Ndc z is 1 less this.",
+        "near · ((far − z) / (far − near))",
+        {{"near", {settings.near}, from_setting("near")},
+         {"far", {settings.far}, from_setting("far")},
+         {"z", {shaded.in("rotated").z}, from_formula("rotated.z")}},
+        {shaded.position_clip.z}};
+    if (made.is_mixed()) {
+        clip.expression = "((1 − mix) · near + mix) · ((far − z) / (far − near))";
+        clip.inputs.push_back(mix_of(settings));
+    }
+    if (made.is_by_matrices()) {
+        clip.expression = "z'";
+        clip.inputs = {by_matrix("z'", shaded.position_clip.z, "Tp · Tv · P")};
+    }
+    made.add(clip);
+    if (!shaded.has_pixel) return;
+    made.add({"depth",
+              "depth",
+              "What the depth buffer holds: larger is nearer.",
+              "z' · (1/w)",
+              {{"z'", {shaded.position_clip.z}, from_formula("clip.z")},
+               {"(1/w)", {shaded.pixel.inv_w}, from_formula("zinv")}},
+              {shaded.pixel.depth}});
+}
+
+/// x or y of clip space, where they are not just f times x and y.
+void add_clip_place(Made& made, int i) {
+    const ShadedVertex& shaded = made.report.shaded;
+    const Settings& settings = made.frame.settings;
+    const std::string axis = axis_names[i];
+    Formula formula{
+        "clip." + axis,
+        axis + "'",
+        "Pixels from the middle of the picture, times w: in clip space.",
+        "f · ((1 − mix) · d + mix) / d · " + axis,
+        {{"f", {settings.camera.focal_length}, from_setting("camera.focal_length")},
+         mix_of(settings),
+         {"d",
+          {orthographic_depth_rule(settings)},
+          settings.orthographic_depth > 0.0f ? from_setting("orthographic_depth")
+                                             : from_words("the depth of the world's origin")},
+         {axis, {shaded.in("rotated")[i]}, from_formula("rotated." + axis)}},
+        {shaded.position_clip[i]}};
+    if (settings.image_axes == ImageAxes::mirrored) formula.expression.insert(0, minus_sign);
+    if (made.is_by_matrices()) {
+        formula.expression = axis + "'";
+        formula.inputs = {by_matrix(axis + "'", shaded.position_clip[i], "Ts · Tp · Tv · P")};
+    }
+    made.add(formula);
+}
+
 /// Column or row: the projected number, and the whole pixel that becomes of it.
 void add_projected(Made& made, int i) {
     const ShadedVertex& shaded = made.report.shaded;
@@ -146,6 +269,12 @@ void add_projected(Made& made, int i) {
          {"1/z", {shaded.pixel.inv_w}, from_formula("zinv")}},
         {i == 0 ? shaded.in("projected").x : shaded.in("projected").y}};
     if (settings.image_axes == ImageAxes::mirrored) projected.expression.insert(0, minus_sign);
+    if (made.is_by_matrices() || made.is_mixed()) {
+        projected.help = "Pixels from the middle of the picture, before rounding.";
+        projected.expression = axis + "' · (1/w)";
+        projected.inputs = {{axis + "'", {shaded.position_clip[i]}, from_formula("clip." + axis)},
+                            {"(1/w)", {shaded.pixel.inv_w}, from_formula("zinv")}};
+    }
     if (is_bench) {
         projected.help = "The bench gives its vertices in pixels.";
         projected.expression = axis;
@@ -226,16 +355,23 @@ VertexReport vertex_report(const Frame& frame, int triangle, int vertex) {
     add_camera_space(made);
     if (!made.is_bench()) add_rotation(made);
     add_rotated(made);
+    if (made.is_mixed()) add_mixed_w(made);
+    if (made.is_mixed() || made.is_by_matrices()) {
+        add_clip_place(made, 0);
+        add_clip_place(made, 1);
+    }
     if (report.shaded.has_pixel) {
-        made.add({"zinv",
-                  "1/z",
-                  "What the depth buffer holds: larger is nearer.",
-                  "1 / z",
-                  {{"z", {report.shaded.in("rotated").z}, from_formula("rotated.z")}},
-                  {report.shaded.pixel.depth}});
+        if (!made.is_mixed())
+            made.add({"zinv",
+                      "1/z",
+                      "What the depth buffer holds: larger is nearer.",
+                      "1 / z",
+                      {{"z", {report.shaded.in("rotated").z}, from_formula("rotated.z")}},
+                      {report.shaded.pixel.inv_w}});
         add_projected(made, 0);
         add_projected(made, 1);
     }
+    if (made.has_own_depth()) add_depth(made);
     add_given(made, "normal", axis_names, given.normal, "Across the surface, of unit length.");
     add_given(made, "reflectance", channel_names, given.reflectance,
               "The share of light that the surface gives back.");
@@ -251,6 +387,11 @@ Number vertex_number(const ShadedVertex& vertex, std::string_view id) {
     if (id.starts_with("minus_camera.")) return part(vertex.in("minus_camera"));
     if (id.starts_with("rotated.")) return part(vertex.in("rotated"));
     if (id == "zinv") return {vertex.pixel.inv_w};
+    if (id == "depth") return {vertex.pixel.depth};
+    if (id == "clip.x") return {vertex.position_clip.x};
+    if (id == "clip.y") return {vertex.position_clip.y};
+    if (id == "clip.z") return {vertex.position_clip.z};
+    if (id == "clip.w") return {vertex.position_clip.w};
     if (id == "projected.x") return {vertex.in("projected").x};
     if (id == "projected.y") return {vertex.in("projected").y};
     if (id == "pixel.column") return {static_cast<float>(vertex.pixel.column), true};
@@ -259,8 +400,8 @@ Number vertex_number(const ShadedVertex& vertex, std::string_view id) {
 }
 
 bool depends_on_rotation(std::string_view id) {
-    return id.starts_with("rotated.") || id == "zinv" || id.starts_with("projected.") ||
-           id.starts_with("pixel.");
+    return id.starts_with("rotated.") || id.starts_with("clip.") || id == "zinv" || id == "depth" ||
+           id.starts_with("projected.") || id.starts_with("pixel.");
 }
 
 std::string_view rounding_function(VertexRounding rounding) {

@@ -18,7 +18,8 @@ namespace rasterwalk {
 /// Ids of its formulas: world.x .y .z, minus_camera.x ..., R.0.0 to R.2.2 (of the camera, row and
 /// column), rotated.x ..., zinv, projected.x .y, pixel.column .row, normal.x ..., reflectance.red
 /// ..., and the light's with prefix `light.`, see light_formulas.h. Of a rejected vertex those
-/// from zinv on may be missing.
+/// from zinv on may be missing. Where matrices do the work, clip.x .y stand before projected.x .y;
+/// where the projection is not perspective, clip.x .y .z .w, and `depth` beside zinv, which is 1/w.
 struct VertexReport {
     int triangle = -1;
     int vertex = -1; ///< 0..2
@@ -34,7 +35,7 @@ struct VertexReport {
 VertexReport vertex_report(const Frame& frame, int triangle, int vertex);
 
 /// The number of this id in a vertex that went another way; ids of world, minus_camera, rotated,
-/// zinv, projected and pixel only, for others 0.
+/// clip, zinv, depth, projected and pixel only, for others 0.
 Number vertex_number(const ShadedVertex& vertex, std::string_view id);
 
 /// Does the camera's rotation enter the number? Then R v in place of v R can change it.

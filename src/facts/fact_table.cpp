@@ -11,6 +11,7 @@
 #include "inspect/triangle_sides.h"
 #include "picture/view_image.h"
 #include "session/tabs.h"
+#include "stages/matrices.h"
 
 namespace rasterwalk {
 
@@ -307,6 +308,14 @@ Value pixel_channel(const Facts& facts, int channel) {
     return winner != nullptr ? number(winner->colour_after[channel]) : number(0);
 }
 
+/// Ndc z of a depth in front of run A's camera; none in a scene in pixels.
+Value z_ndc(const Facts& facts, float z) {
+    const Frame& frame = facts.results().a.frame;
+    if (frame.scene->space == SceneSpace::pixels) return {};
+    return number(
+        ndc_depth(static_cast<double>(z), vertex_rules(frame.settings, frame.scene->space)));
+}
+
 void add_pixel_facts(std::vector<Fact>& table) {
     table.push_back({"pixel.column", "Column of the picked pixel.", place, pixel_place, 0});
     table.push_back({"pixel.row", "Row of the picked pixel.", place, pixel_place, 1});
@@ -343,9 +352,16 @@ void add_pixel_facts(std::vector<Fact>& table) {
     table.push_back({"pixel.z", "z of what the picked pixel shows in the end.", real(),
                      [](const Facts& f, int) {
                          const PixelEntry* const winner = f.winner();
-                         return winner != nullptr && winner->zinv > 0.0f
-                                    ? number(1.0f / winner->zinv)
-                                    : Value();
+                         return winner != nullptr && winner->zinv > 0.0f ? number(winner->z)
+                                                                         : Value();
+                     }});
+    table.push_back({"pixel.z_ndc",
+                     "Ndc z of what the picked pixel shows in the end: 0 at the near plane, 1 at "
+                     "the far one.",
+                     real(), [](const Facts& f, int) {
+                         const PixelEntry* const winner = f.winner();
+                         return winner != nullptr && winner->zinv > 0.0f ? z_ndc(f, winner->z)
+                                                                         : Value();
                      }});
     constexpr std::array<const char*, 3> channels{"red", "green", "blue"};
     for (int i = 0; i < 3; ++i) {
@@ -496,6 +512,11 @@ void add_vertex_facts(std::vector<Fact>& table) {
                      "Outcode of the selected vertex of the triangle on show: the sides of the "
                      "view beyond which it lies, two pixels at least.",
                      outcode_bits, vertex_outcode});
+    table.push_back({"vertex.z_ndc", "Its ndc z: 0 at the near plane, 1 at the far one.", real(),
+                     [](const Facts& f, int) {
+                         const ShadedVertex* const vertex = WithPixel{}(f);
+                         return vertex != nullptr ? z_ndc(f, vertex->in("rotated").z) : Value();
+                     }});
     constexpr std::array<const char*, 8> names{"world_x",     "world_y",    "world_z",
                                                "camera_x",    "camera_y",   "camera_z",
                                                "projected_x", "projected_y"};
@@ -531,6 +552,23 @@ void add_compare_fact(std::vector<Fact>& table, const char* name, const char* he
                      }});
 }
 
+/// Vertices of the scene's triangles, uncut and drawn in both runs, whose pixel is another one in
+/// run B.
+Value vertices_elsewhere(const Facts& facts, int) {
+    const Results& results = facts.results();
+    if (!results.b) return {};
+    const Frame &a = results.a.frame, &b = results.b->frame;
+    int elsewhere = 0;
+    for (int t = 0; t < std::min(a.triangle_count(), b.triangle_count()); ++t) {
+        if (!a.is_drawn(t) || !b.is_drawn(t) || a.is_cut(t) || b.is_cut(t)) continue;
+        const std::span<const ScreenVertex> in_a = a.triangle_vertices(t);
+        const std::span<const ScreenVertex> in_b = b.triangle_vertices(t);
+        for (std::size_t v = 0; v < std::min(in_a.size(), in_b.size()); ++v)
+            elsewhere += in_a[v].column != in_b[v].column || in_a[v].row != in_b[v].row ? 1 : 0;
+    }
+    return number(elsewhere);
+}
+
 void add_compare_facts(std::vector<Fact>& table) {
     table.push_back({"comparing", "1 while a second run is compared.", yes_or_no,
                      [](const Facts& f, int) { return number(f.session().b ? 1 : 0); }});
@@ -549,6 +587,9 @@ void add_compare_facts(std::vector<Fact>& table) {
              fmt::format("The same of {} of the triangle on show.", edge_name(edge)), count,
              [](const Facts& f, int e) { return number(f.different_samples(e)); }, edge});
     }
+    table.push_back({"compare.vertices_elsewhere",
+                     "Corners of triangles that fall on another pixel in run B.", count,
+                     vertices_elsewhere});
     add_compare_fact(table, "compare.rows", "Rows of row tables that differ.", count,
                      [](const Comparison& c) { return number(c.different_rows); });
     add_compare_fact(table, "compare.first", "First moment at which the runs differ, or none.",

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "pipeline/draw.h"
+#include "stages/orthographic.h"
 
 namespace rasterwalk {
 
@@ -10,7 +11,8 @@ namespace {
 
 class Collector : public Observer {
   public:
-    explicit Collector(std::vector<PixelEntry>& into) : entries(into) {}
+    Collector(std::vector<PixelEntry>& into, float projection_mix)
+        : entries(into), projection_mix_(projection_mix) {}
 
     void fragment(const FragmentEvent& event) override {
         PixelEntry entry;
@@ -20,6 +22,7 @@ class Collector : public Observer {
             entry.column = event.cursor.step;
         }
         entry.zinv = event.fragment.inv_w;
+        entry.z = fragment_depth(event.fragment, projection_mix_);
         entry.depth = event.depth;
         entry.stored = event.stored;
         entry.margin = event.depth - event.stored;
@@ -31,6 +34,7 @@ class Collector : public Observer {
 
   private:
     std::vector<PixelEntry>& entries;
+    float projection_mix_;
 };
 
 /// Both ends of a row are one moment, whose cursor does not tell how far from the left end it is.
@@ -63,7 +67,8 @@ PixelHistory pixel_history(const Frame& frame, const glm::ivec2& pixel) {
     history.depth_tested = depth_rule(frame.settings) != DepthTest::off;
     Framebuffer one_pixel;
     clear(one_pixel, frame, {1, 1}, pixel);
-    Collector collector(history.entries);
+    const float mix = vertex_rules(frame.settings, frame.scene->space).projection.mix;
+    Collector collector(history.entries, mix);
     draw(frame, {}, one_pixel, &collector);
     if (frame.settings.stage == Stage::rows) find_columns_of_row_ends(frame, history);
     for (std::size_t i = 0; i < history.entries.size(); ++i) {

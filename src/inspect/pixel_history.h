@@ -21,6 +21,7 @@ struct PixelEntry {
     int row = -1;    ///< row of the triangle's row table, from 0; -1 for vertices and edge samples
     int column = -1; ///< from the left end of that row, from 0; -1 for vertices and edge samples
     float zinv = 0.0f;   ///< interpolated 1/z
+    float z = 0.0f;      ///< how far in front of the camera
     float depth = 0.0f;  ///< its value for the depth buffer
     float stored = 0.0f; ///< the depth buffer's value before
     float margin = 0.0f; ///< depth - stored: above 0 it passes a depth test, if there is one

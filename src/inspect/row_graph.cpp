@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stages/orthographic.h"
+
 namespace rasterwalk {
 
 std::optional<RowGraph> row_graph(const Frame& frame, int triangle, int index) {
@@ -10,6 +12,7 @@ std::optional<RowGraph> row_graph(const Frame& frame, int triangle, int index) {
     if (!row) return std::nullopt;
     RowGraph graph;
     graph.row = *row;
+    graph.projection = vertex_rules(frame.settings, frame.scene->space).projection;
     graph.first_column = row->under(Interpolation::perspective).left.column;
     for (const Interpolation way :
          {Interpolation::perspective, Interpolation::affine, Interpolation::zinv_twice}) {
@@ -41,7 +44,7 @@ std::optional<int> widest_row(const Frame& frame, int triangle) {
 float true_value(const RowGraph& graph, Quantity quantity, int index) {
     const Fragment& fragment = graph.at(Interpolation::perspective, index);
     if (quantity == Quantity::zinv) return fragment.inv_w;
-    if (quantity == Quantity::z) return 1.0f / fragment.inv_w;
+    if (quantity == Quantity::z) return fragment_depth(fragment, graph.projection.mix);
     return part_of(
         recover_varyings(fragment,
                          graph.row.stages[static_cast<std::size_t>(Interpolation::perspective)]),
@@ -50,7 +53,7 @@ float true_value(const RowGraph& graph, Quantity quantity, int index) {
 
 float affine_value(const RowGraph& graph, Quantity quantity, int index) {
     const Fragment& fragment = graph.at(Interpolation::affine, index);
-    if (quantity == Quantity::zinv) return 1.0f / fragment.z;
+    if (quantity == Quantity::zinv) return 1.0f / clip_w(fragment.z, graph.projection);
     if (quantity == Quantity::z) return fragment.z;
     return part_of(fragment.varyings, quantity);
 }

@@ -14,6 +14,7 @@ namespace rasterwalk {
 struct RowGraph {
     CarriedRow row;
     int first_column = 0; ///< of the picture, at index 0
+    Projection projection;
     /// Indexed by Interpolation, then column.
     std::array<std::vector<Fragment>, interpolation_count> fragments;
 

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <unordered_map>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 #include "base/files.h"
 #include "base/toml_input.h"
@@ -14,6 +17,14 @@
 namespace rasterwalk {
 
 namespace {
+
+/// An object that is scaled by less is flat.
+constexpr float smallest_scale = 1e-6f;
+
+/// No entry of a model's matrix is larger: its points and normals stay numbers.
+constexpr double largest_entry = 1e12;
+
+constexpr std::string_view step_form = "{ rotate_y = 0.5 }.";
 
 /// Scales the points of a room of this edge into the cube -1..1; mirrored axes are turned round.
 struct Transform {
@@ -33,11 +44,17 @@ using PointSet = std::unordered_map<std::string, glm::vec3>;
 using PointSets = std::map<std::string, PointSet, std::less<>>;
 
 void read_camera(const TomlInput& input, Camera& camera) {
-    input.allow_only({"position", "yaw", "pitch", "focal_length"});
+    input.allow_only({"position", "yaw", "pitch", "focal_length", "target", "up"});
     input.read("position", camera.position, -largest_place, largest_place);
     input.read("yaw", camera.yaw, -largest_yaw, largest_yaw);
     input.read("pitch", camera.pitch, -largest_pitch, largest_pitch);
     input.read("focal_length", camera.focal_length, smallest_focal_length, largest_focal_length);
+    input.read("target", camera.target, -largest_place, largest_place);
+    input.read("up", camera.up, -largest_place, largest_place);
+    if (input.find("target") == nullptr) return;
+    if (input.find("yaw") != nullptr || input.find("pitch") != nullptr)
+        input.fail("the camera has a target, or yaw and pitch, not both.");
+    camera.aim = CameraAim::look_at;
 }
 
 void read_light(const TomlInput& input, Light& light) {
@@ -67,6 +84,63 @@ Transform read_transform(const TomlInput& input) {
         transform.mirror[axis[0] - 'x'] = true;
     }
     return transform;
+}
+
+/// The step that a table of the list `model` says: { rotate_y = 0.5 }.
+ModelStep read_model_step(const TomlInput& input) {
+    if (input.nodes().size() != 1)
+        input.fail(input.what() + " says one thing, such as " + std::string(step_form));
+    const auto& [key, node] = *input.nodes().begin();
+    const auto word =
+        std::find(enum_words<ModelStepKind>.begin(), enum_words<ModelStepKind>.end(), key.str());
+    if (word == enum_words<ModelStepKind>.end()) {
+        input.fail(node, "there is no step '" + std::string(key.str()) + "'; the steps are: " +
+                             "translate, scale, rotate_x, rotate_y, rotate_z.");
+    }
+    ModelStep step;
+    step.kind = static_cast<ModelStepKind>(word - enum_words<ModelStepKind>.begin());
+    const std::string what = "'" + std::string(key.str()) + "'";
+    switch (step.kind) {
+    case ModelStepKind::translate:
+        step.amount = input.vector(node, -largest_coordinate, largest_coordinate, what);
+        break;
+    case ModelStepKind::scale:
+        step.amount = input.vector(node, -largest_coordinate, largest_coordinate, what);
+        for (int i = 0; i < 3; ++i) {
+            if (std::abs(step.amount[i]) < smallest_scale)
+                input.fail(node, "'scale' by less than 1e-06 leaves nothing of the object.");
+        }
+        break;
+    case ModelStepKind::rotate_x:
+    case ModelStepKind::rotate_y:
+    case ModelStepKind::rotate_z:
+        step.amount.x = input.number(node, -largest_yaw, largest_yaw, what);
+        break;
+    }
+    return step;
+}
+
+std::vector<ModelStep> read_model(const TomlInput& part, SceneSpace space) {
+    std::vector<ModelStep> steps;
+    if (part.find("model") == nullptr) return steps;
+    const toml::array& list = part.list("model");
+    if (space == SceneSpace::pixels) part.fail(list, "points in pixels take no model.");
+    if (list.size() > most_model_steps) {
+        part.fail(list, "'model' has more than " + std::to_string(most_model_steps) + " steps.");
+    }
+    for (const toml::node& node : list) {
+        steps.push_back(read_model_step(part.table(node, "each step of 'model'")));
+        const glm::dmat4 matrix = model_matrix(steps);
+        for (int column = 0; column < 4; ++column) {
+            const glm::dvec4 size = glm::abs(matrix[column]);
+            if (std::max({size.x, size.y, size.z}) > largest_entry)
+                part.fail(node, "the steps of 'model' enlarge too much.");
+        }
+        const glm::dmat3 normals = normal_matrix(matrix);
+        if (normals[0] == glm::dvec3(0.0) || !(glm::determinant(normals) != 0.0))
+            part.fail(node, "the steps of 'model' leave nothing of the object.");
+    }
+    return steps;
 }
 
 SceneSpace read_space(const TomlInput& input) {
@@ -129,6 +203,23 @@ std::vector<std::string> split_words(std::string_view text) {
     }
 }
 
+/// Puts the corners of a triangle in the world. The normal, which they have in object space, goes
+/// by the inverse transpose.
+void place_in_world(const TomlInput& part, const toml::node& node, const glm::dmat4& model,
+                    std::array<Vertex, triangle_corners>& corners) {
+    const glm::dvec3 normal = normal_matrix(model) * glm::dvec3(corners[0].normal);
+    const double length = glm::length(normal);
+    for (Vertex& corner : corners) {
+        const glm::dvec3 place = transform_point(model, glm::dvec3(corner.position));
+        const glm::dvec3 size = glm::abs(place);
+        if (std::max({size.x, size.y, size.z}) > double{largest_coordinate})
+            part.fail(node, "'" + std::string(node.value_or("")) +
+                                "' lies too far out after the model's steps.");
+        corner.position = glm::vec3(place);
+        corner.normal = length > 0.0 ? glm::vec3(normal / length) : glm::vec3(0.0f);
+    }
+}
+
 /// The triangle's corners, with its own normal.
 std::array<Vertex, triangle_corners> read_triangle(const TomlInput& part, const toml::node& node,
                                                    const PointSet& points,
@@ -157,7 +248,7 @@ std::array<Vertex, triangle_corners> read_triangle(const TomlInput& part, const 
 }
 
 void read_part(const TomlInput& input, const PointSets& sets, VertexJoin& vertices, Scene& scene) {
-    input.allow_only({"name", "points", "reflectance", "triangles"});
+    input.allow_only({"name", "points", "reflectance", "triangles", "model"});
     const std::string set_name = input.text("points");
     const auto set = sets.find(set_name);
     if (set == sets.end()) {
@@ -172,17 +263,27 @@ void read_part(const TomlInput& input, const PointSets& sets, VertexJoin& vertic
         input.fail(triangles,
                    "the scene has more than " + std::to_string(max_triangles) + " triangles.");
     }
-    scene.parts.push_back(
-        {input.text("name"), scene.triangle_count(), static_cast<int>(triangles.size())});
+    Model model{read_model(input, scene.space), {}};
+    const glm::dmat4 matrix = model_matrix(model.steps);
+    const std::string name = input.text("name");
+    const int first = scene.triangle_count();
     for (const toml::node& node : triangles) {
         TriangleIndices indices{};
         auto index = indices.begin();
-        for (Vertex& corner : read_triangle(input, node, set->second, set_name)) {
+        std::array<Vertex, triangle_corners> corners =
+            read_triangle(input, node, set->second, set_name);
+        if (!model.steps.empty()) {
+            for (const Vertex& corner : corners)
+                model.positions.push_back(corner.position);
+            place_in_world(input, node, matrix, corners);
+        }
+        for (Vertex& corner : corners) {
             corner.reflectance = reflectance;
             *index++ = vertices.index_of(corner);
         }
         scene.mesh.add_triangle(indices);
     }
+    scene.parts.push_back({name, first, static_cast<int>(triangles.size()), std::move(model)});
 }
 
 void read_example(const TomlInput& input, Scene& scene) {

@@ -7,7 +7,9 @@
 
 #include <glm/vec3.hpp>
 
+#include "base/enum_words.h"
 #include "scene/mesh.h"
+#include "scene/model.h"
 
 namespace rasterwalk {
 
@@ -16,9 +18,19 @@ struct Part {
     std::string name;
     int first_triangle = 0;
     int triangle_count = 0;
+    Model model; ///< how the scene file made it; without steps it was given in the world
 
     friend bool operator==(const Part&, const Part&) = default;
 };
+
+/// How the direction of the camera is said.
+enum class CameraAim : std::uint8_t {
+    angles,  ///< by yaw and pitch: the lab
+    look_at, ///< by a point that it looks at, and a direction that is up
+};
+template <>
+inline constexpr auto enum_words<CameraAim> = word_list("angles", "look_at");
+static_assert(words_match<CameraAim>);
 
 /// A pinhole camera; P_camera = (P_world - position) * R, row vectors (lab section "Moving the
 /// camera").
@@ -27,6 +39,9 @@ struct Camera {
     float yaw = 0.0f;                        ///< radians about the y axis
     float pitch = 0.0f;                      ///< radians about the x axis, applied after yaw
     float focal_length = 500.0f;             ///< pixels
+    CameraAim aim = CameraAim::angles;
+    glm::vec3 target{0.0f};          ///< for look_at: a point in the middle of the picture
+    glm::vec3 up{0.0f, -1.0f, 0.0f}; ///< for look_at: what points up in the picture, any length
 
     friend bool operator==(const Camera&, const Camera&) = default;
 };

@@ -69,6 +69,45 @@ template <>
 inline constexpr auto enum_words<OutsidePicture> = word_list("kept", "clamped");
 static_assert(words_match<OutsidePicture>);
 
+/// How a vertex comes from the world to clip space.
+enum class Transform : std::uint8_t {
+    lab,      ///< (v - C) R, then times f, in float
+    matrices, ///< by a matrix for each space, in double
+};
+template <>
+inline constexpr auto enum_words<Transform> = word_list("lab", "matrices");
+static_assert(words_match<Transform>);
+
+/// The two ends of `projection_mix`.
+enum class ProjectionKind : std::uint8_t {
+    perspective,  ///< divided by z: the lab
+    orthographic, ///< not divided: parallel rays
+};
+template <>
+inline constexpr auto enum_words<ProjectionKind> = word_list("perspective", "orthographic");
+static_assert(words_match<ProjectionKind>);
+
+/// What the depth buffer holds.
+enum class DepthFormat : std::uint8_t {
+    inv_z,       ///< 1/z, as a float: the lab
+    reversed_32, ///< 1 at the near plane, 0 at the far one, as a float: 1 less ndc z
+    reversed_24, ///< the same as a whole number of 24 bits; ndc z itself has the same steps
+    reversed_16, ///< of 16 bits
+};
+template <>
+inline constexpr auto enum_words<DepthFormat> = word_list("inv_z", "reversed_32", "reversed_24",
+                                                          "reversed_16");
+static_assert(words_match<DepthFormat>);
+
+/// On which side of a matrix the vector stands.
+enum class MatrixOrder : std::uint8_t {
+    row_vectors,    ///< v M, from left to right: the lab
+    column_vectors, ///< M v, from right to left: most books, and glm
+};
+template <>
+inline constexpr auto enum_words<MatrixOrder> = word_list("row_vectors", "column_vectors");
+static_assert(words_match<MatrixOrder>);
+
 /// How the camera's rotation is applied.
 enum class Rotation : std::uint8_t {
     row_vector, ///< v R

@@ -10,6 +10,8 @@
 #include "mistakes/project.h"
 #include "mistakes/put_pixel.h"
 #include "mistakes/vertex_shader.h"
+#include "stages/matrices.h"
+#include "stages/orthographic.h"
 
 namespace rasterwalk {
 
@@ -19,8 +21,26 @@ void choose(Rotation rotation, Stages& stages) {
     if (rotation == Rotation::transposed) stages.rotate_to_camera = rotate_transposed;
 }
 
-void choose(ImageAxes axes, Stages& stages) {
-    if (axes == ImageAxes::mirrored) stages.to_clip_space = to_clip_space_mirrored;
+void choose(ImageAxes axes, ClipDepth depth, Stages& stages) {
+    // Only perspective with 1/z is the lab's.
+    const bool is_lab = depth == ClipDepth::inv_z;
+    if (axes == ImageAxes::right_way)
+        stages.to_clip_space = is_lab ? to_clip_space : to_clip_space_mixed;
+    else
+        stages.to_clip_space = is_lab ? to_clip_space_mirrored<to_clip_space>
+                                      : to_clip_space_mirrored<to_clip_space_mixed>;
+}
+
+void choose(Transform transform, Rotation rotation, ImageAxes axes, Stages& stages) {
+    if (transform == Transform::lab) return;
+    if (rotation == Rotation::row_vector && axes == ImageAxes::right_way)
+        stages.vertex_shader = vertex_shader_by_matrices;
+    else if (rotation == Rotation::row_vector)
+        stages.vertex_shader = mistaken_matrices<false, true>;
+    else if (axes == ImageAxes::right_way)
+        stages.vertex_shader = mistaken_matrices<true, false>;
+    else
+        stages.vertex_shader = mistaken_matrices<true, true>;
 }
 
 void choose(Reject reject, Stages& stages) {
@@ -227,9 +247,11 @@ void choose(const LightRules& rules, Stages& stages) {
     }
 }
 
-void choose(DepthTest test, Stages& stages) {
+void choose(DepthTest test, DepthFormat format, Stages& stages) {
     switch (test) {
     case DepthTest::inverse_z:
+        if (format == DepthFormat::reversed_24) stages.depth_test = depth_test_in_bits<24>;
+        if (format == DepthFormat::reversed_16) stages.depth_test = depth_test_in_bits<16>;
         break;
     case DepthTest::linear_z:
         stages.depth_test = depth_test_linear_z;
@@ -262,7 +284,8 @@ void choose(ColourOverOne over_one, Stages& stages) {
 Stages choose_stages(const Settings& settings) {
     Stages stages;
     choose(settings.rotation, stages);
-    choose(settings.image_axes, stages);
+    choose(settings.image_axes, clip_depth_rule(settings, SceneSpace::world), stages);
+    choose(settings.transform, settings.rotation, settings.image_axes, stages);
     choose(settings.reject, stages);
     choose(settings.clip, stages);
     choose(settings.cull, stages);
@@ -276,7 +299,7 @@ Stages choose_stages(const Settings& settings) {
     choose(settings.spans, stages);
     choose(settings.interpolation, stages);
     choose(settings.light_rules, stages);
-    choose(depth_rule(settings), stages);
+    choose(depth_rule(settings), settings.depth_format, stages);
     choose(settings.depth_index, stages);
     choose(settings.bounds, stages);
     choose(settings.colour_over_one, stages);

@@ -63,6 +63,17 @@ ChoiceSetting rounding_choice() {
             [](Settings& s, int index) { set_rounding(s, static_cast<Rounding>(index)); }};
 }
 
+/// The two ends of projection_mix; between them it has no word.
+ChoiceSetting projection_choice() {
+    return {enum_words<ProjectionKind>,
+            [](const Settings& s) {
+                if (s.projection_mix == 0.0f) return static_cast<int>(ProjectionKind::perspective);
+                return s.projection_mix == 1.0f ? static_cast<int>(ProjectionKind::orthographic)
+                                                : no_word;
+            },
+            [](Settings& s, int index) { s.projection_mix = static_cast<float>(index); }};
+}
+
 std::vector<Setting> make_table() {
     return {
         {"stage", "Drawn up to", "Stage", "How far along the pipeline the picture is drawn.",
@@ -119,6 +130,11 @@ std::vector<Setting> make_table() {
          "What decides which fragment is nearer: 1/z, z interpolated in a straight line, nothing, "
          "or 1/z the wrong way round.",
          "Depth buffer", "", choice<&Settings::depth_test>()},
+        {"depth_format", "Depth buffer holds", "Depth and interpolation",
+         "What the depth buffer holds: 1/z, or ndc z reversed, 1 at the near plane and 0 at the "
+         "far "
+         "one, as a float or rounded to 24 or 16 bits.",
+         "Depth buffer", "", choice<&Settings::depth_format>()},
         {"depth_clear", "Depth buffer begins at", "Depth and interpolation",
          "What the depth buffer starts with: 0 is infinitely far, 1 is one unit away.",
          "Depth buffer", "1/z",
@@ -151,6 +167,24 @@ std::vector<Setting> make_table() {
          "Drawing points", "pixels",
          NumberSetting{[](Settings& s) -> float& { return s.camera.focal_length; },
                        smallest_focal_length, largest_focal_length, 1.0f}},
+        {"camera.aim", "Direction said by", "Camera",
+         "How the direction of the camera is said: by turn and tilt, or by a point that it looks "
+         "at.",
+         "Moving the camera", "",
+         ChoiceSetting{
+             enum_words<CameraAim>,
+             [](const Settings& s) { return static_cast<int>(s.camera.aim); },
+             [](Settings& s, int index) { s.camera.aim = static_cast<CameraAim>(index); }}},
+        {"camera.target", "Looks at", "Camera",
+         "The point in the middle of the picture, if the camera looks at one.", "Moving the camera",
+         "world units",
+         VectorSetting{[](Settings& s) -> glm::vec3& { return s.camera.target; }, -largest_place,
+                       largest_place, 0.01f, false}},
+        {"camera.up", "Up", "Camera",
+         "The direction that points up in the picture, if the camera looks at a point.",
+         "Moving the camera", "",
+         VectorSetting{[](Settings& s) -> glm::vec3& { return s.camera.up; }, -largest_place,
+                       largest_place, 0.01f, false}},
         {"rotation", "Rotation applied as", "Camera",
          "How the camera's rotation R is applied: v R, or by mistake R v.", "Moving the camera", "",
          choice<&Settings::rotation>()},
@@ -165,6 +199,29 @@ std::vector<Setting> make_table() {
          "What becomes of vertices beside the picture: they stay there, or are moved to its "
          "border.",
          "Drawing points", "", choice<&Settings::outside_picture>()},
+        {"transform", "World to clip space", "Spaces",
+         "How a vertex comes from the world to clip space: by the lab's lines, or by a matrix for "
+         "each space.",
+         "Moving the camera", "", choice<&Settings::transform>()},
+        {"matrix_order", "Vectors are", "Spaces",
+         "On which side of a matrix the vector stands where spaces are shown. The picture is the "
+         "same.",
+         "Moving the camera", "", choice<&Settings::matrix_order>()},
+        {"projection", "Projection", "Spaces",
+         "Perspective divides by z; orthographic does not, so that what is far is as large as what "
+         "is near.",
+         "Drawing points", "", projection_choice()},
+        {"projection_mix", "Way to orthographic", "Spaces",
+         "0 is perspective, 1 is orthographic; between them w is (1 − mix) z + mix.",
+         "Drawing points", "",
+         NumberSetting{[](Settings& s) -> float& { return s.projection_mix; }, 0.0f, 1.0f, 0.005f},
+         "projection"},
+        {"orthographic_depth", "Depth of equal size", "Spaces",
+         "How far away things keep their size on the way to orthographic; 0 takes the depth of the "
+         "world's origin.",
+         "Drawing points", "world units",
+         NumberSetting{[](Settings& s) -> float& { return s.orthographic_depth; }, 0.0f,
+                       largest_place, 0.01f}},
         {"near", "Near plane", "View volume",
          "How far in front of the camera the view begins; what is nearer is cut off.",
          "Drawing points", "world units",

@@ -1,5 +1,7 @@
 #include "settings/settings.h"
 
+#include "stages/orthographic.h"
+
 namespace rasterwalk {
 
 Settings default_settings(const Scene& scene) {
@@ -43,6 +45,31 @@ Rounding sample_rounding(const Settings& settings) {
     return settings.line == LineAlgorithm::interpolate ? settings.line_rounding : Rounding::round;
 }
 
+float orthographic_depth_rule(const Settings& settings) {
+    return settings.orthographic_depth > 0.0f ? settings.orthographic_depth
+                                              : origin_depth(settings.camera, settings.near);
+}
+
+ClipDepth clip_depth_rule(const Settings& settings, SceneSpace space) {
+    // What is given in pixels is projected already.
+    const bool is_mixed = space == SceneSpace::world && settings.projection_mix > 0.0f;
+    return is_mixed || settings.depth_format != DepthFormat::inv_z ? ClipDepth::reversed
+                                                                   : ClipDepth::inv_z;
+}
+
+namespace {
+
+Projection projection_rule(const Settings& settings, SceneSpace space) {
+    Projection projection;
+    projection.clip_depth = clip_depth_rule(settings, space);
+    if (space == SceneSpace::pixels || settings.projection_mix == 0.0f) return projection;
+    projection.mix = settings.projection_mix;
+    projection.depth = orthographic_depth_rule(settings);
+    return projection;
+}
+
+} // namespace
+
 VertexRules vertex_rules(const Settings& settings, SceneSpace space) {
     return {.camera = settings.camera,
             .light = settings.light,
@@ -51,7 +78,8 @@ VertexRules vertex_rules(const Settings& settings, SceneSpace space) {
             .rounding = settings.vertex_rounding,
             .shading = shading_rule(settings),
             .near = settings.near,
-            .far = settings.far};
+            .far = settings.far,
+            .projection = projection_rule(settings, space)};
 }
 
 EdgeRules edge_rules(const Settings& settings, VaryingSet carried) {

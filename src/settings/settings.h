@@ -28,12 +28,17 @@ struct Settings {
     Bounds bounds = Bounds::inside;
     DepthTest depth_test = DepthTest::inverse_z;
     float depth_clear = 0.0f; ///< 1/z that the depth buffer starts with
+    DepthFormat depth_format = DepthFormat::inv_z;
     DepthIndex depth_index = DepthIndex::row_major;
     Interpolation interpolation = Interpolation::perspective;
     DepthOrder depth_order = DepthOrder::after_depth_test;
     Camera camera;
     Rotation rotation = Rotation::row_vector;
     ImageAxes image_axes = ImageAxes::right_way;
+    Transform transform = Transform::lab;
+    MatrixOrder matrix_order = MatrixOrder::row_vectors; ///< of what is shown; changes no picture
+    float projection_mix = 0.0f;                         ///< 0: perspective, 1: orthographic
+    float orthographic_depth = 0.0f; ///< where sizes stay; 0: at the world's origin
     float near = 0.1f, far = 100.0f; ///< the view volume's ends, in front of the camera
     Reject reject = Reject::none;
     Clip clip = Clip::leave_out;
@@ -63,6 +68,13 @@ void set_rounding(Settings& settings, Rounding rounding);
 /// How the samples of edges become pixels: only Interpolate asks line_rounding; the other lines
 /// take the nearest pixel.
 Rounding sample_rounding(const Settings& settings);
+
+/// The depth that the size of things is measured at when the projection is not perspective.
+float orthographic_depth_rule(const Settings& settings);
+
+/// Which depth clip space carries: 1/z, unless another format is chosen. Without perspective 1/z is
+/// not linear on the screen, but z is; then it is reversed ndc z in any case.
+ClipDepth clip_depth_rule(const Settings& settings, SceneSpace space);
 
 /// The part of the settings that each stage of the pipeline is told.
 VertexRules vertex_rules(const Settings& settings, SceneSpace space);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stages/orthographic.h"
 #include "stages/project.h"
 
 namespace rasterwalk {
@@ -13,12 +14,35 @@ namespace {
 /// bears, so that rounding cannot push a cut corner over its limit.
 constexpr float guard_band_distance = max_pixel_distance / 2.0f;
 
+/// The planes near and far: z - n and f - z of camera space, from what clip space has of z.
+std::array<glm::vec4, 2> depth_planes(const VertexRules& rules) {
+    const Projection& projection = rules.projection;
+    // Where the third coordinate is 0 at one plane, it has this slope toward the other one.
+    const float from_near = view_length(rules) / clip_w(rules.far, projection);
+    const float from_far = view_length(rules) / clip_w(rules.near, projection);
+    switch (projection.clip_depth) {
+    case ClipDepth::inv_z:
+        break;
+    case ClipDepth::ndc:
+        return {glm::vec4{0.0f, 0.0f, from_near, 0.0f}, glm::vec4{0.0f, 0.0f, -from_far, from_far}};
+    case ClipDepth::reversed:
+        return {glm::vec4{0.0f, 0.0f, -from_near, from_near},
+                glm::vec4{0.0f, 0.0f, from_far, 0.0f}};
+    }
+    // w is z, and the third coordinate is 1.
+    return {glm::vec4{0.0f, 0.0f, -rules.near, 1.0f}, glm::vec4{0.0f, 0.0f, rules.far, -1.0f}};
+}
+
 /// The planes with these four sides, in pixels from the middle.
 ClipPlanes planes(const VertexRules& rules, float left, float right, float top, float bottom) {
-    // x and y are f x and f y, w is z, and z is 1.
-    return {glm::vec4{0.0f, 0.0f, -rules.near, 1.0f}, glm::vec4{0.0f, 0.0f, rules.far, -1.0f},
-            glm::vec4{1.0f, 0.0f, 0.0f, left},        glm::vec4{-1.0f, 0.0f, 0.0f, right},
-            glm::vec4{0.0f, 1.0f, 0.0f, top},         glm::vec4{0.0f, -1.0f, 0.0f, bottom}};
+    const auto [near, far] = depth_planes(rules);
+    // x and y are pixels from the middle, times w.
+    return {near,
+            far,
+            glm::vec4{1.0f, 0.0f, 0.0f, left},
+            glm::vec4{-1.0f, 0.0f, 0.0f, right},
+            glm::vec4{0.0f, 1.0f, 0.0f, top},
+            glm::vec4{0.0f, -1.0f, 0.0f, bottom}};
 }
 
 /// The planes with their sides so many pixels beside the picture.

@@ -35,7 +35,10 @@ Rejection back_facing_if(bool is_back, const CullWords& words, CullTest* test) {
 } // namespace
 
 float away_from_camera(const ClipVertex& vertex, const VertexRules& rules) {
-    return glm::dot(vertex.varyings.normal, vertex.varyings.position_world - rules.camera.position);
+    glm::vec3 ray = vertex.varyings.position_world - rules.camera.position;
+    const float mix = rules.projection.mix;
+    if (mix > 0.0f) ray = (1.0f - mix) * ray + mix * camera_rotation(rules.camera)[2];
+    return glm::dot(vertex.varyings.normal, ray);
 }
 
 float screen_area_sign(std::span<const ClipVertex> corners, const VertexRules& rules) {

@@ -88,7 +88,9 @@ bool cull_by_fragment_normal(const Fragment& fragment, const glm::vec3& camera,
 /// triangle of its fan; the sign is that of the area where every w is positive.
 float screen_area_sign(std::span<const ClipVertex> corners, const VertexRules& rules);
 
-/// dot(n, p - C): positive if the normal at this vertex points away from the camera.
+/// dot(n, p - C): positive if the normal at this vertex points away from the camera. Where rays are
+/// parallel, under orthographic projection, the way they run stands for p - C; between the two, the
+/// mixture of both.
 float away_from_camera(const ClipVertex& vertex, const VertexRules& rules);
 
 } // namespace rasterwalk

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "stages/orthographic.h"
 #include "stages/stage_table.h"
 
 namespace rasterwalk {
@@ -68,7 +69,7 @@ ProjectedVertex project(const ClipVertex& vertex, const VertexRules& rules, cons
     result.pixel.row = pixel.y;
     result.pixel.depth = clip.z * inv_w;
     result.pixel.inv_w = inv_w;
-    result.pixel.z = clip.w;
+    result.pixel.z = camera_depth(clip, rules);
     result.pixel.varyings = vertex.varyings * stages.varying_weight(inv_w);
     return result;
 }
@@ -78,6 +79,7 @@ ShadedVertex shade_vertex(const Vertex& vertex, const glm::mat3& rotation, const
     ShadedVertex shaded;
     const ClipVertex clip = stages.vertex_shader(vertex, rotation, rules, stages, &shaded.spaces);
     const ProjectedVertex projected = stages.project(clip, rules, stages, &shaded.spaces);
+    shaded.position_clip = clip.position_clip;
     shaded.pixel = projected.pixel;
     shaded.rejection = projected.rejection;
     shaded.has_pixel = projected.has_pixel;

@@ -66,6 +66,7 @@ ProjectedVertex project(const ClipVertex& vertex, const VertexRules& rules, cons
 /// A vertex through all its spaces, for reports.
 struct ShadedVertex {
     VertexSpaces spaces;
+    glm::vec4 position_clip{0.0f};         ///< see ClipVertex
     ScreenVertex pixel;                    ///< valid if has_pixel
     Rejection rejection = Rejection::none; ///< why its triangles are not drawn
     bool has_pixel = false;

@@ -3,6 +3,9 @@
 #include <cmath>
 #include <limits>
 
+#include <glm/geometric.hpp>
+
+#include "stages/orthographic.h"
 #include "stages/stage_table.h"
 
 namespace rasterwalk {
@@ -25,13 +28,50 @@ CameraPlace seen_by_camera(const glm::vec3& position_world, const glm::mat3& rot
     CameraPlace place;
     place.minus_camera = position_world - rules.camera.position;
     place.rotated = stages.rotate_to_camera(place.minus_camera, rotation);
-    place.clip = stages.to_clip_space(place.rotated, rules.camera.focal_length);
+    place.clip = stages.to_clip_space(place.rotated, rules);
     return place;
 }
 
+/// The direction, or the other one if it has no length.
+glm::vec3 unit_or(const glm::vec3& direction, const glm::vec3& other) {
+    // In double, so that the square of a small length is not 0.
+    const glm::dvec3 wide(direction);
+    const double length = glm::length(wide);
+    return length > 0.0 ? glm::vec3(wide / length) : other;
+}
+
 /// In a scene in pixel space x and y are columns and rows already: there is no camera.
-CameraPlace given_in_pixels(const glm::vec3& position) {
-    return {position, position, {position.x, position.y, 1.0f, position.z}};
+CameraPlace given_in_pixels(const glm::vec3& position, const VertexRules& rules) {
+    return {position, position, {position.x, position.y, clip_z(position.z, rules), position.z}};
+}
+
+} // namespace
+
+glm::mat3 look_at_rotation(const glm::vec3& eye, const glm::vec3& target, const glm::vec3& up) {
+    const glm::vec3 forward = unit_or(target - eye, {0.0f, 0.0f, 1.0f});
+    const auto across = [&](const glm::vec3& direction) {
+        // What is left of it is rubbish of rounding if it points along the view.
+        constexpr float smallest_sine = 1e-6f;
+        const glm::vec3 right = glm::cross(forward, unit_or(direction, glm::vec3(0.0f)));
+        return glm::length(right) > smallest_sine ? right : glm::vec3(0.0f);
+    };
+    // y runs down: right, down and forward go round as x, y and z do.
+    const glm::vec3 beside =
+        std::abs(forward.y) < 0.9f ? glm::vec3(0.0f, -1.0f, 0.0f) : glm::vec3(0.0f, 0.0f, -1.0f);
+    const glm::vec3 right = unit_or(across(up), unit_or(across(beside), {1.0f, 0.0f, 0.0f}));
+    return {right, glm::cross(forward, right), forward};
+}
+
+glm::mat3 camera_rotation(const Camera& camera) {
+    if (camera.aim == CameraAim::look_at)
+        return look_at_rotation(camera.position, camera.target, camera.up);
+    const float cy = std::cos(camera.yaw), sy = std::sin(camera.yaw);
+    const float cp = std::cos(camera.pitch), sp = std::sin(camera.pitch);
+    // Columns are the camera's right, down and forward axes in the world.
+    const glm::vec3 right(cy, 0.0f, -sy);
+    const glm::vec3 down(sp * sy, cp, sp * cy);
+    const glm::vec3 forward(cp * sy, -sp, cp * cy);
+    return {right, down, forward};
 }
 
 Varyings start_varyings(const Vertex& vertex, const VertexRules& rules, const Stages& stages) {
@@ -48,18 +88,6 @@ Varyings start_varyings(const Vertex& vertex, const VertexRules& rules, const St
     return varyings;
 }
 
-} // namespace
-
-glm::mat3 camera_rotation(const Camera& camera) {
-    const float cy = std::cos(camera.yaw), sy = std::sin(camera.yaw);
-    const float cp = std::cos(camera.pitch), sp = std::sin(camera.pitch);
-    // Columns are the camera's right, down and forward axes in the world.
-    const glm::vec3 right(cy, 0.0f, -sy);
-    const glm::vec3 down(sp * sy, cp, sp * cy);
-    const glm::vec3 forward(cp * sy, -sp, cp * cy);
-    return {right, down, forward};
-}
-
 glm::vec3 VertexSpaces::in(std::string_view space) const {
     for (const SpacePoint& point : points) {
         if (point.space == space) return point.place;
@@ -71,7 +99,7 @@ ClipVertex vertex_shader(const Vertex& vertex, const glm::mat3& rotation, const 
                          const Stages& stages, VertexSpaces* spaces) {
     const CameraPlace place = rules.space == SceneSpace::world
                                   ? seen_by_camera(vertex.position, rotation, rules, stages)
-                                  : given_in_pixels(vertex.position);
+                                  : given_in_pixels(vertex.position, rules);
     if (spaces != nullptr) {
         spaces->add("world", vertex.position);
         spaces->add("minus_camera", place.minus_camera);

@@ -58,6 +58,23 @@ inline constexpr auto enum_words<VertexRounding> = word_list("truncate", "floor"
                                                              "truncate_sum");
 static_assert(words_match<VertexRounding>);
 
+/// What the third coordinate of clip space becomes behind the division: what the depth buffer
+/// holds.
+enum class ClipDepth : std::uint8_t {
+    inv_z, ///< it is 1, which becomes 1/z: 0 infinitely far, larger is nearer. The lab
+    ndc,   ///< it is 0 at the near plane and w at the far one, which become 0 and 1
+    /// the other way round, 1 near and 0 far: floats have more of their steps near 0, where under
+    /// perspective nearly all of the view lies
+    reversed,
+};
+
+/// How camera space becomes clip space, beside the focal length and the planes near and far.
+struct Projection {
+    float mix = 0.0f;   ///< 0: perspective; 1: orthographic; between: the way between
+    float depth = 1.0f; ///< where the size of things does not depend on `mix`, world units
+    ClipDepth clip_depth = ClipDepth::inv_z;
+};
+
 /// What the vertex shader needs beside the vertex.
 struct VertexRules {
     Camera camera;
@@ -67,13 +84,15 @@ struct VertexRules {
     VertexRounding rounding = VertexRounding::truncate;
     Shading shading = Shading::unlit;
     float near = 0.1f, far = 100.0f; ///< of the view volume, in front of the camera, world units
+    Projection projection;
 };
 
 /// A vertex in clip space: before the division that makes perspective.
 struct ClipVertex {
     /// f x, f y, 1, z of camera space: x and y become pixels from the middle of the picture when
-    /// they are divided by w, and 1 becomes the depth 1/z. In a scene in pixel space x and y are
-    /// columns and rows already. All NaN if a coordinate in camera space is not finite.
+    /// they are divided by w, and 1 becomes the depth 1/z. Other projections have another w, and
+    /// another third coordinate, see ClipDepth. In a scene in pixel space x and y are columns and
+    /// rows already. All NaN if a coordinate in camera space is not finite.
     glm::vec4 position_clip{0.0f};
     Varyings varyings; ///< as q: not yet divided by z
 };
@@ -95,8 +114,15 @@ struct VertexSpaces {
     glm::vec3 in(std::string_view space) const;
 };
 
-/// R of the camera, for row vectors: v * R. Yaw turns about y, then pitch about x.
+/// R of the camera, for row vectors: v * R. Its columns are the camera's right, down and forward
+/// axes in the world. Yaw turns about y, then pitch about x; or it looks at its target, see
+/// look_at_rotation().
 glm::mat3 camera_rotation(const Camera& camera);
+
+/// R of a camera that looks at a point: forward is the way to it, right is across that and up, and
+/// down is across both. Where up points along the view, or nowhere, another direction takes its
+/// place; where the target is the eye, forward is +z.
+glm::mat3 look_at_rotation(const glm::vec3& eye, const glm::vec3& target, const glm::vec3& up);
 
 /// Turns the world so that the camera looks along +z: the row vector times R.
 inline glm::vec3 rotate_to_camera(const glm::vec3& minus_camera, const glm::mat3& rotation) {
@@ -105,9 +131,13 @@ inline glm::vec3 rotate_to_camera(const glm::vec3& minus_camera, const glm::mat3
 
 /// The perspective projection as far as it is linear, from camera space to clip space: the division
 /// by w follows.
-inline glm::vec4 to_clip_space(const glm::vec3& rotated, float focal_length) {
-    return {focal_length * rotated.x, focal_length * rotated.y, 1.0f, rotated.z};
+inline glm::vec4 to_clip_space(const glm::vec3& rotated, const VertexRules& rules) {
+    const float f = rules.camera.focal_length;
+    return {f * rotated.x, f * rotated.y, 1.0f, rotated.z};
 }
+
+/// The varyings that start their way at a vertex, by the rules of light.
+Varyings start_varyings(const Vertex& vertex, const VertexRules& rules, const Stages& stages);
 
 /// From the world to clip space. `rotation` is camera_rotation(rules.camera), computed once a
 /// frame. `stages` is the table whose functions turn, project and light the vertex.

@@ -86,6 +86,29 @@ TEST_CASE("triangle --json gives the vertices through the spaces") {
     CHECK_THAT(json, Contains("\"pixel\":[160,218]"));
 }
 
+TEST_CASE("triangle shows every space with its matrix where matrices do the work") {
+    const CliRun rows = run({"triangle", "0", "--set", "transform=matrices"});
+    INFO(rows.err);
+    CHECK(rows.exit_code == 0);
+    CHECK_THAT(rows.out, Contains("Spaces: window = (p · Tm · Tv · Tp) / w · Ts"));
+    CHECK_THAT(rows.out, Contains("  Tv, to camera space\n"));
+    // Row vectors: the translation stands in the last row.
+    CHECK_THAT(rows.out, Contains("         0.0000      0.0000      3.0010      1.0000\n"));
+    CHECK_THAT(rows.out, Contains("Conventions: vertices[0]"));
+    CHECK_THAT(rows.out, Contains("y up in the world and rows counted from below cancel."));
+    const CliRun columns = run(
+        {"triangle", "0", "--set", "transform=matrices", "--set", "matrix_order=column_vectors"});
+    CHECK_THAT(columns.out, Contains("Spaces: window = Ts · (Tp · Tv · Tm · p) / w"));
+    CHECK_THAT(columns.out, Contains("         0.0000      0.0000      1.0000      3.0010\n"));
+    const std::string json = json_of({"0", "--set", "transform=matrices"});
+    CHECK_THAT(json, Contains("\"matrix_name\":\"Tp\""));
+    CHECK_THAT(json, Contains("\"space\":\"ndc\""));
+    CHECK_THAT(json, Contains("\"cancelling\":["));
+    // The lab has no matrices.
+    CHECK_THAT(run({"triangle", "0"}).out, !Contains("Spaces"));
+    CHECK_THAT(json_of({"0"}), !Contains("\"spaces\""));
+}
+
 TEST_CASE("A triangle with samples outside names them") {
     // The room has four; find one of them by its report.
     int found = 0;

@@ -251,6 +251,34 @@ TEST_CASE("Two runs have facts while they are compared") {
     CHECK_FALSE(room.is_there("compare.different_pixels"));
 }
 
+TEST_CASE("By matrices no vertex is elsewhere and no pixel differs; turned, they do") {
+    Asked room;
+    Settings other = room.session.a.settings;
+    other.transform = Transform::matrices;
+    compare_with(room.session, other);
+    CHECK(room.number("compare.vertices_elsewhere") == 0);
+    CHECK(room.number("compare.different_pixels") == 0);
+    other.camera.yaw = 0.1f;
+    compare_with(room.session, other);
+    CHECK(room.number("compare.vertices_elsewhere") > 60);
+    CHECK(room.number("compare.vertices_elsewhere") <= 90);
+}
+
+TEST_CASE("Ndc z is told of a vertex and of a pixel, under either projection") {
+    Asked room;
+    room.session.selection.triangle = 0;
+    room.session.selection.vertex = 0;
+    const double z = room.number("vertex.z");
+    CHECK(room.number("vertex.z_ndc") == Approx(100.0 / 99.9 * (1.0 - 0.1 / z)).margin(1e-6));
+    room.session.selection.pixel = glm::ivec2(250, 400);
+    const double of_pixel = room.number("pixel.z");
+    CHECK(room.number("pixel.z_ndc") == Approx(100.0 / 99.9 * (1.0 - 0.1 / of_pixel)).margin(1e-6));
+    room.session.a.settings.projection_mix = 1.0f;
+    const double parallel = room.number("pixel.z");
+    CHECK(room.number("pixel.z_ndc") == Approx((parallel - 0.1) / 99.9).margin(1e-6));
+    CHECK(room.number("vertex.z_ndc") == Approx((z - 0.1) / 99.9).margin(1e-6));
+}
+
 TEST_CASE("The names of tabs and views are found") {
     CHECK(value_of_word<View>("overdraw") == View::overdraw);
     CHECK_FALSE(value_of_word<View>("colours"));

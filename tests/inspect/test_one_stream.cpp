@@ -53,8 +53,10 @@ glm::vec3 tilted(const glm::vec3& minus_camera, const glm::mat3& rotation) {
     const glm::vec3 rotated = rotate_to_camera(minus_camera, rotation);
     return {rotated.x + 0.1f * rotated.y, rotated.y, rotated.z};
 }
-glm::vec4 half_as_long(const glm::vec3& rotated, float focal_length) {
-    return to_clip_space(rotated, 0.5f * focal_length);
+glm::vec4 half_as_long(const glm::vec3& rotated, const VertexRules& rules) {
+    VertexRules half = rules;
+    half.camera.focal_length *= 0.5f;
+    return to_clip_space(rotated, half);
 }
 bool is_between(float w) {
     return w > 0.0f && w < 3.5f;

@@ -48,6 +48,7 @@ TEST_CASE("The table holds exactly the settings that are promised, each with hel
                                                  "empty_rows",
                                                  "spans",
                                                  "depth_test",
+                                                 "depth_format",
                                                  "depth_clear",
                                                  "depth_index",
                                                  "depth_order",
@@ -56,10 +57,18 @@ TEST_CASE("The table holds exactly the settings that are promised, each with hel
                                                  "camera.yaw",
                                                  "camera.pitch",
                                                  "camera.focal_length",
+                                                 "camera.aim",
+                                                 "camera.target",
+                                                 "camera.up",
                                                  "rotation",
                                                  "image_axes",
                                                  "behind_mark",
                                                  "outside_picture",
+                                                 "transform",
+                                                 "matrix_order",
+                                                 "projection",
+                                                 "projection_mix",
+                                                 "orthographic_depth",
                                                  "near",
                                                  "far",
                                                  "reject",
@@ -124,10 +133,15 @@ TEST_CASE("Every word of every choice is set and read back, and lands in its own
     CHECK(settings.spans == Spans::last_dropped);
     CHECK(settings.bounds == Bounds::excludes_zero);
     CHECK(settings.depth_test == DepthTest::reversed);
+    CHECK(settings.depth_format == DepthFormat::reversed_16);
     CHECK(settings.depth_index == DepthIndex::transposed);
     CHECK(settings.depth_order == DepthOrder::before_depth_test);
     CHECK(settings.interpolation == Interpolation::zinv_twice);
     CHECK(settings.rotation == Rotation::transposed);
+    CHECK(settings.camera.aim == CameraAim::look_at);
+    CHECK(settings.transform == Transform::matrices);
+    CHECK(settings.matrix_order == MatrixOrder::column_vectors);
+    CHECK(settings.projection_mix == 1.0f);
     CHECK(settings.image_axes == ImageAxes::mirrored);
     CHECK(settings.behind_mark == BehindMark::minus_one);
     CHECK(settings.outside_picture == OutsidePicture::clamped);
@@ -296,8 +310,11 @@ TEST_CASE("Each setting is compared and copied by itself") {
         } else if (std::holds_alternative<SizeSetting>(setting.kind)) {
             set_value(from, setting, "3x4");
         } else {
+            const bool is_number = std::holds_alternative<NumberSetting>(setting.kind);
             set_value(from, setting,
-                      std::holds_alternative<NumberSetting>(setting.kind) ? "1.5" : "1,2,0.5");
+                      setting.name == "projection_mix" ? "0.5"
+                      : is_number                      ? "1.5"
+                                                       : "1,2,0.5");
         }
         INFO(setting.name);
         CHECK(has_same_value(setting, from, from));

@@ -24,8 +24,10 @@ namespace {
 
 /// A corner of a triangle whose varying `colour` is its barycentric coordinates.
 ClipVertex corner(int number, const glm::vec3& camera_space, float focal_length) {
+    VertexRules rules;
+    rules.camera.focal_length = focal_length;
     ClipVertex vertex;
-    vertex.position_clip = to_clip_space(camera_space, focal_length);
+    vertex.position_clip = to_clip_space(camera_space, rules);
     vertex.varyings.colour = glm::vec3(0.0f);
     vertex.varyings.colour[number] = 1.0f;
     return vertex;

@@ -138,6 +138,13 @@ bool is_linear_z(const Ui& ui) {
     return depth_rule(ui.results.a.frame.settings) == DepthTest::linear_z;
 }
 
+/// Does the depth buffer hold something else than 1/z?
+bool has_other_depth(const Ui& ui) {
+    const Frame& frame = ui.results.a.frame;
+    return is_linear_z(ui) ||
+           clip_depth_rule(frame.settings, frame.scene->space) != ClipDepth::inv_z;
+}
+
 std::string tooltip(const Ui& ui, const PixelHistory& history, int index) {
     const PixelEntry& entry = history.entries[index];
     std::string text = describe_moment(ui.results.a.frame, entry.cursor);
@@ -238,7 +245,7 @@ void draw_entry(Ui& ui, const PixelHistory& history, int index, const Columns& c
         right_aligned(in_brackets(is_row ? entry.column : entry.cursor.step), colour);
     }
     ImGui::TableNextColumn();
-    right_aligned(fixed(static_cast<double>(is_linear_z(ui) ? entry.depth : entry.zinv), 4),
+    right_aligned(fixed(static_cast<double>(has_other_depth(ui) ? entry.depth : entry.zinv), 4),
                   colour);
     if (columns.has(margin_column)) {
         ImGui::TableNextColumn();
@@ -273,10 +280,14 @@ void draw_history_headers(Ui& ui, const Columns& columns) {
         {"triangle", name_title, "The triangle that it belongs to, and the part of the scene."},
         {"piece", place.piece, place.piece_help},
         {"step", place.step, place.step_help},
-        {"zinv", is_linear_z(ui) ? "1/lin z" : "1/z",
+        {"zinv",
+         is_linear_z(ui)       ? "1/lin z"
+         : has_other_depth(ui) ? "depth"
+                               : "1/z",
          is_linear_z(ui) ? "One over the z that is interpolated in equal steps: what this depth "
                            "test compares, and wrong between the ends."
-                         : "Its interpolated 1/z: larger is nearer."},
+         : has_other_depth(ui) ? "Its depth, 1 at the near plane and 0 at the far one."
+                               : "Its interpolated 1/z: larger is nearer."},
         {"margin", "margin",
          "Its 1/z less the depth buffer's value before: above 0 it is nearer and is written."},
         {"fate", "fate",
@@ -305,7 +316,7 @@ void draw_history_headers(Ui& ui, const Columns& columns) {
 } // namespace
 
 std::string_view depth_value_words(const Ui& ui) {
-    return is_linear_z(ui) ? "1/z from linear z" : "1/z";
+    return is_linear_z(ui) ? "1/z from linear z" : has_other_depth(ui) ? "depth" : "1/z";
 }
 
 bool stays(const PixelHistory& history, int index) {

@@ -8,6 +8,7 @@
 #include "stages/project.h"
 #include "ui/actions/go_to_source.h"
 #include "ui/inspector/panels.h"
+#include "ui/inspector/space_part.h"
 #include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
 #include "ui/widgets/style.h"
@@ -310,12 +311,19 @@ void draw_vertices_panel(Ui& ui) {
     const int chosen = vertex_on_show(ui);
     draw_triangle_title(ui);
     const VertexReport& vertex = vertices[static_cast<std::size_t>(chosen)];
+    const bool has_spaces = ui.results.a.frame.settings.transform == Transform::matrices;
     if (ui.inspector.is_low) {
         draw_as_one_page(ui, chosen, vertex);
+        if (has_spaces) draw_spaces(ui, chosen);
         return;
     }
     draw_with_card(
-        "vertices", [&] { draw_table(ui, chosen, lines); }, [&] { draw_formula_card(ui, vertex); });
+        "vertices",
+        [&] {
+            draw_table(ui, chosen, lines);
+            if (has_spaces) draw_spaces(ui, chosen);
+        },
+        [&] { draw_formula_card(ui, vertex); });
 }
 
 } // namespace rasterwalk

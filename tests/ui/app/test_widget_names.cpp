@@ -96,6 +96,8 @@ class Tour {
         driver.ui.session.a.settings.camera.yaw = 0.3f; // there is an R to speak of
         follow_link(driver.ui, "tab:vertices");
         look(driver);
+        follow_link(driver.ui, "set:transform=matrices");
+        look(driver);
     }
 
     void compared() {

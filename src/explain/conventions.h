@@ -1,0 +1,79 @@
+#pragma once
+
+// One point through the conventions that books and programs choose differently, and which of these
+// choices cancel each other. Each choice alone moves or mirrors the picture; some two or three
+// together leave it as it was, and a program that has one of them without the other is wrong.
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "base/enum_words.h"
+#include "scene/scene.h"
+
+namespace rasterwalk {
+
+/// A choice against the lab's.
+enum class Convention : std::uint8_t {
+    column_vectors, ///< R v in place of v R, with the same R
+    transposed,     ///< R's transpose in its place
+    y_up,           ///< y of the world and of the camera runs up: their signs turn round
+    z_backward,     ///< z runs out of the picture: with y up, this makes the axes right-handed
+    negative_f,     ///< −f for f
+    rows_up,        ///< rows are counted from below
+};
+template <>
+inline constexpr auto enum_words<Convention> = word_list("column_vectors", "transposed", "y_up",
+                                                         "z_backward", "negative_f", "rows_up");
+static_assert(words_match<Convention>);
+
+inline constexpr std::size_t convention_count = enum_words<Convention>.size();
+
+/// Some of the choices: bit i is that of Convention i.
+using Conventions = std::uint8_t;
+
+/// What a choice does to the picture.
+enum class PictureChange : std::uint8_t { same, half_turn, upside_down, mirrored, elsewhere };
+template <>
+inline constexpr auto enum_words<PictureChange> = word_list("same", "half_turn", "upside_down",
+                                                            "mirrored", "elsewhere");
+static_assert(words_match<PictureChange>);
+
+/// A point under some choices.
+struct ConventionPlace {
+    Conventions chosen = 0;
+    std::string formula;     ///< what the program writes: "−f · (R d).x / z"
+    glm::dvec3 camera{0.0};  ///< the point before the camera, in axes as chosen
+    glm::dvec2 picture{0.0}; ///< f x/z and f y/z: pixels from the middle, y down in the picture
+    PictureChange change = PictureChange::same; ///< of the whole picture, against the lab's
+};
+
+/// One point under the conventions, side by side.
+struct ConventionReport {
+    ConventionPlace lab;
+    std::array<ConventionPlace, convention_count> alone; ///< each choice by itself
+    std::vector<ConventionPlace> cancelling; ///< the smallest sets that leave the picture as it was
+    std::vector<std::string> sentences;      ///< what cancels, one a set
+};
+
+/// Takes a point of the world through all choices.
+/// @param point in the lab's axes; should lie in front of the camera
+ConventionReport convention_report(const Camera& camera, const glm::vec3& point);
+
+/// A point under these choices.
+ConventionPlace convention_place(const Camera& camera, const glm::dvec3& point, Conventions chosen);
+
+/// What a sentence calls each choice, indexed by Convention: "R v for v R".
+const std::array<std::string_view, convention_count>& convention_names();
+
+/// Is this one among them?
+constexpr bool has(Conventions chosen, Convention one) {
+    return (chosen >> static_cast<unsigned>(one) & 1u) != 0;
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,178 @@
+#include "explain/vertex_spaces.h"
+
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "explain/formula.h"
+#include "stages/matrices.h"
+
+namespace rasterwalk {
+
+namespace {
+
+constexpr std::array<const char*, 4> coordinate_names{"x", "y", "z", "w"};
+
+std::string in_text(double value) {
+    return shown({static_cast<float>(value)});
+}
+
+/// The number as a factor: what is negative stands in parentheses, unless it begins.
+std::string factor_text(double value, bool begins) {
+    const std::string text = in_text(value);
+    return value < 0.0 && !begins ? "(" + text + ")" : text;
+}
+
+/// One coordinate of a product, with numbers.
+std::string product_text(const SpacePlace& to, const glm::dvec4& from, MatrixOrder order, int i) {
+    std::string sum;
+    for (int k = 0; k < 4; ++k) {
+        const double of_matrix = (*to.matrix)[k][i];
+        if (of_matrix == 0.0) continue;
+        const bool is_row = order == MatrixOrder::row_vectors;
+        const bool begins = sum.empty();
+        if (!begins) sum += " + ";
+        sum += factor_text(is_row ? from[k] : of_matrix, begins) + " · " +
+               factor_text(is_row ? of_matrix : from[k], false);
+    }
+    return std::string(coordinate_names[static_cast<std::size_t>(i)]) + " = " +
+           (sum.empty() ? "0" : sum + " = " + in_text(to.place[i]));
+}
+
+/// Goes on to the next space by a matrix.
+void add_product(SpacesOfVertex& spaces, SpacePlace place, const glm::dmat4& matrix) {
+    const glm::dvec4 from = spaces.places.back().place;
+    place.matrix = matrix;
+    place.place = matrix * from;
+    for (int i = 0; i < 4; ++i)
+        place.formulas[static_cast<std::size_t>(i)] = product_text(place, from, spaces.order, i);
+    spaces.places.push_back(std::move(place));
+}
+
+void add_division(SpacesOfVertex& spaces) {
+    const glm::dvec4 clip = spaces.places.back().place;
+    SpacePlace ndc{"ndc",
+                   "Divided by w: the view volume is a box, x and y from −1 to 1, z from 0 at the "
+                   "near plane to 1 at the far one.",
+                   "",
+                   std::nullopt,
+                   clip / clip.w,
+                   {}};
+    for (int i = 0; i < 4; ++i) {
+        ndc.formulas[static_cast<std::size_t>(i)] =
+            std::string(coordinate_names[static_cast<std::size_t>(i)]) + " = " + in_text(clip[i]) +
+            " / " + factor_text(clip.w, false) + " = " + in_text(ndc.place[i]);
+    }
+    spaces.places.push_back(std::move(ndc));
+}
+
+/// The rules by which the vertex is drawn, with the mistakes that a matrix can hold.
+struct MatrixRules {
+    VertexRules rules;
+    glm::mat3 rotation;
+};
+
+MatrixRules matrix_rules(const Frame& frame) {
+    const Settings& settings = frame.settings;
+    MatrixRules drawn{vertex_rules(settings, frame.scene->space), camera_rotation(settings.camera)};
+    if (settings.rotation == Rotation::transposed) drawn.rotation = glm::transpose(drawn.rotation);
+    if (settings.image_axes == ImageAxes::mirrored)
+        drawn.rules.camera.focal_length = -drawn.rules.camera.focal_length;
+    return drawn;
+}
+
+glm::dvec3 unit(const glm::dvec3& direction) {
+    const double length = glm::length(direction);
+    return length > 0.0 ? direction / length : direction;
+}
+
+NormalPlace normal_of(const std::array<glm::dvec3, triangle_corners>& object,
+                      const glm::dmat4& model) {
+    NormalPlace normal;
+    normal.object = unit(glm::cross(object[2] - object[0], object[1] - object[0]));
+    normal.world = unit(normal_matrix(model) * normal.object);
+    normal.as_point = unit(transform_direction(model, normal.object));
+    return normal;
+}
+
+/// The corners of a triangle as the scene file has them, before its model transformation.
+std::array<glm::dvec3, triangle_corners> object_corners(const Scene& scene, int triangle,
+                                                        const Model* model) {
+    std::array<glm::dvec3, triangle_corners> corners;
+    const int part = part_of(scene, triangle);
+    for (int i = 0; i < triangle_corners; ++i) {
+        glm::vec3 place = scene.corner(triangle, i).position;
+        if (model != nullptr && !model->positions.empty()) {
+            const int first = scene.parts[static_cast<std::size_t>(part)].first_triangle;
+            place = model->positions[static_cast<std::size_t>(
+                triangle_corners * (triangle - first) + i)];
+        }
+        corners[static_cast<std::size_t>(i)] = glm::dvec3(place);
+    }
+    return corners;
+}
+
+} // namespace
+
+SpacesOfVertex spaces_of_vertex(const Frame& frame, int triangle, int vertex, MatrixOrder order) {
+    const Scene& scene = *frame.scene;
+    SpacesOfVertex spaces;
+    spaces.triangle = triangle;
+    spaces.vertex = vertex;
+    spaces.order = order;
+    if (scene.space == SceneSpace::pixels) {
+        const glm::dvec4 given(glm::dvec3(scene.corner(triangle, vertex).position), 1.0);
+        spaces.places.push_back(
+            {"window", "The scene gives its vertices in pixels.", "", std::nullopt, given, {}});
+        return spaces;
+    }
+    spaces.chain = order == MatrixOrder::column_vectors
+                       ? "window = Ts · (Tp · Tv · Tm · p) / w, read from right to left"
+                       : "window = (p · Tm · Tv · Tp) / w · Ts, read from left to right";
+    const MatrixRules drawn = matrix_rules(frame);
+    const int part = part_of(scene, triangle);
+    const Model* const model =
+        part >= 0 ? &scene.parts[static_cast<std::size_t>(part)].model : nullptr;
+    const glm::dmat4 to_world = model != nullptr ? model_matrix(model->steps) : glm::dmat4(1.0);
+    const std::array<glm::dvec3, triangle_corners> object = object_corners(scene, triangle, model);
+    spaces.normal = normal_of(object, to_world);
+    spaces.places.push_back({"object",
+                             "Where the scene file has it, before its model transformation.",
+                             "",
+                             std::nullopt,
+                             glm::dvec4(object[static_cast<std::size_t>(vertex)], 1.0),
+                             {}});
+    add_product(spaces,
+                {"world", "Where the object stands: moved, turned and scaled.", "Tm", {}, {}, {}},
+                to_world);
+    add_product(spaces,
+                {"camera",
+                 "The camera stands at the origin: x right, y down, z forward.",
+                 "Tv",
+                 {},
+                 {},
+                 {}},
+                view_matrix(glm::dvec3(drawn.rules.camera.position), glm::dmat3(drawn.rotation)));
+    add_product(spaces,
+                {"clip",
+                 "Before the division: inside the view are −w ≤ x ≤ w, −w ≤ y ≤ w, 0 ≤ z ≤ w.",
+                 "Tp",
+                 {},
+                 {},
+                 {}},
+                projection_matrix(drawn.rules));
+    if (!(spaces.places.back().place.w > 0.0)) return spaces;
+    add_division(spaces);
+    add_product(
+        spaces,
+        {"window", "Pixels from the left and from the top, before rounding.", "Ts", {}, {}, {}},
+        viewport_matrix(drawn.rules));
+    return spaces;
+}
+
+double entry(const glm::dmat4& matrix, MatrixOrder order, int row, int column) {
+    return order == MatrixOrder::column_vectors ? matrix[column][row] : matrix[row][column];
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,78 @@
+#pragma once
+
+// The model transformation Tm: from the space in which an object is made to the world.
+//
+// A house is drawn once, around its own origin; where it stands, how it is turned and how large it
+// is, is said by a list of steps. Each step is a matrix, and Tm is their product. With column
+// vectors the first step stands at the right, next to the point: Tm = step[n] ... step[1] step[0].
+// The order counts: what is turned and then moved stands elsewhere than what is moved and then
+// turned, for every step works about the origin of the world.
+//
+// A normal is no point. It stays across its surface only if it goes by the inverse transpose:
+// n . t = 0 is nT t = 0, and (A n)T (M t) = nT AT M t is 0 for every t if AT M = 1. Where a
+// direction is scaled by s, the normal is scaled by 1/s.
+//
+// Source: Akenine-Moeller, Haines, Hoffman, Real-Time Rendering, 4th edition, section 4.1, basic
+// transforms, and 4.1.7, normal transforms; Shirley, Marschner, Fundamentals of Computer Graphics,
+// 4th edition, chapter 6, transformation matrices.
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include "base/enum_words.h"
+
+namespace rasterwalk {
+
+/// What a step of a model transformation does, as scene files write it.
+enum class ModelStepKind : std::uint8_t {
+    translate, ///< moves by `amount`, world units
+    scale,     ///< times `amount`, axis by axis; a negative one mirrors the axis
+    rotate_x,  ///< turns about the x axis by `amount.x` radians: y toward z
+    rotate_y,  ///< about the y axis: z toward x
+    rotate_z,  ///< about the z axis: x toward y, clockwise in the picture, since y runs down
+};
+template <>
+inline constexpr auto enum_words<ModelStepKind> = word_list("translate", "scale", "rotate_x",
+                                                            "rotate_y", "rotate_z");
+static_assert(words_match<ModelStepKind>);
+
+struct ModelStep {
+    ModelStepKind kind = ModelStepKind::translate;
+    glm::vec3 amount{0.0f};
+
+    friend bool operator==(const ModelStep&, const ModelStep&) = default;
+};
+
+/// An object as it is made, before its steps. The mesh has it in the world already.
+struct Model {
+    std::vector<ModelStep> steps;     ///< in the order in which they are carried out
+    std::vector<glm::vec3> positions; ///< three a triangle, in object space; none: no steps
+
+    friend bool operator==(const Model&, const Model&) = default;
+};
+
+/// The matrix of one step, for column vectors.
+glm::dmat4 step_matrix(const ModelStep& step);
+
+/// Tm, for column vectors: the product of the steps, the first at the right.
+glm::dmat4 model_matrix(const std::vector<ModelStep>& steps);
+
+/// The inverse transpose of the linear part of Tm, times its determinant, which only changes the
+/// length: so no division is needed. Where an axis is mirrored the sign is turned back.
+/// @return all zero if Tm flattens the object to a line
+glm::dmat3 normal_matrix(const glm::dmat4& model);
+
+/// A point: with w = 1 it is moved too.
+glm::dvec3 transform_point(const glm::dmat4& matrix, const glm::dvec3& point);
+
+/// A direction: with w = 0 it is not moved.
+glm::dvec3 transform_direction(const glm::dmat4& matrix, const glm::dvec3& direction);
+
+/// Does Tm turn what is left to what is right? Then corners go round the other way.
+bool is_mirrored(const glm::dmat4& model);
+
+} // namespace rasterwalk

@@ -1,0 +1,109 @@
+#include "stages/matrices.h"
+
+#include <cmath>
+#include <limits>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec2.hpp>
+
+#include "stages/orthographic.h"
+#include "stages/project.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// A matrix of rows r0, r1, r2, which are multiplied with the point after it is moved by -eye.
+glm::dmat4 rows_after_translation(const glm::dmat3& rows_as_columns, const glm::dvec3& eye) {
+    const glm::dmat3 turn = glm::transpose(rows_as_columns);
+    glm::dmat4 matrix(turn);
+    matrix[3] = glm::dvec4(turn * -eye, 1.0);
+    return matrix;
+}
+
+/// How far ndc is stretched over the picture: half of its sides, pixels.
+glm::dvec2 half_of(const Viewport& viewport) {
+    return {viewport.width / 2.0, viewport.height / 2.0};
+}
+
+/// The third coordinate as ClipDepth wants it, from clip space with that of ndc z.
+double depth_for(ClipDepth wanted, const glm::dvec4& clip) {
+    switch (wanted) {
+    case ClipDepth::inv_z:
+        break;
+    case ClipDepth::ndc:
+        return clip.z;
+    case ClipDepth::reversed:
+        return clip.w - clip.z;
+    }
+    return 1.0;
+}
+
+} // namespace
+
+glm::dmat4 view_matrix(const glm::dvec3& eye, const glm::dmat3& rotation) {
+    return rows_after_translation(rotation, eye);
+}
+
+glm::dmat4 look_at_matrix(const glm::dvec3& eye, const glm::dvec3& direction,
+                          const glm::dvec3& up) {
+    const glm::dvec3 w = -glm::normalize(direction);
+    const glm::dvec3 u = glm::normalize(glm::cross(up, w));
+    return rows_after_translation({u, glm::cross(w, u), w}, eye);
+}
+
+glm::dmat4 projection_matrix(const VertexRules& rules) {
+    const double mix = rules.projection.mix, d = rules.projection.depth;
+    const double f = rules.camera.focal_length, near = rules.near;
+    const double length = view_length(rules), far = near + length;
+    const glm::dvec2 half = half_of(rules.viewport);
+    const double scale = mix == 0.0 ? f : f * ((1.0 - mix) * d + mix) / d;
+    const double w_far = (1.0 - mix) * far + mix;
+    // Written in rows, as it is read, and then turned into glm's columns.
+    return glm::transpose(glm::dmat4{{scale / half.x, 0.0, 0.0, 0.0},
+                                     {0.0, scale / half.y, 0.0, 0.0},
+                                     {0.0, 0.0, w_far / length, -w_far * near / length},
+                                     {0.0, 0.0, 1.0 - mix, mix}});
+}
+
+double ndc_depth(double z, const VertexRules& rules) {
+    const glm::dvec4 clip = projection_matrix(rules) * glm::dvec4(0.0, 0.0, z, 1.0);
+    return clip.z / clip.w;
+}
+
+glm::dmat4 viewport_matrix(const VertexRules& rules) {
+    const glm::dvec2 half = half_of(rules.viewport);
+    const glm::dvec2 middle(viewport_middle(rules));
+    return glm::transpose(glm::dmat4{{half.x, 0.0, 0.0, middle.x},
+                                     {0.0, half.y, 0.0, middle.y},
+                                     {0.0, 0.0, 1.0, 0.0},
+                                     {0.0, 0.0, 0.0, 1.0}});
+}
+
+ClipVertex vertex_shader_by_matrices(const Vertex& vertex, const glm::mat3& rotation,
+                                     const VertexRules& rules, const Stages& stages,
+                                     VertexSpaces* spaces) {
+    if (rules.space == SceneSpace::pixels)
+        return vertex_shader(vertex, rotation, rules, stages, spaces);
+    // A program multiplies the matrices with each other once a frame, and each vertex by the
+    // product; here they stay apart, as the spaces do. Tm is done: the scene is read with every
+    // object in the world.
+    const glm::dvec3 eye(rules.camera.position), world(vertex.position);
+    const glm::dvec4 camera = view_matrix(eye, glm::dmat3(rotation)) * glm::dvec4(world, 1.0);
+    const glm::dvec4 clip = projection_matrix(rules) * camera;
+    const glm::dvec2 scale = half_of(rules.viewport);
+    if (spaces != nullptr) {
+        spaces->add("world", vertex.position);
+        spaces->add("minus_camera", glm::vec3(world - eye));
+        spaces->add("rotated", glm::vec3(camera));
+    }
+    constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+    if (!std::isfinite(camera.x + camera.y + camera.z))
+        return {glm::vec4(not_a_number), start_varyings(vertex, rules, stages)};
+    const glm::vec4 position(glm::dvec4(scale.x * clip.x, scale.y * clip.y,
+                                        depth_for(rules.projection.clip_depth, clip), clip.w));
+    return {position, start_varyings(vertex, rules, stages)};
+}
+
+} // namespace rasterwalk

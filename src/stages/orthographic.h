@@ -1,0 +1,62 @@
+#pragma once
+
+// Orthographic: a box instead of a pyramid, and the way between.
+//
+// In:  a point in camera space.
+// Out: its place in clip space.
+// Picture: the camera goes back and back and takes a longer and longer lens, so that what stands at
+//          one depth stays as large as it is. At the end all rays are parallel: what is far is as
+//          large as what is near.
+//
+// As a matrix the way is short. Perspective has w = z, orthographic has w = 1, and every mixture
+//
+//     w = (1 - mix) z + mix
+//
+// is a projection too: that of a camera which stands mix / (1 - mix) behind. With w = 1 the
+// division changes nothing, so values go in equal steps over the picture, and so does z. The depth
+// is therefore not 1/z but z itself from 0 at the near plane to 1 at the far one, (z - n) / (f -
+// n).
+//
+// The classic mistakes: to leave the scale at f, which is meant to be divided by z, so that the
+// picture is a few pixels or the whole scene wide; and to ask with dot(n, p - C) for backs,
+// although the rays are parallel.
+//
+// Source: Shirley, Marschner, Fundamentals of Computer Graphics, 4th edition, sections 7.1 to 7.3,
+// orthographic and perspective projection; Akenine-Moeller, Haines, Hoffman, Real-Time Rendering,
+// 4th edition, section 4.7, projections. Depth the other way round: Lapidous and Jiao, "Optimal
+// Depth Buffer for Low-Cost Graphics Hardware", Graphics Hardware 1999.
+
+#include "stages/vertex_shader.h"
+
+namespace rasterwalk {
+
+/// w of a point at this depth in front of the camera: z, 1, or between. Never negative for z >= 0.
+inline float clip_w(float z, const Projection& projection) {
+    return (1.0f - projection.mix) * z + projection.mix;
+}
+
+/// What x and y of camera space are multiplied by, pixels: f, f/d, or between, so that at the depth
+/// d the size stays the same.
+float clip_scale(const VertexRules& rules);
+
+/// How long the view volume is: far - near, world units; never 0.
+float view_length(const VertexRules& rules);
+
+/// The third coordinate of clip space at this depth, by rules.projection.clip_depth.
+float clip_z(float z, const VertexRules& rules);
+
+/// In the slot to_clip_space: any projection, and any depth.
+glm::vec4 to_clip_space_mixed(const glm::vec3& rotated, const VertexRules& rules);
+
+/// How far in front of the camera a place in clip space lies: z of camera space again.
+float camera_depth(const glm::vec4& clip, const VertexRules& rules);
+
+/// How far in front of the camera a fragment lies: from w, or where rays are parallel from z, which
+/// then goes in equal steps itself.
+float fragment_depth(const Fragment& fragment, float mix);
+
+/// How far in front of the camera the world's origin lies, but at least as far as the near plane:
+/// the depth d if none is chosen.
+float origin_depth(const Camera& camera, float near);
+
+} // namespace rasterwalk

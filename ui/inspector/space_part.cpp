@@ -1,0 +1,136 @@
+#include "ui/inspector/space_part.h"
+
+#include <string>
+
+#include "base/element_names.h"
+#include "explain/conventions.h"
+#include "explain/vertex_spaces.h"
+#include "settings/setting_table.h"
+#include "settings/value_words.h"
+#include "ui/ui.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+void dim_text(const Ui& ui, std::string_view text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
+    wrapped_text(text);
+    ImGui::PopStyleColor();
+}
+
+void draw_order(Ui& ui) {
+    const Setting& setting = *find_setting("matrix_order");
+    for (std::size_t i = 0; i < enum_words<MatrixOrder>.size(); ++i) {
+        const std::string word(enum_words<MatrixOrder>[i]);
+        const auto order = static_cast<MatrixOrder>(i);
+        const std::string label = said_word(setting, word);
+        if (i > 0 &&
+            ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + button_width(label) <=
+                ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x)
+            ImGui::SameLine();
+        const bool is_chosen = ui.session.a.settings.matrix_order == order;
+        if (button(ui, "vertices.matrix_order." + word, label,
+                   is_chosen ? Look::chosen : Look::outline,
+                   "On which side of the matrix the vector stands; the matrix of one is the "
+                   "transpose of the other.")) {
+            ui.session.a.settings.matrix_order = order;
+        }
+    }
+}
+
+/// The matrix as it is written in this order, number by number.
+void draw_matrix(Ui& ui, const SpacePlace& place, MatrixOrder order) {
+    const std::string name = std::string("vertices.").append(place.matrix_name);
+    if (!ImGui::BeginTable(name.c_str(), 4, ImGuiTableFlags_SizingStretchSame)) return;
+    ImGui::PushFont(ui.fonts.mono);
+    for (int row = 0; row < 4; ++row) {
+        ImGui::TableNextRow();
+        for (int column = 0; column < 4; ++column) {
+            ImGui::TableNextColumn();
+            const double value = entry(*place.matrix, order, row, column);
+            const bool is_plain = value == (row == column ? 1.0 : 0.0);
+            right_aligned(fixed(value, ui.inspector.is_narrow ? 2 : 3),
+                          is_plain ? palette(ui.options.theme).dim
+                                   : palette(ui.options.theme).text);
+        }
+    }
+    ImGui::PopFont();
+    ImGui::EndTable();
+}
+
+void draw_place(Ui& ui, const SpacePlace& place, MatrixOrder order) {
+    ImGui::Separator();
+    ImGui::TextUnformatted(place.space.data(), place.space.data() + place.space.size());
+    name_widget(ui, std::string("vertices.space.").append(place.space), place.about);
+    dim_text(ui, place.about);
+    if (place.matrix) {
+        ImGui::TextUnformatted((std::string(place.matrix_name) + " =").c_str());
+        draw_matrix(ui, place, order);
+    }
+    ImGui::PushFont(ui.fonts.mono_small);
+    for (int i = 0; i < 4; ++i) {
+        const std::string& formula = place.formulas[static_cast<std::size_t>(i)];
+        constexpr const char* axes[] = {"x = ", "y = ", "z = ", "w = "};
+        wrapped_text(formula.empty() ? axes[i] + fixed(place.place[i], 4) : formula);
+    }
+    ImGui::PopFont();
+}
+
+std::string_view change_words(PictureChange change) {
+    switch (change) {
+    case PictureChange::same:
+        return "the same picture";
+    case PictureChange::half_turn:
+        return "the picture turned by half a turn";
+    case PictureChange::upside_down:
+        return "the picture upside down";
+    case PictureChange::mirrored:
+        return "left and right exchanged";
+    case PictureChange::elsewhere:
+        break;
+    }
+    return "another picture";
+}
+
+void draw_conventions(Ui& ui, const Vertex& vertex) {
+    const ConventionReport report =
+        convention_report(ui.results.a.frame.settings.camera, vertex.position);
+    ImGui::Separator();
+    ImGui::TextUnformatted("conventions");
+    name_widget(ui, "vertices.conventions",
+                "The same point with one choice made otherwise: pixels from the middle.");
+    const auto draw_line = [&](std::string_view name, const ConventionPlace& place) {
+        wrapped_text(std::string(name) + ": " + fixed(place.picture.x, 1) + ", " +
+                     fixed(place.picture.y, 1) + ", " + std::string(change_words(place.change)));
+    };
+    wrapped_text("as the lab: " + fixed(report.lab.picture.x, 1) + ", " +
+                 fixed(report.lab.picture.y, 1));
+    for (std::size_t i = 0; i < convention_count; ++i)
+        draw_line(convention_names()[i], report.alone[i]);
+    for (const std::string& sentence : report.sentences)
+        dim_text(ui, sentence);
+}
+
+} // namespace
+
+void draw_spaces(Ui& ui, int vertex) {
+    const Frame& frame = ui.results.a.frame;
+    const int triangle = *ui.results.a.triangle;
+    const SpacesOfVertex spaces =
+        spaces_of_vertex(frame, triangle, vertex, frame.settings.matrix_order);
+    if (spaces.chain.empty()) return;
+    ImGui::Separator();
+    text_in(palette(ui.options.theme).dim, "Spaces of " + vertex_name(vertex));
+    name_widget(ui, "vertices.spaces",
+                "The vertex in every space, and the matrix that took it there.");
+    wrapped_text(spaces.chain);
+    draw_order(ui);
+    for (const SpacePlace& place : spaces.places)
+        draw_place(ui, place, spaces.order);
+    draw_conventions(ui, frame.scene->corner(triangle, vertex));
+}
+
+} // namespace rasterwalk
