@@ -88,6 +88,23 @@ bool meet(const OutsideBox& a, const OutsideBox& b) {
     return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
 }
 
+/// Does the line touch the box?
+bool touches(const OutsideLine& line, const OutsideBox& box) {
+    const glm::vec2 way = line.to - line.from;
+    float begin = 0.0f, end = 1.0f; // parts of the line between which it lies in the box
+    for (int axis = 0; axis < 2; ++axis) {
+        const float low = box.low[axis] - line.from[axis], high = box.high[axis] - line.from[axis];
+        if (way[axis] == 0.0f) {
+            if (low > 0.0f || high < 0.0f) return false;
+            continue;
+        }
+        const float a = low / way[axis], b = high / way[axis];
+        begin = std::max(begin, std::min(a, b));
+        end = std::min(end, std::max(a, b));
+    }
+    return begin <= end;
+}
+
 /// Where a text may stand beside its point, the best first: in parts of its size from the point.
 constexpr std::array<glm::vec2, 8> label_sides{
     glm::vec2{1.0f, 0.0f},  glm::vec2{-1.0f, 0.0f},  glm::vec2{0.0f, 1.0f}, glm::vec2{0.0f, -1.0f},
@@ -125,6 +142,14 @@ bool is_free(const OutsideBox& box, std::span<const OutsideBox> taken, glm::vec2
                                      [&](const OutsideBox& other) { return meet(box, other); });
 }
 
+bool is_too_near(const OutsideLabel& label, const OutsideBox& box,
+                 std::span<const OutsideLine> lines) {
+    if (label.line_distance < 0.0f) return false;
+    const OutsideBox wide{box.low - label.line_distance, box.high + label.line_distance};
+    return std::any_of(lines.begin(), lines.end(),
+                       [&](const OutsideLine& line) { return touches(line, wide); });
+}
+
 } // namespace
 
 OutsideMarks outside_marks(const Scene& scene, const OutsideThings& things, const OutsideEye& eye,
@@ -149,7 +174,9 @@ OutsideMarks outside_marks(const Scene& scene, const OutsideThings& things, cons
 }
 
 std::vector<std::optional<glm::vec2>> label_places(std::span<const OutsideLabel> labels,
-                                                   std::vector<OutsideBox> taken, glm::vec2 size) {
+                                                   std::vector<OutsideBox> taken,
+                                                   std::span<const OutsideLine> lines,
+                                                   glm::vec2 size) {
     std::vector<std::optional<glm::vec2>> places;
     for (const OutsideLabel& label : labels) {
         std::optional<glm::vec2> place;
@@ -158,7 +185,7 @@ std::vector<std::optional<glm::vec2>> label_places(std::span<const OutsideLabel>
         for (std::size_t i = 0; is_seen && !place && i < label_sides.size(); ++i) {
             const std::size_t at = (place_of(label.first) + i) % label_sides.size();
             const OutsideBox box = label_box(label, label_sides[at], size);
-            if (!is_free(box, taken, size)) continue;
+            if (!is_free(box, taken, size) || is_too_near(label, box, lines)) continue;
             place = box.low;
             taken.push_back(box);
         }
