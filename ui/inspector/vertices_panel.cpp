@@ -11,6 +11,7 @@
 #include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -118,16 +119,19 @@ void draw_labels(Ui& ui, const Line& line) {
         const std::string space = is_pixel || *line.space == '\0' ? "" : line.space;
         ImGui::PushFont(ui.fonts.small);
         right_aligned(space.empty() ? line.coordinate : space + " " + line.coordinate, p.dim);
+        keep_item_whole(ui);
         ImGui::PopFont();
         name_widget(ui, name, line.help);
         return;
     }
     if (*line.space != '\0') {
         ImGui::TextUnformatted(line.space);
+        keep_item_whole(ui);
         name_widget(ui, name + ".space", line.help);
     }
     ImGui::TableNextColumn();
     text_in(p.dim, line.coordinate);
+    keep_item_whole(ui);
     name_widget(ui, name, line.help);
 }
 
@@ -228,6 +232,7 @@ void draw_what_else(Ui& ui, const VertexReport& vertex, const Formula& formula) 
     ImGui::PushStyleColor(ImGuiCol_Text, p.dim);
     if (formula.id.starts_with("pixel.")) {
         wrapped_text(other_roundings(vertex, formula.id, settings.vertex_rounding));
+        keep_text_whole(ui);
         name_widget(ui, "vertices.other_roundings",
                     "The same number made whole in the other ways. int() cuts toward zero, so it "
                     "moves negative numbers the other way than positive ones.");
@@ -236,6 +241,7 @@ void draw_what_else(Ui& ui, const VertexReport& vertex, const Formula& formula) 
     // As long as nothing is turned there is no R to speak of.
     if (has_camera && is_turned(ui) && depends_on_rotation(formula.id)) {
         wrapped_text(other_convention(vertex, formula, settings.rotation));
+        keep_text_whole(ui);
         name_widget(ui, "vertices.other_convention",
                     "A vector before the matrix or behind it: one is the transpose of the other, "
                     "and turns the camera the other way.");
@@ -258,6 +264,7 @@ void draw_formula_card(Ui& ui, const VertexReport& vertex) {
     } else {
         text_in(palette(ui.options.theme).dim, vertex_name(vertex.vertex) + ": " + formula->help);
         name_widget(ui, "vertices.formula", formula->help);
+        keep_text_whole(ui);
     }
     ImGui::PushFont(ui.inspector.is_low ? ui.fonts.small : ui.fonts.text);
     const std::optional<Source> clicked = draw_formula(ui, said, "vertices.formula");
@@ -310,12 +317,13 @@ void draw_vertices_panel(Ui& ui) {
     const int chosen = vertex_on_show(ui);
     draw_triangle_title(ui);
     const VertexReport& vertex = vertices[static_cast<std::size_t>(chosen)];
-    if (ui.inspector.is_low) {
+    if (!has_room_for_card(ui)) {
         draw_as_one_page(ui, chosen, vertex);
         return;
     }
     draw_with_card(
-        "vertices", [&] { draw_table(ui, chosen, lines); }, [&] { draw_formula_card(ui, vertex); });
+        ui, "vertices", [&] { draw_table(ui, chosen, lines); },
+        [&] { draw_formula_card(ui, vertex); });
 }
 
 } // namespace rasterwalk
