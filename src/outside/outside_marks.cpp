@@ -142,12 +142,11 @@ bool is_free(const OutsideBox& box, std::span<const OutsideBox> taken, glm::vec2
                                      [&](const OutsideBox& other) { return meet(box, other); });
 }
 
-bool is_too_near(const OutsideLabel& label, const OutsideBox& box,
-                 std::span<const OutsideLine> lines) {
-    if (label.line_distance < 0.0f) return false;
+bool is_off_lines(const OutsideLabel& label, const OutsideBox& box,
+                  std::span<const OutsideLine> lines) {
     const OutsideBox wide{box.low - label.line_distance, box.high + label.line_distance};
-    return std::any_of(lines.begin(), lines.end(),
-                       [&](const OutsideLine& line) { return touches(line, wide); });
+    return std::none_of(lines.begin(), lines.end(),
+                        [&](const OutsideLine& line) { return touches(line, wide); });
 }
 
 } // namespace
@@ -179,17 +178,19 @@ std::vector<std::optional<glm::vec2>> label_places(std::span<const OutsideLabel>
                                                    glm::vec2 size) {
     std::vector<std::optional<glm::vec2>> places;
     for (const OutsideLabel& label : labels) {
-        std::optional<glm::vec2> place;
         const bool is_seen = label.point.x >= 0.0f && label.point.y >= 0.0f &&
                              label.point.x <= size.x && label.point.y <= size.y;
-        for (std::size_t i = 0; is_seen && !place && i < label_sides.size(); ++i) {
+        std::optional<OutsideBox> best; // and whether it keeps its distance
+        bool is_best_off = false;
+        for (std::size_t i = 0; is_seen && !is_best_off && i < label_sides.size(); ++i) {
             const std::size_t at = (place_of(label.first) + i) % label_sides.size();
             const OutsideBox box = label_box(label, label_sides[at], size);
-            if (!is_free(box, taken, size) || is_too_near(label, box, lines)) continue;
-            place = box.low;
-            taken.push_back(box);
+            if (!is_free(box, taken, size)) continue;
+            is_best_off = is_off_lines(label, box, lines);
+            if (is_best_off || (!best && !label.needs_distance)) best = box;
         }
-        places.push_back(place);
+        if (best) taken.push_back(*best);
+        places.push_back(best ? std::optional(best->low) : std::nullopt);
     }
     return places;
 }

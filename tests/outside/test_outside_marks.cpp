@@ -209,9 +209,20 @@ TEST_CASE("A name that keeps off lines touches none of them") {
     const auto left_of = [&] {
         return label_places(std::array{name}, {}, std::array{across}, size).at(0)->x;
     };
-    CHECK(left_of() == 258.0f); // on the line
     name.line_distance = 3.0f;
     CHECK(left_of() + name.size.x < 250.0f);
+    CHECK(label_places(std::array{name}, {}, {}, size).at(0)->x == 258.0f);
+    // Where everything else is taken it may lie on the line, unless it needs its distance.
+    const std::vector<OutsideBox> taken{{{0.0f, 0.0f}, {257.0f, 300.0f}},
+                                        {{0.0f, 0.0f}, {500.0f, 141.0f}},
+                                        {{0.0f, 159.0f}, {500.0f, 300.0f}}};
+    const auto between = [&] {
+        return label_places(std::array{name}, taken, std::array{across}, size).at(0);
+    };
+    REQUIRE(between());
+    CHECK(between()->x == 258.0f);
+    name.needs_distance = true;
+    CHECK_FALSE(between());
 
     Random random(73);
     int placed = 0, left_out = 0;

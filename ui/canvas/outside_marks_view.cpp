@@ -24,7 +24,7 @@ constexpr float smallest_marks = 0.6f;
 constexpr float halo_width = 1.4f;
 constexpr float name_distance = 2.5f;
 
-/// Between the name of the picture and the lines of the triangle, design pixels.
+/// Between a name and the lines of the triangle, design pixels.
 constexpr float line_room = 2.5f;
 
 /// What the marks are drawn with.
@@ -248,8 +248,8 @@ void draw_names(const Pen& pen, const OutsideMarks& marks, std::vector<OutsideBo
         // The picture is marked by its border alone: beside a line its name would be that line's.
         const bool is_picture = name.point.kind == OutsidePointKind::picture;
         labels.push_back({name.point.at, size + 2.0f * halo,
-                          reach_of(name.point.kind) * pen.u + away, name.side,
-                          is_picture ? line_room * pen.u : -1.0f});
+                          reach_of(name.point.kind) * pen.u + away, name.side, line_room * pen.u,
+                          is_picture});
     }
     const ImVec2 room = pen.pane.room();
     const auto places = label_places(labels, std::move(taken), lines, {room.x, room.y});
