@@ -288,7 +288,7 @@ void draw_fragment_panel(Ui& ui) {
         draw_no_fragment(ui);
         return;
     }
-    if (!has_room_for_card(ui)) {
+    if (!ui.inspector.has_card) {
         draw_as_one_page(ui);
         return;
     }

@@ -29,6 +29,7 @@ constexpr TabPage pages[] = {
 
 /// A page below this size is one of little room, design pixels.
 constexpr float low_page = 330.0f;
+constexpr float page_with_card = 430.0f; // a card has up to eleven lines
 constexpr float narrow_page = 345.0f;
 
 /// Below this height of the inspector the groups keep their subjects to themselves, design pixels.
@@ -87,6 +88,7 @@ void draw_inspector(Ui& ui, const Area& area) {
     ImGui::SetCursorScreenPos({area.position.x + ImGui::GetStyle().WindowPadding.x, top});
     const ImVec2 page = ImGui::GetContentRegionAvail();
     ui.inspector.is_low = page.y < low_page * u;
+    ui.inspector.has_card = page.y >= page_with_card * u;
     ui.inspector.is_narrow = page.x < narrow_page * u;
     const std::string_view name = is_settings_open(ui) ? settings_tab : shown_tab(ui.session).name;
     // The page scrolls, its head stays.

@@ -34,7 +34,7 @@ void draw_line(Ui& ui, const Bug& bug) {
     const std::string name = "lab." + bug.id;
     if (ImGui::Selectable(("##" + name).c_str(), ui.lab.chosen == bug.id)) ui.lab.chosen = bug.id;
     // Where the card opens below the line, the second click would fall on something else.
-    const bool can_double = !ui.inspector.is_low;
+    const bool can_double = ui.inspector.has_card;
     const bool is_double = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0);
     if (can_double && is_double) turn_on(ui, bug, false);
     const bool is_made = !on && is_made_by(bug, ui.session.a.settings);
@@ -141,7 +141,7 @@ void draw_bugs(Ui& ui) {
                                     [&](const Bug& bug) { return bug.id == ui.lab.chosen; });
     const Bug& chosen = found == bugs.end() ? bugs.front() : *found;
     const auto is_chosen = [&](const Bug& bug) { return &bug == &chosen; };
-    if (ui.inspector.is_low) {
+    if (!ui.inspector.has_card) {
         // One list that scrolls, with the card in it: two would each show next to nothing.
         draw_list(ui, [&](const Bug& bug) {
             if (!is_chosen(bug)) return;

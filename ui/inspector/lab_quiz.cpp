@@ -218,7 +218,7 @@ void draw_lab_quiz(Ui& ui) {
         finish_quiz(ui);
         return;
     }
-    if (!ui.inspector.is_low) {
+    if (ui.inspector.has_card) {
         draw_with_card(
             ui, "quiz", [&] { draw_choices(ui, [](const Bug&) {}); },
             [&] { draw_question_card(ui); });

@@ -317,7 +317,7 @@ void draw_vertices_panel(Ui& ui) {
     const int chosen = vertex_on_show(ui);
     draw_triangle_title(ui);
     const VertexReport& vertex = vertices[static_cast<std::size_t>(chosen)];
-    if (!has_room_for_card(ui)) {
+    if (!ui.inspector.has_card) {
         draw_as_one_page(ui, chosen, vertex);
         return;
     }

@@ -198,12 +198,6 @@ std::optional<Source> draw_formula_line(Ui& ui, const Formula& formula, const st
     return clicked;
 }
 
-bool has_room_for_card(const Ui& ui) {
-    // A card has up to eleven lines, and a page above it needs some too.
-    constexpr float least = 430.0f; // design pixels
-    return !ui.inspector.is_low && ImGui::GetWindowHeight() >= least * ui.options.text_scale;
-}
-
 void draw_with_card(Ui& ui, const char* name, const std::function<void()>& page,
                     const std::function<void()>& card) {
     ImGuiStorage* const sizes = ImGui::GetStateStorage();

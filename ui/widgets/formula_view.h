@@ -47,10 +47,6 @@ std::optional<Source> draw_formula(Ui& ui, const Formula& formula, const std::st
 std::optional<Source> draw_formula_line(Ui& ui, const Formula& formula, const std::string& name,
                                         std::string_view label = {}, bool warns = false);
 
-/// Has the panel room for a page and, below it, the card of a formula? Otherwise both stand in one
-/// scroll: two would each show next to nothing.
-bool has_room_for_card(const Ui& ui);
-
 /// A page that scrolls, and below it what must stay in view: the formula of what was clicked there.
 /// @param name by which both keep their sizes from one frame to the next
 void draw_with_card(Ui& ui, const char* name, const std::function<void()>& page,

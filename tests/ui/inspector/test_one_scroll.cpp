@@ -139,30 +139,34 @@ TEST_CASE("In a low panel the wheel goes from the samples on to what stands belo
 }
 
 TEST_CASE("In a low panel the card of a mistake opens below its line") {
-    Driver driver("lab-room.toml", {1024, 640}, 1.5f);
-    driver.ui.session.tab = "lab";
-    driver.hand.frames(frames_to_rest);
-    CHECK(count_of_scrolls() == 1);
-    for (const char* id : {"B9", "B20a", "B3"}) {
-        INFO(id);
-        const std::string line = std::string("lab.") + id;
-        driver.hand.click(line);
+    for (const SmallWindow& window :
+         {SmallWindow{{1024, 640}, 1.5f}, SmallWindow{{1280, 720}, 1.0f}}) {
+        INFO(window.size.x << " x " << window.size.y);
+        Driver driver("lab-room.toml", window.size, window.text_scale);
+        driver.ui.session.tab = "lab";
         driver.hand.frames(frames_to_rest);
-        const WidgetPlace& at = driver.ui.widgets.at(line);
-        const WidgetPlace& on = driver.ui.widgets.at("lab.on");
-        CHECK(at.is_whole);
-        CHECK(on.is_whole);
-        CHECK(on.top_left.y >= at.bottom_right.y);
-        CHECK(on.top_left.y < at.bottom_right.y + 60.0f * driver.ui.options.text_scale);
+        CHECK(count_of_scrolls() == 1);
+        for (const char* id : {"B9", "B20a", "B3"}) {
+            INFO(id);
+            const std::string line = std::string("lab.") + id;
+            driver.hand.click(line);
+            driver.hand.frames(frames_to_rest);
+            const WidgetPlace& at = driver.ui.widgets.at(line);
+            const WidgetPlace& on = driver.ui.widgets.at("lab.on");
+            CHECK(at.is_whole);
+            CHECK(on.is_whole);
+            CHECK(on.top_left.y >= at.bottom_right.y);
+            CHECK(on.top_left.y < at.bottom_right.y + 60.0f * driver.ui.options.text_scale);
+        }
+        driver.hand.click("lab.mode.quiz");
+        driver.hand.click("lab.quiz.start");
+        driver.hand.frames(frames_to_rest);
+        CHECK(count_of_scrolls() == 1);
+        driver.hand.click("lab.choice.B3");
+        driver.hand.frames(frames_to_rest);
+        CHECK(driver.ui.widgets.at("lab.choice.B3").is_whole);
+        CHECK(driver.ui.widgets.at("lab.guess").is_whole);
     }
-    driver.hand.click("lab.mode.quiz");
-    driver.hand.click("lab.quiz.start");
-    driver.hand.frames(frames_to_rest);
-    CHECK(count_of_scrolls() == 1);
-    driver.hand.click("lab.choice.B3");
-    driver.hand.frames(frames_to_rest);
-    CHECK(driver.ui.widgets.at("lab.choice.B3").is_whole);
-    CHECK(driver.ui.widgets.at("lab.guess").is_whole);
 }
 
 } // namespace rasterwalk

@@ -117,4 +117,27 @@ TEST_CASE("What scrolls in the inspector begins and ends with whole lines") {
     }
 }
 
+TEST_CASE("The row table ends with a whole row") {
+    for (const ImVec2 size :
+         {ImVec2(1280, 720), ImVec2(1366, 768), ImVec2(1600, 1000), ImVec2(1600, 933)}) {
+        INFO(size.x << " x " << size.y);
+        Driver driver("lab-room.toml", size);
+        driver.ui.session.selection.triangle = 7;
+        driver.ui.session.tab = "rows";
+        driver.hand.frames(frames_to_rest + 2);
+        int rows = 0;
+        for (const ImGuiWindow* const window : scrolling_windows()) {
+            const float bottom = window->InnerClipRect.Max.y;
+            for (const ScreenText& line : screen_text()) {
+                if (line.window != window->DrawList->_OwnerName || line.low.y > bottom - 1.0f)
+                    continue;
+                INFO(line.words);
+                CHECK(line.high.y <= bottom + 1.5f);
+                ++rows;
+            }
+        }
+        CHECK(rows > 10);
+    }
+}
+
 } // namespace rasterwalk
