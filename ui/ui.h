@@ -48,7 +48,7 @@ struct Ui {
     bool style_is_stale = true; ///< theme or text size changed: style and fonts are to be made anew
     std::unordered_map<std::string, WidgetPlace> widgets; ///< drawn in this frame, by name
     Focus focus;
-    WholeLines whole_lines;
+    std::vector<WholeLines> whole_lines;    ///< the last is the innermost
     std::shared_ptr<PictureShelf> pictures; ///< that the lessons show
     bool follow_cursor = false; ///< the cursor moved: tables scroll to what was just written
     std::vector<SceneEntry> scene_files; ///< of the Scene menu, read when it opens

@@ -92,7 +92,7 @@ void print_text(const Finding& finding, std::ostream& out) {
     out << diagnosis.different << what << " differ from the reference.\n\n"
         << "explains  differ still  mistake\n";
     for (const Candidate& candidate : diagnosis.candidates) {
-        out << fmt::format("{:>6.1f} %  {:>12}  ", 100.0 * candidate.explained,
+        out << fmt::format("{:>8}  {:>12}  ", explained_text(candidate.explained, 1),
                            candidate.different);
         for (std::size_t i = 0; i < candidate.ids.size(); ++i)
             out << (i > 0 ? " or " : "") << candidate.ids[i] << ": " << candidate.names[i];

@@ -43,13 +43,13 @@ std::string verdict_text(const Candidate& first, std::string_view same) {
     if (first.distance == 0.0) {
         return fmt::format("{} {} {}.", who, first.ids.size() > 1 ? "make" : "makes", same);
     }
-    const long percent = std::lround(100.0 * first.explained);
+    const std::string explained = explained_text(first.explained, 0);
     if (!is_likely(first)) {
         return fmt::format("No known mistake explains the difference; the nearest, {}, explains "
-                           "{} % of it.",
-                           who, percent);
+                           "{} of it.",
+                           who, explained);
     }
-    return fmt::format("Most likely {}, which explains {} % of the difference.", who, percent);
+    return fmt::format("Most likely {}, which explains {} of the difference.", who, explained);
 }
 
 } // namespace
@@ -118,6 +118,13 @@ const Candidate* likely_candidate(const Diagnosis& diagnosis) {
     if (diagnosis.is_same() || diagnosis.candidates.empty()) return nullptr;
     const Candidate& first = diagnosis.candidates.front();
     return is_likely(first) ? &first : nullptr;
+}
+
+std::string explained_text(double part, int digits) {
+    const std::string percent = fmt::format("{:.{}f} %", 100.0 * part, digits);
+    if (part >= 1.0 || !percent.starts_with("100")) return percent;
+    return digits == 0 ? explained_text(part, 1)
+                       : "99." + std::string(static_cast<std::size_t>(digits), '9') + " %";
 }
 
 } // namespace rasterwalk

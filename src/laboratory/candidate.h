@@ -59,6 +59,12 @@ void rank_candidates(std::vector<Hypothesis> hypotheses, std::string_view same,
 /// The candidate of which the verdict says that it is likely; null if there is none.
 const Candidate* likely_candidate(const Diagnosis& diagnosis);
 
+/// How much of the difference is explained, as it is said: "87 %", "87.2 %". Less than all is never
+/// rounded up to it: it then has a digit more, or ends below it, "99.9 %".
+/// @param part   Candidate::explained
+/// @param digits behind the point
+std::string explained_text(double part, int digits);
+
 /// So many candidates are named at most.
 inline constexpr std::size_t most_candidates = 10;
 

@@ -209,6 +209,23 @@ bool meet(const OutsideBox& a, const OutsideBox& b) {
     return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
 }
 
+/// Does the line touch the box?
+bool touches(const OutsideLine& line, const OutsideBox& box) {
+    const glm::vec2 way = line.to - line.from;
+    float begin = 0.0f, end = 1.0f; // parts of the line between which it lies in the box
+    for (int axis = 0; axis < 2; ++axis) {
+        const float low = box.low[axis] - line.from[axis], high = box.high[axis] - line.from[axis];
+        if (way[axis] == 0.0f) {
+            if (low > 0.0f || high < 0.0f) return false;
+            continue;
+        }
+        const float a = low / way[axis], b = high / way[axis];
+        begin = std::max(begin, std::min(a, b));
+        end = std::min(end, std::max(a, b));
+    }
+    return begin <= end;
+}
+
 /// Where a text may stand beside its point, the best first: in parts of its size from the point.
 constexpr std::array<glm::vec2, 8> label_sides{
     glm::vec2{1.0f, 0.0f},  glm::vec2{-1.0f, 0.0f},  glm::vec2{0.0f, 1.0f}, glm::vec2{0.0f, -1.0f},
@@ -246,6 +263,13 @@ bool is_free(const OutsideBox& box, std::span<const OutsideBox> taken, glm::vec2
                                      [&](const OutsideBox& other) { return meet(box, other); });
 }
 
+bool is_off_lines(const OutsideLabel& label, const OutsideBox& box,
+                  std::span<const OutsideLine> lines) {
+    const OutsideBox wide{box.low - label.line_distance, box.high + label.line_distance};
+    return std::none_of(lines.begin(), lines.end(),
+                        [&](const OutsideLine& line) { return touches(line, wide); });
+}
+
 } // namespace
 
 OutsideMarks outside_marks(const Scene& scene, const OutsideThings& things, const OutsideEye& eye,
@@ -271,20 +295,24 @@ OutsideMarks outside_marks(const Scene& scene, const OutsideThings& things, cons
 }
 
 std::vector<std::optional<glm::vec2>> label_places(std::span<const OutsideLabel> labels,
-                                                   std::vector<OutsideBox> taken, glm::vec2 size) {
+                                                   std::vector<OutsideBox> taken,
+                                                   std::span<const OutsideLine> lines,
+                                                   glm::vec2 size) {
     std::vector<std::optional<glm::vec2>> places;
     for (const OutsideLabel& label : labels) {
-        std::optional<glm::vec2> place;
         const bool is_seen = label.point.x >= 0.0f && label.point.y >= 0.0f &&
                              label.point.x <= size.x && label.point.y <= size.y;
-        for (std::size_t i = 0; is_seen && !place && i < label_sides.size(); ++i) {
+        std::optional<OutsideBox> best; // and whether it keeps its distance
+        bool is_best_off = false;
+        for (std::size_t i = 0; is_seen && !is_best_off && i < label_sides.size(); ++i) {
             const std::size_t at = (place_of(label.first) + i) % label_sides.size();
             const OutsideBox box = label_box(label, label_sides[at], size);
             if (!is_free(box, taken, size)) continue;
-            place = box.low;
-            taken.push_back(box);
+            is_best_off = is_off_lines(label, box, lines);
+            if (is_best_off || (!best && !label.needs_distance)) best = box;
         }
-        places.push_back(place);
+        if (best) taken.push_back(*best);
+        places.push_back(best ? std::optional(best->low) : std::nullopt);
     }
     return places;
 }

@@ -92,14 +92,19 @@ struct OutsideLabel {
     glm::vec2 size{0.0f};  ///< of the text with the room around it, pixels
     float distance = 0.0f; ///< between them, pixels
     LabelSide first = LabelSide::right;
+    float line_distance = 0.0f;  ///< how far it stays from lines where it can, pixels
+    bool needs_distance = false; ///< where it cannot it has no place
 };
 
 /// The top left corner of each text: beside its point, within the picture, and where it can be
 /// neither over an earlier text nor over what is taken. A text for which there is no such place, or
 /// whose point lies outside the picture, has none: what matters most comes first.
 /// @param taken to be kept free of texts
+/// @param lines to be kept free where there is a place that allows it
 /// @param size  of the picture, pixels
 std::vector<std::optional<glm::vec2>> label_places(std::span<const OutsideLabel> labels,
-                                                   std::vector<OutsideBox> taken, glm::vec2 size);
+                                                   std::vector<OutsideBox> taken,
+                                                   std::span<const OutsideLine> lines,
+                                                   glm::vec2 size);
 
 } // namespace rasterwalk

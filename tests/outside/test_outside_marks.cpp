@@ -11,6 +11,7 @@
 
 #include "outside/flat_raster.h"
 #include "outside/outline.h"
+#include "support/effort.h"
 #include "support/samples.h"
 
 using namespace rasterwalk;
@@ -171,7 +172,7 @@ TEST_CASE("Names stand inside, beside their points, and over nothing") {
                               8.0f,
                               k % 2 == 0 ? LabelSide::below : LabelSide::right});
         }
-        const auto places = label_places(labels, taken, size);
+        const auto places = label_places(labels, taken, {}, size);
         REQUIRE(places.size() == labels.size());
         for (std::size_t a = 0; a < places.size(); ++a) {
             if (!places[a]) continue;
@@ -198,7 +199,61 @@ TEST_CASE("Names stand inside, beside their points, and over nothing") {
     CHECK(placed > 1000);
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     const OutsideLabel nowhere{{nan, nan}, {10.0f, 10.0f}, 1.0f};
-    CHECK_FALSE(label_places(std::array{nowhere}, {}, size)[0]);
+    CHECK_FALSE(label_places(std::array{nowhere}, {}, {}, size)[0]);
+}
+
+TEST_CASE("A name that keeps off lines touches none of them") {
+    const glm::vec2 size(500.0f, 300.0f);
+    const OutsideLine across{OutsideLineKind::ray, 0, {250.0f, 150.0f}, {450.0f, 150.0f}};
+    OutsideLabel name{{250.0f, 150.0f}, {60.0f, 16.0f}, 8.0f};
+    const auto left_of = [&] {
+        return label_places(std::array{name}, {}, std::array{across}, size).at(0)->x;
+    };
+    name.line_distance = 3.0f;
+    CHECK(left_of() + name.size.x < 250.0f);
+    CHECK(label_places(std::array{name}, {}, {}, size).at(0)->x == 258.0f);
+    // Where everything else is taken it may lie on the line, unless it needs its distance.
+    const std::vector<OutsideBox> taken{{{0.0f, 0.0f}, {257.0f, 300.0f}},
+                                        {{0.0f, 0.0f}, {500.0f, 141.0f}},
+                                        {{0.0f, 159.0f}, {500.0f, 300.0f}}};
+    const auto between = [&] {
+        return label_places(std::array{name}, taken, std::array{across}, size).at(0);
+    };
+    REQUIRE(between());
+    CHECK(between()->x == 258.0f);
+    name.needs_distance = true;
+    CHECK_FALSE(between());
+
+    Random random(73);
+    int placed = 0, left_out = 0;
+    for (int i = 0; i < test::rounds(200, 40); ++i) {
+        std::vector<OutsideLine> lines;
+        for (int k = 0; k < 6; ++k) {
+            lines.push_back({OutsideLineKind::ray,
+                             k,
+                             {random.number(0, 500), random.number(0, 300)},
+                             {random.number(0, 500), random.number(0, 300)}});
+        }
+        name.point = {random.number(0, 500), random.number(0, 300)};
+        const auto place = label_places(std::array{name}, {}, lines, size).at(0);
+        if (!place) {
+            ++left_out;
+            continue;
+        }
+        ++placed;
+        const glm::vec2 low = *place - 2.9f, high = *place + name.size + 2.9f;
+        for (const OutsideLine& line : lines) {
+            // Point by point, half a pixel apart.
+            for (int step = 0; step <= 1200; ++step) {
+                const glm::vec2 at =
+                    line.from + static_cast<float>(step) / 1200.0f * (line.to - line.from);
+                const bool is_over = at.x > low.x && at.x < high.x && at.y > low.y && at.y < high.y;
+                REQUIRE_FALSE(is_over);
+            }
+        }
+    }
+    CHECK(placed > 10);
+    CHECK(left_out > 0);
 }
 
 TEST_CASE("Names that matter most are placed first, and moved along where the border is near") {
@@ -209,7 +264,7 @@ TEST_CASE("Names that matter most are placed first, and moved along where the bo
     const glm::vec2 size(44.0f, 80.0f);
     for (const bool is_swapped : {false, true}) {
         const std::array labels{is_swapped ? second : first, is_swapped ? first : second};
-        const auto places = label_places(labels, taken, size);
+        const auto places = label_places(labels, taken, {}, size);
         REQUIRE(places[0]);
         CHECK_FALSE(places[1]);
         CHECK(places[0]->x >= 0.0f);

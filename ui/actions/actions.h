@@ -27,6 +27,7 @@ struct Action {
     Chord chord;
     std::function<void(Ui&)> run;
     std::function<bool(const Ui&)> is_on; ///< for switches; null otherwise
+    bool begins_group = false;            ///< a line stands above it in its menu
 };
 
 /// All actions, in the order of the menus.

@@ -28,7 +28,7 @@ void forget_step(LessonView& view) {
     view.strip.place = {};
     view.strip.read_to.reset();
     view.place_to_show.reset();
-    view.question_below.reset();
+    view.open_below.reset();
     view.wants_end = false;
 }
 
@@ -120,8 +120,8 @@ bool turn_card(Ui& ui, int distance) {
     LessonView& view = ui.lesson;
     if (ui.session.page == SidePage::stage || is_list_on_show(ui)) return false;
     if (!view.is_strip) {
-        if (distance < 0 || !view.question_below) return false;
-        view.place_to_show = LessonPlace{*view.question_below};
+        if (distance < 0 || !view.open_below) return false;
+        view.place_to_show = LessonPlace{*view.open_below};
         return true;
     }
     // What is scrolled away comes first.

@@ -28,7 +28,7 @@ void open_lesson_to_go_on(Ui& ui);
 void open_neighbour_step(Ui& ui, int distance);
 
 /// One card on (1) or back (-1) in the strip; where its whole text stands open, a page of that. In
-/// a column, on to a question that is open and scrolled away.
+/// a column, on to a question or a task that is open and scrolled away.
 /// @return false where there is none: the step is at its end, or at its beginning
 bool turn_card(Ui& ui, int distance);
 

@@ -95,7 +95,9 @@ std::vector<Action> turning_actions() {
 std::vector<Action> view_actions() {
     std::vector<Action> actions = canvas_choices();
     for (const auto more : {view_choices, turning_actions}) {
-        for (Action& action : more())
+        std::vector<Action> group = more();
+        group.front().begins_group = true;
+        for (Action& action : group)
             actions.push_back(std::move(action));
     }
     const std::vector<Action> others{
@@ -105,7 +107,8 @@ std::vector<Action> view_actions() {
          "Draws lines between pixels from 8x on.",
          {'G'},
          [](Ui& ui) { ui.session.canvas.grid = !ui.session.canvas.grid; },
-         [](const Ui& ui) { return ui.session.canvas.grid; }},
+         [](const Ui& ui) { return ui.session.canvas.grid; },
+         true},
         {"view.fit",
          "View",
          "Fit the picture",
@@ -131,7 +134,8 @@ std::vector<Action> view_actions() {
          "Every choice that changes the picture, on a sheet over the inspector.",
          {key::comma, true},
          toggle_settings,
-         is_settings_open},
+         is_settings_open,
+         true},
         {"view.lecture",
          "View",
          "Lecture mode",
@@ -145,7 +149,8 @@ std::vector<Action> view_actions() {
          "Makes all text larger.",
          {key::equal, true},
          [](Ui& ui) { set_text_scale(ui, ui.options.wished_text_scale + text_scale_step); },
-         nullptr},
+         nullptr,
+         true},
         {"view.smaller_text",
          "View",
          "Smaller text",
@@ -201,7 +206,8 @@ std::vector<Action> stage_actions() {
          },
          [](const Ui& ui) {
              return ui.session.a.settings.interpolation == Interpolation::perspective;
-         }},
+         },
+         true},
         {"switch.depth_test",
          "Stage",
          "Depth test",

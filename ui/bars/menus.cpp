@@ -1,6 +1,7 @@
 #include "ui/bars/menus.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -13,11 +14,24 @@
 #include "ui/actions/open_lesson.h"
 #include "ui/bars/bars.h"
 #include "ui/ui.h"
+#include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
 
 namespace {
+
+/// A line between two groups of entries. It takes less than that of ImGui: the longest menu must
+/// fit into a low window.
+void draw_line_between(const Ui& ui) {
+    const float gap = 3.0f * ui.options.text_scale;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float y = std::round(at.y + 0.5f * (gap - ImGui::GetStyle().ItemSpacing.y));
+    const float left = ImGui::GetWindowPos().x, right = left + ImGui::GetWindowWidth();
+    ImGui::GetWindowDrawList()->AddLine({left, y}, {right, y},
+                                        packed(palette(ui.options.theme).line));
+    ImGui::SetCursorScreenPos({at.x, at.y + gap});
+}
 
 void draw_action_item(Ui& ui, const Action& action) {
     const bool on = action.is_on != nullptr && action.is_on(ui);
@@ -78,7 +92,7 @@ namespace {
 
 void draw_scene_menu(Ui& ui) {
     draw_scene_list(ui);
-    ImGui::Separator();
+    draw_line_between(ui);
     for (const Preset& preset : ui.session.presets) {
         if (ImGui::MenuItem(("Preset: " + preset.name).c_str()) && !refuses_settings(ui.session)) {
             apply_preset(preset, ui.session.a.settings);
@@ -103,7 +117,7 @@ void draw_lesson_menu(Ui& ui) {
         }
         name_widget(ui, "menu.lesson." + lesson.id, lesson.about);
     }
-    ImGui::Separator();
+    draw_line_between(ui);
     if (!wanted.empty()) open_lesson(ui, wanted, ui.lesson.progress.of(wanted).last_step);
 }
 
@@ -131,7 +145,9 @@ void draw_menu(Ui& ui, const MenuTitle& menu) {
     if (std::string_view(title) == "Scene") draw_scene_menu(ui);
     if (std::string_view(title) == "Lesson") draw_lesson_menu(ui);
     for (const Action& action : action_table()) {
-        if (action.menu == title) draw_action_item(ui, action);
+        if (action.menu != title) continue;
+        if (action.begins_group) draw_line_between(ui);
+        draw_action_item(ui, action);
     }
     ImGui::EndMenu();
 }

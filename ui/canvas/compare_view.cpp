@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +9,7 @@
 #include "ui/actions/compare.h"
 #include "ui/actions/picture_fit.h"
 #include "ui/canvas/canvas_marks.h"
+#include "ui/canvas/compare_titles.h"
 #include "ui/canvas/overlays.h"
 #include "ui/ui.h"
 #include "ui/widgets/focus.h"
@@ -20,13 +20,6 @@
 namespace rasterwalk {
 
 namespace {
-
-/// Height of the titles above the pictures, design pixels.
-constexpr float title_height = 30.0f;
-
-/// What a title is wider than its words, and what it keeps free beside it, design pixels.
-constexpr float title_border = 42.0f;
-constexpr float title_gap = 4.0f, title_inset = 8.0f;
 
 /// Width of what can be taken hold of at the divider, design pixels.
 constexpr float handle_width = 18.0f;
@@ -58,92 +51,6 @@ float pane_zoom(const Ui& ui, ImVec2 room) {
 float divider_x(const Ui& ui, const Pane& canvas) {
     const Span span = visible_span(ui, canvas);
     return std::round(span.low + std::clamp(ui.session.wipe, 0.0f, 1.0f) * (span.high - span.low));
-}
-
-/// Where the title of a run has its place, screen pixels.
-struct TitlePlace {
-    float left, right, top;
-    bool is_at_right = false; ///< it ends at the right; or else it begins at the left
-    bool may_lie_over = true; ///< over a picture that was zoomed in
-};
-
-/// The place across this part of the canvas. In a low canvas a title never lies over the picture:
-/// there it would hide too much of it.
-TitlePlace title_place(const Ui& ui, const Pane& canvas, float left, float right, float top) {
-    const float u = ui.options.text_scale, inset = title_inset * u;
-    return {left + inset, right - inset, top, false, canvas.room().y >= low_canvas * u};
-}
-
-/// How wide the square with the letter is, screen pixels.
-float letter_side(const Ui& ui) {
-    return std::round(20.0f * ui.options.text_scale);
-}
-
-/// The words of a title: as many as leave the picture free, or else as have room. None if there is
-/// no place even for the letter.
-std::optional<std::string> title_words(const Ui& ui, bool of_b, const TitlePlace& title) {
-    std::vector<std::string> forms = run_forms(ui.session, of_b);
-    forms.emplace_back(); // the letter says which run it is
-    const PicturePlace& place =
-        of_b && ui.compare.place_of_b ? *ui.compare.place_of_b : ui.canvas.place;
-    const float u = ui.options.text_scale;
-    const float width =
-        place.scale * static_cast<float>(ui.results.a.frame.settings.viewport.width);
-    const bool lies_over = place.origin.y < title.top + title_height * u;
-    const float beside =
-        title.is_at_right ? title.right - place.origin.x - width : place.origin.x - title.left;
-    const float room = title.right - title.left - title_border * u;
-    const std::string words =
-        lies_over ? first_fitting(forms, std::min(beside - title_border * u, room)) : "";
-    if (!words.empty()) return words;
-    if (!lies_over || title.may_lie_over) return first_fitting(forms, room);
-    if (beside < letter_side(ui) + title_gap * u) return std::nullopt;
-    return words;
-}
-
-/// The letter of a run on a square, then its settings that the other has not.
-void draw_title(Ui& ui, ImDrawList* list, bool of_b, const TitlePlace& title) {
-    const Palette& p = palette(ui.options.theme);
-    const float u = ui.options.text_scale;
-    ImFont* const font = ui.fonts.small;
-    const float side = letter_side(ui);
-    ImGui::PushFont(font);
-    const std::optional<std::string> words = title_words(ui, of_b, title);
-    const float width = !words || words->empty() ? side : side + text_width(*words) + 16.0f * u;
-    ImGui::PopFont();
-    if (!words) return;
-    const float x = title.is_at_right ? title.right - width : title.left;
-    const ImVec2 low{std::round(x), std::round(title.top + 0.5f * (title_height * u - side))};
-    ImVec4 ground = p.card;
-    ground.w = 0.92f;
-    list->AddRectFilled(low, {low.x + width, low.y + side}, packed(ground), 4.0f * u);
-    list->AddRectFilled(low, {low.x + side, low.y + side}, packed(p.chosen), 4.0f * u);
-    const char* const letter = of_b ? "B" : "A";
-    ImFont* const bold = ui.fonts.bold;
-    const float letter_size = font->FontSize;
-    const float letter_width = text_width(bold, letter, letter_size);
-    const float text_y = low.y + 0.5f * (side - letter_size);
-    list->AddText(bold, letter_size, {low.x + 0.5f * (side - letter_width), text_y}, packed(p.text),
-                  letter);
-    list->AddText(font, font->FontSize, {low.x + side + 8.0f * u, text_y}, packed(p.text),
-                  words->c_str());
-    ImGui::SetCursorScreenPos(low);
-    ImGui::Dummy({width, side});
-    name_widget(ui, of_b ? "compare.title_b" : "compare.title_a",
-                (of_b ? "Run B: what it has otherwise than A.\n"
-                      : "Run A: what it has otherwise than B. The switches and the settings "
-                        "set this run.\n") +
-                    run_assignments(ui.session, of_b));
-    note_text(ui, of_b ? "compare.title_b" : "compare.title_a", *words);
-}
-
-/// The titles of both runs, at the left and at the right of the canvas.
-void draw_both_titles(Ui& ui, ImDrawList* list, const Pane& canvas) {
-    const float middle = 0.5f * (canvas.low.x + canvas.high.x);
-    draw_title(ui, list, false, title_place(ui, canvas, canvas.low.x, middle, canvas.low.y));
-    TitlePlace right = title_place(ui, canvas, middle, canvas.high.x, canvas.low.y);
-    right.is_at_right = true;
-    draw_title(ui, list, true, right);
 }
 
 void draw_run(Ui& ui, ImDrawList* list, bool of_b, const PicturePlace& place, ImVec2 low,
@@ -188,9 +95,10 @@ void draw_side_by_side(Ui& ui, ImDrawList* list, const Pane& canvas) {
                                    : ImVec2{std::round(panes.b.low.x) - 0.5f, canvas.low.y};
     const ImVec2 to = is_stacked ? ImVec2{canvas.high.x, from.y} : ImVec2{from.x, canvas.high.y};
     list->AddLine(from, to, packed(palette(ui.options.theme).line), u);
-    draw_title(ui, list, false,
-               title_place(ui, canvas, panes.a.low.x, panes.a.high.x, canvas.low.y));
-    draw_title(ui, list, true, title_place(ui, canvas, panes.b.low.x, panes.b.high.x, top_of_b));
+    draw_run_title(ui, list, false,
+                   place_of_title(ui, canvas, panes.a.low.x, panes.a.high.x, canvas.low.y));
+    draw_run_title(ui, list, true,
+                   place_of_title(ui, canvas, panes.b.low.x, panes.b.high.x, top_of_b));
 }
 
 void draw_wipe(Ui& ui, ImDrawList* list, const Pane& canvas) {
@@ -204,9 +112,9 @@ void draw_wipe(Ui& ui, ImDrawList* list, const Pane& canvas) {
 /// One run in the whole canvas.
 void draw_alone(Ui& ui, ImDrawList* list, const Pane& canvas, bool of_b, bool is_at_right) {
     draw_run(ui, list, of_b, ui.canvas.place, canvas.low, canvas.high);
-    TitlePlace title = title_place(ui, canvas, canvas.low.x, canvas.high.x, canvas.low.y);
+    TitlePlace title = place_of_title(ui, canvas, canvas.low.x, canvas.high.x, canvas.low.y);
     title.is_at_right = is_at_right;
-    draw_title(ui, list, of_b, title);
+    draw_run_title(ui, list, of_b, title);
 }
 
 void draw_blink(Ui& ui, ImDrawList* list, const Pane& canvas) {
@@ -271,15 +179,6 @@ float views_width() {
     for (const CompareViewInfo& info : compare_view_list())
         width += button_width(info.title);
     return width;
-}
-
-/// Is there, above or beside a picture that fits into this room, a place for the letter of its run?
-bool has_room_for_letter(const Ui& ui, ImVec2 room) {
-    const Viewport size = ui.results.a.frame.settings.viewport;
-    const float u = ui.options.text_scale, zoom = pane_zoom(ui, room);
-    const float beside = 0.5f * (room.x - zoom * static_cast<float>(size.width));
-    const float above = 0.5f * (room.y - zoom * static_cast<float>(size.height));
-    return beside >= letter_side(ui) + (title_inset + title_gap) * u || above >= title_height * u;
 }
 
 /// @param title height of the titles above the pictures, screen pixels
@@ -370,7 +269,7 @@ Panes panes_of(const Ui& ui, const Pane& canvas) {
     if (canvas.room().y >= low_canvas * u) return panes_below_titles(ui, canvas, title);
     // In a low canvas the titles stand beside the pictures if they can.
     const Panes whole = panes_below_titles(ui, canvas, 0.0f);
-    if (has_room_for_letter(ui, whole.a.room())) return whole;
+    if (has_room_for_letter(ui, whole.a.room(), pane_zoom(ui, whole.a.room()))) return whole;
     return panes_below_titles(ui, canvas, title);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,6 +23,9 @@ constexpr float smallest_marks = 0.6f;
 /// Design pixels: of the dark around a name, and from that to what it names.
 constexpr float halo_width = 1.4f;
 constexpr float name_distance = 2.5f;
+
+/// Between a name and the lines of the triangle, design pixels.
+constexpr float line_room = 2.5f;
 
 /// What the marks are drawn with.
 struct Pen {
@@ -190,6 +194,11 @@ float reach_of(OutsidePointKind kind) {
     return 0.0f;
 }
 
+bool is_of_triangle(OutsideLineKind kind) {
+    return kind == OutsideLineKind::ray || kind == OutsideLineKind::behind ||
+           kind == OutsideLineKind::edge;
+}
+
 struct Name {
     OutsidePoint point;
     std::string text;
@@ -284,14 +293,20 @@ void draw_names(const Pen& pen, const OutsideMarks& marks, std::vector<OutsideBo
     // Names lie on whole pixels.
     const float halo = halo_width * pen.u + 1.0f, away = name_distance * pen.u;
     const std::vector<Name> names = names_of(pen, marks);
+    std::vector<OutsideLine> lines;
+    std::copy_if(marks.lines.begin(), marks.lines.end(), std::back_inserter(lines),
+                 [](const OutsideLine& line) { return is_of_triangle(line.kind); });
     std::vector<OutsideLabel> labels;
     for (const Name& name : names) {
         const glm::vec2 size{text_width(font, name.text), font->FontSize};
+        // The picture is marked by its border alone: beside a line its name would be that line's.
+        const bool is_picture = name.point.kind == OutsidePointKind::picture;
         labels.push_back({name.point.at, size + 2.0f * halo,
-                          reach_of(name.point.kind) * pen.u + away, name.side});
+                          reach_of(name.point.kind) * pen.u + away, name.side, line_room * pen.u,
+                          is_picture});
     }
     const ImVec2 room = pen.pane.room();
-    const auto places = label_places(labels, std::move(taken), {room.x, room.y});
+    const auto places = label_places(labels, std::move(taken), lines, {room.x, room.y});
     for (std::size_t i = 0; i < names.size(); ++i) {
         if (!places[i]) continue;
         const ImVec2 low = pen.at(*places[i] + halo);

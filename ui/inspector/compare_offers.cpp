@@ -11,6 +11,7 @@
 #include "ui/ui.h"
 #include "ui/widgets/flow.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -89,10 +90,16 @@ bool draw_offer(Ui& ui, const ComparePair& pair, std::size_t index, ImVec2 low,
     float y = low.y + card.picture + 1.6f * pad;
     ImGui::PushFont(ui.fonts.small);
     const float room = card.width - 2.0f * pad;
-    const std::string title = broken_into_lines(way.title, room);
-    list->AddText({low.x + pad, y}, packed(p.text), title.c_str());
-    y += std::round(ImGui::CalcTextSize(title.c_str()).y + 0.3f * ImGui::GetFontSize());
-    list->AddText({low.x + pad, y}, packed(p.dim), broken_into_lines(way.words, room).c_str());
+    const auto write = [&](std::string_view text, const ImVec4& colour) {
+        const std::string lines = broken_into_lines(text, room);
+        list->AddText({low.x + pad, y}, packed(colour), lines.c_str());
+        const float line = ImGui::GetFontSize(), bottom = y + ImGui::CalcTextSize(lines.c_str()).y;
+        for (; y + 0.5f * line < bottom; y += line)
+            keep_whole(ui, y, y + line);
+    };
+    write(way.title, p.text);
+    y += std::round(0.3f * ImGui::GetFontSize());
+    write(way.words, p.dim);
     ImGui::PopFont();
     return is_pressed;
 }
@@ -153,6 +160,7 @@ void draw_offers(Ui& ui) {
     }
     ImGui::PushFont(ui.fonts.small);
     text_in(palette(ui.options.theme).dim, "Compare the picture as it is with");
+    keep_item_whole(ui);
     ImGui::PopFont();
     const ImVec2 start = ImGui::GetCursorScreenPos();
     const auto pairs = compare_pairs();
@@ -169,6 +177,7 @@ void draw_pairs(Ui& ui) {
     const ComparePair* const on_show = pair_on_show(ui.session);
     ImGui::PushFont(ui.fonts.small);
     text_in(palette(ui.options.theme).dim, "Compare the picture as it is with");
+    keep_item_whole(ui);
     std::vector<std::string> labels;
     std::vector<float> widths;
     for (const ComparePair& pair : compare_pairs()) {
@@ -183,9 +192,11 @@ void draw_pairs(Ui& ui) {
         const ComparePair& pair = compare_pairs()[i];
         ImGui::SetCursorScreenPos(
             {start.x + places[i].x, start.y + static_cast<float>(places[i].line) * line});
-        if (button(ui, std::string("compare.tab.").append(pair.name), labels[i],
-                   &pair == on_show ? Look::chosen : Look::plain,
-                   tooltip_of_pair(ui.session, pair, &pair == on_show))) {
+        const bool is_pressed = button(ui, std::string("compare.tab.").append(pair.name), labels[i],
+                                       &pair == on_show ? Look::chosen : Look::plain,
+                                       tooltip_of_pair(ui.session, pair, &pair == on_show));
+        keep_item_whole(ui);
+        if (is_pressed) {
             if (&pair == on_show) {
                 end_comparison(ui.session);
             } else {

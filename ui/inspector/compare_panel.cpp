@@ -14,6 +14,7 @@
 #include "ui/ui.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -31,6 +32,7 @@ void draw_choice_of_difference(Ui& ui, const char* title) {
     ImGui::SetNextItemWidth(-1.0f);
     const bool open = ImGui::BeginCombo("##another", title, ImGuiComboFlags_HeightLarge);
     name_widget(ui, "compare.another", "Sets a setting otherwise in run B.");
+    keep_item_whole(ui);
     if (!open) return;
     for (const Setting& setting : setting_table()) {
         const auto* const choice = std::get_if<ChoiceSetting>(&setting.kind);
@@ -49,12 +51,14 @@ void draw_choice_of_difference(Ui& ui, const char* title) {
 void draw_no_comparison(Ui& ui) {
     const Palette& p = palette(ui.options.theme);
     wrapped_text("Two runs of the same scene: where do they part, and why?");
+    keep_text_whole(ui);
     ImGui::Spacing();
     draw_offers(ui);
     ImGui::Spacing();
     ImGui::PushStyleColor(ImGuiCol_Text, p.dim);
     wrapped_text("Run A is the picture as it is. Run B is a copy in which one thing is otherwise; "
                  "what you change from then on changes both.");
+    keep_text_whole(ui);
     ImGui::PopStyleColor();
     ImGui::Spacing();
     draw_choice_of_difference(ui, "or compare by a setting ...");
@@ -70,6 +74,7 @@ void header_cell(Ui& ui, const char* title, std::string_view name, const char* h
     }
     ImGui::PopFont();
     name_widget(ui, name, help);
+    keep_item_whole(ui);
 }
 
 /// The name of a setting; it leads to the setting.
@@ -82,6 +87,7 @@ void setting_link(Ui& ui, const std::string& name, const Setting& setting) {
         ui.inspector.setting_search = name;
         open_tab(ui, "settings");
     }
+    keep_item_whole(ui);
     ImGui::PopStyleVar();
 }
 
@@ -93,6 +99,7 @@ void edit_both(Ui& ui, const std::string& name, const Setting& setting) {
         ImGui::PushID(run);
         ImGui::SetNextItemWidth(-1.0f);
         edit_setting(ui, settings, setting, std::string("compare.") + run + "." + name);
+        keep_item_whole(ui);
         ImGui::PopID();
     };
     edit(ui.session.a.settings, "a");
@@ -162,6 +169,7 @@ void count_line(Ui& ui, const char* title, const char* name, const std::string& 
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(title);
     name_widget(ui, name, help);
+    keep_item_whole(ui);
     ImGui::PushFont(ui.fonts.mono);
     ImGui::TableNextColumn();
     right_aligned(here, p.dim);
@@ -217,6 +225,7 @@ void draw_divergence(Ui& ui, const char* title, const std::string& name,
     ImGui::PushFont(ui.fonts.small);
     ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
     wrapped_text(std::string(title) + " · " + kind);
+    keep_text_whole(ui);
     ImGui::PopStyleColor();
     ImGui::PopFont();
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
@@ -225,9 +234,11 @@ void draw_divergence(Ui& ui, const char* title, const std::string& name,
                    "\nClick: stands there in both runs.")) {
         stand_at(ui, divergence.cursor);
     }
+    keep_item_whole(ui);
     ImGui::PopStyleVar();
     const std::string cause = with_minus_signs(divergence.text);
     wrapped_text(cause);
+    keep_text_whole(ui);
     note_text(ui, name, kind + ": " + cause);
 }
 
@@ -260,6 +271,7 @@ void draw_first(Ui& ui) {
                tooltip_of("compare.previous"))) {
         go_to_previous_divergence(ui);
     }
+    keep_item_whole(ui);
     ImGui::SameLine();
     if (button(ui, "compare.next", "difference ›", Look::plain, tooltip_of("compare.next"))) {
         go_to_next_divergence(ui);
@@ -271,6 +283,7 @@ void draw_first(Ui& ui) {
         ImGui::NewLine();
     ImGui::AlignTextToFramePadding();
     draw_difference_key(ui, key);
+    keep_item_whole(ui);
     name_widget(ui, "compare.key",
                 "On the time line this mark stands where the two runs begin to differ.");
     ImGui::PopFont();

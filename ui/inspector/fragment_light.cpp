@@ -8,6 +8,7 @@
 #include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -99,6 +100,7 @@ void draw_fragment_light(Ui& ui) {
     ImGui::PushFont(ui.fonts.small);
     ImGui::AlignTextToFramePadding();
     text_in(p.dim, "light");
+    keep_item_whole(ui);
     name_widget(ui, "fragment.light", "R = ρ (D + N), term by term; see the tooltips.");
     const struct {
         const char* name;

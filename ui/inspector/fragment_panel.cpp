@@ -1,10 +1,8 @@
 #include <algorithm>
-#include <array>
 #include <string>
 #include <vector>
 
 #include "base/element_names.h"
-#include "explain/light_formulas.h"
 #include "picture/view_image.h"
 #include "session/walk.h"
 #include "ui/actions/go_to_source.h"
@@ -13,6 +11,7 @@
 #include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -47,6 +46,7 @@ bool link_at_right(Ui& ui, const char* name, const char* label, const char* help
     }
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0.0f, 0.0f));
     const bool clicked = button(ui, name, label, Look::link, help);
+    keep_item_whole(ui);
     ImGui::PopStyleVar();
     return clicked;
 }
@@ -113,6 +113,7 @@ void draw_title(Ui& ui) {
     ImGui::PushFont(ui.fonts.bold);
     const bool has_room = text_width(title) + beside <= ImGui::GetContentRegionAvail().x;
     ImGui::TextUnformatted((has_room ? title : short_title).c_str());
+    keep_item_whole(ui);
     ImGui::PopFont();
     name_widget(ui, "fragment.pixel",
                 is_picked ? "Column and row of the picture on which the fragment fell."
@@ -124,188 +125,19 @@ void draw_title(Ui& ui) {
     const std::string shown = first_fitting(parts, ImGui::GetContentRegionAvail().x);
     text_in(p.dim, shown);
     ImGui::EndGroup();
+    keep_item_whole(ui);
     name_widget(ui, "fragment.part",
                 "The part of the scene that the triangle belongs to: " + part + ".");
     note_text(ui, "fragment.part", shown);
     const FragmentLinks links = links_of(ui);
     if (links.can_follow && !ui.inspector.is_low) draw_follow_link(ui);
     text_in(p.dim, place_of(report, ImGui::GetContentRegionAvail().x));
+    keep_item_whole(ui);
     name_widget(
         ui, "fragment.place",
         "Whose fragment it is: its triangle, the entry of the triangle's row table, and how "
         "far along that row; each from 0.");
     if (links.can_go && !ui.inspector.is_low) draw_go_link(ui);
-}
-
-/// One number of the table: click, and the formula stands below.
-void draw_number(Ui& ui, const std::string& id, const std::string& cell, int digits,
-                 const ImVec4& colour) {
-    const Formula* const formula = find_formula(report_of(ui).formulas, id);
-    if (formula == nullptr) return;
-    const std::string name = "fragment." + cell;
-    if (number_cell(ui, name, fixed(static_cast<double>(formula->result.value), digits), colour,
-                    ui.inspector.chosen.fragment_number == id,
-                    formula->help + "\nClick: how it came to be.")) {
-        ui.inspector.chosen.fragment_number = id;
-    }
-}
-
-/// Between the columns of a narrow table, design pixels on each side.
-constexpr float narrow_padding = 2.0f;
-
-/// An error beyond this, in world units or parts of full light, is one that can be seen.
-constexpr float visible_error = 0.1f;
-
-void draw_error(Ui& ui, const QuantityInfo& info) {
-    const Palette& p = palette(ui.options.theme);
-    if (info.quantity == Quantity::zinv) {
-        right_aligned("0", p.dim);
-        name_widget(ui, "fragment.zinv.off", "1/z is interpolated the same way under both.");
-        return;
-    }
-    const std::string id = std::string(info.words.id) + ".off";
-    const Formula* const formula = find_formula(report_of(ui).formulas, id);
-    const float error = formula->result.value;
-    const ImVec4 colour = error >= visible_error ? colour_of(Meaning::fail, ui.options.theme)
-                          : error >= 0.00005f    ? p.text
-                                                 : p.dim;
-    draw_number(ui, id, id, 4, colour);
-}
-
-/// The quantities that have a line in the table.
-std::vector<QuantityInfo> listed_quantities(const Ui& ui) {
-    std::vector<QuantityInfo> listed = shown_quantities(ui.results.a.frame);
-    if (shows_vertex_light(ui)) return listed;
-    const int light = varying_index(&Varyings::illumination);
-    std::erase_if(listed, [&](const QuantityInfo& info) { return info.varying == light; });
-    return listed;
-}
-
-/// A column of the table.
-struct ValueColumn {
-    const char* name;
-    std::vector<std::string> titles; ///< from the longest form to the shortest
-    const char* help;
-    bool in_force = false;
-    float cells = 0.0f; ///< the width of its numbers or names, screen pixels
-
-    float width_with(const ImFont* font, const std::string& title) const {
-        return std::max(cells, text_width(font, title));
-    }
-};
-
-std::array<ValueColumn, 4> value_columns(const Ui& ui) {
-    const Interpolation way = report_of(ui).interpolation;
-    const bool affine = way != Interpolation::perspective;
-    const bool twice = way == Interpolation::zinv_twice;
-    const float number = text_width(ui.fonts.mono, "−0.0000");
-    float names = 0.0f;
-    for (const QuantityInfo& info : listed_quantities(ui))
-        names = std::max(names, text_width(ui.fonts.mono, info.words.name));
-    std::array<ValueColumn, 4> columns{
-        ValueColumn{"value", {"value"}, "What is interpolated along the row.", false, names},
-        twice
-            ? ValueColumn{"affine",
-                          {"1/z twice", "twice"},
-                          "Carried as q/z², by mistake, and divided by 1/z only once at the pixel.",
-                          true,
-                          number}
-            : ValueColumn{"affine",
-                          {"affine"},
-                          "Interpolated as it is, in equal steps across the picture.",
-                          affine,
-                          number},
-        ValueColumn{"perspective",
-                    {"perspective", "persp."},
-                    "Carried as q/z and divided by 1/z at the pixel.",
-                    !affine,
-                    number},
-        ValueColumn{"off",
-                    {"off by"},
-                    twice ? "How far the value divided by z twice is from the right one."
-                          : "How far the affine value is from the right one.",
-                    false,
-                    number}};
-    for (ValueColumn& column : columns) {
-        if (!column.in_force) continue;
-        for (std::string& title : column.titles)
-            title.insert(0, "● ");
-    }
-    return columns;
-}
-
-/// Each column gets what it needs for the long form of its title, or, where that is too much for
-/// the table, for the short one; and its share of what is left.
-void set_up_values(const Ui& ui, const std::array<ValueColumn, 4>& columns, float padding,
-                   float room) {
-    const auto width = [&](const ValueColumn& column, bool is_long) {
-        const std::string& title = is_long ? column.titles.front() : column.titles.back();
-        return column.width_with(ui.fonts.small, title) + 2.0f * padding;
-    };
-    float all = 0.0f;
-    for (const ValueColumn& column : columns)
-        all += width(column, true);
-    for (const ValueColumn& column : columns)
-        ImGui::TableSetupColumn("", 0, width(column, all <= room));
-}
-
-void draw_column_headers(Ui& ui, const std::array<ValueColumn, 4>& columns) {
-    const Palette& p = palette(ui.options.theme);
-    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
-    ImGui::PushFont(ui.fonts.small);
-    for (const ValueColumn& column : columns) {
-        ImGui::TableNextColumn();
-        const std::string title = first_fitting(column.titles, ImGui::GetContentRegionAvail().x);
-        if (&column == &columns.front()) {
-            text_in(p.dim, title);
-        } else {
-            right_aligned(title, column.in_force ? p.link : p.dim);
-        }
-        const std::string name = std::string("fragment.header.") + column.name;
-        name_widget(ui, name,
-                    std::string(column.help) +
-                        (column.in_force ? "\nThis is the way in force." : ""));
-        note_text(ui, name, title);
-    }
-    ImGui::PopFont();
-}
-
-void draw_values(Ui& ui) {
-    const Palette& p = palette(ui.options.theme);
-    const FragmentReport& report = report_of(ui);
-    const bool affine = report.interpolation != Interpolation::perspective;
-    const Interpolation wrong_way = affine ? report.interpolation : Interpolation::affine;
-    const std::array<ValueColumn, 4> columns = value_columns(ui);
-    const float room = ImGui::GetContentRegionAvail().x;
-    const float padding = ui.inspector.is_narrow ? narrow_padding * ui.options.text_scale
-                                                 : ImGui::GetStyle().CellPadding.x;
-    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {padding, ImGui::GetStyle().CellPadding.y});
-    const bool is_open = ImGui::BeginTable(
-        "values", 4, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_BordersInnerH);
-    ImGui::PopStyleVar();
-    if (!is_open) return;
-    set_up_values(ui, columns, padding, room);
-    draw_column_headers(ui, columns);
-    ImGui::PushFont(ui.fonts.mono);
-    for (const QuantityInfo& info : listed_quantities(ui)) {
-        ImGui::TableNextRow();
-        ImGui::TableNextColumn();
-        ImGui::TextUnformatted(std::string(info.words.name).c_str());
-        ImGui::PushFont(ui.fonts.text);
-        name_widget(ui, std::string("fragment.") + std::string(info.words.id), info.words.help);
-        ImGui::PopFont();
-        const std::string cell(info.words.id);
-        ImGui::TableNextColumn();
-        draw_number(ui, formula_id(info.quantity, wrong_way), cell + ".affine", 4,
-                    affine ? p.text : p.dim);
-        ImGui::TableNextColumn();
-        draw_number(ui, formula_id(info.quantity, Interpolation::perspective),
-                    cell + ".perspective", 4, affine ? p.dim : p.text);
-        ImGui::TableNextColumn();
-        draw_error(ui, info);
-    }
-    ImGui::PopFont();
-    ImGui::EndTable();
 }
 
 std::string verdict(const FragmentReport& report) {
@@ -340,6 +172,7 @@ void draw_colours(Ui& ui) {
         ImGui::TextUnformatted(numbers(colour).c_str());
         ImGui::PopFont();
         ImGui::EndGroup();
+        keep_item_whole(ui);
         name_widget(ui, name, help);
     };
     draw("before", "fragment.before", report.before, "The pixel's colour before: red green blue.");
@@ -356,6 +189,7 @@ void draw_depth(Ui& ui) {
     begin_card(ui);
     ImGui::PushFont(ui.fonts.small);
     text_in(p.dim, "depth and colour");
+    keep_item_whole(ui);
     ImGui::PopFont();
     const bool tested = report.depth_test != DepthTest::off;
     if (tested) draw_fragment_line(ui, "margin", "margin: new − stored");
@@ -366,6 +200,7 @@ void draw_depth(Ui& ui) {
                         ui.options.theme);
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
     wrapped_text(verdict(report));
+    keep_text_whole(ui);
     ImGui::PopStyleColor();
     name_widget(ui, "fragment.fate", "The fragment is drawn if its value is larger: margin > 0.");
     draw_colours(ui);
@@ -379,11 +214,21 @@ void draw_formula_card(Ui& ui) {
     begin_card(ui);
     // Where lines are few the name of the number says it by its tooltip.
     ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-    if (!ui.inspector.is_low) wrapped_text(formula->help);
+    if (!ui.inspector.is_low) {
+        wrapped_text(formula->help);
+        keep_text_whole(ui);
+    }
     ImGui::PopStyleColor();
     const std::optional<Source> clicked = draw_formula(ui, *formula, "fragment.formula");
     end_card(ui);
     follow_source(ui, clicked);
+}
+
+/// Where the title has no room for them.
+void draw_links_below(Ui& ui) {
+    const FragmentLinks links = links_of(ui);
+    if (links.can_go) draw_go_link(ui);
+    if (links.can_follow) draw_follow_link(ui);
 }
 
 /// Where lines are few: the numbers first, then how the chosen one came to be, and all of it in one
@@ -391,14 +236,12 @@ void draw_formula_card(Ui& ui) {
 void draw_as_one_page(Ui& ui) {
     const std::string chosen = ui.inspector.chosen.fragment_number;
     draw_title(ui);
-    draw_values(ui);
+    draw_fragment_values(ui);
     ImGui::Spacing();
     const bool is_new = ui.inspector.chosen.fragment_number != chosen;
     draw_formula_card(ui);
     if (is_new) ImGui::SetScrollHereY(1.0f);
-    const FragmentLinks links = links_of(ui);
-    if (links.can_go) draw_go_link(ui);
-    if (links.can_follow) draw_follow_link(ui);
+    if (ui.inspector.is_low) draw_links_below(ui);
     draw_fragment_light(ui);
     draw_depth(ui);
 }
@@ -448,15 +291,15 @@ void draw_fragment_panel(Ui& ui) {
         draw_no_fragment(ui);
         return;
     }
-    if (ui.inspector.is_low) {
+    if (!ui.inspector.has_card) {
         draw_as_one_page(ui);
         return;
     }
     draw_with_card(
-        "fragment",
+        ui, "fragment",
         [&] {
             draw_title(ui);
-            draw_values(ui);
+            draw_fragment_values(ui);
             ImGui::Spacing();
             draw_fragment_light(ui);
             draw_depth(ui);

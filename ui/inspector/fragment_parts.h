@@ -22,6 +22,10 @@ void follow_source(Ui& ui, const std::optional<Source>& source);
 void draw_fragment_line(Ui& ui, const std::string& id, std::string_view label = {},
                         bool warns = false);
 
+/// The table of all values that the fragment carries, affine and perspective-correct. One that is
+/// clicked is the one asked about.
+void draw_fragment_values(Ui& ui);
+
 /// Is the light of the vertices on show, in force or as the other lighting?
 bool shows_vertex_light(const Ui& ui);
 

@@ -165,8 +165,11 @@ void draw_no_pixel(Ui& ui) {
         "listed here, in the order of drawing, with what the depth test said of it.");
     name_widget(ui, "history.empty", "Everything that falls on the pixel is then listed here.");
     if (const std::optional<FragmentReport>& fragment = ui.results.a.inspected.fragment) {
+        const std::string pixel = fmt::format("({}, {})", fragment->pixel.x, fragment->pixel.y);
+        const float padding = 2.0f * ImGui::GetStyle().FramePadding.x;
         const std::string label =
-            fmt::format("the fragment drawn last: ({}, {})", fragment->pixel.x, fragment->pixel.y);
+            first_fitting({"the fragment drawn last: " + pixel, "drawn last: " + pixel},
+                          ImGui::GetContentRegionAvail().x - padding);
         if (button(ui, "history.pick_last", label, Look::plain,
                    "Picks the pixel on which the moment's fragment fell.")) {
             pick(ui, fragment->pixel);

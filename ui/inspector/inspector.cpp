@@ -6,6 +6,7 @@
 #include "ui/inspector/panels.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -28,6 +29,7 @@ constexpr TabPage pages[] = {
 
 /// A page below this size is one of little room, design pixels.
 constexpr float low_page = 330.0f;
+constexpr float page_with_card = 430.0f; // a card has up to eleven lines
 constexpr float narrow_page = 345.0f;
 
 /// Below this height of the inspector the groups keep their subjects to themselves, design pixels.
@@ -86,13 +88,16 @@ void draw_inspector(Ui& ui, const Area& area) {
     ImGui::SetCursorScreenPos({area.position.x + ImGui::GetStyle().WindowPadding.x, top});
     const ImVec2 page = ImGui::GetContentRegionAvail();
     ui.inspector.is_low = page.y < low_page * u;
+    ui.inspector.has_card = page.y >= page_with_card * u;
     ui.inspector.is_narrow = page.x < narrow_page * u;
     const std::string_view name = is_settings_open(ui) ? settings_tab : shown_tab(ui.session).name;
     // The page scrolls, its head stays.
     ImGui::BeginChild(std::string(name).c_str(), {0, 0}, false, ImGuiWindowFlags_NoNav);
     const TabPage* const shown = std::find_if(std::begin(pages), std::end(pages),
                                               [&](const TabPage& one) { return one.name == name; });
+    begin_whole_lines(ui);
     if (shown != std::end(pages)) shown->draw(ui);
+    end_whole_lines(ui);
     ImGui::EndChild();
     ImGui::End();
 }

@@ -62,6 +62,9 @@ struct SettingsSheet {
 struct InspectorState {
     bool is_low = false;    ///< the page has few lines: panels are brief
     bool is_narrow = false; ///< and few letters a line
+    /// It has lines enough for what scrolls, and below it a card that stays. Otherwise both stand
+    /// in one scroll: two would each show next to nothing.
+    bool has_card = true;
     MicroscopeView microscope;
     ClipLook clip;
     InspectView chosen;

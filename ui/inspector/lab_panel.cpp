@@ -11,6 +11,7 @@
 #include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -33,7 +34,7 @@ void draw_line(Ui& ui, const Bug& bug) {
     const std::string name = "lab." + bug.id;
     if (ImGui::Selectable(("##" + name).c_str(), ui.lab.chosen == bug.id)) ui.lab.chosen = bug.id;
     // Where the card opens below the line, the second click would fall on something else.
-    const bool can_double = !ui.inspector.is_low;
+    const bool can_double = ui.inspector.has_card;
     const bool is_double = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0);
     if (can_double && is_double) turn_on(ui, bug, false);
     const bool is_made = !on && is_made_by(bug, ui.session.a.settings);
@@ -55,6 +56,7 @@ void draw_line(Ui& ui, const Bug& bug) {
     list->AddText({left, at.y}, packed(p.text), shortened(bug.name, room).c_str());
     list->AddText({right - width, at.y}, packed(ink), state.c_str());
     note_text(ui, name, state);
+    keep_whole(ui, at.y, at.y + ImGui::GetTextLineHeight());
 }
 
 /// The mistakes by the lab's sections.
@@ -68,6 +70,10 @@ void draw_list(Ui& ui, const std::function<void(const Bug&)>& below) {
             ImGui::PushFont(ui.fonts.small);
             text_in(palette(ui.options.theme).dim, section);
             ImGui::PopFont();
+            // With the first line below it.
+            const float line = ImGui::GetTextLineHeight();
+            keep_beginning(ui, ImGui::GetItemRectMin().y, ImGui::GetCursorScreenPos().y + line);
+            keep_item_whole(ui);
         }
         draw_line(ui, bug);
         below(bug);
@@ -97,17 +103,20 @@ void draw_buttons(Ui& ui, const Bug& bug) {
                "Opens the scene that shows it best, and turns it on there: " + bug.scene)) {
         turn_on(ui, bug, true);
     }
+    keep_item_whole(ui);
 }
 
 void draw_card(Ui& ui, const Bug& bug) {
     begin_card(ui);
     ImGui::PushFont(ui.fonts.bold);
     ImGui::TextUnformatted((bug.id + "  " + bug.name).c_str());
+    keep_item_whole(ui);
     ImGui::PopFont();
     draw_buttons(ui, bug);
     if (!is_on(ui.session, bug.id) && is_made_by(bug, ui.session.a.settings)) {
         ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
         wrapped_text("It is on already: the program on show does so by itself.");
+        keep_text_whole(ui);
         ImGui::PopStyleColor();
         name_widget(ui, "lab.made", "What is set now makes this mistake without being told to.");
     }
@@ -132,7 +141,7 @@ void draw_bugs(Ui& ui) {
                                     [&](const Bug& bug) { return bug.id == ui.lab.chosen; });
     const Bug& chosen = found == bugs.end() ? bugs.front() : *found;
     const auto is_chosen = [&](const Bug& bug) { return &bug == &chosen; };
-    if (ui.inspector.is_low) {
+    if (!ui.inspector.has_card) {
         // One list that scrolls, with the card in it: two would each show next to nothing.
         draw_list(ui, [&](const Bug& bug) {
             if (!is_chosen(bug)) return;
@@ -142,7 +151,7 @@ void draw_bugs(Ui& ui) {
         return;
     }
     draw_with_card(
-        "lab",
+        ui, "lab",
         [&] {
             draw_list(ui, [&](const Bug& bug) {
                 if (is_chosen(bug)) keep_in_sight(ui, bug, 0.0f);
@@ -172,6 +181,7 @@ void draw_modes(Ui& ui) {
                    mode.help)) {
             ui.lab.mode = mode.mode;
         }
+        keep_item_whole(ui);
     }
     ImGui::PopFont();
 }

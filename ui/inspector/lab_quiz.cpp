@@ -12,6 +12,7 @@
 #include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -116,11 +117,13 @@ void draw_guesses(Ui& ui) {
 void draw_choices(Ui& ui, const std::function<void(const Bug&)>& below) {
     for (const Bug& bug : lab_bugs(ui)) {
         const std::string name = "lab.choice." + bug.id;
+        const ImVec2 at = ImGui::GetCursorScreenPos();
         if (ImGui::Selectable((bug.id + "  " + bug.name + "###" + name).c_str(),
                               ui.lab.chosen == bug.id)) {
             ui.lab.chosen = bug.id;
         }
         name_widget(ui, name, bug.sentence);
+        keep_whole(ui, at.y, at.y + ImGui::GetTextLineHeight());
         below(bug);
     }
 }
@@ -215,9 +218,10 @@ void draw_lab_quiz(Ui& ui) {
         finish_quiz(ui);
         return;
     }
-    if (!ui.inspector.is_low) {
+    if (ui.inspector.has_card) {
         draw_with_card(
-            "quiz", [&] { draw_choices(ui, [](const Bug&) {}); }, [&] { draw_question_card(ui); });
+            ui, "quiz", [&] { draw_choices(ui, [](const Bug&) {}); },
+            [&] { draw_question_card(ui); });
         return;
     }
     // One list that scrolls, with the card in it, as that of the mistakes.

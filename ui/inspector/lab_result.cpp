@@ -116,7 +116,7 @@ void draw_candidate(Ui& ui, const Candidate& candidate, int index) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushFont(ui.fonts.mono);
-    right_aligned(fmt::format("{:.1f} %", 100.0 * candidate.explained), p.text);
+    right_aligned(explained_text(candidate.explained, 1), p.text);
     ImGui::PopFont();
     const ImVec2 low = ImGui::GetItemRectMin();
     const float bottom = ImGui::GetItemRectMax().y + 2.0f * u;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <span>
@@ -327,6 +328,15 @@ void draw_all_rows(Ui& ui, float height) {
 } // namespace
 
 void draw_row_table(Ui& ui, float height) {
+    // Whole lines, if it is to be scrolled.
+    const float padding = 2.0f * ImGui::GetStyle().CellPadding.y;
+    const float around = ui.fonts.small->FontSize + padding +
+                         (ui.inspector.shows_end_values ? ImGui::GetStyle().ScrollbarSize : 0.0f);
+    const float line = ui.fonts.mono->FontSize + padding;
+    const float lines = std::max(std::floor((height - around) / line), 1.0f);
+    const RowHistory& history = ui.results.a.rows;
+    const auto all = history.rows.size() + static_cast<int>(history.outside.size());
+    if (lines < static_cast<float>(all)) height = around + lines * line;
     if (!begin_row_table(ui, "rows", ImGuiTableFlags_ScrollY, {0, height})) return;
     ImGui::TableSetupScrollFreeze(1, 1);
     draw_row_headers(ui);

@@ -8,6 +8,7 @@
 #include "ui/inspector/panels.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -19,6 +20,7 @@ void draw_triangle_title(Ui& ui) {
     ImGui::AlignTextToFramePadding();
     ImGui::PushFont(ui.fonts.bold);
     ImGui::TextUnformatted(triangle_name(triangle).c_str());
+    keep_item_whole(ui);
     ImGui::PopFont();
     const std::string part = part_name(*ui.results.a.scene, triangle);
     name_widget(ui, "triangle.name",
@@ -41,6 +43,7 @@ void draw_triangle_title(Ui& ui) {
                    "is shown.")) {
             ui.session.selection.triangle = std::nullopt;
         }
+        keep_item_whole(ui);
     };
     // The buttons come first; the part is named where that fits before them.
     float width = count > 1 ? 2.0f * ImGui::GetFrameHeight() + gap : 0.0f;
@@ -61,6 +64,7 @@ void draw_triangle_title(Ui& ui) {
         if (button(ui, "triangle.previous", "‹", Look::plain, "Shows the triangle before.", size)) {
             ui.session.selection.triangle = (triangle + count - 1) % count;
         }
+        keep_item_whole(ui);
         ImGui::SameLine();
         if (button(ui, "triangle.next", "›", Look::plain, "Shows the triangle after.", size)) {
             ui.session.selection.triangle = (triangle + 1) % count;

@@ -12,6 +12,7 @@
 #include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -119,16 +120,19 @@ void draw_labels(Ui& ui, const Line& line) {
         const std::string space = is_pixel || *line.space == '\0' ? "" : line.space;
         ImGui::PushFont(ui.fonts.small);
         right_aligned(space.empty() ? line.coordinate : space + " " + line.coordinate, p.dim);
+        keep_item_whole(ui);
         ImGui::PopFont();
         name_widget(ui, name, line.help);
         return;
     }
     if (*line.space != '\0') {
         ImGui::TextUnformatted(line.space);
+        keep_item_whole(ui);
         name_widget(ui, name + ".space", line.help);
     }
     ImGui::TableNextColumn();
     text_in(p.dim, line.coordinate);
+    keep_item_whole(ui);
     name_widget(ui, name, line.help);
 }
 
@@ -229,6 +233,7 @@ void draw_what_else(Ui& ui, const VertexReport& vertex, const Formula& formula) 
     ImGui::PushStyleColor(ImGuiCol_Text, p.dim);
     if (formula.id.starts_with("pixel.")) {
         wrapped_text(other_roundings(vertex, formula.id, settings.vertex_rounding));
+        keep_text_whole(ui);
         name_widget(ui, "vertices.other_roundings",
                     "The same number made whole in the other ways. int() cuts toward zero, so it "
                     "moves negative numbers the other way than positive ones.");
@@ -237,6 +242,7 @@ void draw_what_else(Ui& ui, const VertexReport& vertex, const Formula& formula) 
     // As long as nothing is turned there is no R to speak of.
     if (has_camera && is_turned(ui) && depends_on_rotation(formula.id)) {
         wrapped_text(other_convention(vertex, formula, settings.rotation));
+        keep_text_whole(ui);
         name_widget(ui, "vertices.other_convention",
                     "A vector before the matrix or behind it: one is the transpose of the other, "
                     "and turns the camera the other way.");
@@ -259,6 +265,7 @@ void draw_formula_card(Ui& ui, const VertexReport& vertex) {
     } else {
         text_in(palette(ui.options.theme).dim, vertex_name(vertex.vertex) + ": " + formula->help);
         name_widget(ui, "vertices.formula", formula->help);
+        keep_text_whole(ui);
     }
     ImGui::PushFont(ui.inspector.is_low ? ui.fonts.small : ui.fonts.text);
     const std::optional<Source> clicked = draw_formula(ui, said, "vertices.formula");
@@ -312,13 +319,13 @@ void draw_vertices_panel(Ui& ui) {
     draw_triangle_title(ui);
     const VertexReport& vertex = vertices[static_cast<std::size_t>(chosen)];
     const bool has_spaces = ui.results.a.frame.settings.transform == Transform::matrices;
-    if (ui.inspector.is_low) {
+    if (!ui.inspector.has_card) {
         draw_as_one_page(ui, chosen, vertex);
         if (has_spaces) draw_spaces(ui, chosen);
         return;
     }
     draw_with_card(
-        "vertices",
+        ui, "vertices",
         [&] {
             draw_table(ui, chosen, lines);
             if (has_spaces) draw_spaces(ui, chosen);

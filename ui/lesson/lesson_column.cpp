@@ -192,7 +192,9 @@ void draw_lesson_drawer(Ui& ui, const Area& area) {
     const SidePage page = page_on_show(ui, lesson);
     const ImVec2 start = ImGui::GetCursorScreenPos();
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    const float row = strip_button_height * u, below = start.y + row + strip_button_gap * u;
+    // The list has nothing to turn: its tabs come first.
+    const float row = page == SidePage::list ? 0.0f : strip_button_height * u;
+    const float below = start.y + (row > 0.0f ? row + strip_button_gap * u : 0.0f);
     if (page == SidePage::lesson) {
         draw_drawer_head(ui, *lesson, {start, {room.x - page_buttons_width(ui), row}});
     }

@@ -83,14 +83,29 @@ float scroll_at(const Ui& ui, const PartArea& area, float share) {
     return std::floor(top - above - ImGui::GetWindowPos().y + ImGui::GetScrollY());
 }
 
-/// Is this question open, and not yet in sight? One that the window cannot hold is when it stands
-/// at the top.
-bool is_question_below(const Ui& ui, const LessonPrediction& prediction, const PartArea& area) {
-    const auto view = ui.lesson.predictions.find(prediction.id);
-    if (view == ui.lesson.predictions.end()) return false; // a link has led elsewhere
-    const bool is_open = view->second.is_taken_up && !view->second.judged;
+/// Is there still something to do or to answer in this part?
+bool is_open(const Ui& ui, const Lesson& lesson, const LessonPart& part) {
+    const auto index = static_cast<std::size_t>(part.index);
+    switch (part.kind) {
+    case LessonPart::Kind::text:
+        return false;
+    case LessonPart::Kind::task:
+        return !ui.lesson.progress.is_task_done(lesson.id, lesson.tasks[index].id);
+    case LessonPart::Kind::prediction: {
+        const auto view = ui.lesson.predictions.find(lesson.predictions[index].id);
+        // Not there: a link has led elsewhere.
+        return view != ui.lesson.predictions.end() && view->second.is_taken_up &&
+               !view->second.judged;
+    }
+    }
+    return false;
+}
+
+/// Is the part drawn last not yet in sight? One that the window cannot hold is when it stands at
+/// the top.
+bool is_below(const Ui& ui, const PartArea& area) {
     const float furthest = std::min(scroll_at(ui, area, 0.0f), ImGui::GetScrollMaxY());
-    return is_open && is_cut_off(ui) && ImGui::GetScrollY() < furthest - 1.0f;
+    return is_cut_off(ui) && ImGui::GetScrollY() < furthest - 1.0f;
 }
 
 /// Notes for the strip how far the student has scrolled the whole text.
@@ -139,7 +154,7 @@ void draw_step_text(Ui& ui, const Lesson& lesson, float width) {
     std::shared_ptr<MarkdownPage>& heading = ui.lesson.pages["heading"];
     draw_markdown(ui, heading, "# " + step.heading, width, "lesson.heading.link.");
     std::vector<PartArea> areas;
-    ui.lesson.question_below.reset();
+    ui.lesson.open_below.reset();
     for (std::size_t i = 0; i < step.parts.size(); ++i) {
         const LessonPart& part = step.parts[i];
         ImGui::Dummy({0.0f, i == 0 ? 0.4f * gap : gap});
@@ -164,9 +179,8 @@ void draw_step_text(Ui& ui, const Lesson& lesson, float width) {
         }
         const PartArea area{static_cast<int>(i), top, ImGui::GetCursorScreenPos().y};
         areas.push_back(area);
-        if (part.kind != LessonPart::Kind::prediction || ui.lesson.question_below) continue;
-        const auto& asked = lesson.predictions[static_cast<std::size_t>(part.index)];
-        if (is_question_below(ui, asked, area)) ui.lesson.question_below = area.part;
+        if (ui.lesson.open_below || !is_open(ui, lesson, part) || !is_below(ui, area)) continue;
+        ui.lesson.open_below = area.part;
     }
     // What is drawn may have led to another step, which asks for a place of its own.
     std::optional<LessonPlace>& place = ui.lesson.place_to_show;
@@ -208,9 +222,21 @@ void turn_in_lesson(Ui& ui, const Lesson& lesson, int direction) {
     }
 }
 
+namespace {
+
+PageFooter::Open open_below(const Ui& ui, const LessonStep& step) {
+    if (!ui.lesson.open_below) return PageFooter::Open::nothing;
+    const auto part = static_cast<std::size_t>(*ui.lesson.open_below);
+    if (part >= step.parts.size()) return PageFooter::Open::nothing; // a link has led elsewhere
+    const bool is_task = step.parts[part].kind == LessonPart::Kind::task;
+    return is_task ? PageFooter::Open::task : PageFooter::Open::question;
+}
+
+} // namespace
+
 void draw_step_footer(Ui& ui, const Lesson& lesson, float width) {
     PageFooter pages = pages_of_lesson(ui, lesson);
-    pages.has_question_below = ui.lesson.question_below.has_value();
+    pages.open_below = open_below(ui, step_on_show(ui, lesson));
     const PageWish wish = draw_page_footer(ui, pages, width);
     if (wish.direction != 0) {
         turn_in_lesson(ui, lesson, wish.direction);

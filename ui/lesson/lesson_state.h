@@ -86,7 +86,8 @@ struct LessonView {
     float scroll_share = 0.0f; ///< how far it is scrolled, 0 to 1
     unsigned place = 0;        ///< in which window of ImGui it stands
     std::optional<LessonPlace> place_to_show; ///< in the whole text: it is scrolled there
-    std::optional<int> question_below; ///< part of the column's text: an open question out of sight
+    /// Part of the column's text: a question or a task that is open, and out of sight.
+    std::optional<int> open_below;
     std::optional<float> known_scroll; ///< of the whole text; another one is the student's doing
     bool wants_end = false;       ///< of the step on show: its last card, the end of its whole text
     float pages_to_scroll = 0.0f; ///< what a key asks for: 1 is a page on

@@ -55,7 +55,7 @@ const std::string& title_of(const PageFooter& footer, int page) {
 }
 
 bool has_next(const PageFooter& footer) {
-    return footer.has_more_after || footer.has_question_below ||
+    return footer.has_more_after || footer.open_below != PageFooter::Open::nothing ||
            footer.current + 1 < static_cast<int>(footer.pages.size()) || !footer.beyond.empty();
 }
 
@@ -63,12 +63,21 @@ bool has_previous(const PageFooter& footer) {
     return footer.has_more_before || footer.current > 0;
 }
 
-bool draw_next(Ui& ui, const PageFooter& footer, const std::string& label, ImVec2 size) {
-    const std::string help = footer.has_question_below ? "Scrolls to it: answer first, then go on."
-                             : footer.has_more_after
-                                 ? "What this step says next."
+std::string next_help(const PageFooter& footer) {
+    switch (footer.open_below) {
+    case PageFooter::Open::question:
+        return "Scrolls to it: answer first, then go on.";
+    case PageFooter::Open::task:
+        return "Scrolls to it: something to do before you go on.";
+    case PageFooter::Open::nothing:
+        break;
+    }
+    return footer.has_more_after ? "What this step says next."
                                  : "To the next page: " + title_of(footer, footer.current + 1);
-    return button(ui, "lesson.next", label, Look::main, help, size);
+}
+
+bool draw_next(Ui& ui, const PageFooter& footer, const std::string& label, ImVec2 size) {
+    return button(ui, "lesson.next", label, Look::main, next_help(footer), size);
 }
 
 bool draw_previous(Ui& ui, const PageFooter& footer, const std::string& label, ImVec2 size) {
@@ -81,9 +90,10 @@ bool draw_previous(Ui& ui, const PageFooter& footer, const std::string& label, I
 
 /// What the button on says in a footer.
 std::string next_label(const PageFooter& footer, float room) {
-    if (footer.has_question_below) {
-        const std::string word = fitting_label("question", "next", room);
-        return fitting_label("to the question", word.c_str(), room) + "  ▾";
+    if (footer.open_below != PageFooter::Open::nothing) {
+        const std::string what = footer.open_below == PageFooter::Open::task ? "task" : "question";
+        const std::string word = fitting_label(what, "next", room);
+        return fitting_label("to the " + what, word.c_str(), room) + "  ▾";
     }
     return fitting_label(title_of(footer, footer.current + 1), "next", room) + "  ›";
 }

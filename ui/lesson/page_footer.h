@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,9 @@ struct PageFooter {
     std::string beyond;           ///< what comes after the last page; empty: nothing
     bool has_more_before = false; ///< in a strip: parts of the page that are not on show
     bool has_more_after = false;
-    bool has_question_below = false; ///< in a column: one that is open, and scrolled away
+    /// In a column: what is open, and scrolled away.
+    enum class Open : std::uint8_t { nothing, question, task };
+    Open open_below = Open::nothing;
 };
 
 /// What the student asks a footer for.

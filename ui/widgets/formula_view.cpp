@@ -6,6 +6,7 @@
 #include "base/numbers.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -99,6 +100,7 @@ void FormulaLine::text(std::string_view words, const ImVec4& colour) {
                       ? 0.0f
                       : ImGui::CalcTextSize(visible.data(), visible.data() + visible.size()).x);
         text_in(colour, word);
+        keep_item_whole(ui_);
         words.remove_prefix(length);
     }
 }
@@ -113,6 +115,7 @@ bool FormulaLine::link(std::string_view label, const std::string& name, const st
     const bool hovered = ImGui::IsItemHovered();
     name_number(ui_, name.substr(0, name.find("##")), tooltip);
     note_text(ui_, name.substr(0, name.find("##")), label);
+    keep_item_whole(ui_);
     if (hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     ImDrawList* const list = ImGui::GetWindowDrawList();
     list->AddText(at, packed(hovered ? p.link : colour), label.data(), label.data() + label.size());
@@ -195,7 +198,7 @@ std::optional<Source> draw_formula_line(Ui& ui, const Formula& formula, const st
     return clicked;
 }
 
-void draw_with_card(const char* name, const std::function<void()>& page,
+void draw_with_card(Ui& ui, const char* name, const std::function<void()>& page,
                     const std::function<void()>& card) {
     ImGuiStorage* const sizes = ImGui::GetStateStorage();
     const ImGuiID page_id = ImGui::GetID((std::string(name) + ".page").c_str());
@@ -206,7 +209,9 @@ void draw_with_card(const char* name, const std::function<void()>& page,
     const float left = std::max(room - card_height - spacing, 0.42f * room);
     ImGui::BeginChild(page_id, {0, std::min(sizes->GetFloat(page_id, room), left)}, false,
                       ImGuiWindowFlags_NoNav);
+    begin_whole_lines(ui);
     page();
+    end_whole_lines(ui);
     const float page_height = ImGui::GetCursorPosY();
     ImGui::EndChild();
     // A card for which there is no room scrolls by itself: neither of the two is ever out of sight.
@@ -216,7 +221,9 @@ void draw_with_card(const char* name, const std::function<void()>& page,
     ImGui::BeginChild(card_id, {0, std::max(scrolls ? card_room : card_height, 1.0f)}, false,
                       scrolls ? ImGuiWindowFlags_NoNav
                               : ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoScrollbar);
+    begin_whole_lines(ui);
     card();
+    end_whole_lines(ui);
     const float card_height_now = ImGui::GetCursorPosY();
     ImGui::EndChild();
     sizes->SetFloat(page_id, page_height);
@@ -231,6 +238,7 @@ bool number_cell(Ui& ui, const std::string& name, std::string_view text, const I
         ImGui::Selectable(("##" + name).c_str(), is_chosen, 0, {room, ImGui::GetTextLineHeight()});
     name_number(ui, name, tooltip);
     note_text(ui, name, text);
+    keep_whole(ui, at.y, at.y + ImGui::GetTextLineHeight());
     const float width = ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
     ImGui::GetWindowDrawList()->AddText({at.x + std::max(room - width, 0.0f), at.y}, packed(colour),
                                         text.data(), text.data() + text.size());

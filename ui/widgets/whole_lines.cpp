@@ -14,6 +14,13 @@ namespace {
 /// Windows end at whole pixels.
 constexpr float rounding = 1.0f;
 
+/// Of the window that is drawn into; null where it does not end with whole lines.
+WholeLines* lines_of_window(Ui& ui) {
+    const bool is_this =
+        !ui.whole_lines.empty() && ui.whole_lines.back().window == ImGui::GetCurrentWindow()->ID;
+    return is_this ? &ui.whole_lines.back() : nullptr;
+}
+
 } // namespace
 
 void begin_whole_lines(Ui& ui) {
@@ -22,41 +29,47 @@ void begin_whole_lines(Ui& ui) {
     ImDrawList* const list = window->DrawList;
     if (list->CmdBuffer.back().ElemCount > 0) list->AddDrawCmd();
     const float top = window->ClipRect.Min.y, bottom = window->ClipRect.Max.y;
-    ui.whole_lines = {window->ID, list->CmdBuffer.Size - 1, top, bottom, top, bottom, top};
+    ui.whole_lines.push_back({window->ID, list->CmdBuffer.Size - 1, top, bottom, top, bottom, top});
 }
 
 void keep_beginning(Ui& ui, float top, float bottom) {
-    WholeLines& lines = ui.whole_lines;
-    const ImGuiWindow* const window = ImGui::GetCurrentWindow();
-    if (lines.window != window->ID) return;
-    lines.lowest = std::max(lines.lowest, bottom);
-    const bool is_cut = top < lines.bottom && bottom > lines.bottom + rounding;
+    WholeLines* const lines = lines_of_window(ui);
+    if (lines == nullptr) return;
+    lines->lowest = std::max(lines->lowest, bottom);
+    const bool is_cut = top < lines->bottom && bottom > lines->bottom + rounding;
     // Of what fills the window a part must do.
-    const bool is_tall = bottom - top > 0.5f * window->Size.y || top < lines.top;
-    if (is_cut && !is_tall) lines.end = std::min(lines.end, std::floor(top));
+    const bool is_tall = bottom - top > 0.5f * ImGui::GetWindowHeight() || top < lines->top;
+    if (is_cut && !is_tall) lines->end = std::min(lines->end, std::floor(top));
 }
 
 void keep_whole(Ui& ui, float top, float bottom) {
     keep_beginning(ui, top, bottom);
-    WholeLines& lines = ui.whole_lines;
-    const ImGuiWindow* const window = ImGui::GetCurrentWindow();
-    if (lines.window != window->ID) return;
-    const bool is_cut = top < lines.top - rounding && bottom > lines.top;
-    const bool is_tall = bottom - top > 0.5f * window->Size.y;
-    if (is_cut && !is_tall) lines.begin = std::max(lines.begin, std::ceil(bottom));
+    WholeLines* const lines = lines_of_window(ui);
+    if (lines == nullptr) return;
+    const bool is_cut = top < lines->top - rounding && bottom > lines->top;
+    const bool is_tall = bottom - top > 0.5f * ImGui::GetWindowHeight();
+    if (is_cut && !is_tall) lines->begin = std::max(lines->begin, std::ceil(bottom));
 }
 
 void keep_item_whole(Ui& ui) {
     keep_whole(ui, ImGui::GetItemRectMin().y, ImGui::GetItemRectMax().y);
 }
 
+void keep_text_whole(Ui& ui) {
+    const float line = ImGui::GetFontSize(), bottom = ImGui::GetItemRectMax().y;
+    for (float top = ImGui::GetItemRectMin().y; top + 0.5f * line < bottom; top += line)
+        keep_whole(ui, top, top + line);
+}
+
 bool is_cut_off(const Ui& ui) {
-    return ui.whole_lines.lowest > ui.whole_lines.bottom + rounding;
+    if (ui.whole_lines.empty()) return false;
+    const WholeLines& lines = ui.whole_lines.back();
+    return lines.lowest > lines.bottom + rounding;
 }
 
 void end_whole_lines(Ui& ui) {
-    const WholeLines lines = ui.whole_lines;
-    ui.whole_lines = {};
+    const WholeLines lines = ui.whole_lines.back();
+    ui.whole_lines.pop_back();
     ImDrawList* const list = ImGui::GetWindowDrawList();
     for (int i = lines.first_command; i < list->CmdBuffer.Size; ++i) {
         ImVec4& clip = list->CmdBuffer[i].ClipRect;

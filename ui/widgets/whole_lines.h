@@ -5,15 +5,16 @@ namespace rasterwalk {
 struct Ui;
 
 /// At the upper and lower edge of a window that scrolls, what keep_whole() names is shown whole or
-/// not at all. Around the drawing of what scrolls, in its window.
+/// not at all. Around the drawing of what scrolls, in its window; a window in it may do the same.
 void begin_whole_lines(Ui& ui);
 void end_whole_lines(Ui& ui);
 
 /// A line of text or a widget lies between these heights, screen pixels. Does nothing where the
 /// window does not end with whole lines.
 void keep_whole(Ui& ui, float top, float bottom);
-/// The same for the widget drawn last.
+/// The same for the widget drawn last, and for each line of a text drawn last.
 void keep_item_whole(Ui& ui);
+void keep_text_whole(Ui& ui);
 
 /// Of a box that begins at the first height, nothing is shown at the lower edge where it is not
 /// shown as far as to the second.

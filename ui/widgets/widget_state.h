@@ -48,7 +48,7 @@ struct Focus {
 
 /// The edges of a text that scrolls, while it is drawn; see whole_lines.h. Screen pixels.
 struct WholeLines {
-    ImGuiID window = 0;              ///< whose text it is; 0: none
+    ImGuiID window = 0;              ///< whose text it is
     int first_command = 0;           ///< of the window's draw list, with which the text begins
     float top = 0.0f, bottom = 0.0f; ///< the window's edges
     float begin = 0.0f, end = 0.0f; ///< beyond these nothing is shown, because an edge would cut it

@@ -1,4 +1,4 @@
-// A column leads to the questions of its step before the next step.
+// A column leads to the questions and tasks of its step before the next step.
 
 #include <algorithm>
 #include <set>
@@ -25,9 +25,26 @@ bool says(const std::string& words) {
     });
 }
 
-/// Is a question with all that it is answered by on the screen?
-bool is_whole(const Driver& driver, const LessonPrediction& prediction) {
-    const std::string name = "lesson.prediction." + prediction.id;
+bool leads_on_in_step() {
+    return says("to the question") || says("to the task");
+}
+
+std::string name_of(const LessonPrediction& prediction) {
+    return "lesson.prediction." + prediction.id;
+}
+
+/// The widgets of all questions and tasks of a step.
+std::vector<std::string> open_parts(const Lesson& lesson, int step) {
+    std::vector<std::string> names;
+    for (const LessonPrediction& prediction : lesson.predictions)
+        if (prediction.step == step) names.push_back(name_of(prediction));
+    for (const LessonTask& task : lesson.tasks)
+        if (task.step == step) names.push_back("lesson.task." + task.id);
+    return names;
+}
+
+/// Is a question with all that it is answered by on the screen, or a task with its hint?
+bool is_whole(const Driver& driver, const std::string& name) {
     int parts = 0;
     for (const auto& [widget, place] : driver.ui.widgets) {
         if (!widget.starts_with(name)) continue;
@@ -39,7 +56,7 @@ bool is_whole(const Driver& driver, const LessonPrediction& prediction) {
 
 } // namespace
 
-TEST_CASE("No step of a column is left before its questions were in sight, by button or by key") {
+TEST_CASE("No step of a column is left before all that is open was in sight, by button or by key") {
     for (const ImVec2 window : {ImVec2(1366, 768), ImVec2(1280, 720)}) {
         Driver driver("lab-room.toml", window);
         const std::vector<Lesson> lessons = driver.ui.lesson.lessons.all();
@@ -47,23 +64,21 @@ TEST_CASE("No step of a column is left before its questions were in sight, by bu
         for (const Lesson& lesson : test::some_of(lessons, 3)) {
             for (int step = 0; step < static_cast<int>(lesson.steps.size()); ++step) {
                 INFO(lesson.id << ", step " << step << " at " << window.x << " x " << window.y);
-                std::vector<const LessonPrediction*> asked;
-                for (const LessonPrediction& prediction : lesson.predictions)
-                    if (prediction.step == step) asked.push_back(&prediction);
-                if (asked.empty()) continue;
+                const std::vector<std::string> open = open_parts(lesson, step);
+                if (open.empty()) continue;
                 open_lesson(driver.ui, lesson.id, step);
                 driver.hand.leave();
                 if (driver.ui.lesson.is_strip) continue; // the step shows both views
                 std::set<std::string> seen;
                 const auto look = [&] {
-                    for (const LessonPrediction* const prediction : asked)
-                        if (is_whole(driver, *prediction)) seen.insert(prediction->id);
+                    for (const std::string& name : open)
+                        if (is_whole(driver, name)) seen.insert(name);
                 };
                 look();
                 const auto is_here = [&] {
                     return driver.ui.session.step == step && driver.ui.session.lesson == lesson.id;
                 };
-                for (std::size_t i = 0; i <= asked.size() && says("to the question"); ++i) {
+                for (std::size_t i = 0; i <= open.size() && leads_on_in_step(); ++i) {
                     if (step % 2 == 0) {
                         driver.hand.press(key::page_down);
                     } else {
@@ -74,8 +89,8 @@ TEST_CASE("No step of a column is left before its questions were in sight, by bu
                     look();
                     ++led;
                 }
-                CHECK(seen.size() == asked.size());
-                CHECK_FALSE(says("to the question"));
+                CHECK(seen.size() == open.size());
+                CHECK_FALSE(leads_on_in_step());
                 const bool is_end = step + 1 == static_cast<int>(lesson.steps.size());
                 if (is_end) continue;
                 driver.hand.press(key::page_down);
@@ -94,16 +109,47 @@ TEST_CASE("A question that is answered is not led to") {
     REQUIRE(asked.kind == LessonPrediction::Kind::number);
     driver.hand.leave();
     REQUIRE(says("to the question"));
-    const std::string name = "lesson.prediction." + asked.id;
+    const std::string name = name_of(asked);
     driver.hand.click(name + ".number");
     driver.hand.type_text("7");
     driver.hand.press(key::enter);
     driver.hand.wheel("lesson.part0.link.0", 50.0f);
     driver.hand.leave();
-    CHECK_FALSE(is_whole(driver, asked));
-    CHECK_FALSE(says("to the question"));
+    CHECK_FALSE(is_whole(driver, name));
+    CHECK_FALSE(leads_on_in_step());
     driver.hand.press(key::page_down);
     CHECK(driver.ui.session.step == 2);
+}
+
+TEST_CASE("A task below the fold is led to, and no more once it is done") {
+    Driver driver("lab-room.toml", {1280, 720});
+    // A step whose task alone is open, and out of sight.
+    const std::vector<Lesson> lessons = driver.ui.lesson.lessons.all();
+    int tried = 0;
+    for (const Lesson& lesson : lessons) {
+        for (const LessonTask& task : lesson.tasks) {
+            if (tried == 2 || open_parts(lesson, task.step).size() != 1) continue;
+            if (task.step + 1 == static_cast<int>(lesson.steps.size())) continue;
+            INFO(lesson.id << ", " << task.id);
+            open_lesson(driver.ui, lesson.id, task.step);
+            driver.hand.leave();
+            if (driver.ui.lesson.is_strip || !says("to the task")) continue;
+            ++tried;
+            const std::string name = "lesson.task." + task.id;
+            CHECK_FALSE(is_whole(driver, name));
+            driver.hand.press(key::page_down);
+            driver.hand.leave();
+            CHECK(driver.ui.session.step == task.step);
+            CHECK(is_whole(driver, name));
+            driver.ui.lesson.progress.note_task(lesson.id, task.id);
+            open_lesson(driver.ui, lesson.id, task.step);
+            driver.hand.leave();
+            CHECK_FALSE(leads_on_in_step());
+            driver.hand.press(key::page_down);
+            CHECK(driver.ui.session.step == task.step + 1);
+        }
+    }
+    CHECK(tried > 0);
 }
 
 } // namespace rasterwalk

@@ -1,0 +1,58 @@
+// The menus in groups.
+
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "tests/ui/driver.h"
+#include "ui/actions/actions.h"
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+TEST_CASE("No menu has more than seven entries without a line between them") {
+    std::string menu;
+    int entries = 0, lines = 0;
+    for (const Action& action : action_table()) {
+        if (action.menu.empty()) continue;
+        const bool is_first = action.menu != menu;
+        menu = action.menu;
+        INFO(action.name);
+        CHECK_FALSE((is_first && action.begins_group)); // nothing stands above it
+        entries = is_first || action.begins_group ? 1 : entries + 1;
+        lines += action.begins_group ? 1 : 0;
+        CHECK(entries <= 7);
+    }
+    CHECK(lines > 5);
+}
+
+TEST_CASE("The groups of the View menu are set apart, and all of it is in sight") {
+    struct Window {
+        ImVec2 window;
+        float text;
+    };
+    for (const Window& window : {Window{{1600, 1000}, 1.0f}, Window{{1024, 640}, 1.5f}}) {
+        INFO(window.window.x << " x " << window.window.y << ", text " << window.text);
+        Driver driver("lab-room.toml", window.window, window.text);
+        if (driver.hand.is_visible("menu")) driver.hand.click("menu");
+        driver.hand.click("menu.View");
+        driver.hand.frames(frames_to_rest);
+        float gap_in_group = 0.0f, gap_of_groups = 0.0f;
+        const WidgetPlace* above = nullptr;
+        for (const Action& action : action_table()) {
+            if (action.menu != "View") continue;
+            INFO(action.name);
+            const WidgetPlace& place = driver.ui.widgets.at("menu." + action.name);
+            CHECK(place.visible);
+            CHECK(place.is_whole);
+            if (above != nullptr) {
+                const float gap = place.top_left.y - above->bottom_right.y;
+                (action.begins_group ? gap_of_groups : gap_in_group) = gap;
+            }
+            above = &place;
+        }
+        CHECK(gap_of_groups > gap_in_group + 1.0f);
+    }
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,143 @@
+// What scrolls in the inspector begins and ends with whole lines.
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include <imgui_internal.h>
+
+#include "support/effort.h"
+#include "tests/ui/driver.h"
+#include "tests/ui/screen_text.h"
+#include "ui/actions/compare.h"
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// What of a window is drawn.
+struct Edges {
+    float top = -1e9f, bottom = 1e9f; ///< screen pixels
+};
+
+Edges edges_of(const ImDrawList& list) {
+    Edges edges;
+    for (const ImDrawCmd& command : list.CmdBuffer) {
+        if (command.ElemCount == 0) continue;
+        edges.top = std::max(edges.top, command.ClipRect.y);
+        edges.bottom = std::min(edges.bottom, command.ClipRect.w);
+    }
+    return edges;
+}
+
+/// The windows of the inspector that scroll; tables that do have lines of their own.
+std::vector<ImGuiWindow*> scrolling_windows() {
+    std::vector<ImGuiWindow*> windows;
+    for (ImGuiWindow* const window : GImGui->Windows) {
+        const bool is_table = std::string(window->Name).find("compare.groups") != std::string::npos;
+        if (window->Active && window->ScrollMax.y > 0.0f && !is_table &&
+            std::string(window->RootWindow->Name) == "inspector") {
+            windows.push_back(window);
+        }
+    }
+    return windows;
+}
+
+/// Lines of text that an edge cuts through.
+std::vector<std::string> cut_lines(const ImGuiWindow& window) {
+    const Edges edges = edges_of(*window.DrawList);
+    std::vector<std::string> cut;
+    for (const ScreenText& line : screen_text()) {
+        if (line.window != window.DrawList->_OwnerName) continue;
+        const bool is_seen = line.low.y < edges.bottom - 1.0f && line.high.y > edges.top + 1.0f;
+        if (is_seen && (line.high.y > edges.bottom + 1.5f || line.low.y < edges.top - 1.5f))
+            cut.push_back(line.words);
+    }
+    return cut;
+}
+
+/// Scrolls everything in the inspector to several places, and looks at the edges there.
+/// Returns in how many places something was seen to scroll.
+int look_at_edges(Driver& driver) {
+    int looked = 0;
+    for (const float part : {0.0f, 0.13f, 0.31f, 0.47f, 0.62f, 0.88f, 1.0f}) {
+        for (ImGuiWindow* const window : scrolling_windows())
+            ImGui::SetScrollY(window, part * window->ScrollMax.y);
+        driver.hand.frames(2);
+        for (const ImGuiWindow* const window : scrolling_windows()) {
+            INFO(window->Name << " scrolled by " << window->Scroll.y);
+            CHECK(cut_lines(*window) == std::vector<std::string>{});
+            ++looked;
+        }
+    }
+    return looked;
+}
+
+struct Look {
+    ImVec2 window;
+    float text;
+};
+
+} // namespace
+
+TEST_CASE("What scrolls in the inspector begins and ends with whole lines") {
+    for (const Look& look : test::some_of(std::vector<Look>{{{1600, 1000}, 1.0f},
+                                                            {{1280, 720}, 1.0f},
+                                                            {{1024, 640}, 1.5f},
+                                                            {{1366, 768}, 1.0f},
+                                                            {{800, 600}, 1.0f}},
+                                          3)) {
+        INFO(look.window.x << " x " << look.window.y << ", text " << look.text);
+        Driver driver("lab-room.toml", look.window, look.text);
+        driver.ui.session.selection.pixel = {250, 400};
+        driver.ui.session.selection.triangle = 7;
+        int looked = 0;
+        for (const char* const tab : {"vertices", "fragment", "lab", "compare"}) {
+            INFO(tab);
+            driver.ui.session.tab = tab;
+            driver.hand.frames(frames_to_rest + 2);
+            looked += look_at_edges(driver);
+        }
+        driver.ui.session.tab = "lab";
+        driver.hand.frames(frames_to_rest);
+        for (const char* const mistake : {"lab.B2", "lab.B17a", "lab.B22"}) {
+            INFO(mistake);
+            driver.hand.click(mistake);
+            driver.hand.frames(frames_to_rest + 2);
+            looked += look_at_edges(driver);
+        }
+        toggle_compare(driver.ui);
+        driver.ui.session.tab = "compare";
+        driver.hand.frames(frames_to_rest + 2);
+        looked += look_at_edges(driver);
+        CHECK(looked > 10);
+    }
+}
+
+TEST_CASE("The row table ends with a whole row") {
+    for (const ImVec2 size :
+         {ImVec2(1280, 720), ImVec2(1366, 768), ImVec2(1600, 1000), ImVec2(1600, 933)}) {
+        INFO(size.x << " x " << size.y);
+        Driver driver("lab-room.toml", size);
+        driver.ui.session.selection.triangle = 7;
+        driver.ui.session.tab = "rows";
+        driver.hand.frames(frames_to_rest + 2);
+        int rows = 0;
+        for (const ImGuiWindow* const window : scrolling_windows()) {
+            const float bottom = window->InnerClipRect.Max.y;
+            for (const ScreenText& line : screen_text()) {
+                if (line.window != window->DrawList->_OwnerName || line.low.y > bottom - 1.0f)
+                    continue;
+                INFO(line.words);
+                CHECK(line.high.y <= bottom + 1.5f);
+                ++rows;
+            }
+        }
+        CHECK(rows > 10);
+    }
+}
+
+} // namespace rasterwalk
