@@ -14,6 +14,13 @@ namespace {
 /// Windows end at whole pixels.
 constexpr float rounding = 1.0f;
 
+/// Of what fills the window a part must do, but for a few lines that it can hold.
+bool fills_window(float height) {
+    constexpr float few_lines = 5.0f;
+    const float window = ImGui::GetWindowHeight();
+    return height > std::max(0.5f * window, std::min(window, few_lines * ImGui::GetFontSize()));
+}
+
 } // namespace
 
 void begin_whole_lines(Ui& ui) {
@@ -31,8 +38,7 @@ void keep_beginning(Ui& ui, float top, float bottom) {
     if (lines.window != window->ID) return;
     lines.lowest = std::max(lines.lowest, bottom);
     const bool is_cut = top < lines.bottom && bottom > lines.bottom + rounding;
-    // Of what fills the window a part must do.
-    const bool is_tall = bottom - top > 0.5f * window->Size.y || top < lines.top;
+    const bool is_tall = fills_window(bottom - top) || top < lines.top;
     if (is_cut && !is_tall) lines.end = std::min(lines.end, std::floor(top));
 }
 
@@ -42,12 +48,16 @@ void keep_whole(Ui& ui, float top, float bottom) {
     const ImGuiWindow* const window = ImGui::GetCurrentWindow();
     if (lines.window != window->ID) return;
     const bool is_cut = top < lines.top - rounding && bottom > lines.top;
-    const bool is_tall = bottom - top > 0.5f * window->Size.y;
-    if (is_cut && !is_tall) lines.begin = std::max(lines.begin, std::ceil(bottom));
+    if (is_cut && !fills_window(bottom - top))
+        lines.begin = std::max(lines.begin, std::ceil(bottom));
 }
 
 void keep_item_whole(Ui& ui) {
     keep_whole(ui, ImGui::GetItemRectMin().y, ImGui::GetItemRectMax().y);
+}
+
+ShownLines shown_lines(const Ui& ui) {
+    return {ui.whole_lines.begin, ui.whole_lines.end};
 }
 
 bool is_cut_off(const Ui& ui) {
