@@ -22,15 +22,15 @@ namespace rasterwalk {
 
 namespace {
 
-struct SmallWindow {
+struct LetterWindow {
     ImVec2 size;
     float text;
     bool is_lecture;
 };
 
-const std::vector<SmallWindow> small_windows{{{1024, 640}, 1.5f, true},  {{800, 600}, 1.0f, false},
-                                             {{1024, 640}, 1.5f, false}, {{640, 480}, 1.0f, false},
-                                             {{1024, 640}, 1.0f, false}, {{800, 600}, 1.5f, true}};
+const std::vector<LetterWindow> letter_windows{
+    {{1024, 640}, 1.5f, true}, {{800, 600}, 1.0f, false},  {{1024, 640}, 1.5f, false},
+    {{640, 480}, 1.0f, false}, {{1024, 640}, 1.0f, false}, {{800, 600}, 1.5f, true}};
 
 /// A letter by its place in the text, screen pixels from the text's beginning.
 using LetterPlace = std::pair<int, int>;
@@ -142,7 +142,7 @@ bool says(std::string_view words) {
 } // namespace
 
 TEST_CASE("No letter of a formula or of a raised number is cut in a strip") {
-    for (const SmallWindow& window : small_windows) {
+    for (const LetterWindow& window : letter_windows) {
         INFO(window.size.x << " x " << window.size.y << ", text " << window.text
                            << (window.is_lecture ? ", lecture" : ""));
         Driver driver("lab-room.toml", window.size, window.text);
@@ -155,7 +155,7 @@ TEST_CASE("No letter of a formula or of a raised number is cut in a strip") {
 }
 
 TEST_CASE("No letter of any lesson is cut in a strip, and each is reached by paging") {
-    for (const SmallWindow& window : test::some_of(small_windows, 1)) {
+    for (const LetterWindow& window : test::some_of(letter_windows, 1)) {
         INFO(window.size.x << " x " << window.size.y << ", text " << window.text
                            << (window.is_lecture ? ", lecture" : ""));
         Driver driver("lab-room.toml", window.size, window.text);
