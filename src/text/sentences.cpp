@@ -209,4 +209,24 @@ std::vector<ReadingPiece> reading_pieces(std::string_view markdown) {
     return pieces;
 }
 
+CutTable cut_table(std::string_view markdown) {
+    CutTable cut;
+    bool is_code = false;
+    int lines = 0; // of the table
+    while (!markdown.empty()) {
+        const std::string_view line = next_line(markdown);
+        if (begins_code(line)) is_code = !is_code;
+        const bool is_of_table = !is_code && line.starts_with('|') && cut.after.empty();
+        if (!is_of_table) {
+            std::string& text = lines == 0 ? cut.before : cut.after;
+            if (!text.empty() || !is_blank(line)) append_line(text, line);
+        } else if (lines++ < 2) {
+            append_line(cut.head, line);
+        } else {
+            cut.rows.emplace_back(line);
+        }
+    }
+    return cut;
+}
+
 } // namespace rasterwalk

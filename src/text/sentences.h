@@ -23,4 +23,12 @@ struct ReadingPiece {
 /// it announces, but not with a list.
 std::vector<ReadingPiece> reading_pieces(std::string_view markdown);
 
+/// A Markdown text that is cut at its first table.
+struct CutTable {
+    std::string before, after;     ///< the table
+    std::string head;              ///< its first line, and the one of dashes
+    std::vector<std::string> rows; ///< a line each; empty: there is no table
+};
+CutTable cut_table(std::string_view markdown);
+
 } // namespace rasterwalk

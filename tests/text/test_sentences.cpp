@@ -73,6 +73,19 @@ TEST_CASE("A text is read in pieces: sentences, items of lists, and blocks as th
     CHECK(reading_pieces("").empty());
 }
 
+TEST_CASE("A text is cut at its first table, which keeps its head") {
+    const CutTable cut =
+        cut_table("In this order:\n\n| a | b |\n|---|---|\n| 1 | 2 |\n| 3 | 4 |\n\nAnd on.");
+    CHECK(cut.before == "In this order:\n");
+    CHECK(cut.head == "| a | b |\n|---|---|");
+    CHECK(cut.rows == std::vector<std::string>{"| 1 | 2 |", "| 3 | 4 |"});
+    CHECK(cut.after == "And on.");
+    CHECK(cut_table("No table.").rows.empty());
+    CHECK(cut_table("```\n| a |\n|---|\n| 1 |\n```").rows.empty());
+    CHECK(cut_table("| a |").rows.empty());
+    CHECK(cut_table("").before.empty());
+}
+
 TEST_CASE("No word of a lesson is lost when it is cut into pieces") {
     LessonList lessons;
     lessons.read_folder(lessons_folder());

@@ -86,16 +86,21 @@ std::string way_to(const Ui& ui, const std::string& widget) {
     return tab.empty() || is_tab_on_show(ui, widget, tab) ? widget : door_to_tab(ui, tab);
 }
 
+/// Is the mouse pressed on this widget in this frame?
+bool is_clicked(const Ui& ui, const std::string& widget) {
+    const auto found = ui.widgets.find(widget);
+    if (found == ui.widgets.end() || !ImGui::IsMouseClicked(0)) return false;
+    const ImVec2 at = ImGui::GetIO().MousePos;
+    const ImVec2 low = found->second.top_left, high = found->second.bottom_right;
+    return at.x >= low.x && at.x < high.x && at.y >= low.y && at.y < high.y;
+}
+
 /// Is a click or a key of this frame a step on the way to what is pointed at?
 bool leads_on(const Ui& ui) {
     const LessonView& lesson = ui.lesson;
     if (lesson.pointed_at == lesson.meant) return false;
     if (way_to(ui, lesson.meant) != lesson.pointed_at) return true;
-    const auto door = ui.widgets.find(lesson.pointed_at);
-    if (door == ui.widgets.end() || !ImGui::IsMouseClicked(0)) return false;
-    const ImVec2 at = ImGui::GetIO().MousePos;
-    const ImVec2 low = door->second.top_left, high = door->second.bottom_right;
-    return at.x >= low.x && at.x < high.x && at.y >= low.y && at.y < high.y;
+    return is_clicked(ui, lesson.pointed_at);
 }
 
 bool is_pressed() {
@@ -106,16 +111,56 @@ bool is_pressed() {
            std::any_of(held.begin(), held.end(), [](float seconds) { return seconds == 0.0f; });
 }
 
+/// Is a widget, or a part of it, clicked in this frame, or given a key of its own?
+bool is_used(const Ui& ui, const std::string& widget) {
+    if (is_clicked(ui, widget)) return true;
+    const std::string& focus = ui.focus.name;
+    const auto place = ui.widgets.find(focus);
+    const bool has_keyboard = ui.focus.is_shown && place != ui.widgets.end() &&
+                              (focus == widget || focus.starts_with(widget + "."));
+    if (!has_keyboard) return false;
+    const auto is_down = [](int key) { return ImGui::IsKeyPressed(key, false); };
+    // Other arrows have only led here.
+    const bool is_moved =
+        place->second.takes_arrows &&
+        (is_down(key::left) || is_down(key::right) || is_down(key::up) || is_down(key::down));
+    return is_moved || is_down(key::enter) || is_down(key::keypad_enter) || is_down(key::space);
+}
+
+/// Outlines what the step points at, where it points at something; in sight, unless it was scrolled
+/// away.
+void point_as_step_does(Ui& ui) {
+    LessonView& lesson = ui.lesson;
+    lesson.meant = lesson.of_step;
+    lesson.pointed_at.clear();
+    lesson.frames_unseen = 0;
+    if (lesson.of_step.empty()) return;
+    lesson.pointed_at = way_to(ui, lesson.of_step);
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    const PointedPlace place{lesson.pointed_at, lesson.strip.card, lesson.strip.height,
+                             window.x,          window.y,          ui.options.text_scale};
+    lesson.is_held = lesson.of_step_in != place;
+    lesson.of_step_in = place;
+}
+
 } // namespace
+
+void point_at_widget_of_step(Ui& ui, const std::string& widget) {
+    ui.lesson.of_step = widget;
+    ui.lesson.of_step_in = {};
+    point_at_widget(ui, widget, true);
+}
 
 void point_at_widget(Ui& ui, const std::string& widget, bool is_held) {
     LessonView& lesson = ui.lesson;
     const std::string target = way_to(ui, widget);
     if (lesson.pointed_at != target || is_held) lesson.frames_unseen = 0;
+    // The pointer on a link takes it from the step for as long as it rests there.
+    const bool was_of_step = lesson.meant == lesson.of_step && widget != lesson.of_step;
+    lesson.is_held = is_held || (lesson.is_held && !was_of_step);
+    lesson.is_new = lesson.is_new || is_held;
     lesson.meant = widget;
     lesson.pointed_at = target;
-    lesson.is_held = lesson.is_held || is_held;
-    lesson.is_new = lesson.is_new || is_held;
 }
 
 void follow_link(Ui& ui, const std::string& target) {
@@ -174,9 +219,14 @@ void release_pointed(Ui& ui) {
     const bool is_hovered = lesson.is_hovered, is_new = lesson.is_new;
     lesson.is_hovered = lesson.is_new = false;
     if (lesson.pointed_at.empty()) return;
+    const bool is_of_step = lesson.meant == lesson.of_step;
+    const bool is_scrolled = is_of_step && ImGui::GetIO().MouseWheel != 0.0f;
     // The key that led here may still be held: only another one that goes down ends it, unless it
     // leads to what is meant.
-    if (lesson.is_held && is_pressed() && !is_new && !leads_on(ui)) lesson.is_held = false;
+    if (!is_new && is_pressed() && is_used(ui, lesson.of_step)) lesson.of_step.clear();
+    if (lesson.is_held && (is_pressed() || is_scrolled) && !is_new && !leads_on(ui)) {
+        lesson.is_held = false;
+    }
     ++lesson.frames_unseen;
     if (lesson.is_held) {
         const std::string way = way_to(ui, lesson.meant);
@@ -184,14 +234,12 @@ void release_pointed(Ui& ui) {
             lesson.pointed_at = way;
             lesson.frames_unseen = 0;
         } else if (lesson.frames_unseen > frames_to_appear) {
-            ui.session.notice = "What is pointed at is not on the screen now.";
+            // What a step points at may come later, as behind the start page.
+            if (!is_of_step) ui.session.notice = "What is pointed at is not on the screen now.";
             lesson.is_held = false;
         }
     }
-    if (!lesson.is_held && !is_hovered) {
-        lesson.meant.clear();
-        lesson.pointed_at.clear();
-    }
+    if (!lesson.is_held && !is_hovered) point_as_step_does(ui);
 }
 
 } // namespace rasterwalk

@@ -19,8 +19,12 @@ void answer_links(Ui& ui, const MarkdownDocument& document, const MarkdownEvents
 /// @param is_held it stays outlined until the next click or key
 void point_at_widget(Ui& ui, const std::string& widget, bool is_held);
 
+/// The same for what the step on show points at: it stays outlined until it is used or the step
+/// ends, and comes into sight again where another card or window moved it away.
+void point_at_widget_of_step(Ui& ui, const std::string& widget);
+
 /// To be called once a frame, after all pages were drawn: ends the pointing, where a link only was
-/// hovered at once, else with the next click or key.
+/// hovered at once, else with the next click or key; then what the step points at is outlined.
 void release_pointed(Ui& ui);
 
 } // namespace rasterwalk

@@ -22,6 +22,7 @@ void forget_step(LessonView& view) {
     view.open_hints.clear();
     view.meant.clear();
     view.pointed_at.clear();
+    view.of_step.clear();
     view.is_held = false;
     view.strip.cards.clear();
     view.strip.card = 0;
@@ -37,7 +38,12 @@ void enter_step(Ui& ui, const Lesson& lesson) {
     ui.lesson.progress.note_step(lesson.id, ui.session.step);
     const std::optional<std::string>& widget =
         lesson.steps[static_cast<std::size_t>(ui.session.step)].state.point_at;
-    if (widget) point_at_widget(ui, *widget, true);
+    if (!widget) return;
+    point_at_widget_of_step(ui, *widget);
+    // Of a number in the table of the vertices it is said how it came to be.
+    constexpr std::string_view vertices = "vertices.";
+    if (widget->starts_with(vertices))
+        ui.inspector.chosen.vertex_number = widget->substr(vertices.size());
 }
 
 } // namespace

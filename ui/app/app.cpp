@@ -153,10 +153,8 @@ void draw_workplace(Ui& ui, const Layout& layout) {
     }
 }
 
-/// In a lecture, and where every line counts, it only comes to say something.
-bool has_status_line(const Ui& ui, ImVec2 window) {
-    const bool is_spared = ui.options.is_lecture || is_low(window, ui.options);
-    return !is_spared || !ui.session.notice.empty() || !ui.fonts.notice.empty();
+bool has_status_line(const Ui& ui) {
+    return !spares_status_line(ui) || !ui.session.notice.empty() || !ui.fonts.notice.empty();
 }
 
 /// The layout, without the lesson's column where the canvas wants its width.
@@ -166,7 +164,7 @@ Layout layout_of(const Ui& ui, ImVec2 window) {
                       .has_drawer = ui.lesson.drawer_is_open,
                       .menu_end = menu_end_width(ui, window.x),
                       .has_stages = !ui.start.is_open,
-                      .has_status = has_status_line(ui, window)};
+                      .has_status = has_status_line(ui)};
     const Layout narrow = compute_layout(window, ui.options, needs);
     needs.wide_canvas = true;
     const Layout wide = compute_layout(window, ui.options, needs);
@@ -177,6 +175,7 @@ void draw_everything(Ui& ui) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const Layout layout = layout_of(ui, window);
     ui.lesson.is_strip = layout.lesson_is_strip;
+    ui.lesson.strip.most_height = layout.most_strip;
     // One that fails leaves the others on the screen.
     guarded(ui, [&] { draw_menu_bar(ui, layout); });
     if (ui.start.is_open) {
@@ -270,6 +269,8 @@ void open_ui(Ui& ui, TextureHost& textures) {
     update(ui.session, ui.results, work_limit(ui));
     const SessionInputs& asked = ui.session;
     ui.worked_out = asked;
+    // In a small window the list of lessons is read where the whole text is.
+    ui.lesson.drawer_is_open = ui.session.page == SidePage::list;
     ui.options.text_scale = ui.options.wished_text_scale;
     ImGui::GetIO().DisplaySize = {1600.0f, 1000.0f}; // until the host says better
     renew_style(ui);

@@ -34,6 +34,10 @@ float transport_height(const Ui& ui, float width);
 /// What is under the pointer, what is out of order, which rules and which file.
 void draw_status_line(Ui& ui, const Area& area);
 
+/// In a lecture, and where every line counts, the status line only comes to say something; the
+/// last line of the transport tells of the pixel under the pointer.
+bool spares_status_line(const Ui& ui);
+
 /// Room at both ends of a bar, screen pixels.
 float bar_margin(const Ui& ui);
 

@@ -8,6 +8,7 @@
 #include "ui/actions/actions.h"
 #include "ui/actions/outside.h"
 #include "ui/bars/bars.h"
+#include "ui/bars/pixel_words.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -126,6 +127,16 @@ void draw_next(Ui& ui, ImVec2 at, float room) {
                     to_text(cursor) + ".");
 }
 
+/// The pixel under the pointer, where no other line tells of it; small, so that it has room.
+void draw_pixel(Ui& ui, ImVec2 at, float room) {
+    const float line = ImGui::GetFontSize();
+    ImGui::PushFont(ui.fonts.small);
+    ImGui::SetCursorScreenPos({at.x, at.y + 0.5f * (line - ImGui::GetFontSize())});
+    ImGui::TextUnformatted(pixel_words(ui, room).c_str());
+    name_widget(ui, "status.pixel", "The pixel under the pointer.");
+    ImGui::PopFont();
+}
+
 } // namespace
 
 float draw_done_moment(Ui& ui, ImVec2 at, float room) {
@@ -152,8 +163,12 @@ void draw_moment_line(Ui& ui, ImVec2 at, float room) {
     const float words = text_width(moment_forms(ui).front());
     const bool has_buttons = is_lecture || ui.results.history || words + gap + buttons <= room;
     const float rest = room - (has_buttons ? buttons + gap : 0.0f);
-    const float used = draw_done_moment(ui, at, rest) + gap;
-    draw_next(ui, {at.x + used, at.y}, rest - used);
+    if (spares_status_line(ui) && ui.canvas.hovered_pixel) {
+        draw_pixel(ui, at, rest);
+    } else {
+        const float used = draw_done_moment(ui, at, rest) + gap;
+        draw_next(ui, {at.x + used, at.y}, rest - used);
+    }
     if (!has_buttons) return;
     const ImVec2 place{at.x + rest + gap, at.y};
     if (is_lecture) {

@@ -9,7 +9,8 @@ struct Ui;
 // Where the time stands, in words: the last line of the transport.
 
 /// What was drawn last, what comes next and, with a pixel picked or room to spare, the buttons for
-/// its changes in a line; in a lecture those for the picture.
+/// its changes in a line; in a lecture those for the picture. Where there is no status line, the
+/// pixel under the pointer takes the place of the words.
 void draw_moment_line(Ui& ui, ImVec2 at, float room);
 
 // The same in two halves, where they do not stand side by side.

@@ -11,6 +11,7 @@
 #include "ui/actions/compare.h"
 #include "ui/actions/open_tab.h"
 #include "ui/bars/bars.h"
+#include "ui/bars/pixel_words.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -18,60 +19,6 @@
 namespace rasterwalk {
 
 namespace {
-
-/// The pixel's colours in both runs, and how much they differ.
-void add_colours_of_both(std::vector<std::string>& facts, const Ui& ui, std::size_t at) {
-    const auto colour = [&](const char* run, const Framebuffer& picture) {
-        const glm::vec3& c = picture.colour[at];
-        return fmt::format("{} {:.3f} {:.3f} {:.3f}", run, c.r, c.g, c.b);
-    };
-    const float difference = ui.results.comparison.difference_values[at];
-    facts.push_back(colour("A", *ui.results.a.framebuffer));
-    facts.push_back(colour("B", *ui.results.b->framebuffer));
-    facts.push_back(fmt::format("B − A {}{}", difference > 0.0f ? "+" : "",
-                                fixed(static_cast<double>(difference), 4)));
-}
-
-/// All that is known of the pixel under the pointer, or else of the one picked; what comes first
-/// matters most.
-std::vector<std::string> pixel_facts(const Ui& ui) {
-    const auto pixel =
-        ui.canvas.hovered_pixel ? ui.canvas.hovered_pixel : ui.session.selection.pixel;
-    const Framebuffer& framebuffer = *ui.results.a.framebuffer;
-    if (!pixel || !framebuffer.contains(pixel->x, pixel->y)) return {"point at a pixel"};
-    const std::size_t at = framebuffer.at(pixel->x, pixel->y);
-    std::vector<std::string> facts{fmt::format("pixel ({}, {})", pixel->x, pixel->y)};
-    if (ui.results.b) {
-        add_colours_of_both(facts, ui, at);
-        return facts;
-    }
-    const int owner = framebuffer.owner[at];
-    if (owner < 0) {
-        facts.emplace_back("not drawn");
-        return facts;
-    }
-    const glm::vec3& c = framebuffer.colour[at];
-    facts.push_back(fmt::format("colour {:.3f} {:.3f} {:.3f}", c.r, c.g, c.b));
-    const float depth = stored_depth(framebuffer, pixel->x, pixel->y);
-    if (depth > 0.0f) {
-        facts.push_back(
-            fmt::format("1/z {:.4f}   z {:.4f}", depth, 1.0 / static_cast<double>(depth)));
-    }
-    facts.push_back(triangle_name(owner) + ", " + part_name(*ui.results.a.scene, owner));
-    facts.push_back(counted(framebuffer.overdraw[at], "fragment", "fragments"));
-    return facts;
-}
-
-/// As many facts of the pixel as have room, but at least where it is.
-std::string pixel_words(const Ui& ui, float room) {
-    std::string words;
-    for (const std::string& fact : pixel_facts(ui)) {
-        const std::string longer = words.empty() ? fact : words + "   " + fact;
-        if (!words.empty() && text_width(longer) > room) break;
-        words = longer;
-    }
-    return words;
-}
 
 /// Selects a triangle that has an edge sample outside its row table, and shows the table.
 void show_sample_outside(Ui& ui, int triangle) {
@@ -166,6 +113,10 @@ void draw_trouble(Ui& ui, const Area& area, const StatusTrouble& trouble) {
 
 } // namespace
 
+bool spares_status_line(const Ui& ui) {
+    return ui.options.is_lecture || is_low(ImGui::GetIO().DisplaySize, ui.options);
+}
+
 void draw_status_line(Ui& ui, const Area& area) {
     const float u = ui.options.text_scale;
     const Palette& p = palette(ui.options.theme);
@@ -178,8 +129,11 @@ void draw_status_line(Ui& ui, const Area& area) {
                                area.position.y + 0.5f * (area.size.y - ImGui::GetFontSize())});
     const StatusTrouble trouble = trouble_of(ui);
     const float room = area.size.x - 28.0f * u - least_trouble_width(ui, trouble);
-    text_in(p.dim, ui.options.is_lecture ? std::string() : pixel_words(ui, room));
-    name_widget(ui, "status.pixel", "The pixel under the pointer, or the one that is picked.");
+    const bool has_pixel = !spares_status_line(ui);
+    text_in(p.dim, has_pixel ? pixel_words(ui, room) : std::string());
+    if (has_pixel) {
+        name_widget(ui, "status.pixel", "The pixel under the pointer, or the one that is picked.");
+    }
     if (!trouble.text.empty()) draw_trouble(ui, area, trouble);
     ImGui::End();
     ImGui::PopFont();

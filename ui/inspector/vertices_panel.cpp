@@ -59,8 +59,10 @@ const Line lines[] = {
 };
 
 /// A narrow column has fewer digits; the formula below has them all.
-int digits_of(const Ui& ui, const Line& line) {
-    if (!ui.inspector.is_narrow || line.digits == 0) return line.digits;
+/// @param column the room for a number, screen pixels
+int digits_of(const Ui& ui, const Line& line, float column) {
+    const bool has_room = text_width(ui.fonts.mono, "−000.000") <= column;
+    if (!ui.inspector.is_narrow || has_room || line.digits == 0) return line.digits;
     return std::string_view(line.space) == "projected" || line.id == std::string_view("projected.y")
                ? 1
                : line.digits - 1;
@@ -71,7 +73,26 @@ bool is_turned(const Ui& ui) {
     return camera_rotation(ui.results.a.frame.settings.camera) != glm::mat3(1.0f);
 }
 
-/// Is a line of the table shown? A lesson that hides tabs keeps to what it speaks of: before light
+/// Has the line's space the same numbers as the one before it, at all three vertices? So it is
+/// where the camera stands at the origin, or looks along z.
+bool repeats_space_before(const Ui& ui, const Line& line) {
+    const std::string_view id = line.id;
+    const std::string space(id.substr(0, id.find('.')));
+    if (space != "minus_camera" && space != "rotated") return false;
+    const std::string before = space == "rotated" ? "minus_camera" : "world";
+    for (const VertexReport& vertex : ui.results.a.inspected.vertices) {
+        for (const char* const axis : {".x", ".y", ".z"}) {
+            const Formula* const here = find_formula(vertex.formulas, space + axis);
+            const Formula* const there = find_formula(vertex.formulas, before + axis);
+            if (here == nullptr || there == nullptr) return false;
+            if (here->result.value != there->result.value) return false;
+        }
+    }
+    return true;
+}
+
+/// Is a line of the table shown? Where lines are few, a space that repeats the one before it is
+/// not. A lesson that hides tabs keeps to what it speaks of: before light
 /// is a subject there is none, and as long as the camera is not turned, it is not "rotated".
 bool is_shown(const Ui& ui, const Line& line) {
     const bool keeps_short = hides_tabs(ui.session);
@@ -79,6 +100,7 @@ bool is_shown(const Ui& ui, const Line& line) {
         return shading_rule(ui.results.a.frame.settings) != Shading::unlit &&
                (!keeps_short || is_offered(ui.session, *find_tab("fragment")));
     }
+    if (ui.inspector.is_low && repeats_space_before(ui, line)) return false;
     const bool is_rotated = std::string_view(line.id).starts_with("rotated.");
     return !is_rotated || !keeps_short || is_turned(ui);
 }
@@ -148,7 +170,9 @@ void draw_cell(Ui& ui, const Line& line, int v, int chosen) {
         name_widget(ui, name, "This vertex has no pixel.");
         return;
     }
-    const std::string text = fixed(static_cast<double>(formula->result.value), digits_of(ui, line));
+    const float column = ImGui::GetContentRegionAvail().x;
+    const std::string text =
+        fixed(static_cast<double>(formula->result.value), digits_of(ui, line, column));
     if (number_cell(ui, name, text, v == chosen ? p.text : p.dim, is_chosen,
                     line.help + std::string("\nClick: how it came to be."))) {
         ui.session.selection.vertex = v;

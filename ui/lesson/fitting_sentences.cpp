@@ -1,5 +1,6 @@
 #include "ui/lesson/fitting_sentences.h"
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -34,6 +35,41 @@ std::string work_out(Ui& ui, const std::string& text, float width, int lines) {
     return fitting;
 }
 
+/// Head and some of the rows.
+std::string some_rows(const CutTable& table, std::size_t first, std::size_t count) {
+    std::string text = table.head;
+    for (std::size_t r = first; r < std::min(first + count, table.rows.size()); ++r)
+        text.append("\n").append(table.rows[r]);
+    return text;
+}
+
+/// What announces a table, and the table in as few parts as have room.
+void add_table(Ui& ui, const CutTable& table, float width, float most,
+               std::vector<std::string>& parts) {
+    if (!table.before.empty()) parts.push_back(table.before);
+    const auto fits = [&](std::size_t first, std::size_t count) {
+        return height_of(ui, some_rows(table, first, count), width) <= most;
+    };
+    std::vector<std::size_t> counts; // as many rows as have room, part by part
+    for (std::size_t r = 0; r < table.rows.size(); r += counts.back()) {
+        counts.push_back(1);
+        while (r + counts.back() < table.rows.size() && fits(r, counts.back() + 1))
+            ++counts.back();
+    }
+    // Three and two rows are better than four and one.
+    const std::size_t even = (table.rows.size() + counts.size() - 1) / counts.size();
+    bool is_even = true;
+    for (std::size_t r = 0; r < table.rows.size(); r += even)
+        is_even = is_even && fits(r, even);
+    std::size_t first = 0;
+    for (std::size_t i = 0; first < table.rows.size(); ++i) {
+        const std::size_t count = is_even ? even : counts[i];
+        parts.push_back(some_rows(table, first, count));
+        first += count;
+    }
+    if (!table.after.empty()) parts.push_back(table.after);
+}
+
 } // namespace
 
 std::string fitting_sentences(Ui& ui, const std::string& text, float width, int lines) {
@@ -45,7 +81,8 @@ std::string fitting_sentences(Ui& ui, const std::string& text, float width, int 
     return kept.sentences;
 }
 
-std::vector<std::string> fitting_parts(Ui& ui, const std::string& text, float width, int lines) {
+std::vector<std::string> fitting_parts(Ui& ui, const std::string& text, float width, int lines,
+                                       float most) {
     const float room = height_of_lines(ui, width, lines);
     std::vector<std::string> parts;
     for (const ReadingPiece& piece : reading_pieces(text)) {
@@ -56,7 +93,12 @@ std::vector<std::string> fitting_parts(Ui& ui, const std::string& text, float wi
                 continue;
             }
         }
-        parts.push_back(piece.text);
+        if (const CutTable table = cut_table(piece.text);
+            table.rows.size() > 1 && height_of(ui, piece.text, width) > most) {
+            add_table(ui, table, width, most, parts);
+        } else {
+            parts.push_back(piece.text);
+        }
     }
     return parts;
 }

@@ -16,8 +16,11 @@ inline constexpr int lines_of_strip = 2;
 std::string fitting_sentences(Ui& ui, const std::string& text, float width, int lines);
 
 /// The whole of a Markdown text in parts that have room on so many lines each; what cannot be cut
-/// so small is a part by itself.
+/// so small is a part by itself. A table that is higher than `most` begins a part of its own, and
+/// is cut between its rows, its head on each part.
 /// @param width of a line, screen pixels
-std::vector<std::string> fitting_parts(Ui& ui, const std::string& text, float width, int lines);
+/// @param most screen pixels
+std::vector<std::string> fitting_parts(Ui& ui, const std::string& text, float width, int lines,
+                                       float most);
 
 } // namespace rasterwalk

@@ -26,7 +26,8 @@ struct PartWord {
 };
 
 /// A card for each piece of a text, and one for whatever else stands in the step.
-std::vector<LessonCard> cut(Ui& ui, const Lesson& lesson, const LessonStep& step, float width) {
+std::vector<LessonCard> cut(Ui& ui, const Lesson& lesson, const LessonStep& step, float width,
+                            float height) {
     std::vector<LessonCard> cards;
     for (std::size_t i = 0; i < step.parts.size(); ++i) {
         const LessonPart& part = step.parts[i];
@@ -35,7 +36,7 @@ std::vector<LessonCard> cut(Ui& ui, const Lesson& lesson, const LessonStep& step
             cards.push_back({index, {}});
             continue;
         }
-        for (const std::string& text : fitting_parts(ui, part.text, width, lines_of_strip))
+        for (const std::string& text : fitting_parts(ui, part.text, width, lines_of_strip, height))
             cards.push_back({index, text});
     }
     if (cards.empty()) cards.push_back({0, lesson.about});
@@ -132,13 +133,16 @@ std::vector<PartWord> words_of(Ui& ui, const Lesson& lesson, const LessonStep& s
 
 } // namespace
 
-void cut_cards(Ui& ui, const Lesson& lesson, const LessonStep& step, float width) {
+void cut_cards(Ui& ui, const Lesson& lesson, const LessonStep& step, float width, float height) {
     LessonStrip& strip = ui.lesson.strip;
     const float text_size = ui.fonts.text->FontSize;
-    if (strip.cards.empty() || strip.cards_width != width || strip.cards_text_size != text_size) {
+    const bool is_known = strip.cards_width == width && strip.cards_text_size == text_size &&
+                          strip.cards_height == height;
+    if (strip.cards.empty() || !is_known) {
         if (!strip.cards.empty() && !strip.read_to) strip.read_to = beginning_of(strip, strip.card);
-        strip.cards = cut(ui, lesson, step, width);
+        strip.cards = cut(ui, lesson, step, width, height);
         strip.cards_width = width;
+        strip.cards_height = height;
         strip.cards_text_size = text_size;
     }
     const int last = static_cast<int>(strip.cards.size()) - 1;

@@ -8,9 +8,10 @@ namespace rasterwalk {
 
 struct Ui;
 
-/// Cuts the step on show into its cards, unless they are cut for this width already.
+/// Cuts the step on show into its cards, unless they are cut for this room already.
 /// @param width of a line, screen pixels
-void cut_cards(Ui& ui, const Lesson& lesson, const LessonStep& step, float width);
+/// @param height that a card can have at most, screen pixels
+void cut_cards(Ui& ui, const Lesson& lesson, const LessonStep& step, float width, float height);
 
 /// What a step has, as words that can be pressed: text, question, task. The one on show is
 /// underlined. As many as have room; none where the step is one card.

@@ -130,6 +130,7 @@ void draw_scrolled(Ui& ui, const Lesson* lesson, SidePage page, ImVec2 size, flo
     begin_whole_lines(ui);
     draw_text(ui, lesson, page, width);
     if (has_footer) draw_footer(ui, lesson, page, width);
+    note_shown_lines(ui);
     end_whole_lines(ui);
     draw_edge(ui, width);
     ImGui::EndChild();

@@ -27,7 +27,7 @@ std::string lines_of(ImFont* font, std::string_view text, float width) {
 /// A line of the list that can be pressed: a title, and small text below it.
 bool draw_entry(Ui& ui, const std::string& name, const std::string& mark, const ImVec4& mark_colour,
                 const std::string& title_text, const std::string& below_text,
-                const std::string& right, float width, const char* help) {
+                const std::string& right, float width, std::string_view help) {
     const Palette& p = palette(ui.options.theme);
     const float u = ui.options.text_scale;
     const float margin = 8.0f * u, indent = 30.0f * u;
@@ -39,8 +39,7 @@ bool draw_entry(Ui& ui, const std::string& name, const std::string& mark, const 
     const std::string below = lines_of(small, below_text, wrap);
     const ImVec2 title_size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, title.c_str());
     const ImVec2 below_size = small->CalcTextSizeA(small->FontSize, FLT_MAX, 0.0f, below.c_str());
-    const float height =
-        title_size.y + (below.empty() ? 0.0f : below_size.y + 3.0f * u) + 14.0f * u;
+    const float height = title_size.y + (below.empty() ? 9.0f * u : below_size.y + 17.0f * u);
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const bool pressed = ImGui::InvisibleButton(name.c_str(), {width, height});
     const bool hovered = ImGui::IsItemHovered();
@@ -50,7 +49,7 @@ bool draw_entry(Ui& ui, const std::string& name, const std::string& mark, const 
     if (hovered) {
         list->AddRectFilled(low, {low.x + width, low.y + height}, packed(p.row_lit), 4.0f * u);
     }
-    const float y = low.y + 6.0f * u;
+    const float y = low.y + (below.empty() ? 4.5f : 6.0f) * u;
     list->AddText(font, font->FontSize, {low.x + margin, y}, packed(mark_colour), mark.c_str());
     list->AddText(font, font->FontSize, {low.x + indent, y}, packed(p.text), title.c_str());
     list->AddText(small, small->FontSize, {low.x + width - margin - right_width, y + 2.0f * u},
@@ -80,8 +79,11 @@ void draw_lessons(Ui& ui, float width) {
         } else {
             right.append(std::to_string(lesson.minutes)).append(" min");
         }
+        // Where lines are few a lesson has one, and the rest is told beside the pointer.
+        const bool is_short = ui.lesson.is_strip;
+        const std::string help = is_short ? lesson.about : "Opens this lesson.";
         if (draw_entry(ui, "lesson.item." + lesson.id, score.is_done ? "✓" : std::to_string(i + 1),
-                       colour, lesson.title, lesson.about, right, width, "Opens this lesson.")) {
+                       colour, lesson.title, is_short ? "" : lesson.about, right, width, help)) {
             const int step = score.is_done ? 0 : score.last_step;
             open_lesson(ui, std::string(lesson.id), step);
             return;

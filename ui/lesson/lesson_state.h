@@ -56,11 +56,13 @@ struct LessonStrip {
     std::vector<LessonCard> cards; ///< of the step on show, in reading order; empty: not cut yet
     float cards_width = 0.0f;      ///< for which they were cut, screen pixels
     float cards_text_size = 0.0f;  ///< and of which font, screen pixels
+    float cards_height = 0.0f;     ///< and for what room for a table, screen pixels
     int card = 0;                  ///< the one on show
     LessonPlace place;             ///< where the card on show begins
     std::optional<LessonPlace> read_to; ///< what the cards are to go on with, once they are cut
     int scrolled_card = 0;              ///< the one to which the scroll position belongs
-    float height = 0.0f; ///< that its text took when it was drawn last, screen pixels
+    float height = 0.0f;      ///< that its text took when it was drawn last, screen pixels
+    float most_height = 0.0f; ///< that it can have in this window, screen pixels
     /// The sentences that fit, and for what they were found.
     struct Fitting {
         std::string of, sentences;
@@ -68,6 +70,17 @@ struct LessonStrip {
         float text_size = 0.0f; ///< of the font, screen pixels
         int lines = 0;
     } fitting;
+};
+
+/// What moves a widget that a step points at out of sight although nobody scrolled it away.
+struct PointedPlace {
+    std::string widget;                ///< that one, or what is to be clicked first
+    int card = 0;                      ///< of the strip
+    float strip = 0.0f;                ///< its height, screen pixels
+    float width = 0.0f, height = 0.0f; ///< of the window, screen pixels
+    float text_scale = 0.0f;           ///< screen pixels per design pixel
+
+    friend bool operator==(const PointedPlace&, const PointedPlace&) = default;
 };
 
 /// What the lesson keeps from one frame to the next.
@@ -92,6 +105,10 @@ struct LessonView {
     bool wants_end = false;       ///< of the step on show: its last card, the end of its whole text
     float pages_to_scroll = 0.0f; ///< what a key asks for: 1 is a page on
     bool has_more_above = false, has_more_below = false; ///< text that is scrolled away
+    /// What the window showed whole in the frame before, screen pixels from the text's beginning,
+    /// and whether it had to leave out a line below.
+    float shown_from = 0.0f, shown_to = 0.0f;
+    bool is_cut_below = false;
     int frames_to_scroll = 0;          ///< in which it goes back to that share, in another place
     std::string search;                ///< what the list of lessons is searched for
     LessonSearch found;                ///< what it has found
@@ -101,7 +118,9 @@ struct LessonView {
     LessonStrip strip;
     std::string meant;         ///< widget that a link points at; empty: none
     std::string pointed_at;    ///< that one, or what is to be clicked first: it is outlined
-    bool is_held = false;      ///< it stays outlined after the pointer has left the link
+    bool is_held = false;      ///< it is kept in sight, and outlined without a pointer on the link
+    std::string of_step;       ///< widget that the step points at, until it is used; empty: none
+    PointedPlace of_step_in;   ///< where that was brought into sight
     bool is_new = false;       ///< by the click or key of this frame, which does not end it
     bool is_hovered = false;   ///< the pointer rests on such a link in this frame
     int frames_unseen = 0;     ///< since the widget pointed at was last on the screen

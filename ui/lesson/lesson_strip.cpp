@@ -31,6 +31,11 @@ constexpr float word_height = 21.0f;
 constexpr float bars_width = 120.0f;
 constexpr float least_bars = 50.0f;
 
+/// Of the first line, screen pixels; whole, so that the text below it begins at a pixel.
+float head_room(const Ui& ui) {
+    return std::round(head_height * ui.options.text_scale);
+}
+
 /// What the first line says.
 struct Head {
     std::string title;
@@ -77,7 +82,7 @@ int draw_head(Ui& ui, const Head& head, float width, Area& words) {
             {start.x + width - bars, start.y + 0.5f * (height - page_bars_height(ui))});
         wanted = draw_page_bars(ui, head.pages, bars);
     }
-    ImGui::SetCursorScreenPos({start.x, start.y + head_height * u});
+    ImGui::SetCursorScreenPos({start.x, start.y + head_room(ui)});
     return wanted;
 }
 
@@ -93,10 +98,11 @@ void begin_card_window(Ui& ui, float width) {
 }
 
 void end_card_window(Ui& ui) {
+    note_shown_lines(ui);
     end_whole_lines(ui);
     ImGui::PopTextWrapPos();
     const float card = ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y;
-    ui.lesson.strip.height = head_height * ui.options.text_scale + card;
+    ui.lesson.strip.height = head_room(ui) + card;
     ImGui::EndChild();
 }
 
@@ -131,7 +137,8 @@ int draw_lesson_text(Ui& ui, const Lesson& lesson, const PageFooter& pages, floa
     const LessonStep& step = step_on_show(ui, lesson);
     const Head head{plain_text(step.heading), place_in_lesson(ui, lesson), pages};
     LessonStrip& strip = ui.lesson.strip;
-    cut_cards(ui, lesson, step, width);
+    const float margins = 2.0f * strip_margin_y * ui.options.text_scale;
+    cut_cards(ui, lesson, step, width, strip.most_height - margins - head_room(ui));
     const int part = strip.cards[static_cast<std::size_t>(strip.card)].part;
     Area words{{}, {part_words_width(ui, lesson, step, part), word_height * ui.options.text_scale}};
     const int wanted = draw_head(ui, head, width, words);
@@ -174,7 +181,7 @@ int draw_stage(Ui& ui, const PageFooter& pages, float width) {
 float lesson_strip_height(const Ui& ui) {
     const float line = std::round(1.4f * ui.fonts.text->FontSize);
     const float u = ui.options.text_scale;
-    const float two_lines = head_height * u + static_cast<float>(lines_of_strip) * line;
+    const float two_lines = head_room(ui) + static_cast<float>(lines_of_strip) * line;
     return std::ceil(std::max(two_lines, ui.lesson.strip.height) + 2.0f * strip_margin_y * u);
 }
 

@@ -10,6 +10,7 @@
 #include "ui/lesson/lesson_page.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -42,29 +43,27 @@ int draw_strip_buttons(Ui& ui, const Lesson* lesson, PageFooter pages, ImVec2 co
     return direction;
 }
 
-namespace {
-
-/// Where a key scrolls to.
-/// @param pages 1 is one on, -1 one back
-float scrolled(float at, float pages, float last) {
-    const float line = 1.4f * ImGui::GetFontSize();
-    // A line of the page before stays in sight.
-    const float most = std::max(ImGui::GetWindowHeight() - line, line);
-    const float to = std::clamp(at + pages * std::max(most - line, line), 0.0f, last);
-    // Nobody stops for less than a line.
-    const float end = pages > 0.0f ? last : 0.0f;
-    const bool is_nearly_there = std::abs(end - to) < line && std::abs(end - at) <= most;
-    return is_nearly_there ? end : to;
-}
-
-} // namespace
-
 void scroll_by_key(LessonView& view) {
     const float at = ImGui::GetScrollY(), last = ImGui::GetScrollMaxY();
+    const float line = ImGui::GetFontSize();
     view.has_more_above = at > 1.0f;
-    view.has_more_below = at < last - 1.0f;
+    view.has_more_below = at < last - 1.0f && (view.is_cut_below || last - at > line);
     if (view.pages_to_scroll == 0.0f) return;
-    ImGui::SetScrollY(scrolled(at, std::exchange(view.pages_to_scroll, 0.0f), last));
+    const bool is_on = std::exchange(view.pages_to_scroll, 0.0f) > 0.0f;
+    // What is higher than the window moves on by the line, at least.
+    float to = is_on ? std::max(view.shown_to, at + line)
+                     : std::min(view.shown_from - ImGui::GetWindowHeight(), at - line);
+    // Nobody stops for less than a line, if no line is left out for it.
+    if (!is_on && to < line) to = 0.0f;
+    ImGui::SetScrollY(std::clamp(to, 0.0f, last));
+}
+
+void note_shown_lines(Ui& ui) {
+    const ShownLines shown = shown_lines(ui);
+    const float beginning = ImGui::GetWindowPos().y - ImGui::GetScrollY();
+    ui.lesson.shown_from = shown.top - beginning;
+    ui.lesson.shown_to = shown.bottom - beginning;
+    ui.lesson.is_cut_below = is_cut_off(ui);
 }
 
 } // namespace rasterwalk

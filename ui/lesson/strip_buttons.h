@@ -22,7 +22,11 @@ inline constexpr float strip_button_height = 36.0f;
 inline constexpr float strip_button_gap = 5.0f;
 
 /// In the window of a text that scrolls: notes what is scrolled away, and does what a key asks for.
+/// The next page begins with the first line that this one did not show whole.
 void scroll_by_key(LessonView& view);
+
+/// In the same window, when the text was drawn: notes which lines of it were shown.
+void note_shown_lines(Ui& ui);
 
 /// The way to the whole text and back to the strip alone.
 /// @param corner at the upper right, screen pixels

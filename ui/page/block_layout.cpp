@@ -58,7 +58,9 @@ void PageSetter::list(const MarkdownBlock& list, float x, float width) {
         }
         const float before = y;
         blocks(list.children[i].children, x + indent, width - indent);
-        if (y == before) y += line; // an empty item still has its mark
+        if (y > before) continue;
+        page_.lines.push_back({y, y + line}); // an empty item still has its mark
+        y += line;
     }
 }
 
@@ -101,6 +103,7 @@ void PageSetter::code(const MarkdownBlock& code, float x, float width) {
                  .width = width_of(fonts_.mono, line.substr(0, length)),
                  .text = line.substr(0, length),
                  .font = PageFont::mono});
+            page_.lines.push_back({y, y + line_height});
             y += line_height;
             line.remove_prefix(length);
             indent = std::min(2.0f * letter, 0.25f * room);
@@ -192,6 +195,7 @@ void PageSetter::table(const MarkdownBlock& table, float x, float width) {
             bottom = std::max(bottom, y);
             left += widths[c] + gap;
         }
+        page_.lines.push_back({top, bottom});
         y = bottom + 4.0f * u_;
         if (r + 1 < table.children.size()) {
             page_.shapes.push_back({PageShape::Kind::line, {x, y}, {x + width, y + u_}});
@@ -222,7 +226,9 @@ void PageSetter::math(const MarkdownBlock& formula, float x, float width) {
         shape.high = {shape.high.x + left, shape.high.y + baseline};
         page_.shapes.push_back(shape);
     }
-    y = baseline + std::ceil(box.descent);
+    const float bottom = baseline + std::ceil(box.descent);
+    page_.lines.push_back({y, bottom});
+    y = bottom;
 }
 
 /// As wide as the column at most; one that cannot be shown is stood for by its words.

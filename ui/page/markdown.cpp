@@ -184,33 +184,25 @@ void draw_pictures(Ui& ui, ImDrawList* list, const MarkdownPage& page, const Sig
 
 /// What the edges of the window may not cut.
 void keep_lines_whole(Ui& ui, const MarkdownPage& page, const Sight& sight) {
-    const float u = ui.options.text_scale;
     const auto keep = [&](float low, float high) {
-        keep_whole(ui, sight.origin.y + low, sight.origin.y + high);
+        if (sight.holds(low, high)) keep_whole(ui, sight.origin.y + low, sight.origin.y + high);
     };
     for (const PagePicture& picture : page.layout.pictures)
         keep(picture.low.y, picture.high.y);
+    for (const PageLine& line : page.layout.lines)
+        keep(line.top, line.bottom);
+    const float u = ui.options.text_scale;
     const std::vector<PagePiece>& pieces = page.layout.pieces;
     for (const PageShape& shape : page.layout.shapes) {
-        if (!sight.holds(shape.low.y, shape.high.y)) continue;
-        if (shape.kind == PageShape::Kind::stroke) {
-            // A fraction: what stands above the stroke, and below it.
-            const float line = 1.4f * ui.fonts.text->FontSize;
-            keep(shape.low.y - line, shape.high.y + line);
-        } else if (shape.kind == PageShape::Kind::card) {
-            // Of a box at least the first line that is no heading in small letters.
-            const auto first =
-                std::find_if(pieces.begin(), pieces.end(), [&](const PagePiece& piece) {
-                    return piece.at.y >= shape.low.y && piece.font != PageFont::small;
-                });
-            if (first == pieces.end()) continue;
-            const float high = first->at.y + font_of(ui.fonts, first->font)->FontSize + 2.0f * u;
-            keep_beginning(ui, sight.origin.y + shape.low.y - 1.0f, sight.origin.y + high);
-        }
-    }
-    for (const PagePiece& piece : pieces) {
-        const float high = piece.at.y + font_of(ui.fonts, piece.font)->FontSize;
-        if (sight.holds(piece.at.y, high)) keep(piece.at.y - u, high + 2.0f * u);
+        if (shape.kind != PageShape::Kind::card || !sight.holds(shape.low.y, shape.high.y))
+            continue;
+        // Of a box at least the first line that is no heading in small letters.
+        const auto first = std::find_if(pieces.begin(), pieces.end(), [&](const PagePiece& piece) {
+            return piece.at.y >= shape.low.y && piece.font != PageFont::small;
+        });
+        if (first == pieces.end()) continue;
+        const float high = first->at.y + font_of(ui.fonts, first->font)->FontSize + 2.0f * u;
+        keep_beginning(ui, sight.origin.y + shape.low.y - 1.0f, sight.origin.y + high);
     }
 }
 

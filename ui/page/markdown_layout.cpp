@@ -170,6 +170,7 @@ void PageSetter::end_line(Pen& pen, float width, const TextLook& look) {
         for (std::size_t i = pen.line_start; i < page_.pieces.size(); ++i)
             page_.pieces[i].at.x += shift;
     }
+    page_.lines.push_back({y, y + line_height(look)});
     y += line_height(look);
     pen = {0.0f, page_.pieces.size(), false};
 }

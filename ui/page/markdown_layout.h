@@ -39,6 +39,12 @@ struct PageShape {
     PageTint tint = PageTint::dim;
 };
 
+/// What is shown whole or not at all: a line of text with all that is raised or lowered on it, a
+/// row of a table, a formula. From the page's upper edge, screen pixels.
+struct PageLine {
+    float top = 0.0f, bottom = 0.0f;
+};
+
 /// Where a picture goes.
 struct PagePicture {
     ImVec2 low, high;
@@ -50,6 +56,7 @@ struct PageLayout {
     std::vector<PagePiece> pieces;
     std::vector<PageShape> shapes;
     std::vector<PagePicture> pictures;
+    std::vector<PageLine> lines;
     std::deque<std::string> made; ///< text that is not in the document: numbers of lists
     std::deque<std::vector<MarkdownRun>> runs; ///< of formulas that are set as text
     float height = 0.0f;

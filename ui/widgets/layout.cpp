@@ -133,7 +133,8 @@ Layout compute_layout(ImVec2 window, const UiOptions& options, const LayoutNeeds
         return layout;
     }
     const float most = (1.0f - least_share_below) * middle;
-    const bool has_room = needs.lesson_strip <= most + line_of_strip * u;
+    layout.most_strip = std::floor(most + line_of_strip * u);
+    const bool has_room = needs.lesson_strip <= layout.most_strip;
     const float lesson = needs.has_drawer ? 0.0f : std::round(has_room ? needs.lesson_strip : most);
     const float below = std::max(middle - lesson, 1.0f);
     const float inspector = inspector_width(window, options, needs, layout.is_narrow, below);

@@ -31,7 +31,8 @@ struct Layout {
     Area status;    ///< last line; without height where there is none
     bool is_narrow = false; ///< the menus stand behind a button
     bool lesson_is_strip = false;
-    float unit = 1.0f; ///< screen pixels per design pixel: the text scale
+    float most_strip = 0.0f; ///< the height that the strip can have at most
+    float unit = 1.0f;       ///< screen pixels per design pixel: the text scale
 };
 
 /// What the parts of the window ask for, screen pixels.

@@ -21,6 +21,13 @@ WholeLines* lines_of_window(Ui& ui) {
     return is_this ? &ui.whole_lines.back() : nullptr;
 }
 
+/// Of what fills the window a part must do, but for a few lines that it can hold.
+bool fills_window(float height) {
+    constexpr float few_lines = 5.0f;
+    const float window = ImGui::GetWindowHeight();
+    return height > std::max(0.5f * window, std::min(window, few_lines * ImGui::GetFontSize()));
+}
+
 } // namespace
 
 void begin_whole_lines(Ui& ui) {
@@ -37,8 +44,7 @@ void keep_beginning(Ui& ui, float top, float bottom) {
     if (lines == nullptr) return;
     lines->lowest = std::max(lines->lowest, bottom);
     const bool is_cut = top < lines->bottom && bottom > lines->bottom + rounding;
-    // Of what fills the window a part must do.
-    const bool is_tall = bottom - top > 0.5f * ImGui::GetWindowHeight() || top < lines->top;
+    const bool is_tall = fills_window(bottom - top) || top < lines->top;
     if (is_cut && !is_tall) lines->end = std::min(lines->end, std::floor(top));
 }
 
@@ -47,8 +53,8 @@ void keep_whole(Ui& ui, float top, float bottom) {
     WholeLines* const lines = lines_of_window(ui);
     if (lines == nullptr) return;
     const bool is_cut = top < lines->top - rounding && bottom > lines->top;
-    const bool is_tall = bottom - top > 0.5f * ImGui::GetWindowHeight();
-    if (is_cut && !is_tall) lines->begin = std::max(lines->begin, std::ceil(bottom));
+    if (is_cut && !fills_window(bottom - top))
+        lines->begin = std::max(lines->begin, std::ceil(bottom));
 }
 
 void keep_item_whole(Ui& ui) {
@@ -59,6 +65,12 @@ void keep_text_whole(Ui& ui) {
     const float line = ImGui::GetFontSize(), bottom = ImGui::GetItemRectMax().y;
     for (float top = ImGui::GetItemRectMin().y; top + 0.5f * line < bottom; top += line)
         keep_whole(ui, top, top + line);
+}
+
+ShownLines shown_lines(const Ui& ui) {
+    if (ui.whole_lines.empty()) return {};
+    const WholeLines& lines = ui.whole_lines.back();
+    return {lines.begin, lines.end};
 }
 
 bool is_cut_off(const Ui& ui) {

@@ -20,6 +20,12 @@ void keep_text_whole(Ui& ui);
 /// shown as far as to the second.
 void keep_beginning(Ui& ui, float top, float bottom);
 
+/// From where to where the window shows what is in it, so far: nothing of it is cut. Screen pixels.
+struct ShownLines {
+    float top = 0.0f, bottom = 0.0f;
+};
+ShownLines shown_lines(const Ui& ui);
+
 /// Lies anything that was to be kept whole below the edge, so far?
 bool is_cut_off(const Ui& ui);
 

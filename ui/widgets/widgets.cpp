@@ -62,7 +62,8 @@ void outline_if_pointed_at(Ui& ui, std::string_view name, const ImRect& shown, b
     LessonView& lesson = ui.lesson;
     if (lesson.pointed_at.empty() || lesson.pointed_at != name) return;
     lesson.frames_unseen = 0;
-    if (lesson.is_held && (!visible || is_cut)) ImGui::SetScrollHereY(0.5f);
+    const bool is_scrolling = ImGui::GetIO().MouseWheel != 0.0f;
+    if (lesson.is_held && (!visible || is_cut) && !is_scrolling) ImGui::SetScrollHereY(0.5f);
     if (!visible) return;
     const float u = ui.options.text_scale;
     const ImVec4& colour = palette(ui.options.theme).changed;

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <catch2/catch.hpp>
 
 #include "session/content.h"
@@ -67,6 +69,42 @@ TEST_CASE(
         for (const ScreenText& line : screen_text()) {
             if (line.window == "status") CHECK(line.words.find("…") == std::string::npos);
         }
+    }
+}
+
+TEST_CASE("Where there is no status line the pixel under the pointer is told all the same") {
+    struct Case {
+        ImVec2 window;
+        float text;
+        bool is_lecture;
+    };
+    const Case cases[] = {{{1024, 640}, 1.5f, false},
+                          {{1024, 640}, 1.5f, true},
+                          {{800, 600}, 1.5f, false},
+                          {{800, 600}, 1.0f, true},
+                          {{1600, 1000}, 1.0f, true}};
+    for (const Case& c : cases) {
+        INFO(c.window.x << " x " << c.window.y << ", text " << c.text);
+        Driver driver("lab-room.toml", c.window, c.text);
+        open_lesson(driver.ui, "08-depth-buffer", 1);
+        if (c.is_lecture) driver.hand.press(key::f5);
+        driver.hand.leave();
+        CHECK(driver.ui.widgets.contains("walk.words"));
+        driver.hand.hover_picture(250, 180);
+        driver.hand.frames(frames_to_rest);
+        REQUIRE(driver.ui.widgets.contains("status.pixel"));
+        CHECK(driver.ui.widgets.at("status.pixel").is_whole);
+        CHECK_FALSE(driver.ui.widgets.contains("walk.words"));
+        // The back wall is 4.001 away.
+        const std::vector<ScreenText> texts = screen_text(8.0f);
+        CHECK(std::any_of(texts.begin(), texts.end(), [](const ScreenText& text) {
+            return text.window == "transport" &&
+                   text.words.find("pixel (250, 180)") != std::string::npos &&
+                   text.words.find("1/z 0.2499") != std::string::npos &&
+                   text.words.find("z 4.001") != std::string::npos;
+        }));
+        driver.hand.leave();
+        CHECK(driver.ui.widgets.contains("walk.words"));
     }
 }
 

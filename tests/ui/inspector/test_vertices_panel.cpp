@@ -215,4 +215,35 @@ TEST_CASE("The names of the vertices stand apart in every window, short where ro
     }
 }
 
+TEST_CASE("In a small window the table shows what the step speaks of, in all its digits") {
+    struct Case {
+        ImVec2 window;
+        float text;
+        bool is_lecture;
+    };
+    for (const Case& c : {Case{{1024, 640}, 1.5f, true}, Case{{1024, 640}, 1.5f, false}}) {
+        Driver driver("lab-room.toml", c.window, c.text);
+        if (c.is_lecture) driver.hand.press(key::f5);
+        open_lesson(driver.ui, "08-depth-buffer", 1);
+        driver.hand.leave();
+        INFO((c.is_lecture ? "lecture" : "no lecture"));
+        REQUIRE(driver.ui.widgets.contains("vertices.zinv"));
+        CHECK(driver.ui.widgets.at("vertices.zinv").is_whole);
+        CHECK(driver.ui.widgets.at("vertices.zinv.v0").text == "0.41463");
+        CHECK(driver.ui.widgets.at("vertices.zinv.v0").is_whole);
+        // z stands in the formula below.
+        const std::string& z = driver.ui.widgets.at("vertices.formula.z").text;
+        CHECK(z.substr(0, 5) == "2.412");
+        CHECK(driver.ui.widgets.at("vertices.formula.z").visible);
+        // The camera looks along z: the numbers would stand there twice.
+        CHECK(driver.ui.widgets.at("vertices.minus_camera.z.v0").text == "2.412");
+        CHECK_FALSE(driver.ui.widgets.contains("vertices.rotated.z"));
+    }
+    Driver driver("lab-room.toml", {1024, 640}, 1.5f);
+    driver.open("vertices");
+    driver.ui.session.a.settings.camera.yaw = 0.3f;
+    driver.hand.frames(frames_to_rest);
+    CHECK(driver.ui.widgets.contains("vertices.rotated.z"));
+}
+
 } // namespace rasterwalk

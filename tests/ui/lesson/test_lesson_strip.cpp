@@ -6,6 +6,7 @@
 
 #include <imgui_internal.h>
 
+#include "session/content.h"
 #include "tests/support/effort.h"
 #include "tests/ui/driver.h"
 #include "ui/actions/keys.h"
@@ -288,6 +289,36 @@ TEST_CASE(
         CHECK(is_there(driver, "lesson.item.05-row-table"));
         driver.resize({1024, 640});
         turns_a_card();
+    }
+}
+
+TEST_CASE("The list of lessons has a line for each in a strip's drawer") {
+    for (const StripWindow& window : narrow_windows) {
+        INFO(window.size.x << " x " << window.size.y << ", text " << window.text);
+        Driver driver("lab-room.toml", window.size, window.text);
+        driver.hand.press('L');
+        driver.hand.leave();
+        int whole = 0;
+        for (const auto& [name, place] : driver.ui.widgets) {
+            if (!name.starts_with("lesson.item.")) continue;
+            whole += place.is_whole ? 1 : 0;
+            const float height = place.bottom_right.y - place.top_left.y;
+            if (place.is_whole) CHECK(height < 3.5f * driver.ui.fonts.text->FontSize);
+        }
+        CHECK(whole >= 5);
+    }
+}
+
+TEST_CASE("A session that reads the list of lessons begins with it, in a small window too") {
+    for (const StripWindow& window : narrow_windows) {
+        Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
+        session.page = SidePage::list;
+        Driver driver(std::move(session), window.size, window.text);
+        driver.hand.leave();
+        CHECK(driver.hand.is_visible("lesson.item.01-pinhole-camera"));
+        driver.hand.press('L');
+        driver.hand.leave();
+        CHECK_FALSE(is_there(driver, "lesson.item.01-pinhole-camera"));
     }
 }
 

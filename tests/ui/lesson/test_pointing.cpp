@@ -22,7 +22,7 @@ int step_that_points(const Lesson& lesson) {
 
 } // namespace
 
-TEST_CASE("A step that is walked to by keys outlines what it points at, until the next key") {
+TEST_CASE("A step outlines what it points at, whatever is pressed, until it is used or left") {
     Driver driver;
     const LessonView& view = driver.ui.lesson;
     const std::vector<Lesson> lessons = driver.ui.lesson.lessons.all();
@@ -46,9 +46,64 @@ TEST_CASE("A step that is walked to by keys outlines what it points at, until th
             CHECK(view.pointed_at == widget);
         }
         driver.hand.press('G');
+        driver.hand.press(key::f5);
+        driver.hand.press(key::f5);
+        driver.hand.press(key::tab);
+        CHECK(view.pointed_at == widget);
+        driver.hand.click("walk.step");
+        driver.hand.leave();
+        CHECK(view.pointed_at == widget);
+        driver.hand.click(widget);
         CHECK(view.pointed_at.empty());
+        open_lesson(driver.ui, lesson.id, step);
+        driver.hand.leave();
+        CHECK(view.pointed_at == widget);
+        open_lesson(driver.ui, lesson.id, 0);
+        driver.hand.leave();
+        CHECK(view.pointed_at == lesson.steps[0].state.point_at.value_or(""));
     }
     CHECK(tried > 3);
+}
+
+TEST_CASE("What a step points at is outlined again when a link's pointing ends") {
+    Driver driver;
+    const LessonView& view = driver.ui.lesson;
+    open_lesson(driver.ui, "02-moving-the-camera", 4);
+    driver.hand.leave();
+    REQUIRE(view.pointed_at == "setting.camera.position");
+    follow_link(driver.ui, "show:walk.play");
+    driver.hand.frames(frames_to_rest);
+    CHECK(view.pointed_at == "walk.play");
+    driver.hand.press('G');
+    CHECK(view.pointed_at == "setting.camera.position");
+    point_at_widget(driver.ui, "walk.play", false);
+    driver.ui.lesson.is_hovered = true;
+    driver.hand.frames(1);
+    CHECK(view.pointed_at == "walk.play");
+    driver.hand.frames(1);
+    CHECK(view.pointed_at == "setting.camera.position");
+    // A tab in its place: the way back to it.
+    driver.open("rows");
+    driver.hand.leave();
+    CHECK(view.pointed_at == "tab.settings");
+    driver.hand.click("tab.settings");
+    driver.hand.leave();
+    CHECK(view.pointed_at == "setting.camera.position");
+}
+
+TEST_CASE("Who scrolls away from what a step points at is not held back") {
+    Driver driver("lab-room.toml", {1024, 640}, 1.5f);
+    open_lesson(driver.ui, "02-moving-the-camera", 4);
+    driver.hand.leave();
+    REQUIRE(driver.ui.widgets.at("setting.camera.position").is_whole);
+    driver.hand.wheel("setting.camera.position", -8.0f);
+    driver.hand.frames(6);
+    CHECK_FALSE(driver.ui.widgets.at("setting.camera.position").is_whole);
+    // A card that is turned brings it back.
+    driver.hand.press(key::page_down);
+    driver.hand.frames(6);
+    CHECK(driver.ui.lesson.pointed_at == "setting.camera.position");
+    CHECK(driver.ui.widgets.at("setting.camera.position").is_whole);
 }
 
 TEST_CASE("A setting behind the gear is outlined when the gear is clicked, in every window") {

@@ -306,6 +306,42 @@ TEST_CASE("Lines of plain text stand 1.4 times the font's size apart") {
     CHECK(page.pieces[2].at.y - page.pieces[1].at.y == 22.0f);
 }
 
+TEST_CASE("Each letter lies in a line, on the page, and a fraction is one line") {
+    for (const float scale : {1.0f, 1.28f, 1.5f}) {
+        Driver driver("lab-room.toml", {1600, 1000}, scale);
+        const Fonts& fonts = driver.ui.fonts;
+        const MarkdownDocument document =
+            parse_markdown("of area $4\\pi r^2$, here\n\n$$\\frac{P}{4 \\pi r^2}$$\n\n- one\n-\n- "
+                           "three\n\n```\na\n\nb\n```\n"
+                           "\n| a | b |\n|---|---|\n| one and two | c |\n\n> **Task.** Do it.");
+        const PageLayout page = lay_out(document, fonts, scale, 150.0f * scale);
+        for (const PagePiece& piece : page.pieces) {
+            INFO("'" << piece.text << "' at " << piece.at.y);
+            const ImFont* const font = font_of(fonts, piece.font);
+            // Where there is ink: nothing is drawn in the room for accents.
+            const float low = piece.at.y + 0.15f * font->FontSize;
+            const float high = piece.at.y + font->FontSize;
+            CHECK(std::any_of(page.lines.begin(), page.lines.end(), [&](const PageLine& line) {
+                return low >= line.top && high <= line.bottom + 0.5f;
+            }));
+        }
+        for (const PageLine& line : page.lines) {
+            CHECK(line.top >= 0.0f);
+            CHECK(line.bottom > line.top);
+            CHECK(line.bottom <= page.height);
+        }
+        const auto stroke =
+            std::find_if(page.shapes.begin(), page.shapes.end(), [](const PageShape& shape) {
+                return shape.kind == PageShape::Kind::stroke;
+            });
+        REQUIRE(stroke != page.shapes.end());
+        CHECK(std::any_of(page.lines.begin(), page.lines.end(), [&](const PageLine& line) {
+            return line.top < stroke->low.y - 0.7f * fonts.text->FontSize &&
+                   line.bottom > stroke->high.y + 0.7f * fonts.text->FontSize;
+        }));
+    }
+}
+
 TEST_CASE("A note has from 150 to 220 words, a mistake and things to try") {
     for (const std::string& name : note_names()) {
         INFO(name);
