@@ -5,10 +5,12 @@
 
 #include "base/error.h"
 #include "lessons/lesson_link.h"
+#include "ui/actions/focus_stops.h"
 #include "ui/actions/keys.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/actions/open_tab.h"
 #include "ui/ui.h"
+#include "ui/widgets/focus.h"
 #include "ui/widgets/layout.h"
 
 namespace rasterwalk {
@@ -91,6 +93,11 @@ bool leads_on(const Ui& ui) {
     if (lesson.pointed_at == lesson.meant) return false;
     if (way_to(ui, lesson.meant) != lesson.pointed_at) return true;
     const auto door = ui.widgets.find(lesson.pointed_at);
+    const bool is_framed = ui.focus.is_shown && ui.focus.name == lesson.pointed_at;
+    const bool is_entered = ImGui::IsKeyPressed(key::enter, false) ||
+                            ImGui::IsKeyPressed(key::keypad_enter, false) ||
+                            ImGui::IsKeyPressed(key::space, false);
+    if (is_framed && is_entered) return true;
     if (door == ui.widgets.end() || !ImGui::IsMouseClicked(0)) return false;
     const ImVec2 at = ImGui::GetIO().MousePos;
     const ImVec2 low = door->second.top_left, high = door->second.bottom_right;
@@ -103,6 +110,33 @@ bool is_pressed() {
     const std::span<const float> held = keys.first(key::first_modifier);
     return ImGui::IsMouseClicked(0) ||
            std::any_of(held.begin(), held.end(), [](float seconds) { return seconds == 0.0f; });
+}
+
+/// Of what is pointed at: itself, or the first in it that can have the frame; null if nothing can.
+const Stop* first_stop_in(const Ui& ui, const Stop& pointed) {
+    const WidgetPlace& all = pointed.second;
+    if (all.id != 0) return &pointed;
+    const ImRect area(all.top_left, all.bottom_right);
+    const Stop* first = nullptr;
+    for (const Stop& stop : ui.widgets) {
+        const WidgetPlace& place = stop.second;
+        const bool is_in = place.id != 0 && place.part == all.part && place.visible &&
+                           area.Contains({place.top_left, place.bottom_right});
+        if (is_in && (first == nullptr || place.order < first->second.order)) first = &stop;
+    }
+    return first;
+}
+
+/// Who follows a link by key goes on from what it shows, or from the door to it. What cannot have
+/// the frame leaves it with the link.
+void frame_pointed(Ui& ui) {
+    LessonView& lesson = ui.lesson;
+    const auto found = ui.widgets.find(lesson.pointed_at);
+    if (!lesson.wants_frame || found == ui.widgets.end()) return;
+    // What is scrolled away is scrolled to first.
+    if (!found->second.visible) return;
+    lesson.wants_frame = false;
+    if (const Stop* const stop = first_stop_in(ui, *found)) give_focus(ui, stop->first);
 }
 
 } // namespace
@@ -129,6 +163,7 @@ void follow_link(Ui& ui, const std::string& target) {
             const std::string tab = tab_of(link.argument);
             if (!tab.empty()) open_tab_by_link(ui, tab);
             point_at_widget(ui, link.argument, true);
+            ui.lesson.wants_frame = ui.focus.is_shown;
             break;
         }
         case LessonLink::Kind::bug:
@@ -173,6 +208,7 @@ void release_pointed(Ui& ui) {
     const bool is_hovered = lesson.is_hovered, is_new = lesson.is_new;
     lesson.is_hovered = lesson.is_new = false;
     if (lesson.pointed_at.empty()) return;
+    frame_pointed(ui);
     // The key that led here may still be held: only another one that goes down ends it, unless it
     // leads to what is meant.
     if (lesson.is_held && is_pressed() && !is_new && !leads_on(ui)) lesson.is_held = false;
@@ -190,6 +226,7 @@ void release_pointed(Ui& ui) {
     if (!lesson.is_held && !is_hovered) {
         lesson.meant.clear();
         lesson.pointed_at.clear();
+        lesson.wants_frame = false;
     }
 }
 
