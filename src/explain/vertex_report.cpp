@@ -282,18 +282,15 @@ void add_projected(Made& made, int i) {
     }
     Formula pixel{i == 0 ? "pixel.column" : "pixel.row",
                   i == 0 ? "column" : "row",
-                  "Made a whole number and moved to the middle of the picture.",
+                  how_made_whole(settings, made.frame.scene->space),
                   word + "(" + projected.expression + ")",
                   projected.inputs,
                   {static_cast<float>(i == 0 ? shaded.pixel.column : shaded.pixel.row), true}};
-    if (is_bench) {
-        pixel.help = "Made a whole number.";
-    } else {
+    if (!is_bench) {
         const int side = i == 0 ? settings.viewport.width : settings.viewport.height;
         const int middle = side / 2;
         const std::string half = i == 0 ? "W/2" : "H/2";
         if (settings.vertex_rounding == VertexRounding::truncate_sum) {
-            pixel.help = "Moved to the middle of the picture and made a whole number.";
             pixel.expression.insert(pixel.expression.size() - 1, " + " + half);
         } else {
             pixel.expression += " + " + half;
@@ -304,7 +301,6 @@ void add_projected(Made& made, int i) {
     if (settings.outside_picture == OutsidePicture::clamped) {
         const Viewport& size = settings.viewport;
         const std::string side = i == 0 ? "W" : "H";
-        pixel.help += " Moved into the picture where it lies outside.";
         pixel.expression = "clamp(" + pixel.expression + ", 0, " + side + " − 1)";
         pixel.inputs.push_back({side,
                                 {static_cast<float>(i == 0 ? size.width : size.height), true},
@@ -402,6 +398,33 @@ Number vertex_number(const ShadedVertex& vertex, std::string_view id) {
 bool depends_on_rotation(std::string_view id) {
     return id.starts_with("rotated.") || id.starts_with("clip.") || id == "zinv" || id == "depth" ||
            id.starts_with("projected.") || id.starts_with("pixel.");
+}
+
+std::string how_made_whole(const Settings& settings, SceneSpace space) {
+    constexpr auto whole = [](VertexRounding rounding) {
+        switch (rounding) {
+        case VertexRounding::floor:
+            return "rounded down to a whole number";
+        case VertexRounding::round:
+            return "rounded to the nearest whole number";
+        case VertexRounding::truncate:
+        case VertexRounding::truncate_sum:
+            break;
+        }
+        return "cut toward 0 to a whole number";
+    };
+    std::string text = whole(settings.vertex_rounding);
+    const std::string moved = "moved to the middle of the picture";
+    if (space == SceneSpace::world) {
+        const bool is_moved_first = settings.vertex_rounding == VertexRounding::truncate_sum;
+        text = is_moved_first ? moved + " and " + text : text + " and " + moved;
+    }
+    text.front() = static_cast<char>(text.front() - 'a' + 'A');
+    text += ".";
+    if (settings.outside_picture == OutsidePicture::clamped) {
+        text += " Moved into the picture where it lies outside.";
+    }
+    return text;
 }
 
 std::string_view rounding_function(VertexRounding rounding) {

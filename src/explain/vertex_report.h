@@ -4,6 +4,7 @@
 // it.
 
 #include <array>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -40,6 +41,10 @@ Number vertex_number(const ShadedVertex& vertex, std::string_view id);
 
 /// Does the camera's rotation enter the number? Then R v in place of v R can change it.
 bool depends_on_rotation(std::string_view id);
+
+/// How the place of a vertex becomes column and row, in sentences: "Cut toward 0 to a whole number
+/// and moved to the middle of the picture."
+std::string how_made_whole(const Settings& settings, SceneSpace space);
 
 /// The rounding as C++ and the lab write it: int, floor, round.
 std::string_view rounding_function(VertexRounding rounding);

@@ -28,8 +28,9 @@ std::string candidate_text(const Candidate& candidate) {
     std::string text;
     for (std::size_t i = 0; i < candidate.names.size(); ++i) {
         if (i > 0) text += i + 1 == candidate.names.size() ? " or " : ", ";
-        if (is_bug_id(candidate.ids[i])) text += candidate.ids[i] + " ";
-        text += candidate.names[i];
+        // The name of a mistake is a sentence of its own.
+        text += is_bug_id(candidate.ids[i]) ? candidate.ids[i] + " “" + candidate.names[i] + "”"
+                                            : candidate.names[i];
     }
     return candidate.remark.empty() ? text : fmt::format("{} ({})", text, candidate.remark);
 }

@@ -145,6 +145,9 @@ TEST_CASE("What is no bug is told too") {
     const auto verdict = [&](const Image& picture) {
         return diagnose_picture(picture, scene, reference, bugs).verdict;
     };
+    const Bug& affine = find_bug(bugs, "B3");
+    CHECK_THAT(verdict(picture_of(scene, wrong_run(affine, reference))),
+               Contains("B3 “" + affine.name + "”"));
     CHECK(verdict(flipped(right, false, true)) == "Upside down makes this very picture.");
     CHECK(verdict(flipped(right, true, true)) == "Turned by half a turn makes this very picture.");
     Image shifted = right;

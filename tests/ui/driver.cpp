@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "session/content.h"
+#include "ui/actions/keys.h"
 #include "ui/actions/open_tab.h"
 #include "ui/app/app.h"
 #include "ui/ui.h"
@@ -49,6 +50,15 @@ void Driver::open(std::string_view tab) {
         hand.click(std::string("group.").append(word_of(info->group)));
     }
     hand.click(name);
+}
+
+bool Driver::tab_to(std::string_view name, Held held) {
+    constexpr int most_presses = 400;
+    for (int i = 0; i < most_presses; ++i) {
+        if (ui.focus.is_shown && ui.focus.name == name) return true;
+        hand.press(key::tab, held);
+    }
+    return false;
 }
 
 } // namespace rasterwalk

@@ -41,6 +41,9 @@ class Driver {
     /// tab.
     void open(std::string_view tab);
 
+    /// Presses Tab until a widget has the frame. Returns false if it never has.
+    bool tab_to(std::string_view name, Held held = {});
+
     Ui ui;
     KeptTextures textures;
     Hand hand;

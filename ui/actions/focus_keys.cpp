@@ -1,6 +1,7 @@
 #include "ui/actions/focus_keys.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
@@ -39,6 +40,7 @@ const Stop& first_of(const Stops& stops) {
 /// keyboard before the part was opened.
 const Stop& heir(const Ui& ui, const Stops& stops) {
     const Focus& focus = ui.focus;
+    if (focus.name.empty()) return first_of(stops);
     const Stop* nearest = nullptr;
     const Stop* before = nullptr;
     float least = std::numeric_limits<float>::max();
@@ -93,7 +95,7 @@ void leave_what_is_gone(Ui& ui) {
     if (now == nullptr) {
         const Stops stops = stops_in_reach(ui);
         if (stops.empty()) return;
-        show_at(ui, ui.focus.name.empty() ? first_of(stops).first : heir(ui, stops).first);
+        show_at(ui, heir(ui, stops).first);
     } else if (const ImGuiWindow* const sheet = sheet_over(ui, now->second)) {
         const Stops stops = stops_in_reach(ui);
         const auto first = std::find_if(stops.begin(), stops.end(), [&](const Stop* stop) {
@@ -163,7 +165,7 @@ void show_where_it_is(Ui& ui) {
     const Stop* const now = stop_with_keyboard(ui);
     if (now != nullptr && sheet_over(ui, now->second) == nullptr) return show_at(ui, now->first);
     const Stops stops = stops_in_reach(ui);
-    if (!stops.empty()) show_at(ui, first_of(stops).first);
+    if (!stops.empty()) show_at(ui, (now == nullptr ? heir(ui, stops) : first_of(stops)).first);
 }
 
 /// Tab and F6. Returns true if one was pressed.
@@ -182,6 +184,30 @@ bool take_moving_keys(Ui& ui) {
     } else {
         show_where_it_is(ui);
     }
+    return true;
+}
+
+/// Typing opens the field that has the frame, and goes into it. Returns true while it opens.
+bool take_letters(Ui& ui) {
+    const ImGuiIO& io = ImGui::GetIO();
+    std::vector<std::uint32_t>& early = ui.focus.early_letters;
+    const Stop* const stop = ui.focus.is_shown ? stop_with_keyboard(ui) : nullptr;
+    if (stop == nullptr || !stop->second.is_input) {
+        early.clear();
+        return false;
+    }
+    if (io.WantTextInput) {
+        if (stop->second.id != GImGui->ActiveId) early.clear();
+        hand_over_letters(early);
+        return false;
+    }
+    const ImVector<ImWchar>& letters = io.InputQueueCharacters;
+    // Space presses, as everywhere.
+    const bool is_typed = !letters.empty() && letters.front() != key::space;
+    if (early.empty() && !is_typed) return false;
+    keep_letters(early);
+    ui.focus.wants_sight = true;
+    press(stop->second);
     return true;
 }
 
@@ -209,13 +235,13 @@ void take_widget_keys(Ui& ui) {
     if (is_press && can_be_pressed(stop->second)) press(stop->second);
 }
 
-/// What scrolls with the widget: its own window, or else the largest one of its part.
-ImGuiWindow* scrolled_with(const Focus& focus) {
+/// What scrolls there: the window of the widget that has the keyboard, or else the largest one.
+ImGuiWindow* scrolled_in(ImGuiID part, const Focus& focus) {
     const auto scrolls = [](const ImGuiWindow* w) { return w->WasActive && w->ScrollMax.y > 0.0f; };
     ImGuiWindow* largest = nullptr;
     float most = 0.0f;
     for (ImGuiWindow* const window : GImGui->Windows) {
-        if (!scrolls(window) || part_of(*window) != focus.part) continue;
+        if (!scrolls(window) || part_of(*window) != part) continue;
         if (window->ID == focus.window) return window;
         const float area = window->InnerRect.GetArea();
         if (area <= most) continue;
@@ -225,9 +251,20 @@ ImGuiWindow* scrolled_with(const Focus& focus) {
     return largest;
 }
 
+/// The part with the lesson, or with the page that is read in its place; 0 if there is none.
+ImGuiID part_of_lesson(const Ui& ui) {
+    const auto found = std::find_if(ui.widgets.begin(), ui.widgets.end(), [](const Stop& stop) {
+        return stop.first.starts_with("lesson.");
+    });
+    return found == ui.widgets.end() ? 0 : found->second.part;
+}
+
 void take_scrolling_keys(const Ui& ui) {
     const int up = pressed_arrows().up;
-    ImGuiWindow* const window = up == 0 ? nullptr : scrolled_with(ui.focus);
+    if (up == 0) return;
+    const Focus& focus = ui.focus;
+    ImGuiWindow* window = scrolled_in(focus.part, focus);
+    if (window == nullptr && !focus.is_shown) window = scrolled_in(part_of_lesson(ui), focus);
     if (window == nullptr) return;
     const float step = 3.0f * ImGui::GetTextLineHeightWithSpacing();
     const float y = window->Scroll.y - step * static_cast<float>(up);
@@ -245,7 +282,7 @@ void take_focus_keys(Ui& ui) {
     const ImGuiIO& io = ImGui::GetIO();
     if (io.KeyCtrl && !io.WantTextInput) take_scrolling_keys(ui);
     if (io.KeyCtrl || io.KeyAlt) return;
-    if (!take_moving_keys(ui)) take_widget_keys(ui);
+    if (!take_moving_keys(ui) && !take_letters(ui)) take_widget_keys(ui);
 }
 
 bool is_moving_by_arrows(const Ui& ui) {
@@ -261,6 +298,7 @@ bool belongs_to_focus(const Ui& ui, const Chord& chord) {
     if (!ui.focus.is_shown || chord.ctrl || chord.alt) return false;
     const auto found = ui.widgets.find(ui.focus.name);
     if (found == ui.widgets.end() || found->second.id == 0) return false;
+    if (found->second.is_input && key::writes(chord.key)) return true;
     if (chord.key == key::space) return can_be_pressed(found->second);
     const bool zooms = chord.key == key::equal || chord.key == key::minus;
     return zooms && ui.focus.name == "canvas";

@@ -7,6 +7,8 @@
 #include <imgui.h>
 
 #include "settings/setting_table.h"
+#include "ui/actions/actions.h"
+#include "ui/actions/focus_keys.h"
 #include "ui/actions/keys.h"
 #include "ui/ui.h"
 
@@ -46,9 +48,10 @@ bool is_arrow(int key) {
     return key >= key::right && key <= key::up;
 }
 
-/// A widget that has the keyboard has the arrows, too.
+/// A widget that has the keyboard has the arrows, too, and a field the letters.
 bool is_free(const Ui& ui, const HeldKey& held) {
-    return !ui.focus.is_shown || !is_arrow(held.key);
+    const bool is_taken = ui.focus.is_shown && is_arrow(held.key);
+    return !is_taken && !belongs_to_focus(ui, {held.key});
 }
 
 bool modifiers_are_up() {

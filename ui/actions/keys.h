@@ -30,10 +30,16 @@ inline constexpr int end = 269;
 inline constexpr int f1 = 290;
 inline constexpr int f5 = 294;
 inline constexpr int f12 = 301;
+inline constexpr int keypad_0 = 320;
 inline constexpr int keypad_add = 334;
 inline constexpr int keypad_subtract = 333;
 inline constexpr int keypad_enter = 335;
 inline constexpr int first_modifier = 340; ///< Shift, Ctrl, Alt and their like are from here on
+
+/// Does the key write something? Letters, digits and punctuation, and those of the keypad.
+constexpr bool writes(int code) {
+    return (code >= space && code < escape) || (code >= keypad_0 && code <= keypad_add);
+}
 } // namespace key
 
 } // namespace rasterwalk

@@ -14,6 +14,15 @@ bool walks_through_time(const Ui& ui) {
     return ui.options.is_lecture && ui.session.lesson.empty();
 }
 
+/// Who goes on to another page has left what was framed on this one: the arrows are the camera's
+/// again, and Tab brings the frame back.
+void read(Ui& ui, void (*turn)(Ui&)) {
+    const auto page = [&] { return std::pair(ui.session.step, ui.lesson.strip.card); };
+    const auto before = page();
+    turn(ui);
+    if (page() != before) ui.focus.is_shown = false;
+}
+
 } // namespace
 
 void toggle_lecture(Ui& ui) {
@@ -29,7 +38,7 @@ void walk_on(Ui& ui) {
     if (walks_through_time(ui)) {
         step_forward(ui.session, Timeline(ui.results.a.frame), ui.session.play.granularity);
     } else {
-        read_on(ui);
+        read(ui, read_on);
     }
 }
 
@@ -37,7 +46,7 @@ void walk_back(Ui& ui) {
     if (walks_through_time(ui)) {
         step_back(ui.session, Timeline(ui.results.a.frame), ui.session.play.granularity);
     } else {
-        read_back(ui);
+        read(ui, read_back);
     }
 }
 

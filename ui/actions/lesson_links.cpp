@@ -5,10 +5,12 @@
 
 #include "base/error.h"
 #include "lessons/lesson_link.h"
+#include "ui/actions/focus_stops.h"
 #include "ui/actions/keys.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/actions/open_tab.h"
 #include "ui/ui.h"
+#include "ui/widgets/focus.h"
 #include "ui/widgets/layout.h"
 
 namespace rasterwalk {
@@ -100,7 +102,11 @@ bool leads_on(const Ui& ui) {
     const LessonView& lesson = ui.lesson;
     if (lesson.pointed_at == lesson.meant) return false;
     if (way_to(ui, lesson.meant) != lesson.pointed_at) return true;
-    return is_clicked(ui, lesson.pointed_at);
+    const bool is_framed = ui.focus.is_shown && ui.focus.name == lesson.pointed_at;
+    const bool is_entered = ImGui::IsKeyPressed(key::enter, false) ||
+                            ImGui::IsKeyPressed(key::keypad_enter, false) ||
+                            ImGui::IsKeyPressed(key::space, false);
+    return (is_framed && is_entered) || is_clicked(ui, lesson.pointed_at);
 }
 
 bool is_pressed() {
@@ -143,6 +149,33 @@ void point_as_step_does(Ui& ui) {
     lesson.of_step_in = place;
 }
 
+/// Of what is pointed at: itself, or the first in it that can have the frame; null if nothing can.
+const Stop* first_stop_in(const Ui& ui, const Stop& pointed) {
+    const WidgetPlace& all = pointed.second;
+    if (all.id != 0) return &pointed;
+    const ImRect area(all.top_left, all.bottom_right);
+    const Stop* first = nullptr;
+    for (const Stop& stop : ui.widgets) {
+        const WidgetPlace& place = stop.second;
+        const bool is_in = place.id != 0 && place.part == all.part && place.visible &&
+                           area.Contains({place.top_left, place.bottom_right});
+        if (is_in && (first == nullptr || place.order < first->second.order)) first = &stop;
+    }
+    return first;
+}
+
+/// Who follows a link by key goes on from what it shows, or from the door to it. What cannot have
+/// the frame leaves it with the link.
+void frame_pointed(Ui& ui) {
+    LessonView& lesson = ui.lesson;
+    const auto found = ui.widgets.find(lesson.pointed_at);
+    if (!lesson.wants_frame || found == ui.widgets.end()) return;
+    // What is scrolled away is scrolled to first.
+    if (!found->second.visible) return;
+    lesson.wants_frame = false;
+    if (const Stop* const stop = first_stop_in(ui, *found)) give_focus(ui, stop->first);
+}
+
 } // namespace
 
 void point_at_widget_of_step(Ui& ui, const std::string& widget) {
@@ -175,6 +208,7 @@ void follow_link(Ui& ui, const std::string& target) {
             const std::string tab = tab_of(link.argument);
             if (!tab.empty()) open_tab_by_link(ui, tab);
             point_at_widget(ui, link.argument, true);
+            ui.lesson.wants_frame = ui.focus.is_shown;
             break;
         }
         case LessonLink::Kind::bug:
@@ -221,6 +255,7 @@ void release_pointed(Ui& ui) {
     if (lesson.pointed_at.empty()) return;
     const bool is_of_step = lesson.meant == lesson.of_step;
     const bool is_scrolled = is_of_step && ImGui::GetIO().MouseWheel != 0.0f;
+    frame_pointed(ui);
     // The key that led here may still be held: only another one that goes down ends it, unless it
     // leads to what is meant.
     if (!is_new && is_pressed() && is_used(ui, lesson.of_step)) lesson.of_step.clear();
@@ -239,7 +274,10 @@ void release_pointed(Ui& ui) {
             lesson.is_held = false;
         }
     }
-    if (!lesson.is_held && !is_hovered) point_as_step_does(ui);
+    if (!lesson.is_held && !is_hovered) {
+        lesson.wants_frame = false;
+        point_as_step_does(ui);
+    }
 }
 
 } // namespace rasterwalk

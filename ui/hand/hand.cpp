@@ -27,6 +27,14 @@ void set_held(Held held) {
     io.KeyAlt = held.alt;
 }
 
+/// What a key writes into a field; nothing if it is no letter, digit or sign, or held with others.
+std::string written_by(int key, Held held) {
+    if (held.ctrl || held.alt || key < key::space || key > 'Z') return {};
+    const bool is_letter = key >= 'A' && key <= 'Z';
+    if (is_letter && !held.shift) return {static_cast<char>(key - 'A' + 'a')};
+    return is_letter || !held.shift ? std::string(1, static_cast<char>(key)) : std::string();
+}
+
 /// How many letters two names have in common at their beginning.
 std::size_t common_start(std::string_view a, std::string_view b) {
     return static_cast<std::size_t>(std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first -
@@ -155,6 +163,7 @@ void Hand::hold(int key, int count, Held held) {
     IM_ASSERT(key >= 0 && key < IM_ARRAYSIZE(io.KeysDown));
     set_held(held);
     io.KeysDown[key] = true;
+    io.AddInputCharactersUTF8(written_by(key, held).c_str());
     frames(count);
     io.KeysDown[key] = false;
     set_held({});

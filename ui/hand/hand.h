@@ -46,7 +46,8 @@ class Hand {
     /// Moves the pointer off everything.
     void leave();
 
-    /// Presses and releases a key (see ui/actions/keys.h).
+    /// Presses and releases a key (see ui/actions/keys.h), which writes into an open field what it
+    /// stands for.
     void press(int key, Held held = {});
     /// Holds a key down for a number of frames.
     void hold(int key, int count, Held held = {});

@@ -62,18 +62,17 @@ void draw_beginning(Ui& ui) {
     ImGui::Checkbox("two mistakes at once", &ui.lab.wants_two);
     name_widget(ui, "lab.two", "Harder: two mistakes that show side by side.");
     ImGui::SetNextItemWidth(120.0f * ui.options.text_scale);
-    ImGui::InputInt("seed", &ui.lab.seed, 0);
+    ImGui::InputInt("seed (0: any)", &ui.lab.seed, 0);
     ui.lab.seed = std::clamp(ui.lab.seed, 0, 999'999);
     name_widget(ui, "lab.seed",
                 "The same number makes the same quiz, for everyone. 0: the program takes one.");
+    draw_keeping(ui);
     ImGui::Spacing();
     if (button(ui, "lab.quiz.start", "begin", Look::main,
                "Makes a mistake. What is set now comes back when the quiz is ended.")) {
         begin_quiz(ui);
     }
-    ImGui::Spacing();
     draw_score(ui);
-    draw_keeping(ui);
 }
 
 void draw_correct_run_switch(Ui& ui) {

@@ -12,6 +12,7 @@
 #include "ui/actions/view_files.h"
 #include "ui/inspector/lab_parts.h"
 #include "ui/ui.h"
+#include "ui/widgets/formula_view.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -31,6 +32,7 @@ void draw_intro(Ui& ui) {
 
 /// @param another a file was checked already
 void draw_file(Ui& ui, bool another) {
+    ImGui::Spacing();
     LabLook& lab = ui.lab;
     if (button(ui, "lab.choose", another ? "Another file …" : "Choose a file …",
                another ? Look::plain : Look::main,
@@ -194,24 +196,37 @@ void draw_diagnosis(Ui& ui) {
     draw_candidates(ui, diagnosis);
 }
 
-} // namespace
-
-void draw_lab_result(Ui& ui) {
+/// What came of the file that was checked last.
+void draw_answer(Ui& ui) {
     const LabLook& lab = ui.lab;
-    const bool waits = lab.frames_to_result > 0;
-    const bool is_asked = waits || lab.diagnosis || !lab.result_fault.empty();
-    if (!is_asked) draw_intro(ui);
-    // The answer stands above the way to the next one: in a low window it must be in sight.
     if (!lab.result_fault.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, colour_of(Meaning::fail, ui.options.theme));
         wrapped_text(lab.result_fault);
         ImGui::PopStyleColor();
         name_widget(ui, "lab.result.fault", "Why it could not be diagnosed.");
     }
-    if (waits) text_in(palette(ui.options.theme).dim, "It is held against every mistake …");
+    if (lab.frames_to_result > 0) {
+        text_in(palette(ui.options.theme).dim, "It is held against every mistake …");
+    }
     if (lab.diagnosis) draw_diagnosis(ui);
-    ImGui::Spacing();
-    draw_file(ui, is_asked);
+}
+
+} // namespace
+
+void draw_lab_result(Ui& ui) {
+    const LabLook& lab = ui.lab;
+    const bool is_asked = lab.frames_to_result > 0 || lab.diagnosis || !lab.result_fault.empty();
+    // The answer stands above the way to the next one, which stays in sight where there is room.
+    if (!is_asked) {
+        draw_intro(ui);
+        draw_file(ui, false);
+    } else if (ui.inspector.is_low) {
+        draw_answer(ui);
+        draw_file(ui, true);
+    } else {
+        draw_with_card(
+            "result", [&] { draw_answer(ui); }, [&] { draw_file(ui, true); });
+    }
 }
 
 } // namespace rasterwalk

@@ -43,10 +43,8 @@ const Line lines[] = {
     {"projected", "x", "projected.x", 3,
      "f x / z: pixels from the middle of the picture, before rounding."},
     {"", "y", "projected.y", 3, "f y / z: pixels from the middle of the picture, before rounding."},
-    {"pixel", "column", "pixel.column", 0,
-     "Rounded to a whole number and moved to the middle of the picture."},
-    {"", "row", "pixel.row", 0,
-     "Rounded to a whole number and moved to the middle of the picture."},
+    {"pixel", "column", "pixel.column", 0, ""}, // see help_of()
+    {"", "row", "pixel.row", 0, ""},
     {"", "1/z", "zinv", 5, "What the depth buffer will hold: larger is nearer."},
     {"normal", "x", "normal.x", 3, "Across the surface, of unit length.", true},
     {"", "y", "normal.y", 3, "Across the surface, of unit length.", true},
@@ -57,6 +55,12 @@ const Line lines[] = {
      true},
     {"", "blue", "light.R.blue", 3, "The light that this vertex gives back: R = ρ (D + N).", true},
 };
+
+/// What a line shows; how a number becomes whole depends on what is set.
+std::string help_of(const Ui& ui, const Line& line) {
+    if (!std::string_view(line.id).starts_with("pixel.")) return line.help;
+    return how_made_whole(ui.results.a.frame.settings, ui.results.a.scene->space);
+}
 
 /// A narrow column has fewer digits; the formula below has them all.
 /// @param column the room for a number, screen pixels
@@ -144,18 +148,18 @@ void draw_labels(Ui& ui, const Line& line) {
         right_aligned(space.empty() ? line.coordinate : space + " " + line.coordinate, p.dim);
         keep_item_whole(ui);
         ImGui::PopFont();
-        name_widget(ui, name, line.help);
+        name_widget(ui, name, help_of(ui, line));
         return;
     }
     if (*line.space != '\0') {
         ImGui::TextUnformatted(line.space);
         keep_item_whole(ui);
-        name_widget(ui, name + ".space", line.help);
+        name_widget(ui, name + ".space", help_of(ui, line));
     }
     ImGui::TableNextColumn();
     text_in(p.dim, line.coordinate);
     keep_item_whole(ui);
-    name_widget(ui, name, line.help);
+    name_widget(ui, name, help_of(ui, line));
 }
 
 void draw_cell(Ui& ui, const Line& line, int v, int chosen) {
@@ -174,7 +178,7 @@ void draw_cell(Ui& ui, const Line& line, int v, int chosen) {
     const std::string text =
         fixed(static_cast<double>(formula->result.value), digits_of(ui, line, column));
     if (number_cell(ui, name, text, v == chosen ? p.text : p.dim, is_chosen,
-                    line.help + std::string("\nClick: how it came to be."))) {
+                    help_of(ui, line) + "\nClick: how it came to be.")) {
         ui.session.selection.vertex = v;
         ui.inspector.chosen.vertex_number = line.id;
     }

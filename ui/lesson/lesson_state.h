@@ -123,6 +123,7 @@ struct LessonView {
     PointedPlace of_step_in;   ///< where that was brought into sight
     bool is_new = false;       ///< by the click or key of this frame, which does not end it
     bool is_hovered = false;   ///< the pointer rests on such a link in this frame
+    bool wants_frame = false;  ///< pressed by key: what it points at gets the frame
     int frames_unseen = 0;     ///< since the widget pointed at was last on the screen
     int frame_of_answer = -1;  ///< in which an answer that was kept was judged last
     int frame_of_waiting = -1; ///< in which another one was left for the next frame

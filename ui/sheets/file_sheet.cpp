@@ -85,18 +85,13 @@ void draw_head(Ui& ui) {
 
 /// What is typed before the field has the keyboard, which takes some frames, waits for it. Returns
 /// true if Enter, too, has waited.
-bool hand_over_letters(FileSheet& sheet) {
-    ImVector<ImWchar>& letters = ImGui::GetIO().InputQueueCharacters;
+bool hand_over_typed(FileSheet& sheet) {
     if (!sheet.has_keyboard) {
-        sheet.early_letters.insert(sheet.early_letters.end(), letters.begin(), letters.end());
-        letters.clear();
+        keep_letters(sheet.early_letters);
         if (ImGui::IsKeyPressed(key::enter, false)) sheet.early_enter = true;
         return false;
     }
-    const auto early = std::exchange(sheet.early_letters, {});
-    for (std::size_t i = 0; i < early.size(); ++i) {
-        letters.insert(letters.begin() + i, static_cast<ImWchar>(early[i]));
-    }
+    hand_over_letters(sheet.early_letters);
     return std::exchange(sheet.early_enter, false);
 }
 
@@ -107,7 +102,7 @@ bool draw_path(Ui& ui) {
         ImGui::SetKeyboardFocusHere();
         sheet.wants_focus = sheet.has_keyboard = false;
     }
-    const bool had_enter = hand_over_letters(sheet);
+    const bool had_enter = hand_over_typed(sheet);
     ImGui::SetNextItemWidth(-1.0f);
     const std::string before = sheet.path;
     const bool entered = ImGui::InputTextWithHint("##path", "name, or a whole path", &sheet.path,

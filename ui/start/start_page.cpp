@@ -46,7 +46,7 @@ constexpr std::array<Card, way_count> cards{{
      {"Time runs both ways, down to the single edge sample.",
       "Click a pixel or a triangle: every number says where it comes from.",
       "Turn perspective or the depth test off, and see what breaks."},
-     "Shows the room, with all its stages."},
+     "Begins at the first stage; the pictures above lead to each."},
     {Way::picture,
      "Check my own picture",
      "What differs from the right one, where first, and why?",
@@ -151,8 +151,8 @@ void draw_stages(Ui& ui, const PageLayout& page) {
         }
         x += side + gap;
         if (!pressed) continue;
-        set_step(ui.session.a.settings, info.step);
         take_way(ui, Way::stages);
+        set_step(ui.session.a.settings, info.step);
     }
     ImGui::PopFont();
     ImGui::SetCursorScreenPos({start.x, start.y + height + line});

@@ -30,11 +30,15 @@ void take_way(Ui& ui, Way way) {
         open_lesson_to_go_on(ui);
         break;
     case Way::stages:
-        if (!hides_settings(ui.session)) light_up(ui.session, ui.session.a.settings);
+        if (!hides_settings(ui.session)) {
+            light_up(ui.session, ui.session.a.settings);
+            set_step(ui.session.a.settings, stage_list().front().step);
+        }
         break;
     case Way::picture:
         ui.lab.mode = LabMode::result;
         open_tab(ui, "lab");
+        give_focus(ui, "lab.choose");
         break;
     }
 }

@@ -17,7 +17,7 @@ void begin_at_start(Ui& ui);
 /// The name of the button that leads there.
 std::string way_button(Way way);
 
-/// Goes one of the ways, and remembers it for the next time.
+/// Goes one of the ways, and remembers it for the next time. The walk begins at the first stage.
 void take_way(Ui& ui, Way way);
 
 /// Closes the page when something was opened or set behind it, as from a menu. To be called once a

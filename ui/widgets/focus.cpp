@@ -91,4 +91,18 @@ bool is_pressed_by_key() {
     return id != 0 && GImGui->NavActivateId == id;
 }
 
+void keep_letters(std::vector<std::uint32_t>& early) {
+    ImVector<ImWchar>& letters = ImGui::GetIO().InputQueueCharacters;
+    early.insert(early.end(), letters.begin(), letters.end());
+    letters.clear();
+}
+
+void hand_over_letters(std::vector<std::uint32_t>& early) {
+    ImVector<ImWchar>& letters = ImGui::GetIO().InputQueueCharacters;
+    for (std::size_t i = 0; i < early.size(); ++i) {
+        letters.insert(letters.begin() + i, static_cast<ImWchar>(early[i]));
+    }
+    early.clear();
+}
+
 } // namespace rasterwalk

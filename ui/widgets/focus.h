@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <imgui_internal.h>
 
@@ -35,5 +37,10 @@ void give_focus(Ui& ui, std::string name);
 
 /// Was the last ImGui item pressed by a key?
 bool is_pressed_by_key();
+
+/// It takes some frames until a field has the keyboard: what is typed before is kept, in the order
+/// in which it was typed, and handed over when it has.
+void keep_letters(std::vector<std::uint32_t>& early);
+void hand_over_letters(std::vector<std::uint32_t>& early);
 
 } // namespace rasterwalk

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -43,7 +44,8 @@ struct Focus {
     /// In this frame: the draw list of its window, and what of it can be seen; null: nothing.
     ImDrawList* list = nullptr;
     ImVec2 low, high;
-    std::vector<std::string> openers; ///< what had it before each menu or list that is open
+    std::vector<std::string> openers;         ///< what had it before each menu or list that is open
+    std::vector<std::uint32_t> early_letters; ///< that open a field, and wait until it is open
 };
 
 /// The edges of a text that scrolls, while it is drawn; see whole_lines.h. Screen pixels.

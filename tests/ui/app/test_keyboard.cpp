@@ -25,15 +25,6 @@ namespace {
 constexpr int f6 = key::f1 + 5;
 constexpr int most_presses = 400;
 
-/// Presses Tab until a widget has the frame. Returns false if it never has.
-bool tab_to(Driver& driver, const std::string& name, Held held = {}) {
-    for (int i = 0; i < most_presses; ++i) {
-        if (driver.ui.focus.is_shown && driver.ui.focus.name == name) return true;
-        driver.hand.press(key::tab, held);
-    }
-    return false;
-}
-
 /// Everything that Tab leads to, once around.
 std::set<std::string> reached(Driver& driver) {
     std::set<std::string> names;
@@ -69,10 +60,10 @@ TEST_CASE("By keys alone: from the start page through a lesson to the mistakes")
     // The first prediction of the lesson, wherever it stands.
     constexpr const char* number = "lesson.prediction.back-wall-width.number";
     for (int step = 0; step < 12 && ui.widgets.count(number) == 0; ++step) {
-        REQUIRE(tab_to(driver, "lesson.next"));
+        REQUIRE(driver.tab_to("lesson.next"));
         driver.hand.press(key::enter);
     }
-    REQUIRE(tab_to(driver, number));
+    REQUIRE(driver.tab_to(number));
     CHECK(driver.hand.is_visible(number));
     driver.hand.press(key::enter);
     driver.hand.type_text("100");
@@ -81,7 +72,7 @@ TEST_CASE("By keys alone: from the start page through a lesson to the mistakes")
     CHECK_FALSE(ui.session.play.running);
 
     const int step = ui.session.step;
-    REQUIRE(tab_to(driver, "lesson.next"));
+    REQUIRE(driver.tab_to("lesson.next"));
     driver.hand.press(key::enter);
     CHECK(ui.session.step == step + 1);
 
@@ -89,7 +80,7 @@ TEST_CASE("By keys alone: from the start page through a lesson to the mistakes")
         const std::string name = std::string("stage.").append(info.name);
         INFO(name);
         if (!driver.hand.is_visible(name)) continue;
-        REQUIRE(tab_to(driver, name));
+        REQUIRE(driver.tab_to(name));
         driver.hand.press(key::enter);
         CHECK(step_of(ui.session.a.settings) == info.step);
     }
@@ -101,14 +92,14 @@ TEST_CASE("By keys alone: from the start page through a lesson to the mistakes")
     driver.hand.press(key::comma, {.ctrl = true});
     REQUIRE(is_settings_open(ui));
     CHECK(ui.focus.name == "settings.search");
-    REQUIRE(tab_to(driver, "setting.camera.focal_length"));
+    REQUIRE(driver.tab_to("setting.camera.focal_length"));
     const float before = ui.session.a.settings.camera.focal_length;
     driver.hand.press(key::up);
     CHECK(ui.session.a.settings.camera.focal_length > before);
     driver.hand.press(key::escape);
     CHECK_FALSE(is_settings_open(ui));
 
-    REQUIRE(tab_to(driver, "canvas"));
+    REQUIRE(driver.tab_to("canvas"));
     ui.session.selection.pixel.reset();
     driver.hand.press(key::right);
     REQUIRE(ui.session.selection.pixel);
@@ -117,14 +108,14 @@ TEST_CASE("By keys alone: from the start page through a lesson to the mistakes")
     driver.hand.press(key::down);
     CHECK(*ui.session.selection.pixel == pixel + glm::ivec2(1, 1));
 
-    REQUIRE(tab_to(driver, "tabs.show_all"));
+    REQUIRE(driver.tab_to("tabs.show_all"));
     driver.hand.press(key::enter);
-    REQUIRE(tab_to(driver, "group.runs"));
+    REQUIRE(driver.tab_to("group.runs"));
     driver.hand.press(key::enter);
-    REQUIRE(tab_to(driver, "tab.lab"));
+    REQUIRE(driver.tab_to("tab.lab"));
     driver.hand.press(key::enter);
     CHECK(ui.session.tab == "lab");
-    REQUIRE(tab_to(driver, "lab.mode.result"));
+    REQUIRE(driver.tab_to("lab.mode.result"));
     driver.hand.press(key::enter);
     CHECK(ui.lab.mode == LabMode::result);
 }
@@ -149,10 +140,10 @@ TEST_CASE("An answer of several is reached by Tab, and given by Enter as by Spac
         open_lesson(ui, with->id, 0);
         driver.hand.frames(frames_to_rest);
         for (int step = 0; step < 12 && ui.widgets.count(second) == 0; ++step) {
-            REQUIRE(tab_to(driver, "lesson.next"));
+            REQUIRE(driver.tab_to("lesson.next"));
             driver.hand.press(key::enter);
         }
-        REQUIRE(tab_to(driver, second));
+        REQUIRE(driver.tab_to(second));
         CHECK(driver.hand.is_visible(second));
         driver.hand.press(given);
         CHECK(ui.lesson.predictions.at(id).judged);
@@ -208,7 +199,7 @@ TEST_CASE("Tab leads to every stage, tab, menu and button of the transport, and 
             INFO(name << " at " << window.x);
             CHECK(found.contains(name));
         }
-        CHECK(tab_to(driver, "walk.play", {.shift = true}));
+        CHECK(driver.tab_to("walk.play", {.shift = true}));
     }
 }
 
@@ -255,7 +246,7 @@ TEST_CASE("A list that keys open begins at the entry that holds") {
     Driver driver;
     driver.hand.leave();
     driver.hand.press(key::comma, {.ctrl = true});
-    REQUIRE(tab_to(driver, "setting.rounding"));
+    REQUIRE(driver.tab_to("setting.rounding"));
     driver.hand.press(key::enter);
     driver.hand.frames(frames_to_rest);
     CHECK(driver.ui.focus.name == "setting.rounding=truncate");
@@ -267,10 +258,10 @@ TEST_CASE("A list of words is chosen from by keys") {
     Driver driver;
     driver.hand.leave();
     driver.hand.press(key::comma, {.ctrl = true});
-    REQUIRE(tab_to(driver, "setting.rounding"));
+    REQUIRE(driver.tab_to("setting.rounding"));
     driver.hand.press(key::enter);
     REQUIRE(driver.hand.is_visible("setting.rounding=floor"));
-    REQUIRE(tab_to(driver, "setting.rounding=floor"));
+    REQUIRE(driver.tab_to("setting.rounding=floor"));
     driver.hand.press(key::enter);
     CHECK(driver.ui.focus.name == "setting.rounding");
     CHECK_FALSE(driver.hand.is_visible("setting.rounding=floor"));
@@ -333,7 +324,7 @@ TEST_CASE("A number is typed by keys, and Tab leaves every field") {
     Driver driver;
     driver.hand.leave();
     driver.hand.press(key::comma, {.ctrl = true});
-    REQUIRE(tab_to(driver, "settings.search"));
+    REQUIRE(driver.tab_to("settings.search"));
     driver.hand.press(key::enter);
     REQUIRE(ImGui::GetIO().WantTextInput);
     driver.hand.type_text("focal");
@@ -342,7 +333,7 @@ TEST_CASE("A number is typed by keys, and Tab leaves every field") {
     CHECK_FALSE(ImGui::GetIO().WantTextInput);
     CHECK(driver.ui.focus.name == "settings.close");
     CHECK(driver.ui.inspector.setting_search == "focal");
-    REQUIRE(tab_to(driver, "setting.camera.focal_length"));
+    REQUIRE(driver.tab_to("setting.camera.focal_length"));
     driver.hand.press(key::enter);
     REQUIRE(ImGui::GetIO().WantTextInput);
     driver.hand.press('A', {.ctrl = true});
@@ -357,11 +348,11 @@ TEST_CASE("The sheet for files by keys: a folder is entered, and a file opened")
     Driver driver;
     driver.hand.leave();
     driver.hand.press('O', {.ctrl = true});
-    REQUIRE(tab_to(driver, "files.own"));
+    REQUIRE(driver.tab_to("files.own"));
     driver.hand.press(key::enter);
-    REQUIRE(tab_to(driver, "files.entry.scenes"));
+    REQUIRE(driver.tab_to("files.entry.scenes"));
     driver.hand.press(key::enter);
-    REQUIRE(tab_to(driver, "files.entry.fence.toml"));
+    REQUIRE(driver.tab_to("files.entry.fence.toml"));
     driver.hand.press(key::enter);
     CHECK(driver.ui.sheets.files.path == "fence.toml");
     driver.hand.press(key::enter);
@@ -389,7 +380,7 @@ TEST_CASE("What is too long is scrolled by keys: the sheet of keys, and a lesson
     open_lesson(driver.ui, "04-edges", 2);
     driver.ui.lesson.drawer_is_open = true;
     driver.hand.frames(frames_to_rest);
-    REQUIRE(tab_to(driver, "lesson.next"));
+    REQUIRE(driver.tab_to("lesson.next"));
     const float unread = scroll_of();
     driver.hand.press(key::down, {.ctrl = true});
     CHECK(scroll_of() > unread);
@@ -468,7 +459,7 @@ TEST_CASE("A sheet that was chosen from a menu has the keyboard") {
     driver.ui.focus.name = "menu.Help";
     driver.hand.press(key::tab);
     driver.hand.press(key::enter);
-    REQUIRE(tab_to(driver, "menu.help.keys"));
+    REQUIRE(driver.tab_to("menu.help.keys"));
     driver.hand.press(key::enter);
     REQUIRE(driver.ui.sheets.is_open(Sheet::keys));
     CHECK(driver.ui.focus.name == "keys.close");

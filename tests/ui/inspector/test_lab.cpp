@@ -389,6 +389,35 @@ TEST_CASE("What cannot be read is said in the laboratory, and rows of the lab ar
     CHECK(driver.hand.is_visible("lab.diagnosis"));
 }
 
+TEST_CASE("All that can be chosen of a quiz stands before it is begun") {
+    Driver driver;
+    driver.open("lab");
+    driver.hand.click("lab.mode.quiz");
+    driver.hand.leave();
+    const float begin = driver.hand.find("lab.quiz.start").top_left.y;
+    for (const char* choice : {"lab.two", "lab.seed", "lab.keep_score"}) {
+        INFO(choice);
+        CHECK(driver.hand.find(choice).bottom_right.y <= begin);
+    }
+}
+
+TEST_CASE("Below what is said of a picture the way to another one stays whole") {
+    for (const ImVec2 window : {ImVec2{1600, 1000}, ImVec2{1280, 800}, ImVec2{1280, 720}}) {
+        INFO(window.x << " x " << window.y);
+        Driver driver("lab-room.toml", window);
+        driver.ui.session.a.settings = pixel_light(driver);
+        const Settings reference = driver.ui.session.a.settings;
+        check_image(driver, drawn_by(driver, wrong_run(find_bug(read_bugs(), "B3"), reference)));
+        driver.hand.leave();
+        REQUIRE(driver.ui.lab.diagnosis);
+        CHECK(driver.ui.widgets.at("lab.choose").is_whole);
+        CHECK(driver.ui.widgets.at("lab.path").is_whole);
+        CHECK(driver.ui.widgets.at("lab.diagnosis").is_whole);
+        CHECK_THAT(shown_text(driver, "lab.diagnosis"), Catch::StartsWith("B3 “"));
+        CHECK_THAT(shown_text(driver, "lab.diagnosis"), Catch::Contains("” makes"));
+    }
+}
+
 TEST_CASE("While a quiz hides the settings nothing can set them, and nothing tells them") {
     Driver driver(lit_room());
     driver.open("lab");

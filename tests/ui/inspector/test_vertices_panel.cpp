@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -46,6 +47,28 @@ TEST_CASE("The vertex just projected is explained, until one is picked") {
     driver.hand.click("vertices.pixel.column.v2");
     driver.hand.press(key::period);
     CHECK(explains("vertices[2]"));
+}
+
+TEST_CASE("How a vertex becomes a pixel is said as it is set") {
+    Driver driver;
+    driver.open("vertices");
+    const auto help = [&] {
+        driver.hand.hover("vertices.pixel.column");
+        std::string words;
+        for (const ScreenText& line : screen_text()) {
+            if (line.window.starts_with("##Tooltip")) words += line.words + " ";
+        }
+        return words;
+    };
+    const std::pair<VertexRounding, const char*> ways[] = {
+        {VertexRounding::truncate, "Cut toward 0 to a whole number and moved to the middle"},
+        {VertexRounding::floor, "Rounded down to a whole number and moved to the middle"},
+        {VertexRounding::round, "Rounded to the nearest whole number and moved to the middle"},
+        {VertexRounding::truncate_sum, "Moved to the middle of the picture and cut toward 0"}};
+    for (const auto& [way, words] : ways) {
+        driver.ui.session.a.settings.vertex_rounding = way;
+        CHECK_THAT(help(), Catch::Contains(words));
+    }
 }
 
 TEST_CASE("Each number of the vertices is that of the report, and a click shows its formula") {

@@ -77,6 +77,11 @@ TEST_CASE("A click on the second card shows the room without a lesson") {
     CHECK_FALSE(is_open(driver));
     CHECK(driver.ui.session.lesson.empty());
     CHECK(driver.ui.options.way == Way::stages);
+    // Whoever walks begins at the beginning, in a light in which the last stages can be seen.
+    CHECK(step_of(driver.ui.session.a.settings) == StripStep{Stage::points, Shading::unlit});
+    CHECK(driver.ui.session.tab == "vertices");
+    driver.hand.click("stage.pixel_light");
+    CHECK(driver.ui.session.a.settings.light.power == glm::vec3(14.0f));
 }
 
 TEST_CASE("From the start page it is three clicks to what is wrong with a picture") {
