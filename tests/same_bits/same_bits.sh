@@ -23,25 +23,48 @@ for compiler in "${compilers[@]}"; do
     command -v "$compiler" >/dev/null || { echo "$compiler is not installed."; exit 2; }
 done
 
-# The sources of a folder as one: their headers are read once.
-rm -f "$folder"/*.cpp
-echo "#include \"$PWD/tests/same_bits/hash_pictures.cpp\"" >"$folder/hash_pictures.cpp"
-for name in "${folders[@]}"; do
-    for source in src/"$name"/*.cpp; do
-        echo "#include \"$PWD/$source\""
-    done >"$folder/$name.cpp"
-done
-
-# All objects of all variants at once, two at a time.
-for compiler in "${compilers[@]}"; do
-    for level in "${levels[@]}"; do
-        variant=$folder/$compiler${level// /}
-        mkdir -p "$variant" && rm -f "$variant"/*.o
-        for source in "$folder"/*.cpp; do
-            echo "$launcher $compiler $common $level -c $source -o $variant/$(basename "$source").o"
+# two_at_a_time: runs the commands of its input, one a line, until one fails.
+two_at_a_time() { xargs -P 2 -d '\n' -n 1 bash -c 'eval "$0" || exit 255'; }
+# sources_of FOLDER...: a source that includes all of these folders: their headers are read once.
+sources_of() {
+    local name source
+    for name; do
+        for source in src/"$name"/*.cpp; do
+            echo "#include \"$PWD/$source\""
         done
     done
-done | xargs -P 2 -d '\n' -n 1 bash -c '$0 || exit 255' || { echo "The core does not compile."; exit 2; }
+}
+# compile: all sources in $folder under all variants; what takes longest comes first.
+compile() {
+    local i compiler source variant
+    for ((i = ${#levels[@]} - 1; i >= 0; --i)); do
+        for compiler in "${compilers[@]}"; do
+            variant=$folder/$compiler${levels[i]// /}
+            mkdir -p "$variant" && rm -f "$variant"/*.o
+            for source in "$folder"/*.cpp; do
+                echo "$launcher $compiler $common ${levels[i]} -c $source -o $variant/$(basename "$source").o"
+            done
+        done
+    done | two_at_a_time
+}
+
+rm -f "$folder"/*.cpp
+echo "#include \"$PWD/tests/same_bits/hash_pictures.cpp\"" >"$folder/hash_pictures.cpp"
+sources_of "${folders[@]}" >"$folder/core.cpp"
+if ! compile 2>"$folder/errors"; then
+    echo "Names of two folders meet, or the core does not compile: each folder by itself."
+    rm "$folder/core.cpp"
+    for name in "${folders[@]}"; do sources_of "$name" >"$folder/$name.cpp"; done
+    compile || { echo "The core does not compile."; exit 2; }
+fi
+
+for level in "${levels[@]}"; do
+    for compiler in "${compilers[@]}"; do
+        variant=$folder/$compiler${level// /}
+        echo "$compiler $variant/*.o $libraries -o $variant/hash_pictures &&" \
+            "$variant/hash_pictures lessons/scenes/lab-room.toml >$variant/hashes"
+    done
+done | two_at_a_time || { echo "The core does not draw."; exit 2; }
 
 reference=
 different=0
@@ -49,8 +72,6 @@ printf '%-10s %-20s %-34s\n' compiler flags "hash of all pictures"
 for compiler in "${compilers[@]}"; do
     for level in "${levels[@]}"; do
         variant=$folder/$compiler${level// /}
-        $compiler "$variant"/*.o $libraries -o "$variant/hash_pictures" || exit 2
-        "$variant/hash_pictures" lessons/scenes/lab-room.toml >"$variant/hashes" || exit 2
         printf '%-10s %-20s %-34s' "$compiler" "$level" "$(md5sum <"$variant/hashes" | cut -d ' ' -f 1)"
         : "${reference:=$variant/hashes}"
         if cmp -s "$reference" "$variant/hashes"; then
