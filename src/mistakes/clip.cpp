@@ -9,9 +9,13 @@ namespace rasterwalk {
 
 namespace {
 
-/// The corner on the edge from `outside` to `inside`, with t over the wrong length.
-ClipVertex cut_with_wrong_t(const ClipVertex& inside, const ClipVertex& outside, float near) {
-    const float t = (near - outside.position_clip.w) / inside.position_clip.w;
+/// Where the edge from `outside` to `inside` is cut, over the wrong length.
+float wrong_cut_place(const ClipVertex& inside, const ClipVertex& outside, float near) {
+    return (near - outside.position_clip.w) / inside.position_clip.w;
+}
+
+/// @param t from the corner outside, 0, to the one inside, 1
+ClipVertex cut_at(const ClipVertex& inside, const ClipVertex& outside, float t) {
     ClipVertex cut;
     cut.position_clip = outside.position_clip + t * (inside.position_clip - outside.position_clip);
     cut.varyings = outside.varyings + (inside.varyings - outside.varyings) * t;
@@ -38,9 +42,16 @@ bool is_finite(const ClipVertex& vertex) {
     return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) && std::isfinite(p.w);
 }
 
+/// These know the lab's clip space only, in which w is z and the third coordinate is 1.
+bool is_labs(const VertexRules& rules) {
+    return rules.space == SceneSpace::world && rules.projection.clip_depth == ClipDepth::inv_z;
+}
+
 } // namespace
 
-Clipped drop_partly_outside(std::vector<ClipVertex>& corners, const VertexRules& rules) {
+Clipped drop_partly_outside(std::vector<ClipVertex>& corners, const VertexRules& rules,
+                            ClipSink* sink) {
+    static_cast<void>(sink);
     if (rules.space == SceneSpace::pixels) return {};
     const ClipPlanes planes = view_planes(rules);
     const bool is_dropped = std::any_of(corners.begin(), corners.end(), [&](const ClipVertex& v) {
@@ -49,24 +60,49 @@ Clipped drop_partly_outside(std::vector<ClipVertex>& corners, const VertexRules&
     return {is_dropped ? Rejection::partly_outside : Rejection::none, false};
 }
 
-Clipped clip_near_with_wrong_t(std::vector<ClipVertex>& corners, const VertexRules& rules) {
-    if (rules.space == SceneSpace::pixels) return {};
+Clipped clip_near_with_wrong_t(std::vector<ClipVertex>& corners, const VertexRules& rules,
+                               ClipSink* sink) {
+    if (!is_labs(rules)) return {};
     const auto is_inside = [&](const ClipVertex& v) { return v.position_clip.w >= rules.near; };
     if (std::all_of(corners.begin(), corners.end(), is_inside)) return {};
+    if (sink != nullptr) {
+        sink->begin_planes(view_planes(rules), 1);
+        sink->begin_plane(ClipPlane::near, corners);
+    }
     std::vector<ClipVertex> kept;
     for (std::size_t i = 0; i < corners.size(); ++i) {
+        const std::size_t next = (i + 1) % corners.size();
         const ClipVertex& a = corners[i];
-        const ClipVertex& b = corners[(i + 1) % corners.size()];
-        if (is_inside(a)) kept.push_back(a);
-        if (is_inside(a) && !is_inside(b)) kept.push_back(cut_with_wrong_t(a, b, rules.near));
-        if (!is_inside(a) && is_inside(b)) kept.push_back(cut_with_wrong_t(b, a, rules.near));
+        const ClipVertex& b = corners[next];
+        ClipStep step;
+        step.from = static_cast<int>(i);
+        step.to = static_cast<int>(next);
+        step.d_from = a.position_clip.w - rules.near;
+        step.d_to = b.position_clip.w - rules.near;
+        step.is_from_inside = step.keeps_from = is_inside(a);
+        step.is_to_inside = is_inside(b);
+        step.is_cut = step.is_from_inside != step.is_to_inside;
+        step.first_kept = static_cast<int>(kept.size());
+        if (step.keeps_from) kept.push_back(a);
+        if (step.is_cut) {
+            const ClipVertex& inside = step.is_from_inside ? a : b;
+            const ClipVertex& outside = step.is_from_inside ? b : a;
+            const float wrong_t = wrong_cut_place(inside, outside, rules.near);
+            // The step counts t from the corner inside.
+            step.t = 1.0f - wrong_t;
+            step.cut = cut_at(inside, outside, wrong_t);
+            kept.push_back(step.cut);
+        }
+        if (sink != nullptr) sink->clip_step(step);
     }
+    if (sink != nullptr) sink->end_plane(ClipPlane::near, kept);
     corners.swap(kept);
     return {Rejection::none, true};
 }
 
-Clipped clip_after_division(std::vector<ClipVertex>& corners, const VertexRules& rules) {
-    if (rules.space == SceneSpace::pixels) return {};
+Clipped clip_after_division(std::vector<ClipVertex>& corners, const VertexRules& rules,
+                            ClipSink* sink) {
+    if (!is_labs(rules)) return {};
     std::vector<ClipVertex> screen;
     for (const ClipVertex& corner : corners)
         screen.push_back(divided(corner));
@@ -74,6 +110,7 @@ Clipped clip_after_division(std::vector<ClipVertex>& corners, const VertexRules&
     if (!std::all_of(screen.begin(), screen.end(), is_finite)) return {};
     const ClipPlanes planes = view_planes(rules);
     constexpr auto first_side = static_cast<std::size_t>(ClipPlane::left);
+    if (sink != nullptr) sink->begin_planes(planes, planes.size());
     bool is_cut = false;
     std::vector<ClipVertex> kept;
     for (std::size_t p = first_side; p < planes.size(); ++p) {
@@ -82,7 +119,7 @@ Clipped clip_after_division(std::vector<ClipVertex>& corners, const VertexRules&
         };
         if (std::none_of(screen.begin(), screen.end(), is_outside)) continue;
         is_cut = true;
-        clip_by_plane(screen, planes[p], kept);
+        clip_by_plane(screen, planes, static_cast<ClipPlane>(p), kept, sink);
         screen.swap(kept);
     }
     if (!is_cut) return {};
@@ -92,9 +129,11 @@ Clipped clip_after_division(std::vector<ClipVertex>& corners, const VertexRules&
     return {Rejection::none, true};
 }
 
-Clipped move_to_near_plane(std::vector<ClipVertex>& corners, const VertexRules& rules) {
+Clipped move_to_near_plane(std::vector<ClipVertex>& corners, const VertexRules& rules,
+                           ClipSink* sink) {
+    static_cast<void>(sink);
     Clipped clipped;
-    if (rules.space == SceneSpace::pixels) return clipped;
+    if (!is_labs(rules)) return clipped;
     for (ClipVertex& corner : corners) {
         if (!(corner.position_clip.w < rules.near)) continue;
         corner.position_clip.w = rules.near;

@@ -4,10 +4,19 @@
 
 namespace rasterwalk {
 
-Rejection cull_by_view_axis(std::span<const ClipVertex> corners, const VertexRules& rules) {
+Rejection cull_by_view_axis(std::span<const ClipVertex> corners, const VertexRules& rules,
+                            CullTest* test) {
     // Of a row vector times R, z is the product with the last column.
     const glm::vec3 forward = camera_rotation(rules.camera)[2];
-    const bool is_back = glm::dot(corners.front().varyings.normal, forward) > 0.0f;
+    const float along = glm::dot(corners.front().varyings.normal, forward);
+    const bool is_back = along > 0.0f;
+    if (test != nullptr) {
+        test->measure = "dot(n, forward)";
+        test->reason = is_back ? "the normal points the way the camera looks"
+                               : "the normal does not point the way the camera looks";
+        test->is_back = is_back;
+        test->values = {along};
+    }
     return is_back ? Rejection::back_facing : Rejection::none;
 }
 

@@ -9,6 +9,7 @@ namespace rasterwalk {
 /// B34, in the slot cull: by the angle to the direction in which the camera looks,
 /// dot(n, forward) > 0. Under perspective sides are culled that are seen, and others kept that are
 /// not.
-Rejection cull_by_view_axis(std::span<const ClipVertex> corners, const VertexRules& rules);
+Rejection cull_by_view_axis(std::span<const ClipVertex> corners, const VertexRules& rules,
+                            CullTest* test = nullptr);
 
 } // namespace rasterwalk

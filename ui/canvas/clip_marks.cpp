@@ -154,11 +154,11 @@ void draw_place_names(const Marks& m, const std::vector<PlaceName>& names, float
         const glm::vec2 at(name.at.x - m.low.x, name.at.y - m.low.y);
         const glm::vec2 extent(text_width(font, name.text) + 2.0f * around,
                                font->FontSize + 2.0f * around);
-        labels.push_back({at, extent, distance});
+        labels.push_back({.point = at, .size = extent, .distance = distance});
         taken.push_back({at - distance, at + distance});
     }
     const auto places =
-        label_places(labels, std::move(taken), {m.high.x - m.low.x, m.high.y - m.low.y});
+        label_places(labels, std::move(taken), {}, {m.high.x - m.low.x, m.high.y - m.low.y});
     for (std::size_t i = 0; i < names.size(); ++i) {
         if (!places[i]) continue;
         const ImVec2 low{std::round(m.low.x + places[i]->x), std::round(m.low.y + places[i]->y)};

@@ -253,11 +253,11 @@ void draw_clip_panel(Ui& ui) {
     const std::string before = ui.inspector.clip.number;
     draw_triangle_title(ui);
     ClipParts parts(page);
-    if (ui.inspector.is_low) {
+    if (!ui.inspector.has_card) {
         parts.draw();
     } else {
         draw_with_card(
-            "clip", [&] { parts.draw(); }, [&] { draw_clip_card(page); });
+            ui, "clip", [&] { parts.draw(); }, [&] { draw_clip_card(page); });
     }
     if (ui.inspector.clip.number != before) ui.inspector.formula_frame = ImGui::GetFrameCount();
 }
