@@ -12,7 +12,7 @@ namespace rasterwalk {
 
 namespace {
 
-constexpr std::array<const char*, 4> coordinate_names{"x", "y", "z", "w"};
+constexpr std::array<const char*, 4> homogeneous_names{"x", "y", "z", "w"};
 
 std::string in_text(double value) {
     return shown({static_cast<float>(value)});
@@ -36,7 +36,7 @@ std::string product_text(const SpacePlace& to, const glm::dvec4& from, MatrixOrd
         sum += factor_text(is_row ? from[k] : of_matrix, begins) + " · " +
                factor_text(is_row ? of_matrix : from[k], false);
     }
-    return std::string(coordinate_names[static_cast<std::size_t>(i)]) + " = " +
+    return std::string(homogeneous_names[static_cast<std::size_t>(i)]) + " = " +
            (sum.empty() ? "0" : sum + " = " + in_text(to.place[i]));
 }
 
@@ -61,7 +61,7 @@ void add_division(SpacesOfVertex& spaces) {
                    {}};
     for (int i = 0; i < 4; ++i) {
         ndc.formulas[static_cast<std::size_t>(i)] =
-            std::string(coordinate_names[static_cast<std::size_t>(i)]) + " = " + in_text(clip[i]) +
+            std::string(homogeneous_names[static_cast<std::size_t>(i)]) + " = " + in_text(clip[i]) +
             " / " + factor_text(clip.w, false) + " = " + in_text(ndc.place[i]);
     }
     spaces.places.push_back(std::move(ndc));

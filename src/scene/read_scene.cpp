@@ -90,16 +90,18 @@ Transform read_transform(const TomlInput& input) {
 ModelStep read_model_step(const TomlInput& input) {
     if (input.nodes().size() != 1)
         input.fail(input.what() + " says one thing, such as " + std::string(step_form));
-    const auto& [key, node] = *input.nodes().begin();
+    const auto first = input.nodes().begin();
+    const std::string key(first->first.str());
+    const toml::node& node = first->second;
     const auto word =
-        std::find(enum_words<ModelStepKind>.begin(), enum_words<ModelStepKind>.end(), key.str());
+        std::find(enum_words<ModelStepKind>.begin(), enum_words<ModelStepKind>.end(), key);
     if (word == enum_words<ModelStepKind>.end()) {
-        input.fail(node, "there is no step '" + std::string(key.str()) + "'; the steps are: " +
+        input.fail(node, "there is no step '" + key + "'; the steps are: " +
                              "translate, scale, rotate_x, rotate_y, rotate_z.");
     }
     ModelStep step;
     step.kind = static_cast<ModelStepKind>(word - enum_words<ModelStepKind>.begin());
-    const std::string what = "'" + std::string(key.str()) + "'";
+    const std::string what = "'" + key + "'";
     switch (step.kind) {
     case ModelStepKind::translate:
         step.amount = input.vector(node, -largest_coordinate, largest_coordinate, what);
