@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "tests/ui/driver.h"
+#include "tests/ui/shown_number.h"
 #include "ui/actions/actions.h"
 #include "ui/ui.h"
 
@@ -27,13 +27,10 @@ TEST_CASE("No menu has more than seven entries without a line between them") {
 }
 
 TEST_CASE("The groups of the View menu are set apart, and all of it is in sight") {
-    struct Window {
-        ImVec2 window;
-        float text;
-    };
-    for (const Window& window : {Window{{1600, 1000}, 1.0f}, Window{{1024, 640}, 1.5f}}) {
-        INFO(window.window.x << " x " << window.window.y << ", text " << window.text);
-        Driver driver("lab-room.toml", window.window, window.text);
+    for (const SmallWindow& window :
+         {SmallWindow{{1600, 1000}, 1.0f}, SmallWindow{{1024, 640}, 1.5f}}) {
+        INFO(window.size.x << " x " << window.size.y << ", text " << window.text_scale);
+        Driver driver("lab-room.toml", window.size, window.text_scale);
         if (driver.hand.is_visible("menu")) driver.hand.click("menu");
         driver.hand.click("menu.View");
         driver.hand.frames(frames_to_rest);

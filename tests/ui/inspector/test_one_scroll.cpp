@@ -70,18 +70,14 @@ TEST_CASE("Nothing in the inspector that scrolls lies in something that scrolls"
 }
 
 TEST_CASE("No number of a vertex or a fragment makes page and card scroll each by itself") {
-    struct Look {
-        ImVec2 window;
-        float text;
-    };
-    for (const Look& look : test::some_of(std::vector<Look>{{{1280, 720}, 1.0f},
-                                                            {{1366, 768}, 1.0f},
-                                                            {{1600, 1000}, 1.5f},
-                                                            {{1600, 800}, 1.0f},
-                                                            {{1600, 660}, 1.0f}},
-                                          2)) {
-        INFO(look.window.x << " x " << look.window.y << ", text " << look.text);
-        Driver driver("lab-room.toml", look.window, look.text);
+    for (const SmallWindow& window : test::some_of(std::vector<SmallWindow>{{{1280, 720}, 1.0f},
+                                                                            {{1366, 768}, 1.0f},
+                                                                            {{1600, 1000}, 1.5f},
+                                                                            {{1600, 800}, 1.0f},
+                                                                            {{1600, 660}, 1.0f}},
+                                                   2)) {
+        INFO(window.size.x << " x " << window.size.y << ", text " << window.text_scale);
+        Driver driver("lab-room.toml", window.size, window.text_scale);
         driver.hand.click("stage.pixel_light");
         driver.ui.session.selection.pixel = {398, 121};
         driver.ui.session.selection.triangle = 7;

@@ -9,8 +9,8 @@
 #include <imgui_internal.h>
 
 #include "support/effort.h"
-#include "tests/ui/driver.h"
 #include "tests/ui/screen_text.h"
+#include "tests/ui/shown_number.h"
 #include "ui/actions/compare.h"
 #include "ui/ui.h"
 
@@ -76,22 +76,17 @@ int look_at_edges(Driver& driver) {
     return looked;
 }
 
-struct Look {
-    ImVec2 window;
-    float text;
-};
-
 } // namespace
 
 TEST_CASE("What scrolls in the inspector begins and ends with whole lines") {
-    for (const Look& look : test::some_of(std::vector<Look>{{{1600, 1000}, 1.0f},
-                                                            {{1280, 720}, 1.0f},
-                                                            {{1024, 640}, 1.5f},
-                                                            {{1366, 768}, 1.0f},
-                                                            {{800, 600}, 1.0f}},
-                                          3)) {
-        INFO(look.window.x << " x " << look.window.y << ", text " << look.text);
-        Driver driver("lab-room.toml", look.window, look.text);
+    for (const SmallWindow& window : test::some_of(std::vector<SmallWindow>{{{1600, 1000}, 1.0f},
+                                                                            {{1280, 720}, 1.0f},
+                                                                            {{1024, 640}, 1.5f},
+                                                                            {{1366, 768}, 1.0f},
+                                                                            {{800, 600}, 1.0f}},
+                                                   3)) {
+        INFO(window.size.x << " x " << window.size.y << ", text " << window.text_scale);
+        Driver driver("lab-room.toml", window.size, window.text_scale);
         driver.ui.session.selection.pixel = {250, 400};
         driver.ui.session.selection.triangle = 7;
         int looked = 0;
