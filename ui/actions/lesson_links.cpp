@@ -133,6 +133,13 @@ bool is_used(const Ui& ui, const std::string& widget) {
     return is_moved || is_down(key::enter) || is_down(key::keypad_enter) || is_down(key::space);
 }
 
+PointedPlace place_of_pointed(const Ui& ui) {
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    const LessonView& lesson = ui.lesson;
+    return {lesson.pointed_at, lesson.strip.card, lesson.strip.height,
+            window.x,          window.y,          ui.options.text_scale};
+}
+
 /// Outlines what the step points at, where it points at something; in sight, unless it was scrolled
 /// away.
 void point_as_step_does(Ui& ui) {
@@ -142,9 +149,7 @@ void point_as_step_does(Ui& ui) {
     lesson.frames_unseen = 0;
     if (lesson.of_step.empty()) return;
     lesson.pointed_at = way_to(ui, lesson.of_step);
-    const ImVec2 window = ImGui::GetIO().DisplaySize;
-    const PointedPlace place{lesson.pointed_at, lesson.strip.card, lesson.strip.height,
-                             window.x,          window.y,          ui.options.text_scale};
+    const PointedPlace place = place_of_pointed(ui);
     lesson.is_held = lesson.of_step_in != place;
     lesson.of_step_in = place;
 }
@@ -254,6 +259,8 @@ void release_pointed(Ui& ui) {
     lesson.is_hovered = lesson.is_new = false;
     if (lesson.pointed_at.empty()) return;
     const bool is_of_step = lesson.meant == lesson.of_step;
+    // It is in sight as long as it is held.
+    if (is_of_step && lesson.is_held) lesson.of_step_in = place_of_pointed(ui);
     const bool is_scrolled = is_of_step && ImGui::GetIO().MouseWheel != 0.0f;
     frame_pointed(ui);
     // The key that led here may still be held: only another one that goes down ends it, unless it
