@@ -15,7 +15,7 @@ namespace rasterwalk {
 
 namespace {
 
-constexpr std::array<const char*, 4> coordinate_names{"x", "y", "z", "w"};
+constexpr std::array<const char*, 4> clip_coordinate_names{"x", "y", "z", "w"};
 
 /// The parts of an id: "d.2.0" has three.
 std::vector<std::string_view> parts_of(std::string_view id) {
@@ -36,9 +36,10 @@ int index_of(std::string_view part, std::size_t end) {
 
 /// 0..3 for x y z w; -1 for anything else.
 int coordinate_of(std::string_view part) {
-    const auto found = std::find(coordinate_names.begin(), coordinate_names.end(), part);
-    return found == coordinate_names.end() ? -1
-                                           : static_cast<int>(found - coordinate_names.begin());
+    const auto found = std::find(clip_coordinate_names.begin(), clip_coordinate_names.end(), part);
+    return found == clip_coordinate_names.end()
+               ? -1
+               : static_cast<int>(found - clip_coordinate_names.begin());
 }
 
 float coordinate(const ClipVertex& vertex, int i) {
@@ -110,7 +111,7 @@ struct Maker {
 
 std::optional<Formula> Maker::corner(int vertex, int i) const {
     const ClipVertex& v = history.corners[static_cast<std::size_t>(vertex)];
-    const std::string name = coordinate_names[static_cast<std::size_t>(i)];
+    const std::string name = clip_coordinate_names[static_cast<std::size_t>(i)];
     const std::string camera = i == 3 ? "rotated.z" : "rotated." + name;
     const Source source = from_vertex(history.triangle, vertex, camera);
     Formula formula{
@@ -137,11 +138,16 @@ std::optional<Formula> Maker::corner(int vertex, int i) const {
 }
 
 /// A coefficient of a plane under a name, and where it comes from.
-FormulaInput coefficient(const Frame& frame, ClipPlane plane, float size) {
-    if (plane == ClipPlane::near) return {"near", {size}, from_setting("near")};
-    if (plane == ClipPlane::far) return {"far", {size}, from_setting("far")};
+FormulaInput coefficient(const Settings& settings, ClipPlane plane, float size) {
+    const bool is_near = plane == ClipPlane::near, is_far = plane == ClipPlane::far;
+    if (is_near && size == settings.near) return {"near", {size}, from_setting("near")};
+    if (is_far && size == settings.far) return {"far", {size}, from_setting("far")};
+    if (is_near || is_far)
+        return {"k", {size}, from_words("the plane, as the projection has its depth")};
     const bool is_across = plane == ClipPlane::left || plane == ClipPlane::right;
-    if (frame.settings.clip == Clip::guard_band)
+    const int side = is_across ? settings.viewport.width : settings.viewport.height;
+    const auto half = static_cast<float>(side / 2);
+    if (size != half && size != static_cast<float>(side) - half)
         return {"g", {size}, from_words("the guard band: pixels from the picture's middle")};
     return {is_across ? "W/2" : "H/2", {size}, from_setting("viewport.size")};
 }
@@ -159,12 +165,12 @@ Formula Maker::distance(const CutCorner& corner, ClipPlane plane, std::string id
     for (const bool is_added : {true, false}) {
         for (int i = 0; i < 4; ++i) {
             if (c[i] == 0.0f || (c[i] > 0.0f) != is_added) continue;
-            const std::string name = coordinate_names[static_cast<std::size_t>(i)];
+            const std::string name = clip_coordinate_names[static_cast<std::size_t>(i)];
             std::string term = name;
             formula.inputs.push_back(input(name, corner, i));
             const float size = std::abs(c[i]);
             if (size != 1.0f) {
-                const FormulaInput factor = coefficient(frame, plane, size);
+                const FormulaInput factor = coefficient(frame.settings, plane, size);
                 term = factor.symbol + " · " + name;
                 formula.inputs.push_back(factor);
             }
@@ -246,7 +252,7 @@ std::optional<Formula> Maker::made(std::string_view number,
     if (parts.size() == 1) {
         const int i = coordinate_of(parts[0]);
         if (i < 0) return std::nullopt;
-        const std::string name = coordinate_names[static_cast<std::size_t>(i)];
+        const std::string name = clip_coordinate_names[static_cast<std::size_t>(i)];
         return checked({corner_formula_id(from->corner, i),
                         name,
                         help,
@@ -337,7 +343,7 @@ Formula Maker::area_of(int triangle) const {
         places[k] = corner.vertex;
         for (const int i : {0, 1, 3}) {
             formula.inputs.push_back(input(
-                coordinate_names[static_cast<std::size_t>(i)] + std::to_string(k), corner, i));
+                clip_coordinate_names[static_cast<std::size_t>(i)] + std::to_string(k), corner, i));
         }
     }
     formula.result.value = screen_area_sign(places, rules());
@@ -374,7 +380,7 @@ std::string plane_name(ClipPlane plane) {
 }
 
 std::string corner_formula_id(const CutCorner& corner, int coordinate) {
-    const char* const name = coordinate_names[static_cast<std::size_t>(coordinate)];
+    const char* const name = clip_coordinate_names[static_cast<std::size_t>(coordinate)];
     return corner.is_new() ? fmt::format("new.{}.{}", corner.new_index, name)
                            : fmt::format("corner.{}.{}", corner.vertex_index, name);
 }
@@ -431,15 +437,18 @@ std::vector<CullAnswer> cull_answers(const Frame& frame, const ClipHistory& hist
                     screen_area_sign(polygon, rules), "cull.area"};
     area.is_open = !std::all_of(polygon.begin(), polygon.end(),
                                 [](const ClipVertex& v) { return v.position_clip.w > 0.0f; });
-    CullAnswer normals{
-        Cull::vertex_normals, is_back(cull_by_vertex_normals(polygon, rules)), 0.0f, {}};
-    std::size_t least = 0;
     const auto away = [&](std::size_t i) { return away_from_camera(polygon[i], rules); };
-    for (std::size_t i = 1; i < polygon.size(); ++i)
+    std::size_t least = 0, most = 0;
+    for (std::size_t i = 1; i < polygon.size(); ++i) {
         least = away(i) < away(least) ? i : least;
-    normals.measure = away(least);
-    normals.formula = "cull.normal." + std::to_string(least);
-    return {normal, area, normals};
+        most = away(i) > away(most) ? i : most;
+    }
+    const std::string least_formula = "cull.normal." + std::to_string(least);
+    const CullAnswer normals{Cull::vertex_normals, is_back(cull_by_vertex_normals(polygon, rules)),
+                             away(least), least_formula};
+    CullAnswer fragments{Cull::fragment_normal, away(least) > 0.0f, away(least), least_formula};
+    fragments.is_in_parts = !fragments.is_back && away(most) > 0.0f;
+    return {normal, area, normals, fragments};
 }
 
 } // namespace rasterwalk

@@ -38,11 +38,13 @@ struct CullAnswer {
     /// What it looks at: of the first corner, of the polygon, or of the corner that points least
     /// away.
     float measure = 0.0f;
-    std::string formula;  ///< id of the measure's
-    bool is_open = false; ///< it does not look: a corner lies behind the camera
+    std::string formula;      ///< id of the measure's
+    bool is_open = false;     ///< it does not look: a corner lies behind the camera
+    bool is_in_parts = false; ///< it takes some corners for a back, and others not
 };
 
-/// Each way's, for what clipping has left; none where nothing is left.
+/// That of each way that is no mistake, for what clipping has left; none where nothing is left. Of
+/// fragments, which have their own normals, it tells what the corners say.
 std::vector<CullAnswer> cull_answers(const Frame& frame, const ClipHistory& history);
 
 /// "near plane".

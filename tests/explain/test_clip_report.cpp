@@ -124,6 +124,7 @@ TEST_CASE("The ways of culling answer what they would do") {
         for (int t = 0; t < frame.triangle_count(); ++t) {
             const std::vector<CullAnswer> answers = cull_answers(frame, clip_history(frame, t));
             for (const CullAnswer& answer : answers) {
+                if (answer.way == Cull::fragment_normal) continue; // it leaves out no triangle
                 Settings settings = frame.settings;
                 settings.cull = answer.way;
                 const Frame culled = prepare_frame(room, settings);

@@ -16,6 +16,7 @@
 #include "ui/widgets/formula_view.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -42,7 +43,11 @@ std::string verdict_of(const ClipHistory& history, const Settings& settings) {
                list_of_planes(history.outer_codes.common()) + ".";
     }
     if (!history.cuts) {
-        if (settings.clip == Clip::none)
+        if (history.clipped.is_cut)
+            return "It is changed by a function that tells of no plane: what is left stands below.";
+        if (history.clipped.rejection != Rejection::none)
+            return "Nothing is cut: the triangle is left out whole.";
+        if (settings.clip != Clip::leave_out)
             return "Nothing is cut: what reaches out of the view is divided as it is.";
         return "Nothing is cut, as in the lab: a triangle with a vertex behind the camera is left "
                "out whole, and what lies beside the picture is left out pixel by pixel.";
@@ -111,6 +116,7 @@ void draw_offer(Ui& ui) {
 void draw_clip_verdict(const ClipPage& page) {
     Ui& ui = page.ui;
     wrapped_text(verdict_of(page.history, page.frame.settings));
+    keep_text_whole(ui);
     name_widget(ui, "clip.verdict",
                 "What becomes of the triangle between the vertex shader and the division by w.");
     if (!page.history.cuts && page.history.rejected == Rejection::none) draw_offer(ui);
@@ -118,6 +124,7 @@ void draw_clip_verdict(const ClipPage& page) {
     if (behind < 0) return;
     ImGui::PushStyleColor(ImGuiCol_Text, colour_of(Meaning::fail, ui.options.theme));
     wrapped_text(behind_text(page.history, page.frame, behind));
+    keep_text_whole(ui);
     ImGui::PopStyleColor();
     name_widget(ui, "clip.behind",
                 "Behind the camera w is negative. The division by w makes a place in front of it "
@@ -163,6 +170,7 @@ void draw_clip_card(const ClipPage& page) {
     begin_card(ui);
     text_in(page.palette().dim, formula->help);
     name_widget(ui, "clip.formula", formula->help);
+    keep_text_whole(ui);
     ImGui::PushFont(ui.inspector.is_low ? ui.fonts.small : ui.fonts.text);
     const std::optional<Source> clicked = draw_formula(ui, *formula, "clip.formula");
     ImGui::PopFont();
@@ -207,7 +215,7 @@ class ClipParts {
         card_after("new.");
     }
     void card_after(const std::string& prefix) {
-        if (!page_.ui.inspector.is_low || is_drawn_ || !page_.number.starts_with(prefix)) return;
+        if (page_.ui.inspector.has_card || is_drawn_ || !page_.number.starts_with(prefix)) return;
         is_drawn_ = true;
         draw_clip_card(page_);
         // The click has been in the frame before: there the formula stood elsewhere.
@@ -254,7 +262,9 @@ void draw_clip_panel(Ui& ui) {
     draw_triangle_title(ui);
     ClipParts parts(page);
     if (!ui.inspector.has_card) {
+        begin_whole_lines(ui);
         parts.draw();
+        end_whole_lines(ui);
     } else {
         draw_with_card(
             ui, "clip", [&] { parts.draw(); }, [&] { draw_clip_card(page); });

@@ -17,11 +17,23 @@
 #include "ui/widgets/formula_view.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
 
 namespace {
+
+void put_text(const ClipPage& page, const ImVec4& colour, std::string_view text) {
+    text_in(colour, text);
+    keep_item_whole(page.ui);
+}
+
+/// In a cell of a table, at its right edge.
+void put_right(const ClipPage& page, std::string_view text, const ImVec4& colour) {
+    right_aligned(text, colour);
+    keep_item_whole(page.ui);
+}
 
 constexpr std::array<const char*, 4> clip_coordinates{"x", "y", "z", "w"};
 constexpr std::array<const char*, 4> clip_coordinate_help{
@@ -51,7 +63,7 @@ void draw_asked(const ClipPage& page, const std::string& name, const std::string
 void draw_clip_title(const ClipPage& page, const std::string& title, const std::string& beside) {
     ImGui::Dummy({0.0f, 4.0f * page.ui.options.text_scale});
     ImGui::PushFont(page.ui.fonts.bold);
-    ImGui::TextUnformatted(title.c_str());
+    put_text(page, page.palette().text, title);
     ImGui::PopFont();
     if (beside.empty()) return;
     ImGui::PushFont(page.ui.fonts.small);
@@ -64,7 +76,7 @@ void draw_clip_title(const ClipPage& page, const std::string& title, const std::
             {right - width,
              ImGui::GetItemRectMax().y - ImGui::GetTextLineHeight() - page.ui.options.text_scale});
     }
-    text_in(page.palette().dim, beside);
+    put_text(page, page.palette().dim, beside);
     ImGui::PopFont();
 }
 
@@ -73,7 +85,7 @@ void draw_column_title(const ClipPage& page, const std::string& name, const std:
                        const std::string& help) {
     ImGui::TableNextColumn();
     ImGui::PushFont(page.ui.fonts.small);
-    right_aligned(title, page.palette().dim);
+    put_right(page, title, page.palette().dim);
     ImGui::PopFont();
     name_widget(page.ui, name, help);
 }
@@ -119,7 +131,8 @@ std::string corner_help(const CutCorner& corner) {
 void draw_corner_name(const ClipPage& page, const CutCorner& corner, bool is_dim) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    text_in(is_dim ? page.palette().dim : corner_colour(page, corner), fitting_corner_name(corner));
+    put_text(page, is_dim ? page.palette().dim : corner_colour(page, corner),
+             fitting_corner_name(corner));
 }
 
 /// As ids and names of widgets have it.
@@ -129,15 +142,15 @@ std::string number_of(ClipPlane plane) {
 
 /// A bit of an outcode: 1 is beyond the plane.
 void draw_bit(const ClipPage& page, const std::string& text, bool is_set) {
-    right_aligned(text,
-                  is_set ? colour_of(Meaning::fail, page.ui.options.theme) : page.palette().dim);
+    put_right(page, text,
+              is_set ? colour_of(Meaning::fail, page.ui.options.theme) : page.palette().dim);
 }
 
 void draw_code_row(const ClipPage& page, const std::string& title, Outcode code,
                    const std::string& help) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(title.c_str());
+    put_text(page, page.palette().text, title);
     name_widget(page.ui, "clip.code." + title, help);
     ImGui::PushFont(page.ui.fonts.mono);
     for (std::size_t p = 0; p < page.history.codes.plane_count; ++p) {
@@ -218,8 +231,8 @@ void draw_step(const ClipPage& page, const ClipStep& step, const std::vector<Cut
         ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, packed(page.palette().row_lit));
     ImGui::TableNextColumn();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    text_in(is_coming ? dim : cut_edge_colour(page, from),
-            short_corner_name(from) + "→" + short_corner_name(to));
+    put_text(page, is_coming ? dim : cut_edge_colour(page, from),
+             short_corner_name(from) + "→" + short_corner_name(to));
     const std::string edge =
         from.edge >= 0 ? "On " + edge_name(from.edge) + " of the triangle"
                        : "Along the " + plane_name(from.edge_plane) + ", which has cut before";
@@ -244,14 +257,14 @@ void draw_step(const ClipPage& page, const ClipStep& step, const std::vector<Cut
                    is_coming ? dim : page.palette().text,
                    "Where the plane cuts: 0 is the corner inside, 1 the one outside.");
     } else {
-        right_aligned("–", dim);
+        put_right(page, "–", dim);
     }
     ImGui::TableNextColumn();
-    right_aligned(passed_text(page, step, from),
-                  is_coming         ? dim
-                  : step.is_cut     ? colour_of(plane_meaning, page.ui.options.theme)
-                  : step.keeps_from ? page.palette().text
-                                    : dim);
+    put_right(page, passed_text(page, step, from),
+              is_coming         ? dim
+              : step.is_cut     ? colour_of(plane_meaning, page.ui.options.theme)
+              : step.keeps_from ? page.palette().text
+                                : dim);
     name_widget(page.ui, "clip.gives." + place,
                 "What the step passes on to the polygon after this plane: the corner at its "
                 "beginning if that lies inside, and the new corner if the edge is cut.");
@@ -283,7 +296,7 @@ void draw_made(const ClipPage& page, const CutCorner& corner) {
         const VaryingInfo& info = varying_list[static_cast<std::size_t>(v)];
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
-        text_in(page.palette().dim, varying_title(info));
+        put_text(page, page.palette().dim, varying_title(info));
         name_widget(page.ui, "clip.new." + number + "." + std::string(info.name),
                     "The " + std::string(info.word) + ", cut with the same t.");
         ImGui::PushFont(page.ui.fonts.mono);
@@ -328,7 +341,8 @@ std::string become_text(const PlaneHistory& work) {
 }
 
 const char* answer_text(const CullAnswer& answer) {
-    return answer.is_open ? "no answer" : answer.is_back ? "back" : "front";
+    if (answer.is_open) return "no answer";
+    return answer.is_in_parts ? "in parts" : answer.is_back ? "back" : "front";
 }
 
 std::string_view answer_help(Cull way) {
@@ -343,9 +357,15 @@ std::string_view answer_help(Cull way) {
     case Cull::vertex_normals:
         return "n · (p − C) of the corner whose normal points least away: a back only if all of "
                "them do. A smooth body keeps the faces of its outline.";
-    default:
-        return "";
+    case Cull::fragment_normal:
+        return "n · (p − C) at every fragment, with the normal that was interpolated to it: a back "
+               "only as far as it is greater than 0. The number is that of the corner whose normal "
+               "points least away.";
+    case Cull::none:
+    case Cull::view_axis:
+        break;
     }
+    return "";
 }
 
 void draw_answer(const ClipPage& page, const CullAnswer& answer, bool is_in_force) {
@@ -353,8 +373,8 @@ void draw_answer(const ClipPage& page, const CullAnswer& answer, bool is_in_forc
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     const std::string word(word_of(answer.way));
-    text_in(is_in_force ? page.palette().text : page.palette().dim,
-            (is_in_force ? "● " : "○ ") + said_word(setting, word));
+    put_text(page, is_in_force ? page.palette().text : page.palette().dim,
+             (is_in_force ? "● " : "○ ") + said_word(setting, word));
     name_widget(page.ui, "clip.cull.way." + word, answer_help(answer.way));
     ImGui::PushFont(page.ui.fonts.mono);
     ImGui::TableNextColumn();
@@ -365,8 +385,8 @@ void draw_answer(const ClipPage& page, const CullAnswer& answer, bool is_in_forc
                std::string(answer_help(answer.way)));
     ImGui::TableNextColumn();
     const Meaning meaning = answer.is_back ? Meaning::fail : Meaning::pass;
-    right_aligned(answer_text(answer),
-                  answer.is_open ? page.palette().dim : colour_of(meaning, page.ui.options.theme));
+    put_right(page, answer_text(answer),
+              answer.is_open ? page.palette().dim : colour_of(meaning, page.ui.options.theme));
     ImGui::PopFont();
 }
 
@@ -504,7 +524,7 @@ void draw_clip_plane(const ClipPage& page, ClipPlane plane) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         ImGui::PushFont(page.ui.fonts.small);
-        text_in(page.palette().dim, "edge");
+        put_text(page, page.palette().dim, "edge");
         ImGui::PopFont();
         draw_column_title(page, "clip.header.from", "from, d",
                           "How far inside of the plane the edge begins.");
@@ -582,9 +602,11 @@ void draw_clip_rest(const ClipPage& page) {
     wrapped_text(
         fmt::format("{} make {}:", counted(static_cast<int>(corners.size()), "corner", "corners"),
                     counted(static_cast<int>(page.history.fan.size()), "triangle", "triangles")));
+    keep_text_whole(page.ui);
     ImGui::PushFont(page.ui.fonts.mono);
     ImGui::PushStyleColor(ImGuiCol_Text, page.palette().dim);
     wrapped_text(fan);
+    keep_text_whole(page.ui);
     ImGui::PopStyleColor();
     ImGui::PopFont();
     name_widget(page.ui, "clip.fan",
@@ -594,7 +616,7 @@ void draw_clip_rest(const ClipPage& page) {
 void draw_clip_culling(const ClipPage& page) {
     const std::vector<CullAnswer> answers = cull_answers(page.frame, page.history);
     if (answers.empty()) return;
-    draw_clip_title(page, "Front or back?", "three ways to ask");
+    draw_clip_title(page, "Front or back?", "each way to ask");
     if (begin_clip_table(page, "culling", {1.6f, 1.2f, 1.0f})) {
         for (const CullAnswer& answer : answers)
             draw_answer(page, answer, answer.way == page.frame.settings.cull);
@@ -602,6 +624,7 @@ void draw_clip_culling(const ClipPage& page) {
     }
     ImGui::PushStyleColor(ImGuiCol_Text, page.palette().dim);
     wrapped_text(culling_text(page, answers));
+    keep_text_whole(page.ui);
     ImGui::PopStyleColor();
     name_widget(page.ui, "clip.culling",
                 "Of a closed body one sees only the sides that face the camera; the others need "
@@ -620,11 +643,11 @@ void draw_clip_counts(const ClipPage& page) {
                           const std::string& help) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
-        ImGui::TextUnformatted(title.c_str());
+        put_text(page, page.palette().text, title);
         name_widget(page.ui, "clip.count." + name, help);
         ImGui::PushFont(page.ui.fonts.mono);
         ImGui::TableNextColumn();
-        right_aligned(whole_text(count), page.palette().text);
+        put_right(page, whole_text(count), page.palette().text);
         ImGui::PopFont();
         note_text(page.ui, "clip.count." + name, whole_text(count));
     };

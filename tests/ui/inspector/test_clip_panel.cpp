@@ -35,7 +35,7 @@ struct Corridor {
 std::string inspector_words() {
     std::string words;
     for (const ScreenText& text : screen_text(8.0f)) {
-        if (text.window.starts_with("inspector")) words += text.words + "\n";
+        if (text.window.starts_with("inspector")) words += text.words + " ";
     }
     return words;
 }
