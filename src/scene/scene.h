@@ -18,7 +18,7 @@ struct Part {
     std::string name;
     int first_triangle = 0;
     int triangle_count = 0;
-    Model model; ///< how the scene file made it; without steps it was given in the world
+    Model model{}; ///< how the scene file made it; without steps it was given in the world
 
     friend bool operator==(const Part&, const Part&) = default;
 };
