@@ -128,7 +128,7 @@ void check_step(Driver& driver, const std::string& lesson, int step) {
 }
 
 /// Does the strip's text say this on one line, where it can be seen?
-bool says(std::string_view words) {
+bool strip_says(std::string_view words) {
     const ImGuiWindow* const window = window_with("lesson.strip.text");
     REQUIRE(window != nullptr);
     const std::vector<ScreenText> texts = screen_text();
@@ -180,13 +180,13 @@ TEST_CASE("A table that has no room in the strip begins a card of its own, its h
     for (int i = 0; i < 12 && driver.ui.session.step == 2; ++i) {
         const std::size_t before = read.size();
         for (const char* part : parts) {
-            if (says(part)) read.emplace_back(part);
+            if (strip_says(part)) read.emplace_back(part);
         }
         if (read.size() > before) {
             ++tables;
-            CHECK(says("part"));
-            CHECK(says("1/z"));
-            CHECK_FALSE(says("Five fragments"));
+            CHECK(strip_says("part"));
+            CHECK(strip_says("1/z"));
+            CHECK_FALSE(strip_says("Five fragments"));
             CHECK(read.size() - before > 1); // no row stands alone
             CHECK_FALSE(driver.ui.lesson.has_more_below);
         }
