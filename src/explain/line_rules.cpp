@@ -32,15 +32,13 @@ std::string line_summary(LineAlgorithm line, BresenhamRule rule) {
     case LineAlgorithm::interpolate:
         break;
     case LineAlgorithm::bresenham:
-        if (rule == BresenhamRule::first_octant)
-            return "Bresenham for lines to the right and gently down, used for all";
-        if (rule == BresenhamRule::wrong_term)
-            return "Bresenham with a wrong term behind the diagonal step";
-        return "Bresenham: the sign of a whole number d chooses each step";
+        if (rule == BresenhamRule::first_octant) return "Bresenham's first octant, for all lines";
+        if (rule == BresenhamRule::wrong_term) return "Bresenham with a wrong diagonal step";
+        return "Bresenham: the sign of d chooses each step";
     case LineAlgorithm::midpoint:
-        return "midpoint: d says on which side of the next middle the line passes";
+        return "midpoint: d is f at the next middle";
     case LineAlgorithm::dda:
-        return "DDA: one float addition a step, then the nearest pixel";
+        return "DDA: one float addition a step, then rounded";
     }
     return {};
 }

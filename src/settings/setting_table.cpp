@@ -89,6 +89,10 @@ std::vector<Setting> make_table() {
          "How a projected vertex becomes a pixel: made whole as it is counted from the middle of "
          "the picture; or, truncate_sum, moved to the middle first, int(f x/z + W/2).",
          "Drawing points", "", choice<&Settings::vertex_rounding>(), "rounding"},
+        {"line_rounding", "Rounding of samples", "Rows and edges",
+         "How a sample of an edge becomes a pixel. Only where the line algorithm is interpolate: "
+         "the others take the nearest pixel.",
+         "Drawing edges", "", choice<&Settings::line_rounding>(), "rounding"},
         {"line", "Line algorithm", "Rows and edges",
          "How the samples of an edge are found: by Interpolate, by Bresenham's whole numbers, by "
          "the midpoint, or by a float that is rounded to the nearest (DDA). Values along rows are "
@@ -98,10 +102,6 @@ std::vector<Setting> make_table() {
          "How Bresenham's line is written: right, only for the first of eight octants, or with a "
          "wrong term behind a diagonal step. Only where the line algorithm is bresenham.",
          "Drawing edges", "", choice<&Settings::bresenham_rule>()},
-        {"line_rounding", "Rounding of samples", "Rows and edges",
-         "How a sample of an edge becomes a pixel. Only where the line algorithm is interpolate: "
-         "the others take the nearest pixel.",
-         "Drawing edges", "", choice<&Settings::line_rounding>(), "rounding"},
         {"line_walk", "Walking a line", "Rows and edges",
          "How the samples of a line are found: by adding up steps, by multiplying, without error, "
          "or with a step that was divided as int by int. Edges do so only where the line algorithm "

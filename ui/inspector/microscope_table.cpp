@@ -87,7 +87,7 @@ void draw_decision(const LineDecision& decision, const SampleColumns& columns, c
         right_aligned(with_minus_signs(decision_number(decision.before)), ink);
     }
     ImGui::TableNextColumn();
-    right_aligned(decision.step == PixelStep::none ? "-" : std::string(word_of(decision.step)),
+    right_aligned(decision.step == PixelStep::none ? "–" : std::string(word_of(decision.step)),
                   ink);
 }
 
@@ -124,7 +124,10 @@ void draw_sample(Ui& ui, const SampleColumns& columns, int index, int current, i
     }
     if (has(columns, drift_column)) {
         ImGui::TableNextColumn();
-        right_aligned(drift_text(c.drift), c.drift == 0.0 ? p.dim : ink);
+        // Half a pixel is a usual number here, a millionth there.
+        right_aligned(edge.has_decision_variable() ? with_minus_signs(significant(c.drift, 3))
+                                                   : drift_text(c.drift),
+                      c.drift == 0.0 ? p.dim : ink);
     }
     ImGui::TableNextColumn();
     draw_pixel_cell(ui, c.pixel, c.differs_from_exact(), ink);
