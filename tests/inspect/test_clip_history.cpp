@@ -106,8 +106,8 @@ void check_steps(const ClipHistory& history) {
             REQUIRE(step.from == static_cast<int>(i));
             REQUIRE(step.to == static_cast<int>((i + 1) % plane.before.size()));
             REQUIRE(step.first_kept == static_cast<int>(passed_on.size()));
-            REQUIRE(step.is_from_inside == step.d_from >= 0.0f);
-            REQUIRE(step.is_to_inside == step.d_to >= 0.0f);
+            REQUIRE(step.is_from_inside == (step.d_from >= 0.0f));
+            REQUIRE(step.is_to_inside == (step.d_to >= 0.0f));
             REQUIRE(step.is_cut == (step.is_from_inside != step.is_to_inside));
             if (step.keeps_from)
                 passed_on.push_back(plane.before[static_cast<std::size_t>(step.from)]);
