@@ -45,8 +45,16 @@ bool is_in_name(char c) {
     return is_small_letter(c) || is_digit(c) || (c >= 'A' && c <= 'Z') || c == '_' || c == '.';
 }
 
+/// Is it a slash and the letter of a phase that is a single piece, as "/k"?
+bool is_unnumbered_phase(std::string_view text) {
+    if (text.size() != 2 || text[0] != '/') return false;
+    return std::any_of(phase_list.begin(), phase_list.end(), [&](const PhaseInfo& info) {
+        return !info.is_numbered && info.letter == text[1];
+    });
+}
+
 /// How long the moment is that begins at the front of the text: `end`, or over its slashes
-/// `t12/r37/c5`; 0 if none does.
+/// `t12/r37/c5`, `t12/k`; 0 if none does.
 std::size_t moment_length(std::string_view text) {
     constexpr std::string_view end = "end";
     const auto ends_at = [&](std::size_t place) {
@@ -64,6 +72,7 @@ std::size_t moment_length(std::string_view text) {
     std::size_t length = piece_end(0);
     while (length < text.size() && text[length] == '/' && is_piece(length + 1))
         length = piece_end(length + 1);
+    if (is_unnumbered_phase(text.substr(length, 2)) && ends_at(length + 2)) length += 2;
     return ends_at(length) ? length : 0;
 }
 

@@ -89,26 +89,35 @@ bool same_corner(const ClipVertex& a, const ClipVertex& b) {
     return same_bits(a.varyings, b.varyings);
 }
 
+/// As REQUIRE, which takes longer than the clipping of a triangle.
+void require(bool holds, const char* what) {
+    if (!holds) FAIL("wrong: " << what);
+}
+
 /// The steps of each plane pass on what comes out of it, and the planes follow each other.
 void check_steps(const ClipHistory& history) {
     std::vector<ClipVertex> polygon(history.corners.begin(), history.corners.end());
     int last_plane = -1;
     for (const PlaneHistory& plane : history.planes) {
-        REQUIRE(static_cast<int>(plane.plane) > last_plane);
+        require(static_cast<int>(plane.plane) > last_plane, "planes in order");
         last_plane = static_cast<int>(plane.plane);
-        REQUIRE(plane.before.size() == polygon.size());
-        REQUIRE(std::equal(polygon.begin(), polygon.end(), plane.before.begin(), same_corner));
-        REQUIRE(plane.steps.size() == plane.before.size());
+        require(plane.before.size() == polygon.size(), "corners before a plane");
+        require(std::equal(polygon.begin(), polygon.end(), plane.before.begin(), same_corner),
+                "what one plane leaves comes to the next");
+        require(plane.steps.size() == plane.before.size(), "a step for each edge");
         std::vector<ClipVertex> passed_on;
         for (std::size_t i = 0; i < plane.steps.size(); ++i) {
             const ClipStep& step = plane.steps[i];
-            REQUIRE(step.plane == plane.plane);
-            REQUIRE(step.from == static_cast<int>(i));
-            REQUIRE(step.to == static_cast<int>((i + 1) % plane.before.size()));
-            REQUIRE(step.first_kept == static_cast<int>(passed_on.size()));
-            REQUIRE(step.is_from_inside == (step.d_from >= 0.0f));
-            REQUIRE(step.is_to_inside == (step.d_to >= 0.0f));
-            REQUIRE(step.is_cut == (step.is_from_inside != step.is_to_inside));
+            require(step.plane == plane.plane, "the plane of a step");
+            require(step.from == static_cast<int>(i), "the first corner of a step");
+            require(step.to == static_cast<int>((i + 1) % plane.before.size()),
+                    "the second corner of a step");
+            require(step.first_kept == static_cast<int>(passed_on.size()),
+                    "what earlier steps passed on");
+            require(step.is_from_inside == (step.d_from >= 0.0f), "inside at the first corner");
+            require(step.is_to_inside == (step.d_to >= 0.0f), "inside at the second corner");
+            require(step.is_cut == (step.is_from_inside != step.is_to_inside),
+                    "an edge that is cut");
             if (step.keeps_from)
                 passed_on.push_back(plane.before[static_cast<std::size_t>(step.from)]);
             if (!step.is_cut) continue;
@@ -116,15 +125,17 @@ void check_steps(const ClipHistory& history) {
             // From the corner inside, whichever way the edge runs.
             const double inside = step.is_from_inside ? step.d_from : step.d_to;
             const double outside = step.is_from_inside ? step.d_to : step.d_from;
-            REQUIRE(step.t == Approx(inside / (inside - outside)).margin(1e-6));
+            require(std::abs(step.t - inside / (inside - outside)) < 1e-6, "t from the inside");
         }
-        REQUIRE(passed_on.size() == plane.after.size());
-        REQUIRE(std::equal(passed_on.begin(), passed_on.end(), plane.after.begin(), same_corner));
+        require(passed_on.size() == plane.after.size(), "corners after a plane");
+        require(std::equal(passed_on.begin(), passed_on.end(), plane.after.begin(), same_corner),
+                "what the steps pass on");
         polygon = passed_on;
     }
     if (history.polygon.empty()) return;
-    REQUIRE(history.polygon.size() == polygon.size());
-    REQUIRE(std::equal(polygon.begin(), polygon.end(), history.polygon.begin(), same_corner));
+    require(history.polygon.size() == polygon.size(), "corners of the polygon");
+    require(std::equal(polygon.begin(), polygon.end(), history.polygon.begin(), same_corner),
+            "the polygon");
 }
 
 /// The corners of the polygon that lie on the edge that the triangles of a pair share.
@@ -155,18 +166,18 @@ bool check_triangle(const Frame& frame, const ClipHistory& history, const Oracle
     std::array<int, clip_plane_count> steps{};
     for (const PlaneHistory& plane : history.planes)
         steps[static_cast<std::size_t>(plane.plane)] = static_cast<int>(plane.steps.size());
-    CAPTURE(history.triangle);
-    REQUIRE(steps == oracle.steps);
-    REQUIRE((history.clipped.rejection == Rejection::clipped_away) == oracle.is_gone);
-    REQUIRE(history.clipped.is_cut == oracle.is_cut);
+    require(steps == oracle.steps, "steps at each plane");
+    require((history.clipped.rejection == Rejection::clipped_away) == oracle.is_gone,
+            "clipped away");
+    require(history.clipped.is_cut == oracle.is_cut, "cut");
     tally.gone += oracle.is_gone ? 1 : 0;
     if (oracle.is_gone) {
-        REQUIRE(history.polygon.empty());
+        require(history.polygon.empty(), "nothing left");
         return false;
     }
     tally.cut += oracle.is_cut ? 1 : 0;
-    REQUIRE(history.polygon.size() == oracle.corners.size());
-    REQUIRE(history.fan.size() == oracle.corners.size() - 2);
+    require(history.polygon.size() == oracle.corners.size(), "corners that are left");
+    require(history.fan.size() == oracle.corners.size() - 2, "triangles of the fan");
     for (std::size_t i = 0; i < oracle.corners.size(); ++i)
         check_corner(history, history.polygon[i], oracle.corners[i]);
     const std::vector<OraclePlane> planes = oracle_planes(frame.settings, frame.scene->space);
@@ -184,7 +195,7 @@ bool check_triangle(const Frame& frame, const ClipHistory& history, const Oracle
 
 void check_codes(const Frame& frame, const ClipHistory& history) {
     const std::vector<OraclePlane> planes = oracle_planes(frame.settings, frame.scene->space);
-    REQUIRE(history.codes.plane_count == planes.size());
+    require(history.codes.plane_count == planes.size(), "planes in use");
     bool is_any = false, is_common = false;
     for (std::size_t p = 0; p < planes.size(); ++p) {
         int beyond = 0;
@@ -193,16 +204,18 @@ void check_codes(const Frame& frame, const ClipHistory& history) {
             const glm::dvec4 place(history.corners[i].position_clip);
             const double distance = planes[p].at(place);
             if (std::abs(distance) > 1e-6 * planes[p].size(place))
-                REQUIRE(has_bit == (distance < 0.0));
+                require(has_bit == (distance < 0.0), "a bit of an outcode");
             beyond += has_bit ? 1 : 0;
         }
         is_any = is_any || beyond > 0;
         is_common = is_common || beyond == 3;
     }
-    REQUIRE(history.is_trivially_accepted() == !is_any);
-    REQUIRE(history.is_trivially_rejected() == is_common);
-    if (is_common) REQUIRE(history.clipped.rejection == Rejection::clipped_away);
-    if (!is_any) REQUIRE_FALSE(history.clipped.is_cut);
+    require(history.is_trivially_accepted() == !is_any, "trivial accept");
+    require(history.is_trivially_rejected() == is_common, "trivial reject");
+    if (is_common)
+        require(history.clipped.rejection == Rejection::clipped_away,
+                "nothing left of what is rejected");
+    if (!is_any) require(!history.clipped.is_cut, "no cut of what is accepted");
 }
 
 void check_pairs(const Scene& scene, Clip clip, Tally& tally) {
@@ -223,10 +236,10 @@ void check_pairs(const Scene& scene, Clip clip, Tally& tally) {
         if (!are_both_left) continue;
         const std::vector<ClipVertex> one = on_shared_edge(histories[0], oracles[0]);
         std::vector<ClipVertex> other = on_shared_edge(histories[1], oracles[1]);
-        REQUIRE(one.size() == other.size());
+        require(one.size() == other.size(), "cuts of a shared edge");
         for (const ClipVertex& corner : one) {
             const auto same = [&](const ClipVertex& v) { return same_corner(v, corner); };
-            REQUIRE(std::any_of(other.begin(), other.end(), same));
+            require(std::any_of(other.begin(), other.end(), same), "the bits of a shared cut");
             ++tally.shared;
         }
     }

@@ -17,8 +17,9 @@ namespace rasterwalk::test {
 inline Scene cut_scene() {
     Random random(91);
     const auto place = [&random] {
-        return glm::vec3(random.number(-1.5, 1.5), random.number(-1.5, 1.5),
-                         random.number(-0.6, 2.4));
+        // In braces: their order is the same under every compiler.
+        return glm::vec3{random.number(-1.5, 1.5), random.number(-1.5, 1.5),
+                         random.number(-0.6, 2.4)};
     };
     std::vector<std::array<glm::vec3, 3>> triangles;
     for (int i = 0; i < 12; ++i)

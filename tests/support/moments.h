@@ -29,8 +29,10 @@ inline std::vector<Cursor> all_moments(const Frame& frame) {
             for (int s = 0; s < clip.steps[static_cast<std::size_t>(p)]; ++s)
                 moments.push_back({t, Phase::clip, p, s});
         }
-        if (settings.cull != Cull::none && !is_clipped_away)
-            moments.push_back({t, Phase::cull, 0, 0});
+        // By the normals of fragments no triangle is culled.
+        const bool is_asked =
+            settings.cull != Cull::none && word_of(settings.cull) != "fragment_normal";
+        if (is_asked && !is_clipped_away) moments.push_back({t, Phase::cull, 0, 0});
         if (settings.stage == Stage::points || is_clipped_away || is_culled) continue;
         const std::span<const ScreenVertex> vertices = frame.triangle_vertices(t);
         const int corners = static_cast<int>(vertices.size());
