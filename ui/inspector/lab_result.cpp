@@ -197,7 +197,7 @@ void draw_diagnosis(Ui& ui) {
 }
 
 /// What came of the file that was checked last.
-void draw_answer(Ui& ui) {
+void draw_result_answer(Ui& ui) {
     const LabLook& lab = ui.lab;
     if (!lab.result_fault.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, colour_of(Meaning::fail, ui.options.theme));
@@ -221,11 +221,11 @@ void draw_lab_result(Ui& ui) {
         draw_intro(ui);
         draw_file(ui, false);
     } else if (ui.inspector.is_low) {
-        draw_answer(ui);
+        draw_result_answer(ui);
         draw_file(ui, true);
     } else {
         draw_with_card(
-            "result", [&] { draw_answer(ui); }, [&] { draw_file(ui, true); });
+            "result", [&] { draw_result_answer(ui); }, [&] { draw_file(ui, true); });
     }
 }
 
