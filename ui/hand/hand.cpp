@@ -29,7 +29,7 @@ void set_held(Held held) {
 
 /// What a key writes into a field; nothing if it is no letter, digit or sign, or held with others.
 std::string written_by(int key, Held held) {
-    if (held.ctrl || held.alt || key < key::space || key > 'Z') return {};
+    if (held.ctrl || held.alt || key < key::space || key > key::right_bracket) return {};
     const bool is_letter = key >= 'A' && key <= 'Z';
     if (is_letter && !held.shift) return {static_cast<char>(key - 'A' + 'a')};
     return is_letter || !held.shift ? std::string(1, static_cast<char>(key)) : std::string();

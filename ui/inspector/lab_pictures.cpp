@@ -7,6 +7,7 @@
 #include "ui/inspector/lab_parts.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -87,7 +88,11 @@ void draw_captioned(Ui& ui, bool is_own, const PairLayout& layout, const Picture
     list->AddRect(low, high, packed(p.line));
     ImGui::PushFont(ui.fonts.small);
     text_in(p.text, broken_into_lines(caption.title, layout.column));
-    if (!caption.words.empty()) text_in(p.dim, broken_into_lines(caption.words, layout.column));
+    keep_item_whole(ui);
+    if (!caption.words.empty()) {
+        text_in(p.dim, broken_into_lines(caption.words, layout.column));
+        keep_item_whole(ui);
+    }
     ImGui::PopFont();
     ImGui::EndGroup();
 }

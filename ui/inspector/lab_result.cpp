@@ -14,6 +14,7 @@
 #include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -41,11 +42,13 @@ void draw_file(Ui& ui, bool another) {
                "mistake is carried out to see which comes nearest.")) {
         begin_choosing_result(ui);
     }
+    keep_item_whole(ui);
     const float width = button_width("check") + ImGui::GetStyle().ItemSpacing.x;
     ImGui::SetNextItemWidth(std::max(ImGui::GetContentRegionAvail().x - width, 60.0f));
     const bool entered = ImGui::InputTextWithHint("##path", "or its path", &lab.result_path,
                                                   ImGuiInputTextFlags_EnterReturnsTrue);
     name_widget(ui, "lab.path", "The picture, or a text with lines as Start: (10,5). End: (10,5).");
+    keep_item_whole(ui);
     ImGui::SameLine();
     ImGui::BeginDisabled(lab.result_path.empty());
     const bool pressed = button(ui, "lab.diagnose", "check", Look::plain,
@@ -135,6 +138,7 @@ void draw_candidate(Ui& ui, const Candidate& candidate, int index) {
                     " still differ from your result; mean distance " +
                     fixed(candidate.distance, 3) + " steps of 255.");
     note_text(ui, name, candidate.ids.front());
+    keep_item_whole(ui);
     ImGui::TableNextColumn();
     if (bug == nullptr) return;
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(4.0f * u, 0.0f));
@@ -178,6 +182,7 @@ void draw_diagnosis(Ui& ui) {
     wrapped_text(verdict);
     ImGui::PopFont();
     name_widget(ui, "lab.diagnosis", "What is most likely.");
+    keep_item_whole(ui);
     note_text(ui, "lab.diagnosis", verdict);
     if (lab.is_picture) draw_lab_pictures(ui, caption_beside(diagnosis));
     ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
@@ -185,12 +190,14 @@ void draw_diagnosis(Ui& ui) {
         wrapped_text(grouped(diagnosis.different) +
                      (lab.is_picture ? " pixels look different from the reference."
                                      : " rows differ from the reference."));
+        keep_item_whole(ui);
     }
     const std::string held = "Held against " + lab.held_against + ".";
     wrapped_text(held);
     name_widget(ui, "lab.held_against",
                 "The reference: what the right program makes of what is set.");
     note_text(ui, "lab.held_against", held);
+    keep_item_whole(ui);
     ImGui::PopStyleColor();
     end_card(ui);
     draw_candidates(ui, diagnosis);

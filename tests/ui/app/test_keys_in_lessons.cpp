@@ -207,8 +207,13 @@ TEST_CASE("Without a frame the keys that scroll move the lesson's text") {
     CHECK(scroll_of("lesson") == 0.0f);
     // What has the frame has these keys.
     REQUIRE(driver.tab_to("walk.play"));
+    const float left = scroll_of("lesson");
+    driver.hand.press(key::up, {.ctrl = true});
     driver.hand.press(key::down, {.ctrl = true});
-    CHECK(scroll_of("lesson") == 0.0f);
+    CHECK(scroll_of("lesson") == left);
+    driver.hand.press(key::escape);
+    driver.hand.press(key::up, {.ctrl = true});
+    CHECK(scroll_of("lesson") < left);
 }
 
 TEST_CASE("The first prediction comes with the opening of the first lesson, and needs no number") {

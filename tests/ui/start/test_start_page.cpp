@@ -78,7 +78,7 @@ TEST_CASE("A click on the second card shows the room without a lesson") {
     CHECK(driver.ui.session.lesson.empty());
     CHECK(driver.ui.options.way == Way::stages);
     // Whoever walks begins at the beginning, in a light in which the last stages can be seen.
-    CHECK(step_of(driver.ui.session.a.settings) == StripStep{Stage::points, Shading::unlit});
+    CHECK(driver.ui.session.a.settings.stage == Stage::points);
     CHECK(driver.ui.session.tab == "vertices");
     driver.hand.click("stage.pixel_light");
     CHECK(driver.ui.session.a.settings.light.power == glm::vec3(14.0f));
