@@ -35,15 +35,15 @@ float winning_sign(const Ui& ui) {
     return depth_rule(ui.results.a.frame.settings) == DepthTest::reversed ? -1.0f : 1.0f;
 }
 
-/// The next in the depth test's order among those that do not stay; there must be one.
+/// The next in the depth test's order among those that do not stay.
+/// @param history of two entries at least
 const PixelEntry& runner_up(const PixelHistory& history, float sign) {
-    const PixelEntry* best = nullptr;
-    for (std::size_t i = 0; i < history.entries.size(); ++i) {
-        const PixelEntry& entry = history.entries[i];
-        if (stays(history, static_cast<int>(i))) continue;
-        if (best == nullptr || sign * entry.depth > sign * best->depth) best = &entry;
+    std::size_t best = stays(history, 0) ? 1 : 0;
+    for (std::size_t i = best + 1; i < history.entries.size(); ++i) {
+        const bool is_next = sign * history.entries[i].depth > sign * history.entries[best].depth;
+        if (is_next && !stays(history, static_cast<int>(i))) best = i;
     }
-    return *best;
+    return history.entries[best];
 }
 
 /// Why the colour that stays does, in two lines.
