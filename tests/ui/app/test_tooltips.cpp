@@ -54,6 +54,7 @@ void walk(Driver& driver, std::set<std::string>& bare, std::set<std::string>& se
         }
     }
     for (const TabInfo& tab : tab_list()) {
+        if (!is_offered(driver.ui.session, tab)) continue;
         driver.open(tab.name);
         collect(driver, bare, seen);
     }

@@ -161,8 +161,13 @@ class Tour {
         }
     }
 
-    /// One that is not drawn before it is asked for.
+    /// One that is not drawn before it is asked for, and one that is hardly in the picture.
     void large_frame() {
+        {
+            Driver driver;
+            follow_link(driver.ui, "set:camera.position=0,0,-1.05");
+            look(driver);
+        }
         Driver driver(session_of(many_walls()));
         look(driver);
         driver.hand.click("canvas.draw_it");
