@@ -1,5 +1,6 @@
 #include "cli/spaces_report.h"
 
+#include <cmath>
 #include <ostream>
 
 #include <fmt/format.h>
@@ -62,12 +63,18 @@ Json to_json(const ConventionPlace& place) {
             {"picture", numbers_json(place.picture)}};
 }
 
+/// A number that is shown as zero has no sign.
+std::string cell(double value) {
+    const std::string size = decimals(std::abs(value), 4);
+    return (value < 0.0 && size != "0.0000" ? "-" : "") + size;
+}
+
 void print_matrix(std::ostream& out, const SpacePlace& place, MatrixOrder order) {
     out << fmt::format("  {}, to {} space\n", place.matrix_name, place.space);
     for (int row = 0; row < 4; ++row) {
         out << "   ";
         for (int column = 0; column < 4; ++column)
-            out << fmt::format(" {:>11}", decimals(entry(*place.matrix, order, row, column), 4));
+            out << fmt::format(" {:>11}", cell(entry(*place.matrix, order, row, column)));
         out << '\n';
     }
 }
@@ -75,7 +82,7 @@ void print_matrix(std::ostream& out, const SpacePlace& place, MatrixOrder order)
 void print_place(std::ostream& out, const SpacePlace& place) {
     out << fmt::format("  {:<8}", place.space);
     for (int i = 0; i < 4; ++i)
-        out << fmt::format(" {:>11}", decimals(place.place[i], 4));
+        out << fmt::format(" {:>11}", cell(place.place[i]));
     out << '\n';
     if (place.formulas[0].empty()) return;
     for (const std::string& formula : place.formulas)
@@ -99,8 +106,8 @@ std::string change_text(PictureChange change) {
 }
 
 void print_convention(std::ostream& out, std::string_view name, const ConventionPlace& place) {
-    out << fmt::format("  {:<16} {:>11} {:>11}   {}\n", name, decimals(place.picture.x, 4),
-                       decimals(place.picture.y, 4), change_text(place.change));
+    out << fmt::format("  {:<16} {:>11} {:>11}   {}\n", name, cell(place.picture.x),
+                       cell(place.picture.y), change_text(place.change));
 }
 
 } // namespace

@@ -140,6 +140,14 @@ std::string varying_text(const VertexEvent& a, const VertexEvent& b) {
     return "the runs differ.";
 }
 
+/// What the depth of both runs is: 1/z in the lab.
+std::string_view depth_word(const Frame& a, const Frame& b) {
+    const auto is_inv_z = [](const Frame& frame) {
+        return clip_depth_rule(frame.settings, frame.scene->space) == ClipDepth::inv_z;
+    };
+    return is_inv_z(a) && is_inv_z(b) ? "1/z" : "the depth value";
+}
+
 std::string vertex_text(const Frame& a, const Frame& b, const PairMoment& moment) {
     const std::string vertex = vertex_name(moment.cursor.index);
     const VertexEvent &in_a = *moment.a.vertex, &in_b = *moment.b.vertex;
@@ -157,8 +165,8 @@ std::string vertex_text(const Frame& a, const Frame& b, const PairMoment& moment
     }
     if (in_a.pixel.depth != in_b.pixel.depth) {
         const int digits = digits_for(in_a.pixel.depth, in_b.pixel.depth);
-        return fmt::format("{}: 1/z is {} in A, {} in B.", vertex, number(in_a.pixel.depth, digits),
-                           number(in_b.pixel.depth, digits));
+        return fmt::format("{}: {} is {} in A, {} in B.", vertex, depth_word(a, b),
+                           number(in_a.pixel.depth, digits), number(in_b.pixel.depth, digits));
     }
     return fmt::format("{}: {}", vertex, varying_text(in_a, in_b));
 }
@@ -316,8 +324,8 @@ std::string fragment_text(const Frame& a, const Frame& b, const FragmentEvent& p
     std::string text = pixel_text(p.fragment.column, p.fragment.row) + ": ";
     const int digits = std::max(digits_for(p.depth, q.depth), digits_for(p.stored, q.stored));
     if (p.fate != q.fate) {
-        return text + fmt::format("1/z = {} in A; {} in B.", fate_text(a, p, digits),
-                                  fate_text(b, q, digits));
+        return text + fmt::format("{} = {} in A; {} in B.", depth_word(a, b),
+                                  fate_text(a, p, digits), fate_text(b, q, digits));
     }
     const bool colours_differ = p.fate == Fate::written && p.after != q.after;
     if (p.depth != q.depth) {

@@ -94,8 +94,9 @@ TEST_CASE("triangle shows every space with its matrix where matrices do the work
     CHECK_THAT(rows.out, Contains("  Tv, to camera space\n"));
     // Row vectors: the translation stands in the last row.
     CHECK_THAT(rows.out, Contains("         0.0000      0.0000      3.0010      1.0000\n"));
+    CHECK_THAT(rows.out, !Contains("-0.0000"));
     CHECK_THAT(rows.out, Contains("Conventions: vertices[0]"));
-    CHECK_THAT(rows.out, Contains("y up in the world and rows counted from below cancel."));
+    CHECK_THAT(rows.out, Contains("Y up in the world and rows counted from below cancel."));
     const CliRun columns = run(
         {"triangle", "0", "--set", "transform=matrices", "--set", "matrix_order=column_vectors"});
     CHECK_THAT(columns.out, Contains("Spaces: window = Ts · (Tp · Tv · Tm · p) / w"));

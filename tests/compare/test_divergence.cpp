@@ -50,7 +50,7 @@ std::map<Cursor, Seen> everything(const Frame& frame, bool with_light, bool as_s
     std::map<Cursor, Seen> all;
     for (const Recorder::VertexEvent& event : recorder.vertices) {
         std::vector<std::uint32_t>& work = all[event.cursor].work;
-        work = {bits(event.vertex.column), bits(event.vertex.row), bits(event.vertex.inv_w),
+        work = {bits(event.vertex.column), bits(event.vertex.row), bits(event.vertex.depth),
                 event.has_pixel ? 1U : 0U};
         if (with_light) {
             const Vertex& vertex = frame.scene->corner(event.cursor.triangle, event.cursor.index);
@@ -415,6 +415,9 @@ TEST_CASE("The cause is told in words and numbers") {
           "to pixel (125, 374).");
     CHECK(cause(room, {Stage::depth}, "depth_test=linear_z") ==
           "t0/r0/c1: pixel (127, 374): the depth value is 0.250607 in A, 0.250273 in B.");
+    // 0.1 · (100 − 4.001) / 99.9 / 4.001.
+    CHECK(cause(room, {Stage::points}, "depth_format=reversed_32") ==
+          "t0/v0: vertices[0]: the depth value is 0.249938 in A, 0.0240178 in B.");
     CHECK(cause(room, {Stage::points}, "camera.position=0,0,-0.5") ==
           "t0/v0: B leaves the triangle out: a vertex lies on or behind the camera plane.");
     CHECK(cause(room, {Stage::points}, "stage=edges") ==

@@ -101,7 +101,9 @@ std::string describe(const Settings& s) {
 /// Nothing may grow with how near a vertex is to the camera beyond the limit on its pixel.
 void check_bounds(const Frame& frame) {
     constexpr int limit = 16384 + 4096 + 2;
-    const bool may_be_behind = frame.settings.clip == Clip::none;
+    // The ways that divide without asking.
+    const bool may_be_behind =
+        frame.settings.clip == Clip::none || frame.settings.clip == Clip::after_division;
     for (int t = 0; t < frame.triangle_count(); ++t) {
         if (!frame.is_drawn(t)) continue;
         for (const ScreenVertex& vertex : frame.triangle_vertices(t)) {

@@ -89,7 +89,7 @@ namespace {
 Scene bent_wall() {
     Scene scene;
     scene.viewport = {64, 48};
-    scene.camera.focal_length = 48.0f;
+    scene.camera = {glm::vec3(0.0f), 0.0f, 0.0f, 48.0f};
     const auto corner = [](float x, float y) {
         Vertex vertex;
         vertex.position = {x, y, 3.0f};

@@ -30,8 +30,7 @@ inline std::vector<Cursor> all_moments(const Frame& frame) {
                 moments.push_back({t, Phase::clip, p, s});
         }
         // By the normals of fragments no triangle is culled.
-        const bool is_asked =
-            settings.cull != Cull::none && word_of(settings.cull) != "fragment_normal";
+        const bool is_asked = settings.cull != Cull::none && settings.cull != Cull::fragment_normal;
         if (is_asked && !is_clipped_away) moments.push_back({t, Phase::cull, 0, 0});
         if (settings.stage == Stage::points || is_clipped_away || is_culled) continue;
         const std::span<const ScreenVertex> vertices = frame.triangle_vertices(t);
