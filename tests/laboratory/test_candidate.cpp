@@ -40,7 +40,7 @@ TEST_CASE("A verdict does not say that all is explained where pixels still diffe
     nearly.distance = 0.4; // 99.96 % are explained
     nearly.different = 3;
     rank_candidates({nearly}, "this very picture", diagnosis);
-    CHECK(diagnosis.verdict == "Most likely B9 Nearly, which explains 99.9 % of the difference.");
+    CHECK(diagnosis.verdict == "Most likely B9 “Nearly”, which explains 99.9 % of the difference.");
 }
 
 } // namespace rasterwalk

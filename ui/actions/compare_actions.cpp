@@ -41,7 +41,8 @@ std::vector<Action> compare_actions() {
          toggle_compare,
          [](const Ui& ui) { return ui.session.b.has_value(); }},
     };
-    const std::vector<Action> views = compare_view_choices();
+    std::vector<Action> views = compare_view_choices();
+    views.front().begins_group = true;
     actions.insert(actions.end(), views.begin(), views.end());
     const std::vector<Action> others{
         {"compare.hold",
@@ -59,7 +60,8 @@ std::vector<Action> compare_actions() {
          [](Ui& ui) {
              if (!refuses_settings(ui.session)) swap_runs(ui.session);
          },
-         nullptr},
+         nullptr,
+         true},
         {"compare.next",
          "Compare",
          "Next difference",

@@ -106,6 +106,7 @@ void draw_lesson_menu(Ui& ui) {
     std::string wanted;
     ui.lesson.scores.renew(ui.lesson.progress, ui.lesson.lessons);
     const std::vector<Lesson>& lessons = ui.lesson.lessons.all();
+    draw_line_between(ui);
     for (std::size_t i = 0; i < lessons.size(); ++i) {
         const Lesson& lesson = lessons[i];
         const bool is_done = ui.lesson.scores.of(i).is_done;
@@ -117,7 +118,6 @@ void draw_lesson_menu(Ui& ui) {
         }
         name_widget(ui, "menu.lesson." + lesson.id, lesson.about);
     }
-    draw_line_between(ui);
     if (!wanted.empty()) open_lesson(ui, wanted, ui.lesson.progress.of(wanted).last_step);
 }
 
@@ -143,12 +143,13 @@ void draw_menu(Ui& ui, const MenuTitle& menu) {
     name_widget(ui, std::string("menu.") + title, open ? "" : menu.help);
     if (!open) return;
     if (std::string_view(title) == "Scene") draw_scene_menu(ui);
-    if (std::string_view(title) == "Lesson") draw_lesson_menu(ui);
     for (const Action& action : action_table()) {
         if (action.menu != title) continue;
         if (action.begins_group) draw_line_between(ui);
         draw_action_item(ui, action);
     }
+    // Below the few actions: in a low window the many lessons are scrolled.
+    if (std::string_view(title) == "Lesson") draw_lesson_menu(ui);
     ImGui::EndMenu();
 }
 

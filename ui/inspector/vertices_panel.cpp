@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/element_names.h"
+#include "session/depth_view.h"
 #include "session/tabs.h"
 #include "stages/project.h"
 #include "ui/actions/go_to_source.h"
@@ -56,8 +57,26 @@ const Line lines[] = {
     {"", "blue", "light.R.blue", 3, "The light that this vertex gives back: R = ρ (D + N).", true},
 };
 
+/// Is the projection another than perspective? Then w is not z.
+bool is_mixed(const Ui& ui) {
+    const Frame& frame = ui.results.a.frame;
+    return vertex_rules(frame.settings, frame.scene->space).projection.mix > 0.0f;
+}
+
+/// The name of a line's number.
+const char* coordinate_of(const Ui& ui, const Line& line) {
+    return is_mixed(ui) && std::string_view(line.id) == "zinv" ? "1/w" : line.coordinate;
+}
+
 /// What a line shows; how a number becomes whole depends on what is set.
 std::string help_of(const Ui& ui, const Line& line) {
+    const std::string_view id = line.id;
+    if (is_mixed(ui) && id.starts_with("projected."))
+        return "Pixels from the middle of the picture, before rounding.";
+    if (is_mixed(ui) && id == "zinv")
+        return "By this values are weighed; the same at all vertices where rays are parallel.";
+    if (id == "zinv" && stored_depth_name(ui.results.a.frame) != "1/z")
+        return "By this values are weighed; the depth buffer holds another depth.";
     if (!std::string_view(line.id).starts_with("pixel.")) return line.help;
     return how_made_whole(ui.results.a.frame.settings, ui.results.a.scene->space);
 }
@@ -145,7 +164,8 @@ void draw_labels(Ui& ui, const Line& line) {
         const bool is_pixel = std::string_view(line.space) == "pixel";
         const std::string space = is_pixel || *line.space == '\0' ? "" : line.space;
         ImGui::PushFont(ui.fonts.small);
-        right_aligned(space.empty() ? line.coordinate : space + " " + line.coordinate, p.dim);
+        const std::string coordinate = coordinate_of(ui, line);
+        right_aligned(space.empty() ? coordinate : space + " " + coordinate, p.dim);
         keep_item_whole(ui);
         ImGui::PopFont();
         name_widget(ui, name, help_of(ui, line));
@@ -157,7 +177,7 @@ void draw_labels(Ui& ui, const Line& line) {
         name_widget(ui, name + ".space", help_of(ui, line));
     }
     ImGui::TableNextColumn();
-    text_in(p.dim, line.coordinate);
+    text_in(p.dim, coordinate_of(ui, line));
     keep_item_whole(ui);
     name_widget(ui, name, help_of(ui, line));
 }
@@ -280,9 +300,10 @@ void draw_what_else(Ui& ui, const VertexReport& vertex, const Formula& formula) 
 
 void draw_formula_card(Ui& ui, const VertexReport& vertex) {
     begin_card(ui);
-    if (vertex.shaded.rejection != Rejection::none) {
-        wrapped_text("The triangle is left out: " +
-                     std::string(words(vertex.shaded.rejection).detail) + ".");
+    // A vertex behind the camera does not leave the triangle out where it is cut.
+    const Rejection why = ui.results.a.frame.rejection(*ui.results.a.triangle);
+    if (why != Rejection::none) {
+        wrapped_text("The triangle is left out: " + std::string(words(why).detail) + ".");
     }
     const Formula* formula = find_formula(vertex.formulas, ui.inspector.chosen.vertex_number);
     if (formula == nullptr) formula = find_formula(vertex.formulas, "rotated.z");
