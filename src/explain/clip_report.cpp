@@ -131,9 +131,14 @@ std::optional<Formula> Maker::corner(int vertex, int i) const {
     }
     formula.help = i == 2 ? "What the depth 1/z is made of: it is divided by w too."
                           : "What x, y and z are divided by: how far in front of the camera.";
+    const float usual = i == 2 ? 1.0f : camera_place().z;
+    if (frame.settings.projection_mix == 0.0f && formula.result.value == usual) {
+        formula.expression = i == 2 ? "1" : "z_camera";
+        if (i == 3) formula.inputs = {{"z_camera", formula.result, source}};
+        return formula;
+    }
     formula.expression = "v";
-    formula.inputs = {{"v", formula.result,
-                       i == 2 ? from_words("1 for every vertex, under perspective") : source}};
+    formula.inputs = {{"v", formula.result, from_words("as the projection makes it")}};
     return formula;
 }
 

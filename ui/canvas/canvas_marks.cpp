@@ -268,19 +268,22 @@ std::vector<VertexLabel> draw_canvas_marks(const Ui& ui, const ShownRun& run, Im
     const bool is_picked = ui.session.selection.triangle.has_value();
     const bool is_walking = run.cursor != cursor_end;
     const bool is_marked = m.is_large() || is_picked || is_walking;
-    if (run.clip != nullptr && is_marked) draw_clip_marks(m, *run.clip);
-    const bool has_edges = run.clip == nullptr || !is_before_edges(m, *run.clip);
-    if (has_triangle && is_marked && has_edges) {
-        const std::span<const ScreenVertex> vertices =
-            frame.triangle_vertices(*ui.results.a.triangle);
+    const bool has_clip = run.clip != nullptr && is_marked;
+    if (has_clip) draw_clip_marks(m, *run.clip);
+    const bool has_edges =
+        has_triangle && is_marked && (run.clip == nullptr || !is_before_edges(m, *run.clip));
+    std::span<const ScreenVertex> vertices;
+    if (has_edges) {
+        vertices = frame.triangle_vertices(*ui.results.a.triangle);
         if (m.is_large() && frame.settings.stage >= Stage::edges) draw_row_ends(m);
         draw_true_edges(m, vertices);
-        if (m.is_large()) {
-            if (frame.settings.stage >= Stage::edges) draw_samples(m, *ui.results.a.triangle);
-            draw_vertices(m, *ui.results.a.triangle, vertices);
-            labels = vertex_labels(m);
-            draw_vertex_labels(m, labels);
-        }
+    }
+    if (has_clip) draw_made_corners(m, *run.clip);
+    if (has_edges && m.is_large()) {
+        if (frame.settings.stage >= Stage::edges) draw_samples(m, *ui.results.a.triangle);
+        draw_vertices(m, *ui.results.a.triangle, vertices);
+        labels = vertex_labels(m);
+        draw_vertex_labels(m, labels);
     }
     if (ui.inspector.hovered_row) draw_lit_row(m, *ui.inspector.hovered_row, 0.25f);
     if (ui.canvas.hovered_row) draw_lit_row(m, *ui.canvas.hovered_row, 0.25f);

@@ -145,7 +145,9 @@ struct PlaceName {
     ImU32 colour;
 };
 
-void draw_place_names(const Marks& m, const std::vector<PlaceName>& names, float distance) {
+/// @param lines from which names keep away where they can, from the canvas's top left corner
+void draw_place_names(const Marks& m, const std::vector<PlaceName>& names, float distance,
+                      const std::vector<OutsideLine>& lines) {
     ImFont* const font = m.ui.fonts.small;
     const float around = 3.0f * m.u;
     std::vector<OutsideLabel> labels;
@@ -154,11 +156,12 @@ void draw_place_names(const Marks& m, const std::vector<PlaceName>& names, float
         const glm::vec2 at(name.at.x - m.low.x, name.at.y - m.low.y);
         const glm::vec2 extent(text_width(font, name.text) + 2.0f * around,
                                font->FontSize + 2.0f * around);
-        labels.push_back({.point = at, .size = extent, .distance = distance});
+        labels.push_back(
+            {.point = at, .size = extent, .distance = distance, .line_distance = 2.0f * m.u});
         taken.push_back({at - distance, at + distance});
     }
     const auto places =
-        label_places(labels, std::move(taken), {}, {m.high.x - m.low.x, m.high.y - m.low.y});
+        label_places(labels, std::move(taken), lines, {m.high.x - m.low.x, m.high.y - m.low.y});
     for (std::size_t i = 0; i < names.size(); ++i) {
         if (!places[i]) continue;
         const ImVec2 low{std::round(m.low.x + places[i]->x), std::round(m.low.y + places[i]->y)};
@@ -169,9 +172,23 @@ void draw_place_names(const Marks& m, const std::vector<PlaceName>& names, float
     }
 }
 
-/// The corners that planes have made; from far away with the names of the planes, near by the
-/// names of all corners are written.
-void draw_new_corners(const Marks& m, const std::vector<CutCorner>& corners, bool has_names) {
+/// The edges of a polygon as far as they are seen, from the canvas's top left corner.
+std::vector<OutsideLine> seen_edges(const Marks& m, const std::vector<CutCorner>& corners) {
+    std::vector<OutsideLine> edges;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const auto line = seen_edge(m, corners[i].vertex.position_clip,
+                                    corners[(i + 1) % corners.size()].vertex.position_clip);
+        if (!line) continue;
+        edges.push_back({.kind = OutsideLineKind::edge,
+                         .from = {line->from.x - m.low.x, line->from.y - m.low.y},
+                         .to = {line->to.x - m.low.x, line->to.y - m.low.y}});
+    }
+    return edges;
+}
+
+/// From far away with the names of the planes; near by the names of all corners are written.
+void draw_new_corners(const Marks& m, const std::vector<CutCorner>& corners,
+                      const std::vector<OutsideLine>& edges, bool has_names) {
     const float reach = 5.5f * m.u;
     std::vector<PlaceName> names;
     for (const CutCorner& corner : corners) {
@@ -182,7 +199,7 @@ void draw_new_corners(const Marks& m, const std::vector<CutCorner>& corners, boo
         draw_diamond(m, at, reach, m.colour(plane_ink));
         names.push_back({at, std::string(word_of(corner.plane)), m.colour(plane_ink)});
     }
-    if (has_names) draw_place_names(m, names, reach + 1.5f * m.u);
+    if (has_names) draw_place_names(m, names, reach + 1.5f * m.u, edges);
 }
 
 /// The edge at which the step just done has worked.
@@ -224,7 +241,7 @@ void draw_cull_answer(const Marks& m, const ClipHistory& history) {
                      {{{middle.x / count, middle.y / count},
                        is_back ? "back" : "front",
                        m.colour(is_back ? Meaning::fail : Meaning::pass)}},
-                     2.0f * m.u);
+                     2.0f * m.u, seen_edges(m, corners));
 }
 
 bool is_culling(const Marks& m, const ClipHistory& history) {
@@ -245,15 +262,30 @@ void draw_clip_marks(const Marks& m, const ClipHistory& history) {
         if (progress) {
             draw_polygon_at_work(m, corners_before(history, progress->planes));
             draw_step_at_work(m, history, *progress);
-            draw_new_corners(m, corners_passed(history, *progress), true);
         } else {
             const std::vector<CutCorner> corners = corners_before(history);
             draw_plane_edges(m, corners);
             draw_fan(m, corners);
-            draw_new_corners(m, corners, !m.is_large() || !m.run.frame.is_drawn(history.triangle));
         }
     }
     if (is_culling(m, history)) draw_cull_answer(m, history);
+}
+
+void draw_made_corners(const Marks& m, const ClipHistory& history) {
+    if (history.planes.empty()) return;
+    std::vector<OutsideLine> edges = seen_edges(m, corners_before(history, 0));
+    const auto add = [&](const std::vector<CutCorner>& corners) {
+        const std::vector<OutsideLine> more = seen_edges(m, corners);
+        edges.insert(edges.end(), more.begin(), more.end());
+    };
+    if (const auto progress = clip_progress(history, m.run.done)) {
+        add(corners_before(history, progress->planes));
+        draw_new_corners(m, corners_passed(history, *progress), edges, true);
+        return;
+    }
+    const std::vector<CutCorner> corners = corners_before(history);
+    add(corners);
+    draw_new_corners(m, corners, edges, !m.is_large() || !m.run.frame.is_drawn(history.triangle));
 }
 
 } // namespace rasterwalk

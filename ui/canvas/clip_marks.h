@@ -7,10 +7,13 @@ namespace rasterwalk {
 struct Marks;
 
 /// Draws over the picture what clipping and culling do to the triangle of this history: its outline
-/// before, dashed, the edges along which it is cut, the new corners with the names of their planes,
-/// the triangles of the fan; while clipping is at work the polygon as far as it has come, and the
-/// edge of the step just done. Nothing of a triangle that no plane cuts and no setting culls.
+/// before, dashed, the edges along which it is cut, the triangles of the fan; while clipping is at
+/// work the polygon as far as it has come, and the edge of the step just done. Nothing of a
+/// triangle that no plane cuts and no setting culls.
 void draw_clip_marks(const Marks& m, const ClipHistory& history);
+
+/// Draws the corners that planes have made, with the names of these: over all edges.
+void draw_made_corners(const Marks& m, const ClipHistory& history);
 
 /// Is clipping or culling of this triangle what was just done? Then it has no edges on the picture
 /// yet.

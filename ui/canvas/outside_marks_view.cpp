@@ -196,7 +196,8 @@ float reach_of(OutsidePointKind kind) {
 
 bool is_of_triangle(OutsideLineKind kind) {
     return kind == OutsideLineKind::ray || kind == OutsideLineKind::behind ||
-           kind == OutsideLineKind::edge;
+           kind == OutsideLineKind::edge || kind == OutsideLineKind::cut ||
+           kind == OutsideLineKind::cut_off;
 }
 
 struct Name {
@@ -244,15 +245,18 @@ Name name_of(const Pen& pen, const OutsidePoint& point) {
     return {point, {}, 0, 4};
 }
 
-/// The corner of the picture, or of the plane, that lies farthest up and to the right: there its
-/// name has room.
-const OutsidePoint* named_corner(const OutsideMarks& marks, OutsidePointKind kind) {
-    const OutsidePoint* best = nullptr;
+/// Those corners of the picture, or of the plane, first that lie farthest up and to the right:
+/// there its name has room.
+std::vector<const OutsidePoint*> named_corners(const OutsideMarks& marks, OutsidePointKind kind) {
+    std::vector<const OutsidePoint*> corners;
     for (const OutsidePoint& point : marks.points) {
-        if (point.kind != kind) continue;
-        if (best == nullptr || point.at.x - point.at.y > best->at.x - best->at.y) best = &point;
+        if (point.kind == kind) corners.push_back(&point);
     }
-    return best;
+    std::stable_sort(corners.begin(), corners.end(),
+                     [](const OutsidePoint* a, const OutsidePoint* b) {
+                         return a->at.x - a->at.y > b->at.x - b->at.y;
+                     });
+    return corners;
 }
 
 /// Text that can be read on any ground.
@@ -268,18 +272,20 @@ void draw_name(const Pen& pen, const Name& name, ImVec2 low) {
     pen.list->AddText(font, font->FontSize, low, name.colour, name.text.c_str());
 }
 
+/// The plane's name comes last, once for each of its corners: one of them has room for it.
 std::vector<Name> names_of(const Pen& pen, const OutsideMarks& marks) {
-    const OutsidePoint* const corner = named_corner(marks, OutsidePointKind::picture);
-    const OutsidePoint* const plane = named_corner(marks, OutsidePointKind::plane);
+    const auto picture = named_corners(marks, OutsidePointKind::picture);
     std::vector<Name> names;
     for (const OutsidePoint& point : marks.points) {
-        if (point.kind == OutsidePointKind::picture && &point != corner) continue;
-        if (point.kind == OutsidePointKind::plane && &point != plane) continue;
+        if (point.kind == OutsidePointKind::plane) continue;
+        if (point.kind == OutsidePointKind::picture && &point != picture.front()) continue;
         Name name = name_of(pen, point);
         if (!name.text.empty()) names.push_back(std::move(name));
     }
     std::stable_sort(names.begin(), names.end(),
                      [](const Name& a, const Name& b) { return a.rank < b.rank; });
+    for (const OutsidePoint* const point : named_corners(marks, OutsidePointKind::plane))
+        names.push_back(name_of(pen, *point));
     return names;
 }
 
@@ -307,8 +313,12 @@ void draw_names(const Pen& pen, const OutsideMarks& marks, std::vector<OutsideBo
     }
     const ImVec2 room = pen.pane.room();
     const auto places = label_places(labels, std::move(taken), lines, {room.x, room.y});
+    bool has_plane = false;
     for (std::size_t i = 0; i < names.size(); ++i) {
         if (!places[i]) continue;
+        const bool is_plane = names[i].point.kind == OutsidePointKind::plane;
+        if (is_plane && has_plane) continue;
+        has_plane = has_plane || is_plane;
         const ImVec2 low = pen.at(*places[i] + halo);
         draw_name(pen, names[i], {std::round(low.x), std::round(low.y)});
     }

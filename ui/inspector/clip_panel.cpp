@@ -80,6 +80,14 @@ int vertex_behind(const ClipHistory& history) {
     return -1;
 }
 
+/// The same on one line: with blanks at which no line is broken.
+std::string unbroken(const std::string& text) {
+    std::string result;
+    for (const char letter : text)
+        result += letter == ' ' ? "\xC2\xA0" : std::string(1, letter);
+    return result;
+}
+
 /// What the division would make of a vertex behind the camera.
 std::string behind_text(const ClipHistory& history, const Frame& frame, int vertex) {
     const glm::vec4& clip = history.corners[static_cast<std::size_t>(vertex)].position_clip;
@@ -90,10 +98,11 @@ std::string behind_text(const ClipHistory& history, const Frame& frame, int vert
         const glm::vec2 place = glm::vec2(frame.stages.viewport_middle(rules)) +
                                 frame.stages.perspective_divide(clip, 1.0f / clip.w);
         const auto part = [](float value) { return fixed(static_cast<double>(value), 0); };
-        text = fmt::format("{} lies behind the camera: w = {}. Dividing by it turns left to right "
-                           "and top to bottom: it lands at ({}, {}), on the other side of the "
-                           "picture, and the triangle turns inside out.",
-                           vertex_name(vertex), w, part(place.x), part(place.y));
+        text = fmt::format("{} lies behind the camera: {}. Dividing by it turns left to right and "
+                           "top to bottom: it lands at {}, on the other side of the picture, and "
+                           "the triangle turns inside out.",
+                           vertex_name(vertex), unbroken("w = " + w),
+                           unbroken(fmt::format("({}, {})", part(place.x), part(place.y))));
     } else {
         text = vertex_name(vertex) + " lies in the camera's own plane: w = 0, and nothing can be "
                                      "divided by it.";
@@ -152,13 +161,21 @@ std::string usual_number(const ClipHistory& history, const std::optional<ClipPro
     return "corner." + std::to_string(std::max(vertex_behind(history), 0)) + ".w";
 }
 
-/// The number that was asked for, until the triangle is another one or the cursor comes to a step.
-std::string number_on_show(Ui& ui, const ClipHistory& history,
-                           const std::optional<ClipProgress>& progress) {
+/// Has the cursor come to a step of clipping since the panel was last drawn?
+bool follow_cursor(Ui& ui, const ClipHistory& history,
+                   const std::optional<ClipProgress>& progress) {
     ClipLook& look = ui.inspector.clip;
     if (look.triangle != history.triangle) look = {};
     look.triangle = history.triangle;
     const bool has_moved = progress && look.picked_at != ui.results.a.cursor;
+    look.picked_at = ui.results.a.cursor;
+    return has_moved;
+}
+
+/// The number that was asked for, until the triangle is another one or the cursor comes to a step.
+std::string number_on_show(Ui& ui, const ClipHistory& history,
+                           const std::optional<ClipProgress>& progress, bool has_moved) {
+    ClipLook& look = ui.inspector.clip;
     if (has_moved || !clip_formula(ui.results.a.frame, history, look.number)) look.number.clear();
     return look.number.empty() ? usual_number(history, progress) : look.number;
 }
@@ -178,7 +195,6 @@ void draw_clip_card(const ClipPage& page) {
     if (!clicked) return;
     if (clicked->kind == SourceKind::formula) {
         ui.inspector.clip.number = clicked->name;
-        ui.inspector.clip.picked_at = ui.results.a.cursor;
     }
     go_to_source(ui, *clicked);
 }
@@ -257,7 +273,10 @@ void draw_clip_panel(Ui& ui) {
     }
     const ClipHistory& history = *a.inspected.clip;
     const std::optional<ClipProgress> progress = clip_progress(history, a.done);
-    const ClipPage page{ui, a.frame, history, progress, number_on_show(ui, history, progress)};
+    const bool has_moved = follow_cursor(ui, history, progress);
+    const ClipPage page{
+        ui,       a.frame, history, progress, number_on_show(ui, history, progress, has_moved),
+        has_moved};
     const std::string before = ui.inspector.clip.number;
     draw_triangle_title(ui);
     ClipParts parts(page);

@@ -55,9 +55,7 @@ void draw_asked(const ClipPage& page, const std::string& name, const std::string
     if (!number_cell(page.ui, name, text, colour, page.number == id,
                      help + "\nClick: how it came to be."))
         return;
-    ClipLook& look = page.ui.inspector.clip;
-    look.number = id;
-    look.picked_at = page.ui.results.a.cursor;
+    page.ui.inspector.clip.number = id;
 }
 
 void draw_clip_title(const ClipPage& page, const std::string& title, const std::string& beside) {
@@ -212,6 +210,14 @@ std::string passed_text(const ClipPage& page, const ClipStep& step, const CutCor
     return text + (text.empty() ? "" : ", ") + short_corner_name(*made);
 }
 
+/// Scrolls to what was just drawn where it is not seen whole.
+void show_item(const Ui& ui) {
+    const ShownLines seen = shown_lines(ui);
+    const bool is_seen =
+        ImGui::GetItemRectMin().y >= seen.top && ImGui::GetItemRectMax().y <= seen.bottom;
+    if (!is_seen) ImGui::SetScrollHereY(0.5f);
+}
+
 void go_to_step(const ClipPage& page, ClipPlane plane, int step) {
     const Timeline timeline(page.frame);
     const Cursor cursor{page.history.triangle, Phase::clip, static_cast<int>(plane), step};
@@ -241,6 +247,7 @@ void draw_step(const ClipPage& page, const ClipStep& step, const std::vector<Cut
                             corner_name(from), corner_name(to)));
     if (ImGui::IsItemClicked()) go_to_step(page, step.plane, step.from);
     if (is_current) {
+        if (page.has_moved) show_item(page.ui);
         const float padding = ImGui::GetStyle().CellPadding.x;
         draw_current_bar(page.ui, ImGui::GetWindowDrawList(), {corner.x - padding, corner.y},
                          corner.y + ImGui::GetTextLineHeight());

@@ -26,7 +26,7 @@ struct MicroscopeView {
 /// What is asked about in the Clip tab, for one triangle.
 struct ClipLook {
     int triangle = -1;
-    std::optional<Cursor> picked_at; ///< where the cursor stood when the number was picked
+    std::optional<Cursor> picked_at; ///< where the cursor stood when it was last looked at
     std::string number;              ///< id of a formula, see clip_report.h; empty: the usual one
     std::array<bool, clip_plane_count> is_turned{}; ///< opened or closed otherwise than usual
     std::optional<ClipPlane> plane; ///< that is looked at, on the canvas too; none: the usual one

@@ -225,7 +225,10 @@ void draw_lab_quiz(Ui& ui) {
     }
     // One list that scrolls, with the card in it, as that of the mistakes.
     const Bug* const chosen = bug_of(ui, ui.lab.chosen);
-    if (chosen == nullptr) draw_question_card(ui);
+    if (chosen == nullptr) {
+        ui.lab.in_sight.clear(); // the list of the mistakes may have shown the same one
+        draw_question_card(ui);
+    }
     draw_choices(ui, [&](const Bug& bug) {
         if (&bug != chosen) return;
         keep_in_sight(ui, bug, height_of_card_head());

@@ -238,7 +238,11 @@ bool number_cell(Ui& ui, const std::string& name, std::string_view text, const I
         ImGui::Selectable(("##" + name).c_str(), is_chosen, 0, {room, ImGui::GetTextLineHeight()});
     name_number(ui, name, tooltip);
     note_text(ui, name, text);
-    keep_whole(ui, at.y, at.y + ImGui::GetTextLineHeight());
+    // As high as the words beside it: both are seen, or neither.
+    const float bottom = at.y + std::max(ImGui::GetTextLineHeight(), ui.fonts.text->FontSize);
+    keep_whole(ui, at.y, bottom);
+    // The light behind the chosen number begins above its line.
+    keep_beginning(ui, ImGui::GetItemRectMin().y, bottom);
     const float width = ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
     ImGui::GetWindowDrawList()->AddText({at.x + std::max(room - width, 0.0f), at.y}, packed(colour),
                                         text.data(), text.data() + text.size());

@@ -147,7 +147,7 @@ TEST_CASE("Every number of clipping leads back to the scene, a click at a time")
     CHECK(driver.ui.inspector.clip.number == "d.0.1");
     driver.hand.click("clip.formula.w");
     CHECK(driver.ui.inspector.clip.number == "corner.1.w");
-    driver.hand.click("clip.formula.v");
+    driver.hand.click("clip.formula.z_camera");
     CHECK(driver.ui.session.tab == "vertices");
     CHECK(driver.ui.session.selection.vertex == 1);
     CHECK(driver.ui.inspector.chosen.vertex_number == "rotated.z");
