@@ -351,6 +351,28 @@ std::string formula_id(Quantity quantity, Interpolation way) {
     return id + (is_twice ? ".zinv_twice" : ".affine");
 }
 
+namespace {
+
+/// Where w is not z, values are carried divided by w.
+void say_w_for_z(std::vector<Formula>& formulas, const QuantityInfo& weight) {
+    const auto put = [](std::string& text, std::string_view word, std::string_view by) {
+        for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos; at += by.size())
+            text.replace(at, word.size(), by);
+    };
+    for (Formula& formula : formulas) {
+        put(formula.name, "/z", "/w");
+        put(formula.expression, "/z", "/w");
+        put(formula.help, "divided by z", "divided by w");
+        put(formula.help, "Divided by z", "Divided by w");
+        put(formula.help, "1/z", "1/w");
+        for (FormulaInput& input : formula.inputs)
+            put(input.symbol, "/z", "/w");
+        if (formula.id == "zinv") formula.help = weight.words.help;
+    }
+}
+
+} // namespace
+
 std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& cursor) {
     if (!has_fragments(frame.settings.stage) || cursor.phase != Phase::rows) return std::nullopt;
     if (cursor.triangle < 0 || cursor.triangle >= frame.triangle_count()) return std::nullopt;
@@ -408,6 +430,8 @@ std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& 
     }
     add_light(frame, report);
     add_depth_test(report, frame);
+    if (vertex_rules(frame.settings, frame.scene->space).projection.mix > 0.0f)
+        say_w_for_z(report.formulas, shown_quantities(frame).front());
     return report;
 }
 

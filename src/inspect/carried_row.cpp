@@ -29,6 +29,13 @@ std::vector<QuantityInfo> shown_quantities(const Frame& frame) {
     for (const QuantityInfo& info : quantity_list()) {
         if (!is_varying(info.quantity) || shown.has(info.varying)) list.push_back(info);
     }
+    const bool is_mixed = vertex_rules(frame.settings, frame.scene->space).projection.mix > 0.0f;
+    if (is_mixed) {
+        VaryingComponent& weight = list[static_cast<std::size_t>(Quantity::zinv)].words;
+        weight.name = weight.carried_name = "1/w";
+        weight.help = "One over w: changes in equal steps along a row, and not at all where rays "
+                      "are parallel.";
+    }
     return list;
 }
 

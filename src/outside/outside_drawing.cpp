@@ -221,7 +221,8 @@ void OutsideDrawing::take_scene(const OutsideSubject& subject) {
         shown_number_ = 0; // pictures of another session may have the same numbers
     }
     const Settings& settings = subject.frame.settings;
-    things_.plane = picture_plane(settings.camera, settings.viewport, things_.box);
+    things_.plane = picture_plane(settings.camera, settings.viewport, things_.box,
+                                  vertex_rules(settings, subject.frame.scene->space).projection);
     things_.lamp = settings.light.position;
 }
 

@@ -43,15 +43,22 @@ double end_of_frustum(const OutsideThings& things) {
     return std::max(things.plane.distance, things.plane.in_camera(things.box.middle()).z);
 }
 
+/// Where the ray to a place in camera space begins: at the eye, or where rays do not meet there,
+/// beside it.
+glm::dvec3 begin_of_ray(const PicturePlane& plane, const glm::dvec3& seen) {
+    return plane.mix == 0.0 ? plane.eye : plane.in_world(plane.on_ray(seen, 0.0));
+}
+
 void add_camera(const OutsideThings& things, Collector& collector) {
     const PicturePlane& plane = things.plane;
     const std::array<glm::dvec3, 4> corners = plane.corners();
-    const double reach = end_of_frustum(things) / plane.distance;
+    const double reach = end_of_frustum(things);
     for (int i = 0; i < 4; ++i) {
         const glm::dvec3& corner = corners[static_cast<std::size_t>(i)];
+        const glm::dvec3 seen = plane.in_camera(corner);
         collector.line(OutsideLineKind::beyond, i, corner,
-                       plane.eye + reach * (corner - plane.eye));
-        collector.line(OutsideLineKind::frustum, i, plane.eye, corner);
+                       plane.in_world(plane.on_ray(seen, reach)));
+        collector.line(OutsideLineKind::frustum, i, begin_of_ray(plane, seen), corner);
     }
     for (int i = 0; i < 4; ++i) {
         collector.line(OutsideLineKind::border, i, corners[static_cast<std::size_t>(i)],
@@ -106,7 +113,7 @@ void add_ends(const OutsideThings& things, const glm::dvec2& ends, Collector& co
         if (!(end > 0.0) || end > reach) continue;
         std::array<glm::dvec3, 4> places;
         for (std::size_t i = 0; i < 4; ++i)
-            places[i] = plane.eye + (end / plane.distance) * (corners[i] - plane.eye);
+            places[i] = plane.in_world(plane.on_ray(plane.in_camera(corners[i]), end));
         for (std::size_t i = 0; i < 4; ++i)
             collector.line(OutsideLineKind::end, static_cast<int>(i), places[i],
                            places[(i + 1) % 4]);
@@ -162,9 +169,9 @@ void add_plane(const SeenClipping& clipping, const OutsideThings& things, Collec
 /// Where the division puts a vertex behind the camera: on the other side of the picture.
 void add_mirrored(int vertex, const glm::dvec3& seen, const PicturePlane& plane,
                   Collector& collector) {
-    if (!(seen.z < 0.0)) return;
-    const glm::dvec3 place = plane.in_world((plane.distance / seen.z) * seen);
-    collector.line(OutsideLineKind::mirrored, vertex, plane.eye, place);
+    if (!(plane.w_at(seen.z) < 0.0)) return;
+    const glm::dvec3 place = plane.in_world(plane.on_ray(seen, plane.distance));
+    collector.line(OutsideLineKind::mirrored, vertex, begin_of_ray(plane, seen), place);
     collector.point(OutsidePointKind::mirrored, vertex, place);
 }
 
@@ -175,10 +182,11 @@ void add_triangle(const Scene& scene, const MarkedTriangle& marked, const Outsid
     for (int i = 0; i < triangle_corners; ++i)
         corners[static_cast<std::size_t>(i)] = scene.corner(*marked.triangle, i).position;
     const auto seen = [&](int i) { return plane.in_camera(corners[static_cast<std::size_t>(i)]); };
+    const auto lies_behind = [&](int i) { return !(plane.w_at(seen(i).z) > 0.0); };
     for (int i = 0; i < triangle_corners; ++i) {
-        const bool is_behind = !(seen(i).z > 0.0);
-        collector.line(is_behind ? OutsideLineKind::behind : OutsideLineKind::ray, i, plane.eye,
-                       corners[static_cast<std::size_t>(i)]);
+        const bool is_behind = lies_behind(i);
+        collector.line(is_behind ? OutsideLineKind::behind : OutsideLineKind::ray, i,
+                       begin_of_ray(plane, seen(i)), corners[static_cast<std::size_t>(i)]);
         if (is_behind && marked.is_mirrored) add_mirrored(i, seen(i), plane, collector);
     }
     if (marked.clipping.is_cut) {
@@ -192,10 +200,10 @@ void add_triangle(const Scene& scene, const MarkedTriangle& marked, const Outsid
     }
     for (int i = 0; i < triangle_corners; ++i) {
         const glm::dvec3& corner = corners[static_cast<std::size_t>(i)];
-        const bool is_behind = !(seen(i).z > 0.0);
+        const bool is_behind = lies_behind(i);
         if (!is_behind) {
             collector.point(OutsidePointKind::crossing, i,
-                            plane.in_world((plane.distance / seen(i).z) * seen(i)));
+                            plane.in_world(plane.on_ray(seen(i), plane.distance)));
         }
         collector.point(is_behind ? OutsidePointKind::behind : OutsidePointKind::vertex, i, corner);
     }

@@ -38,14 +38,13 @@ SceneBox box_of(const Scene& scene) {
 
 glm::dvec3 PicturePlane::place_of(const glm::dvec2& pixel) const {
     const glm::dvec2 projected = pixel - middle;
-    return in_world(distance *
-                    glm::dvec3(projected.x / focal_length, projected.y / focal_length, 1.0));
+    return in_world({w_at(distance) / scale() * projected, distance});
 }
 
 std::optional<glm::dvec2> PicturePlane::pixel_of(const glm::dvec3& camera) const {
-    if (!(camera.z > 0.0)) return std::nullopt;
-    const glm::dvec2 pixel =
-        middle + focal_length * glm::dvec2(camera.x / camera.z, camera.y / camera.z);
+    const double w = w_at(camera.z);
+    if (!(w > 0.0)) return std::nullopt;
+    const glm::dvec2 pixel = middle + scale() * glm::dvec2(camera.x / w, camera.y / w);
     return std::isfinite(pixel.x) && std::isfinite(pixel.y) ? std::optional(pixel) : std::nullopt;
 }
 
@@ -55,12 +54,15 @@ std::array<glm::dvec3, 4> PicturePlane::corners() const {
             place_of({0.0, height})};
 }
 
-PicturePlane picture_plane(const Camera& camera, const Viewport& size, const SceneBox& box) {
+PicturePlane picture_plane(const Camera& camera, const Viewport& size, const SceneBox& box,
+                           const Projection& projection) {
     PicturePlane plane;
     plane.eye = camera.position;
     plane.rotation = camera_rotation(camera);
     plane.focal_length = std::max(camera.focal_length, 1e-3f);
     plane.size = size;
+    plane.mix = projection.mix;
+    plane.depth = std::max(static_cast<double>(projection.depth), 1e-6);
     VertexRules rules;
     rules.viewport = size;
     plane.middle = viewport_middle(rules);

@@ -2,7 +2,8 @@
 
 // The picture as a thing in the world: a pane of glass before the camera, at right angles to where
 // it looks, which every ray from a vertex to the eye goes through. A pinhole camera has no size, so
-// neither has the distance of the pane; only its width in relation to it counts.
+// neither has the distance of the pane; only its width in relation to it counts. Under orthographic
+// projection the rays are parallel, and the pane is as wide as what is seen.
 
 #include <array>
 #include <optional>
@@ -12,6 +13,7 @@
 #include <glm/vec3.hpp>
 
 #include "scene/scene.h"
+#include "stages/vertex_shader.h"
 
 namespace rasterwalk {
 
@@ -33,22 +35,34 @@ struct PicturePlane {
     glm::dmat3 rotation{1.0};  ///< R of the camera, for row vectors
     double focal_length = 1.0; ///< pixels
     double distance = 1.0;     ///< from the eye, world units
+    double mix = 0.0;          ///< 0: perspective, 1: orthographic
+    double depth = 1.0;        ///< d of the projection, world units; counts only if mix is not 0
     glm::dvec2 middle{0.0};    ///< of the picture, pixels from its corner
     Viewport size;
 
     /// A place in camera space: x right, y down, z forward.
     glm::dvec3 in_camera(const glm::dvec3& world) const { return (world - eye) * rotation; }
     glm::dvec3 in_world(const glm::dvec3& camera) const { return eye + rotation * camera; }
+    /// w of a place in camera space at this z: z, 1, or between.
+    double w_at(double z) const { return (1.0 - mix) * z + mix; }
+    /// What x/w and y/w are multiplied by, pixels: f, f/d, or between.
+    double scale() const { return mix == 0.0 ? focal_length : focal_length * w_at(depth) / depth; }
+    /// The place at this depth on the ray through a place in camera space; w there must not be 0.
+    glm::dvec3 on_ray(const glm::dvec3& camera, double z) const {
+        const double share = w_at(z) / w_at(camera.z);
+        return {share * camera.x, share * camera.y, z};
+    }
     /// A place in the picture, pixels from its corner, as a place in the world.
     glm::dvec3 place_of(const glm::dvec2& pixel) const;
-    /// Through which place of the picture, pixels from its corner, the ray from a place in camera
-    /// space to the eye goes; none for one that is not in front of the eye.
+    /// Through which place of the picture, pixels from its corner, the ray through a place in
+    /// camera space goes; none for one whose w is not positive: it lies behind the eye.
     std::optional<glm::dvec2> pixel_of(const glm::dvec3& camera) const;
     /// Top left, top right, bottom right, bottom left.
     std::array<glm::dvec3, 4> corners() const;
 };
 
 /// As large and as near as suits the scene.
-PicturePlane picture_plane(const Camera& camera, const Viewport& size, const SceneBox& box);
+PicturePlane picture_plane(const Camera& camera, const Viewport& size, const SceneBox& box,
+                           const Projection& projection = {});
 
 } // namespace rasterwalk

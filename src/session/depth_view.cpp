@@ -7,6 +7,7 @@
 #include "picture/view_image.h"
 #include "session/session.h"
 #include "settings/setting_table.h"
+#include "stages/orthographic.h"
 
 namespace rasterwalk {
 
@@ -45,7 +46,27 @@ std::int64_t full_height(std::vector<std::int64_t> bins) {
     return std::clamp<std::int64_t>(bins.back(), 1, std::max<std::int64_t>(limit, 1));
 }
 
+/// What is interpolated linearly is z, whatever the format.
+bool holds_inv_z(const Frame& frame) {
+    return depth_rule(frame.settings) == DepthTest::linear_z ||
+           clip_depth_rule(frame.settings, frame.scene->space) == ClipDepth::inv_z;
+}
+
 } // namespace
+
+std::string_view stored_depth_name(const Frame& frame) {
+    return holds_inv_z(frame) ? "1/z" : "depth";
+}
+
+double z_of_stored_depth(const Frame& frame, float depth) {
+    const double stored = depth;
+    if (holds_inv_z(frame)) return 1.0 / stored;
+    // stored = w(near) (far - z) / (length w(z)), with w(z) = (1 - mix) z + mix, solved for z.
+    const VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
+    const double mix = rules.projection.mix, length = view_length(rules);
+    const double near_w = clip_w(rules.near, rules.projection);
+    return (near_w * rules.far - stored * length * mix) / (near_w + stored * length * (1.0 - mix));
+}
 
 DepthView depth_view(const Framebuffer& framebuffer, const std::optional<DepthRange>& chosen) {
     DepthView view;

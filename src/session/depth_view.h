@@ -1,7 +1,7 @@
 #pragma once
 
-// The depth view: which range of 1/z the colours are spread over, and how the stored values are
-// spread over it.
+// The depth view: which range of stored depths the colours are spread over, and how these are
+// spread over it. What is stored is 1/z, or the reversed depth of the settings.
 
 #include <cstdint>
 #include <optional>
@@ -10,13 +10,21 @@
 #include <vector>
 
 #include "picture/view_image.h"
+#include "pipeline/frame.h"
 #include "pipeline/framebuffer.h"
 
 namespace rasterwalk {
 
 struct Session;
 
-/// The stored values of 1/z in bins of equal width.
+/// What the depth buffer of this frame holds: "1/z", or "depth" from 0 at the far plane to 1 at the
+/// near one.
+std::string_view stored_depth_name(const Frame& frame);
+
+/// How far in front of the camera a place with this stored depth lies, world units.
+double z_of_stored_depth(const Frame& frame, float depth);
+
+/// The stored depths in bins of equal width.
 struct DepthHistogram {
     DepthRange axis;                ///< from the left end to the right
     std::vector<std::int64_t> bins; ///< pixels
@@ -25,7 +33,7 @@ struct DepthHistogram {
 
 /// What the depth view shows beside the picture.
 struct DepthView {
-    std::optional<DepthRange> present; ///< smallest and largest 1/z stored; none: nothing has one
+    std::optional<DepthRange> present; ///< smallest and largest stored; none: nothing has one
     DepthRange range;                  ///< the colours are spread over it
     DepthHistogram histogram;
     std::int64_t drawn = 0;   ///< pixels that have a depth

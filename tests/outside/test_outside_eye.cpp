@@ -10,6 +10,7 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
+#include "pipeline/frame.h"
 #include "settings/settings.h"
 #include "stages/project.h"
 #include "stages/stage_table.h"
@@ -110,6 +111,40 @@ TEST_CASE("The corners of the picture lie on the rays through its corners") {
             const std::optional<glm::dvec2> own = plane.pixel_of(plane.in_camera(corners[c]));
             REQUIRE(own);
             CHECK(is_near(*own, pixels[c], 1e-3));
+        }
+    }
+}
+
+TEST_CASE("Under every projection the pane stands where the rays of the drawing go through it") {
+    Random random(54);
+    const Scene room = lab_room();
+    for (int i = 0; i < rounds(60, 20); ++i) {
+        Settings settings;
+        settings.camera.position = {random.number(-1, 1), random.number(-1, 1),
+                                    random.number(-5, -2)};
+        settings.camera.yaw = random.number(-0.4, 0.4);
+        settings.camera.focal_length = random.number(100, 900);
+        settings.viewport = {random.integer(1, 900), random.integer(1, 900)};
+        settings.projection_mix = i % 2 == 0 ? 1.0f : random.number(0, 1);
+        const Frame frame = prepare_frame(room, settings);
+        const PicturePlane plane = picture_plane(settings.camera, settings.viewport, box_of(room),
+                                                 vertex_rules(settings, room.space).projection);
+        for (int t = 0; t < room.triangle_count(); ++t) {
+            if (!frame.is_drawn(t)) continue;
+            for (int v = 0; v < 3; ++v) {
+                const glm::dvec3 seen = plane.in_camera(glm::dvec3(room.corner(t, v).position));
+                const glm::dvec2 drawn(
+                    frame.triangle_vertices(t)[static_cast<std::size_t>(v)].position);
+                const std::optional<glm::dvec2> pixel = plane.pixel_of(seen);
+                REQUIRE(pixel);
+                CHECK(is_near(*pixel, drawn, 0.05));
+                // Where the ray goes through the pane, the picture has that place too.
+                const glm::dvec3 crossing = plane.in_world(plane.on_ray(seen, plane.distance));
+                CHECK(glm::distance(plane.place_of(*pixel), crossing) < 1e-6);
+                // Orthographic rays are parallel to the way the camera looks.
+                if (settings.projection_mix == 1.0f)
+                    CHECK(is_near(glm::dvec2(plane.on_ray(seen, 0.0)), glm::dvec2(seen), 1e-9));
+            }
         }
     }
 }

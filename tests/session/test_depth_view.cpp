@@ -8,8 +8,10 @@
 #include "picture/colour_map.h"
 #include "picture/view_image.h"
 #include "pipeline/draw.h"
+#include "scene/read_scene.h"
 #include "session/content.h"
 #include "session/results.h"
+#include "settings/setting_table.h"
 
 using namespace rasterwalk;
 
@@ -165,4 +167,30 @@ TEST_CASE("Other views have no depth view beside them") {
     session.view = View::colour;
     update(session, results);
     CHECK_FALSE(results.depth);
+}
+
+TEST_CASE("A stored depth tells how far in front of the camera its vertex lies") {
+    Session session = depth_session();
+    const Scene room = read_scene(lessons_folder() + "/scenes/lab-room.toml");
+    for (const char* choice : {"projection_mix=0", "depth_format=reversed_32", "projection_mix=0.4",
+                               "projection=orthographic"}) {
+        Settings settings = session.a.settings;
+        set_from_text(settings, choice);
+        const Frame frame = prepare_frame(room, settings);
+        CAPTURE(choice);
+        CHECK((stored_depth_name(frame) == "1/z") == (choice == std::string("projection_mix=0")));
+        for (int t = 0; t < room.triangle_count(); ++t) {
+            for (int v = 0; v < 3; ++v) {
+                // The camera of the room is not turned.
+                const float z = room.corner(t, v).position.z - settings.camera.position.z;
+                const float depth = frame.triangle_vertices(t)[static_cast<std::size_t>(v)].depth;
+                CHECK(z_of_stored_depth(frame, depth) == Approx(z).epsilon(1e-4));
+            }
+        }
+    }
+    // Linear z is stored as its inverse under every projection.
+    Settings settings = session.a.settings;
+    set_from_text(settings, "projection=orthographic");
+    set_from_text(settings, "depth_test=linear_z");
+    CHECK(stored_depth_name(prepare_frame(room, settings)) == "1/z");
 }

@@ -7,6 +7,7 @@
 
 #include "base/element_names.h"
 #include "base/numbers.h"
+#include "session/depth_view.h"
 #include "ui/actions/compare.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
@@ -52,8 +53,8 @@ std::vector<std::string> pixel_facts(const Ui& ui) {
     const auto colour = static_cast<std::ptrdiff_t>(facts.size()) - 1;
     const float depth = stored_depth(framebuffer, pixel->x, pixel->y);
     if (depth > 0.0f) {
-        facts.push_back(
-            fmt::format("1/z {:.4f}   z {:.4f}", depth, 1.0 / static_cast<double>(depth)));
+        facts.push_back(fmt::format("{} {:.4f}   z {:.4f}", stored_depth_name(ui.results.a.frame),
+                                    depth, z_of_stored_depth(ui.results.a.frame, depth)));
         // What the picture shows comes first.
         if (ui.session.view == View::depth) std::iter_swap(facts.begin() + colour, facts.end() - 1);
     }

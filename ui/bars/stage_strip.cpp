@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "session/depth_view.h"
 #include "ui/actions/actions.h"
 #include "ui/actions/compare.h"
 #include "ui/bars/bars.h"
@@ -105,12 +106,12 @@ std::string word_of_perspective(const Settings& settings) {
     return {};
 }
 
-std::string word_of_depth_test(const Settings& settings) {
+std::string word_of_depth_test(const Settings& settings, const Frame& frame) {
     switch (settings.depth_test) {
     case DepthTest::off:
         return "off";
     case DepthTest::inverse_z:
-        return "1/z";
+        return stored_depth_name(frame) == "1/z" ? "1/z" : "ndc z";
     case DepthTest::reversed:
         return "reversed";
     default:
@@ -142,7 +143,8 @@ std::vector<StripWord> strip_words(const Ui& ui, const Form& form, bool has_swit
             word_of_perspective(settings), settings.interpolation == Interpolation::perspective,
             "off");
         add("switch.depth_test", form.is_short ? "Depth" : "Depth test",
-            word_of_depth_test(settings), settings.depth_test == DepthTest::inverse_z, "1/z");
+            word_of_depth_test(settings, ui.results.a.frame),
+            settings.depth_test == DepthTest::inverse_z, "1/z");
     }
     words.push_back({.name = "switch.compare",
                      .quiet = "",

@@ -31,9 +31,14 @@ float bars_height_of(const Ui& ui, float canvas_height) {
 }
 
 /// A stored value with the z that it stands for: "0.2499 (z 4.001)".
-std::string depth_text(float zinv) {
-    const double value = zinv;
-    return fixed(value, 4) + " (z " + fixed(1.0 / value, 3) + ")";
+std::string depth_text(const Ui& ui, float depth) {
+    return fixed(static_cast<double>(depth), 4) + " (z " +
+           fixed(z_of_stored_depth(ui.results.a.frame, depth), 3) + ")";
+}
+
+/// What the depth buffer holds.
+std::string depth_name(const Ui& ui) {
+    return std::string(stored_depth_name(ui.results.a.frame));
 }
 
 /// Where the histogram lies on the screen.
@@ -107,9 +112,10 @@ std::optional<float> draw_handle(Ui& ui, const Plot& plot, bool is_near) {
     if (ImGui::IsItemActivated()) ui.canvas.depth_grip = mouse - x;
     const bool is_dragged = ImGui::IsItemActive() && ImGui::GetIO().MouseDelta.x != 0.0f;
     name_widget(ui, name,
-                is_near
-                    ? "The near end of the range: larger 1/z takes the brightest colour. Drag it."
-                    : "The far end of the range: smaller 1/z takes the darkest colour. Drag it.");
+                is_near ? "The near end of the range: larger " + depth_name(ui) +
+                              " takes the brightest colour. Drag it."
+                        : "The far end of the range: smaller " + depth_name(ui) +
+                              " takes the darkest colour. Drag it.");
     const Palette& p = palette(ui.options.theme);
     const ImU32 colour = packed(lit ? p.link : p.text);
     ImDrawList* const list = ImGui::GetWindowDrawList();
@@ -140,7 +146,7 @@ void draw_pointer(const Ui& ui, ImDrawList* list, const Plot& plot, float zinv) 
 }
 
 /// What a bar means, while the pointer rests on it.
-std::string bar_text(const Plot& plot, float x) {
+std::string bar_text(const Plot& plot, float x, const std::string& name) {
     const DepthHistogram& histogram = plot.view.histogram;
     const float width = (plot.high.x - plot.low.x) / static_cast<float>(depth_bins);
     // The pointer may be anywhere, also where no int reaches.
@@ -148,12 +154,12 @@ std::string bar_text(const Plot& plot, float x) {
         std::clamp((x - plot.low.x) / width, 0.0f, static_cast<float>(depth_bins - 1)));
     const float left = plot.low.x + width * static_cast<float>(bin);
     const std::int64_t pixels = histogram.bins[static_cast<std::size_t>(bin)];
-    return "1/z from " + fixed(plot.value(left), 4) + " to " + fixed(plot.value(left + width), 4) +
-           ": " + counted(pixels, "pixel", "pixels") +
+    return name + " from " + fixed(plot.value(left), 4) + " to " +
+           fixed(plot.value(left + width), 4) + ": " + counted(pixels, "pixel", "pixels") +
            (pixels > histogram.full ? ". The bar is cut off." : ".");
 }
 
-/// 1/z of the pixel pointed at or picked; 0: there is none.
+/// The stored depth of the pixel pointed at or picked; 0: there is none.
 float depth_asked(const Ui& ui) {
     const auto pixel =
         ui.canvas.hovered_pixel ? ui.canvas.hovered_pixel : ui.session.selection.pixel;
@@ -167,22 +173,23 @@ void draw_numbers(Ui& ui, const DepthView& view, ImVec2 low, float right) {
     const float gap = 14.0f * ui.options.text_scale;
     const char* const fit = "autofit";
     const float button_left = right - button_width(fit);
-    const std::string far = "far " + depth_text(view.range.far);
-    const std::string near = "near " + depth_text(view.range.near);
+    const std::string far = "far " + depth_text(ui, view.range.far);
+    const std::string near = "near " + depth_text(ui, view.range.near);
     const float y = low.y + ImGui::GetStyle().FramePadding.y;
     ImGui::SetCursorScreenPos({low.x, y});
     text_in(p.dim, far);
     name_widget(ui, "depth.far_text",
-                "1/z from which on pixels take the darkest colour, and the z of it.");
+                depth_name(ui) + " from which on pixels take the darkest colour, and the z of it.");
     const float far_end = ImGui::GetItemRectMax().x + gap;
     const float near_left = button_left - gap - ImGui::CalcTextSize(near.c_str()).x;
     ImGui::SetCursorScreenPos({std::max(near_left, far_end), y});
     text_in(p.dim, near);
     name_widget(ui, "depth.near_text",
-                "1/z from which on pixels take the brightest colour, and the z of it.");
+                depth_name(ui) +
+                    " from which on pixels take the brightest colour, and the z of it.");
     const float depth = depth_asked(ui);
     if (depth > 0.0f) {
-        const std::string here = "here " + depth_text(depth);
+        const std::string here = "here " + depth_text(ui, depth);
         const float width = ImGui::CalcTextSize(here.c_str()).x;
         const float middle = 0.5f * (far_end + near_left - gap);
         if (width < near_left - gap - far_end) {
@@ -193,10 +200,10 @@ void draw_numbers(Ui& ui, const DepthView& view, ImVec2 low, float right) {
     ImGui::SetCursorScreenPos({button_left, low.y});
     const bool is_automatic = !ui.session.depth_range;
     if (button(ui, "depth.autofit", fit, is_automatic ? Look::plain : Look::outline,
-               is_automatic ? "The range follows the picture: from the smallest to the largest 1/z "
-                              "that is stored."
-                            : "Lets the range follow the picture again, from the smallest to the "
-                              "largest 1/z that is stored.")) {
+               (is_automatic ? "The range follows the picture: from the smallest to the largest "
+                             : "Lets the range follow the picture again, from the smallest to the "
+                               "largest ") +
+                   depth_name(ui) + " that is stored.")) {
         ui.session.depth_range = std::nullopt;
     }
 }
@@ -238,7 +245,8 @@ void draw_depth_legend(Ui& ui, ImVec2 low, ImVec2 high) {
     ImGui::Dummy({plot.high.x - plot.low.x, plot.high.y - plot.low.y});
     const bool on_handle = ImGui::IsAnyItemHovered() || ImGui::IsAnyItemActive();
     name_widget(ui, "depth.histogram",
-                on_handle ? std::string() : bar_text(plot, ImGui::GetIO().MousePos.x));
+                on_handle ? std::string()
+                          : bar_text(plot, ImGui::GetIO().MousePos.x, depth_name(ui)));
     ImGui::PopFont();
 }
 

@@ -37,7 +37,8 @@ void draw_error(Ui& ui, const QuantityInfo& info) {
     const Palette& p = palette(ui.options.theme);
     if (info.quantity == Quantity::zinv) {
         right_aligned("0", p.dim);
-        name_widget(ui, "fragment.zinv.off", "1/z is interpolated the same way under both.");
+        name_widget(ui, "fragment.zinv.off",
+                    std::string(info.words.name) + " is interpolated the same way under both.");
         return;
     }
     const std::string id = std::string(info.words.id) + ".off";
