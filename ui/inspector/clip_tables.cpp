@@ -189,10 +189,23 @@ bool is_plane_open(const ClipPage& page, ClipPlane plane) {
 }
 
 /// A distance from the plane, and on which side that is.
+std::string distance_text(float distance, bool is_inside) {
+    return fixed(static_cast<double>(distance), 3) + (is_inside ? " in" : " out");
+}
+
+/// Is there room for the words of all distances? Where there is none the sign says it.
+bool has_room_for_sides(const std::vector<ClipStep>& steps, float room) {
+    return std::all_of(steps.begin(), steps.end(), [&](const ClipStep& step) {
+        return text_width(distance_text(step.d_from, step.is_from_inside)) <= room &&
+               text_width(distance_text(step.d_to, step.is_to_inside)) <= room;
+    });
+}
+
 void draw_distance(const ClipPage& page, const std::string& name, const std::string& id,
-                   float distance, bool is_inside, bool is_coming) {
+                   float distance, bool is_inside, bool is_coming, bool has_side) {
     ImGui::TableNextColumn();
-    const std::string text = fixed(static_cast<double>(distance), 3) + (is_inside ? " in" : " out");
+    const std::string text =
+        has_side ? distance_text(distance, is_inside) : fixed(static_cast<double>(distance), 3);
     const Meaning meaning = is_inside ? Meaning::pass : Meaning::fail;
     draw_asked(page, name, id, text,
                is_coming ? page.palette().dim : colour_of(meaning, page.ui.options.theme),
@@ -204,7 +217,9 @@ void draw_distance(const ClipPage& page, const std::string& name, const std::str
 std::string passed_text(const ClipPage& page, const ClipStep& step, const CutCorner& from) {
     std::string text;
     if (step.keeps_from) text = short_corner_name(from);
-    if (!step.is_cut) return text.empty() ? "nothing" : text;
+    if (!step.is_cut && text.empty())
+        return text_width("nothing") <= ImGui::GetContentRegionAvail().x ? "nothing" : "–";
+    if (!step.is_cut) return text;
     const auto made = corner_made(page.history, planes_before(page.history, step.plane), step.from);
     if (!made) return text;
     return text + (text.empty() ? "" : ", ") + short_corner_name(*made);
@@ -224,7 +239,8 @@ void go_to_step(const ClipPage& page, ClipPlane plane, int step) {
     if (timeline.exists(cursor)) go_to(page.ui.session, timeline.next(cursor, Granularity::moment));
 }
 
-void draw_step(const ClipPage& page, const ClipStep& step, const std::vector<CutCorner>& before) {
+void draw_step(const ClipPage& page, const ClipStep& step, const std::vector<CutCorner>& before,
+               bool has_sides) {
     const CutCorner& from = before[static_cast<std::size_t>(step.from)];
     const CutCorner& to = before[static_cast<std::size_t>(step.to)];
     const std::string plane = number_of(step.plane);
@@ -255,9 +271,9 @@ void draw_step(const ClipPage& page, const ClipStep& step, const std::vector<Cut
     const auto distance_id = [&](int of) { return "d." + plane + "." + std::to_string(of); };
     const std::string name = "clip.d." + place;
     draw_distance(page, name + ".from", distance_id(step.from), step.d_from, step.is_from_inside,
-                  is_coming);
-    draw_distance(page, name + ".to", distance_id(step.to), step.d_to, step.is_to_inside,
-                  is_coming);
+                  is_coming, has_sides);
+    draw_distance(page, name + ".to", distance_id(step.to), step.d_to, step.is_to_inside, is_coming,
+                  has_sides);
     ImGui::TableNextColumn();
     if (step.is_cut) {
         draw_asked(page, "clip.t." + place, "t." + place, fixed(static_cast<double>(step.t), 4),
@@ -537,6 +553,7 @@ void draw_clip_plane(const ClipPage& page, ClipPlane plane) {
                           "How far inside of the plane the edge begins.");
         draw_column_title(page, "clip.header.to", "to, d",
                           "How far inside of the plane the edge ends.");
+        const float room = ImGui::GetContentRegionAvail().x;
         draw_column_title(page, "clip.header.t", "t",
                           "Where the edge is cut: d of the corner inside, divided by the sum of "
                           "both distances. Always measured from the corner inside, so that two "
@@ -544,10 +561,12 @@ void draw_clip_plane(const ClipPage& page, ClipPlane plane) {
         draw_column_title(page, "clip.header.gives", "gives",
                           "The corners that this edge passes on.");
         ImGui::PushFont(page.ui.fonts.mono);
-        for (const ClipStep& step : steps_of(page, plane, before)) {
+        const std::vector<ClipStep> steps = steps_of(page, plane, before);
+        const bool has_sides = has_room_for_sides(steps, room);
+        for (const ClipStep& step : steps) {
             if (step.from < static_cast<int>(before.size()) &&
                 step.to < static_cast<int>(before.size()))
-                draw_step(page, step, before);
+                draw_step(page, step, before, has_sides);
         }
         ImGui::PopFont();
         end_clip_table();
