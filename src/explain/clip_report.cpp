@@ -380,8 +380,7 @@ Formula Maker::area() const {
 } // namespace
 
 std::string plane_name(ClipPlane plane) {
-    const bool is_side = plane != ClipPlane::near && plane != ClipPlane::far;
-    return std::string(word_of(plane)) + (is_side ? " side" : " plane");
+    return plane_name(static_cast<int>(plane));
 }
 
 std::string corner_formula_id(const CutCorner& corner, int coordinate) {

@@ -216,8 +216,6 @@ Name name_of(const Pen& pen, const OutsidePoint& point) {
         point.kind == OutsidePointKind::cut || point.kind == OutsidePointKind::plane;
     const auto which = is_of_plane ? static_cast<ClipPlane>(point.number) : ClipPlane::near;
     const std::string_view plane = word_of(which);
-    const bool is_end = which == ClipPlane::near || which == ClipPlane::far;
-    const char* const end_of_name = is_end ? " plane" : " side";
     switch (point.kind) {
     case OutsidePointKind::camera:
         return {point, "camera", pen.text(), 0, LabelSide::below};
@@ -233,7 +231,7 @@ Name name_of(const Pen& pen, const OutsidePoint& point) {
     case OutsidePointKind::cut:
         return {point, std::string(plane), pen.meaning(Meaning::left_end), 3};
     case OutsidePointKind::plane:
-        return {point, pen.is_narrow ? std::string(plane) : std::string(plane) + end_of_name,
+        return {point, pen.is_narrow ? std::string(plane) : std::string(plane) + " plane",
                 pen.meaning(Meaning::left_end), 4, LabelSide::above_right};
     case OutsidePointKind::mirrored:
         return {point, pen.is_narrow ? "divided" : "dividing puts it here",
