@@ -42,8 +42,13 @@ std::vector<glm::dvec3> places_to_see(const OutsideThings& things) {
                             (i & 2) != 0 ? box.high.y : box.low.y,
                             (i & 4) != 0 ? box.high.z : box.low.z);
     }
-    for (const glm::dvec3& corner : things.plane.corners())
+    for (const glm::dvec3& corner : things.plane.corners()) {
         places.push_back(corner);
+        // Where rays do not meet in the camera, its view volume begins beside it.
+        if (things.plane.mix > 0.0)
+            places.push_back(
+                things.plane.in_world(things.plane.on_ray(things.plane.in_camera(corner), 0.0)));
+    }
     places.push_back(things.plane.eye);
     if (glm::length(things.lamp - box.middle()) <= farthest_lamp * box.radius()) {
         places.push_back(things.lamp);

@@ -9,15 +9,22 @@
 #include "settings/value_words.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
 
 namespace {
 
-void dim_text(const Ui& ui, std::string_view text) {
-    ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
+/// Text of which no line is cut at the edge of the scroll.
+void plain_text(Ui& ui, std::string_view text) {
     wrapped_text(text);
+    keep_text_whole(ui);
+}
+
+void dim_text(Ui& ui, std::string_view text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
+    plain_text(ui, text);
     ImGui::PopStyleColor();
 }
 
@@ -38,6 +45,7 @@ void draw_order(Ui& ui) {
                    "transpose of the other.")) {
             ui.session.a.settings.matrix_order = order;
         }
+        keep_item_whole(ui);
     }
 }
 
@@ -55,6 +63,7 @@ void draw_matrix(Ui& ui, const SpacePlace& place, MatrixOrder order) {
             right_aligned(fixed(value, ui.inspector.is_narrow ? 2 : 3),
                           is_plain ? palette(ui.options.theme).dim
                                    : palette(ui.options.theme).text);
+            keep_item_whole(ui);
         }
     }
     ImGui::PopFont();
@@ -64,17 +73,19 @@ void draw_matrix(Ui& ui, const SpacePlace& place, MatrixOrder order) {
 void draw_place(Ui& ui, const SpacePlace& place, MatrixOrder order) {
     ImGui::Separator();
     ImGui::TextUnformatted(place.space.data(), place.space.data() + place.space.size());
+    keep_item_whole(ui);
     name_widget(ui, std::string("vertices.space.").append(place.space), place.about);
     dim_text(ui, place.about);
     if (place.matrix) {
         ImGui::TextUnformatted((std::string(place.matrix_name) + " =").c_str());
+        keep_item_whole(ui);
         draw_matrix(ui, place, order);
     }
     ImGui::PushFont(ui.fonts.mono_small);
     for (int i = 0; i < 4; ++i) {
         const std::string& formula = place.formulas[static_cast<std::size_t>(i)];
         constexpr const char* axes[] = {"x = ", "y = ", "z = ", "w = "};
-        wrapped_text(formula.empty() ? axes[i] + fixed(place.place[i], 4) : formula);
+        plain_text(ui, formula.empty() ? axes[i] + fixed(place.place[i], 4) : formula);
     }
     ImGui::PopFont();
 }
@@ -100,14 +111,16 @@ void draw_conventions(Ui& ui, const Vertex& vertex) {
         convention_report(ui.results.a.frame.settings.camera, vertex.position);
     ImGui::Separator();
     ImGui::TextUnformatted("conventions");
+    keep_item_whole(ui);
     name_widget(ui, "vertices.conventions",
                 "The same point with one choice made otherwise: pixels from the middle.");
     const auto draw_line = [&](std::string_view name, const ConventionPlace& place) {
-        wrapped_text(std::string(name) + ": " + fixed(place.picture.x, 1) + ", " +
-                     fixed(place.picture.y, 1) + ", " + std::string(change_words(place.change)));
+        plain_text(ui, std::string(name) + ": " + fixed(place.picture.x, 1) + ", " +
+                           fixed(place.picture.y, 1) + ", " +
+                           std::string(change_words(place.change)));
     };
-    wrapped_text("as the lab: " + fixed(report.lab.picture.x, 1) + ", " +
-                 fixed(report.lab.picture.y, 1));
+    plain_text(ui, "as the lab: " + fixed(report.lab.picture.x, 1) + ", " +
+                       fixed(report.lab.picture.y, 1));
     for (std::size_t i = 0; i < convention_count; ++i)
         draw_line(convention_names()[i], report.alone[i]);
     for (const std::string& sentence : report.sentences)
@@ -124,9 +137,10 @@ void draw_spaces(Ui& ui, int vertex) {
     if (spaces.chain.empty()) return;
     ImGui::Separator();
     text_in(palette(ui.options.theme).dim, "Spaces of " + vertex_name(vertex));
+    keep_item_whole(ui);
     name_widget(ui, "vertices.spaces",
                 "The vertex in every space, and the matrix that took it there.");
-    wrapped_text(spaces.chain);
+    plain_text(ui, spaces.chain);
     draw_order(ui);
     for (const SpacePlace& place : spaces.places)
         draw_place(ui, place, spaces.order);
