@@ -23,7 +23,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// "the near plane and the left side", "the near plane, the left side and the top side".
+/// "the near plane and the left plane", "the near plane, the left plane and the top plane".
 std::string list_of_planes(Outcode code) {
     std::vector<std::string> names;
     for (std::size_t p = 0; p < clip_plane_count; ++p) {
@@ -124,7 +124,9 @@ void draw_offer(Ui& ui) {
 
 void draw_clip_verdict(const ClipPage& page) {
     Ui& ui = page.ui;
-    wrapped_text(verdict_of(page.history, page.frame.settings));
+    const bool is_culled = page.frame.settings.cull != Cull::none && page.history.cull.is_back;
+    wrapped_text(verdict_of(page.history, page.frame.settings) +
+                 (is_culled ? " It is left out: it shows its back." : ""));
     keep_text_whole(ui);
     name_widget(ui, "clip.verdict",
                 "What becomes of the triangle between the vertex shader and the division by w.");
@@ -184,8 +186,10 @@ void draw_clip_card(const ClipPage& page) {
     Ui& ui = page.ui;
     std::optional<Formula> formula = clip_formula(page.frame, page.history, page.number);
     if (!formula) return;
+    const float top = ImGui::GetCursorScreenPos().y;
     begin_card(ui);
     text_in(page.palette().dim, formula->help);
+    keep_beginning(ui, top, ImGui::GetItemRectMin().y + ImGui::GetTextLineHeight());
     name_widget(ui, "clip.formula", formula->help);
     keep_text_whole(ui);
     ImGui::PushFont(ui.inspector.is_low ? ui.fonts.small : ui.fonts.text);

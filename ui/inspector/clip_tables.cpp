@@ -419,6 +419,8 @@ std::string culling_text(const ClipPage& page, const std::vector<CullAnswer>& an
     std::string text;
     if (in_force == Cull::none) {
         text = "The setting leaves out no backs: it is drawn whichever side it shows.";
+    } else if (in_force == Cull::fragment_normal) {
+        text = "The setting asks each fragment by itself: those with a back's normal are left out.";
     } else {
         text = page.history.cull.is_back ? "It is left out." : "It is drawn.";
     }
