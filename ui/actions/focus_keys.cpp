@@ -237,7 +237,10 @@ void take_widget_keys(Ui& ui) {
 
 /// What scrolls there: the window of the widget that has the keyboard, or else the largest one.
 ImGuiWindow* scrolled_in(ImGuiID part, const Focus& focus) {
-    const auto scrolls = [](const ImGuiWindow* w) { return w->WasActive && w->ScrollMax.y > 0.0f; };
+    const auto scrolls = [](const ImGuiWindow* w) {
+        const bool is_fixed = (w->Flags & ImGuiWindowFlags_NoScrollWithMouse) != 0;
+        return w->WasActive && w->ScrollMax.y > 0.0f && !is_fixed;
+    };
     ImGuiWindow* largest = nullptr;
     float most = 0.0f;
     for (ImGuiWindow* const window : GImGui->Windows) {

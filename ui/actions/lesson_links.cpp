@@ -259,8 +259,6 @@ void release_pointed(Ui& ui) {
     lesson.is_hovered = lesson.is_new = false;
     if (lesson.pointed_at.empty()) return;
     const bool is_of_step = lesson.meant == lesson.of_step;
-    // It is in sight as long as it is held.
-    if (is_of_step && lesson.is_held) lesson.of_step_in = place_of_pointed(ui);
     const bool is_scrolled = is_of_step && ImGui::GetIO().MouseWheel != 0.0f;
     frame_pointed(ui);
     // The key that led here may still be held: only another one that goes down ends it, unless it
@@ -269,6 +267,8 @@ void release_pointed(Ui& ui) {
     if (lesson.is_held && (is_pressed() || is_scrolled) && !is_new && !leads_on(ui)) {
         lesson.is_held = false;
     }
+    // It is in sight as long as it is held; what ends that may move it.
+    if (is_of_step && lesson.is_held) lesson.of_step_in = place_of_pointed(ui);
     ++lesson.frames_unseen;
     if (lesson.is_held) {
         const std::string way = way_to(ui, lesson.meant);

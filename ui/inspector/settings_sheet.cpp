@@ -12,6 +12,7 @@
 #include "ui/inspector/panels.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -75,6 +76,7 @@ void draw_setting(Ui& ui, const Setting& setting, const Settings& usual,
     const std::string usual_text = value_text(setting, usual);
     const bool differs = value_text(setting, ui.session.a.settings) != usual_text;
     const float begin = ImGui::GetCursorPosX();
+    const float top = ImGui::GetCursorScreenPos().y;
     const float indent = setting.part_of.empty() ? 0.0f : 14.0f * u;
     const std::string title(setting.title);
     const bool fits = columns.reset - columns.name >= field_width(ui, setting) &&
@@ -89,6 +91,7 @@ void draw_setting(Ui& ui, const Setting& setting, const Settings& usual,
     ImGui::SetCursorPosX(begin + (fits ? columns.name : indent));
     ImGui::SetNextItemWidth(columns.reset - (fits ? columns.name : indent) - 4.0f * u);
     edit_setting(ui, ui.session.a.settings, setting, "setting." + name);
+    keep_whole(ui, top, ImGui::GetItemRectMax().y);
     if (differs) {
         ImGui::SameLine();
         ImGui::SetCursorPosX(begin + columns.reset);
@@ -137,6 +140,7 @@ void draw_heading(Ui& ui, std::string_view text) {
     ImGui::Spacing();
     ImGui::PushFont(ui.fonts.bold);
     text_in(palette(ui.options.theme).dim, text);
+    keep_item_whole(ui);
     ImGui::PopFont();
 }
 
@@ -146,8 +150,10 @@ std::string_view brief(std::string_view about) {
 }
 
 bool preset_button(Ui& ui, const Preset& preset, float width) {
-    return button(ui, "settings.preset." + preset.name, preset.name, Look::plain, preset.about,
-                  {width, 0.0f});
+    const bool is_pressed = button(ui, "settings.preset." + preset.name, preset.name, Look::plain,
+                                   preset.about, {width, 0.0f});
+    keep_item_whole(ui);
+    return is_pressed;
 }
 
 /// Where lines are few: what each does is left to its tooltip.
@@ -182,6 +188,7 @@ void draw_presets(Ui& ui) {
         ImGui::SetCursorScreenPos(
             {start.x + widest + gap, start.y + std::max(0.5f * (button_height - height), 0.0f)});
         text_in(palette(ui.options.theme).dim, words);
+        keep_text_whole(ui);
         ImGui::PopFont();
         ImGui::SetCursorScreenPos(
             {start.x, start.y + std::max(button_height, height) + ImGui::GetStyle().ItemSpacing.y});
@@ -249,7 +256,9 @@ void draw_settings_sheet(Ui& ui) {
     }
     // The list scrolls, its head stays.
     ImGui::BeginChild("settings.list", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    begin_whole_lines(ui);
     draw_all_settings(ui);
+    end_whole_lines(ui);
     ImGui::EndChild();
 }
 

@@ -93,9 +93,9 @@ void name_widget(Ui& ui, std::string_view name, std::string_view tooltip) {
     note_stop(place);
     ui.widgets[std::string(name)] = place;
     const bool is_explained = show_focus(ui, name, shown, visible) && ui.focus.is_explained;
-    const bool is_cut =
-        (shown.Min.y > low.y + 0.5f * spacing.y || shown.Max.y < high.y - 0.5f * spacing.y) &&
-        high.y - low.y < ImGui::GetWindowHeight();
+    // A line that is cut by more than a pixel may be left out, see whole_lines.h.
+    const bool is_cut = (shown.Min.y > low.y + 1.0f || shown.Max.y < high.y - 1.0f) &&
+                        high.y - low.y < ImGui::GetWindowHeight();
     outline_if_pointed_at(ui, name, shown, visible, is_cut);
     // Not over a button that is held: the tooltip would lie over what the drag changes.
     const bool is_pointed_at =

@@ -35,7 +35,10 @@ TEST_CASE("A step outlines what it points at, whatever is pressed, until it is u
         const std::string widget = *lesson.steps[static_cast<std::size_t>(step)].state.point_at;
         open_lesson(driver.ui, lesson.id, step - 1);
         driver.hand.frames(frames_to_rest);
-        driver.hand.hold(key::page_down, 5); // as a person does, for several frames
+        // As a person does, for several frames each. Cards of the step before, or a task of it
+        // below the fold, come first.
+        for (int i = 0; i < 8 && driver.ui.session.step < step; ++i)
+            driver.hand.hold(key::page_down, 5);
         CHECK(driver.ui.session.step == step);
         CHECK(view.pointed_at == widget);
         driver.hand.frames(20);
@@ -105,6 +108,22 @@ TEST_CASE("Who scrolls away from what a step points at is not held back") {
     driver.hand.frames(6);
     CHECK(driver.ui.lesson.pointed_at == "setting.camera.position");
     CHECK(driver.ui.widgets.at("setting.camera.position").is_whole);
+}
+
+TEST_CASE("What a step points at stays whole when a question makes the strip higher") {
+    Driver driver("lab-room.toml", {1600, 1000}, 1.5f);
+    open_lesson(driver.ui, "08-depth-buffer", 1);
+    driver.hand.leave();
+    for (int i = 0; i < 8 && driver.ui.session.step == 1; ++i) {
+        INFO(i);
+        const WidgetPlace& number = driver.ui.widgets.at("vertices.zinv.v0");
+        CHECK(driver.ui.lesson.pointed_at == "vertices.zinv");
+        CHECK(number.visible);
+        CHECK(number.bottom_right.y - number.top_left.y >= driver.ui.fonts.mono->FontSize);
+        driver.hand.press(key::page_down);
+        driver.hand.frames(frames_to_rest);
+    }
+    CHECK(driver.ui.session.step == 2);
 }
 
 TEST_CASE("A setting behind the gear is outlined when the gear is clicked, in every window") {
