@@ -14,6 +14,7 @@
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/row_ends.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -145,6 +146,7 @@ void draw_row(Ui& ui, int index) {
     }
     ImGui::SameLine(0.0f, 0.0f);
     right_aligned(whole_text(row), p.text);
+    keep_item_whole(ui);
     ImGui::PopID();
     const RowWrite write = just_written(ui, row);
     ImGui::TableNextColumn();
@@ -353,6 +355,7 @@ void draw_row_table_with(Ui& ui, const std::function<void()>& below) {
     }
     const float height = ImGui::GetContentRegionAvail().y;
     ImGui::BeginChild("rows.body", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    begin_whole_lines(ui);
     if (begin_row_table(ui, "rows", 0, {width, 0})) {
         draw_all_rows(ui, height);
         ImGui::EndTable();
@@ -360,6 +363,7 @@ void draw_row_table_with(Ui& ui, const std::function<void()>& below) {
     ImGui::PushTextWrapPos(width);
     below();
     ImGui::PopTextWrapPos();
+    end_whole_lines(ui);
     ImGui::EndChild();
 }
 
