@@ -176,8 +176,11 @@ constexpr auto rejection_names = [] {
 
 Value triangle_arrows(const Facts& facts, int is_cross) {
     return of_shown_triangle(facts, [&](const Frame& frame, int triangle) {
+        // Of a back that is culled nobody has asked whether all corners have a pixel.
+        const auto has_pixel = [&](int v) { return frame.given_vertex(triangle, v).has_pixel; };
         const bool has_pixels =
-            frame.is_drawn(triangle) || frame.rejection(triangle) == Rejection::back_facing;
+            frame.is_drawn(triangle) || (frame.rejection(triangle) == Rejection::back_facing &&
+                                         has_pixel(0) && has_pixel(1) && has_pixel(2));
         const std::optional<Arrows> arrows =
             has_pixels ? arrows_of(frame.triangle_vertices(triangle)) : std::nullopt;
         if (!arrows) return Value();

@@ -83,7 +83,7 @@ std::optional<ClipProgress> clip_progress(const ClipHistory& history,
 
 std::vector<CutCorner> corners_before(const ClipHistory& history, int planes) {
     const auto all = static_cast<int>(history.planes.size());
-    if (all == 0 && history.clipped.is_cut) return unexplained_corners(history);
+    if (planes > 0 && all == 0 && history.clipped.is_cut) return unexplained_corners(history);
     std::vector<CutCorner> corners = given_corners(history);
     for (int p = 0; p < std::min(planes, all); ++p) {
         const PlaneHistory& plane = history.planes[static_cast<std::size_t>(p)];

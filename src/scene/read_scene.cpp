@@ -130,9 +130,10 @@ std::vector<ModelStep> read_model(const TomlInput& part, SceneSpace space) {
     if (list.size() > most_model_steps) {
         part.fail(list, "'model' has more than " + std::to_string(most_model_steps) + " steps.");
     }
+    glm::dmat4 matrix(1.0);
     for (const toml::node& node : list) {
         steps.push_back(read_model_step(part.table(node, "each step of 'model'")));
-        const glm::dmat4 matrix = model_matrix(steps);
+        matrix = step_matrix(steps.back()) * matrix;
         for (int column = 0; column < 4; ++column) {
             const glm::dvec4 size = glm::abs(matrix[column]);
             if (std::max({size.x, size.y, size.z}) > largest_entry)

@@ -62,6 +62,7 @@ std::string clip_sentence(const Frame& frame, const Cursor& cursor, const std::s
         if (planes.pieces[p].count == 0) continue;
         those.append(those.empty() ? "p" : ", p").append(std::to_string(p));
     }
+    if (those.empty()) return "no plane cuts " + triangle;
     return triangle + " is cut by the planes " + those;
 }
 
