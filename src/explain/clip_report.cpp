@@ -151,7 +151,8 @@ FormulaInput coefficient(const Settings& settings, ClipPlane plane, float size) 
         return {"k", {size}, from_words("the plane, as the projection has its depth")};
     const bool is_across = plane == ClipPlane::left || plane == ClipPlane::right;
     const int side = is_across ? settings.viewport.width : settings.viewport.height;
-    const auto half = static_cast<float>(side / 2);
+    const int whole_half = side / 2;
+    const auto half = static_cast<float>(whole_half);
     if (size != half && size != static_cast<float>(side) - half)
         return {"g", {size}, from_words("the guard band: pixels from the picture's middle")};
     return {is_across ? "W/2" : "H/2", {size}, from_setting("viewport.size")};
@@ -296,15 +297,14 @@ std::optional<Formula> Maker::pixel(std::string_view corner, std::string_view pa
     const std::string word(rounding_function(frame.settings.vertex_rounding));
     const bool is_sum = frame.settings.vertex_rounding == VertexRounding::truncate_sum;
     const CutCorner& c = corners[static_cast<std::size_t>(i)];
+    const int middle = (is_column ? size.width : size.height) / 2;
     Formula formula{fmt::format("pixel.{}.{}", i, part),
                     std::string(part),
                     "Divided by w, made a whole number and moved to the middle of the picture.",
                     word + "(" + name + " · 1/w" + (is_sum ? " + " + half + ")" : ") + " + half),
                     {input(name, c, is_column ? 0 : 1),
                      {"1/w", {pixel.inv_w}, from_formula(corner_formula_id(c, 3))},
-                     {half,
-                      {static_cast<float>((is_column ? size.width : size.height) / 2), true},
-                      from_setting("viewport.size")}},
+                     {half, {static_cast<float>(middle), true}, from_setting("viewport.size")}},
                     {static_cast<float>(is_column ? pixel.column : pixel.row), true}};
     return checked(formula, from_words("the viewport transform"));
 }

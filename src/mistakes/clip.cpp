@@ -37,7 +37,7 @@ ClipVertex multiplied(ClipVertex vertex) {
     return vertex;
 }
 
-bool is_finite(const ClipVertex& vertex) {
+bool has_place(const ClipVertex& vertex) {
     const glm::vec4& p = vertex.position_clip;
     return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) && std::isfinite(p.w);
 }
@@ -107,7 +107,7 @@ Clipped clip_after_division(std::vector<ClipVertex>& corners, const VertexRules&
     for (const ClipVertex& corner : corners)
         screen.push_back(divided(corner));
     // A corner in the camera itself has no place on the screen; project() says so of it.
-    if (!std::all_of(screen.begin(), screen.end(), is_finite)) return {};
+    if (!std::all_of(screen.begin(), screen.end(), has_place)) return {};
     const ClipPlanes planes = view_planes(rules);
     constexpr auto first_side = static_cast<std::size_t>(ClipPlane::left);
     if (sink != nullptr) sink->begin_planes(planes, planes.size());

@@ -43,8 +43,9 @@ void line_in_first_octant(const LineEnd& a, const LineEnd& b, const LinePart& pa
     mix_ends(a, b, part, result);
     const int dx = static_cast<int>(b.x) - static_cast<int>(a.x);
     const int dy = static_cast<int>(b.y) - static_cast<int>(a.y);
+    const std::int64_t down = dy, diagonal = down - dx;
     const LineFrame right_and_down{dx, dy, 1, 0, 1, 1, false};
-    walk(a, right_and_down, {2 * dy - dx, 2 * dy, 2 * (dy - dx)}, result, decisions);
+    walk(a, right_and_down, {down + diagonal, 2 * down, 2 * diagonal}, result, decisions);
 }
 
 int edge_sample_count_to_the_right(const ScreenVertex& a, const ScreenVertex& b) {
@@ -55,8 +56,8 @@ void line_by_wrong_term(const LineEnd& a, const LineEnd& b, const LinePart& part
                         std::span<LineSample> result, std::span<LineDecision> decisions) {
     mix_ends(a, b, part, result);
     const LineFrame line = line_frame(a, b);
-    walk(a, line, {2 * line.shorter - line.longer, 2 * line.shorter, -2 * line.longer}, result,
-         decisions);
+    const std::int64_t shorter = line.shorter, longer = line.longer;
+    walk(a, line, {2 * shorter - longer, 2 * shorter, -2 * longer}, result, decisions);
 }
 
 } // namespace rasterwalk

@@ -27,7 +27,7 @@ constexpr double largest_entry = 1e12;
 constexpr std::string_view step_form = "{ rotate_y = 0.5 }.";
 
 /// Scales the points of a room of this edge into the cube -1..1; mirrored axes are turned round.
-struct Transform {
+struct SceneTransform {
     float edge;
     std::array<bool, 3> mirror{};
 
@@ -70,9 +70,9 @@ void read_viewport(const TomlInput& input, Viewport& viewport) {
     input.read("height", viewport.height, 1, largest_viewport);
 }
 
-Transform read_transform(const TomlInput& input) {
+SceneTransform read_transform(const TomlInput& input) {
     input.allow_only({"edge", "mirror"});
-    Transform transform{0.0f};
+    SceneTransform transform{0.0f};
     input.read("edge", transform.edge, 1e-6f, largest_coordinate);
     if (transform.edge == 0.0f) input.fail("the transform needs 'edge'.");
     if (input.find("mirror") == nullptr) return transform;
@@ -169,7 +169,7 @@ glm::vec3 read_pixel_point(const TomlInput& input, const toml::node& node,
 }
 
 PointSets read_points(const TomlInput& input, SceneSpace space,
-                      const std::optional<Transform>& transform) {
+                      const std::optional<SceneTransform>& transform) {
     PointSets sets;
     for (auto&& [set_key, set_node] : input.nodes()) {
         const std::string set_name(set_key.str());
@@ -348,7 +348,7 @@ Scene parse_scene(std::string_view text, const std::string& path,
     section("camera", [&](const TomlInput& table) { read_camera(table, scene.camera); });
     section("light", [&](const TomlInput& table) { read_light(table, scene.light); });
     section("viewport", [&](const TomlInput& table) { read_viewport(table, scene.viewport); });
-    std::optional<Transform> transform;
+    std::optional<SceneTransform> transform;
     section("transform", [&](const TomlInput& table) {
         if (scene.space == SceneSpace::pixels) table.fail("points in pixels take no transform.");
         transform = read_transform(table);

@@ -342,7 +342,7 @@ void draw_made_corners(const ClipPage& page, ClipPlane plane) {
     for (const ClipStep& step : work->steps) {
         if (!step.is_cut || page.is_coming(plane, step.from)) continue;
         if (auto corner = corner_made(page.history, planes_before(page.history, plane), step.from))
-            made.push_back(*std::move(corner));
+            made.push_back(*corner);
     }
     if (made.empty()) return;
     if (!begin_clip_table(page, "made" + number_of(plane), {1.1f, 1.1f, 1.1f, 0.9f, 0.9f})) return;
