@@ -60,7 +60,7 @@ std::vector<std::array<int, triangle_corners>> fan_of(std::size_t corners) {
 /// Cull, and what is left for the division.
 void cull(const Frame& frame, const VertexRules& rules, ClipHistory& history) {
     history.fan = fan_of(history.polygon.size());
-    history.is_cull_asked = frame.is_cull_asked(history.triangle);
+    history.is_cull_asked = frame.stages.cull != cull_nothing;
     const Rejection rejection = frame.stages.cull(history.polygon, rules, &history.cull);
     history.cull.is_back = rejection != Rejection::none;
 }

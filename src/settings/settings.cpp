@@ -1,5 +1,7 @@
 #include "settings/settings.h"
 
+#include <algorithm>
+
 #include "stages/orthographic.h"
 
 namespace rasterwalk {
@@ -46,7 +48,9 @@ Rounding sample_rounding(const Settings& settings) {
 }
 
 float orthographic_depth_rule(const Settings& settings) {
-    return settings.orthographic_depth > 0.0f ? settings.orthographic_depth
+    // What is closer than any near plane would enlarge beyond all numbers.
+    constexpr float least = 1e-6f;
+    return settings.orthographic_depth > 0.0f ? std::max(settings.orthographic_depth, least)
                                               : origin_depth(settings.camera, settings.near);
 }
 
