@@ -98,8 +98,7 @@ void put_pixel(Drawing& d, std::size_t pixel, int triangle, const glm::vec3& col
 }
 
 bool is_culled(const Drawing& d, const Fragment& fragment) {
-    return d.culls_fragments &&
-           d.stages.cull_fragment(fragment, d.frame.settings.camera.position, d.stages);
+    return d.culls_fragments && d.stages.cull_fragment(fragment, d.rays, d.stages);
 }
 
 /// Cull, depth test, pixel shader, put pixel.
@@ -323,6 +322,7 @@ DrawTally draw(const Frame& frame, const DrawWindow& window, Framebuffer& frameb
               .window = window,
               .scissor = intersection(scissor, drawn_area(frame)),
               .pixels = pixel_rules(settings),
+              .rays = sight_rays(vertex_rules(settings, frame.scene->space)),
               .carried = carried,
               .is_depth_tested = depth_rule(settings) != DepthTest::off,
               .all_have_cells = frame.stages.depth_cell == depth_cell,

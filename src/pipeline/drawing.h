@@ -17,6 +17,7 @@ struct Drawing {
     DrawWindow window;
     Rectangle scissor; ///< what is drawn of the picture: the framebuffer, cut by the window's
     PixelRules pixels;
+    SightRays rays;     ///< by which fragments are culled
     VaryingSet carried; ///< those that edges and rows carry
     bool is_depth_tested;
     bool all_have_cells;  ///< each pixel of the picture has a depth cell: nothing to ask

@@ -34,11 +34,16 @@ Rejection back_facing_if(bool is_back, const CullWords& words, CullTest* test) {
 
 } // namespace
 
-float away_from_camera(const ClipVertex& vertex, const VertexRules& rules) {
-    glm::vec3 ray = vertex.varyings.position_world - rules.camera.position;
-    const float mix = rules.projection.mix;
-    if (mix > 0.0f) ray = (1.0f - mix) * ray + mix * camera_rotation(rules.camera)[2];
-    return glm::dot(vertex.varyings.normal, ray);
+SightRays sight_rays(const VertexRules& rules) {
+    SightRays rays{rules.camera.position, glm::vec3(0.0f), rules.projection.mix};
+    if (rays.mix > 0.0f) rays.forward = camera_rotation(rules.camera)[2];
+    return rays;
+}
+
+float away_from_camera(const Varyings& varyings, const SightRays& rays) {
+    glm::vec3 ray = varyings.position_world - rays.camera;
+    if (rays.mix > 0.0f) ray = (1.0f - rays.mix) * ray + rays.mix * rays.forward;
+    return glm::dot(varyings.normal, ray);
 }
 
 float screen_area_sign(std::span<const ClipVertex> corners, const VertexRules& rules) {
@@ -85,10 +90,9 @@ Rejection cull_by_vertex_normals(std::span<const ClipVertex> corners, const Vert
     return back_facing_if(std::all_of(corners.begin(), corners.end(), is_away), corner_words, test);
 }
 
-bool cull_by_fragment_normal(const Fragment& fragment, const glm::vec3& camera,
+bool cull_by_fragment_normal(const Fragment& fragment, const SightRays& rays,
                              const Stages& stages) {
-    const Varyings varyings = recover_varyings(fragment, stages);
-    return glm::dot(varyings.normal, varyings.position_world - camera) > 0.0f;
+    return away_from_camera(recover_varyings(fragment, stages), rays) > 0.0f;
 }
 
 } // namespace rasterwalk

@@ -65,32 +65,48 @@ Rejection cull_by_screen_area(std::span<const ClipVertex> corners, const VertexR
 Rejection cull_by_vertex_normals(std::span<const ClipVertex> corners, const VertexRules& rules,
                                  CullTest* test = nullptr);
 
+/// The rays along which the camera sees: what "toward the camera" means under every projection.
+struct SightRays {
+    glm::vec3 camera{0.0f};  ///< where those of perspective meet, in the world
+    glm::vec3 forward{0.0f}; ///< where those of orthographic run, length 1; counts if mix is not 0
+    float mix = 0.0f;        ///< 0: perspective; 1: orthographic; between: the way between
+};
+
+/// Those of a frame.
+SightRays sight_rays(const VertexRules& rules);
+
+/// dot(n, p - C): positive if the normal points away from the camera. Where rays are parallel,
+/// under orthographic projection, the way they run stands for p - C; between the two, the mixture
+/// of both.
+/// @param varyings its normal and its place in the world, of a vertex or of a fragment
+float away_from_camera(const Varyings& varyings, const SightRays& rays);
+
+/// The same of a corner.
+inline float away_from_camera(const ClipVertex& vertex, const VertexRules& rules) {
+    return away_from_camera(vertex.varyings, sight_rays(rules));
+}
+
 /// The varyings that cull_by_fragment_normal() reads.
 inline constexpr VaryingSet varyings_read_by_culling =
     VaryingSet::of(&Varyings::position_world, &Varyings::normal);
 
 /// Every fragment goes on to the depth test.
-inline bool keep_fragment(const Fragment& fragment, const glm::vec3& camera, const Stages& stages) {
+inline bool keep_fragment(const Fragment& fragment, const SightRays& rays, const Stages& stages) {
     static_cast<void>(fragment);
-    static_cast<void>(camera);
+    static_cast<void>(rays);
     static_cast<void>(stages);
     return false;
 }
 
 /// By the normal that was interpolated to the fragment: it belongs to a back, and is not drawn, if
-/// that points the way from the camera to the fragment's own place. In world space.
-/// @param camera its position
+/// that points the way from the camera to the fragment's own place, as away_from_camera() has it.
+/// In world space.
+/// @param rays   of the frame
 /// @param stages the table whose function weighs the varyings
-bool cull_by_fragment_normal(const Fragment& fragment, const glm::vec3& camera,
-                             const Stages& stages);
+bool cull_by_fragment_normal(const Fragment& fragment, const SightRays& rays, const Stages& stages);
 
 /// Twice the area of the polygon on the screen in square pixels, times the w of three corners a
 /// triangle of its fan; the sign is that of the area where every w is positive.
 float screen_area_sign(std::span<const ClipVertex> corners, const VertexRules& rules);
-
-/// dot(n, p - C): positive if the normal at this vertex points away from the camera. Where rays are
-/// parallel, under orthographic projection, the way they run stands for p - C; between the two, the
-/// mixture of both.
-float away_from_camera(const ClipVertex& vertex, const VertexRules& rules);
 
 } // namespace rasterwalk

@@ -215,6 +215,39 @@ TEST_CASE("Backs are those that turn away from the parallel rays") {
     CHECK(culled > 0);
 }
 
+TEST_CASE("A fragment asks for the camera along the same rays as its triangle") {
+    const Scene room = lab_room();
+    Random random(133);
+    int backs = 0;
+    for (int i = 0; i < rounds(60, 8); ++i) {
+        Settings settings = default_settings(room);
+        settings.viewport = {60, 60};
+        settings.camera.focal_length = 60.0f;
+        settings.projection_mix = i % 2 == 0 ? 1.0f : random.number(0.2f, 0.9f);
+        settings.camera.yaw = random.number(-1, 1);
+        settings.camera.pitch = random.number(-0.5f, 0.5f);
+        set_from_text(settings, "stage=depth");
+        // A wall seen from its edge is one side or the other by rounding.
+        const Frame asked = prepare_frame(room, settings);
+        bool is_on_edge = false;
+        for (int t = 0; t < asked.triangle_count(); ++t) {
+            const float away = away_from_camera(asked.given_clip_vertex(t, 0),
+                                                vertex_rules(settings, room.space));
+            is_on_edge = is_on_edge || std::abs(away) < 1e-3f;
+        }
+        if (is_on_edge) continue;
+        set_from_text(settings, "cull=face_normal");
+        const Frame by_face = prepare_frame(room, settings);
+        set_from_text(settings, "cull=fragment_normal");
+        const Frame by_fragment = prepare_frame(room, settings);
+        CAPTURE(i, settings.projection_mix, settings.camera.yaw, settings.camera.pitch);
+        CHECK(draw_frame(by_face).owner == draw_frame(by_fragment).owner);
+        for (int t = 0; t < by_face.triangle_count(); ++t)
+            backs += by_face.rejection(t) == Rejection::back_facing ? 1 : 0;
+    }
+    CHECK(backs > 0);
+}
+
 TEST_CASE("No projection and no planes make a number that is none") {
     const Scene room = lab_room();
     Random random(130);
