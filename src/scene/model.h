@@ -50,7 +50,8 @@ struct ModelStep {
 /// An object as it is made, before its steps. The mesh has it in the world already.
 struct Model {
     std::vector<ModelStep> steps;     ///< in the order in which they are carried out
-    std::vector<glm::vec3> positions; ///< three a triangle, in object space; none: no steps
+    /// Three a triangle, in object space and in the order of the mesh; none: no steps.
+    std::vector<glm::vec3> positions;
 
     friend bool operator==(const Model&, const Model&) = default;
 };
@@ -72,7 +73,8 @@ glm::dvec3 transform_point(const glm::dmat4& matrix, const glm::dvec3& point);
 /// A direction: with w = 0 it is not moved.
 glm::dvec3 transform_direction(const glm::dmat4& matrix, const glm::dvec3& direction);
 
-/// Does Tm turn what is left to what is right? Then corners go round the other way.
+/// Does Tm turn what is left to what is right? Then corners go round the other way, and whoever
+/// puts the object in the world gives them in the other order, so that its fronts stay fronts.
 bool is_mirrored(const glm::dmat4& model);
 
 } // namespace rasterwalk

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <unordered_map>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -206,12 +207,20 @@ std::vector<std::string> split_words(std::string_view text) {
     }
 }
 
+bool has_area(const std::array<Vertex, triangle_corners>& corners) {
+    // In double, so that the product of two small lengths is not 0.
+    const glm::dvec3 first(corners[0].position);
+    return glm::length(glm::cross(glm::dvec3(corners[1].position) - first,
+                                  glm::dvec3(corners[2].position) - first)) > 0.0;
+}
+
 /// Puts the corners of a triangle in the world. The normal, which they have in object space, goes
 /// by the inverse transpose.
 void place_in_world(const TomlInput& part, const toml::node& node, const glm::dmat4& model,
                     std::array<Vertex, triangle_corners>& corners) {
     const glm::dvec3 normal = normal_matrix(model) * glm::dvec3(corners[0].normal);
     const double length = glm::length(normal);
+    const bool had_area = has_area(corners);
     for (Vertex& corner : corners) {
         const glm::dvec3 place = transform_point(model, glm::dvec3(corner.position));
         const glm::dvec3 size = glm::abs(place);
@@ -221,6 +230,11 @@ void place_in_world(const TomlInput& part, const toml::node& node, const glm::dm
         corner.position = glm::vec3(place);
         corner.normal = length > 0.0 ? glm::vec3(normal / length) : glm::vec3(0.0f);
     }
+    // Steps of double that are none of float: too small, or too far from the origin for its size.
+    if (had_area && !has_area(corners))
+        part.fail(node, "'" + std::string(node.value_or("")) +
+                            "' shrinks to nothing after the model's steps: in float its corners "
+                            "meet, or lie on one line.");
 }
 
 /// The triangle's corners, with its own normal.
@@ -268,6 +282,7 @@ void read_part(const TomlInput& input, const PointSets& sets, VertexJoin& vertic
     }
     Model model{read_model(input, scene.space), {}};
     const glm::dmat4 matrix = model_matrix(model.steps);
+    const bool is_turned_round = is_mirrored(matrix);
     const std::string name = input.text("name");
     const int first = scene.triangle_count();
     for (const toml::node& node : triangles) {
@@ -275,6 +290,10 @@ void read_part(const TomlInput& input, const PointSets& sets, VertexJoin& vertic
         auto index = indices.begin();
         std::array<Vertex, triangle_corners> corners =
             read_triangle(input, node, set->second, set_name);
+        // In a mirror clockwise is counterclockwise. The front of a triangle is where its corners
+        // go round clockwise, for its normal and on the screen alike; so they change places here,
+        // once, before anyone reads an order from them.
+        if (is_turned_round) std::swap(corners[1], corners[2]);
         if (!model.steps.empty()) {
             for (const Vertex& corner : corners)
                 model.positions.push_back(corner.position);

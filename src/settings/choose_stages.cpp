@@ -56,12 +56,15 @@ void choose(Clip clip, Stages& stages) {
         break;
     case Clip::near:
         stages.clip = clip_near;
+        stages.is_in_front = has_positive_w;
         break;
     case Clip::all:
         stages.clip = clip_all;
+        stages.is_in_front = has_positive_w;
         break;
     case Clip::guard_band:
         stages.clip = clip_guard_band;
+        stages.is_in_front = has_positive_w;
         break;
     case Clip::whole_only:
         stages.clip = drop_partly_outside;

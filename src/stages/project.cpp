@@ -39,6 +39,11 @@ int snap(float projected, int middle, VertexRounding rounding) {
 
 } // namespace
 
+bool is_in_front(const glm::vec4& clip, const VertexRules& rules) {
+    return has_positive_w(clip, rules) &&
+           (rules.projection.mix == 0.0f || camera_depth(clip, rules) > 0.0f);
+}
+
 glm::ivec2 viewport_middle(const VertexRules& rules) {
     if (rules.space == SceneSpace::pixels) return {0, 0};
     return {rules.viewport.width / 2, rules.viewport.height / 2};
@@ -53,7 +58,7 @@ ProjectedVertex project(const ClipVertex& vertex, const VertexRules& rules, cons
                         VertexSpaces* spaces) {
     const glm::vec4& clip = vertex.position_clip;
     if (!std::isfinite(clip.w)) return rejected(Rejection::not_finite);
-    if (!stages.is_in_front(clip.w)) return rejected(Rejection::behind_camera);
+    if (!stages.is_in_front(clip, rules)) return rejected(Rejection::behind_camera);
     const float inv_w = 1.0f / clip.w;
     const glm::vec2 projected = rules.space == SceneSpace::world
                                     ? stages.perspective_divide(clip, inv_w)

@@ -35,10 +35,17 @@ struct ProjectedVertex {
     bool has_pixel = false;                ///< a vertex can be rejected though it has one
 };
 
-/// Does a vertex lie in front of the camera? What does not is not divided. `w` of clip space is z
-/// of camera space. NaN does not.
-constexpr bool is_in_front(float w) {
-    return w > 0.0f;
+/// Does a vertex lie in front of the camera? What does not is not divided. Under perspective `w` of
+/// clip space is z of camera space. Where rays are parallel, or on the way there, w is positive
+/// behind the camera too, and z itself is asked. NaN does not.
+/// @param clip its place in clip space
+bool is_in_front(const glm::vec4& clip, const VertexRules& rules);
+
+/// Can it be divided? All that is left to ask where the near plane has cut: a corner that lies on
+/// the plane must not be lost because z comes out of clip space with a rounding.
+inline bool has_positive_w(const glm::vec4& clip, const VertexRules& rules) {
+    static_cast<void>(rules);
+    return clip.w > 0.0f;
 }
 
 /// The perspective division: pixels from the middle of the picture.

@@ -36,7 +36,7 @@ struct Stages {
 
     // Project: division, viewport transform and snap.
     decltype(&rasterwalk::project) project = rasterwalk::project;
-    bool (*is_in_front)(float w) = rasterwalk::is_in_front;
+    decltype(&rasterwalk::is_in_front) is_in_front = rasterwalk::is_in_front;
     decltype(&rasterwalk::perspective_divide) perspective_divide = rasterwalk::perspective_divide;
     decltype(&rasterwalk::viewport_middle) viewport_middle = rasterwalk::viewport_middle;
     decltype(&rasterwalk::snap_to_pixel) snap_to_pixel = rasterwalk::snap_to_pixel;

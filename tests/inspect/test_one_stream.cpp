@@ -58,8 +58,8 @@ glm::vec4 half_as_long(const glm::vec3& rotated, const VertexRules& rules) {
     half.camera.focal_length *= 0.5f;
     return to_clip_space(rotated, half);
 }
-bool is_between(float w) {
-    return w > 0.0f && w < 3.5f;
+bool is_between(const glm::vec4& clip, const VertexRules&) {
+    return clip.w > 0.0f && clip.w < 3.5f;
 }
 glm::vec2 two_columns_left(const glm::vec4& clip, float inv_w) {
     return perspective_divide(clip, inv_w) - glm::vec2(2.0f, 0.0f);

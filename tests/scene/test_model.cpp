@@ -11,6 +11,7 @@
 #include <glm/matrix.hpp>
 
 #include "base/error.h"
+#include "pipeline/frame.h"
 #include "scene/read_scene.h"
 #include "session/content.h"
 #include "support/effort.h"
@@ -125,7 +126,7 @@ TEST_CASE("A normal stays across its surface by the inverse transpose, and not b
     }
 }
 
-TEST_CASE("A mirrored axis turns the corners round, and the normal still points out") {
+TEST_CASE("Of a mirrored object the corners change places, and the normal still points out") {
     const Scene scene = read_scene(lessons_folder() + "/scenes/turned-block.toml");
     REQUIRE(scene.parts.size() == 4);
     int mirrored = 0;
@@ -136,9 +137,16 @@ TEST_CASE("A mirrored axis turns the corners round, and the normal still points 
             const auto corners = corners_of(scene, t);
             const glm::vec3 by_corners =
                 face_normal(corners[0].position, corners[1].position, corners[2].position);
-            const float sign = is_turned_round ? -1.0f : 1.0f;
             INFO(part.name << ", triangle " << t);
-            CHECK(glm::distance(sign * by_corners, corners[0].normal) < 1e-5f);
+            CHECK(glm::distance(by_corners, corners[0].normal) < 1e-5f);
+            // What the object was made from stands in the same order as what became of it.
+            for (int i = 0; !part.model.positions.empty() && i < triangle_corners; ++i) {
+                const auto place =
+                    static_cast<std::size_t>(triangle_corners * (t - part.first_triangle) + i);
+                const glm::dvec3 made = transform_point(model_matrix(part.model.steps),
+                                                        glm::dvec3(part.model.positions[place]));
+                CHECK(glm::vec3(made) == corners[static_cast<std::size_t>(i)].position);
+            }
         }
     }
     CHECK(mirrored == 1);
@@ -150,6 +158,37 @@ TEST_CASE("A mirrored axis turns the corners round, and the normal still points 
                   static_cast<float>(block.triangle_count);
     for (int t = block.first_triangle; t < block.first_triangle + block.triangle_count; ++t)
         CHECK(glm::dot(scene.corner(t, 0).normal, scene.corner(t, 0).position - middle) > 0.0f);
+}
+
+TEST_CASE("From every side a mirrored object shows the fronts that its normals say") {
+    const Scene scene = read_scene(lessons_folder() + "/scenes/turned-block.toml");
+    Random random(124);
+    int fronts = 0, backs = 0;
+    for (int i = 0; i < rounds(100, 20); ++i) {
+        Settings settings = default_settings(scene);
+        settings.camera.aim = CameraAim::look_at;
+        settings.camera.target = {0.0f, 0.3f, 0.4f};
+        settings.camera.position = {random.number(-4, 4), random.number(-4, 4),
+                                    random.number(-6, 6)};
+        settings.cull = Cull::face_normal;
+        const Frame by_normal = prepare_frame(scene, settings);
+        settings.cull = Cull::screen_area;
+        const Frame by_area = prepare_frame(scene, settings);
+        for (int t = 0; t < scene.triangle_count(); ++t) {
+            const Vertex& v = scene.corner(t, 0);
+            const float away = glm::dot(v.normal, v.position - settings.camera.position);
+            const Rejection normal = by_normal.rejection(t), area = by_area.rejection(t);
+            const auto is_answer = [](Rejection r) {
+                return r == Rejection::none || r == Rejection::back_facing;
+            };
+            if (std::abs(away) < 1e-3f || !is_answer(normal) || !is_answer(area)) continue;
+            INFO("camera " << i << ", " << part_name(scene, t) << ", triangle " << t);
+            CHECK(normal == area);
+            (area == Rejection::none ? fronts : backs) += 1;
+        }
+    }
+    CHECK(fronts > 100);
+    CHECK(backs > 100);
 }
 
 TEST_CASE("A part with a model stands where its steps put it, and keeps what it was made from") {
@@ -188,6 +227,16 @@ TEST_CASE("A broken model is refused with its file, line and what is wrong") {
     for (int i = 0; i < 60; ++i)
         many += "{ scale = [1e-6, 1e-6, 1e-6] },";
     CHECK_THAT(refusal_of_model(many + "]"), Contains("leave nothing of the object"));
+    // Too small for floats, and too small for where it stands.
+    many = "[";
+    for (int i = 0; i < 8; ++i)
+        many += "{ scale = [1e-6, 1e-6, 1e-6] },";
+    CHECK_THAT(refusal_of_model(many + "]"),
+               Contains("s.toml:9: ") && Contains("shrinks to nothing"));
+    CHECK_THAT(refusal_of_model("[{ scale = [1e-6, 1e-6, 1e-6] }, { translate = [900, 900, 900] }]"),
+               Contains("s.toml:9: ") && Contains("shrinks to nothing"));
+    CHECK(refusal_of_model("[{ scale = [1e-6, 1e-6, 1e-6] }, { scale = [1e6, 1e6, 1e6] }, "
+                           "{ translate = [900, 900, 900] }]") == "accepted");
     for (const char* model : {"3", "[3]", "[{}]", "[{ rotate_x = [1] }]", "[{ rotate_x = nan }]",
                               "[{ rotate_x = 1e9 }]", "[{ translate = [1, 2] }]",
                               "[{ translate = [inf, 0, 0] }]", "[{ scale = 2 }]", "{}"}) {

@@ -215,6 +215,56 @@ TEST_CASE("Backs are those that turn away from the parallel rays") {
     CHECK(culled > 0);
 }
 
+TEST_CASE("Where rays are parallel what is behind the camera is left out too") {
+    const Scene room = lab_room();
+    Random random(134);
+    int behind = 0, before = 0;
+    for (int i = 0; i < rounds(200, 20); ++i) {
+        Settings settings = default_settings(room);
+        settings.projection_mix = i % 2 == 0 ? 1.0f : random.number(0.1f, 0.9f);
+        settings.camera.position = {random.number(-1, 1), random.number(-1, 1),
+                                    random.number(-2, 1)};
+        settings.camera.yaw = random.number(-3, 3);
+        const Frame frame = prepare_frame(room, settings);
+        CAPTURE(i, settings.projection_mix);
+        // z by the camera's forward axis, and not by the matrix.
+        const double yaw = settings.camera.yaw;
+        for (int t = 0; t < frame.triangle_count(); ++t) {
+            bool is_behind = false, is_near = false;
+            for (int v = 0; v < triangle_corners; ++v) {
+                const glm::dvec3 p(room.corner(t, v).position - settings.camera.position);
+                const double z = std::sin(yaw) * p.x + std::cos(yaw) * p.z;
+                is_behind = is_behind || z <= 0.0;
+                is_near = is_near || std::abs(z) < 1e-4;
+            }
+            if (is_near) continue;
+            CAPTURE(t);
+            CHECK((frame.rejection(t) == Rejection::behind_camera) == is_behind);
+            (is_behind ? behind : before) += 1;
+        }
+    }
+    CHECK(behind > 100);
+    CHECK(before > 100);
+}
+
+TEST_CASE("Where planes cut, nothing that they leave is taken for something behind the camera") {
+    const Scene room = lab_room();
+    for (const char* const clip : {"clip=near", "clip=all", "clip=guard_band"}) {
+        Settings settings = orthographic_settings(room);
+        set_from_text(settings, clip);
+        set_from_text(settings, "near=0.000001");
+        settings.camera.position.z = -0.5f;
+        const Frame frame = prepare_frame(room, settings);
+        int cut = 0;
+        for (int t = 0; t < frame.triangle_count(); ++t) {
+            CAPTURE(clip, t);
+            CHECK(frame.rejection(t) != Rejection::behind_camera);
+            cut += frame.is_cut(t) ? 1 : 0;
+        }
+        CHECK(cut > 0);
+    }
+}
+
 TEST_CASE("A fragment asks for the camera along the same rays as its triangle") {
     const Scene room = lab_room();
     Random random(133);
