@@ -193,6 +193,7 @@ void check_file(const CommandLine& line) {
 /// Reads the arguments. Prints help or version if they ask for it, and then returns false.
 bool parse(CommandLine& line, std::vector<std::string> arguments, std::ostream& out,
            std::ostream& err) {
+    restore_arguments(line.app);
     std::reverse(arguments.begin(), arguments.end()); // as CLI11 wants them
     try {
         line.app.parse(std::move(arguments));

@@ -9,17 +9,20 @@
 #include "inspect/stats.h"
 #include "picture/view_image.h"
 #include "pipeline/draw.h"
+#include "settings/setting_faults.h"
 
 namespace rasterwalk {
 
 namespace {
 
-void report_left_out(const LeftOut& left_out, std::ostream& err) {
+void report_troubles(const Frame& frame, const LeftOut& left_out, std::ostream& err) {
+    for (const SettingFault& fault : setting_faults(frame.settings, frame.scene->space))
+        err << "rasterwalk: " << fault.sentence << ".\n";
     for (const RejectionWords& reason : rejection_list) {
         const int count = left_out.of(reason.rejection);
         if (count == 0) continue;
         err << "rasterwalk: " << counted(count, "triangle is", "triangles are")
-            << " left out: " << reason.sentence << ".\n";
+            << " left out: " << (count == 1 ? reason.sentence : reason.of_many) << ".\n";
     }
 }
 
@@ -60,7 +63,7 @@ void render_command(const RenderOptions& options, std::ostream& err) {
     clear(framebuffer, frame);
     draw(frame, {.from = cursor_begin, .to = session.cursor, .scissor = {}}, framebuffer);
     write_png(view_image(framebuffer, session.view, session.depth_range), options.output);
-    report_left_out(count_left_out(frame), err);
+    report_troubles(frame, count_left_out(frame), err);
 }
 
 void stats_command(const StatsOptions& options, std::ostream& out, std::ostream& err) {
@@ -87,7 +90,7 @@ void stats_command(const StatsOptions& options, std::ostream& out, std::ostream&
             << "unset_rows              " << stats.unset_rows << '\n'
             << "depth_outside           " << stats.depth_outside << '\n';
     }
-    report_left_out(stats.left_out, err);
+    report_troubles(frame, stats.left_out, err);
 }
 
 } // namespace rasterwalk

@@ -25,6 +25,12 @@ void add_texts(CLI::App& command, const char* name, std::vector<std::string>& va
         ->group(view_group);
 }
 
+/// Does it begin like a negative number?
+bool begins_negative(std::string_view argument) {
+    return argument.size() > 1 && argument[0] == '-' &&
+           std::isdigit(static_cast<unsigned char>(argument[1])) != 0;
+}
+
 /// The option of a field of what is on show.
 void add_field(CLI::App& command, ViewOptions& o, const ViewField& field) {
     const ViewOption& option = field.option;
@@ -86,13 +92,23 @@ std::vector<std::string> command_arguments(int argc, const char* const* argv) {
     std::vector<std::string> arguments;
     for (int i = 1; i < argc; ++i) {
         std::string argument = argv[i];
-        const bool is_negative = argument.size() > 1 && argument[0] == '-' &&
-                                 std::isdigit(static_cast<unsigned char>(argument[1])) != 0;
-        // A blank in front keeps CLI11 from seeing an option; numbers are read without it.
-        if (is_negative) argument.insert(0, " ");
+        // The blank keeps CLI11 from seeing an option.
+        if (begins_negative(argument)) argument.insert(0, " ");
         arguments.push_back(std::move(argument));
     }
     return arguments;
+}
+
+void restore_arguments(CLI::App& app) {
+    const auto without_blank = [](std::string argument) {
+        const bool has_blank = argument.starts_with(' ') && begins_negative(argument.substr(1));
+        return has_blank ? argument.substr(1) : argument;
+    };
+    for (CLI::Option* const option : app.get_options()) {
+        if (option->get_items_expected_max() > 0) option->transform(without_blank);
+    }
+    for (CLI::App* const command : app.get_subcommands({}))
+        restore_arguments(*command);
 }
 
 } // namespace rasterwalk

@@ -22,7 +22,11 @@ void add_look_options(CLI::App& command, ViewOptions& options);
 void add_plane_options(CLI::App& command, ViewOptions& options);
 
 /// Turns arguments that begin like a negative number ("-5,3") into ones that CLI11 does not take
-/// for options. The program's own name is left out.
+/// for options; restore_arguments() turns them back. The program's own name is left out.
 std::vector<std::string> command_arguments(int argc, const char* const* argv);
+
+/// Lets every option of an app and of its commands take such an argument as it was given. To be
+/// called when all options are there.
+void restore_arguments(CLI::App& app);
 
 } // namespace rasterwalk

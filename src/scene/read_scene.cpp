@@ -14,6 +14,7 @@
 
 #include "base/files.h"
 #include "base/toml_input.h"
+#include "scene/look_at.h"
 
 namespace rasterwalk {
 
@@ -56,6 +57,11 @@ void read_camera(const TomlInput& input, Camera& camera) {
     if (input.find("yaw") != nullptr || input.find("pitch") != nullptr)
         input.fail("the camera has a target, or yaw and pitch, not both.");
     camera.aim = CameraAim::look_at;
+    if (const AimFault fault = aim_fault(camera); fault != AimFault::none) {
+        const toml::node* const up = fault == AimFault::no_up ? input.find("up") : nullptr;
+        input.fail(up != nullptr ? *up : *input.find("target"),
+                   std::string(words(fault).sentence) + ".");
+    }
 }
 
 void read_light(const TomlInput& input, Light& light) {

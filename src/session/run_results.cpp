@@ -9,6 +9,7 @@
 #include "inspect/stats.h"
 #include "pipeline/draw.h"
 #include "pipeline/timeline.h"
+#include "settings/setting_faults.h"
 
 namespace rasterwalk {
 
@@ -109,6 +110,8 @@ void update_picture(View view, const std::optional<DepthRange>& depths, bool is_
 
 std::vector<Trouble> describe_troubles(const Frame& frame, const DrawTally& tally) {
     std::vector<Trouble> troubles;
+    for (SettingFault& fault : setting_faults(frame.settings, frame.scene->space))
+        troubles.push_back({std::move(fault.sentence), std::move(fault.in_short)});
     const LeftOut left_out = count_left_out(frame);
     for (const RejectionWords& reason : rejection_list) {
         const int count = left_out.of(reason.rejection);

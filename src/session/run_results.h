@@ -49,7 +49,7 @@ struct RunResults {
     RowHistory rows;             ///< row table of that triangle, as far as it is made at the cursor
     PolygonRows whole_rows;      ///< the same when it is whole; empty if the triangle is not drawn
     Inspected inspected; ///< the vertices, the fragment and the row on show, with their formulas
-    std::vector<Trouble> troubles; ///< triangles left out, samples outside
+    std::vector<Trouble> troubles; ///< see describe_troubles()
     bool has_all_troubles = false; ///< false: only of what has been drawn so far
     bool is_held =
         false; ///< more is left to draw than the limit of the last update allows to begin
@@ -75,7 +75,8 @@ struct RunChanges {
                           ///< further
 };
 
-/// What is out of order in a frame: triangles left out, samples outside.
+/// What is out of order in a frame: settings that contradict each other, triangles left out,
+/// samples outside.
 /// @param tally what its row tables come to
 std::vector<Trouble> describe_troubles(const Frame& frame, const DrawTally& tally);
 

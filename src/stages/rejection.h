@@ -27,6 +27,7 @@ struct RejectionWords {
     Rejection rejection;
     std::string_view name;     ///< in data: "behind_camera"
     std::string_view sentence; ///< after a colon: "a vertex lies on or behind the camera plane"
+    std::string_view of_many;  ///< the same of several triangles
     std::string_view cause;    ///< the same as a noun, short
     std::string_view detail;   ///< the same as a noun, at length
     bool is_always_counted;    ///< data name its count even if it is 0
@@ -34,34 +35,40 @@ struct RejectionWords {
 
 /// Every reason; indexed by Rejection. The minus sign of a sentence is the ASCII one.
 inline constexpr std::array rejection_list{
-    RejectionWords{Rejection::none, "none", "it is not drawn", "", "", false},
+    RejectionWords{Rejection::none, "none", "it is not drawn", "they are not drawn", "", "", false},
     RejectionWords{Rejection::not_finite, "not_finite", "a coordinate is not a finite number",
+                   "a coordinate is not a finite number",
                    "a coordinate that is not a finite number",
                    "a coordinate that is no finite number", true},
-    RejectionWords{Rejection::behind_camera, "behind_camera",
-                   "a vertex lies on or behind the camera plane",
-                   "a vertex on or behind the camera plane",
-                   "a vertex on or behind the camera plane (z ≤ 0)", true},
+    RejectionWords{
+        Rejection::behind_camera, "behind_camera", "a vertex lies on or behind the camera plane",
+        "a vertex lies on or behind the camera plane", "a vertex on or behind the camera plane",
+        "a vertex on or behind the camera plane (z ≤ 0)", true},
     RejectionWords{Rejection::too_far_out, "too_far_out", "a vertex is projected too far out",
+                   "a vertex is projected too far out",
                    "an edge of absurd length, its vertex is nearly in the camera",
                    "a vertex so close to the camera plane that its edges would be absurdly long",
                    true},
     RejectionWords{Rejection::taken_for_behind, "taken_for_behind",
+                   "a vertex in column -1 is taken for one behind the camera",
                    "a vertex in column -1 is taken for one behind the camera",
                    "a vertex in column −1, which is taken for the mark of one behind the camera",
                    "a vertex in column −1, which is taken for the mark of one behind the camera",
                    true},
     RejectionWords{Rejection::outside, "outside",
                    "all its vertices lie beyond one side of the view",
+                   "all their vertices lie beyond one side of the view",
                    "all vertices beyond one side of the view",
                    "all vertices beyond the same plane of the view volume", false},
     RejectionWords{Rejection::clipped_away, "clipped_away", "clipping leaves nothing of it",
-                   "nothing left after clipping", "nothing left after clipping", false},
+                   "clipping leaves nothing of them", "nothing left after clipping",
+                   "nothing left after clipping", false},
     RejectionWords{Rejection::back_facing, "back_facing", "it turns its back to the camera",
-                   "its back turned to the camera", "its back turned to the camera", false},
+                   "they turn their backs to the camera", "a back turned to the camera",
+                   "a back turned to the camera", false},
     RejectionWords{Rejection::partly_outside, "partly_outside", "a vertex lies outside the view",
-                   "a vertex outside the view", "a vertex outside the view, where one is enough",
-                   false},
+                   "a vertex lies outside the view", "a vertex outside the view",
+                   "a vertex outside the view, where one is enough", false},
 };
 inline constexpr int rejection_count = static_cast<int>(rejection_list.size());
 

@@ -3,8 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include <glm/geometric.hpp>
-
+#include "scene/look_at.h"
 #include "stages/orthographic.h"
 #include "stages/stage_table.h"
 
@@ -32,35 +31,12 @@ CameraPlace seen_by_camera(const glm::vec3& position_world, const glm::mat3& rot
     return place;
 }
 
-/// The direction, or the other one if it has no length.
-glm::vec3 unit_or(const glm::vec3& direction, const glm::vec3& other) {
-    // In double, so that the square of a small length is not 0.
-    const glm::dvec3 wide(direction);
-    const double length = glm::length(wide);
-    return length > 0.0 ? glm::vec3(wide / length) : other;
-}
-
 /// In a scene in pixel space x and y are columns and rows already: there is no camera.
 CameraPlace given_in_pixels(const glm::vec3& position, const VertexRules& rules) {
     return {position, position, {position.x, position.y, clip_z(position.z, rules), position.z}};
 }
 
 } // namespace
-
-glm::mat3 look_at_rotation(const glm::vec3& eye, const glm::vec3& target, const glm::vec3& up) {
-    const glm::vec3 forward = unit_or(target - eye, {0.0f, 0.0f, 1.0f});
-    const auto across = [&](const glm::vec3& direction) {
-        // What is left of it is rubbish of rounding if it points along the view.
-        constexpr float smallest_sine = 1e-6f;
-        const glm::vec3 right = glm::cross(forward, unit_or(direction, glm::vec3(0.0f)));
-        return glm::length(right) > smallest_sine ? right : glm::vec3(0.0f);
-    };
-    // y runs down: right, down and forward go round as x, y and z do.
-    const glm::vec3 beside =
-        std::abs(forward.y) < 0.9f ? glm::vec3(0.0f, -1.0f, 0.0f) : glm::vec3(0.0f, 0.0f, -1.0f);
-    const glm::vec3 right = unit_or(across(up), unit_or(across(beside), {1.0f, 0.0f, 0.0f}));
-    return {right, glm::cross(forward, right), forward};
-}
 
 glm::mat3 camera_rotation(const Camera& camera) {
     if (camera.aim == CameraAim::look_at)

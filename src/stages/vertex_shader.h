@@ -116,13 +116,8 @@ struct VertexSpaces {
 
 /// R of the camera, for row vectors: v * R. Its columns are the camera's right, down and forward
 /// axes in the world. Yaw turns about y, then pitch about x; or it looks at its target, see
-/// look_at_rotation().
+/// scene/look_at.h.
 glm::mat3 camera_rotation(const Camera& camera);
-
-/// R of a camera that looks at a point: forward is the way to it, right is across that and up, and
-/// down is across both. Where up points along the view, or nowhere, another direction takes its
-/// place; where the target is the eye, forward is +z.
-glm::mat3 look_at_rotation(const glm::vec3& eye, const glm::vec3& target, const glm::vec3& up);
 
 /// Turns the world so that the camera looks along +z: the row vector times R.
 inline glm::vec3 rotate_to_camera(const glm::vec3& minus_camera, const glm::mat3& rotation) {

@@ -209,3 +209,27 @@ TEST_CASE("Triangles that are left out are told on standard error, and the rest 
           "rasterwalk: 23 triangles are left out: a vertex lies on or behind the camera plane.\n");
     CHECK_THAT(without_blanks(result.out), Contains("\"behind_camera\":23"));
 }
+
+TEST_CASE("Of many triangles that are left out it is said as of many") {
+    const CliRun all = run({"stats", "--set", "camera.position=0,0,9", "--set", "clip=all"});
+    CHECK(all.err == "rasterwalk: 30 triangles are left out: clipping leaves nothing of them.\n");
+    const CliRun backs = run({"stats", "--set", "cull=face_normal"});
+    CHECK(backs.err ==
+          "rasterwalk: 10 triangles are left out: they turn their backs to the camera.\n");
+}
+
+TEST_CASE("Settings that contradict each other are told on standard error") {
+    const CliRun planes = run({"stats", "--set", "near=3", "--set", "far=1"});
+    CHECK(planes.exit_code == 0);
+    CHECK(planes.err == "rasterwalk: the far plane, at 1, is not behind the near plane, at 3: "
+                        "nothing lies between them.\n");
+    const CliRun target = run({"stats", "--set", "camera.aim=look_at", "--set",
+                               "camera.target=0,0,-3", "--set", "camera.position=0,0,-3"});
+    CHECK_THAT(target.err, Contains("rasterwalk: the camera stands at its own target, which is no "
+                                    "direction: it looks along z.\n"));
+    const CliRun up = run({"stats", "--set", "camera.aim=look_at", "--set", "camera.up=0,0,2"});
+    CHECK_THAT(up.err, Contains("rasterwalk: up of the camera points along its view, or nowhere: "
+                                "another direction is taken for up.\n"));
+    const CliRun angles = run({"stats", "--set", "camera.up=0,0,2"});
+    CHECK(angles.err.empty());
+}

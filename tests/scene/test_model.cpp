@@ -233,8 +233,9 @@ TEST_CASE("A broken model is refused with its file, line and what is wrong") {
         many += "{ scale = [1e-6, 1e-6, 1e-6] },";
     CHECK_THAT(refusal_of_model(many + "]"),
                Contains("s.toml:9: ") && Contains("shrinks to nothing"));
-    CHECK_THAT(refusal_of_model("[{ scale = [1e-6, 1e-6, 1e-6] }, { translate = [900, 900, 900] }]"),
-               Contains("s.toml:9: ") && Contains("shrinks to nothing"));
+    CHECK_THAT(
+        refusal_of_model("[{ scale = [1e-6, 1e-6, 1e-6] }, { translate = [900, 900, 900] }]"),
+        Contains("s.toml:9: ") && Contains("shrinks to nothing"));
     CHECK(refusal_of_model("[{ scale = [1e-6, 1e-6, 1e-6] }, { scale = [1e6, 1e6, 1e6] }, "
                            "{ translate = [900, 900, 900] }]") == "accepted");
     for (const char* model : {"3", "[3]", "[{}]", "[{ rotate_x = [1] }]", "[{ rotate_x = nan }]",
@@ -258,4 +259,25 @@ TEST_CASE("A camera of a scene looks at a target, or is turned, not both") {
     CHECK(scene.camera.target == glm::vec3(0.0f, 0.5f, 1.0f));
     CHECK_THROWS_WITH(parse_scene(looks + "yaw = 1\n", "s.toml"),
                       Contains("s.toml:") && Contains("not both"));
+}
+
+TEST_CASE("A camera of a scene that has no direction is refused with its file and line") {
+    const auto refusal = [](const std::string& camera) -> std::string {
+        try {
+            parse_scene(scene_with("[]") + "[camera]\n" + camera, "s.toml");
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "accepted";
+    };
+    CHECK(refusal("position = [1, 2, 3]\ntarget = [1, 2, 3]\n") ==
+          "s.toml:13: the camera stands at its own target, which is no direction.");
+    CHECK(refusal("target = [0, 0, 9]\nposition = [0, 0, 1]\nup = [0, 0, -1]\n") ==
+          "s.toml:14: up of the camera points along its view, or nowhere.");
+    CHECK(refusal("target = [0, 0, 9]\nposition = [0, 0, 1]\nup = [0, 0, 0]\n") ==
+          "s.toml:14: up of the camera points along its view, or nowhere.");
+    // Straight down, and nobody has said what is up then.
+    CHECK(refusal("position = [0, -3, 0]\ntarget = [0, 2, 0]\n") ==
+          "s.toml:13: up of the camera points along its view, or nowhere.");
+    CHECK(refusal("position = [0, -3, 0]\ntarget = [0, 2, 0]\nup = [0, 0, 1]\n") == "accepted");
 }

@@ -10,6 +10,7 @@
 #include <glm/matrix.hpp>
 
 #include "pipeline/draw.h"
+#include "scene/look_at.h"
 #include "scene/read_scene.h"
 #include "session/content.h"
 #include "settings/setting_table.h"

@@ -124,6 +124,7 @@ int run(int argc, const char* const* argv) {
                  "rasterwalk-offscreen"};
     Arguments arguments;
     const ActionOptions actions = describe(app, arguments);
+    restore_arguments(app);
     std::vector<std::string> words = command_arguments(argc, argv);
     std::reverse(words.begin(), words.end()); // as CLI11 wants them
     try {

@@ -1,0 +1,51 @@
+#pragma once
+
+// A camera that looks at a point: its three axes, and what it cannot look at.
+//
+// Source: Shirley, Marschner, Fundamentals of Computer Graphics, 4th edition, section 7.1.3, the
+// camera transformation.
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include <glm/mat3x3.hpp>
+
+#include "scene/scene.h"
+
+namespace rasterwalk {
+
+/// R of a camera that looks at a point, for row vectors: forward is the way to it, right is across
+/// that and up, and down is across both. Where up points along the view, or nowhere, another
+/// direction takes its place; where the target is the eye, forward is +z. aim_fault() says so.
+glm::mat3 look_at_rotation(const glm::vec3& eye, const glm::vec3& target, const glm::vec3& up);
+
+/// What a camera that looks at a point lacks to have a direction.
+enum class AimFault : std::uint8_t {
+    none,
+    no_way, ///< it stands where it looks
+    no_up,  ///< up points along the view, or nowhere
+};
+
+/// None of a camera that is turned by angles.
+AimFault aim_fault(const Camera& camera);
+
+/// The words for one fault.
+struct AimFaultWords {
+    std::string_view sentence;    ///< "the camera stands at its own target"
+    std::string_view replacement; ///< what is done all the same: "it looks along z"
+};
+
+/// Indexed by AimFault.
+inline constexpr std::array aim_fault_list{
+    AimFaultWords{"", ""},
+    AimFaultWords{"the camera stands at its own target, which is no direction", "it looks along z"},
+    AimFaultWords{"up of the camera points along its view, or nowhere",
+                  "another direction is taken for up"},
+};
+
+constexpr const AimFaultWords& words(AimFault fault) {
+    return aim_fault_list[static_cast<std::size_t>(fault)];
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,24 @@
+#pragma once
+
+// Settings that contradict each other. Each alone is allowed, and which of them is meant to change
+// is not known: so they are told of, and something is drawn all the same.
+
+#include <string>
+#include <vector>
+
+#include "settings/settings.h"
+
+namespace rasterwalk {
+
+struct SettingFault {
+    std::string sentence; ///< without a point at its end: "the far plane, at 1, is not behind ..."
+    std::string in_short; ///< the same where there is little room
+
+    friend bool operator==(const SettingFault&, const SettingFault&) = default;
+};
+
+/// A far plane that is not behind the near one, and a camera without a direction. None in a scene
+/// in pixel space, which has no camera.
+std::vector<SettingFault> setting_faults(const Settings& settings, SceneSpace space);
+
+} // namespace rasterwalk
