@@ -79,17 +79,21 @@ const Palette& palette(Theme theme) {
 }
 
 ImVec4 colour_of(Meaning meaning, Theme theme) {
-    static const std::array<ImVec4, 8> dark{hex(0xE69F00), hex(0x00B583), hex(0xD98BB5),
-                                            hex(0xF0E442), hex(0x4C9CD9), hex(0xFFFFFF),
-                                            hex(0x56B4E9), hex(0xF0722B)};
-    static const std::array<ImVec4, 8> light{hex(0x8A5C00), hex(0x00704F), hex(0x9A4A76),
-                                             hex(0x706800), hex(0x005A8F), hex(0x000000),
-                                             hex(0x0A6AA8), hex(0xA84200)};
+    constexpr std::size_t count = static_cast<std::size_t>(Meaning::fail) + 1;
+    static const std::array<ImVec4, count> dark{
+        hex(0xE69F00), hex(0x00B583), hex(0xD98BB5), hex(0x00FCFC), hex(0xA854FC),
+        hex(0x908400), hex(0x60F078), hex(0xB4C0FC), hex(0x00909C), hex(0xF0E442),
+        hex(0x4C9CD9), hex(0xFFFFFF), hex(0x56B4E9), hex(0xF0722B)};
+    static const std::array<ImVec4, count> light{
+        hex(0x8A5C00), hex(0x00704F), hex(0x9A4A76), hex(0x6000FC), hex(0x48186C),
+        hex(0xC018D8), hex(0x483000), hex(0x0000B4), hex(0x900000), hex(0x706800),
+        hex(0x005A8F), hex(0x000000), hex(0x0A6AA8), hex(0xA84200)};
     return (theme == Theme::dark ? dark : light)[static_cast<std::size_t>(meaning)];
 }
 
 Meaning edge_meaning(int edge) {
-    return edge == 0 ? Meaning::edge_1 : edge == 1 ? Meaning::edge_2 : Meaning::edge_3;
+    static_assert(static_cast<int>(Meaning::edge_9) == edge_colour_count - 1);
+    return static_cast<Meaning>(std::max(edge, 0) % edge_colour_count);
 }
 
 ImU32 packed(const ImVec4& colour, float opacity) {

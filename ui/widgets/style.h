@@ -13,11 +13,18 @@ namespace rasterwalk {
 struct Ui;
 
 /// What a colour means; each meaning has one colour everywhere (Okabe and Ito's set, which the
-/// colour-blind tell apart), in a tone that can be read on the theme's ground.
+/// colour-blind tell apart), in a tone that can be read on the theme's ground. Only clipping makes
+/// more than three edges: their colours lie as far from all others as they can.
 enum class Meaning : std::uint8_t {
     edge_1,
     edge_2,
     edge_3,
+    edge_4,
+    edge_5,
+    edge_6,
+    edge_7,
+    edge_8,
+    edge_9,
     left_end,
     right_end,
     current,
@@ -49,7 +56,10 @@ const Palette& palette(Theme theme);
 /// The colour of a meaning, for text and lines on the ground of the theme.
 ImVec4 colour_of(Meaning meaning, Theme theme);
 
-/// The meaning of edge 0, 1 or 2.
+/// Edges that have a colour of their own: as many as six planes make of a triangle at most.
+inline constexpr int edge_colour_count = 9;
+
+/// The meaning of an edge, from 0. Beyond those with a colour of their own they begin again.
 Meaning edge_meaning(int edge);
 
 /// The colour with another opacity, as draw lists want it.
