@@ -190,8 +190,8 @@ Value triangle_arrows(const Facts& facts, int is_cross) {
 
 Value triangle_outcode(const Facts& facts, int is_any) {
     return of_shown_triangle(facts, [&](const Frame& frame, int triangle) {
-        const TriangleSides sides = triangle_sides(frame, triangle);
-        return number(is_any != 0 ? sides.any() : sides.common());
+        const TriangleCodes codes = triangle_sides(frame, triangle).codes;
+        return number(is_any != 0 ? codes.any() : codes.common());
     });
 }
 
@@ -199,7 +199,8 @@ Value vertex_outcode(const Facts& facts, int) {
     const std::optional<int>& vertex = facts.session().selection.vertex;
     if (!vertex || *vertex < 0 || *vertex >= triangle_corners) return {};
     return of_shown_triangle(facts, [&](const Frame& frame, int triangle) {
-        return number(triangle_sides(frame, triangle).outcodes[static_cast<std::size_t>(*vertex)]);
+        return number(
+            triangle_sides(frame, triangle).codes.of_corner[static_cast<std::size_t>(*vertex)]);
     });
 }
 

@@ -22,8 +22,7 @@ class ClipWriter : public ClipSink {
 
     void begin_planes(const ClipPlanes& planes, std::size_t count) override {
         history_.cuts = count > 0;
-        history_.codes.planes = planes;
-        history_.codes.plane_count = std::min(count, planes.size());
+        history_.codes = triangle_codes(history_.corners, planes, std::min(count, planes.size()));
     }
     void begin_plane(ClipPlane plane, std::span<const ClipVertex> corners) override {
         PlaneHistory& of_plane = history_.planes.emplace_back();
@@ -44,12 +43,6 @@ class ClipWriter : public ClipSink {
     ClipHistory& history_;
 };
 
-void find_codes(std::span<const ClipVertex> corners, TriangleCodes& codes) {
-    const unsigned asked = (1u << codes.plane_count) - 1u;
-    for (std::size_t i = 0; i < codes.of_corner.size(); ++i)
-        codes.of_corner[i] = static_cast<Outcode>(outcode(corners[i], codes.planes) & asked);
-}
-
 std::vector<std::array<int, triangle_corners>> fan_of(std::size_t corners) {
     std::vector<std::array<int, triangle_corners>> fan;
     for (std::size_t i = least_corners; i <= corners; ++i)
@@ -67,6 +60,15 @@ void cull(const Frame& frame, const VertexRules& rules, ClipHistory& history) {
 
 } // namespace
 
+TriangleCodes triangle_codes(std::span<const ClipVertex> corners, const ClipPlanes& planes,
+                             std::size_t count) {
+    TriangleCodes codes{planes, count, {}};
+    const unsigned asked = (1u << count) - 1u;
+    for (std::size_t i = 0; i < codes.of_corner.size(); ++i)
+        codes.of_corner[i] = static_cast<Outcode>(outcode(corners[i], planes) & asked);
+    return codes;
+}
+
 Outcode TriangleCodes::common() const {
     return static_cast<Outcode>(of_corner[0] & of_corner[1] & of_corner[2]);
 }
@@ -79,29 +81,27 @@ ClipHistory clip_history(const Frame& frame, int triangle) {
     ClipHistory history;
     history.triangle = triangle;
     history.rejection = frame.rejection(triangle);
-    const VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
+    const ViewVolume volume(vertex_rules(frame.settings, frame.scene->space));
     std::vector<ClipVertex> corners;
     for (int corner = 0; corner < triangle_corners; ++corner) {
         corners.push_back(frame.given_clip_vertex(triangle, corner));
         history.corners[static_cast<std::size_t>(corner)] = corners.back();
         history.projected[static_cast<std::size_t>(corner)] = frame.given_vertex(triangle, corner);
     }
-    if (rules.space == SceneSpace::world) {
-        history.codes = {view_planes(rules), clip_plane_count, {}};
-        history.outer_codes = {outer_planes(rules), clip_plane_count, {}};
+    if (volume.rules.space == SceneSpace::world) {
+        history.codes = triangle_codes(history.corners, volume.view);
+        history.outer_codes = triangle_codes(history.corners, volume.outer);
     }
-    history.rejected = frame.stages.reject(corners, rules);
+    history.rejected = frame.stages.reject(corners, volume);
     ClipWriter maker(history);
     if (history.rejected == Rejection::none)
-        history.clipped = frame.stages.clip(corners, rules, &maker);
-    find_codes(history.corners, history.codes);
-    find_codes(history.corners, history.outer_codes);
+        history.clipped = frame.stages.clip(corners, volume, &maker);
     const bool is_left = history.rejected == Rejection::none &&
                          history.clipped.rejection == Rejection::none &&
                          corners.size() >= least_corners;
     if (!is_left) return history;
     history.polygon = std::move(corners);
-    cull(frame, rules, history);
+    cull(frame, volume.rules, history);
     return history;
 }
 

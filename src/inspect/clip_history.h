@@ -25,6 +25,11 @@ struct TriangleCodes {
     Outcode any() const;
 };
 
+/// @param corners of the triangle, three
+/// @param count   of the planes, from the first: those that are asked
+TriangleCodes triangle_codes(std::span<const ClipVertex> corners, const ClipPlanes& planes,
+                             std::size_t count = clip_plane_count);
+
 /// What one plane does to the polygon that the planes before it have left.
 struct PlaneHistory {
     ClipPlane plane = ClipPlane::near;

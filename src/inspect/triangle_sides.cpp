@@ -1,7 +1,6 @@
 #include "inspect/triangle_sides.h"
 
-#include <algorithm>
-#include <cmath>
+#include <array>
 
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -14,7 +13,7 @@ namespace {
 std::optional<float> cut_at(const glm::vec4& plane, const ClipVertex& a, const ClipVertex& b) {
     const float d_a = inner_distance(plane, a), d_b = inner_distance(plane, b);
     if ((d_a >= 0.0f) == (d_b >= 0.0f)) return std::nullopt;
-    return std::max(d_a, d_b) / std::abs(d_a - d_b);
+    return d_a >= 0.0f ? cut_place(d_a, d_b) : cut_place(d_b, d_a);
 }
 
 } // namespace
@@ -22,21 +21,15 @@ std::optional<float> cut_at(const glm::vec4& plane, const ClipVertex& a, const C
 TriangleSides triangle_sides(const Frame& frame, int triangle) {
     TriangleSides sides;
     const VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
-    const glm::mat3 rotation = camera_rotation(rules.camera);
-    const ClipPlanes planes = outer_planes(rules);
-    std::array<ClipVertex, triangle_corners> vertices;
-    for (int i = 0; i < triangle_corners; ++i) {
-        ClipVertex& vertex = vertices[static_cast<std::size_t>(i)];
-        vertex = frame.stages.vertex_shader(frame.scene->corner(triangle, i), rotation, rules,
-                                            frame.stages, nullptr);
-        if (rules.space == SceneSpace::world)
-            sides.outcodes[static_cast<std::size_t>(i)] = outcode(vertex, planes);
-    }
-    sides.away = away_from_camera(vertices.front(), rules);
-    for (std::size_t i = 0; i < vertices.size() && !sides.near_t; ++i) {
-        if (rules.space == SceneSpace::world)
-            sides.near_t = cut_at(planes.front(), vertices[i], vertices[(i + 1) % vertices.size()]);
-    }
+    std::array<ClipVertex, triangle_corners> corners;
+    for (int i = 0; i < triangle_corners; ++i)
+        corners[static_cast<std::size_t>(i)] = frame.given_clip_vertex(triangle, i);
+    sides.away = away_from_camera(corners.front(), rules);
+    if (rules.space == SceneSpace::pixels) return sides;
+    sides.codes = triangle_codes(corners, outer_planes(rules));
+    const glm::vec4& near = sides.codes.planes.front();
+    for (std::size_t i = 0; i < corners.size() && !sides.near_t; ++i)
+        sides.near_t = cut_at(near, corners[i], corners[(i + 1) % corners.size()]);
     return sides;
 }
 

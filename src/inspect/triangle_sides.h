@@ -2,27 +2,22 @@
 
 // Where a triangle of the scene lies, and which side of it is seen: what reject, clip and cull ask.
 
-#include <array>
 #include <optional>
 #include <span>
 
-#include "pipeline/frame.h"
-#include "stages/reject.h"
+#include "inspect/clip_history.h"
 
 namespace rasterwalk {
 
 /// What is asked of a triangle before it is drawn.
 struct TriangleSides {
-    /// Of its vertices, by outer_planes(), as reject_by_outcodes() has them; 0 in pixel space.
-    std::array<Outcode, triangle_corners> outcodes{};
+    /// By outer_planes(), as reject_by_outcodes() has them; no planes in pixel space.
+    TriangleCodes codes;
     /// dot(n, v0 - camera): positive if it shows its back. World units.
     float away = 0.0f;
     /// t of its first edge that the near plane cuts, 0 at the corner in front of the plane; none if
     /// it cuts none.
     std::optional<float> near_t;
-
-    Outcode common() const { return outcodes[0] & outcodes[1] & outcodes[2]; }
-    Outcode any() const { return outcodes[0] | outcodes[1] | outcodes[2]; }
 };
 
 /// Asks the vertices as the scene has them, before they are clipped.

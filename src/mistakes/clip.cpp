@@ -49,24 +49,24 @@ bool is_labs(const VertexRules& rules) {
 
 } // namespace
 
-Clipped drop_partly_outside(std::vector<ClipVertex>& corners, const VertexRules& rules,
+Clipped drop_partly_outside(std::vector<ClipVertex>& corners, const ViewVolume& volume,
                             ClipSink* sink) {
     static_cast<void>(sink);
-    if (rules.space == SceneSpace::pixels) return {};
-    const ClipPlanes planes = view_planes(rules);
+    if (volume.rules.space == SceneSpace::pixels) return {};
     const bool is_dropped = std::any_of(corners.begin(), corners.end(), [&](const ClipVertex& v) {
-        return outcode(v, planes) != 0;
+        return outcode(v, volume.view) != 0;
     });
     return {is_dropped ? Rejection::partly_outside : Rejection::none, false};
 }
 
-Clipped clip_near_with_wrong_t(std::vector<ClipVertex>& corners, const VertexRules& rules,
+Clipped clip_near_with_wrong_t(std::vector<ClipVertex>& corners, const ViewVolume& volume,
                                ClipSink* sink) {
-    if (!is_labs(rules)) return {};
-    const auto is_inside = [&](const ClipVertex& v) { return v.position_clip.w >= rules.near; };
+    if (!is_labs(volume.rules)) return {};
+    const float near = volume.rules.near;
+    const auto is_inside = [&](const ClipVertex& v) { return v.position_clip.w >= near; };
     if (std::all_of(corners.begin(), corners.end(), is_inside)) return {};
     if (sink != nullptr) {
-        sink->begin_planes(view_planes(rules), 1);
+        sink->begin_planes(volume.view, 1);
         sink->begin_plane(ClipPlane::near, corners);
     }
     std::vector<ClipVertex> kept;
@@ -77,8 +77,8 @@ Clipped clip_near_with_wrong_t(std::vector<ClipVertex>& corners, const VertexRul
         ClipStep step;
         step.from = static_cast<int>(i);
         step.to = static_cast<int>(next);
-        step.d_from = a.position_clip.w - rules.near;
-        step.d_to = b.position_clip.w - rules.near;
+        step.d_from = a.position_clip.w - near;
+        step.d_to = b.position_clip.w - near;
         step.is_from_inside = step.keeps_from = is_inside(a);
         step.is_to_inside = is_inside(b);
         step.is_cut = step.is_from_inside != step.is_to_inside;
@@ -87,7 +87,7 @@ Clipped clip_near_with_wrong_t(std::vector<ClipVertex>& corners, const VertexRul
         if (step.is_cut) {
             const ClipVertex& inside = step.is_from_inside ? a : b;
             const ClipVertex& outside = step.is_from_inside ? b : a;
-            const float wrong_t = wrong_cut_place(inside, outside, rules.near);
+            const float wrong_t = wrong_cut_place(inside, outside, near);
             // The step counts t from the corner inside.
             step.t = 1.0f - wrong_t;
             step.cut = cut_at(inside, outside, wrong_t);
@@ -100,15 +100,15 @@ Clipped clip_near_with_wrong_t(std::vector<ClipVertex>& corners, const VertexRul
     return {Rejection::none, true};
 }
 
-Clipped clip_after_division(std::vector<ClipVertex>& corners, const VertexRules& rules,
+Clipped clip_after_division(std::vector<ClipVertex>& corners, const ViewVolume& volume,
                             ClipSink* sink) {
-    if (!is_labs(rules)) return {};
+    if (!is_labs(volume.rules)) return {};
     std::vector<ClipVertex> screen;
     for (const ClipVertex& corner : corners)
         screen.push_back(divided(corner));
     // A corner in the camera itself has no place on the screen; project() says so of it.
     if (!std::all_of(screen.begin(), screen.end(), has_place)) return {};
-    const ClipPlanes planes = view_planes(rules);
+    const ClipPlanes& planes = volume.view;
     constexpr auto first_side = static_cast<std::size_t>(ClipPlane::left);
     if (sink != nullptr) sink->begin_planes(planes, planes.size());
     bool is_cut = false;
@@ -129,14 +129,14 @@ Clipped clip_after_division(std::vector<ClipVertex>& corners, const VertexRules&
     return {Rejection::none, true};
 }
 
-Clipped move_to_near_plane(std::vector<ClipVertex>& corners, const VertexRules& rules,
+Clipped move_to_near_plane(std::vector<ClipVertex>& corners, const ViewVolume& volume,
                            ClipSink* sink) {
     static_cast<void>(sink);
     Clipped clipped;
-    if (!is_labs(rules)) return clipped;
+    if (!is_labs(volume.rules)) return clipped;
     for (ClipVertex& corner : corners) {
-        if (!(corner.position_clip.w < rules.near)) continue;
-        corner.position_clip.w = rules.near;
+        if (!(corner.position_clip.w < volume.rules.near)) continue;
+        corner.position_clip.w = volume.rules.near;
         clipped.is_cut = true;
     }
     return clipped;

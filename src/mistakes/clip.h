@@ -8,23 +8,23 @@
 namespace rasterwalk {
 
 /// B16: nothing is cut. A polygon of which one corner lies outside the view is left out whole.
-Clipped drop_partly_outside(std::vector<ClipVertex>& corners, const VertexRules& rules,
+Clipped drop_partly_outside(std::vector<ClipVertex>& corners, const ViewVolume& volume,
                             ClipSink* sink = nullptr);
 
 /// B31: the near plane with a wrong denominator. From the corner a behind it to the corner b in
 /// front, t = (near - z_a) / z_b, and not divided by z_b - z_a.
-Clipped clip_near_with_wrong_t(std::vector<ClipVertex>& corners, const VertexRules& rules,
+Clipped clip_near_with_wrong_t(std::vector<ClipVertex>& corners, const ViewVolume& volume,
                                ClipSink* sink = nullptr);
 
 /// B32: first the division, then the cut by the four sides of the picture. What is behind the
 /// camera is mirrored by then, and the varyings, which are not divided, are cut as if they were
 /// linear on the screen. Goes with is_in_front_unasked(): nobody asks for z any more.
-Clipped clip_after_division(std::vector<ClipVertex>& corners, const VertexRules& rules,
+Clipped clip_after_division(std::vector<ClipVertex>& corners, const ViewVolume& volume,
                             ClipSink* sink = nullptr);
 
 /// B33: no cut, but a clamp, z = max(z, near). Corners behind the near plane are moved straight
 /// forward onto it, which bends the edges that end in them.
-Clipped move_to_near_plane(std::vector<ClipVertex>& corners, const VertexRules& rules,
+Clipped move_to_near_plane(std::vector<ClipVertex>& corners, const ViewVolume& volume,
                            ClipSink* sink = nullptr);
 
 } // namespace rasterwalk

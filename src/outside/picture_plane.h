@@ -13,7 +13,7 @@
 #include <glm/vec3.hpp>
 
 #include "scene/scene.h"
-#include "stages/vertex_shader.h"
+#include "stages/orthographic.h"
 
 namespace rasterwalk {
 
@@ -44,9 +44,9 @@ struct PicturePlane {
     glm::dvec3 in_camera(const glm::dvec3& world) const { return (world - eye) * rotation; }
     glm::dvec3 in_world(const glm::dvec3& camera) const { return eye + rotation * camera; }
     /// w of a place in camera space at this z: z, 1, or between.
-    double w_at(double z) const { return (1.0 - mix) * z + mix; }
+    double w_at(double z) const { return clip_w(z, mix); }
     /// What x/w and y/w are multiplied by, pixels: f, f/d, or between.
-    double scale() const { return mix == 0.0 ? focal_length : focal_length * w_at(depth) / depth; }
+    double scale() const { return clip_scale(focal_length, mix, depth); }
     /// The place at this depth on the ray through a place in camera space; w there must not be 0.
     glm::dvec3 on_ray(const glm::dvec3& camera, double z) const {
         const double share = w_at(z) / w_at(camera.z);

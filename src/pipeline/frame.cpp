@@ -31,17 +31,17 @@ void shade_vertices(const Mesh& mesh, const VertexRules& rules, Frame& frame) {
 /// What the triangles of a frame go through before they are covered.
 class PolygonMaker {
   public:
-    PolygonMaker(const VertexRules& rules, Frame& frame) : rules_(rules), frame_(frame) {}
+    PolygonMaker(const VertexRules& rules, Frame& frame) : volume_(rules), frame_(frame) {}
 
     /// Reject, clip, cull and project; appends the corners to the frame's.
     Polygon make(int triangle) {
         Polygon polygon{static_cast<int>(frame_.vertices.size()), 0, Rejection::none, false};
         clip(triangle, polygon);
         if (polygon.rejection == Rejection::none)
-            polygon.rejection = frame_.stages.cull(corners_, rules_, nullptr);
+            polygon.rejection = frame_.stages.cull(corners_, volume_.rules, nullptr);
         if (polygon.is_cut) {
             for (const ClipVertex& corner : corners_)
-                add(frame_.stages.project(corner, rules_, frame_.stages, nullptr), polygon);
+                add(frame_.stages.project(corner, volume_.rules, frame_.stages, nullptr), polygon);
         } else {
             for (int corner = 0; corner < triangle_corners; ++corner)
                 add(frame_.given_vertex(triangle, corner), polygon);
@@ -54,9 +54,9 @@ class PolygonMaker {
         corners_.clear();
         for (int corner = 0; corner < triangle_corners; ++corner)
             corners_.push_back(frame_.given_clip_vertex(triangle, corner));
-        polygon.rejection = frame_.stages.reject(corners_, rules_);
+        polygon.rejection = frame_.stages.reject(corners_, volume_);
         if (polygon.rejection != Rejection::none) return;
-        const Clipped clipped = frame_.stages.clip(corners_, rules_, nullptr);
+        const Clipped clipped = frame_.stages.clip(corners_, volume_, nullptr);
         polygon.rejection = clipped.rejection;
         if (corners_.size() < least_corners) polygon.rejection = Rejection::clipped_away;
         // Of what nothing is drawn is shown as the scene has it.
@@ -69,7 +69,7 @@ class PolygonMaker {
         ++polygon.count;
     }
 
-    VertexRules rules_;
+    ViewVolume volume_;
     Frame& frame_;
     std::vector<ClipVertex> corners_; ///< of the polygon on its way
 };
@@ -122,14 +122,14 @@ std::vector<ScreenVertex> polygon_under(const Frame& frame, int triangle,
 void tell_clipping(const Frame& frame, int triangle, ClipSink& sink) {
     if (!frame.is_clip_told(triangle)) return;
     std::vector<ClipVertex> corners = given_corners(frame, triangle);
-    frame.stages.clip(corners, vertex_rules(frame.settings, frame.scene->space), &sink);
+    frame.stages.clip(corners, ViewVolume(vertex_rules(frame.settings, frame.scene->space)), &sink);
 }
 
 CullTest cull_test(const Frame& frame, int triangle) {
     CullTest test;
     const VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
     std::vector<ClipVertex> corners = given_corners(frame, triangle);
-    frame.stages.clip(corners, rules, nullptr);
+    frame.stages.clip(corners, ViewVolume(rules), nullptr);
     test.is_back = frame.stages.cull(corners, rules, &test) != Rejection::none;
     return test;
 }

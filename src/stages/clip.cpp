@@ -52,9 +52,10 @@ ClipPlanes planes_beside_picture(const VertexRules& rules, float pixels) {
     return planes(rules, middle.x + pixels, rest.x + pixels, middle.y + pixels, rest.y + pixels);
 }
 
-/// Cuts by the first `count` planes.
-Clipped clip_by(const ClipPlanes& planes, std::size_t count, std::vector<ClipVertex>& corners,
-                ClipSink* sink) {
+/// Cuts by the first `count` planes. What is given in pixels has no view volume.
+Clipped clip_by(const ViewVolume& volume, const ClipPlanes& planes, std::size_t count,
+                std::vector<ClipVertex>& corners, ClipSink* sink) {
+    if (volume.rules.space == SceneSpace::pixels) return {};
     // What is no number lies on no side; project() says so of it.
     const auto is_finite = [](const ClipVertex& v) { return std::isfinite(v.position_clip.w); };
     if (!std::all_of(corners.begin(), corners.end(), is_finite)) return {};
@@ -143,22 +144,17 @@ void clip_by_plane(std::span<const ClipVertex> corners, const ClipPlanes& planes
     if (sink != nullptr) sink->end_plane(plane, result);
 }
 
-Clipped clip_near(std::vector<ClipVertex>& corners, const VertexRules& rules, ClipSink* sink) {
-    return rules.space == SceneSpace::pixels ? Clipped{}
-                                             : clip_by(view_planes(rules), 1, corners, sink);
+Clipped clip_near(std::vector<ClipVertex>& corners, const ViewVolume& volume, ClipSink* sink) {
+    return clip_by(volume, volume.view, 1, corners, sink);
 }
 
-Clipped clip_all(std::vector<ClipVertex>& corners, const VertexRules& rules, ClipSink* sink) {
-    return rules.space == SceneSpace::pixels
-               ? Clipped{}
-               : clip_by(view_planes(rules), clip_plane_count, corners, sink);
+Clipped clip_all(std::vector<ClipVertex>& corners, const ViewVolume& volume, ClipSink* sink) {
+    return clip_by(volume, volume.view, clip_plane_count, corners, sink);
 }
 
-Clipped clip_guard_band(std::vector<ClipVertex>& corners, const VertexRules& rules,
+Clipped clip_guard_band(std::vector<ClipVertex>& corners, const ViewVolume& volume,
                         ClipSink* sink) {
-    return rules.space == SceneSpace::pixels
-               ? Clipped{}
-               : clip_by(guard_band_planes(rules), clip_plane_count, corners, sink);
+    return clip_by(volume, volume.guard_band, clip_plane_count, corners, sink);
 }
 
 } // namespace rasterwalk

@@ -56,6 +56,16 @@ ClipPlanes outer_planes(const VertexRules& rules);
 /// between them and the picture is left to the bounds test.
 ClipPlanes guard_band_planes(const VertexRules& rules);
 
+/// What rejecting and clipping ask of every polygon of a frame: its planes are found once.
+struct ViewVolume {
+    explicit ViewVolume(const VertexRules& of)
+        : rules(of), view(view_planes(of)), outer(outer_planes(of)),
+          guard_band(guard_band_planes(of)) {}
+
+    VertexRules rules;
+    ClipPlanes view, outer, guard_band;
+};
+
 /// How far a vertex lies on the inner side of a plane.
 inline float inner_distance(const glm::vec4& plane, const ClipVertex& vertex) {
     return glm::dot(plane, vertex.position_clip);
@@ -131,24 +141,24 @@ struct Clipped {
 /// Every polygon stays as it is.
 /// @param corners at least three, in order; they are replaced by those of what is left
 /// @param sink    is told of each edge at each plane, or null
-inline Clipped clip_nothing(std::vector<ClipVertex>& corners, const VertexRules& rules,
+inline Clipped clip_nothing(std::vector<ClipVertex>& corners, const ViewVolume& volume,
                             ClipSink* sink = nullptr) {
     static_cast<void>(corners);
-    static_cast<void>(rules);
+    static_cast<void>(volume);
     static_cast<void>(sink);
     return {};
 }
 
 /// Cuts by the near plane alone: enough that the division is safe.
-Clipped clip_near(std::vector<ClipVertex>& corners, const VertexRules& rules,
+Clipped clip_near(std::vector<ClipVertex>& corners, const ViewVolume& volume,
                   ClipSink* sink = nullptr);
 
 /// Cuts by all six planes of the view volume.
-Clipped clip_all(std::vector<ClipVertex>& corners, const VertexRules& rules,
+Clipped clip_all(std::vector<ClipVertex>& corners, const ViewVolume& volume,
                  ClipSink* sink = nullptr);
 
 /// Cuts by near, far and the sides of the guard band.
-Clipped clip_guard_band(std::vector<ClipVertex>& corners, const VertexRules& rules,
+Clipped clip_guard_band(std::vector<ClipVertex>& corners, const ViewVolume& volume,
                         ClipSink* sink = nullptr);
 
 } // namespace rasterwalk

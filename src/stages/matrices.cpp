@@ -58,8 +58,7 @@ glm::dmat4 projection_matrix(const VertexRules& rules) {
     const double f = rules.camera.focal_length, near = rules.near;
     const double length = view_length(rules), far = near + length;
     const glm::dvec2 half = half_of(rules.viewport);
-    const double scale = mix == 0.0 ? f : f * ((1.0 - mix) * d + mix) / d;
-    const double w_far = (1.0 - mix) * far + mix;
+    const double scale = clip_scale(f, mix, d), w_far = clip_w(far, mix);
     // Written in rows, as it is read, and then turned into glm's columns.
     return glm::transpose(glm::dmat4{{scale / half.x, 0.0, 0.0, 0.0},
                                      {0.0, scale / half.y, 0.0, 0.0},

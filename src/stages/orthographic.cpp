@@ -6,13 +6,6 @@
 
 namespace rasterwalk {
 
-float clip_scale(const VertexRules& rules) {
-    const Projection& projection = rules.projection;
-    const float f = rules.camera.focal_length;
-    if (projection.mix == 0.0f) return f;
-    return f * clip_w(projection.depth, projection) / projection.depth;
-}
-
 float view_length(const VertexRules& rules) {
     // Planes that lie on each other would leave a division by 0.
     constexpr float smallest = 1e-6f;

@@ -31,13 +31,24 @@
 namespace rasterwalk {
 
 /// w of a point at this depth in front of the camera: z, 1, or between. Never negative for z >= 0.
+/// In float, as the lab computes, or in double, as matrices and what is drawn outside do.
+template <class Real>
+constexpr Real clip_w(Real z, Real mix) {
+    return (Real{1} - mix) * z + mix;
+}
 inline float clip_w(float z, const Projection& projection) {
-    return (1.0f - projection.mix) * z + projection.mix;
+    return clip_w(z, projection.mix);
 }
 
 /// What x and y of camera space are multiplied by, pixels: f, f/d, or between, so that at the depth
 /// d the size stays the same.
-float clip_scale(const VertexRules& rules);
+template <class Real>
+constexpr Real clip_scale(Real focal_length, Real mix, Real depth) {
+    return mix == Real{0} ? focal_length : focal_length * clip_w(depth, mix) / depth;
+}
+inline float clip_scale(const VertexRules& rules) {
+    return clip_scale(rules.camera.focal_length, rules.projection.mix, rules.projection.depth);
+}
 
 /// How long the view volume is: far - near, world units; never 0.
 float view_length(const VertexRules& rules);

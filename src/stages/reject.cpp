@@ -9,12 +9,11 @@ Outcode outcode(const ClipVertex& vertex, const ClipPlanes& planes) {
     return static_cast<Outcode>(code);
 }
 
-Rejection reject_by_outcodes(std::span<const ClipVertex> corners, const VertexRules& rules) {
-    if (rules.space == SceneSpace::pixels) return Rejection::none;
-    const ClipPlanes planes = outer_planes(rules);
+Rejection reject_by_outcodes(std::span<const ClipVertex> corners, const ViewVolume& volume) {
+    if (volume.rules.space == SceneSpace::pixels) return Rejection::none;
     Outcode common = 0xff;
     for (const ClipVertex& corner : corners)
-        common &= outcode(corner, planes);
+        common &= outcode(corner, volume.outer);
     return common != 0 ? Rejection::outside : Rejection::none;
 }
 

@@ -29,14 +29,14 @@ Outcode outcode(const ClipVertex& vertex, const ClipPlanes& planes);
 
 /// Every polygon goes on.
 /// @param corners at least three
-inline Rejection reject_nothing(std::span<const ClipVertex> corners, const VertexRules& rules) {
+inline Rejection reject_nothing(std::span<const ClipVertex> corners, const ViewVolume& volume) {
     static_cast<void>(corners);
-    static_cast<void>(rules);
+    static_cast<void>(volume);
     return Rejection::none;
 }
 
 /// By the codes: outside if all corners lie beyond the same of the outer planes, so that nothing is
 /// rejected that would be seen. In pixel space nothing is.
-Rejection reject_by_outcodes(std::span<const ClipVertex> corners, const VertexRules& rules);
+Rejection reject_by_outcodes(std::span<const ClipVertex> corners, const ViewVolume& volume);
 
 } // namespace rasterwalk

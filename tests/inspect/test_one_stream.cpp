@@ -76,7 +76,7 @@ ClipVertex between(const ClipVertex& a, const ClipVertex& b, float t) {
             a.varyings + (b.varyings - a.varyings) * t};
 }
 /// Sutherland-Hodgman against one plane, w = near: triangles become quadrilaterals, or nothing.
-Clipped clip_at_near_plane(std::vector<ClipVertex>& corners, const VertexRules&, ClipSink* sink) {
+Clipped clip_at_near_plane(std::vector<ClipVertex>& corners, const ViewVolume&, ClipSink* sink) {
     constexpr float near = 1.5f;
     std::vector<ClipVertex> left;
     std::vector<ClipStep> steps;
@@ -495,7 +495,7 @@ TEST_CASE("Clipping and culling show in polygons, reports, counts and the compar
             corners.push_back(vertex_shader(vertex, camera_rotation(settings.camera),
                                             vertex_rules(settings, scene.space), {}, nullptr));
         }
-        const Clipped clipped = clip_at_near_plane(corners, {}, nullptr);
+        const Clipped clipped = clip_at_near_plane(corners, ViewVolume(VertexRules()), nullptr);
         Rejection rejection = clipped.rejection;
         if (rejection == Rejection::none) rejection = cull_back_faces(corners, {}, nullptr);
         CAPTURE(t);

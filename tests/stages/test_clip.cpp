@@ -130,13 +130,14 @@ using ClipFunction = decltype(&clip_nothing);
 void check_against_half_planes(ClipFunction clip, const ClipPlanes& planes, std::size_t count,
                                const VertexRules& rules, int seed) {
     Random random(static_cast<unsigned>(seed));
+    const ViewVolume volume(rules);
     int whole = 0, cut = 0, gone = 0;
     std::size_t most = 0;
     const int triangles = rounds(300'000, 20'000);
     for (int i = 0; i < triangles; ++i) {
         const std::vector<ClipVertex> triangle = random_triangle(random, rules);
         std::vector<ClipVertex> corners = triangle;
-        const Clipped clipped = clip(corners, rules, nullptr);
+        const Clipped clipped = clip(corners, volume, nullptr);
         const double expected = common_area(half_planes(triangle, planes, count));
         const bool is_gone = clipped.rejection == Rejection::clipped_away;
         const double area = is_gone ? 0.0 : polygon_area(corners);
@@ -175,12 +176,12 @@ TEST_CASE("The guard band is clipped by its own planes, and by none where a tria
     std::vector<ClipVertex> beside{corner(0, {-2.0f, 0.0f, 1.0f}, 400.0f),
                                    corner(1, {2.0f, 1.0f, 1.0f}, 400.0f),
                                    corner(2, {2.0f, -1.0f, 2.0f}, 400.0f)};
-    CHECK_FALSE(clip_guard_band(beside, rules).is_cut);
-    CHECK(clip_all(beside, rules).is_cut);
+    CHECK_FALSE(clip_guard_band(beside, ViewVolume(rules)).is_cut);
+    CHECK(clip_all(beside, ViewVolume(rules)).is_cut);
     std::vector<ClipVertex> far_out{corner(0, {-100.0f, 0.0f, 1.0f}, 400.0f),
                                     corner(1, {2.0f, 1.0f, 1.0f}, 400.0f),
                                     corner(2, {2.0f, -1.0f, 2.0f}, 400.0f)};
-    CHECK(clip_guard_band(far_out, rules).is_cut);
+    CHECK(clip_guard_band(far_out, ViewVolume(rules)).is_cut);
     CHECK(far_out.size() == 4);
     for (const ClipVertex& v : far_out)
         CHECK(std::abs(v.position_clip.x / v.position_clip.w) <= 8192.01f);
@@ -220,7 +221,7 @@ TEST_CASE("One corner behind leaves two triangles, two leave one, three leave no
         std::vector<ClipVertex> corners{corner(0, {0.0f, -1.0f, z0}, 500.0f),
                                         corner(1, {1.0f, 1.0f, z1}, 500.0f),
                                         corner(2, {-1.0f, 1.0f, z2}, 500.0f)};
-        const Clipped clipped = clip_near(corners, rules);
+        const Clipped clipped = clip_near(corners, ViewVolume(rules));
         return clipped.rejection == Rejection::clipped_away ? std::size_t{0} : corners.size();
     };
     CHECK(left_of(1, 1, 1) == 3);
@@ -248,11 +249,12 @@ TEST_CASE("t is measured from the corner inside") {
 TEST_CASE("A triangle whose corners share an outcode is one of which clipping leaves nothing") {
     Random random(74);
     const VertexRules rules = rules_of({500, 400});
+    const ViewVolume volume(rules);
     int rejected = 0, missed = 0;
     for (int i = 0; i < rounds(100'000, 10'000); ++i) {
         std::vector<ClipVertex> corners = random_triangle(random, rules);
-        const bool is_rejected = reject_by_outcodes(corners, rules) == Rejection::outside;
-        const bool is_gone = clip_all(corners, rules).rejection == Rejection::clipped_away;
+        const bool is_rejected = reject_by_outcodes(corners, volume) == Rejection::outside;
+        const bool is_gone = clip_all(corners, volume).rejection == Rejection::clipped_away;
         if (is_rejected) REQUIRE(is_gone);
         rejected += is_rejected ? 1 : 0;
         missed += is_gone && !is_rejected ? 1 : 0;

@@ -68,7 +68,7 @@ int corners_around(const std::vector<ImVec2>& corners, PicturePlace place, float
 }
 
 /// Cuts off the right end: of a triangle with one corner there four corners are left.
-Clipped cut_off_right(std::vector<ClipVertex>& corners, const VertexRules&, ClipSink*) {
+Clipped cut_off_right(std::vector<ClipVertex>& corners, const ViewVolume&, ClipSink*) {
     float low = corners[0].position_clip.x, high = low;
     for (const ClipVertex& corner : corners) {
         low = std::min(low, corner.position_clip.x);
