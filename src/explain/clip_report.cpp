@@ -91,6 +91,8 @@ struct Maker {
     }
 
     std::optional<Formula> corner(int vertex, int i) const;
+    std::optional<Formula> changed(int vertex, int i) const;
+    std::optional<Formula> handed_on(int number, int i) const;
     Formula distance(const CutCorner& corner, ClipPlane plane, std::string id) const;
     std::optional<Formula> distance_before(ClipPlane plane, std::string_view corner) const;
     std::optional<Formula> cut(ClipPlane plane, std::string_view edge) const;
@@ -140,6 +142,45 @@ std::optional<Formula> Maker::corner(int vertex, int i) const {
     formula.expression = "v";
     formula.inputs = {{"v", formula.result, from_words("as the projection makes it")}};
     return formula;
+}
+
+/// A corner that was divided before the planes saw it.
+std::optional<Formula> Maker::changed(int vertex, int i) const {
+    const auto at = static_cast<std::size_t>(vertex);
+    const CutCorner given = given_corners(history)[at], corner = corners_before(history, 0)[at];
+    if (corner.place != CornerPlace::changed) return std::nullopt;
+    const std::string name = clip_coordinate_names[static_cast<std::size_t>(i)];
+    Formula formula{corner_formula_id(corner, i),
+                    name,
+                    "Divided by w before the planes cut, which is a mistake.",
+                    i < 2    ? name + " · (1 / w)"
+                    : i == 2 ? "1 / w"
+                             : "1",
+                    {},
+                    {coordinate(corner.vertex, i)}};
+    if (i < 2) formula.inputs.push_back(input(name, given, i));
+    if (i < 3) formula.inputs.push_back(input("w", given, 3));
+    return checked(formula, from_words("the function that cuts"));
+}
+
+/// A corner that was multiplied again behind the planes.
+std::optional<Formula> Maker::handed_on(int number, int i) const {
+    const auto at = static_cast<std::size_t>(number);
+    const CutCorner corner = corners_before(history)[at];
+    if (corner.place != CornerPlace::handed_on) return std::nullopt;
+    const CutCorner before = corners_before(history, static_cast<int>(history.planes.size()))[at];
+    const std::string name = clip_coordinate_names[static_cast<std::size_t>(i)];
+    Formula formula{corner_formula_id(corner, i),
+                    name,
+                    "Multiplied by w again behind the planes, so that it can be divided.",
+                    i < 2    ? name + " · (1 / z)"
+                    : i == 2 ? "1"
+                             : "1 / z",
+                    {},
+                    {coordinate(corner.vertex, i)}};
+    if (i < 2) formula.inputs.push_back(input(name, before, i));
+    if (i != 2) formula.inputs.push_back(input("z", before, 2));
+    return checked(formula, from_words("the function that cuts"));
 }
 
 /// A coefficient of a plane under a name, and where it comes from.
@@ -385,6 +426,10 @@ std::string plane_name(ClipPlane plane) {
 
 std::string corner_formula_id(const CutCorner& corner, int coordinate) {
     const char* const name = clip_coordinate_names[static_cast<std::size_t>(coordinate)];
+    if (corner.place == CornerPlace::changed)
+        return fmt::format("changed.{}.{}", corner.vertex_index, name);
+    if (corner.place == CornerPlace::handed_on)
+        return fmt::format("left.{}.{}", corner.number, name);
     return corner.is_new() ? fmt::format("new.{}.{}", corner.new_index, name)
                            : fmt::format("corner.{}.{}", corner.vertex_index, name);
 }
@@ -412,10 +457,18 @@ std::optional<Formula> clip_formula(const Frame& frame, const ClipHistory& histo
         const int vertex = index(1, triangle_corners), i = coordinate_of(parts[2]);
         if (vertex >= 0 && i >= 0) return maker.corner(vertex, i);
     }
+    if (parts.size() == 3 && kind == "changed") {
+        const int vertex = index(1, triangle_corners), i = coordinate_of(parts[2]);
+        if (vertex >= 0 && i >= 0) return maker.changed(vertex, i);
+    }
+    if (parts.size() == 3 && kind == "left") {
+        const int number = index(1, history.polygon.size()), i = coordinate_of(parts[2]);
+        if (number >= 0 && i >= 0) return maker.handed_on(number, i);
+    }
     if (parts.size() == 3 && kind == "code") {
         const int plane = index(1, history.codes.plane_count), vertex = index(2, triangle_corners);
         if (plane < 0 || vertex < 0) return std::nullopt;
-        return maker.distance(corners_before(history, 0)[static_cast<std::size_t>(vertex)],
+        return maker.distance(given_corners(history)[static_cast<std::size_t>(vertex)],
                               static_cast<ClipPlane>(plane), std::string(id));
     }
     if (parts.size() == 3 && (kind == "d" || kind == "t")) {

@@ -8,18 +8,6 @@ namespace rasterwalk {
 
 namespace {
 
-std::vector<CutCorner> given_corners(const ClipHistory& history) {
-    std::vector<CutCorner> corners;
-    for (int i = 0; i < triangle_corners; ++i) {
-        CutCorner corner;
-        corner.vertex = history.corners[static_cast<std::size_t>(i)];
-        corner.vertex_index = i;
-        corner.edge = i;
-        corners.push_back(corner);
-    }
-    return corners;
-}
-
 /// How many corners the planes before this one make.
 int made_before(const ClipHistory& history, int plane) {
     int count = 0;
@@ -43,6 +31,7 @@ std::vector<CutCorner> passed_on(const std::vector<CutCorner>& before, const Pla
         // Where the polygon goes out it goes on along the plane, where it comes in along its edge.
         CutCorner corner = from;
         corner.vertex = step.cut;
+        corner.place = CornerPlace::own;
         corner.vertex_index = -1;
         corner.new_index = made++;
         corner.plane = step.plane;
@@ -54,6 +43,18 @@ std::vector<CutCorner> passed_on(const std::vector<CutCorner>& before, const Pla
         after.push_back(corner);
     }
     return after;
+}
+
+/// Puts the corners where these vertices are, if they are the same corners.
+void move_to(std::span<const ClipVertex> vertices, CornerPlace place,
+             std::vector<CutCorner>& corners) {
+    if (vertices.size() != corners.size()) return;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        if (corners[i].vertex.position_clip == vertices[i].position_clip) continue;
+        corners[i].vertex = vertices[i];
+        corners[i].place = place;
+        corners[i].number = static_cast<int>(i);
+    }
 }
 
 /// What is left by a function that does not tell what it did: its corners are all new.
@@ -70,6 +71,18 @@ std::vector<CutCorner> unexplained_corners(const ClipHistory& history) {
 
 } // namespace
 
+std::vector<CutCorner> given_corners(const ClipHistory& history) {
+    std::vector<CutCorner> corners;
+    for (int i = 0; i < triangle_corners; ++i) {
+        CutCorner corner;
+        corner.vertex = history.corners[static_cast<std::size_t>(i)];
+        corner.vertex_index = i;
+        corner.edge = i;
+        corners.push_back(corner);
+    }
+    return corners;
+}
+
 std::optional<ClipProgress> clip_progress(const ClipHistory& history,
                                           const std::optional<Cursor>& done) {
     if (!done || done->phase != Phase::clip || done->triangle != history.triangle)
@@ -85,10 +98,12 @@ std::vector<CutCorner> corners_before(const ClipHistory& history, int planes) {
     const auto all = static_cast<int>(history.planes.size());
     if (planes > 0 && all == 0 && history.clipped.is_cut) return unexplained_corners(history);
     std::vector<CutCorner> corners = given_corners(history);
+    if (all > 0) move_to(history.planes.front().before, CornerPlace::changed, corners);
     for (int p = 0; p < std::min(planes, all); ++p) {
         const PlaneHistory& plane = history.planes[static_cast<std::size_t>(p)];
         corners = passed_on(corners, plane, plane.steps.size(), made_before(history, p));
     }
+    if (planes > all) move_to(history.polygon, CornerPlace::handed_on, corners);
     return corners;
 }
 

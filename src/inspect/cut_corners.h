@@ -4,6 +4,7 @@
 // whoever shows them can name them and their edges.
 
 #include <climits>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,9 +14,20 @@
 
 namespace rasterwalk {
 
+/// Where a corner's place in clip space comes from. The last two only where the function that clips
+/// changes the corners before its first plane, or behind its last one: as one does that divides
+/// before it cuts.
+enum class CornerPlace : std::uint8_t {
+    own,       ///< from the vertex shader, or from the plane that has made the corner
+    changed,   ///< as the first plane is given it
+    handed_on, ///< as the function returns it
+};
+
 /// A corner of the polygon, and the way from it to the next one.
 struct CutCorner {
     ClipVertex vertex;
+    CornerPlace place = CornerPlace::own;
+    int number = -1;                   ///< if its place is handed on: in the polygon that is left
     int vertex_index = -1;             ///< 0..2, of the triangle; -1: a plane has made it
     int new_index = -1;                ///< of all corners that planes make of the triangle, from 0
     ClipPlane plane = ClipPlane::near; ///< that has made it
@@ -38,7 +50,11 @@ struct ClipProgress {
 std::optional<ClipProgress> clip_progress(const ClipHistory& history,
                                           const std::optional<Cursor>& done);
 
-/// The corners of the polygon before the plane at work. Without a plane at work what is left.
+/// The three corners as the vertex shader left them, before anything is done to them.
+std::vector<CutCorner> given_corners(const ClipHistory& history);
+
+/// The corners of the polygon before the plane at work, as that is given them. Without a plane at
+/// work what is left, as it is handed on.
 std::vector<CutCorner> corners_before(const ClipHistory& history, int planes = INT_MAX);
 
 /// How many planes with work come before this one; those with work are in their order.

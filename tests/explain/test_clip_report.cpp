@@ -79,6 +79,63 @@ TEST_CASE("Every number of clipping comes out of its formula bit by bit") {
     CHECK(count > 500);
 }
 
+TEST_CASE("What is divided before it is cut comes out of formulas that go back to the vertices") {
+    const Scene room = lab_room();
+    Random random(21);
+    int count = 0, changed = 0, left = 0;
+    for (int i = 0; i < rounds(12, 4); ++i) {
+        const Frame frame = room_frame(room, random, Clip::after_division);
+        for (int t = 0; t < frame.triangle_count(); t += 3) {
+            const ClipHistory history = clip_history(frame, t);
+            // Every number that a formula is made of is the result of the one it refers to.
+            const auto check = [&](const std::string& id, float value) {
+                const auto formula = clip_formula(frame, history, id);
+                CAPTURE(i, t, id);
+                REQUIRE(formula);
+                CHECK(formula->result.value == value);
+                CHECK(evaluate(*formula) == value);
+                CHECK(formula->expression != "v");
+                for (const FormulaInput& input : formula->inputs) {
+                    if (input.source.kind != SourceKind::formula) continue;
+                    const auto of = clip_formula(frame, history, input.source.name);
+                    CAPTURE(input.source.name);
+                    REQUIRE(of);
+                    CHECK(of->result.value == input.number.value);
+                }
+                ++count;
+            };
+            for (std::size_t p = 0; p < history.planes.size(); ++p) {
+                const PlaneHistory& work = history.planes[p];
+                const std::string plane = std::to_string(static_cast<int>(work.plane)) + ".";
+                const auto before = corners_before(history, static_cast<int>(p));
+                REQUIRE(before.size() == work.before.size());
+                for (std::size_t c = 0; c < before.size(); ++c) {
+                    CHECK(before[c].vertex.position_clip == work.before[c].position_clip);
+                    for (int k = 0; k < 4; ++k)
+                        check(corner_formula_id(before[c], k), work.before[c].position_clip[k]);
+                    changed += before[c].place == CornerPlace::changed ? 1 : 0;
+                }
+                for (const ClipStep& step : work.steps) {
+                    check("d." + plane + std::to_string(step.from), step.d_from);
+                    if (step.is_cut) check("t." + plane + std::to_string(step.from), step.t);
+                }
+            }
+            if (history.planes.empty() || history.polygon.empty()) continue;
+            const auto rest = corners_before(history);
+            REQUIRE(rest.size() == history.polygon.size());
+            for (std::size_t c = 0; c < rest.size(); ++c) {
+                CHECK(rest[c].vertex.position_clip == history.polygon[c].position_clip);
+                for (const int k : {0, 1, 3})
+                    check(corner_formula_id(rest[c], k), history.polygon[c].position_clip[k]);
+                left += rest[c].place == CornerPlace::handed_on ? 1 : 0;
+            }
+        }
+    }
+    CHECK(count > 500);
+    CHECK(changed > 20);
+    CHECK(left > 20);
+}
+
 TEST_CASE("What is no number of the triangle has no formula") {
     const Scene room = lab_room();
     Settings settings = default_settings(room);
@@ -103,6 +160,8 @@ TEST_CASE("What is no number of the triangle has no formula") {
                                  "new.0.99.0",
                                  "new.0.0.3",
                                  "new.0.0.0.0",
+                                 "changed.0.x",
+                                 "left.0.x",
                                  "pixel.9.column",
                                  "pixel.0.depth",
                                  "cull",

@@ -94,7 +94,7 @@ void draw_seen_edge(const Marks& m, const CutCorner& a, const CutCorner& b, ImU3
 /// The triangle as it was before any plane, in the colour of what is taken: what is left is drawn
 /// over it.
 void draw_outline_before(const Marks& m, const ClipHistory& history) {
-    const std::vector<CutCorner> corners = corners_before(history, 0);
+    const std::vector<CutCorner> corners = given_corners(history);
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const auto line = seen_edge(m, corners[i].vertex.position_clip,
                                     corners[(i + 1) % corners.size()].vertex.position_clip);
@@ -273,7 +273,7 @@ void draw_clip_marks(const Marks& m, const ClipHistory& history) {
 
 void draw_made_corners(const Marks& m, const ClipHistory& history) {
     if (history.planes.empty()) return;
-    std::vector<OutsideLine> edges = seen_edges(m, corners_before(history, 0));
+    std::vector<OutsideLine> edges = seen_edges(m, given_corners(history));
     const auto add = [&](const std::vector<CutCorner>& corners) {
         const std::vector<OutsideLine> more = seen_edges(m, corners);
         edges.insert(edges.end(), more.begin(), more.end());

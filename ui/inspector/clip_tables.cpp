@@ -455,7 +455,7 @@ void draw_clip_corners(const ClipPage& page) {
     for (std::size_t i = 0; i < clip_coordinates.size(); ++i)
         draw_column_title(page, std::string("clip.header.") + clip_coordinates[i],
                           clip_coordinates[i], clip_coordinate_help[i]);
-    for (const CutCorner& corner : corners_before(page.history, 0)) {
+    for (const CutCorner& corner : given_corners(page.history)) {
         draw_corner_name(page, corner, false);
         const bool is_behind = !(corner.vertex.position_clip.w > 0.0f);
         ImGui::PushFont(page.ui.fonts.mono);
@@ -488,7 +488,7 @@ void draw_clip_codes(const ClipPage& page) {
                           "1 for a corner beyond the " + plane_name(plane) + ".");
     }
     for (int v = 0; v < triangle_corners; ++v) {
-        const CutCorner corner = corners_before(page.history, 0)[static_cast<std::size_t>(v)];
+        const CutCorner corner = given_corners(page.history)[static_cast<std::size_t>(v)];
         draw_corner_name(page, corner, false);
         ImGui::PushFont(page.ui.fonts.mono);
         for (std::size_t p = 0; p < codes.plane_count; ++p) {
