@@ -98,10 +98,21 @@ ClipPlanes guard_band_planes(const VertexRules& rules) {
                   guard_band_distance);
 }
 
-ClipVertex cut_edge(const ClipVertex& inside, const ClipVertex& outside, float d_inside,
-                    float d_outside) {
-    const float t = cut_place(d_inside, d_outside);
+ClipVertex cut_edge(const ClipVertex& inside, const ClipVertex& outside, double d_inside,
+                    double d_outside) {
     ClipVertex cut;
+    if (is_too_large_for_float(inside) || is_too_large_for_float(outside)) {
+        const double t = cut_place(d_inside, d_outside);
+        const glm::dvec4 from(inside.position_clip), to(outside.position_clip);
+        cut.position_clip = glm::vec4(from + t * (to - from));
+        // From the nearer end, so that the float has the digits that count.
+        cut.varyings =
+            t < 0.5 ? inside.varyings + (outside.varyings - inside.varyings) * static_cast<float>(t)
+                    : outside.varyings +
+                          (inside.varyings - outside.varyings) * static_cast<float>(1.0 - t);
+        return cut;
+    }
+    const float t = cut_place(static_cast<float>(d_inside), static_cast<float>(d_outside));
     cut.position_clip = inside.position_clip + t * (outside.position_clip - inside.position_clip);
     cut.varyings = inside.varyings + (outside.varyings - inside.varyings) * t;
     return cut;
@@ -116,8 +127,9 @@ void clip_by_plane(std::span<const ClipVertex> corners, const ClipPlanes& planes
         const std::size_t next = (i + 1) % corners.size();
         const ClipVertex& a = corners[i];
         const ClipVertex& b = corners[next];
-        const float d_a = inner_distance(coefficients, a), d_b = inner_distance(coefficients, b);
-        const bool is_a_inside = d_a >= 0.0f, is_b_inside = d_b >= 0.0f;
+        const double d_a = wide_inner_distance(coefficients, a),
+                     d_b = wide_inner_distance(coefficients, b);
+        const bool is_a_inside = d_a >= 0.0, is_b_inside = d_b >= 0.0;
         const std::size_t first_kept = result.size();
         if (is_a_inside) result.push_back(a);
         if (is_a_inside && !is_b_inside)
@@ -129,13 +141,14 @@ void clip_by_plane(std::span<const ClipVertex> corners, const ClipPlanes& planes
         step.plane = plane;
         step.from = static_cast<int>(i);
         step.to = static_cast<int>(next);
-        step.d_from = d_a;
-        step.d_to = d_b;
+        step.d_from = static_cast<float>(d_a);
+        step.d_to = static_cast<float>(d_b);
         step.is_from_inside = step.keeps_from = is_a_inside;
         step.is_to_inside = is_b_inside;
         step.is_cut = is_a_inside != is_b_inside;
         if (step.is_cut) {
-            step.t = is_a_inside ? cut_place(d_a, d_b) : cut_place(d_b, d_a);
+            step.t =
+                is_a_inside ? cut_place(step.d_from, step.d_to) : cut_place(step.d_to, step.d_from);
             step.cut = result.back();
         }
         step.first_kept = static_cast<int>(first_kept);

@@ -20,6 +20,7 @@
 // 1974; in clip space: Blinn and Newell, "Clipping Using Homogeneous Coordinates", SIGGRAPH 1978.
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -66,23 +67,42 @@ struct ViewVolume {
     ClipPlanes view, outer, guard_band;
 };
 
-/// How far a vertex lies on the inner side of a plane.
+/// Is a place so far out that a float of its size has no place left for 1/256 of a pixel? There one
+/// clips in double. Elsewhere float is exact enough, and every number comes out of its formula.
+inline bool is_too_large_for_float(const ClipVertex& vertex) {
+    constexpr float largest = 65536.0f; // 2^16, and 24 bits
+    const glm::vec4& p = vertex.position_clip;
+    return std::abs(p.x) > largest || std::abs(p.y) > largest || std::abs(p.z) > largest ||
+           std::abs(p.w) > largest;
+}
+
+/// How far a vertex lies on the inner side of a plane; only of a vertex that is too large for float
+/// is it no float.
+inline double wide_inner_distance(const glm::vec4& plane, const ClipVertex& vertex) {
+    const glm::vec4& p = vertex.position_clip;
+    if (is_too_large_for_float(vertex)) return glm::dot(glm::dvec4(plane), glm::dvec4(p));
+    return static_cast<double>(glm::dot(plane, p));
+}
+
+/// The same, rounded to float.
 inline float inner_distance(const glm::vec4& plane, const ClipVertex& vertex) {
-    return glm::dot(plane, vertex.position_clip);
+    return static_cast<float>(wide_inner_distance(plane, vertex));
 }
 
 /// Where an edge meets a plane: t = d_inside / (d_inside - d_outside), 0 at the corner inside and 1
 /// at the one outside.
 /// @param d_inside, d_outside of the two corners: not negative, and negative
-inline float cut_place(float d_inside, float d_outside) {
+template <class Real>
+constexpr Real cut_place(Real d_inside, Real d_outside) {
     return d_inside / (d_inside - d_outside);
 }
 
 /// The corner where an edge meets a plane: place and varyings cut linearly at cut_place(). Always
 /// from the inside, whichever way the edge runs, so that both neighbours of an edge get the same
-/// bits.
-ClipVertex cut_edge(const ClipVertex& inside, const ClipVertex& outside, float d_inside,
-                    float d_outside);
+/// bits. In double if one of the two corners is too large for float.
+/// @param d_inside, d_outside their wide_inner_distance()
+ClipVertex cut_edge(const ClipVertex& inside, const ClipVertex& outside, double d_inside,
+                    double d_outside);
 
 /// What one plane does with one edge of the polygon, in the moment in which it does it. It passes
 /// on the corner `from` if that lies inside, and behind it the new corner if the edge is cut.

@@ -246,6 +246,51 @@ TEST_CASE("t is measured from the corner inside") {
     CHECK(cut.position_clip.x == Approx(150.0f));
 }
 
+TEST_CASE("What reaches a million units out is cut where it meets the plane") {
+    Random random(75);
+    const VertexRules rules = rules_of({500, 400});
+    const ViewVolume volume(rules);
+    int cuts = 0;
+    for (int i = 0; i < rounds(100'000, 10'000); ++i) {
+        const auto place = [&] {
+            // Of every size from a hand's breadth to a million.
+            const auto size = [&] {
+                const double length = std::pow(10.0, static_cast<double>(random.number(-1, 6)));
+                return static_cast<float>(random.integer(0, 1) == 0 ? length : -length);
+            };
+            return glm::vec3(size(), size(), size());
+        };
+        const std::vector<ClipVertex> edge{corner(0, place(), 400.0f), corner(1, place(), 400.0f)};
+        const auto plane = static_cast<std::size_t>(random.integer(0, 5));
+        const glm::vec4& coefficients = volume.view[plane];
+        std::vector<ClipVertex> kept;
+        clip_by_plane(edge, volume.view, static_cast<ClipPlane>(plane), kept);
+        using Wide = glm::tvec4<long double>;
+        const Wide a(edge[0].position_clip), b(edge[1].position_clip), c(coefficients);
+        const long double d_a = glm::dot(c, a), d_b = glm::dot(c, b);
+        if ((d_a >= 0) == (d_b >= 0) || kept.empty()) continue;
+        const Wide exact = a + d_a / (d_a - d_b) * (b - a);
+        const auto found = std::find_if(kept.begin(), kept.end(), [&](const ClipVertex& v) {
+            return v.position_clip != edge[0].position_clip &&
+                   v.position_clip != edge[1].position_clip;
+        });
+        if (found == kept.end()) continue; // the corner lies on the plane, as near as float knows
+        // Rounded once if it was far out; and by float as everywhere if it was not.
+        const bool is_far = is_too_large_for_float(edge[0]) || is_too_large_for_float(edge[1]);
+        if (!is_far) continue;
+        for (int k = 0; k < 4; ++k) {
+            const double wanted = static_cast<double>(exact[k]);
+            const double error = std::abs(static_cast<double>(found->position_clip[k]) - wanted);
+            if (error > 1e-7 * std::abs(wanted) + 1e-5) {
+                FAIL("edge " << i << ", plane " << plane << ", coordinate " << k << ": "
+                             << found->position_clip[k] << ", exactly " << wanted);
+            }
+        }
+        ++cuts;
+    }
+    CHECK(cuts > 1000);
+}
+
 TEST_CASE("A triangle whose corners share an outcode is one of which clipping leaves nothing") {
     Random random(74);
     const VertexRules rules = rules_of({500, 400});
