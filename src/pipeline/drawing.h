@@ -18,6 +18,7 @@ struct Drawing {
     Rectangle scissor; ///< what is drawn of the picture: the framebuffer, cut by the window's
     PixelRules pixels;
     VaryingSet carried; ///< those that edges and rows carry
+    DepthRules depth;
     bool is_depth_tested;
     bool all_have_cells;  ///< each pixel of the picture has a depth cell: nothing to ask
     bool culls_fragments; ///< each fragment is asked whether it shows a back
