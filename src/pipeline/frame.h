@@ -6,6 +6,7 @@
 
 #include "scene/scene.h"
 #include "settings/choose_stages.h"
+#include "settings/depth_words.h"
 #include "settings/settings.h"
 
 namespace rasterwalk {
@@ -68,6 +69,14 @@ struct Frame {
         return {vertices.data() + polygon.first, static_cast<std::size_t>(polygon.count)};
     }
 };
+
+/// What the depth buffer of the frame holds.
+inline ClipDepth depth_kind(const Frame& frame) {
+    return clip_depth_rule(frame.settings, frame.scene->space);
+}
+inline const DepthWords& depth_words(const Frame& frame) {
+    return depth_words(depth_kind(frame));
+}
 
 /// The table for a frame: what the settings choose, and what is put in its place.
 Stages stages_for(const Settings& settings, const ReplaceStages& replace);
