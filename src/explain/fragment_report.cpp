@@ -277,12 +277,10 @@ void round_depth(Formula& depth, float whole, const DepthRules& rules) {
     const int largest = (1 << rules.bits) - 1;
     // 1/z reaches up to 1/near.
     const bool is_scaled = kind == ClipDepth::inv_z;
-    const double part = static_cast<double>(is_scaled ? depth.result.value * rules.near
-                                                      : depth.result.value);
     depth.expression = is_scaled ? "k / n / near" : "k / n";
     depth.inputs = {
         {"k",
-         {static_cast<float>(std::round(part * largest)), true},
+         {static_cast<float>(held_step(whole, rules)), true},
          from_words(fmt::format("{} {} times {}, to the nearest whole number",
                                 depth_words(kind).name, shown({whole}),
                                 is_scaled ? "near times n" : "n"))},
@@ -323,7 +321,9 @@ void add_depth_test(FragmentReport& report, const Frame& frame) {
                   "(1/z)",
                   {{"(1/z)", {report.fragment.depth}, from_formula("zinv")}},
                   {report.fragment.depth}};
-    if (report.depth_test == DepthTest::linear_z) {
+    // What is culled never came to the test.
+    const bool is_tested = report.fate != Fate::back_facing;
+    if (is_tested && report.depth_test == DepthTest::linear_z) {
         add_linear_depth(depth, report.fragment.z, rules);
     } else if (kind != ClipDepth::inv_z) {
         const RowEnds& ends = report.row.under(report.interpolation);
@@ -335,8 +335,7 @@ void add_depth_test(FragmentReport& report, const Frame& frame) {
         depth.expression = "depth";
         depth.inputs = {{"depth", {report.fragment.depth}, from_formula("depth.carried")}};
     }
-    // What is culled never came to the buffer.
-    if (rules.bits > 0 && report.fate != Fate::back_facing)
+    if (is_tested && rules.bits > 0)
         round_depth(depth, depth.result.value, rules);
     depth.result = {report.depth};
     report.formulas.push_back(depth);

@@ -49,26 +49,31 @@ inline DepthResult depth_test(const Fragment& fragment, float stored, const Dept
     return {fragment.depth, fragment.depth > stored};
 }
 
-/// A depth from 0 to 1 as a buffer of so many bits, 1 to 24, holds it: the nearest of the 2^bits
-/// values that it has, spread evenly. What is beyond 0 or 1 is held as these.
-inline float depth_in_bits(float depth, int bits) {
+/// Which of the 2^bits values, from 0 up, a buffer of so many bits, 1 to 24, holds for a depth from
+/// 0 to 1: the nearest. They are spread evenly; what is beyond 0 or 1 is held as these.
+inline int depth_step(float depth, int bits) {
     const int largest = (1 << bits) - 1;
     // Written so that NaN, which no comparison admits, is held as 0.
     const double inside = depth > 0.0f ? (depth < 1.0f ? double{depth} : 1.0) : 0.0;
     // In double: a float has not room for 24 bits and half a step.
-    const double steps = std::floor(inside * largest + 0.5);
-    return static_cast<float>(steps) / static_cast<float>(largest);
+    return static_cast<int>(std::floor(inside * largest + 0.5));
 }
 
-/// A depth as the buffer holds it. 1/z is at most 1/near in the view: the whole numbers are spread
-/// over that.
+/// Which of its values a buffer of whole numbers holds for a depth. 1/z is at most 1/near in the
+/// view: they are spread over that. NaN is held as what is farthest.
+inline int held_step(float depth, const DepthRules& rules) {
+    const ClipDepth kind = rules.projection.clip_depth;
+    const float shown = std::isnan(depth) ? farthest_depth(kind) : depth;
+    return depth_step(kind == ClipDepth::inv_z ? shown * rules.near : shown, rules.bits);
+}
+
+/// A depth as the buffer holds it.
 inline float held_depth(float depth, const DepthRules& rules) {
     if (rules.bits == 0) return depth;
-    if (rules.projection.clip_depth == ClipDepth::inv_z)
-        return depth_in_bits(depth * rules.near, rules.bits) / rules.near;
-    // NaN is held as the farthest value.
-    return std::isnan(depth) ? farthest_depth(rules.projection.clip_depth)
-                             : depth_in_bits(depth, rules.bits);
+    const int largest = (1 << rules.bits) - 1;
+    const float part =
+        static_cast<float>(held_step(depth, rules)) / static_cast<float>(largest);
+    return rules.projection.clip_depth == ClipDepth::inv_z ? part / rules.near : part;
 }
 
 /// The nearer one is drawn, whatever the buffer holds. In a buffer of whole numbers what lies
