@@ -132,11 +132,13 @@ std::string entry_line(const Frame& frame, const PixelHistory& history, std::siz
     std::string name = part_name(scene, entry.cursor.triangle);
     name.resize(std::max(name.size(), name_width), ' '); // bytes
     const glm::vec3& colour = entry.colour_after;
-    std::string line = fmt::format(
-        "{:>3}  {:<15}  {}  {:>9.6f}  {:>9.6f}  {:>+9.6f}  {:>+9.6f}  {:<7}  {:.4f} "
-        "{:.4f} {:.4f}",
-        i, to_text(entry.cursor), name, depth_kind(frame) == ClipDepth::inv_z ? entry.zinv : entry.depth, entry.stored, entry.margin,
-        entry.margin_to_winner, word_in_table(entry.fate), colour.r, colour.g, colour.b);
+    std::string line =
+        fmt::format("{:>3}  {:<15}  {}  {:>9.6f}  {:>9.6f}  {:>+9.6f}  {:>+9.6f}  {:<7}  {:.4f} "
+                    "{:.4f} {:.4f}",
+                    i, to_text(entry.cursor), name,
+                    depth_kind(frame) == ClipDepth::inv_z ? entry.zinv : entry.depth, entry.stored,
+                    entry.margin, entry.margin_to_winner, word_in_table(entry.fate), colour.r,
+                    colour.g, colour.b);
     if (static_cast<int>(i) == history.winner) line += "  stays";
     if (entry.cursor >= to) line += "  not drawn yet";
     return line + "\n";

@@ -278,13 +278,14 @@ void round_depth(Formula& depth, float whole, const DepthRules& rules) {
     // 1/z reaches up to 1/near.
     const bool is_scaled = kind == ClipDepth::inv_z;
     depth.expression = is_scaled ? "k / n / near" : "k / n";
-    depth.inputs = {
-        {"k",
-         {static_cast<float>(held_step(whole, rules)), true},
-         from_words(fmt::format("{} {} times {}, to the nearest whole number",
-                                depth_words(kind).name, shown({whole}),
-                                is_scaled ? "near times n" : "n"))},
-        {"n", {static_cast<float>(largest), true}, from_words(fmt::format("2^{} − 1", rules.bits))}};
+    depth.inputs = {{"k",
+                     {static_cast<float>(held_step(whole, rules)), true},
+                     from_words(fmt::format("{} {} times {}, to the nearest whole number",
+                                            depth_words(kind).name, shown({whole}),
+                                            is_scaled ? "near times n" : "n"))},
+                    {"n",
+                     {static_cast<float>(largest), true},
+                     from_words(fmt::format("2^{} − 1", rules.bits))}};
     if (is_scaled) depth.inputs.push_back({"near", {rules.near}, from_setting("near")});
 }
 
@@ -302,8 +303,8 @@ void add_linear_depth(Formula& depth, float z, const DepthRules& rules) {
     const std::string plane = is_ndc ? "far" : "near";
     const std::string scale = mix == 0.0f ? plane : "((1 − mix) · " + plane + " + mix)";
     const std::string w = mix == 0.0f ? "z" : "((1 − mix) · z + mix)";
-    depth.expression = scale + " · (" + (is_ndc ? "(z − near)" : "(far − z)") +
-                       " / (far − near)) / " + w;
+    depth.expression =
+        scale + " · (" + (is_ndc ? "(z − near)" : "(far − z)") + " / (far − near)) / " + w;
     depth.inputs.push_back({"near", {rules.near}, from_setting("near")});
     depth.inputs.push_back({"far", {rules.far}, from_setting("far")});
     if (mix != 0.0f) depth.inputs.push_back({"mix", {mix}, from_setting("projection_mix")});
@@ -327,22 +328,21 @@ void add_depth_test(FragmentReport& report, const Frame& frame) {
         add_linear_depth(depth, report.fragment.z, rules);
     } else if (kind != ClipDepth::inv_z) {
         const RowEnds& ends = report.row.under(report.interpolation);
-        report.formulas.push_back(along_row(report, "depth.carried", name,
-                                            "Interpolated in equal steps. " +
-                                                std::string(words.ends),
-                                            ends.left.depth, ends.right.depth,
-                                            report.fragment.depth));
+        report.formulas.push_back(
+            along_row(report, "depth.carried", name,
+                      "Interpolated in equal steps. " + std::string(words.ends), ends.left.depth,
+                      ends.right.depth, report.fragment.depth));
         depth.expression = "depth";
         depth.inputs = {{"depth", {report.fragment.depth}, from_formula("depth.carried")}};
     }
-    if (is_tested && rules.bits > 0)
-        round_depth(depth, depth.result.value, rules);
+    if (is_tested && rules.bits > 0) round_depth(depth, depth.result.value, rules);
     depth.result = {report.depth};
     report.formulas.push_back(depth);
     Source stored = report.stored_by
                         ? from_moment(*report.stored_by)
                         : from_words("the depth buffer's start: nothing drawn here yet");
-    if (!report.stored_by && report.stored != farthest_depth(kind)) stored = from_setting("depth_clear");
+    if (!report.stored_by && report.stored != farthest_depth(kind))
+        stored = from_setting("depth_clear");
     if (!report.has_cell) stored = from_words("this pixel has no cell in the depth buffer");
     report.formulas.push_back(
         {"margin",

@@ -200,15 +200,14 @@ void add_depth(Made& made) {
     const DepthWords& words = depth_words(made.frame);
     const bool is_ndc = words.kind == ClipDepth::ndc;
     const std::string name(words.name);
-    Formula clip{
-        "clip.z",
-        "z'",
-        "What becomes " + name + " when it is divided by w. " + std::string(words.ends),
-        is_ndc ? "far · ((z − near) / (far − near))" : "near · ((far − z) / (far − near))",
-        {{"near", {settings.near}, from_setting("near")},
-         {"far", {settings.far}, from_setting("far")},
-         {"z", {shaded.in("rotated").z}, from_formula("rotated.z")}},
-        {shaded.position_clip.z}};
+    Formula clip{"clip.z",
+                 "z'",
+                 "What becomes " + name + " when it is divided by w. " + std::string(words.ends),
+                 is_ndc ? "far · ((z − near) / (far − near))" : "near · ((far − z) / (far − near))",
+                 {{"near", {settings.near}, from_setting("near")},
+                  {"far", {settings.far}, from_setting("far")},
+                  {"z", {shaded.in("rotated").z}, from_formula("rotated.z")}},
+                 {shaded.position_clip.z}};
     if (made.is_mixed()) {
         clip.expression = is_ndc ? "((1 − mix) · far + mix) · ((z − near) / (far − near))"
                                  : "((1 − mix) · near + mix) · ((far − z) / (far − near))";

@@ -347,8 +347,9 @@ void add_pixel_facts(std::vector<Fact>& table) {
                          const PixelEntry* const winner = f.winner();
                          return number(winner != nullptr ? winner->cursor.triangle : -1);
                      }});
-    table.push_back({"pixel.zinv", "1/z of what the picked pixel shows in the end; 1/w under another projection.", real(),
-                     [](const Facts& f, int) {
+    table.push_back({"pixel.zinv",
+                     "1/z of what the picked pixel shows in the end; 1/w under another projection.",
+                     real(), [](const Facts& f, int) {
                          const PixelEntry* const winner = f.winner();
                          return winner != nullptr ? number(winner->zinv) : Value();
                      }});
@@ -512,13 +513,13 @@ void add_vertex_facts(std::vector<Fact>& table) {
                          const ShadedVertex* const vertex = WithPixel{}(f);
                          return vertex != nullptr ? number(vertex->pixel.row) : Value();
                      }});
-    table.push_back({"vertex.zinv", "Its 1/z; 1/w under another projection.", real(),
-                     [](const Facts& f, int) {
-                         const ShadedVertex* const vertex = WithPixel{}(f);
-                         return vertex != nullptr ? number(vertex->pixel.inv_w) : Value();
-                     }});
-    table.push_back({"vertex.depth", "Its value for the depth buffer, before it is rounded.", real(),
-                     [](const Facts& f, int) {
+    table.push_back(
+        {"vertex.zinv", "Its 1/z; 1/w under another projection.", real(), [](const Facts& f, int) {
+             const ShadedVertex* const vertex = WithPixel{}(f);
+             return vertex != nullptr ? number(vertex->pixel.inv_w) : Value();
+         }});
+    table.push_back({"vertex.depth", "Its value for the depth buffer, before it is rounded.",
+                     real(), [](const Facts& f, int) {
                          const ShadedVertex* const vertex = WithPixel{}(f);
                          return vertex != nullptr ? number(vertex->pixel.depth) : Value();
                      }});

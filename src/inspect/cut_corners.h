@@ -41,6 +41,10 @@ std::optional<ClipProgress> clip_progress(const ClipHistory& history,
 /// The corners of the polygon before the plane at work. Without a plane at work what is left.
 std::vector<CutCorner> corners_before(const ClipHistory& history, int planes = INT_MAX);
 
+/// The vertices of the triangle that lie behind the camera: the division would put them on the
+/// other side of the picture.
+std::vector<CutCorner> corners_behind(const ClipHistory& history);
+
 /// How many planes with work come before this one; those with work are in their order.
 int planes_before(const ClipHistory& history, ClipPlane plane);
 

@@ -76,9 +76,9 @@ PixelHistory pixel_history(const Frame& frame, const glm::ivec2& pixel) {
     }
     for (PixelEntry& entry : history.entries) {
         // Who wins is known only now.
-        const float winning =
-            history.winner >= 0 ? history.entries[static_cast<std::size_t>(history.winner)].depth
-                                : one_pixel.depth.front();
+        const float winning = history.winner >= 0
+                                  ? history.entries[static_cast<std::size_t>(history.winner)].depth
+                                  : one_pixel.depth.front();
         entry.margin_to_winner = depth_ahead(entry.depth, winning, projection.clip_depth);
     }
     if (history.entries.empty()) {

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "scene/scene.h"
@@ -76,6 +77,11 @@ inline ClipDepth depth_kind(const Frame& frame) {
 }
 inline const DepthWords& depth_words(const Frame& frame) {
     return depth_words(depth_kind(frame));
+}
+
+/// What values are divided by on their way: "1/z", or "1/w" where w is not z.
+inline std::string_view weight_name(const Frame& frame) {
+    return vertex_rules(frame.settings, frame.scene->space).projection.mix > 0.0f ? "1/w" : "1/z";
 }
 
 /// The table for a frame: what the settings choose, and what is put in its place.

@@ -14,7 +14,7 @@ namespace rasterwalk {
 
 /// By which rules the planes are begun and shown; the functions are those of the table of stages.
 struct PictureRules {
-    float depth_clear = 0.0f; ///< of the depth buffer where nothing was drawn
+    float depth_clear = 0.0f;                ///< of the depth buffer where nothing was drawn
     ClipDepth depth_kind = ClipDepth::inv_z; ///< what it holds
     decltype(Stages::depth_cell) depth_cell = rasterwalk::depth_cell;
     decltype(Stages::to_byte) to_byte = rasterwalk::to_byte;

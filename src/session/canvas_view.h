@@ -56,9 +56,9 @@ inline constexpr int cell_numbers_count = static_cast<int>(enum_words<CellNumber
 /// What the interface says of them.
 struct CellNumbersInfo {
     CellNumbers numbers;
-    std::string_view title;                   ///< where they are chosen; {0}: the depth's name, {1}: which is nearer
-    std::string_view help;                    ///< one sentence; likewise
-    std::string_view key;                     ///< what a number is, beside the cells; likewise
+    std::string_view title; ///< where they are chosen; {0}: the depth's name, {1}: which is nearer
+    std::string_view help;  ///< one sentence; likewise
+    std::string_view key;   ///< what a number is, beside the cells; likewise
     std::string_view name = word_of(numbers); ///< for tests and lessons
 };
 

@@ -78,8 +78,7 @@ DepthView depth_view(const Framebuffer& framebuffer, const std::optional<DepthRa
     DepthView view;
     const ClipDepth kind = view.kind = framebuffer.rules.depth_kind;
     view.present = present_depths(framebuffer);
-    view.range =
-        turned_to(kind, chosen ? *chosen : view.present.value_or(DepthRange{0.0f, 1.0f}));
+    view.range = turned_to(kind, chosen ? *chosen : view.present.value_or(DepthRange{0.0f, 1.0f}));
     view.histogram.axis = axis_around(view.present.value_or(view.range), kind);
     view.histogram.bins.assign(depth_bins, 0);
     for (const float depth : framebuffer.depth) {

@@ -100,7 +100,9 @@ enum class DepthFormat : std::uint8_t {
     reversed_16,
 };
 template <>
-inline constexpr auto enum_words<DepthFormat> = word_list("inv_z", "inv_z_24", "inv_z_16", "ndc_32", "ndc_24", "ndc_16", "reversed_32", "reversed_24", "reversed_16");
+inline constexpr auto enum_words<DepthFormat> = word_list("inv_z", "inv_z_24", "inv_z_16", "ndc_32",
+                                                          "ndc_24", "ndc_16", "reversed_32",
+                                                          "reversed_24", "reversed_16");
 static_assert(words_match<DepthFormat>);
 
 /// On which side of a matrix the vector stands.

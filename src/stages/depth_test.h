@@ -71,8 +71,7 @@ inline int held_step(float depth, const DepthRules& rules) {
 inline float held_depth(float depth, const DepthRules& rules) {
     if (rules.bits == 0) return depth;
     const int largest = (1 << rules.bits) - 1;
-    const float part =
-        static_cast<float>(held_step(depth, rules)) / static_cast<float>(largest);
+    const float part = static_cast<float>(held_step(depth, rules)) / static_cast<float>(largest);
     return rules.projection.clip_depth == ClipDepth::inv_z ? part / rules.near : part;
 }
 

@@ -45,8 +45,7 @@ float clip_z(float z, const VertexRules& rules) {
 }
 
 float depth_at(float z, const DepthRules& rules) {
-    return clip_z_between(z, rules.projection, rules.near, rules.far) /
-           clip_w(z, rules.projection);
+    return clip_z_between(z, rules.projection, rules.near, rules.far) / clip_w(z, rules.projection);
 }
 
 double z_of_depth(float depth, const DepthRules& rules) {

@@ -91,7 +91,6 @@ constexpr float farthest_depth(ClipDepth kind) {
     return is_smaller_nearer(kind) ? 1.0f : 0.0f;
 }
 
-
 /// How camera space becomes clip space, beside the focal length and the planes near and far.
 struct Projection {
     float mix = 0.0f;   ///< 0: perspective; 1: orthographic; between: the way between

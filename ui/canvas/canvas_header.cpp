@@ -44,8 +44,7 @@ std::string view_title(const Ui& ui, const ViewInfo& info) {
 
 void draw_view_selector(Ui& ui) {
     ImGui::SetNextItemWidth(view_selector_width());
-    const std::string now =
-        view_title(ui, view_list()[static_cast<std::size_t>(ui.session.view)]);
+    const std::string now = view_title(ui, view_list()[static_cast<std::size_t>(ui.session.view)]);
     const bool open = ImGui::BeginCombo("##view", now.c_str());
     name_widget(ui, "canvas.view", "Which plane of the framebuffer is shown.");
     if (!open) return;

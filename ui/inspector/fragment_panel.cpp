@@ -205,7 +205,8 @@ void draw_depth(Ui& ui) {
     wrapped_text(verdict(report));
     keep_text_whole(ui);
     ImGui::PopStyleColor();
-    name_widget(ui, "fragment.fate", "The fragment is drawn if its value is " +
+    name_widget(ui, "fragment.fate",
+                "The fragment is drawn if its value is " +
                     std::string(depth_words(ui.results.a.frame).nearer) + ": margin > 0.");
     draw_colours(ui);
     end_card(ui);

@@ -41,7 +41,8 @@ float winning_sign(const Ui& ui) {
 const PixelEntry& runner_up(const PixelHistory& history, float sign) {
     std::size_t best = stays(history, 0) ? 1 : 0;
     for (std::size_t i = best + 1; i < history.entries.size(); ++i) {
-        const bool is_next = sign * history.entries[i].margin_to_winner > sign * history.entries[best].margin_to_winner;
+        const bool is_next = sign * history.entries[i].margin_to_winner >
+                             sign * history.entries[best].margin_to_winner;
         if (is_next && !stays(history, static_cast<int>(i))) best = i;
     }
     return history.entries[best];
@@ -55,7 +56,8 @@ std::array<std::string, 2> verdict(const Ui& ui, const PixelHistory& history) {
     const std::string more(sign > 0.0f ? words.nearer : words.farther);
     const char* const most = more == "larger" ? "largest" : "smallest";
     if (history.winner < 0) {
-        return {"No " + value + " here is " + more + " than that of the empty depth buffer, so the pixel stays black.",
+        return {"No " + value + " here is " + more +
+                    " than that of the empty depth buffer, so the pixel stays black.",
                 ""};
     }
     const PixelEntry& winner = history.entries[history.winner];

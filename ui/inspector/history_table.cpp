@@ -155,9 +155,8 @@ std::string depth_title(const Ui& ui) {
 std::string depth_help(const Ui& ui) {
     const DepthWords& words = words_of(ui);
     if (!is_linear_z(ui))
-        return words.kind == ClipDepth::inv_z
-                   ? "Its interpolated 1/z: larger is nearer."
-                   : fmt::format("Its {}. {}", words.name, words.ends);
+        return words.kind == ClipDepth::inv_z ? "Its interpolated 1/z: larger is nearer."
+                                              : fmt::format("Its {}. {}", words.name, words.ends);
     return words.kind == ClipDepth::inv_z
                ? "One over the z that is interpolated in equal steps: what this depth test "
                  "compares, and wrong between the ends."
@@ -302,8 +301,7 @@ void draw_history_headers(Ui& ui, const Columns& columns) {
         {"triangle", name_title, "The triangle that it belongs to, and the part of the scene."},
         {"piece", place.piece, place.piece_help},
         {"step", place.step, place.step_help},
-        {"zinv",
-         depth_title(ui), depth_help(ui)},
+        {"zinv", depth_title(ui), depth_help(ui)},
         {"margin", "margin",
          is_smaller_nearer(words_of(ui).kind)
              ? fmt::format("The depth buffer's value before less its {}: above 0 it is nearer and "
