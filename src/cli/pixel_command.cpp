@@ -58,7 +58,8 @@ Json to_json(const Scene& scene, const PixelEntry& entry, bool stays, const Curs
     object["name"] = part_name(scene, entry.cursor.triangle);
     if (is_in_a_row) object["row"] = entry.row;
     object["stays"] = stays;
-    object["stored_zinv"] = entry.stored;
+    object["stored"] = entry.stored;
+    object["stored_zinv"] = entry.stored; // its name when nothing else was stored
     object["triangle"] = entry.cursor.triangle;
     object["zinv"] = entry.zinv;
     return object;
@@ -93,7 +94,8 @@ glm::vec3 colour_at(const PixelHistory& history, const Cursor& to) {
     return colour;
 }
 
-Json to_json(const Scene& scene, const PixelHistory& history, const Cursor& to) {
+Json to_json(const Frame& frame, const PixelHistory& history, const Cursor& to) {
+    const Scene& scene = *frame.scene;
     Json entries = Json::array(), nearest = Json::array();
     for (std::size_t i = 0; i < history.entries.size(); ++i) {
         const bool stays = static_cast<int>(i) == history.winner;
@@ -104,6 +106,7 @@ Json to_json(const Scene& scene, const PixelHistory& history, const Cursor& to) 
     return {{"colour", vector_to_json(colour_at(history, to))},
             {"column", history.pixel.x},
             {"covered", !history.entries.empty()},
+            {"depth_holds", depth_words(frame).name},
             {"depth_tested", history.depth_tested},
             {"history", std::move(entries)},
             {"row", history.pixel.y},
@@ -122,17 +125,20 @@ const char* word_in_table(Fate fate) {
     return "written";
 }
 
-std::string entry_line(const Scene& scene, const PixelHistory& history, std::size_t i,
+std::string entry_line(const Frame& frame, const PixelHistory& history, std::size_t i,
                        const Cursor& to) {
+    const Scene& scene = *frame.scene;
     const PixelEntry& entry = history.entries[i];
     std::string name = part_name(scene, entry.cursor.triangle);
     name.resize(std::max(name.size(), name_width), ' '); // bytes
     const glm::vec3& colour = entry.colour_after;
-    std::string line = fmt::format(
-        "{:>3}  {:<15}  {}  {:>9.6f}  {:>9.6f}  {:>+9.6f}  {:>+9.6f}  {:<7}  {:.4f} "
-        "{:.4f} {:.4f}",
-        i, to_text(entry.cursor), name, entry.zinv, entry.stored, entry.margin,
-        entry.margin_to_winner, word_in_table(entry.fate), colour.r, colour.g, colour.b);
+    std::string line =
+        fmt::format("{:>3}  {:<15}  {}  {:>9.6f}  {:>9.6f}  {:>+9.6f}  {:>+9.6f}  {:<7}  {:.4f} "
+                    "{:.4f} {:.4f}",
+                    i, to_text(entry.cursor), name,
+                    depth_kind(frame) == ClipDepth::inv_z ? entry.zinv : entry.depth, entry.stored,
+                    entry.margin, entry.margin_to_winner, word_in_table(entry.fate), colour.r,
+                    colour.g, colour.b);
     if (static_cast<int>(i) == history.winner) line += "  stays";
     if (entry.cursor >= to) line += "  not drawn yet";
     return line + "\n";
@@ -156,10 +162,11 @@ void print_text(const Frame& frame, const PixelHistory& history, const Cursor& t
     const char* const what = has_fragments(stage) ? "fragment" : "mark";
     out << counted(static_cast<std::int64_t>(history.entries.size()), what, std::string(what) + "s")
         << ".\n"
-        << "  #  moment           part                   1/z     stored     margin  to winner  "
-           "fate     colour after\n";
+        << fmt::format("  #  moment           part              {:>8}     stored     margin  to "
+                       "winner  fate     colour after\n",
+                       depth_words(frame).short_name);
     for (std::size_t i = 0; i < history.entries.size(); ++i)
-        out << entry_line(scene, history, i, to);
+        out << entry_line(frame, history, i, to);
 }
 
 } // namespace
@@ -170,7 +177,7 @@ void pixel_command(const PixelOptions& options, std::ostream& out) {
     const Frame frame = prepare_frame(*session.scene, session.a.settings);
     const PixelHistory history = pixel_history(frame, pixel);
     if (options.json) {
-        print_json(to_json(*session.scene, history, session.cursor), out);
+        print_json(to_json(frame, history, session.cursor), out);
     } else {
         print_text(frame, history, session.cursor, out);
     }

@@ -58,6 +58,7 @@ Json to_json(const ShadedVertex& vertex) {
     }
     object["rotated"] = vector_to_json(vertex.in("rotated"));
     object["world"] = vector_to_json(vertex.in("world"));
+    if (has_pixel) object["depth"] = vertex.pixel.depth;
     if (has_pixel) object["zinv"] = vertex.pixel.inv_w;
     return object;
 }
@@ -167,7 +168,7 @@ Json to_json(const TriangleReport& report, const Frame& frame) {
 
 /// One line of the vertices: a number of each, or a dash where a vertex has none.
 template <class Value>
-void print_vertex_line(std::ostream& out, const char* space, const char* axis,
+void print_vertex_line(std::ostream& out, const char* space, std::string_view axis,
                        const TriangleReport& report, bool (*has)(const ShadedVertex&),
                        Value value) {
     out << fmt::format("  {:<14} {:<6}", space, axis);
@@ -176,7 +177,8 @@ void print_vertex_line(std::ostream& out, const char* space, const char* axis,
     out << '\n';
 }
 
-void print_vertices(std::ostream& out, const TriangleReport& report, bool is_projected_scene) {
+void print_vertices(std::ostream& out, const TriangleReport& report, const Frame& frame) {
+    const bool is_projected_scene = frame.scene->space == SceneSpace::world;
     const auto always = [](const ShadedVertex&) { return true; };
     const auto has_pixel = [](const ShadedVertex& v) { return v.rejection == Rejection::none; };
     const auto number = [](float value) { return decimals(static_cast<double>(value), 4); };
@@ -204,9 +206,13 @@ void print_vertices(std::ostream& out, const TriangleReport& report, bool is_pro
                       [](const ShadedVertex& v) { return std::to_string(v.pixel.column); });
     print_vertex_line(out, "", "row", report, has_pixel,
                       [](const ShadedVertex& v) { return std::to_string(v.pixel.row); });
-    print_vertex_line(out, "", "1/z", report, has_pixel, [](const ShadedVertex& v) {
+    print_vertex_line(out, "", weight_name(frame), report, has_pixel, [](const ShadedVertex& v) {
         return decimals(static_cast<double>(v.pixel.inv_w), 6);
     });
+    if (depth_kind(frame) == ClipDepth::inv_z) return;
+    print_vertex_line(
+        out, "", depth_words(frame).short_name, report, has_pixel,
+        [](const ShadedVertex& v) { return decimals(static_cast<double>(v.pixel.depth), 6); });
 }
 
 /// Nothing where no plane cuts and nothing culls.
@@ -270,10 +276,11 @@ void print_rows(std::ostream& out, const RowHistory& history) {
     }
 }
 
-void print_text(std::ostream& out, const TriangleReport& report, const Scene& scene) {
+void print_text(std::ostream& out, const TriangleReport& report, const Frame& frame) {
+    const Scene& scene = *frame.scene;
     out << element_name_of(triangle_form, report.triangle, scene.triangle_count()) << " ("
         << part_name(scene, report.triangle) << ")\n\n";
-    print_vertices(out, report, scene.space == SceneSpace::world);
+    print_vertices(out, report, frame);
     print_clipping(out, report.clip);
     if (report.rejection != Rejection::none) {
         out << "\nIt is left out: " << words(report.rejection).sentence << ".\n";
@@ -295,7 +302,7 @@ void triangle_command(const TriangleOptions& options, std::ostream& out) {
         print_json(to_json(report, frame), out);
         return;
     }
-    print_text(out, report, scene);
+    print_text(out, report, frame);
     if (!has_spaces(frame)) return;
     print_spaces(out, frame, triangle);
     print_conventions(out, frame, triangle);

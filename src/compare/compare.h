@@ -39,7 +39,7 @@ struct PixelDifference {
 PixelDifference pixel_difference(const Framebuffer& a, const Framebuffer& b);
 
 /// B minus A on every pixel, row by row from the top: of the colour the channel that differs most,
-/// of depth 1/z, of overdraw fragments; of owners 1 where they differ.
+/// of depth what the buffer holds, of overdraw fragments; of owners 1 where they differ.
 std::vector<float> signed_difference(const Framebuffer& a, const Framebuffer& b, View view);
 
 /// The smallest of 1, 2 and 5 times a power of ten that is not below `value`: the end of the scale

@@ -142,10 +142,7 @@ std::string varying_text(const VertexEvent& a, const VertexEvent& b) {
 
 /// What the depth of both runs is: 1/z in the lab.
 std::string_view depth_word(const Frame& a, const Frame& b) {
-    const auto is_inv_z = [](const Frame& frame) {
-        return clip_depth_rule(frame.settings, frame.scene->space) == ClipDepth::inv_z;
-    };
-    return is_inv_z(a) && is_inv_z(b) ? "1/z" : "the depth value";
+    return depth_kind(a) == depth_kind(b) ? depth_words(a).name : "the depth value";
 }
 
 std::string vertex_text(const Frame& a, const Frame& b, const PairMoment& moment) {

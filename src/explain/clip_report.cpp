@@ -131,7 +131,8 @@ std::optional<Formula> Maker::corner(int vertex, int i) const {
         if (frame.settings.image_axes == ImageAxes::mirrored) formula.expression.insert(0, "−");
         return checked(formula, source);
     }
-    formula.help = i == 2 ? "What the depth 1/z is made of: it is divided by w too."
+    formula.help = i == 2 ? "What the depth, " + std::string(depth_words(frame).name) +
+                                ", is made of: it is divided by w too."
                           : "What x, y and z are divided by: how far in front of the camera.";
     const float usual = i == 2 ? 1.0f : camera_place().z;
     if (frame.settings.projection_mix == 0.0f && formula.result.value == usual) {

@@ -270,64 +270,79 @@ void add_light(const Frame& frame, FragmentReport& report) {
     }
 }
 
-/// How many bits a value of the depth buffer has in which the test compares; 0: it is a float.
-int depth_bits(const Settings& settings) {
-    if (depth_rule(settings) != DepthTest::inverse_z) return 0;
-    switch (settings.depth_format) {
-    case DepthFormat::inv_z:
-    case DepthFormat::reversed_32:
-        break;
-    case DepthFormat::reversed_24:
-        return 24;
-    case DepthFormat::reversed_16:
-        return 16;
-    }
-    return 0;
+/// The depth rounded to one of the values that the buffer has.
+/// @param whole the depth before
+void round_depth(Formula& depth, float whole, const DepthRules& rules) {
+    const ClipDepth kind = rules.projection.clip_depth;
+    const int largest = (1 << rules.bits) - 1;
+    // 1/z reaches up to 1/near.
+    const bool is_scaled = kind == ClipDepth::inv_z;
+    depth.expression = is_scaled ? "k / n / near" : "k / n";
+    depth.inputs = {{"k",
+                     {static_cast<float>(held_step(whole, rules)), true},
+                     from_words(fmt::format("{} {} times {}, to the nearest whole number",
+                                            depth_words(kind).name, shown({whole}),
+                                            is_scaled ? "near times n" : "n"))},
+                    {"n",
+                     {static_cast<float>(largest), true},
+                     from_words(fmt::format("2^{} − 1", rules.bits))}};
+    if (is_scaled) depth.inputs.push_back({"near", {rules.near}, from_setting("near")});
 }
 
-/// The depth rounded to one of the values that the buffer has.
-void round_depth(Formula& depth, int bits) {
-    const int largest = (1 << bits) - 1;
-    const double step = std::round(static_cast<double>(depth.result.value) * largest);
-    depth.expression = "k / n";
-    depth.inputs = {
-        {"k",
-         {static_cast<float>(step), true},
-         from_words(fmt::format("the depth {} times n, to the nearest whole number",
-                                shown(depth.inputs[0].number)))},
-        {"n", {static_cast<float>(largest), true}, from_words(fmt::format("2^{} − 1", bits))}};
+/// The depth of a z that was interpolated as if it changed in equal steps.
+void add_linear_depth(Formula& depth, float z, const DepthRules& rules) {
+    depth.help += " Made from z that was interpolated as if it changed in equal steps.";
+    depth.inputs = {{"z", {z}, from_formula("z.affine")}};
+    depth.result = {depth_at(z, rules)};
+    const float mix = rules.projection.mix;
+    if (rules.projection.clip_depth == ClipDepth::inv_z) {
+        depth.expression = "1 / z";
+        return;
+    }
+    const bool is_ndc = rules.projection.clip_depth == ClipDepth::ndc;
+    const std::string plane = is_ndc ? "far" : "near";
+    const std::string scale = mix == 0.0f ? plane : "((1 − mix) · " + plane + " + mix)";
+    const std::string w = mix == 0.0f ? "z" : "((1 − mix) · z + mix)";
+    depth.expression =
+        scale + " · (" + (is_ndc ? "(z − near)" : "(far − z)") + " / (far − near)) / " + w;
+    depth.inputs.push_back({"near", {rules.near}, from_setting("near")});
+    depth.inputs.push_back({"far", {rules.far}, from_setting("far")});
+    if (mix != 0.0f) depth.inputs.push_back({"mix", {mix}, from_setting("projection_mix")});
 }
 
 void add_depth_test(FragmentReport& report, const Frame& frame) {
-    const bool is_linear = report.depth_test == DepthTest::linear_z;
+    const DepthRules rules = depth_rules(frame.settings, frame.scene->space);
+    const ClipDepth kind = rules.projection.clip_depth;
+    const DepthWords& words = depth_words(kind);
+    const std::string name(words.name);
     Formula depth{"depth",
                   "new",
-                  "The fragment's value for the depth buffer: larger is nearer.",
+                  fmt::format("The fragment's value for the depth buffer, {}: {} is nearer.", name,
+                              words.nearer),
                   "(1/z)",
                   {{"(1/z)", {report.fragment.depth}, from_formula("zinv")}},
-                  {report.depth}};
-    const VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
-    if (rules.projection.clip_depth != ClipDepth::inv_z && !is_linear) {
+                  {report.fragment.depth}};
+    // What is culled never came to the test.
+    const bool is_tested = report.fate != Fate::back_facing;
+    if (is_tested && report.depth_test == DepthTest::linear_z) {
+        add_linear_depth(depth, report.fragment.z, rules);
+    } else if (kind != ClipDepth::inv_z) {
         const RowEnds& ends = report.row.under(report.interpolation);
         report.formulas.push_back(
-            along_row(report, "depth.carried", "depth",
-                      "Interpolated in equal steps: 1 at the near plane, 0 at the far one.",
-                      ends.left.depth, ends.right.depth, report.fragment.depth));
+            along_row(report, "depth.carried", name,
+                      "Interpolated in equal steps. " + std::string(words.ends), ends.left.depth,
+                      ends.right.depth, report.fragment.depth));
         depth.expression = "depth";
         depth.inputs = {{"depth", {report.fragment.depth}, from_formula("depth.carried")}};
-        if (const int bits = depth_bits(frame.settings); bits > 0) round_depth(depth, bits);
     }
-    if (is_linear) {
-        depth.help = "The fragment's value for the depth buffer, from z interpolated as if it "
-                     "changed in equal steps.";
-        depth.expression = "1 / z";
-        depth.inputs = {{"z", {report.fragment.z}, from_formula("z.affine")}};
-    }
+    if (is_tested && rules.bits > 0) round_depth(depth, depth.result.value, rules);
+    depth.result = {report.depth};
     report.formulas.push_back(depth);
     Source stored = report.stored_by
                         ? from_moment(*report.stored_by)
                         : from_words("the depth buffer's start: nothing drawn here yet");
-    if (!report.stored_by && report.stored != 0.0f) stored = from_setting("depth_clear");
+    if (!report.stored_by && report.stored != farthest_depth(kind))
+        stored = from_setting("depth_clear");
     if (!report.has_cell) stored = from_words("this pixel has no cell in the depth buffer");
     report.formulas.push_back(
         {"margin",
@@ -336,9 +351,9 @@ void add_depth_test(FragmentReport& report, const Frame& frame) {
              ? "How much nearer than what is stored; the test is the wrong way round, and below 0 "
                "the fragment is drawn."
              : "How much nearer than what is stored; above 0 the fragment is drawn.",
-         "new − stored",
+         is_smaller_nearer(kind) ? "stored − new" : "new − stored",
          {{"new", {report.depth}, from_formula("depth")}, {"stored", {report.stored}, stored}},
-         {report.depth - report.stored}});
+         {depth_ahead(report.depth, report.stored, kind)}});
 }
 
 } // namespace

@@ -30,7 +30,8 @@ namespace rasterwalk {
 ///     pixel_light.*       the light at the fragment's own place, see light_formulas.h
 ///     vertex_light.colour.red ...   the light that the vertices brought along, as shown
 ///     flat.colour.red ... the reflectance, as shown; the colour where there is no light
-///     depth margin        value for the depth buffer, and what it is above the stored one
+///     depth margin        value for the depth buffer, and how much nearer it is than the stored
+///     one
 struct FragmentReport {
     Cursor cursor;
     glm::ivec2 pixel{0, 0}; ///< of the picture

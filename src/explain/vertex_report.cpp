@@ -197,18 +197,20 @@ void add_mixed_w(Made& made) {
 void add_depth(Made& made) {
     const ShadedVertex& shaded = made.report.shaded;
     const Settings& settings = made.frame.settings;
-    Formula clip{
-        "clip.z",
-        "z'",
-        "What becomes the depth when it is divided by w: 1 at the near plane, 0 at the far "
-        "one, so that larger is nearer. Ndc z is 1 less this.",
-        "near · ((far − z) / (far − near))",
-        {{"near", {settings.near}, from_setting("near")},
-         {"far", {settings.far}, from_setting("far")},
-         {"z", {shaded.in("rotated").z}, from_formula("rotated.z")}},
-        {shaded.position_clip.z}};
+    const DepthWords& words = depth_words(made.frame);
+    const bool is_ndc = words.kind == ClipDepth::ndc;
+    const std::string name(words.name);
+    Formula clip{"clip.z",
+                 "z'",
+                 "What becomes " + name + " when it is divided by w. " + std::string(words.ends),
+                 is_ndc ? "far · ((z − near) / (far − near))" : "near · ((far − z) / (far − near))",
+                 {{"near", {settings.near}, from_setting("near")},
+                  {"far", {settings.far}, from_setting("far")},
+                  {"z", {shaded.in("rotated").z}, from_formula("rotated.z")}},
+                 {shaded.position_clip.z}};
     if (made.is_mixed()) {
-        clip.expression = "((1 − mix) · near + mix) · ((far − z) / (far − near))";
+        clip.expression = is_ndc ? "((1 − mix) · far + mix) · ((z − near) / (far − near))"
+                                 : "((1 − mix) · near + mix) · ((far − z) / (far − near))";
         clip.inputs.push_back(mix_of(settings));
     }
     if (made.is_by_matrices()) {
@@ -218,8 +220,8 @@ void add_depth(Made& made) {
     made.add(clip);
     if (!shaded.has_pixel) return;
     made.add({"depth",
-              "depth",
-              "What the depth buffer holds: larger is nearer.",
+              name,
+              fmt::format("What the depth buffer holds, {}: {} is nearer.", name, words.nearer),
               "z' · (1/w)",
               {{"z'", {shaded.position_clip.z}, from_formula("clip.z")},
                {"(1/w)", {shaded.pixel.inv_w}, from_formula("zinv")}},
@@ -360,7 +362,8 @@ VertexReport vertex_report(const Frame& frame, int triangle, int vertex) {
         if (!made.is_mixed())
             made.add({"zinv",
                       "1/z",
-                      "What the depth buffer holds: larger is nearer.",
+                      made.has_own_depth() ? "By this values are weighed."
+                                           : "What the depth buffer holds: larger is nearer.",
                       "1 / z",
                       {{"z", {report.shaded.in("rotated").z}, from_formula("rotated.z")}},
                       {report.shaded.pixel.inv_w}});

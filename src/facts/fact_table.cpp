@@ -348,10 +348,18 @@ void add_pixel_facts(std::vector<Fact>& table) {
                          const PixelEntry* const winner = f.winner();
                          return number(winner != nullptr ? winner->cursor.triangle : -1);
                      }});
-    table.push_back({"pixel.zinv", "1/z of what the picked pixel shows in the end.", real(),
-                     [](const Facts& f, int) {
+    table.push_back({"pixel.zinv",
+                     "1/z of what the picked pixel shows in the end; 1/w under another projection.",
+                     real(), [](const Facts& f, int) {
                          const PixelEntry* const winner = f.winner();
                          return winner != nullptr ? number(winner->zinv) : Value();
+                     }});
+    table.push_back({"pixel.depth",
+                     "What the depth buffer holds, by depth_format, of what the picked pixel shows "
+                     "in the end.",
+                     real(), [](const Facts& f, int) {
+                         const PixelEntry* const winner = f.winner();
+                         return winner != nullptr ? number(winner->depth) : Value();
                      }});
     table.push_back({"pixel.z", "z of what the picked pixel shows in the end.", real(),
                      [](const Facts& f, int) {
@@ -506,9 +514,15 @@ void add_vertex_facts(std::vector<Fact>& table) {
                          const ShadedVertex* const vertex = WithPixel{}(f);
                          return vertex != nullptr ? number(vertex->pixel.row) : Value();
                      }});
-    table.push_back({"vertex.zinv", "Its 1/z.", real(), [](const Facts& f, int) {
+    table.push_back(
+        {"vertex.zinv", "Its 1/z; 1/w under another projection.", real(), [](const Facts& f, int) {
+             const ShadedVertex* const vertex = WithPixel{}(f);
+             return vertex != nullptr ? number(vertex->pixel.inv_w) : Value();
+         }});
+    table.push_back({"vertex.depth", "Its value for the depth buffer, before it is rounded.",
+                     real(), [](const Facts& f, int) {
                          const ShadedVertex* const vertex = WithPixel{}(f);
-                         return vertex != nullptr ? number(vertex->pixel.inv_w) : Value();
+                         return vertex != nullptr ? number(vertex->pixel.depth) : Value();
                      }});
     table.push_back(
         {"vertex.z", "Its z before the camera; negative behind it.", real(), vertex_place, 5});

@@ -22,19 +22,35 @@ std::span<const QuantityInfo> quantity_list() {
     return list;
 }
 
+QuantityInfo quantity_in(const Frame& frame, Quantity quantity) {
+    QuantityInfo info = quantity_info(quantity);
+    const std::string_view weight = weight_name(frame);
+    if (is_varying(quantity) || weight == info.words.carried_name) return info;
+    info.words.carried_name = weight;
+    if (quantity == Quantity::zinv) {
+        info.words.name = weight;
+        info.words.help = "One over w: changes in equal steps along a row, and not at all where "
+                          "rays are parallel.";
+    } else {
+        info.words.help = "Depth in camera space: interpolated as it is, or from 1/w.";
+    }
+    return info;
+}
+
+std::string carried_name_in(const Frame& frame, Quantity quantity) {
+    std::string name(quantity_in(frame, quantity).words.carried_name);
+    const std::size_t at = name.rfind("/z");
+    if (weight_name(frame) == "1/w" && at != std::string::npos) name.replace(at, 2, "/w");
+    return name;
+}
+
 std::vector<QuantityInfo> shown_quantities(const Frame& frame) {
     const VaryingSet shown = carried_varyings(frame.stages, shading_rule(frame.settings)) |
                              varyings_with(VaryingUse::listed);
     std::vector<QuantityInfo> list;
     for (const QuantityInfo& info : quantity_list()) {
-        if (!is_varying(info.quantity) || shown.has(info.varying)) list.push_back(info);
-    }
-    const bool is_mixed = vertex_rules(frame.settings, frame.scene->space).projection.mix > 0.0f;
-    if (is_mixed) {
-        VaryingComponent& weight = list[static_cast<std::size_t>(Quantity::zinv)].words;
-        weight.name = weight.carried_name = "1/w";
-        weight.help = "One over w: changes in equal steps along a row, and not at all where rays "
-                      "are parallel.";
+        if (!is_varying(info.quantity) || shown.has(info.varying))
+            list.push_back(quantity_in(frame, info.quantity));
     }
     return list;
 }

@@ -7,6 +7,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "inspect/row_history.h"
@@ -47,6 +48,12 @@ inline const QuantityInfo& quantity_info(Quantity quantity) {
 
 /// The quantities to show of a frame: without the varyings that only other stages use.
 std::vector<QuantityInfo> shown_quantities(const Frame& frame);
+
+/// One of them as it is called in a frame; none of shown_quantities() is called otherwise.
+QuantityInfo quantity_in(const Frame& frame, Quantity quantity);
+
+/// What rows carry of a quantity in a frame: "x/z", or "x/w" where w is not z.
+std::string carried_name_in(const Frame& frame, Quantity quantity);
 
 /// Is it one of the varyings? 1/z and z are not.
 constexpr bool is_varying(Quantity quantity) {

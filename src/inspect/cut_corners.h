@@ -57,6 +57,10 @@ std::vector<CutCorner> given_corners(const ClipHistory& history);
 /// work what is left, as it is handed on.
 std::vector<CutCorner> corners_before(const ClipHistory& history, int planes = INT_MAX);
 
+/// The vertices of the triangle that lie behind the camera: the division would put them on the
+/// other side of the picture.
+std::vector<CutCorner> corners_behind(const ClipHistory& history);
+
 /// How many planes with work come before this one; those with work are in their order.
 int planes_before(const ClipHistory& history, ClipPlane plane);
 

@@ -11,8 +11,8 @@ namespace {
 
 class Collector : public Observer {
   public:
-    Collector(std::vector<PixelEntry>& into, float projection_mix)
-        : entries(into), projection_mix_(projection_mix) {}
+    Collector(std::vector<PixelEntry>& into, const Projection& projection)
+        : entries(into), projection_(projection) {}
 
     void fragment(const FragmentEvent& event) override {
         PixelEntry entry;
@@ -22,10 +22,10 @@ class Collector : public Observer {
             entry.column = event.cursor.step;
         }
         entry.zinv = event.fragment.inv_w;
-        entry.z = fragment_depth(event.fragment, projection_mix_);
+        entry.z = fragment_depth(event.fragment, projection_.mix);
         entry.depth = event.depth;
         entry.stored = event.stored;
-        entry.margin = event.depth - event.stored;
+        entry.margin = depth_ahead(event.depth, event.stored, projection_.clip_depth);
         entry.fate = event.fate;
         entry.colour_before = event.before;
         entry.colour_after = event.after;
@@ -34,7 +34,7 @@ class Collector : public Observer {
 
   private:
     std::vector<PixelEntry>& entries;
-    float projection_mix_;
+    Projection projection_;
 };
 
 /// Both ends of a row are one moment, whose cursor does not tell how far from the left end it is.
@@ -67,8 +67,8 @@ PixelHistory pixel_history(const Frame& frame, const glm::ivec2& pixel) {
     history.depth_tested = depth_rule(frame.settings) != DepthTest::off;
     Framebuffer one_pixel;
     clear(one_pixel, frame, {1, 1}, pixel);
-    const float mix = vertex_rules(frame.settings, frame.scene->space).projection.mix;
-    Collector collector(history.entries, mix);
+    const Projection projection = vertex_rules(frame.settings, frame.scene->space).projection;
+    Collector collector(history.entries, projection);
     draw(frame, {}, one_pixel, &collector);
     if (frame.settings.stage == Stage::rows) find_columns_of_row_ends(frame, history);
     for (std::size_t i = 0; i < history.entries.size(); ++i) {
@@ -76,10 +76,10 @@ PixelHistory pixel_history(const Frame& frame, const glm::ivec2& pixel) {
     }
     for (PixelEntry& entry : history.entries) {
         // Who wins is known only now.
-        entry.margin_to_winner =
-            entry.depth - (history.winner >= 0
-                               ? history.entries[static_cast<std::size_t>(history.winner)].depth
-                               : one_pixel.depth.front());
+        const float winning = history.winner >= 0
+                                  ? history.entries[static_cast<std::size_t>(history.winner)].depth
+                                  : one_pixel.depth.front();
+        entry.margin_to_winner = depth_ahead(entry.depth, winning, projection.clip_depth);
     }
     if (history.entries.empty()) {
         history.nearest = nearest_triangles(frame, pixel);

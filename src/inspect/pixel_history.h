@@ -24,8 +24,8 @@ struct PixelEntry {
     float z = 0.0f;      ///< how far in front of the camera
     float depth = 0.0f;  ///< its value for the depth buffer
     float stored = 0.0f; ///< the depth buffer's value before
-    float margin = 0.0f; ///< depth - stored: above 0 it passes a depth test, if there is one
-    float margin_to_winner = 0.0f; ///< depth - depth of the entry that stays; 0 for that one
+    float margin = 0.0f; ///< how much nearer than stored: above 0 it passes, if there is a test
+    float margin_to_winner = 0.0f; ///< how much nearer than the entry that stays; 0 for that one
     Fate fate = Fate::written;
     glm::vec3 colour_before{0.0f};
     glm::vec3 colour_after{0.0f};

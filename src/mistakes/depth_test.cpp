@@ -1,14 +1,17 @@
 #include "mistakes/depth_test.h"
 
+#include "stages/orthographic.h"
+
 namespace rasterwalk {
 
-DepthResult depth_test_linear_z(const Fragment& fragment, float stored) {
-    const float depth = 1.0f / fragment.z;
-    return {depth, depth > stored};
+DepthResult depth_test_linear_z(const Fragment& fragment, float stored, const DepthRules& rules) {
+    const float depth = held_depth(depth_at(fragment.z, rules), rules);
+    return {depth, is_nearer(depth, stored, rules.projection.clip_depth)};
 }
 
-DepthResult depth_test_reversed(const Fragment& fragment, float stored) {
-    return {fragment.depth, fragment.depth < stored};
+DepthResult depth_test_reversed(const Fragment& fragment, float stored, const DepthRules& rules) {
+    const float depth = held_depth(fragment.depth, rules);
+    return {depth, is_nearer(stored, depth, rules.projection.clip_depth)};
 }
 
 glm::ivec2 depth_cell_transposed(int column, int row) {

@@ -6,11 +6,12 @@
 
 namespace rasterwalk {
 
-/// In the slot depth_test: compares z that was interpolated as if it changed in equal steps.
-DepthResult depth_test_linear_z(const Fragment& fragment, float stored);
+/// In the slot depth_test: compares z that was interpolated as if it changed in equal steps,
+/// made into what the buffer holds. Where rays are parallel that is no mistake.
+DepthResult depth_test_linear_z(const Fragment& fragment, float stored, const DepthRules& rules);
 
-/// B17a, in the slot depth_test: the smaller 1/z wins.
-DepthResult depth_test_reversed(const Fragment& fragment, float stored);
+/// B17a, in the slot depth_test: what is farther wins.
+DepthResult depth_test_reversed(const Fragment& fragment, float stored, const DepthRules& rules);
 
 /// B17c, in the slot depth_cell: [x][y] for [y][x]. Where the picture is not square some pixels
 /// have no cell; what would be read and written outside is under guard, see has_depth_cell().

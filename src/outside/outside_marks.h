@@ -68,7 +68,7 @@ struct OutsideMarks {
 struct MarkedTriangle {
     std::optional<int> triangle; ///< if it is one of the scene
     SeenClipping clipping{};
-    bool is_mirrored = false; ///< vertices behind the camera are divided and drawn all the same
+    bool is_mirrored = false; ///< it is shown where the division puts vertices behind the camera
 };
 
 /// All marks that can be seen; lines end where the picture of the eye ends, or a little beyond.

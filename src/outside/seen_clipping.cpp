@@ -55,7 +55,7 @@ std::vector<glm::dvec2> hull_of(std::vector<glm::dvec2> places) {
 std::vector<glm::dvec3> end_face(const SeenClipping& clipping, const PicturePlane& picture,
                                  double z) {
     const glm::dvec2 size(picture.size.width, picture.size.height);
-    const double scale = z / picture.focal_length;
+    const double scale = picture.w_at(z) / picture.scale();
     glm::dvec2 low = -picture.middle * scale, high = (size - picture.middle) * scale;
     for (const glm::dvec3& corner : cuts_of(clipping, picture)) {
         low = glm::min(low, glm::dvec2(corner));
@@ -69,26 +69,29 @@ std::vector<glm::dvec3> end_face(const SeenClipping& clipping, const PicturePlan
 }
 
 /// A side of the view volume, from the near plane on.
-/// @param slope across the side: x/z, or y/z for top and bottom
+/// @param slope across the side: x/w, or y/w for top and bottom
 std::vector<glm::dvec3> side_face(const SeenClipping& clipping, const PicturePlane& picture,
                                   double slope, bool is_upright) {
     const int along = is_upright ? 1 : 0; // the axis that runs along the border of the picture
     const glm::dvec2 size(picture.size.width, picture.size.height);
-    const double low = -picture.middle[along] / picture.focal_length;
-    const double high = (size[along] - picture.middle[along]) / picture.focal_length;
+    const double low = -picture.middle[along] / picture.scale();
+    const double high = (size[along] - picture.middle[along]) / picture.scale();
     const std::vector<glm::dvec3> cuts = cuts_of(clipping, picture);
     double near = clipping.ends ? clipping.ends->x : 0.0, deep = side_depth * picture.distance;
     for (const glm::dvec3& corner : cuts)
         deep = std::max(deep, (1.0 + face_margin) * corner.z);
     near = std::min(near, deep);
     // Depth, and place along the border.
-    std::vector<glm::dvec2> places{
-        {near, low * near}, {near, high * near}, {deep, low * deep}, {deep, high * deep}};
+    std::vector<glm::dvec2> places;
+    for (const double z : {near, deep}) {
+        places.emplace_back(z, low * picture.w_at(z));
+        places.emplace_back(z, high * picture.w_at(z));
+    }
     for (const glm::dvec3& corner : cuts)
         places.emplace_back(corner.z, corner[along]);
     std::vector<glm::dvec3> face;
     for (const glm::dvec2& place : hull_of(places)) {
-        const double across = slope * place.x;
+        const double across = slope * picture.w_at(place.x);
         face.push_back(picture.in_world(is_upright ? glm::dvec3(across, place.y, place.x)
                                                    : glm::dvec3(place.y, across, place.x)));
     }
@@ -102,13 +105,12 @@ std::vector<glm::dvec3> plane_face(const SeenClipping& clipping, const PicturePl
     const glm::dvec4 c(clipping.plane->coefficients);
     const bool has_x = std::abs(c.x) > 0.0, has_y = std::abs(c.y) > 0.0;
     std::vector<glm::dvec3> face;
-    if (!has_x && !has_y && std::abs(c.w) > 0.0) {
-        // z is 1 in clip space, and w is the depth.
-        face = end_face(clipping, picture, -c.z / c.w);
+    if (!has_x && !has_y) {
+        face = end_face(clipping, picture, clipping.plane->depth);
     } else if (has_x != has_y) {
-        // In clip space x and y are those of camera space times the focal length.
+        // In clip space x and y are those of camera space times the scale.
         const double across = has_x ? c.x : c.y;
-        face = side_face(clipping, picture, -c.w / (across * picture.focal_length), has_x);
+        face = side_face(clipping, picture, -c.w / (across * picture.scale()), has_x);
     }
     const auto is_finite = [](const glm::dvec3& p) { return std::isfinite(p.x + p.y + p.z); };
     if (!std::all_of(face.begin(), face.end(), is_finite)) face.clear();

@@ -23,7 +23,8 @@ struct SeenCorner {
 /// A plane that cuts.
 struct SeenPlane {
     ClipPlane plane = ClipPlane::near;
-    glm::vec4 coefficients{0.0f};   ///< in clip space, see ClipPlanes
+    glm::vec4 coefficients{0.0f}; ///< in clip space, see ClipPlanes
+    double depth = 0.0;           ///< where near or far plane stands before the camera, world units
     std::vector<glm::dvec3> cuts{}; ///< where it cuts the triangle, in the world
 };
 

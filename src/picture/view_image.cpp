@@ -12,8 +12,8 @@ namespace {
 
 using Rgb = glm::vec<3, std::uint8_t>;
 
-Rgb depth_colour(float depth, const DepthRange& range) {
-    if (!(depth > 0.0f)) return {0, 0, 0};
+Rgb depth_colour(float depth, ClipDepth kind, const DepthRange& range) {
+    if (!is_depth(depth, kind)) return {0, 0, 0};
     const float place = range.place(depth);
     // Of endless numbers the place may be no number.
     return viridis(place > 0.0f ? place : 0.0f);
@@ -37,7 +37,8 @@ Rgb pixel_colour(const Framebuffer& framebuffer, View view, const Scales& scales
         const auto width = static_cast<std::size_t>(framebuffer.size.width);
         const int column = framebuffer.origin.x + static_cast<int>(i % width);
         const int row = framebuffer.origin.y + static_cast<int>(i / width);
-        return depth_colour(stored_depth(framebuffer, column, row), scales.depths);
+        return depth_colour(stored_depth(framebuffer, column, row), framebuffer.rules.depth_kind,
+                            scales.depths);
     }
     case View::triangle:
         if (framebuffer.owner[i] >= 0) return distinct_colour(framebuffer.owner[i]);
@@ -71,8 +72,8 @@ const std::array<ViewInfo, view_count>& view_list() {
     static constexpr std::array<ViewInfo, view_count> list{{
         {View::colour, "colour", "The picture itself.", "Colour",
          "Shows the colours of the picture."},
-        {View::depth, "depth 1/z", "1/z of every pixel: bright is near.", "Depth buffer",
-         "Shows 1/z of every pixel, bright is near."},
+        {View::depth, "depth 1/z", "The depth of every pixel: bright is near.", "Depth buffer",
+         "Shows the depth of every pixel, bright is near."},
         {View::triangle, "triangle", "Which triangle every pixel belongs to.", "Triangle owner",
          "Shows which triangle every pixel belongs to."},
         {View::overdraw, "overdraw", "How many fragments fell on every pixel.", "Overdraw",
@@ -86,15 +87,20 @@ glm::vec3 shown_colour(const glm::vec3& colour, float (*visible_channel)(float))
     return {visible_channel(colour.r), visible_channel(colour.g), visible_channel(colour.b)};
 }
 
+DepthRange turned_to(ClipDepth kind, const DepthRange& range) {
+    const auto [low, high] = std::minmax(range.far, range.near);
+    return is_smaller_nearer(kind) ? DepthRange{high, low} : DepthRange{low, high};
+}
+
 std::optional<DepthRange> present_depths(const Framebuffer& framebuffer) {
-    float nearest = 0.0f, farthest = INFINITY;
+    float largest = -INFINITY, smallest = INFINITY;
     for (const float depth : framebuffer.depth) {
-        if (!(depth > 0.0f) || depth == framebuffer.rules.depth_clear) continue;
-        nearest = std::max(nearest, depth);
-        farthest = std::min(farthest, depth);
+        if (!has_depth(framebuffer, depth)) continue;
+        largest = std::max(largest, depth);
+        smallest = std::min(smallest, depth);
     }
-    if (!(nearest > 0.0f)) return std::nullopt;
-    return DepthRange{farthest, nearest};
+    if (!(largest >= smallest)) return std::nullopt;
+    return turned_to(framebuffer.rules.depth_kind, {smallest, largest});
 }
 
 OverdrawCounts overdraw_counts(const Framebuffer& framebuffer) {
@@ -122,7 +128,9 @@ Image view_image(const Framebuffer& framebuffer, View view,
     image.rgba.resize(4 * framebuffer.colour.size());
     Scales scales;
     if (view == View::depth) {
-        scales.depths = depths ? *depths : present_depths(framebuffer).value_or(scales.depths);
+        scales.depths = turned_to(
+            framebuffer.rules.depth_kind,
+            depths ? *depths : present_depths(framebuffer).value_or(DepthRange{0.0f, 1.0f}));
     }
     if (view == View::overdraw) {
         for (const std::uint32_t overdraw : framebuffer.overdraw)

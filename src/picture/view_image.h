@@ -38,19 +38,23 @@ struct ViewInfo {
 /// All views, indexed by View.
 const std::array<ViewInfo, view_count>& view_list();
 
-/// A range of 1/z; near is the larger end.
+/// A range of the depth buffer's values. Chosen and written down far is the smaller one, whatever
+/// the buffer holds; on show it is the farther one, see turned_to().
 struct DepthRange {
     float far = 0.0f;
     float near = 0.0f;
 
     /// Where a value lies between far, 0, and near, 1; beyond them outside 0..1. In a range without
     /// width everything is near.
-    float place(float depth) const { return near > far ? (depth - far) / (near - far) : 1.0f; }
+    float place(float depth) const { return near != far ? (depth - far) / (near - far) : 1.0f; }
 
     friend bool operator==(const DepthRange&, const DepthRange&) = default;
 };
 
-/// From the smallest to the largest 1/z present; none where nothing has a depth.
+/// The range with its farther end as `far`.
+DepthRange turned_to(ClipDepth kind, const DepthRange& range);
+
+/// From the farthest to the nearest depth present; none where nothing has one.
 std::optional<DepthRange> present_depths(const Framebuffer& framebuffer);
 
 /// How many pixels have how many fragments.
@@ -76,7 +80,7 @@ glm::vec3 shown_colour(const glm::vec3& colour, float (*visible_channel)(float))
 /// clamp(255 c, 0, 255), fraction dropped; or wraps, if that is the rule. Depth is coloured from
 /// far to near, and what lies outside the range takes the colour of its end; overdraw from 0 to the
 /// largest count; triangles get colours that neighbours tell apart.
-/// @param depths range for View::depth; none: from the smallest to the largest 1/z present
+/// @param depths range for View::depth; none: from the farthest to the nearest present
 Image view_image(const Framebuffer& framebuffer, View view,
                  const std::optional<DepthRange>& depths = std::nullopt);
 

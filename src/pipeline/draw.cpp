@@ -76,7 +76,8 @@ bool can_reach(const Drawing& d, int triangle) {
 }
 
 DepthResult test_depth(Drawing& d, const Fragment& fragment, std::size_t pixel) {
-    return call<depth_test, no_depth_test>(d.stages.depth_test, fragment, d.target.depth[pixel]);
+    return call<depth_test, no_depth_test>(d.stages.depth_test, fragment, d.target.depth[pixel],
+                                           d.depth);
 }
 
 glm::vec3 shade(Drawing& d, const Fragment& fragment, const Surface& surface) {
@@ -226,7 +227,7 @@ bool pass_over_hidden(Drawing& d, std::span<const LineSample> fragments) {
     const std::size_t begin = d.target.at(first.column, first.row);
     std::size_t pixel = begin;
     for (const LineSample& sample : fragments) {
-        if (depth_test(sample.fragment, d.target.depth[pixel++]).passed) return false;
+        if (depth_test(sample.fragment, d.target.depth[pixel++], d.depth).passed) return false;
     }
     d.tally.fragments += static_cast<std::int64_t>(fragments.size());
     for (pixel = begin; pixel < begin + fragments.size(); ++pixel)
@@ -305,8 +306,9 @@ void clear(Framebuffer& framebuffer, const Frame& frame) {
 
 void clear(Framebuffer& framebuffer, const Frame& frame, Viewport size, glm::ivec2 origin) {
     clear(framebuffer, size, origin,
-          {frame.settings.depth_clear, frame.stages.depth_cell, frame.stages.to_byte,
-           frame.stages.visible_channel});
+          {depth_clear_rule(frame.settings, frame.scene->space),
+           clip_depth_rule(frame.settings, frame.scene->space), frame.stages.depth_cell,
+           frame.stages.to_byte, frame.stages.visible_channel});
 }
 
 DrawTally draw(const Frame& frame, const DrawWindow& window, Framebuffer& framebuffer,
@@ -324,6 +326,7 @@ DrawTally draw(const Frame& frame, const DrawWindow& window, Framebuffer& frameb
               .pixels = pixel_rules(settings),
               .rays = sight_rays(vertex_rules(settings, frame.scene->space)),
               .carried = carried,
+              .depth = depth_rules(settings, frame.scene->space),
               .is_depth_tested = depth_rule(settings) != DepthTest::off,
               .all_have_cells = frame.stages.depth_cell == depth_cell,
               .culls_fragments = frame.stages.cull_fragment != keep_fragment,

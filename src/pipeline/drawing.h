@@ -19,6 +19,7 @@ struct Drawing {
     PixelRules pixels;
     SightRays rays;     ///< by which fragments are culled
     VaryingSet carried; ///< those that edges and rows carry
+    DepthRules depth;
     bool is_depth_tested;
     bool all_have_cells;  ///< each pixel of the picture has a depth cell: nothing to ask
     bool culls_fragments; ///< each fragment is asked whether it shows a back

@@ -2,10 +2,12 @@
 
 #include <functional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "scene/scene.h"
 #include "settings/choose_stages.h"
+#include "settings/depth_words.h"
 #include "settings/settings.h"
 
 namespace rasterwalk {
@@ -68,6 +70,19 @@ struct Frame {
         return {vertices.data() + polygon.first, static_cast<std::size_t>(polygon.count)};
     }
 };
+
+/// What the depth buffer of the frame holds.
+inline ClipDepth depth_kind(const Frame& frame) {
+    return clip_depth_rule(frame.settings, frame.scene->space);
+}
+inline const DepthWords& depth_words(const Frame& frame) {
+    return depth_words(depth_kind(frame));
+}
+
+/// What values are divided by on their way: "1/z", or "1/w" where w is not z.
+inline std::string_view weight_name(const Frame& frame) {
+    return vertex_rules(frame.settings, frame.scene->space).projection.mix > 0.0f ? "1/w" : "1/z";
+}
 
 /// The table for a frame: what the settings choose, and what is put in its place.
 Stages stages_for(const Settings& settings, const ReplaceStages& replace);

@@ -14,7 +14,8 @@ namespace rasterwalk {
 
 /// By which rules the planes are begun and shown; the functions are those of the table of stages.
 struct PictureRules {
-    float depth_clear = 0.0f; ///< of the depth buffer where nothing was drawn
+    float depth_clear = 0.0f;                ///< of the depth buffer where nothing was drawn
+    ClipDepth depth_kind = ClipDepth::inv_z; ///< what it holds
     decltype(Stages::depth_cell) depth_cell = rasterwalk::depth_cell;
     decltype(Stages::to_byte) to_byte = rasterwalk::to_byte;
     decltype(Stages::visible_channel) visible_channel = rasterwalk::visible_channel;
@@ -28,7 +29,7 @@ struct Framebuffer {
     Viewport size{0, 0};
     glm::ivec2 origin{0, 0};       ///< column and row of the picture where the planes begin
     std::vector<glm::vec3> colour; ///< red green blue, not clamped; black where nothing was drawn
-    std::vector<float> depth; ///< 1/z, larger is nearer; rules.depth_clear where nothing was drawn
+    std::vector<float> depth; ///< of rules.depth_kind; rules.depth_clear where nothing was drawn
     std::vector<std::int32_t> owner;     ///< triangle that wrote the colour; -1: none
     std::vector<std::uint32_t> overdraw; ///< fragments that fell on the pixel, drawn or not
     PictureRules rules;
@@ -53,6 +54,17 @@ struct Framebuffer {
 /// `origin`. What is to be drawn in: see clear() with a frame.
 void clear(Framebuffer& framebuffer, Viewport size, glm::ivec2 origin = {0, 0},
            const PictureRules& rules = {});
+
+/// Is this the depth of something that lies within sight, not behind the camera or beyond the far
+/// plane? Under 1/z all that is positive.
+constexpr bool is_depth(float depth, ClipDepth kind) {
+    return is_nearer(depth, farthest_depth(kind), kind);
+}
+
+/// Was something drawn where this depth is stored?
+inline bool has_depth(const Framebuffer& framebuffer, float depth) {
+    return is_depth(depth, framebuffer.rules.depth_kind) && depth != framebuffer.rules.depth_clear;
+}
 
 /// The depth of a pixel as it lies in the depth buffer, which may be transposed: then it is another
 /// pixel's. Where that pixel is not in the planes, what an empty buffer holds.

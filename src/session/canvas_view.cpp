@@ -1,5 +1,7 @@
 #include "session/canvas_view.h"
 
+#include <fmt/format.h>
+
 #include "base/numbers.h"
 
 namespace rasterwalk {
@@ -25,9 +27,9 @@ const std::array<CellNumbersInfo, cell_numbers_count>& cell_numbers_list() {
                         "The column of each row's left and right end, of the triangle on show: "
                         "leftPixels[i].x and rightPixels[i].x.",
                         "column of an end of the row"},
-        CellNumbersInfo{CellNumbers::depth, "1/z",
-                        "What the depth buffer holds for the pixel: larger is nearer.",
-                        "1/z in the depth buffer"},
+        CellNumbersInfo{CellNumbers::depth, "{0}",
+                        "What the depth buffer holds for the pixel: {1} is nearer.",
+                        "{0} in the depth buffer"},
         CellNumbersInfo{CellNumbers::owner, "triangle",
                         "The triangle that the pixel shows: t7 is triangles[7].",
                         "triangle that is seen"},
@@ -37,6 +39,14 @@ const std::array<CellNumbersInfo, cell_numbers_count>& cell_numbers_list() {
     };
     static_assert(is_indexed_by(list, &CellNumbersInfo::numbers));
     return list;
+}
+
+CellNumbersWords cell_numbers_words(CellNumbers numbers, const DepthWords& depth) {
+    const CellNumbersInfo& info = cell_numbers_list()[static_cast<std::size_t>(numbers)];
+    const auto said = [&](std::string_view text) {
+        return fmt::format(fmt::runtime(text), depth.name, depth.nearer);
+    };
+    return {said(info.title), said(info.help), said(info.key)};
 }
 
 CanvasShows shown_on_canvas(const CanvasView& view, const Scene& scene) {

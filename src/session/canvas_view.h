@@ -10,6 +10,7 @@
 #include "base/enum_words.h"
 #include "outside/outside_view.h"
 #include "scene/scene.h"
+#include "settings/depth_words.h"
 
 namespace rasterwalk {
 
@@ -41,7 +42,7 @@ const std::array<CanvasShowsInfo, canvas_shows_count>& canvas_shows_list();
 enum class CellNumbers : std::uint8_t {
     none,
     ends,     ///< the column of a row's left and right end, of the triangle on show
-    depth,    ///< 1/z in the depth buffer
+    depth,    ///< what the depth buffer holds
     owner,    ///< the triangle that the pixel shows
     overdraw, ///< how many fragments fell on it
 };
@@ -55,11 +56,18 @@ inline constexpr int cell_numbers_count = static_cast<int>(enum_words<CellNumber
 /// What the interface says of them.
 struct CellNumbersInfo {
     CellNumbers numbers;
-    std::string_view title;                   ///< where they are chosen
-    std::string_view help;                    ///< one sentence
-    std::string_view key;                     ///< what a number is, beside the cells
+    std::string_view title; ///< where they are chosen; {0}: the depth's name, {1}: which is nearer
+    std::string_view help;  ///< one sentence; likewise
+    std::string_view key;   ///< what a number is, beside the cells; likewise
     std::string_view name = word_of(numbers); ///< for tests and lessons
 };
+
+/// What is said of the numbers in a frame.
+struct CellNumbersWords {
+    std::string title, help, key;
+};
+/// @param depth what the frame's depth buffer holds
+CellNumbersWords cell_numbers_words(CellNumbers numbers, const DepthWords& depth);
 
 /// All of them, in the order in which they are offered; indexed by CellNumbers.
 const std::array<CellNumbersInfo, cell_numbers_count>& cell_numbers_list();

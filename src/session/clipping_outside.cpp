@@ -31,11 +31,7 @@ int plane_on_show(const ClipHistory& history, const std::optional<ClipProgress>&
 SeenClipping clipping_outside(const Frame& frame, const ClipHistory& history,
                               const std::optional<Cursor>& done, std::optional<ClipPlane> chosen) {
     SeenClipping seen;
-    // Other projections have other volumes.
-    const bool is_pyramid =
-        frame.settings.projection_mix == 0.0f &&
-        vertex_rules(frame.settings, frame.scene->space).projection.clip_depth == ClipDepth::inv_z;
-    if (history.cuts && is_pyramid) seen.ends = glm::dvec2(frame.settings.near, frame.settings.far);
+    if (history.cuts) seen.ends = glm::dvec2(frame.settings.near, frame.settings.far);
     seen.is_cut = history.clipped.is_cut || !history.planes.empty();
     if (!seen.is_cut) return seen;
     const std::optional<ClipProgress> progress = clip_progress(history, done);
@@ -55,10 +51,11 @@ SeenClipping clipping_outside(const Frame& frame, const ClipHistory& history,
         if (corner.is_new()) seen.made.push_back(seen_corner(corner));
     }
     const int at = plane_on_show(history, progress, chosen);
-    if (at < 0 || !is_pyramid) return seen;
+    if (at < 0) return seen;
     const PlaneHistory& plane = history.planes[static_cast<std::size_t>(at)];
     SeenPlane& shown = seen.plane.emplace();
     shown.plane = plane.plane;
+    shown.depth = plane.plane == ClipPlane::far ? frame.settings.far : frame.settings.near;
     shown.coefficients = history.codes.planes[static_cast<std::size_t>(plane.plane)];
     for (const ClipStep& step : plane.steps) {
         if (step.is_cut) shown.cuts.emplace_back(step.cut.varyings.position_world);

@@ -24,14 +24,19 @@ constexpr double largest_bar = 1.5;
 /// The smallest range, as a part of the axis.
 constexpr float smallest_range = 0.01f;
 
-DepthRange axis_around(const DepthRange& present) {
+DepthRange axis_around(const DepthRange& present, ClipDepth kind) {
+    const auto [low, high] = std::minmax(present.far, present.near);
     // A single value needs some width as well.
-    const float width = std::max(present.near - present.far, 1e-3f * present.near);
-    return {std::max(present.far - axis_margin * width, 0.0f), present.near + axis_margin * width};
+    const float least = is_smaller_nearer(kind) ? 1e-3f : 1e-3f * high;
+    const float margin = axis_margin * std::max(high - low, least);
+    // Beyond what is farthest there is nothing.
+    if (is_smaller_nearer(kind))
+        return {std::min(high + margin, farthest_depth(kind)), low - margin};
+    return {std::max(low - margin, farthest_depth(kind)), high + margin};
 }
 
 float smallest_distance(const DepthRange& axis) {
-    return smallest_range * (axis.near - axis.far);
+    return smallest_range * std::abs(axis.near - axis.far);
 }
 
 /// A wall that faces the camera fills one bin with more pixels than all others: measured by the
@@ -46,39 +51,41 @@ std::int64_t full_height(std::vector<std::int64_t> bins) {
     return std::clamp<std::int64_t>(bins.back(), 1, std::max<std::int64_t>(limit, 1));
 }
 
-/// What is interpolated linearly is z, whatever the format.
-bool holds_inv_z(const Frame& frame) {
-    return depth_rule(frame.settings) == DepthTest::linear_z ||
-           clip_depth_rule(frame.settings, frame.scene->space) == ClipDepth::inv_z;
+/// Sets the smaller or the larger end of the range, as it is written down.
+/// @param bottom the smallest value that the end may have
+void set_low(Session& session, const DepthView& view, float bottom, float value) {
+    const DepthRange& axis = view.histogram.axis;
+    const float high = std::max(view.range.far, view.range.near);
+    const float largest = std::max(high - smallest_distance(axis), bottom);
+    const float smallest = std::min({axis.far, axis.near, largest});
+    session.depth_range = DepthRange{std::clamp(value, smallest, largest), high};
+}
+void set_high(Session& session, const DepthView& view, float value) {
+    const DepthRange& axis = view.histogram.axis;
+    const float low = std::min(view.range.far, view.range.near);
+    const float smallest = low + smallest_distance(axis);
+    const float largest = std::max({axis.far, axis.near, smallest});
+    session.depth_range = DepthRange{low, std::clamp(value, smallest, largest)};
 }
 
 } // namespace
 
-std::string_view stored_depth_name(const Frame& frame) {
-    return holds_inv_z(frame) ? "1/z" : "depth";
-}
-
 double z_of_stored_depth(const Frame& frame, float depth) {
-    const double stored = depth;
-    if (holds_inv_z(frame)) return 1.0 / stored;
-    // stored = w(near) (far - z) / (length w(z)), with w(z) = (1 - mix) z + mix, solved for z.
-    const VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
-    const double mix = rules.projection.mix, length = view_length(rules);
-    const double near_w = clip_w(rules.near, rules.projection);
-    return (near_w * rules.far - stored * length * mix) / (near_w + stored * length * (1.0 - mix));
+    return z_of_depth(depth, depth_rules(frame.settings, frame.scene->space));
 }
 
 DepthView depth_view(const Framebuffer& framebuffer, const std::optional<DepthRange>& chosen) {
     DepthView view;
+    const ClipDepth kind = view.kind = framebuffer.rules.depth_kind;
     view.present = present_depths(framebuffer);
-    view.range = chosen ? *chosen : view.present.value_or(DepthRange{0.0f, 1.0f});
-    view.histogram.axis = axis_around(view.present.value_or(view.range));
+    view.range = turned_to(kind, chosen ? *chosen : view.present.value_or(DepthRange{0.0f, 1.0f}));
+    view.histogram.axis = axis_around(view.present.value_or(view.range), kind);
     view.histogram.bins.assign(depth_bins, 0);
     for (const float depth : framebuffer.depth) {
-        if (!(depth > 0.0f) || depth == framebuffer.rules.depth_clear) continue;
+        if (!has_depth(framebuffer, depth)) continue;
         ++view.drawn;
-        view.farther += depth < view.range.far ? 1 : 0;
-        view.nearer += depth > view.range.near ? 1 : 0;
+        view.farther += is_nearer(view.range.far, depth, kind) ? 1 : 0;
+        view.nearer += is_nearer(depth, view.range.near, kind) ? 1 : 0;
         const float place = view.histogram.axis.place(depth);
         if (!std::isfinite(place)) continue;
         const int bin = static_cast<int>(std::clamp(place, 0.0f, 1.0f) * depth_bins);
@@ -89,17 +96,17 @@ DepthView depth_view(const Framebuffer& framebuffer, const std::optional<DepthRa
 }
 
 void set_far(Session& session, const DepthView& view, float value) {
-    const DepthRange& axis = view.histogram.axis;
-    const float largest = std::max(view.range.near - smallest_distance(axis), 0.0f);
-    session.depth_range =
-        DepthRange{std::clamp(value, std::min(axis.far, largest), largest), view.range.near};
+    if (is_smaller_nearer(view.kind))
+        set_high(session, view, value);
+    else
+        set_low(session, view, farthest_depth(view.kind), value);
 }
 
 void set_near(Session& session, const DepthView& view, float value) {
-    const DepthRange& axis = view.histogram.axis;
-    const float smallest = view.range.far + smallest_distance(axis);
-    session.depth_range =
-        DepthRange{view.range.far, std::clamp(value, smallest, std::max(axis.near, smallest))};
+    if (is_smaller_nearer(view.kind))
+        set_low(session, view, view.histogram.axis.near, value);
+    else
+        set_high(session, view, value);
 }
 
 std::string to_text(const DepthRange& range) {

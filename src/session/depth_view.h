@@ -1,7 +1,7 @@
 #pragma once
 
 // The depth view: which range of stored depths the colours are spread over, and how these are
-// spread over it. What is stored is 1/z, or the reversed depth of the settings.
+// spread over it. What is stored is 1/z, or what else the settings say.
 
 #include <cstdint>
 #include <optional>
@@ -17,24 +17,21 @@ namespace rasterwalk {
 
 struct Session;
 
-/// What the depth buffer of this frame holds: "1/z", or "depth" from 0 at the far plane to 1 at the
-/// near one.
-std::string_view stored_depth_name(const Frame& frame);
-
 /// How far in front of the camera a place with this stored depth lies, world units.
 double z_of_stored_depth(const Frame& frame, float depth);
 
 /// The stored depths in bins of equal width.
 struct DepthHistogram {
-    DepthRange axis;                ///< from the left end to the right
+    DepthRange axis;                ///< from the left end, the far one, to the right
     std::vector<std::int64_t> bins; ///< pixels
     std::int64_t full = 1;          ///< pixels of a bar of full height; larger bins are cut there
 };
 
 /// What the depth view shows beside the picture.
 struct DepthView {
-    std::optional<DepthRange> present; ///< smallest and largest stored; none: nothing has one
-    DepthRange range;                  ///< the colours are spread over it
+    ClipDepth kind = ClipDepth::inv_z; ///< of the depths
+    std::optional<DepthRange> present; ///< farthest and nearest stored; none: nothing has one
+    DepthRange range;                  ///< the colours are spread over it; its far end is farther
     DepthHistogram histogram;
     std::int64_t drawn = 0;   ///< pixels that have a depth
     std::int64_t farther = 0; ///< of them below the range
@@ -49,7 +46,7 @@ DepthView depth_view(const Framebuffer& framebuffer, const std::optional<DepthRa
 void set_far(Session& session, const DepthView& view, float value);
 void set_near(Session& session, const DepthView& view, float value);
 
-/// A range as text, far and near: "0.2,0.8"; none if it is not one, or if far is the larger.
+/// A range as text, the smaller end first: "0.2,0.8"; none if it is not one.
 std::string to_text(const DepthRange& range);
 std::optional<DepthRange> parse_depth_range(std::string_view text);
 

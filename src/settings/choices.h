@@ -87,16 +87,22 @@ template <>
 inline constexpr auto enum_words<ProjectionKind> = word_list("perspective", "orthographic");
 static_assert(words_match<ProjectionKind>);
 
-/// What the depth buffer holds.
+/// What the depth buffer holds: a float of 32 bits, or a whole number of 24 or 16.
 enum class DepthFormat : std::uint8_t {
-    inv_z,       ///< 1/z, as a float: the lab
-    reversed_32, ///< 1 at the near plane, 0 at the far one, as a float: 1 less ndc z
-    reversed_24, ///< the same as a whole number of 24 bits; ndc z itself has the same steps
-    reversed_16, ///< of 16 bits
+    inv_z,    ///< 1/z, larger is nearer, as a float: the lab
+    inv_z_24, ///< the same in even steps from 0 to 1/near
+    inv_z_16,
+    ndc_32, ///< ndc z, 0 at the near plane and 1 at the far one, smaller is nearer
+    ndc_24,
+    ndc_16,
+    reversed_32, ///< 1 less ndc z, 1 at the near plane and 0 at the far one, larger is nearer
+    reversed_24,
+    reversed_16,
 };
 template <>
-inline constexpr auto enum_words<DepthFormat> = word_list("inv_z", "reversed_32", "reversed_24",
-                                                          "reversed_16");
+inline constexpr auto enum_words<DepthFormat> = word_list("inv_z", "inv_z_24", "inv_z_16", "ndc_32",
+                                                          "ndc_24", "ndc_16", "reversed_32",
+                                                          "reversed_24", "reversed_16");
 static_assert(words_match<DepthFormat>);
 
 /// On which side of a matrix the vector stands.

@@ -250,17 +250,19 @@ void choose(const LightRules& rules, Stages& stages) {
     }
 }
 
-void choose(DepthTest test, DepthFormat format, Stages& stages) {
+void choose(DepthTest test, const DepthRules& rules, Stages& stages) {
+    const bool is_float = rules.bits == 0;
     switch (test) {
     case DepthTest::inverse_z:
-        if (format == DepthFormat::reversed_24) stages.depth_test = depth_test_in_bits<24>;
-        if (format == DepthFormat::reversed_16) stages.depth_test = depth_test_in_bits<16>;
+        // The lab's own does for every float of which the larger is nearer.
+        if (!is_float || is_smaller_nearer(rules.projection.clip_depth))
+            stages.depth_test = depth_test_as_held;
         break;
     case DepthTest::linear_z:
         stages.depth_test = depth_test_linear_z;
         break;
     case DepthTest::off:
-        stages.depth_test = no_depth_test;
+        stages.depth_test = is_float ? no_depth_test : no_depth_test_as_held;
         break;
     case DepthTest::reversed:
         stages.depth_test = depth_test_reversed;
@@ -302,7 +304,7 @@ Stages choose_stages(const Settings& settings) {
     choose(settings.spans, stages);
     choose(settings.interpolation, stages);
     choose(settings.light_rules, stages);
-    choose(depth_rule(settings), settings.depth_format, stages);
+    choose(depth_rule(settings), depth_rules(settings, SceneSpace::world), stages);
     choose(settings.depth_index, stages);
     choose(settings.bounds, stages);
     choose(settings.colour_over_one, stages);

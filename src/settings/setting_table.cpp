@@ -127,17 +127,19 @@ std::vector<Setting> make_table() {
          "but the last.",
          "Filled triangles", "", choice<&Settings::spans>()},
         {"depth_test", "Depth test", "Depth and interpolation",
-         "What decides which fragment is nearer: 1/z, z interpolated in a straight line, nothing, "
-         "or 1/z the wrong way round.",
+         "What decides which fragment is nearer: 1/z, or what else the depth buffer holds; z "
+         "interpolated in a straight line; nothing; or the same as first, the wrong way round.",
          "Depth buffer", "", choice<&Settings::depth_test>()},
         {"depth_format", "Depth buffer holds", "Depth and interpolation",
-         "What the depth buffer holds: 1/z, or ndc z reversed, 1 at the near plane and 0 at the "
-         "far "
-         "one, as a float or rounded to 24 or 16 bits.",
+         "What the depth buffer holds: 1/z; ndc z, 0 at the near plane and 1 at the far one; or "
+         "that reversed; each as a float, or rounded to 24 or 16 bits. Without perspective 1/z is "
+         "no straight line, and the reversed form takes its place. It acts with every depth test; "
+         "with none it only changes what is stored.",
          "Depth buffer", "", choice<&Settings::depth_format>()},
         {"depth_clear", "Depth buffer begins at", "Depth and interpolation",
-         "What the depth buffer starts with: 0 is infinitely far, 1 is one unit away.",
-         "Depth buffer", "1/z",
+         "What the depth buffer starts with, above the value of what is farthest: in 1/z 0 is "
+         "infinitely far and 1 is one unit away; ndc z begins at 1 less this.",
+         "Depth buffer", "1/z or ndc z",
          NumberSetting{[](Settings& s) -> float& { return s.depth_clear; }, -largest_depth_clear,
                        largest_depth_clear, 0.01f}},
         {"depth_index", "Depth buffer index", "Depth and interpolation",

@@ -1,6 +1,7 @@
 #include "settings/settings.h"
 
 #include <algorithm>
+#include <array>
 
 #include "stages/orthographic.h"
 
@@ -54,11 +55,38 @@ float orthographic_depth_rule(const Settings& settings) {
                                               : origin_depth(settings.camera, settings.near);
 }
 
+namespace {
+
+/// What a word of the depth format means.
+struct DepthFormatInfo {
+    DepthFormat format;
+    ClipDepth holds;
+    int bits; ///< 0: a float
+};
+
+const DepthFormatInfo& depth_format_info(DepthFormat format) {
+    static constexpr std::array list{
+        DepthFormatInfo{DepthFormat::inv_z, ClipDepth::inv_z, 0},
+        DepthFormatInfo{DepthFormat::inv_z_24, ClipDepth::inv_z, 24},
+        DepthFormatInfo{DepthFormat::inv_z_16, ClipDepth::inv_z, 16},
+        DepthFormatInfo{DepthFormat::ndc_32, ClipDepth::ndc, 0},
+        DepthFormatInfo{DepthFormat::ndc_24, ClipDepth::ndc, 24},
+        DepthFormatInfo{DepthFormat::ndc_16, ClipDepth::ndc, 16},
+        DepthFormatInfo{DepthFormat::reversed_32, ClipDepth::reversed, 0},
+        DepthFormatInfo{DepthFormat::reversed_24, ClipDepth::reversed, 24},
+        DepthFormatInfo{DepthFormat::reversed_16, ClipDepth::reversed, 16},
+    };
+    static_assert(is_indexed_by(list, &DepthFormatInfo::format));
+    return list[static_cast<std::size_t>(format)];
+}
+
+} // namespace
+
 ClipDepth clip_depth_rule(const Settings& settings, SceneSpace space) {
+    const ClipDepth chosen = depth_format_info(settings.depth_format).holds;
     // What is given in pixels is projected already.
     const bool is_mixed = space == SceneSpace::world && settings.projection_mix > 0.0f;
-    return is_mixed || settings.depth_format != DepthFormat::inv_z ? ClipDepth::reversed
-                                                                   : ClipDepth::inv_z;
+    return is_mixed && chosen == ClipDepth::inv_z ? ClipDepth::reversed : chosen;
 }
 
 namespace {
@@ -73,6 +101,20 @@ Projection projection_rule(const Settings& settings, SceneSpace space) {
 }
 
 } // namespace
+
+DepthRules depth_rules(const Settings& settings, SceneSpace space) {
+    return {.projection = projection_rule(settings, space),
+            .near = settings.near,
+            .far = settings.far,
+            .bits = depth_format_info(settings.depth_format).bits};
+}
+
+float depth_clear_rule(const Settings& settings, SceneSpace space) {
+    const ClipDepth kind = clip_depth_rule(settings, space);
+    const float clear =
+        is_smaller_nearer(kind) ? 1.0f - settings.depth_clear : settings.depth_clear;
+    return held_depth(clear, depth_rules(settings, space));
+}
 
 VertexRules vertex_rules(const Settings& settings, SceneSpace space) {
     return {.camera = settings.camera,

@@ -4,6 +4,7 @@
 
 #include "scene/scene.h"
 #include "settings/choices.h"
+#include "stages/depth_test.h"
 #include "stages/pixel_shader.h"
 #include "stages/polygon_rows.h"
 #include "stages/stages.h"
@@ -27,7 +28,7 @@ struct Settings {
     Spans spans = Spans::inclusive;
     Bounds bounds = Bounds::inside;
     DepthTest depth_test = DepthTest::inverse_z;
-    float depth_clear = 0.0f; ///< 1/z that the depth buffer starts with
+    float depth_clear = 0.0f; ///< what the depth buffer starts with, see depth_clear_rule()
     DepthFormat depth_format = DepthFormat::inv_z;
     DepthIndex depth_index = DepthIndex::row_major;
     Interpolation interpolation = Interpolation::perspective;
@@ -72,9 +73,16 @@ Rounding sample_rounding(const Settings& settings);
 /// The depth that the size of things is measured at when the projection is not perspective.
 float orthographic_depth_rule(const Settings& settings);
 
-/// Which depth clip space carries: 1/z, unless another format is chosen. Without perspective 1/z is
-/// not linear on the screen, but z is; then it is reversed ndc z in any case.
+/// Which depth clip space carries and the depth buffer holds. Without perspective 1/z is not linear
+/// on the screen, but z is: reversed ndc z takes its place then.
 ClipDepth clip_depth_rule(const Settings& settings, SceneSpace space);
+
+/// What the depth buffer holds, and how finely.
+DepthRules depth_rules(const Settings& settings, SceneSpace space);
+
+/// The value that the depth buffer starts with: depth_clear nearer than what is farthest, as the
+/// buffer holds it.
+float depth_clear_rule(const Settings& settings, SceneSpace space);
 
 /// The part of the settings that each stage of the pipeline is told.
 VertexRules vertex_rules(const Settings& settings, SceneSpace space);

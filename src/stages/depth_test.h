@@ -13,6 +13,11 @@
 // Others are a test the wrong way round, a buffer that does not start at "infinitely far", and the
 // two indices in the wrong order.
 //
+// Graphics cards hold ndc z instead, a straight line of 1/z from 0 at the near plane to 1 at the
+// far one: there smaller is nearer, and the buffer starts at 1. A float has most of its steps near
+// 0, ndc z most of its values near 1; so it is often turned round, 1 near and 0 far. In 24 or 16
+// bits the steps are even, and only the planes decide how long one is at some z.
+//
 // Source: the z-buffer is from Catmull, A Subdivision Algorithm for Computer Display of Curved
 // Surfaces, dissertation, University of Utah, 1974. That 1/z is linear on the screen: Blinn,
 // "Hyperbolic Interpolation", IEEE Computer Graphics and Applications 12(4), 1992.
@@ -22,45 +27,72 @@
 #include <glm/vec2.hpp>
 
 #include "stages/fragment.h"
+#include "stages/vertex_shader.h"
 
 namespace rasterwalk {
 
 /// What the depth test says of a fragment.
 struct DepthResult {
-    float depth = 0.0f;  ///< the fragment's value for the depth buffer: larger is nearer
+    float depth = 0.0f;  ///< the fragment's value for the depth buffer
     bool passed = false; ///< the fragment is to be drawn over what is stored
 };
 
+/// What the depth buffer holds.
+struct DepthRules {
+    Projection projection;           ///< its clip_depth is the quantity
+    float near = 0.1f, far = 100.0f; ///< of the view volume
+    int bits = 0;                    ///< of its whole numbers, 1 to 24; 0: it holds floats
+};
+
 /// The nearer one is drawn: passes if the interpolated 1/z is larger than what is stored.
-inline DepthResult depth_test(const Fragment& fragment, float stored) {
+inline DepthResult depth_test(const Fragment& fragment, float stored, const DepthRules&) {
     return {fragment.depth, fragment.depth > stored};
 }
 
-/// A depth from 0 to 1 as a buffer of so many bits holds it: the nearest of the 2^bits values that
-/// it has, spread evenly. What is beyond 0 or 1 is held as these.
-template <int bits>
-float depth_in_bits(float depth) {
-    static_assert(bits >= 1 && bits <= 24, "a float holds no more");
-    constexpr int largest = (1 << bits) - 1;
+/// Which of the 2^bits values, from 0 up, a buffer of so many bits, 1 to 24, holds for a depth from
+/// 0 to 1: the nearest. They are spread evenly; what is beyond 0 or 1 is held as these.
+inline int depth_step(float depth, int bits) {
+    const int largest = (1 << bits) - 1;
     // Written so that NaN, which no comparison admits, is held as 0.
     const double inside = depth > 0.0f ? (depth < 1.0f ? double{depth} : 1.0) : 0.0;
     // In double: a float has not room for 24 bits and half a step.
-    const double steps = std::floor(inside * largest + 0.5);
-    return static_cast<float>(steps) / static_cast<float>(largest);
+    return static_cast<int>(std::floor(inside * largest + 0.5));
 }
 
-/// The same test in a buffer of whole numbers: what lies closer together than one of its steps is
-/// equally near, and the one drawn first stays. Under perspective a step of ndc z is small near the
-/// camera and large far away: surfaces there flicker through each other.
-template <int bits>
-DepthResult depth_test_in_bits(const Fragment& fragment, float stored) {
-    const float depth = depth_in_bits<bits>(fragment.depth);
-    return {depth, depth > stored};
+/// Which of its values a buffer of whole numbers holds for a depth. 1/z is at most 1/near in the
+/// view: they are spread over that. NaN is held as what is farthest.
+inline int held_step(float depth, const DepthRules& rules) {
+    const ClipDepth kind = rules.projection.clip_depth;
+    const float shown = std::isnan(depth) ? farthest_depth(kind) : depth;
+    return depth_step(kind == ClipDepth::inv_z ? shown * rules.near : shown, rules.bits);
+}
+
+/// A depth as the buffer holds it.
+inline float held_depth(float depth, const DepthRules& rules) {
+    if (rules.bits == 0) return depth;
+    const int largest = (1 << rules.bits) - 1;
+    const float part = static_cast<float>(held_step(depth, rules)) / static_cast<float>(largest);
+    return rules.projection.clip_depth == ClipDepth::inv_z ? part / rules.near : part;
+}
+
+/// The nearer one is drawn, whatever the buffer holds. In a buffer of whole numbers what lies
+/// closer together than one of its steps is equally near, and the one drawn first stays. Under
+/// perspective a step is small near the camera and large far away: surfaces there flicker through
+/// each other.
+inline DepthResult depth_test_as_held(const Fragment& fragment, float stored,
+                                      const DepthRules& rules) {
+    const float depth = held_depth(fragment.depth, rules);
+    return {depth, is_nearer(depth, stored, rules.projection.clip_depth)};
 }
 
 /// No test: the last one drawn wins.
-inline DepthResult no_depth_test(const Fragment& fragment, float) {
+inline DepthResult no_depth_test(const Fragment& fragment, float, const DepthRules&) {
     return {fragment.depth, true};
+}
+
+/// The same, with a buffer of whole numbers.
+inline DepthResult no_depth_test_as_held(const Fragment& fragment, float, const DepthRules& rules) {
+    return {held_depth(fragment.depth, rules), true};
 }
 
 /// The cell (x, y) of the depth buffer that belongs to the pixel (column, row).

@@ -6,24 +6,56 @@
 
 namespace rasterwalk {
 
-float view_length(const VertexRules& rules) {
+namespace {
+
+float length_between(float near, float far) {
     // Planes that lie on each other would leave a division by 0.
     constexpr float smallest = 1e-6f;
-    const float length = rules.far - rules.near;
+    const float length = far - near;
     return length == 0.0f ? smallest : length;
 }
 
-float clip_z(float z, const VertexRules& rules) {
-    const Projection& projection = rules.projection;
+float clip_z_between(float z, const Projection& projection, float near, float far) {
     switch (projection.clip_depth) {
     case ClipDepth::inv_z:
         break;
     case ClipDepth::ndc:
-        return clip_w(rules.far, projection) * ((z - rules.near) / view_length(rules));
+        return clip_w(far, projection) * ((z - near) / length_between(near, far));
     case ClipDepth::reversed:
-        return clip_w(rules.near, projection) * ((rules.far - z) / view_length(rules));
+        return clip_w(near, projection) * ((far - z) / length_between(near, far));
     }
     return 1.0f;
+}
+
+} // namespace
+
+float view_length(const VertexRules& rules) {
+    return length_between(rules.near, rules.far);
+}
+
+float clip_z(float z, const VertexRules& rules) {
+    return clip_z_between(z, rules.projection, rules.near, rules.far);
+}
+
+float depth_at(float z, const DepthRules& rules) {
+    return clip_z_between(z, rules.projection, rules.near, rules.far) / clip_w(z, rules.projection);
+}
+
+double z_of_depth(float depth, const DepthRules& rules) {
+    const Projection& projection = rules.projection;
+    const double stored = depth, mix = projection.mix, near = rules.near, far = rules.far;
+    const double length = length_between(rules.near, rules.far);
+    const double near_w = clip_w(rules.near, projection), far_w = clip_w(rules.far, projection);
+    // Solved for z, with w = (1 - mix) z + mix.
+    switch (projection.clip_depth) {
+    case ClipDepth::inv_z:
+        break;
+    case ClipDepth::ndc: // depth = far_w (z - near) / (length w)
+        return (far_w * near + stored * length * mix) / (far_w - stored * length * (1.0 - mix));
+    case ClipDepth::reversed: // depth = near_w (far - z) / (length w)
+        return (near_w * far - stored * length * mix) / (near_w + stored * length * (1.0 - mix));
+    }
+    return (1.0 / stored - mix) / (1.0 - mix);
 }
 
 glm::vec4 to_clip_space_mixed(const glm::vec3& rotated, const VertexRules& rules) {

@@ -26,6 +26,7 @@
 // 4th edition, section 4.7, projections. Depth the other way round: Lapidous and Jiao, "Optimal
 // Depth Buffer for Low-Cost Graphics Hardware", Graphics Hardware 1999.
 
+#include "stages/depth_test.h"
 #include "stages/vertex_shader.h"
 
 namespace rasterwalk {
@@ -55,6 +56,12 @@ float view_length(const VertexRules& rules);
 
 /// The third coordinate of clip space at this depth, by rules.projection.clip_depth.
 float clip_z(float z, const VertexRules& rules);
+
+/// The depth at this z, as a float: what clip_z() becomes behind the division.
+float depth_at(float z, const DepthRules& rules);
+
+/// The z at this depth, in double: the way back from depth_at().
+double z_of_depth(float depth, const DepthRules& rules);
 
 /// In the slot to_clip_space: any projection, and any depth.
 glm::vec4 to_clip_space_mixed(const glm::vec3& rotated, const VertexRules& rules);

@@ -7,7 +7,7 @@ namespace rasterwalk {
 /// The left or the right end of a row, as a row table holds it. Its row is its place in the table.
 struct RowEnd {
     int column = 0;
-    float depth = 0.0f; ///< for the depth buffer: larger is nearer; in the lab 1/z
+    float depth = 0.0f; ///< for the depth buffer, see ClipDepth; in the lab 1/z
     float inv_w = 0.0f; ///< 1/w of clip space, by which varyings are weighed; in the lab 1/z
     float z = 0.0f;     ///< z in camera space, interpolated as if linear: right at vertices only
     Varyings varyings;

@@ -67,6 +67,29 @@ enum class ClipDepth : std::uint8_t {
     /// perspective nearly all of the view lies
     reversed,
 };
+template <>
+inline constexpr auto enum_words<ClipDepth> = word_list("inv_z", "ndc", "reversed");
+static_assert(words_match<ClipDepth>);
+
+/// Is a smaller depth of this kind nearer?
+constexpr bool is_smaller_nearer(ClipDepth kind) {
+    return kind == ClipDepth::ndc;
+}
+
+/// How much nearer a depth is than another one: above 0 it is nearer.
+constexpr float depth_ahead(float depth, float other, ClipDepth kind) {
+    return is_smaller_nearer(kind) ? other - depth : depth - other;
+}
+
+/// Is it nearer? NaN is not.
+constexpr bool is_nearer(float depth, float other, ClipDepth kind) {
+    return is_smaller_nearer(kind) ? depth < other : depth > other;
+}
+
+/// The depth of what is infinitely far, or on the far plane: nothing that counts is farther.
+constexpr float farthest_depth(ClipDepth kind) {
+    return is_smaller_nearer(kind) ? 1.0f : 0.0f;
+}
 
 /// How camera space becomes clip space, beside the focal length and the planes near and far.
 struct Projection {

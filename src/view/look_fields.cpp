@@ -148,7 +148,8 @@ ViewField depth_range_field() {
     form.read = [](const TomlBlock& block, const toml::node& node) {
         const std::optional<DepthRange> range = parse_depth_range(block.text(node));
         if (!range) {
-            block.input().fail(node, "a range of 1/z is needed here, far and near: \"0.2,0.8\".");
+            block.input().fail(node,
+                               "a range of depths is needed here, the smaller first: \"0.2,0.8\".");
         }
         return *range;
     };
@@ -156,7 +157,7 @@ ViewField depth_range_field() {
     form.parse = [](const GivenOption& given, const std::string& word) {
         const std::optional<DepthRange> range = parse_depth_range(word);
         if (!range && word != no_value) {
-            refuse_option(given, "a range of 1/z, far and near, as 0.2,0.8 or none", word);
+            refuse_option(given, "a range of depths, the smaller first, as 0.2,0.8 or none", word);
         }
         return range;
     };
@@ -166,9 +167,9 @@ ViewField depth_range_field() {
         return range && range->far <= range->near ? range : std::nullopt;
     };
     form.show = [](const auto& range, Session& session) { session.depth_range = range; };
-    const ViewOption option{
-        "depth-range", "FAR,NEAR",
-        "Range of 1/z that the depth view colours; all that is there if not given"};
+    const ViewOption option{"depth-range", "FAR,NEAR",
+                            "Range of 1/z, or of what else the depth buffer holds, that the depth "
+                            "view colours; all that is there if not given"};
     ViewField field = make_field("depth_range", ViewPart::plane, option, form);
     field.is_of_scene = true;
     return field;

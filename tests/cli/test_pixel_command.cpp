@@ -48,13 +48,15 @@ TEST_CASE("pixel --json gives every number of the history") {
     CHECK_THAT(json, Contains("\"covered\":true"));
     CHECK_THAT(json, Contains("\"uncovered\":[]"));
     CHECK(count_of("\"triangle\":", json) == 3);
+    CHECK_THAT(json, Contains("\"depth_holds\":\"1/z\""));
     CHECK_THAT(json, Contains("{\"colour_after\":[0.082292571663856506,0.082292571663856506,"
                               "0.41146284341812134],\"colour_before\":[0.39060357213020325,"
                               "0.39060357213020325,0.39060357213020325],\"column\":39,\"cursor\":"
                               "\"t21/r82/c39\",\"depth\":0.32947039604187012,\"drawn\":true,"
                               "\"fate\":\"written\",\"margin\":0.07953287661075592,"
                               "\"margin_to_winner\":0.0,\"name\":\"tallblock\",\"row\":82,"
-                              "\"stays\":true,\"stored_zinv\":0.2499375194311142,\"triangle\":21,"
+                              "\"stays\":true,\"stored\":0.2499375194311142,"
+                              "\"stored_zinv\":0.2499375194311142,\"triangle\":21,"
                               "\"zinv\":0.32947039604187012}"));
     CHECK(count_of("\"fate\":\"depth_failed\"", json) == 1);
     CHECK(count_of("\"stays\":true", json) == 1);

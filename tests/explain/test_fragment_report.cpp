@@ -292,7 +292,8 @@ TEST_CASE("Fragments of the room report what draw used, and follow from it") {
             ++fragments;
             ++(event.fate == Fate::written ? written : failed);
             stored_by_someone += report->stored_by ? 1 : 0;
-            if (report->stored_by.has_value() != (event.stored != c.settings.depth_clear)) {
+            if (report->stored_by.has_value() !=
+                (event.stored != depth_clear_rule(c.settings, SceneSpace::world))) {
                 FAIL(where << "does not know who stored " << event.stored);
             }
         }

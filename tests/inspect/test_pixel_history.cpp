@@ -34,7 +34,8 @@ std::string first_fault(const Frame& frame, const Framebuffer& picture, const gl
     const bool reversed = depth_rule(settings) == DepthTest::reversed;
     const bool has_cell = has_depth_cell(frame.stages, pixel.x, pixel.y, settings.viewport) ||
                           !has_fragments(settings.stage);
-    float depth = settings.depth_clear, winner_depth = depth;
+    const ClipDepth kind = depth_kind(frame);
+    float depth = depth_clear_rule(settings, frame.scene->space), winner_depth = depth;
     glm::vec3 colour(0.0f);
     int owner = -1, last_written = -1;
     for (std::size_t i = 0; i < history.entries.size(); ++i) {
@@ -43,7 +44,9 @@ std::string first_fault(const Frame& frame, const Framebuffer& picture, const gl
         if (i > 0 && entry.cursor < history.entries[i - 1].cursor) return fault(name + " order");
         if (!same_bits(entry.stored, depth)) return fault(name + " stored depth");
         if (!same_bits(entry.colour_before, colour)) return fault(name + " colour before");
-        if (!same_bits(entry.margin, entry.depth - entry.stored)) return fault(name + " margin");
+        const float ahead =
+            kind == ClipDepth::ndc ? entry.stored - entry.depth : entry.depth - entry.stored;
+        if (!same_bits(entry.margin, ahead)) return fault(name + " margin");
         const bool should_pass =
             !history.depth_tested || (reversed ? entry.margin < 0.0f : entry.margin > 0.0f);
         if ((entry.fate == Fate::written) != should_pass) return fault(name + " fate");
@@ -62,7 +65,9 @@ std::string first_fault(const Frame& frame, const Framebuffer& picture, const gl
     if (!same_bits(depth, picture.depth[at])) return fault("last depth");
     if (owner != picture.owner[at]) return fault("owner");
     for (const PixelEntry& entry : history.entries) {
-        if (!same_bits(entry.margin_to_winner, entry.depth - winner_depth)) {
+        const float ahead =
+            kind == ClipDepth::ndc ? winner_depth - entry.depth : entry.depth - winner_depth;
+        if (!same_bits(entry.margin_to_winner, ahead)) {
             return fault("to winner");
         }
         const float lead = reversed ? -entry.margin_to_winner : entry.margin_to_winner;

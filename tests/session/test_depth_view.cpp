@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <numeric>
 
+#include <cstdlib>
+#include <sstream>
+#include <string>
+
 #include <catch2/catch.hpp>
 
 #include "picture/colour_map.h"
@@ -172,13 +176,23 @@ TEST_CASE("Other views have no depth view beside them") {
 TEST_CASE("A stored depth tells how far in front of the camera its vertex lies") {
     Session session = depth_session();
     const Scene room = read_scene(lessons_folder() + "/scenes/lab-room.toml");
-    for (const char* choice : {"projection_mix=0", "depth_format=reversed_32", "projection_mix=0.4",
-                               "projection=orthographic"}) {
+    struct Choice {
+        const char* text;
+        const char* name;
+    };
+    for (const Choice& choice :
+         {Choice{"projection_mix=0", "1/z"}, Choice{"depth_format=reversed_32", "reversed z"},
+          Choice{"depth_format=ndc_32", "ndc z"}, Choice{"projection_mix=0.4", "reversed z"},
+          Choice{"projection=orthographic", "reversed z"},
+          Choice{"depth_format=ndc_32 projection_mix=0.4", "ndc z"},
+          Choice{"depth_format=ndc_32 projection=orthographic", "ndc z"}}) {
         Settings settings = session.a.settings;
-        set_from_text(settings, choice);
+        std::istringstream words(choice.text);
+        for (std::string word; words >> word;)
+            set_from_text(settings, word);
         const Frame frame = prepare_frame(room, settings);
-        CAPTURE(choice);
-        CHECK((stored_depth_name(frame) == "1/z") == (choice == std::string("projection_mix=0")));
+        CAPTURE(choice.text);
+        CHECK(depth_words(frame).name == choice.name);
         for (int t = 0; t < room.triangle_count(); ++t) {
             for (int v = 0; v < 3; ++v) {
                 // The camera of the room is not turned.
@@ -188,9 +202,48 @@ TEST_CASE("A stored depth tells how far in front of the camera its vertex lies")
             }
         }
     }
-    // Linear z is stored as its inverse under every projection.
-    Settings settings = session.a.settings;
-    set_from_text(settings, "projection=orthographic");
-    set_from_text(settings, "depth_test=linear_z");
-    CHECK(stored_depth_name(prepare_frame(room, settings)) == "1/z");
+}
+
+TEST_CASE(
+    "Under ndc z the far end of the range is the larger one, and near is bright all the same") {
+    Session session = depth_session();
+    Results results;
+    update(session, results);
+    REQUIRE(results.depth);
+    const DepthView by_inv_z = *results.depth;
+    const Image usual = results.a.picture;
+    set_from_text(session.a.settings, "depth_format=ndc_32");
+    update(session, results);
+    REQUIRE(results.depth);
+    REQUIRE(results.depth->present);
+    const DepthView view = *results.depth;
+    CHECK(view.drawn == by_inv_z.drawn);
+    CHECK(view.range.far > view.range.near);
+    CHECK(view.histogram.axis.far > view.histogram.axis.near);
+    CHECK(view.farther + view.nearer == 0);
+    const Frame& frame = results.a.frame;
+    CHECK(z_of_stored_depth(frame, view.range.far) ==
+          Approx(1.0 / static_cast<double>(by_inv_z.range.far)).epsilon(1e-3));
+    CHECK(z_of_stored_depth(frame, view.range.near) ==
+          Approx(1.0 / static_cast<double>(by_inv_z.range.near)).epsilon(1e-3));
+    // Ndc z is a straight line of 1/z: the colours are those of 1/z, but for rounding and ties.
+    REQUIRE(results.a.picture.rgba.size() == usual.rgba.size());
+    int others = 0;
+    for (std::size_t i = 0; i < usual.rgba.size(); ++i)
+        others += std::abs(int{usual.rgba[i]} - int{results.a.picture.rgba[i]}) > 3 ? 1 : 0;
+    CAPTURE(others);
+    CHECK(others < 400);
+    // The ends are dragged the way they are drawn, and written down with the smaller one first.
+    set_far(session, view, view.range.far - 0.001f);
+    REQUIRE(session.depth_range);
+    CHECK(session.depth_range->far < session.depth_range->near);
+    update(session, results);
+    CHECK(results.depth->range.far == Approx(view.range.far - 0.001f));
+    CHECK(results.depth->range.near == view.range.near);
+    CHECK(results.depth->farther > 0);
+    CHECK(results.depth->nearer == 0);
+    set_near(session, *results.depth, 2.0f); // beyond the far end: it keeps its distance
+    update(session, results);
+    CHECK(results.depth->range.near < results.depth->range.far);
+    CHECK(parse_depth_range(to_text(*session.depth_range)) == session.depth_range);
 }

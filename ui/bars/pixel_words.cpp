@@ -52,8 +52,8 @@ std::vector<std::string> pixel_facts(const Ui& ui) {
     facts.push_back(fmt::format("colour {:.3f} {:.3f} {:.3f}", c.r, c.g, c.b));
     const auto colour = static_cast<std::ptrdiff_t>(facts.size()) - 1;
     const float depth = stored_depth(framebuffer, pixel->x, pixel->y);
-    if (depth > 0.0f) {
-        facts.push_back(fmt::format("{} {:.4f}   z {:.4f}", stored_depth_name(ui.results.a.frame),
+    if (is_depth(depth, framebuffer.rules.depth_kind)) {
+        facts.push_back(fmt::format("{} {:.4f}   z {:.4f}", depth_words(ui.results.a.frame).name,
                                     depth, z_of_stored_depth(ui.results.a.frame, depth)));
         // What the picture shows comes first.
         if (ui.session.view == View::depth) std::iter_swap(facts.begin() + colour, facts.end() - 1);

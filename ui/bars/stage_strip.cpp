@@ -111,7 +111,7 @@ std::string word_of_depth_test(const Settings& settings, const Frame& frame) {
     case DepthTest::off:
         return "off";
     case DepthTest::inverse_z:
-        return stored_depth_name(frame) == "1/z" ? "1/z" : "ndc z";
+        return std::string(depth_words(frame).short_name);
     case DepthTest::reversed:
         return "reversed";
     default:

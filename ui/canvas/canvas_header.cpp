@@ -31,14 +31,25 @@ float view_selector_width() {
     return button_width("triangle  ") + ImGui::GetFrameHeight();
 }
 
+namespace {
+
+/// The title of a view; that of the depth is what the buffer holds.
+std::string view_title(const Ui& ui, const ViewInfo& info) {
+    const DepthWords& depth = depth_words(ui.results.a.frame);
+    const bool is_usual = info.view != View::depth || depth.kind == ClipDepth::inv_z;
+    return std::string(is_usual ? info.title : depth.name);
+}
+
+} // namespace
+
 void draw_view_selector(Ui& ui) {
     ImGui::SetNextItemWidth(view_selector_width());
-    const bool open = ImGui::BeginCombo(
-        "##view", view_list()[static_cast<std::size_t>(ui.session.view)].title.data());
+    const std::string now = view_title(ui, view_list()[static_cast<std::size_t>(ui.session.view)]);
+    const bool open = ImGui::BeginCombo("##view", now.c_str());
     name_widget(ui, "canvas.view", "Which plane of the framebuffer is shown.");
     if (!open) return;
     for (const ViewInfo& info : view_list()) {
-        if (list_entry(ui, std::string("canvas.view.").append(info.title), info.title,
+        if (list_entry(ui, std::string("canvas.view.").append(info.title), view_title(ui, info),
                        info.view == ui.session.view, info.help)) {
             ui.session.view = info.view;
         }

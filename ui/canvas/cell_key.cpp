@@ -59,10 +59,10 @@ std::vector<std::string> cell_key_forms(const Ui& ui) {
         }
     };
     if (shows_numbers(ui)) {
-        const auto numbers = static_cast<std::size_t>(ui.session.canvas.numbers);
-        const CellNumbersInfo& info = cell_numbers_list()[numbers];
-        const std::string title(info.title);
-        add({"number: " + std::string(info.key), "number: " + title, "number: " + title, title});
+        const CellNumbersWords words =
+            cell_numbers_words(ui.session.canvas.numbers, depth_words(ui.results.a.frame));
+        const std::string& title = words.title;
+        add({"number: " + words.key, "number: " + title, "number: " + title, title});
     }
     if (shows_fates(ui)) {
         const std::string picked = picked_text(ui);

@@ -104,7 +104,7 @@ std::optional<Ends> ends_of(const Ui& ui, int row) {
                 history.right_by[i].edge};
 }
 
-/// A 1/z in few letters: with as many digits as the room has for a number below 1.
+/// A depth in few letters: with as many digits as the room has for a number below 1.
 std::string depth_number(float depth, float room, float letter) {
     const int letters = static_cast<int>(room / letter);
     for (int digits = std::min(letters - 2, 4); digits >= 0; --digits) {
@@ -114,7 +114,7 @@ std::string depth_number(float depth, float room, float letter) {
     return {};
 }
 
-/// 1/z needs its point and this many digits behind it.
+/// A depth needs its point and this many digits behind it.
 constexpr const char* shortest_depth = "0.00";
 
 ImFont* number_font(const Ui& ui) {

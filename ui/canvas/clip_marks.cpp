@@ -202,6 +202,23 @@ void draw_new_corners(const Marks& m, const std::vector<CutCorner>& corners,
     if (has_names) draw_place_names(m, names, reach + 1.5f * m.u, edges);
 }
 
+/// Where the division would put what lies behind the camera, were it not cut off before: on the
+/// other side of the picture, so that the triangle turns inside out.
+void draw_divided_corners(const Marks& m, const ClipHistory& history,
+                          const std::vector<OutsideLine>& edges) {
+    const float radius = 5.0f * m.u;
+    std::vector<PlaceName> names;
+    for (const CutCorner& corner : corners_behind(history)) {
+        const ImVec2 at = place_of(m, corner.vertex.position_clip);
+        if (!(at.x >= m.low.x && at.x <= m.high.x && at.y >= m.low.y && at.y <= m.high.y)) continue;
+        m.list->AddCircle(at, radius, dark_casing, 0, 4.0f * m.u);
+        m.list->AddCircle(at, radius, m.colour(Meaning::fail), 0, 1.8f * m.u);
+        names.push_back(
+            {at, "dividing puts " + short_corner_name(corner) + " here", m.colour(Meaning::fail)});
+    }
+    draw_place_names(m, names, radius + 1.5f * m.u, edges);
+}
+
 /// The edge at which the step just done has worked.
 void draw_step_at_work(const Marks& m, const ClipHistory& history, const ClipProgress& progress) {
     const PlaneHistory& plane = history.planes[static_cast<std::size_t>(progress.planes)];
@@ -280,6 +297,7 @@ void draw_made_corners(const Marks& m, const ClipHistory& history) {
     };
     if (const auto progress = clip_progress(history, m.run.done)) {
         add(corners_before(history, progress->planes));
+        draw_divided_corners(m, history, edges);
         draw_new_corners(m, corners_passed(history, *progress), edges, true);
         return;
     }

@@ -12,7 +12,8 @@ struct Marks;
 /// triangle that no plane cuts and no setting culls.
 void draw_clip_marks(const Marks& m, const ClipHistory& history);
 
-/// Draws the corners that planes have made, with the names of these: over all edges.
+/// Draws the corners that planes have made, with the names of these: over all edges. While clipping
+/// is at work also where the division would put a vertex behind the camera.
 void draw_made_corners(const Marks& m, const ClipHistory& history);
 
 /// Is clipping or culling of this triangle what was just done? Then it has no edges on the picture

@@ -38,7 +38,7 @@ std::string depth_text(const Ui& ui, float depth) {
 
 /// What the depth buffer holds.
 std::string depth_name(const Ui& ui) {
-    return std::string(stored_depth_name(ui.results.a.frame));
+    return std::string(depth_words(ui.results.a.frame).name);
 }
 
 /// Where the histogram lies on the screen.
@@ -47,16 +47,16 @@ struct Plot {
     ImVec2 low, high; ///< bars and strip of colour
     float strip_top;
 
-    float x(float zinv) const {
-        const float place = std::clamp(view.histogram.axis.place(zinv), 0.0f, 1.0f);
+    float x(float depth) const {
+        const float place = std::clamp(view.histogram.axis.place(depth), 0.0f, 1.0f);
         return low.x + place * (high.x - low.x);
     }
     float value(float screen_x) const {
         const DepthRange& axis = view.histogram.axis;
         return axis.far + (screen_x - low.x) / (high.x - low.x) * (axis.near - axis.far);
     }
-    ImU32 colour(float zinv) const {
-        const float place = view.range.place(zinv);
+    ImU32 colour(float depth) const {
+        const float place = view.range.place(depth);
         const auto rgb = viridis(place > 0.0f ? place : 0.0f);
         return IM_COL32(rgb.r, rgb.g, rgb.b, 255);
     }
@@ -110,12 +110,13 @@ std::optional<float> draw_handle(Ui& ui, const Plot& plot, bool is_near) {
     if (lit) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     const float mouse = ImGui::GetIO().MousePos.x;
     if (ImGui::IsItemActivated()) ui.canvas.depth_grip = mouse - x;
+    const DepthWords& words = depth_words(ui.results.a.frame);
     const bool is_dragged = ImGui::IsItemActive() && ImGui::GetIO().MouseDelta.x != 0.0f;
     name_widget(ui, name,
-                is_near ? "The near end of the range: larger " + depth_name(ui) +
-                              " takes the brightest colour. Drag it."
-                        : "The far end of the range: smaller " + depth_name(ui) +
-                              " takes the darkest colour. Drag it.");
+                is_near ? "The near end of the range: " + std::string(words.nearer) + " " +
+                              depth_name(ui) + " takes the brightest colour. Drag it."
+                        : "The far end of the range: " + std::string(words.farther) + " " +
+                              depth_name(ui) + " takes the darkest colour. Drag it.");
     const Palette& p = palette(ui.options.theme);
     const ImU32 colour = packed(lit ? p.link : p.text);
     ImDrawList* const list = ImGui::GetWindowDrawList();
@@ -136,9 +137,9 @@ std::optional<float> draw_handle(Ui& ui, const Plot& plot, bool is_near) {
 }
 
 /// Where the pixel pointed at stands among all others.
-void draw_pointer(const Ui& ui, ImDrawList* list, const Plot& plot, float zinv) {
+void draw_pointer(const Ui& ui, ImDrawList* list, const Plot& plot, float depth) {
     const float u = ui.options.text_scale;
-    const float x = std::round(plot.x(zinv));
+    const float x = std::round(plot.x(depth));
     const ImU32 colour = packed(colour_of(Meaning::current, ui.options.theme));
     list->AddLine({x, plot.low.y}, {x, plot.high.y}, colour, 1.5f * u);
     list->AddTriangleFilled({x - 5.0f * u, plot.low.y}, {x + 5.0f * u, plot.low.y},
@@ -159,13 +160,14 @@ std::string bar_text(const Plot& plot, float x, const std::string& name) {
            (pixels > histogram.full ? ". The bar is cut off." : ".");
 }
 
-/// The stored depth of the pixel pointed at or picked; 0: there is none.
-float depth_asked(const Ui& ui) {
+/// The stored depth of the pixel pointed at or picked; none: it has none.
+std::optional<float> depth_asked(const Ui& ui) {
     const auto pixel =
         ui.canvas.hovered_pixel ? ui.canvas.hovered_pixel : ui.session.selection.pixel;
     const Framebuffer& framebuffer = *ui.results.a.framebuffer;
-    if (!pixel || !framebuffer.contains(pixel->x, pixel->y)) return 0.0f;
-    return stored_depth(framebuffer, pixel->x, pixel->y);
+    if (!pixel || !framebuffer.contains(pixel->x, pixel->y)) return std::nullopt;
+    const float depth = stored_depth(framebuffer, pixel->x, pixel->y);
+    return is_depth(depth, framebuffer.rules.depth_kind) ? std::optional(depth) : std::nullopt;
 }
 
 void draw_numbers(Ui& ui, const DepthView& view, ImVec2 low, float right) {
@@ -187,9 +189,8 @@ void draw_numbers(Ui& ui, const DepthView& view, ImVec2 low, float right) {
     name_widget(ui, "depth.near_text",
                 depth_name(ui) +
                     " from which on pixels take the brightest colour, and the z of it.");
-    const float depth = depth_asked(ui);
-    if (depth > 0.0f) {
-        const std::string here = "here " + depth_text(ui, depth);
+    if (const std::optional<float> depth = depth_asked(ui)) {
+        const std::string here = "here " + depth_text(ui, *depth);
         const float width = ImGui::CalcTextSize(here.c_str()).x;
         const float middle = 0.5f * (far_end + near_left - gap);
         if (width < near_left - gap - far_end) {
@@ -200,9 +201,9 @@ void draw_numbers(Ui& ui, const DepthView& view, ImVec2 low, float right) {
     ImGui::SetCursorScreenPos({button_left, low.y});
     const bool is_automatic = !ui.session.depth_range;
     if (button(ui, "depth.autofit", fit, is_automatic ? Look::plain : Look::outline,
-               (is_automatic ? "The range follows the picture: from the smallest to the largest "
-                             : "Lets the range follow the picture again, from the smallest to the "
-                               "largest ") +
+               (is_automatic ? "The range follows the picture: from the farthest to the nearest "
+                             : "Lets the range follow the picture again, from the farthest to the "
+                               "nearest ") +
                    depth_name(ui) + " that is stored.")) {
         ui.session.depth_range = std::nullopt;
     }
@@ -234,8 +235,8 @@ void draw_depth_legend(Ui& ui, ImVec2 low, ImVec2 high) {
         text_in(p.dim, "Nothing has a depth yet.");
     } else {
         draw_outside(ui, list, plot);
-        const float depth = depth_asked(ui);
-        if (depth > 0.0f) draw_pointer(ui, list, plot, depth);
+        if (const std::optional<float> depth = depth_asked(ui))
+            draw_pointer(ui, list, plot, *depth);
         const std::optional<float> far = draw_handle(ui, plot, false);
         const std::optional<float> near = draw_handle(ui, plot, true);
         if (far) set_far(ui.session, view, *far);

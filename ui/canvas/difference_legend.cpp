@@ -24,12 +24,19 @@ namespace {
 /// Heights, design pixels.
 constexpr float scale_height = 46.0f, low_scale_height = 18.0f;
 
-const char* difference_unit(View view) {
+std::string difference_of_depths(const Ui& ui) {
+    const DepthWords& a = depth_words(ui.results.a.frame);
+    const DepthWords& b = depth_words(ui.results.b->frame);
+    return fmt::format("B − A, {}",
+                       a.kind == b.kind ? a.name : std::string_view("depths of two kinds"));
+}
+
+std::string difference_unit(const Ui& ui, View view) {
     switch (view) {
     case View::colour:
         return "B − A, linear colour of the channel that differs most";
     case View::depth:
-        return "B − A, 1/z";
+        return difference_of_depths(ui);
     case View::triangle:
         return "another triangle";
     case View::overdraw:
@@ -49,7 +56,7 @@ std::optional<float> difference_in_focus(const Ui& ui) {
 
 /// What the scale measures, and the number in focus; from the longest form to the shortest.
 std::vector<std::string> difference_said(const Ui& ui) {
-    const std::string unit = difference_unit(ui.session.view);
+    const std::string unit = difference_unit(ui, ui.session.view);
     const std::optional<float> value = difference_in_focus(ui);
     if (!value) return {unit, "B − A"};
     const auto& pixel =

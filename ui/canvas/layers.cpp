@@ -76,10 +76,12 @@ void draw_cell_list(Ui& ui) {
                 "that fell on the picked pixel.");
     text_in(palette(ui.options.theme).dim, "in the cells");
     for (const CellNumbersInfo& info : cell_numbers_list()) {
-        const std::string label = std::string(info.title).append("###numbers.").append(info.name);
+        const CellNumbersWords words =
+            cell_numbers_words(info.numbers, depth_words(ui.results.a.frame));
+        const std::string label = words.title + "###numbers." + std::string(info.name);
         if (ImGui::RadioButton(label.c_str(), canvas.numbers == info.numbers))
             canvas.numbers = info.numbers;
-        name_widget(ui, std::string("layers.numbers.").append(info.name), info.help);
+        name_widget(ui, std::string("layers.numbers.").append(info.name), words.help);
         draw_zoom_needed(ui, numbers_zoom(ui, info.numbers));
     }
 }
@@ -92,8 +94,8 @@ std::vector<std::string> layers_on(const Ui& ui) {
     }
     const CellNumbers numbers = ui.session.canvas.numbers;
     if (numbers != CellNumbers::none) {
-        const auto title = cell_numbers_list()[static_cast<std::size_t>(numbers)].title;
-        names.push_back("in the cells: " + std::string(title));
+        names.push_back("in the cells: " +
+                        cell_numbers_words(numbers, depth_words(ui.results.a.frame)).title);
     }
     return names;
 }

@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 
 #include "base/element_names.h"
+#include "inspect/cut_corners.h"
 #include "outside/outside_drawing.h"
 #include "session/clipping_outside.h"
 #include "ui/actions/actions.h"
@@ -182,10 +183,12 @@ SeenClipping seen_clipping(const Ui& ui) {
     return clipping_outside(a.frame, *a.inspected.clip, a.done, ui.inspector.clip.plane);
 }
 
-/// Is the triangle on show drawn though it has a vertex behind the camera, which is divided too?
+/// Is it seen where the division puts a vertex behind the camera? Where the triangle is drawn with
+/// it, and while it is clipped, which saves it from that.
 bool is_mirrored(const RunResults& run) {
-    return run.triangle && run.frame.settings.clip == Clip::none &&
-           run.frame.is_drawn(*run.triangle);
+    if (!run.triangle) return false;
+    if (run.inspected.clip && clip_progress(*run.inspected.clip, run.done)) return true;
+    return run.frame.settings.clip == Clip::none && run.frame.is_drawn(*run.triangle);
 }
 
 void draw_coming(const Ui& ui, ImDrawList* list, const Pane& pane, const std::string& words) {

@@ -50,7 +50,12 @@ void write(const Table& t, ImFont* font, const std::string& text, float right, f
                     packed(colour), text.c_str());
 }
 
-/// One end of a row: its column in the colour of who wrote it, who that was, and its 1/z.
+/// What values are weighed by.
+std::string weight_word(const Table& t) {
+    return std::string(weight_name(t.ui.results.a.frame));
+}
+
+/// One end of a row: its column in the colour of who wrote it, who that was, and its weight.
 void draw_end(const Table& t, int index, bool is_left) {
     const Palette& p = palette(t.ui.options.theme);
     const RowHistory& history = t.ui.results.a.rows;
@@ -86,8 +91,8 @@ void draw_end(const Table& t, int index, bool is_left) {
             write(t, fonts.mono_small, depth, t.left + place.depth, middle,
                   is_set ? p.text : p.dim);
         } else if (has_second) {
-            write(t, fonts.mono_small, t.layout.has_writers ? "1/z " + depth : by, number, below,
-                  p.dim);
+            write(t, fonts.mono_small, t.layout.has_writers ? weight_word(t) + " " + depth : by,
+                  number, below, p.dim);
         }
     }
 
@@ -104,10 +109,12 @@ void draw_end(const Table& t, int index, bool is_left) {
     const bool pressed = ImGui::InvisibleButton(
         name.c_str(), {place.right - place.left + 2.0f * around, high_y - low_y});
     name_widget(t.ui, name,
-                (is_set
-                     ? "x " + text +
-                           (t.layout.is_flat ? "" : ", 1/z " + nine_digits_shown(end.inv_w)) + ". "
-                     : std::string()) +
+                (is_set ? "x " + text +
+                              (t.layout.is_flat
+                                   ? ""
+                                   : ", " + weight_word(t) + " " + nine_digits_shown(end.inv_w)) +
+                              ". "
+                        : std::string()) +
                     end_tooltip(end, writer));
     note_text(t.ui, name, text);
     if (!pressed) return;
@@ -185,7 +192,7 @@ void draw_header(const Table& t, float canvas_top) {
     }
     if (t.layout.has_depths) {
         for (const RowTableLayout::End& end : t.layout.ends)
-            write(t, t.ui.fonts.small, "1/z", t.left + end.depth, middle, p.dim);
+            write(t, t.ui.fonts.small, weight_word(t), t.left + end.depth, middle, p.dim);
     }
     t.list->AddLine({t.left, t.top}, {t.left + t.layout.width, t.top}, packed(p.line));
 }

@@ -192,7 +192,10 @@ void draw_depth(Ui& ui) {
     keep_item_whole(ui);
     ImGui::PopFont();
     const bool tested = report.depth_test != DepthTest::off;
-    if (tested) draw_fragment_line(ui, "margin", "margin: new − stored");
+    if (tested) {
+        const bool is_ndc = is_smaller_nearer(depth_kind(ui.results.a.frame));
+        draw_fragment_line(ui, "margin", is_ndc ? "margin: stored − new" : "margin: new − stored");
+    }
     const ImVec4 colour =
         !tested && report.fate == Fate::written
             ? p.text
@@ -202,7 +205,9 @@ void draw_depth(Ui& ui) {
     wrapped_text(verdict(report));
     keep_text_whole(ui);
     ImGui::PopStyleColor();
-    name_widget(ui, "fragment.fate", "The fragment is drawn if its value is larger: margin > 0.");
+    name_widget(ui, "fragment.fate",
+                "The fragment is drawn if its value is " +
+                    std::string(depth_words(ui.results.a.frame).nearer) + ": margin > 0.");
     draw_colours(ui);
     end_card(ui);
 }

@@ -76,26 +76,29 @@ std::array<ValueColumn, 4> value_columns(const Ui& ui) {
     const Interpolation way = report_of(ui).interpolation;
     const bool affine = way != Interpolation::perspective;
     const bool twice = way == Interpolation::zinv_twice;
+    const bool is_mixed = weight_name(ui.results.a.frame) == "1/w";
     const float number = text_width(ui.fonts.mono, "−0.0000");
     float names = 0.0f;
     for (const QuantityInfo& info : listed_quantities(ui))
         names = std::max(names, text_width(ui.fonts.mono, info.words.name));
     std::array<ValueColumn, 4> columns{
         ValueColumn{"value", {"value"}, "What is interpolated along the row.", false, names},
-        twice
-            ? ValueColumn{"affine",
-                          {"1/z twice", "twice"},
-                          "Carried as q/z², by mistake, and divided by 1/z only once at the pixel.",
-                          true,
-                          number}
-            : ValueColumn{"affine",
-                          {"affine"},
-                          "Interpolated as it is, in equal steps across the picture.",
-                          affine,
-                          number},
+        twice ? ValueColumn{"affine",
+                            {is_mixed ? "1/w twice" : "1/z twice", "twice"},
+                            is_mixed ? "Carried as q/w², by mistake, and divided by 1/w only once."
+                                     : "Carried as q/z², by mistake, and divided by 1/z only once "
+                                       "at the pixel.",
+                            true,
+                            number}
+              : ValueColumn{"affine",
+                            {"affine"},
+                            "Interpolated as it is, in equal steps across the picture.",
+                            affine,
+                            number},
         ValueColumn{"perspective",
                     {"perspective", "persp."},
-                    "Carried as q/z and divided by 1/z at the pixel.",
+                    is_mixed ? "Carried as q/w and divided by 1/w at the pixel."
+                             : "Carried as q/z and divided by 1/z at the pixel.",
                     !affine,
                     number},
         ValueColumn{"off",

@@ -118,7 +118,7 @@ Plot base_plot(const Ui& ui) {
 /// The quantity itself: the truth, the affine chord, and the error between.
 Plot truth_plot(const Ui& ui, Quantity quantity) {
     const RowGraph& graph = graph_of(ui);
-    const std::string name(quantity_info(quantity).words.name);
+    const std::string name(quantity_in(ui.results.a.frame, quantity).words.name);
     Plot plot = base_plot(ui);
     plot.curves.push_back(
         {name, colour_of(Meaning::pass, ui.options.theme), false,
@@ -140,26 +140,29 @@ Plot carried_plot(const Ui& ui, Quantity quantity) {
     plot.x_name = "column";
     if (is_varying(quantity)) {
         plot.curves.push_back(
-            {std::string(quantity_info(quantity).words.carried_name), p.text, false,
+            {carried_name_in(ui.results.a.frame, quantity), p.text, false,
              [&graph, quantity](int i) -> double { return carried_value(graph, quantity, i); }});
     }
-    plot.curves.push_back({"1/z", p.dim, is_varying(quantity), [&graph](int i) -> double {
-                               return true_value(graph, Quantity::zinv, i);
-                           }});
+    plot.curves.push_back(
+        {std::string(weight_name(ui.results.a.frame)), p.dim, is_varying(quantity),
+         [&graph](int i) -> double { return true_value(graph, Quantity::zinv, i); }});
     return plot;
 }
 
 /// How the curves of a quantity come about.
-std::string truth_tooltip(Quantity quantity) {
-    const std::string name(quantity_info(quantity).words.name);
-    std::string text(quantity_info(quantity).words.help);
+std::string truth_tooltip(const Ui& ui, Quantity quantity) {
+    const Frame& frame = ui.results.a.frame;
+    const VaryingComponent words = quantity_in(frame, quantity).words;
+    const std::string weight(weight_name(frame));
+    std::string text(words.help);
     if (quantity == Quantity::zinv) {
-        return text + "\nSolid: 1/z. Dashed: one over the z that is interpolated as it is.";
+        return text + "\nSolid: " + weight + ". Dashed: from the z that is interpolated as it is.";
     }
-    text += "\nSolid: the truth, " + name + " = " +
-            (quantity == Quantity::z
-                 ? std::string("1 / (1/z)")
-                 : "(" + std::string(quantity_info(quantity).words.carried_name) + ") / (1/z)");
+    text += "\nSolid: the truth, " + std::string(words.name);
+    if (is_varying(quantity))
+        text += " = (" + carried_name_in(frame, quantity) + ") / (" + weight + ")";
+    else if (weight == "1/z")
+        text += " = 1 / (1/z)";
     return text + ". Dashed: interpolated as it is, along the edges and along the row.";
 }
 
@@ -186,7 +189,7 @@ int draw_plots(Ui& ui, int index, int pointed) {
     const float line = ImGui::GetTextLineHeightWithSpacing();
     const bool is_low = ui.inspector.is_low;
     const float seen = ImGui::GetContentRegionAvail().y;
-    if (!is_low) draw_legend(ui, "graph.legend", truth, index, truth_tooltip(quantity));
+    if (!is_low) draw_legend(ui, "graph.legend", truth, index, truth_tooltip(ui, quantity));
     const float width = ImGui::GetContentRegionAvail().x;
     const float left = ImGui::GetContentRegionAvail().y - (has_carried ? 1.5f * line : 0.0f);
     float room = std::clamp(left, 7.5f * line, std::max(1.7f * width, 7.5f * line));
@@ -203,7 +206,7 @@ int draw_plots(Ui& ui, int index, int pointed) {
     const int in_truth = draw_plot(ui, "graph.plot", truth, {width, high}, axis, pointed);
     bool clicked = ImGui::IsItemClicked();
     if (is_low) {
-        draw_legend(ui, "graph.legend", truth, index, truth_tooltip(quantity));
+        draw_legend(ui, "graph.legend", truth, index, truth_tooltip(ui, quantity));
         draw_quantities(ui);
     }
     int in_carried = -1;

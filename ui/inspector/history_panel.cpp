@@ -30,17 +30,19 @@ std::string triangle_words(const Ui& ui, int triangle) {
     return triangle_name(triangle) + " (" + part_name(*ui.results.a.scene, triangle) + ")";
 }
 
-/// 1 where the larger value in the depth buffer wins, -1 where the smaller one does.
+/// 1 where the nearer one wins, -1 where the farther one does.
 float winning_sign(const Ui& ui) {
     return depth_rule(ui.results.a.frame.settings) == DepthTest::reversed ? -1.0f : 1.0f;
 }
 
 /// The next in the depth test's order among those that do not stay.
 /// @param history of two entries at least
+/// @param sign 1: the nearer one wins
 const PixelEntry& runner_up(const PixelHistory& history, float sign) {
     std::size_t best = stays(history, 0) ? 1 : 0;
     for (std::size_t i = best + 1; i < history.entries.size(); ++i) {
-        const bool is_next = sign * history.entries[i].depth > sign * history.entries[best].depth;
+        const bool is_next = sign * history.entries[i].margin_to_winner >
+                             sign * history.entries[best].margin_to_winner;
         if (is_next && !stays(history, static_cast<int>(i))) best = i;
     }
     return history.entries[best];
@@ -49,10 +51,12 @@ const PixelEntry& runner_up(const PixelHistory& history, float sign) {
 /// Why the colour that stays does, in two lines.
 std::array<std::string, 2> verdict(const Ui& ui, const PixelHistory& history) {
     const float sign = winning_sign(ui);
-    const std::string value(depth_value_words(ui));
-    const char* const most = sign > 0.0f ? "largest" : "smallest";
+    const std::string value = depth_value_words(ui);
+    const DepthWords& words = depth_words(ui.results.a.frame);
+    const std::string more(sign > 0.0f ? words.nearer : words.farther);
+    const char* const most = more == "larger" ? "largest" : "smallest";
     if (history.winner < 0) {
-        return {"No " + value + " here is " + (sign > 0.0f ? "larger" : "smaller") +
+        return {"No " + value + " here is " + more +
                     " than that of the empty depth buffer, so the pixel stays black.",
                 ""};
     }

@@ -138,11 +138,31 @@ bool is_linear_z(const Ui& ui) {
     return depth_rule(ui.results.a.frame.settings) == DepthTest::linear_z;
 }
 
-/// Does the depth buffer hold something else than 1/z?
+const DepthWords& words_of(const Ui& ui) {
+    return depth_words(ui.results.a.frame);
+}
+
+/// Is what is compared not the 1/z that all fragments carry?
 bool has_other_depth(const Ui& ui) {
-    const Frame& frame = ui.results.a.frame;
-    return is_linear_z(ui) ||
-           clip_depth_rule(frame.settings, frame.scene->space) != ClipDepth::inv_z;
+    return is_linear_z(ui) || words_of(ui).kind != ClipDepth::inv_z;
+}
+
+/// The head of the column of depths, and what it says.
+std::string depth_title(const Ui& ui) {
+    if (!is_linear_z(ui)) return std::string(words_of(ui).short_name);
+    return words_of(ui).kind == ClipDepth::inv_z ? "1/lin z" : "by lin z";
+}
+std::string depth_help(const Ui& ui) {
+    const DepthWords& words = words_of(ui);
+    if (!is_linear_z(ui))
+        return words.kind == ClipDepth::inv_z ? "Its interpolated 1/z: larger is nearer."
+                                              : fmt::format("Its {}. {}", words.name, words.ends);
+    return words.kind == ClipDepth::inv_z
+               ? "One over the z that is interpolated in equal steps: what this depth test "
+                 "compares, and wrong between the ends."
+               : fmt::format("The {} of the z that is interpolated in equal steps: what this depth "
+                             "test compares; under perspective wrong between the ends.",
+                             words.name);
 }
 
 std::string tooltip(const Ui& ui, const PixelHistory& history, int index) {
@@ -153,12 +173,13 @@ std::string tooltip(const Ui& ui, const PixelHistory& history, int index) {
                             nine_digits_shown(entry.depth), nine_digits_shown(entry.stored),
                             nine_digits_shown(entry.margin));
     } else if (has_fragments(ui.results.a.frame.settings.stage)) {
-        text += fmt::format("\n1/z {}; no depth test asks for it", nine_digits_shown(entry.zinv));
+        text += fmt::format("\n{} {}; no depth test asks for it", depth_value_words(ui),
+                            nine_digits_shown(entry.depth));
     }
     if (entry.fate == Fate::depth_failed) {
         const bool is_reversed = depth_rule(ui.results.a.frame.settings) == DepthTest::reversed;
-        text += std::string("\nHidden: it is not ") + (is_reversed ? "smaller" : "larger") +
-                " than what is stored.";
+        text += fmt::format("\nHidden: it is not {} than what is stored.",
+                            is_reversed ? words_of(ui).farther : words_of(ui).nearer);
     } else if (entry.fate == Fate::back_facing) {
         text += "\nCulled before the depth test: its normal points away from the camera.";
     } else if (stays(history, index)) {
@@ -280,16 +301,15 @@ void draw_history_headers(Ui& ui, const Columns& columns) {
         {"triangle", name_title, "The triangle that it belongs to, and the part of the scene."},
         {"piece", place.piece, place.piece_help},
         {"step", place.step, place.step_help},
-        {"zinv",
-         is_linear_z(ui)       ? "1/lin z"
-         : has_other_depth(ui) ? "depth"
-                               : "1/z",
-         is_linear_z(ui) ? "One over the z that is interpolated in equal steps: what this depth "
-                           "test compares, and wrong between the ends."
-         : has_other_depth(ui) ? "Its depth, 1 at the near plane and 0 at the far one."
-                               : "Its interpolated 1/z: larger is nearer."},
+        {"zinv", depth_title(ui), depth_help(ui)},
         {"margin", "margin",
-         "Its 1/z less the depth buffer's value before: above 0 it is nearer and is written."},
+         is_smaller_nearer(words_of(ui).kind)
+             ? fmt::format("The depth buffer's value before less its {}: above 0 it is nearer and "
+                           "is written.",
+                           depth_value_words(ui))
+             : fmt::format("Its {} less the depth buffer's value before: above 0 it is nearer and "
+                           "is written.",
+                           depth_value_words(ui))},
         {"fate", "fate",
          "✓ written: it became the pixel's colour. ✓ stays: and it was the last to do so. "
          "✗ hidden: something nearer was there."},
@@ -315,8 +335,8 @@ void draw_history_headers(Ui& ui, const Columns& columns) {
 
 } // namespace
 
-std::string_view depth_value_words(const Ui& ui) {
-    return is_linear_z(ui) ? "1/z from linear z" : has_other_depth(ui) ? "depth" : "1/z";
+std::string depth_value_words(const Ui& ui) {
+    return std::string(words_of(ui).name) + (is_linear_z(ui) ? " from linear z" : "");
 }
 
 bool stays(const PixelHistory& history, int index) {

@@ -118,7 +118,8 @@ void draw_table_buttons(Ui& ui, bool is_one_line) {
     ImGui::SameLine();
     if (button(ui, "rows.values", values_label,
                ui.inspector.shows_end_values ? Look::chosen : Look::plain,
-               "Shows 1/z and the varyings of both ends in further columns.")) {
+               "Shows " + std::string(weight_name(ui.results.a.frame)) +
+                   " and the varyings of both ends in further columns.")) {
         ui.inspector.shows_end_values = !ui.inspector.shows_end_values;
     }
     if (is_one_line && !has_room) return;

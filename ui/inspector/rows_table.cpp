@@ -211,6 +211,7 @@ void draw_row_headers(Ui& ui) {
         const char* name;
         const char* help;
     };
+    static constexpr const char* weight_word = "1/z"; // in a frame: weight_name()
     static constexpr Header who[] = {
         {"row", "Row of the picture. Row minus first row is the entry i of both arrays."},
         {"left", "Column of the row's left end: leftPixels[i].x"},
@@ -224,15 +225,15 @@ void draw_row_headers(Ui& ui) {
     static constexpr Header values[] = {
         {"row", "Row of the picture. Row minus first row is the entry i of both arrays."},
         {"left", "Column of the row's left end: leftPixels[i].x"},
-        {"1/z", "1/z of the left end."},
-        {"x", "Varying of the left end; q/z with perspective correction."},
-        {"y", "Varying of the left end; q/z with perspective correction."},
-        {"z", "Varying of the left end; q/z with perspective correction."},
+        {weight_word, "What values are weighed by, at the left end."},
+        {"x", "Varying of the left end; divided by z or w with perspective correction."},
+        {"y", "Varying of the left end; divided by z or w with perspective correction."},
+        {"z", "Varying of the left end; divided by z or w with perspective correction."},
         {"right", "Column of the row's right end: rightPixels[i].x"},
-        {"1/z", "1/z of the right end."},
-        {"x", "Varying of the right end; q/z with perspective correction."},
-        {"y", "Varying of the right end; q/z with perspective correction."},
-        {"z", "Varying of the right end; q/z with perspective correction."},
+        {weight_word, "What values are weighed by, at the right end."},
+        {"x", "Varying of the right end; divided by z or w with perspective correction."},
+        {"y", "Varying of the right end; divided by z or w with perspective correction."},
+        {"z", "Varying of the right end; divided by z or w with perspective correction."},
     };
     const std::span<const Header> headers = ui.inspector.shows_end_values
                                                 ? std::span<const Header>(values)
@@ -242,8 +243,10 @@ void draw_row_headers(Ui& ui) {
     for (int i = 0; column < ImGui::TableGetColumnCount(); ++i) {
         if (std::string_view(headers[i].name) == "count" && !has_counts()) continue;
         ImGui::TableSetColumnIndex(column++);
+        const bool is_weight = std::string_view(headers[i].name) == weight_word;
+        const std::string title(is_weight ? weight_name(ui.results.a.frame) : headers[i].name);
         ImGui::PushFont(ui.fonts.small);
-        right_aligned(headers[i].name, palette(ui.options.theme).dim);
+        right_aligned(title, palette(ui.options.theme).dim);
         ImGui::PopFont();
         // The values of both ends have the same titles.
         const bool is_value = ui.inspector.shows_end_values && i >= 2 && i != 6;

@@ -75,8 +75,9 @@ std::string help_of(const Ui& ui, const Line& line) {
         return "Pixels from the middle of the picture, before rounding.";
     if (is_mixed(ui) && id == "zinv")
         return "By this values are weighed; the same at all vertices where rays are parallel.";
-    if (id == "zinv" && stored_depth_name(ui.results.a.frame) != "1/z")
-        return "By this values are weighed; the depth buffer holds another depth.";
+    if (id == "zinv" && depth_kind(ui.results.a.frame) != ClipDepth::inv_z)
+        return "By this values are weighed; the depth buffer holds " +
+               std::string(depth_words(ui.results.a.frame).name) + ".";
     if (!std::string_view(line.id).starts_with("pixel.")) return line.help;
     return how_made_whole(ui.results.a.frame.settings, ui.results.a.scene->space);
 }
