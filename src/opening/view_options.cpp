@@ -100,7 +100,7 @@ std::vector<std::string> command_arguments(int argc, const char* const* argv) {
 }
 
 void restore_arguments(CLI::App& app) {
-    const auto without_blank = [](std::string argument) {
+    const auto without_blank = [](const std::string& argument) {
         const bool has_blank = argument.starts_with(' ') && begins_negative(argument.substr(1));
         return has_blank ? argument.substr(1) : argument;
     };

@@ -118,6 +118,24 @@ ClipVertex cut_edge(const ClipVertex& inside, const ClipVertex& outside, double 
     return cut;
 }
 
+namespace {
+
+/// The new corner of an edge that this plane cuts. Of an edge that is too large for float both
+/// distances are taken in double, as long as they have the same signs there.
+ClipVertex cut_at_plane(const glm::vec4& plane, const ClipVertex& inside,
+                        const ClipVertex& outside) {
+    const auto exact = [&](const ClipVertex& v) {
+        return glm::dot(glm::dvec4(plane), glm::dvec4(v.position_clip));
+    };
+    const bool is_far = is_too_large_for_float(inside) || is_too_large_for_float(outside);
+    if (is_far && exact(inside) >= 0.0 && exact(outside) < 0.0)
+        return cut_edge(inside, outside, exact(inside), exact(outside));
+    return cut_edge(inside, outside, wide_inner_distance(plane, inside),
+                    wide_inner_distance(plane, outside));
+}
+
+} // namespace
+
 void clip_by_plane(std::span<const ClipVertex> corners, const ClipPlanes& planes, ClipPlane plane,
                    std::vector<ClipVertex>& result, ClipSink* sink) {
     const glm::vec4& coefficients = planes[static_cast<std::size_t>(plane)];
@@ -133,9 +151,9 @@ void clip_by_plane(std::span<const ClipVertex> corners, const ClipPlanes& planes
         const std::size_t first_kept = result.size();
         if (is_a_inside) result.push_back(a);
         if (is_a_inside && !is_b_inside)
-            result.push_back(cut_edge(a, b, d_a, d_b));
+            result.push_back(cut_at_plane(coefficients, a, b));
         else if (!is_a_inside && is_b_inside)
-            result.push_back(cut_edge(b, a, d_b, d_a));
+            result.push_back(cut_at_plane(coefficients, b, a));
         if (sink == nullptr) continue;
         ClipStep step;
         step.plane = plane;
