@@ -145,7 +145,8 @@ void check_sources(const Frame& frame, const FragmentReport& report, const std::
 }
 
 /// What the report shows is what draw() used and did.
-void check_against_event(const FragmentReport& report, const FragmentEvent& event,
+/// @param is_ndc smaller is nearer
+void check_against_event(const FragmentReport& report, const FragmentEvent& event, bool is_ndc,
                          const std::string& where) {
     const auto expect = [&](const char* what, float shown_number, float used) {
         if (!same_bits(shown_number, used)) {
@@ -159,7 +160,8 @@ void check_against_event(const FragmentReport& report, const FragmentEvent& even
     expect("zinv", result(report, "zinv"), event.fragment.inv_w);
     expect("z.affine", result(report, "z.affine"), event.fragment.z);
     expect("depth", result(report, "depth"), event.depth);
-    expect("margin", result(report, "margin"), event.depth - event.stored);
+    expect("margin", result(report, "margin"),
+           is_ndc ? event.stored - event.depth : event.depth - event.stored);
     if (report.fate != event.fate) FAIL(where << "has another fate");
     const Varyings used = test::recover_varyings(event.fragment, report.interpolation);
     for (const Quantity q : places) {
@@ -279,7 +281,7 @@ TEST_CASE("Fragments of the room report what draw used, and follow from it") {
             const std::string where = c.name + to_text(event.cursor) + " ";
             const std::optional<FragmentReport> report = fragment_report(frame, event.cursor);
             if (!report) FAIL(where << "has no report");
-            check_against_event(*report, event, where);
+            check_against_event(*report, event, depth_kind(frame) == ClipDepth::ndc, where);
             for (const Formula& formula : report->formulas) {
                 const float again = evaluate(formula);
                 if (!same_bits(again, formula.result.value)) {
@@ -426,7 +428,7 @@ TEST_CASE("Every fragment of a small scene has a report, also where values are o
             const std::string where = variant.name + ": " + to_text(event.cursor) + " ";
             const std::optional<FragmentReport> report = fragment_report(frame, event.cursor);
             if (!report) FAIL(where << "has no report");
-            check_against_event(*report, event, where);
+            check_against_event(*report, event, depth_kind(frame) == ClipDepth::ndc, where);
             for (const Formula& formula : report->formulas) {
                 if (!same_bits(evaluate(formula), formula.result.value)) {
                     FAIL(where << formula.id << " does not follow from its inputs");

@@ -9,6 +9,8 @@
 
 #include "outside/outside_marks.h"
 #include "session/clipping_outside.h"
+#include "settings/setting_table.h"
+#include "stages/orthographic.h"
 #include "support/clipped_room.h"
 #include "support/effort.h"
 #include "support/outside_subject.h"
@@ -18,7 +20,8 @@ using namespace rasterwalk::test;
 
 namespace {
 
-/// The place in clip space, worked out once more: x and y times the focal length, 1, depth.
+/// The place in the lab's clip space, worked out once more: x and y times the focal length, 1,
+/// depth.
 glm::dvec4 in_clip_space(const glm::dvec3& world, const PicturePlane& plane) {
     const glm::dvec3 p = plane.in_camera(world);
     return {plane.focal_length * p.x, plane.focal_length * p.y, 1.0, p.z};
@@ -78,6 +81,96 @@ TEST_CASE("The face of a plane lies in the plane and holds what the plane cuts")
         }
     });
     CHECK(count > 50);
+}
+
+TEST_CASE("Under every projection and depth format the faces of planes lie in the planes") {
+    const Scene room = lab_room();
+    Random random(42);
+    for (const char* choice : {"projection=orthographic", "projection_mix=0.4",
+                               "depth_format=ndc_32", "depth_format=reversed_16"}) {
+        int ends = 0, sides = 0;
+        for (int i = 0; i < rounds(20, 8); ++i) {
+            Settings settings = room_frame(room, random, Clip::all).settings;
+            set_from_text(settings, choice);
+            settings.near = 0.4f;
+            settings.far = 1.6f;
+            const Frame frame = prepare_frame(room, settings);
+            const VertexRules rules = vertex_rules(settings, SceneSpace::world);
+            const PicturePlane plane =
+                picture_plane(settings.camera, settings.viewport, box_of(room), rules.projection);
+            for (int t = 0; t < frame.triangle_count(); ++t) {
+                const ClipHistory history = clip_history(frame, t);
+                for (const PlaneHistory& work : history.planes) {
+                    const SeenClipping seen =
+                        clipping_outside(frame, history, std::nullopt, work.plane);
+                    CAPTURE(choice, i, t, std::string(word_of(work.plane)));
+                    REQUIRE(seen.ends);
+                    REQUIRE(seen.plane);
+                    const std::vector<glm::dvec3> face = plane_face(seen, plane);
+                    REQUIRE(face.size() >= 3);
+                    // What the projection makes of the corners is on the plane: at the depth of
+                    // near or far, or on a border of the picture.
+                    for (const glm::dvec3& corner : face) {
+                        const glm::vec3 place(plane.in_camera(corner));
+                        const glm::vec4 clip = to_clip_space_mixed(place, rules);
+                        const glm::vec2 pixel = glm::vec2(clip) / clip.w + glm::vec2(plane.middle);
+                        if (work.plane == ClipPlane::near) CHECK(place.z == Approx(0.4));
+                        if (work.plane == ClipPlane::far) CHECK(place.z == Approx(1.6));
+                        if (!(clip.w > 0.01f)) continue;
+                        if (work.plane == ClipPlane::left) CHECK(pixel.x == Approx(0).margin(0.1));
+                        if (work.plane == ClipPlane::right)
+                            CHECK(pixel.x == Approx(settings.viewport.width).margin(0.1));
+                        if (work.plane == ClipPlane::top) CHECK(pixel.y == Approx(0).margin(0.1));
+                        if (work.plane == ClipPlane::bottom)
+                            CHECK(pixel.y == Approx(settings.viewport.height).margin(0.1));
+                    }
+                    for (const glm::dvec3& cut : seen.plane->cuts)
+                        CHECK(is_within(face, cut));
+                    ++(work.plane <= ClipPlane::far ? ends : sides);
+                }
+            }
+        }
+        CAPTURE(choice);
+        CHECK(ends > 20);
+        CHECK(sides > 20);
+    }
+}
+
+TEST_CASE("Under orthographic projection near and far plane and the frustum make a box") {
+    const Scene room = lab_room();
+    Settings settings = default_settings(room);
+    set_from_text(settings, "projection=orthographic");
+    settings.clip = Clip::all;
+    settings.near = 2.5f;
+    settings.far = 3.5f;
+    const Frame frame = prepare_frame(room, settings);
+    const ClipHistory history = clip_history(frame, 1);
+    const SeenClipping seen = clipping_outside(frame, history, std::nullopt, std::nullopt);
+    REQUIRE(seen.ends);
+    CHECK(*seen.ends == glm::dvec2(2.5, 3.5));
+    const VertexRules rules = vertex_rules(settings, SceneSpace::world);
+    OutsideThings things;
+    things.box = box_of(room);
+    things.plane = picture_plane(settings.camera, settings.viewport, things.box, rules.projection);
+    const glm::ivec2 extent{900, 700};
+    const OutsideEye eye = eye_of({}, things, extent, 40.0);
+    const OutsideMarks marks = outside_marks(room, things, eye, {1, seen}, {}, extent);
+    std::vector<OutsideLine> ends;
+    for (const OutsideLine& line : marks.lines)
+        if (line.kind == OutsideLineKind::end) ends.push_back(line);
+    REQUIRE(ends.size() == 8);
+    const PicturePlane& plane = things.plane;
+    const double half = plane.middle.x / plane.scale();
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+        const double z = i < 4 ? 2.5 : 3.5;
+        const double x = i % 4 == 0 || i % 4 == 3 ? -half : half;
+        const double y =
+            i % 4 < 2 ? -plane.middle.y / plane.scale() : plane.middle.y / plane.scale();
+        const auto expected = eye.pixel_of(plane.in_world({x, y, z}));
+        REQUIRE(expected);
+        CAPTURE(i);
+        CHECK(glm::distance(glm::dvec2(ends[i].from), *expected) < 0.1);
+    }
 }
 
 TEST_CASE("From outside a cut triangle has what is left of it, and dashed what is taken") {

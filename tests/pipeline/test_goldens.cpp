@@ -31,7 +31,9 @@ struct Counts {
 
 Counts draw_counted(const Frame& frame) {
     Counts counts;
-    clear(counts.framebuffer, frame.settings.viewport);
+    // Of all that a buffer can hold the farthest, whatever depth_clear says.
+    const ClipDepth kind = depth_kind(frame);
+    clear(counts.framebuffer, frame.settings.viewport, {0, 0}, {farthest_depth(kind), kind});
     counts.tally = draw(frame, {}, counts.framebuffer);
     for (const std::uint32_t overdraw : counts.framebuffer.overdraw) {
         counts.max_overdraw = std::max(counts.max_overdraw, overdraw);

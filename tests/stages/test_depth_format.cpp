@@ -216,12 +216,12 @@ TEST_CASE("Normal and reversed ndc z show the same surfaces of the room, but for
             ++drawn;
             const double sum =
                 static_cast<double>(normal.depth[i]) + static_cast<double>(reversed.depth[i]);
-            if (std::abs(sum - 1.0) > 2e-6)
+            if (std::abs(sum - 1.0) > 2e-5)
                 FAIL(projection << ": the depths at " << i << " add up to " << sum);
             ties += normal.owner[i] == reversed.owner[i] ? 0 : 1;
         }
         CAPTURE(projection, ties);
-        CHECK(drawn > 200'000);
+        CHECK(drawn > 100'000);
         // On the edges that two triangles share both are drawn, and rounding decides.
         CHECK(ties < 2000);
     }

@@ -51,7 +51,7 @@ done
     echo "// The core with one varying more."
     for file in "$root"/src/scene/{scene,mesh,look_at}.cpp "$root"/src/stages/*.cpp \
             "$root"/src/mistakes/*.cpp "$root"/src/settings/settings.cpp \
-            "$root"/src/settings/choose_stages.cpp \
+            "$root"/src/settings/choose_stages.cpp "$root"/src/settings/depth_words.cpp \
             "$root"/src/pipeline/*.cpp "$root"/src/picture/view_image.cpp \
             "$root"/src/picture/colour_map.cpp "$root"/src/inspect/row_history.cpp \
             "$root"/src/inspect/clip_history.cpp "$root"/src/inspect/carried_row.cpp "$root"/src/inspect/row_graph.cpp \

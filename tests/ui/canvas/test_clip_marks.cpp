@@ -127,6 +127,46 @@ TEST_CASE("While planes are at work no edge of the polygon is drawn yet") {
     }
 }
 
+TEST_CASE(
+    "While it is clipped the picture shows where dividing would put a corner behind the camera") {
+    Driver driver;
+    driver.hand.frames(frames_to_rest);
+    Settings& settings = driver.ui.session.a.settings;
+    settings.clip = Clip::near;
+    settings.camera.position.z = -0.5f;
+    follow_link(driver.ui, "triangle:1");
+    driver.ui.session.canvas.zoom = 0.25f; // what lies far beside the picture is seen, too
+    driver.hand.frames(frames_to_rest);
+    const ClipHistory history = *driver.ui.results.a.inspected.clip;
+    REQUIRE(history.planes.size() == 1);
+    const std::vector<CutCorner> behind = corners_behind(history);
+    REQUIRE(behind.size() == 1);
+    CHECK(behind[0].vertex_index == 2);
+    // By hand: f x / z from the middle, with z negative: mirrored to the other side.
+    const glm::vec3 place =
+        driver.ui.results.a.scene->corner(1, 2).position - settings.camera.position;
+    REQUIRE(place.z < 0.0f);
+    const float f = settings.camera.focal_length;
+    const glm::vec2 divided{f * place.x / place.z + 250.0f, f * place.y / place.z + 250.0f};
+    const glm::vec4& clip = behind[0].vertex.position_clip;
+    CHECK(clip.x / clip.w + 250.0f == Approx(divided.x).margin(0.01));
+    CHECK(clip.y / clip.w + 250.0f == Approx(divided.y).margin(0.01));
+    const auto says = [] {
+        const std::vector<ScreenText> texts = screen_text();
+        return std::any_of(texts.begin(), texts.end(), [](const ScreenText& text) {
+            return text.window == "canvas" && text.words == "dividing puts v2 here";
+        });
+    };
+    CHECK_FALSE(says());
+    follow_link(driver.ui, "cursor:t1/p0/s1");
+    driver.hand.frames(frames_to_rest);
+    REQUIRE(clip_progress(history, driver.ui.results.a.done));
+    CHECK(says());
+    follow_link(driver.ui, "cursor:end");
+    driver.hand.frames(frames_to_rest);
+    CHECK_FALSE(says());
+}
+
 TEST_CASE("The cull step says on the picture which side it takes the triangle for") {
     Driver driver("corridor.toml");
     with_clip(driver, "all");
