@@ -6,6 +6,7 @@
 
 #include "base/element_names.h"
 #include "explain/light_formulas.h"
+#include "explain/vertex_report.h"
 #include "pipeline/draw.h"
 #include "stages/orthographic.h"
 
@@ -226,7 +227,8 @@ void add_light(const Frame& frame, FragmentReport& report) {
     LitPoint point;
     point.prefix = "pixel_light.";
     point.position.value = report.under(report.interpolation).position_world;
-    point.normal.value = corner.normal;
+    const Camera& camera = frame.settings.camera;
+    point.normal.value = frame.stages.light_normal(corner.normal, camera);
     point.reflectance.value = corner.reflectance;
     constexpr std::array<Quantity, 3> place{quantity_of(&Varyings::position_world, 0),
                                             quantity_of(&Varyings::position_world, 1),
@@ -236,7 +238,8 @@ void add_light(const Frame& frame, FragmentReport& report) {
                                              quantity_of(&Varyings::illumination, 2)};
     for (std::size_t i = 0; i < 3; ++i) {
         point.position.sources[i] = from_formula(formula_id(place[i], report.interpolation));
-        point.normal.sources[i] = from_vertex(triangle, 0, std::string("normal.") + axis_names[i]);
+        point.normal.sources[i] =
+            from_vertex(triangle, 0, light_normal_id(frame.settings, static_cast<int>(i)));
         point.reflectance.sources[i] =
             from_vertex(triangle, 0, std::string("reflectance.") + channel_names[i]);
     }
@@ -246,8 +249,9 @@ void add_light(const Frame& frame, FragmentReport& report) {
 
     for (std::size_t v = 0; v < report.at_vertex.size(); ++v) {
         const Vertex& vertex = frame.scene->corner(triangle, static_cast<int>(v));
-        report.at_vertex[v] =
-            frame.stages.reflected_light(vertex.position, vertex.normal, vertex.reflectance, light);
+        report.at_vertex[v] = frame.stages.reflected_light(
+            vertex.position, frame.stages.light_normal(vertex.normal, camera), vertex.reflectance,
+            light);
     }
     report.light_per_vertex = report.under(report.interpolation).illumination;
     for (int i = 0; i < 3; ++i) {
@@ -427,8 +431,9 @@ std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& 
     report.shading = rules.shading;
     report.depth_test = depth_rule(frame.settings);
     const Vertex& corner = frame.scene->corner(cursor.triangle, 0);
-    report.colour = frame.stages.pixel_shader(report.fragment, {corner.normal, corner.reflectance},
-                                              rules, frame.stages);
+    const glm::vec3 normal = frame.stages.light_normal(corner.normal, frame.settings.camera);
+    report.colour = frame.stages.pixel_shader(report.fragment, {normal, corner.reflectance}, rules,
+                                              frame.stages);
 
     Carried carried;
     for (const Interpolation way : ways) {

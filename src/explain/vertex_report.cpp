@@ -312,17 +312,33 @@ void add_projected(Made& made, int i) {
     made.add(pixel);
 }
 
-void add_light(Made& made) {
+/// The normal as the light has it, if it was taken to the camera as a place.
+void add_moved_normal(Made& made, const glm::vec3& normal) {
+    for (int i = 0; i < 3; ++i) {
+        const std::string axis = axis_names[i];
+        made.add(
+            {light_normal_id(made.frame.settings, i),
+             axis,
+             "Taken to the camera with w = 1 and so moved as if it were a place, then made unit "
+             "length again. A direction has w = 0.",
+             axis,
+             {{axis, {normal[i]}, from_words("(n − C) / |n − C|")}},
+             {normal[i]}});
+    }
+}
+
+void add_light(Made& made, const glm::vec3& normal) {
     VertexReport& report = made.report;
     LitPoint point;
     point.prefix = "light.";
     point.position.value = made.vertex.position;
-    point.normal.value = made.vertex.normal;
+    point.normal.value = normal;
     point.reflectance.value = made.vertex.reflectance;
     point.terms = report.light;
     for (std::size_t i = 0; i < 3; ++i) {
         point.position.sources[i] = from_formula(std::string("world.") + axis_names[i]);
-        point.normal.sources[i] = from_formula(std::string("normal.") + axis_names[i]);
+        point.normal.sources[i] =
+            from_formula(light_normal_id(made.frame.settings, static_cast<int>(i)));
         point.reflectance.sources[i] = from_formula(std::string("reflectance.") + channel_names[i]);
     }
     append_light_formulas(point, made.frame, report.formulas);
@@ -344,8 +360,9 @@ VertexReport vertex_report(const Frame& frame, int triangle, int vertex) {
         other.rounding = static_cast<VertexRounding>(i);
         report.by_rounding[i] = shade_vertex(given, rotation, other, frame.stages);
     }
+    const glm::vec3 normal = frame.stages.light_normal(given.normal, rules.camera);
     report.light =
-        frame.stages.reflected_light(given.position, given.normal, given.reflectance, rules.light);
+        frame.stages.reflected_light(given.position, normal, given.reflectance, rules.light);
 
     Made made{frame, given, rotation, report};
     add_given(made, "world", axis_names, report.shaded.in("world"),
@@ -372,9 +389,10 @@ VertexReport vertex_report(const Frame& frame, int triangle, int vertex) {
     }
     if (made.has_own_depth()) add_depth(made);
     add_given(made, "normal", axis_names, given.normal, "Across the surface, of unit length.");
+    if (frame.settings.normal_w == NormalW::one) add_moved_normal(made, normal);
     add_given(made, "reflectance", channel_names, given.reflectance,
               "The share of light that the surface gives back.");
-    add_light(made);
+    add_light(made, normal);
     return report;
 }
 
@@ -396,6 +414,11 @@ Number vertex_number(const ShadedVertex& vertex, std::string_view id) {
     if (id == "pixel.column") return {static_cast<float>(vertex.pixel.column), true};
     if (id == "pixel.row") return {static_cast<float>(vertex.pixel.row), true};
     return {};
+}
+
+std::string light_normal_id(const Settings& settings, int axis) {
+    const char* const normal = settings.normal_w == NormalW::zero ? "normal." : "light_normal.";
+    return std::string(normal) + axis_names[axis];
 }
 
 bool depends_on_rotation(std::string_view id) {

@@ -35,6 +35,10 @@ struct VertexReport {
 /// The report on vertex 0, 1 or 2 of a triangle, drawn or left out.
 VertexReport vertex_report(const Frame& frame, int triangle, int vertex);
 
+/// The id of the formula for the normal, axis 0 to 2, as the light has it: "normal.x", or
+/// "light_normal.x" where it was moved by mistake.
+std::string light_normal_id(const Settings& settings, int axis);
+
 /// The number of this id in a vertex that went another way; ids of world, minus_camera, rotated,
 /// clip, zinv, depth, projected and pixel only, for others 0.
 Number vertex_number(const ShadedVertex& vertex, std::string_view id);

@@ -153,7 +153,8 @@ SpacesOfVertex spaces_of_vertex(const Frame& frame, int triangle, int vertex, Ma
                  {},
                  {},
                  {}},
-                view_matrix(glm::dvec3(drawn.rules.camera.position), glm::dmat3(drawn.rotation)));
+                frame.stages.view_matrix(glm::dvec3(drawn.rules.camera.position),
+                                         glm::dmat3(drawn.rotation)));
     add_product(spaces,
                 {"clip",
                  "Before the division: inside the view are −w ≤ x ≤ w, −w ≤ y ≤ w, 0 ≤ z ≤ w.",

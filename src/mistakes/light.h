@@ -7,6 +7,15 @@
 
 namespace rasterwalk {
 
+/// B36, in the slot light_normal: the normal is taken to the camera by the matrix of places, with
+/// w = 1, and made unit length there. It is moved by -C, which leaves n - C once the turn, which
+/// everything in the light has in common, is taken back.
+inline glm::vec3 light_normal_as_place(const glm::vec3& normal, const Camera& camera) {
+    const glm::vec3 moved = normal - camera.position;
+    const float length = glm::length(moved);
+    return length > 0.0f ? moved / length : glm::vec3(0.0f);
+}
+
 // The vector of whose slant the cosine is taken.
 
 /// As it should be: from the point to the lamp.

@@ -35,4 +35,8 @@ ClipVertex mistaken_matrices(const Vertex& vertex, const glm::mat3& rotation,
     return shaded;
 }
 
+/// B35, in the slot view_matrix: the translation stands in the bottom row, as row vectors have it,
+/// and the point is a column all the same. It comes out turned but not moved, with a spoilt w.
+glm::dmat4 view_matrix_with_bottom_row(const glm::dvec3& eye, const glm::dmat3& rotation);
+
 } // namespace rasterwalk

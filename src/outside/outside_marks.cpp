@@ -213,6 +213,15 @@ void add_triangle(const Scene& scene, const MarkedTriangle& marked, const Outsid
     }
 }
 
+void add_basis(const Basis& basis, Collector& collector) {
+    for (int axis = 0; axis < axis_count; ++axis) {
+        const glm::dvec3 tip = basis.origin + basis.axes[static_cast<std::size_t>(axis)];
+        const int number = axis_number(basis.of, axis);
+        collector.line(OutsideLineKind::axis, number, basis.origin, tip);
+        collector.point(OutsidePointKind::axis, number, tip);
+    }
+}
+
 bool meet(const OutsideBox& a, const OutsideBox& b) {
     return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
 }
@@ -282,13 +291,15 @@ bool is_off_lines(const OutsideLabel& label, const OutsideBox& box,
 
 OutsideMarks outside_marks(const Scene& scene, const OutsideThings& things, const OutsideEye& eye,
                            const MarkedTriangle& marked, std::optional<glm::ivec2> pixel,
-                           glm::ivec2 size) {
+                           glm::ivec2 size, std::span<const Basis> bases) {
     Collector collector{eye, glm::dvec2(size)};
     add_camera(things, collector);
     if (marked.clipping.ends) add_ends(things, *marked.clipping.ends, collector);
     if (marked.triangle && *marked.triangle >= 0 && *marked.triangle < scene.triangle_count()) {
         add_triangle(scene, marked, things, collector);
     }
+    for (const Basis& basis : bases)
+        add_basis(basis, collector);
     const PicturePlane& plane = things.plane;
     if (pixel && pixel->x >= 0 && pixel->y >= 0 && pixel->x < plane.size.width &&
         pixel->y < plane.size.height) {

@@ -1,8 +1,8 @@
 #pragma once
 
 // What is drawn over the view from outside, thin and sharp: the camera, its frustum, the border of
-// its picture, the rays of a triangle and what planes cut off it, the lamp; and where their names
-// may stand.
+// its picture, the rays of a triangle and what planes cut off it, the lamp, the axes of spaces; and
+// where their names may stand.
 
 #include <cstdint>
 #include <optional>
@@ -11,6 +11,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "outside/basis.h"
 #include "outside/outside_eye.h"
 #include "outside/seen_clipping.h"
 #include "scene/scene.h"
@@ -30,6 +31,7 @@ enum class OutsideLineKind : std::uint8_t {
     ray,      ///< from a vertex of the triangle to the camera; number: which vertex
     behind,   ///< the same for a vertex that is not in front of the camera
     mirrored, ///< from there on to where the division puts such a vertex; number: which vertex
+    axis,     ///< an arrow from the origin of a space; number: see axis_number()
 };
 
 /// A straight line in the picture of the eye, pixels.
@@ -50,6 +52,7 @@ enum class OutsidePointKind : std::uint8_t {
     cut,      ///< a corner that a plane has made; number: of which ClipPlane
     plane,    ///< where the name of a plane may stand; number: of which ClipPlane
     mirrored, ///< where the division puts a vertex behind the camera; number: which vertex
+    axis,     ///< the tip of such an arrow, at which its name may stand; number: likewise
 };
 
 struct OutsidePoint {
@@ -71,12 +74,18 @@ struct MarkedTriangle {
     bool is_mirrored = false; ///< it is shown where the division puts vertices behind the camera
 };
 
+/// The number of an axis, 0 to 2, among those of all spaces.
+constexpr int axis_number(BasisOf of, int axis) {
+    return axis_count * static_cast<int>(of) + axis;
+}
+
 /// All marks that can be seen; lines end where the picture of the eye ends, or a little beyond.
 /// @param pixel of the scene's picture that is picked
 /// @param size  of the picture of the eye, pixels
+/// @param bases whose axes are drawn
 OutsideMarks outside_marks(const Scene& scene, const OutsideThings& things, const OutsideEye& eye,
                            const MarkedTriangle& marked, std::optional<glm::ivec2> pixel,
-                           glm::ivec2 size);
+                           glm::ivec2 size, std::span<const Basis> bases = {});
 
 /// A part of the picture of the eye, pixels.
 struct OutsideBox {

@@ -239,7 +239,8 @@ bool pass_over_hidden(Drawing& d, std::span<const LineSample> fragments) {
 void fill_rows(Drawing& d, int triangle) {
     const PolygonRows& rows = d.rows;
     const Vertex& corner = d.frame.scene->corner(triangle, 0);
-    const Surface surface{corner.normal, corner.reflectance};
+    const Surface surface{d.stages.light_normal(corner.normal, d.frame.settings.camera),
+                          corner.reflectance};
     const PieceRange range =
         clamp_to_window(d.window, {triangle, Phase::rows, 0, 0}, &Cursor::index, rows.size());
     // The row above the first that begins in the window may end in it; its columns will tell.

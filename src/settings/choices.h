@@ -78,6 +78,24 @@ template <>
 inline constexpr auto enum_words<Transform> = word_list("lab", "matrices");
 static_assert(words_match<Transform>);
 
+/// Where the view matrix has the translation, as column vectors need it.
+enum class Translation : std::uint8_t {
+    last_column, ///< where w = 1 takes it to x, y and z
+    bottom_row,  ///< where it spoils w and moves nothing: mistake B35
+};
+template <>
+inline constexpr auto enum_words<Translation> = word_list("last_column", "bottom_row");
+static_assert(words_match<Translation>);
+
+/// With which w a normal is taken to the camera.
+enum class NormalW : std::uint8_t {
+    zero, ///< as a direction, which is turned
+    one,  ///< as a place, which is moved as well: mistake B36
+};
+template <>
+inline constexpr auto enum_words<NormalW> = word_list("zero", "one");
+static_assert(words_match<NormalW>);
+
 /// The two ends of `projection_mix`.
 enum class ProjectionKind : std::uint8_t {
     perspective,  ///< divided by z: the lab

@@ -43,6 +43,15 @@ void choose(Transform transform, Rotation rotation, ImageAxes axes, Stages& stag
         stages.vertex_shader = mistaken_matrices<true, true>;
 }
 
+void choose(Transform transform, Translation translation, Stages& stages) {
+    if (transform == Transform::matrices && translation == Translation::bottom_row)
+        stages.view_matrix = view_matrix_with_bottom_row;
+}
+
+void choose(NormalW w, Stages& stages) {
+    if (w == NormalW::one) stages.light_normal = light_normal_as_place;
+}
+
 void choose(Reject reject, Stages& stages) {
     if (reject == Reject::outcodes) stages.reject = reject_by_outcodes;
 }
@@ -291,6 +300,8 @@ Stages choose_stages(const Settings& settings) {
     choose(settings.rotation, stages);
     choose(settings.image_axes, clip_depth_rule(settings, SceneSpace::world), stages);
     choose(settings.transform, settings.rotation, settings.image_axes, stages);
+    choose(settings.transform, settings.translation, stages);
+    choose(settings.normal_w, stages);
     choose(settings.reject, stages);
     choose(settings.clip, stages);
     choose(settings.cull, stages);

@@ -209,6 +209,15 @@ std::vector<Setting> make_table() {
          "On which side of a matrix the vector stands where spaces are shown. The picture is the "
          "same.",
          "Moving the camera", "", choice<&Settings::matrix_order>()},
+        {"translation", "Translation stands", "Spaces",
+         "Where the view matrix has the translation: in the last column, or by mistake in the "
+         "bottom row, where it spoils w and moves nothing. Only where a matrix for each space does "
+         "the work.",
+         "Moving the camera", "", choice<&Settings::translation>()},
+        {"normal_w", "w of a normal", "Spaces",
+         "With which w a normal is taken to the camera before the light: 0, as a direction, or by "
+         "mistake 1, as a place, so that it is moved too.",
+         "Illumination", "", choice<&Settings::normal_w>()},
         {"projection", "Projection", "Spaces",
          "Perspective divides by z; orthographic does not, so that what is far is as large as what "
          "is near.",

@@ -38,6 +38,8 @@ struct Settings {
     ImageAxes image_axes = ImageAxes::right_way;
     Transform transform = Transform::lab;
     MatrixOrder matrix_order = MatrixOrder::row_vectors; ///< of what is shown; changes no picture
+    Translation translation = Translation::last_column;  ///< only where matrices do the work
+    NormalW normal_w = NormalW::zero;                    ///< for the light
     float projection_mix = 0.0f;                         ///< 0: perspective, 1: orthographic
     float orthographic_depth = 0.0f; ///< where sizes stay; 0: at the world's origin
     float near = 0.1f, far = 100.0f; ///< the view volume's ends, in front of the camera

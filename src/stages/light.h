@@ -28,6 +28,13 @@
 
 namespace rasterwalk {
 
+/// The normal as the light asks for it. Light is worked out in the world here, where the normals
+/// are. A program that works it out before the camera turns them there, as directions: w = 0. That
+/// changes no angle, and so no light.
+inline glm::vec3 light_normal(const glm::vec3& normal, const Camera&) {
+    return normal;
+}
+
 /// Every number on the way to the reflected light, in the order in which they arise.
 struct LightTerms {
     glm::vec3 to_light{0.0f};  ///< from the point to the lamp, world units

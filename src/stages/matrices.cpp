@@ -9,6 +9,7 @@
 
 #include "stages/orthographic.h"
 #include "stages/project.h"
+#include "stages/stage_table.h"
 
 namespace rasterwalk {
 
@@ -89,7 +90,8 @@ ClipVertex vertex_shader_by_matrices(const Vertex& vertex, const glm::mat3& rota
     // product; here they stay apart, as the spaces do. Tm is done: the scene is read with every
     // object in the world.
     const glm::dvec3 eye(rules.camera.position), world(vertex.position);
-    const glm::dvec4 camera = view_matrix(eye, glm::dmat3(rotation)) * glm::dvec4(world, 1.0);
+    const glm::dvec4 camera =
+        stages.view_matrix(eye, glm::dmat3(rotation)) * glm::dvec4(world, 1.0);
     const glm::dvec4 clip = projection_matrix(rules) * camera;
     const glm::dvec2 scale = half_of(rules.viewport);
     if (spaces != nullptr) {

@@ -12,6 +12,7 @@
 #include "stages/interpolate.h"
 #include "stages/light.h"
 #include "stages/lines.h"
+#include "stages/matrices.h"
 #include "stages/pixel_shader.h"
 #include "stages/polygon_rows.h"
 #include "stages/project.h"
@@ -28,6 +29,9 @@ struct Stages {
     decltype(&rasterwalk::rotate_to_camera) rotate_to_camera = rasterwalk::rotate_to_camera;
     decltype(&rasterwalk::to_clip_space) to_clip_space = rasterwalk::to_clip_space;
 
+    // Asked by vertex_shader_by_matrices().
+    decltype(&rasterwalk::view_matrix) view_matrix = rasterwalk::view_matrix;
+
     decltype(&reject_nothing) reject = reject_nothing;
     decltype(&clip_nothing) clip = clip_nothing;
     decltype(&cull_nothing) cull = cull_nothing;
@@ -42,6 +46,7 @@ struct Stages {
     decltype(&rasterwalk::snap_to_pixel) snap_to_pixel = rasterwalk::snap_to_pixel;
 
     // Light, at vertices or at pixels.
+    decltype(&rasterwalk::light_normal) light_normal = rasterwalk::light_normal;
     decltype(&rasterwalk::reflected_light) reflected_light = rasterwalk::reflected_light;
 
     // Coverage: from vertices to rows, and from a row to its fragments. Whoever puts functions here

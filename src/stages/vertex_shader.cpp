@@ -58,7 +58,9 @@ Varyings start_varyings(const Vertex& vertex, const VertexRules& rules, const St
     varyings.texcoord = vertex.texcoord;
     if (rules.shading == Shading::gouraud) {
         varyings.illumination =
-            stages.reflected_light(vertex.position, vertex.normal, vertex.reflectance, rules.light)
+            stages
+                .reflected_light(vertex.position, stages.light_normal(vertex.normal, rules.camera),
+                                 vertex.reflectance, rules.light)
                 .reflected;
     }
     return varyings;

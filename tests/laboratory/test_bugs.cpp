@@ -13,6 +13,7 @@
 
 #include "base/error.h"
 #include "compare/compare.h"
+#include "explain/vertex_spaces.h"
 #include "inspect/edge_lines.h"
 #include "inspect/stats.h"
 #include "lessons/lesson_link.h"
@@ -147,7 +148,7 @@ TEST_CASE("The laboratory has the mistakes that are promised, each with all that
         "B1",  "B2",  "B3",   "B4",   "B5",   "B6",   "B7",   "B8",   "B9",   "B10",
         "B11", "B12", "B13",  "B14",  "B15",  "B16",  "B17a", "B17b", "B17c", "B17d",
         "B18", "B19", "B20a", "B20b", "B20c", "B20d", "B21",  "B22",  "B24",  "B25",
-        "B27", "B30", "B31",  "B32",  "B33",  "B34",  "B38",  "B39"};
+        "B27", "B30", "B31",  "B32",  "B33",  "B34",  "B35",  "B36",  "B38",  "B39"};
     std::set<std::string> ids, names;
     std::vector<std::string> sections;
     for (const Bug& bug : bugs()) {
@@ -790,4 +791,75 @@ TEST_CASE("B34: the left wall is culled as soon as the camera turns away from it
     }
     CHECK(wrongly_culled == 2);
     CHECK(runs.wrong_stats.uncovered > runs.correct_stats.uncovered);
+}
+
+TEST_CASE("B35: the camera stands at the origin, wherever it is put") {
+    const Runs runs("B35");
+    Settings at_origin = runs.session.b->settings;
+    at_origin.camera.position = glm::vec3(0.0f);
+    const Framebuffer picture = draw_frame(prepare_frame(*runs.session.scene, at_origin));
+    CHECK(same_planes(runs.wrong_picture, picture));
+    CHECK(runs.different_pixels() > 100000);
+    // Walking changes nothing, turning does.
+    Settings elsewhere = runs.session.a.settings;
+    elsewhere.camera.position = {0.7f, -0.4f, 2.0f};
+    CHECK(same_planes(draw_frame(prepare_frame(*runs.session.scene, elsewhere)), picture));
+    elsewhere.camera.yaw = 0.3f;
+    at_origin.camera.yaw = 0.3f;
+    const Framebuffer turned = draw_frame(prepare_frame(*runs.session.scene, elsewhere));
+    CHECK(same_planes(turned, draw_frame(prepare_frame(*runs.session.scene, at_origin))));
+    CHECK_FALSE(same_planes(turned, picture));
+    // The translation has gone into w, and the lab's lines have no matrix to put it into.
+    const SpacesOfVertex spaces = spaces_of_vertex(runs.wrong, 8, 1, MatrixOrder::column_vectors);
+    const auto camera = std::find_if(spaces.places.begin(), spaces.places.end(),
+                                     [](const SpacePlace& p) { return p.space == "camera"; });
+    REQUIRE(camera != spaces.places.end());
+    CHECK(glm::distance(camera->place, glm::dvec4(1.0, 1.0, 1.0, 1.0 + 3.001)) < 1e-6);
+    Settings by_lab = runs.session.a.settings;
+    by_lab.transform = Transform::lab;
+    const Framebuffer lab_picture = draw_frame(prepare_frame(*runs.session.scene, by_lab));
+    CHECK(lab_picture.owner == runs.correct_picture.owner);
+    CHECK(lab_picture.colour == runs.correct_picture.colour);
+}
+
+TEST_CASE("B36: light falls as on normals that were moved by minus the camera's place") {
+    const Runs runs("B36");
+    CHECK(same_but_for_colour(runs.wrong_picture, runs.correct_picture));
+    CHECK(runs.different_pixels() > 100000);
+    const glm::dvec3 eye(runs.session.a.settings.camera.position);
+    const glm::dvec3 lamp(runs.session.a.settings.light.position);
+    int lit = 0;
+    for (const FragmentEvent& event : fragments_of(runs.wrong)) {
+        if (event.fate != Fate::written || event.cursor.step % 5 != 0) continue;
+        const Vertex& corner = runs.session.scene->corner(event.cursor.triangle, 0);
+        const glm::dvec3 place(
+            recover_varyings(event.fragment, runs.wrong.settings.interpolation).position_world);
+        const glm::dvec3 r = lamp - place, n = glm::normalize(glm::dvec3(corner.normal) - eye);
+        const double cosine = std::max(0.0, glm::dot(glm::normalize(r), n));
+        const double light = 14.0 * cosine / (4.0 * 3.14159265358979 * glm::dot(r, r)) + 0.5;
+        const glm::dvec3 expected = light * glm::dvec3(corner.reflectance);
+        if (glm::distance(glm::dvec3(event.after), expected) > 1e-4)
+            FAIL(to_text(event.cursor) << " has not the light of the moved normal");
+        lit += cosine > 0.0 ? 1 : 0;
+    }
+    CHECK(lit > 1000);
+    // Nothing is moved where the camera stands at the origin.
+    Settings wrong = runs.session.a.settings, correct = runs.session.b->settings;
+    for (Settings* const settings : {&wrong, &correct}) {
+        settings->camera.position = glm::vec3(0.0f);
+        settings->clip = Clip::all;
+    }
+    CHECK(same_but_for_colour(draw_frame(prepare_frame(*runs.session.scene, wrong)),
+                              draw_frame(prepare_frame(*runs.session.scene, correct))));
+    CHECK(pixel_difference(draw_frame(prepare_frame(*runs.session.scene, wrong)),
+                           draw_frame(prepare_frame(*runs.session.scene, correct)))
+              .largest < 1e-5f);
+    // Light at the vertices goes wrong as well.
+    wrong = runs.session.a.settings;
+    set_step(wrong, StripStep::vertex_light);
+    correct = wrong;
+    correct.normal_w = NormalW::zero;
+    CHECK(pixel_difference(draw_frame(prepare_frame(*runs.session.scene, wrong)),
+                           draw_frame(prepare_frame(*runs.session.scene, correct)))
+              .different > 100000);
 }

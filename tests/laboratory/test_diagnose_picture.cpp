@@ -214,6 +214,41 @@ TEST_CASE("Beside the true cause nothing is named that explains nothing more") {
     }
 }
 
+TEST_CASE("Mistakes of matrices are told, and nobody else is accused of them") {
+    const Scene scene = lab_room();
+    const std::vector<Bug> bugs = read_bugs();
+    Settings reference = small(scene);
+    // A right picture by matrices is right.
+    Settings matrices = reference;
+    matrices.transform = Transform::matrices;
+    CHECK(diagnose_picture(picture_of(scene, matrices), scene, reference, bugs).is_same());
+    for (const char* id : {"B35", "B36"}) {
+        const Diagnosis diagnosis = diagnose_picture(
+            picture_of(scene, wrong_run(find_bug(bugs, id), reference)), scene, reference, bugs);
+        INFO(diagnosis.verdict);
+        CHECK(diagnosis.candidates.size() == 1);
+        CHECK(place_of(diagnosis, id) == 0);
+    }
+    // Light that goes wrong otherwise, and a camera that turns otherwise.
+    reference.camera.yaw = 0.2f;
+    for (const char* id : {"B20a", "B24"}) {
+        const Diagnosis diagnosis = diagnose_picture(
+            picture_of(scene, wrong_run(find_bug(bugs, id), reference)), scene, reference, bugs);
+        INFO(diagnosis.verdict);
+        CHECK(place_of(diagnosis, id) == 0);
+        CHECK(place_of(diagnosis, "B35") == -1);
+        CHECK(place_of(diagnosis, "B36") == -1);
+    }
+    // At the world's origin both mistakes make the right picture.
+    reference.camera.position = glm::vec3(0.0f);
+    reference.clip = Clip::all;
+    Settings wrong = matrices;
+    wrong.camera = reference.camera;
+    wrong.clip = reference.clip;
+    wrong.translation = Translation::bottom_row;
+    CHECK(diagnose_picture(picture_of(scene, wrong), scene, reference, bugs).is_same());
+}
+
 TEST_CASE("The picture of a bug with some noise is still told") {
     const Scene scene = lab_room();
     const std::vector<Bug> bugs = read_bugs();

@@ -66,6 +66,8 @@ TEST_CASE("The table holds exactly the settings that are promised, each with hel
                                                  "outside_picture",
                                                  "transform",
                                                  "matrix_order",
+                                                 "translation",
+                                                 "normal_w",
                                                  "projection",
                                                  "projection_mix",
                                                  "orthographic_depth",

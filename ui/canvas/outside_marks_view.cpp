@@ -1,11 +1,14 @@
 #include "ui/canvas/outside_marks_view.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include <glm/geometric.hpp>
 
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
@@ -68,6 +71,27 @@ void draw_face(const Pen& pen, const std::vector<glm::vec2>& face) {
                                   pen.meaning(Meaning::left_end, 0.12f));
 }
 
+/// The three axes of a space have the colours of three edges.
+Meaning axis_meaning(int number) {
+    return edge_meaning(number % axis_count);
+}
+
+/// Of an arrow's head, design pixels, and how much of the arrow it may take.
+constexpr float head_length = 9.0f, head_width = 3.6f, largest_head = 0.4f;
+
+void draw_arrow(const Pen& pen, ImVec2 from, ImVec2 to, ImU32 colour) {
+    const glm::vec2 way(to.x - from.x, to.y - from.y);
+    const float length = glm::length(way);
+    pen.list->AddLine(from, to, pen.ground(0.7f), 4.6f * pen.u);
+    pen.list->AddLine(from, to, colour, 2.2f * pen.u);
+    if (!(length > 0.0f)) return;
+    const float head = std::min(head_length * pen.u, largest_head * length);
+    const glm::vec2 along = way / length * head;
+    const glm::vec2 across = glm::vec2(-along.y, along.x) * (head_width / head_length);
+    pen.list->AddTriangleFilled(to, {to.x - along.x + across.x, to.y - along.y + across.y},
+                                {to.x - along.x - across.x, to.y - along.y - across.y}, colour);
+}
+
 void draw_line(const Pen& pen, const OutsideLine& line) {
     const ImVec2 from = pen.at(line.from), to = pen.at(line.to);
     const float u = pen.u;
@@ -108,6 +132,9 @@ void draw_line(const Pen& pen, const OutsideLine& line) {
     case OutsideLineKind::end:
         pen.list->AddLine(from, to, pen.meaning(Meaning::left_end, 0.55f), 1.0f * u);
         break;
+    case OutsideLineKind::axis:
+        draw_arrow(pen, from, to, pen.meaning(axis_meaning(line.number)));
+        break;
     }
 }
 
@@ -144,6 +171,7 @@ void draw_point(const Pen& pen, const OutsidePoint& point) {
         break;
     case OutsidePointKind::picture:
     case OutsidePointKind::plane:
+    case OutsidePointKind::axis:
         break; // only its name stands there
     case OutsidePointKind::cut:
         draw_dot(pen, at, 4.5f * u, pen.meaning(Meaning::left_end));
@@ -189,6 +217,7 @@ float reach_of(OutsidePointKind kind) {
         return 4.5f;
     case OutsidePointKind::picture:
     case OutsidePointKind::plane:
+    case OutsidePointKind::axis:
         break; // nothing is drawn there
     }
     return 0.0f;
@@ -207,6 +236,16 @@ struct Name {
     int rank; ///< the first is placed first
     LabelSide side = LabelSide::right;
 };
+
+/// "world x", "u, right", "model z"; shorter in a narrow view.
+std::string axis_name(int number, bool is_narrow) {
+    constexpr std::array<const char*, axis_count> plain{"x", "y", "z"},
+        short_of_camera{"u", "v", "w"}, of_camera{"u, right", "v, down", "w, forward"};
+    const auto axis = static_cast<std::size_t>(number % axis_count);
+    const auto of = static_cast<BasisOf>(number / axis_count);
+    if (of == BasisOf::camera) return is_narrow ? short_of_camera[axis] : of_camera[axis];
+    return (is_narrow ? "" : std::string(word_of(of)) + " ") + plain[axis];
+}
 
 /// Empty for a point without one.
 Name name_of(const Pen& pen, const OutsidePoint& point) {
@@ -236,6 +275,9 @@ Name name_of(const Pen& pen, const OutsidePoint& point) {
     case OutsidePointKind::mirrored:
         return {point, pen.is_narrow ? "divided" : "dividing puts it here",
                 pen.meaning(Meaning::fail), 2};
+    case OutsidePointKind::axis:
+        return {point, axis_name(point.number, pen.is_narrow),
+                pen.meaning(axis_meaning(point.number)), 3};
     case OutsidePointKind::crossing:
     case OutsidePointKind::pixel:
         break;

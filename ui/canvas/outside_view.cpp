@@ -229,9 +229,9 @@ void draw_outside(Ui& ui, const Pane& pane) {
     list->AddRectFilled(pane.low, pane.high, packed(p.canvas), 4.0f * u);
     list->PushClipRect(pane.low, pane.high, true);
     draw_image(ui, list, pane);
-    const OutsideMarks marks = outside_marks(*a.scene, drawing.things(), drawing.eye(),
-                                             {a.triangle, subject.clipping, is_mirrored(a)},
-                                             ui.session.selection.pixel, size_of(pane));
+    const OutsideMarks marks = outside_marks(
+        *a.scene, drawing.things(), drawing.eye(), {a.triangle, subject.clipping, is_mirrored(a)},
+        ui.session.selection.pixel, size_of(pane), bases_of(a.frame, a.triangle));
     const std::string coming = fitting_coming_words(ui, pane);
     const float below =
         coming.empty() ? 0.0f : ui.fonts.small->FontSize + (coming_border + coming_gap) * u;

@@ -1,0 +1,40 @@
+#pragma once
+
+// The axes of the spaces that matrices lead through, as arrows in the world: one unit along each of
+// the world's own, of the camera's, and of those in which an object is made.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "base/enum_words.h"
+#include "pipeline/frame.h"
+
+namespace rasterwalk {
+
+/// Whose axes they are.
+enum class BasisOf : std::uint8_t { world, camera, model };
+template <>
+inline constexpr auto enum_words<BasisOf> = word_list("world", "camera", "model");
+static_assert(words_match<BasisOf>);
+
+inline constexpr int axis_count = 3;
+
+/// The axes of a space, as they stand in the world.
+struct Basis {
+    BasisOf of = BasisOf::world;
+    glm::dvec3 origin{0.0};
+    /// From the origin, one unit of that space long, world units: x, y, z; of the camera u, v, w,
+    /// which point right, down and forward. Those of a model are the first columns of Tm, and its
+    /// origin is the last; those of the camera are the rows of Tv.
+    std::array<glm::dvec3, axis_count> axes{};
+};
+
+/// The world's, the camera's and, if its part is moved, turned or scaled, those of the part of the
+/// triangle. None where no matrices do the work, or the scene is in pixels.
+std::vector<Basis> bases_of(const Frame& frame, std::optional<int> triangle);
+
+} // namespace rasterwalk

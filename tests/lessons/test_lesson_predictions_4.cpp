@@ -1,0 +1,247 @@
+// The predictions and figures of lessons 15 and 16: each answer that the program computes from its
+// facts is found here a second time, in double, with matrices that are written out by hand.
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include "pipeline/draw.h"
+#include "scene/read_scene.h"
+#include "session/content.h"
+#include "settings/setting_table.h"
+#include "stages/matrices.h"
+#include "support/prediction_checks.h"
+#include "support/questions.h"
+
+using namespace rasterwalk;
+using namespace rasterwalk::test;
+
+namespace {
+namespace spaces_track {
+
+/// Rows of a matrix, and a column to multiply them with: nothing of the program, nothing of glm.
+using Column = std::array<double, 4>;
+using Rows = std::array<Column, 4>;
+
+Column times(const Rows& m, const Column& v) {
+    Column sum{};
+    for (std::size_t i = 0; i < 4; ++i) {
+        for (std::size_t k = 0; k < 4; ++k)
+            sum[i] += m[i][k] * v[k];
+    }
+    return sum;
+}
+
+Rows product(const Rows& a, const Rows& b) {
+    Rows result{};
+    for (std::size_t i = 0; i < 4; ++i) {
+        for (std::size_t j = 0; j < 4; ++j) {
+            for (std::size_t k = 0; k < 4; ++k)
+                result[i][j] += a[i][k] * b[k][j];
+        }
+    }
+    return result;
+}
+
+Rows moved_by(double x, double y, double z) {
+    return {{{1, 0, 0, x}, {0, 1, 0, y}, {0, 0, 1, z}, {0, 0, 0, 1}}};
+}
+
+/// The axes of a camera with this yaw as rows.
+Rows turned_by(double yaw) {
+    const double c = std::cos(yaw), s = std::sin(yaw);
+    return {{{c, 0, -s, 0}, {0, 1, 0, 0}, {s, 0, c, 0}, {0, 0, 0, 1}}};
+}
+
+/// An object turned about y: z toward x.
+Rows object_turned_by(double angle) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    return {{{c, 0, s, 0}, {0, 1, 0, 0}, {-s, 0, c, 0}, {0, 0, 0, 1}}};
+}
+
+double ndc_z(double z, double near, double far) {
+    return far / (far - near) * (1.0 - near / z);
+}
+
+Frame room_frame(const Scene& room, const std::vector<std::string>& assignments) {
+    Settings settings = default_settings(room);
+    for (const std::string& assignment : assignments)
+        set_from_text(settings, assignment);
+    return prepare_frame(room, settings);
+}
+
+Scene read_room() {
+    return read_scene(lessons_folder() + "/scenes/lab-room.toml");
+}
+
+PREDICTIONS_TEST("Lesson 15: matrices by hand", "15-matrices", "last-column", "normal-moved",
+                 "moved-then-turned", "same-pixels", "bottom-row") {
+    const Questions lesson("15-matrices");
+    const Column origin = times(turned_by(0.3), times(moved_by(-0.5, 0.8, 3.0), {0, 0, 0, 1}));
+    lesson.require_number("last-column", origin[0], 1e-5, -0.5);
+    CHECK(product(turned_by(0.3), moved_by(-0.5, 0.8, 3.0))[0][3] == Approx(origin[0]));
+
+    // The back wall's normal with w = 1, moved by a camera at z = -3.001; the lamp hangs in front
+    // of the wall, at z = -0.7.
+    const Column normal = times(moved_by(0, 0, 3.001), {0, 0, -1, 1});
+    const double point_z = 1.0, lamp_z = -0.7;
+    CHECK(normal[2] * (lamp_z - point_z) < 0.0);
+    lesson.require_choice("normal-moved", 1);
+
+    const double quarter = std::acos(0.0);
+    const Column corner{-0.5, -0.4, -0.25, 1.0};
+    const Column walked = times(product(object_turned_by(quarter), moved_by(2, 0, 0)), corner);
+    CHECK(walked[0] == Approx(-0.25));
+    CHECK(walked[2] == Approx(-1.5));
+    lesson.require_choice("moved-then-turned", 2);
+    const Column turned = times(product(moved_by(2, 0, 0), object_turned_by(quarter)), corner);
+    CHECK(turned[0] == Approx(1.75)); // the other order, which the step shows
+
+    // Row vectors, transposed; the column (x, y, z, 1) leaves x, y and z to the turn alone.
+    Rows bottom{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 3.001, 1}}};
+    const Column seen = times(product(turned_by(0.0), bottom), {1, 1, 1, 1});
+    CHECK(seen[2] == 1.0);
+    CHECK(seen[3] == Approx(4.001));
+    lesson.require_choice("bottom-row", 2);
+
+    const Scene room = read_room();
+    const Frame lab = room_frame(room, {"stage=depth"});
+    const Rows chain =
+        product(product({{{2, 0, 0, 0}, {0, 2, 0, 0}, {0, 0, 1, 0}, {0, 0, 1, 0}}}, turned_by(0.0)),
+                moved_by(0, 0, 3.001));
+    int elsewhere = 0;
+    for (int t = 0; t < room.triangle_count(); ++t) {
+        for (int v = 0; v < 3; ++v) {
+            const glm::dvec3 p(room.corner(t, v).position);
+            const Column clip = times(chain, {p.x, p.y, p.z, 1.0});
+            const int column = static_cast<int>(250.0 * clip[0] / clip[3]) + 250;
+            const int row = static_cast<int>(250.0 * clip[1] / clip[3]) + 250;
+            const ScreenVertex& drawn = lab.triangle_vertices(t)[static_cast<std::size_t>(v)];
+            elsewhere += drawn.column != column || drawn.row != row ? 1 : 0;
+        }
+    }
+    CHECK(elsewhere == 0);
+    CHECK(draw_frame(lab).colour ==
+          draw_frame(room_frame(room, {"stage=depth", "transform=matrices"})).colour);
+    lesson.require_number("same-pixels", elsewhere, 1e-9, 3.0);
+}
+
+TEST_CASE("Lesson 15: what its tasks ask for is what its hints say") {
+    const Scene room = read_room();
+    const auto corner = [&](int triangle, int vertex) {
+        return glm::dvec3(room.corner(triangle, vertex).position);
+    };
+    // Two opposite corners of the red block's top, as the hint has them.
+    CHECK(glm::distance(corner(18, 0), glm::dvec3(0.135, 0.405, -0.020)) < 1e-3);
+    CHECK(glm::distance(corner(18, 1), glm::dvec3(0.532, 0.405, -0.766)) < 1e-3);
+    const glm::dvec3 middle = 0.5 * (corner(18, 0) + corner(18, 1));
+    CHECK(glm::distance(glm::dvec3(middle.x, 0.5 * (0.405 + 1.0), middle.z),
+                        glm::dvec3(0.33, 0.70, -0.39)) < 0.01);
+    // A target along (sin, 0, cos) gives the axes of the yaw.
+    const glm::mat3 axes =
+        look_at_rotation({0, 0, -3.001f}, {0.30934f, 0, -2.001f}, {0.0f, -1.0f, 0.0f});
+    const Rows by_yaw = turned_by(0.3);
+    for (int i = 0; i < 3; ++i) {
+        for (int k = 0; k < 3; ++k) {
+            CHECK(static_cast<double>(axes[i][k]) ==
+                  Approx(by_yaw[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)])
+                      .margin(1e-4));
+        }
+    }
+}
+
+TEST_CASE("Lesson 15: glm's lookAt, as it is told, becomes the camera's matrix") {
+    // Rows right, up and back, for up = (0, -1, 0); the second and third row change sign.
+    const glm::dvec3 eye(0.5, -0.8, -3.0), forward(std::sin(0.3), 0.0, std::cos(0.3));
+    const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0, -1, 0)));
+    const glm::dvec3 up = glm::cross(right, forward);
+    const std::array<glm::dvec3, 3> rows{right, -up, forward};
+    const Rows ours = turned_by(0.3);
+    for (std::size_t i = 0; i < 3; ++i) {
+        CHECK(rows[i].x == Approx(ours[i][0]).margin(1e-12));
+        CHECK(rows[i].y == Approx(ours[i][1]).margin(1e-12));
+        CHECK(rows[i].z == Approx(ours[i][2]).margin(1e-12));
+        CHECK(-glm::dot(rows[i], eye) ==
+              Approx(product(ours, moved_by(-eye.x, -eye.y, -eye.z))[i][3]).margin(1e-12));
+    }
+}
+
+PREDICTIONS_TEST("Lesson 16: parallel rays and ndc z by hand", "16-orthographic", "back-wall",
+                 "affine", "box-depth", "half-range", "half-way") {
+    const Questions lesson("16-orthographic");
+    const double scale = 500.0 / 3.001;
+    CHECK(scale == Approx(166.6).margin(0.05));
+    lesson.require_choice("back-wall", 2);
+
+    const Scene room = read_room();
+    const auto colours = [&](const std::string& way) {
+        return draw_frame(room_frame(room, {"stage=pixel_light", "light.power=14",
+                                            "projection=orthographic", "camera.yaw=0.3",
+                                            "interpolation=" + way}))
+            .colour;
+    };
+    const auto affine = colours("affine"), perspective = colours("perspective");
+    int different = 0;
+    for (std::size_t i = 0; i < affine.size(); ++i)
+        different += affine[i] != perspective[i] ? 1 : 0;
+    lesson.require_number("affine", different, 1e-9, 229956.0);
+    CHECK(different == 0);
+
+    lesson.require_number("box-depth", (4.001 - 1.0) / (7.0 - 1.0), 1e-4, 4.0 / 7.0);
+
+    double low = 0.1, high = 100.0; // between which half of the range is used up
+    for (int i = 0; i < 60; ++i) {
+        const double middle = 0.5 * (low + high);
+        (ndc_z(middle, 0.1, 100.0) < 0.5 ? low : high) = middle;
+    }
+    lesson.require_number("half-range", low, 1e-3, 50.0);
+
+    // The camera of mix 0.5 stands 1 farther back, with the f that keeps the depth of the origin.
+    const double half_way = 500.0 * 4.001 / 3.001 / 5.001;
+    CHECK(half_way == Approx(133.3).margin(0.05));
+    CHECK(half_way < 0.5 * (500.0 / 4.001 + scale) - 2.0);
+    lesson.require_choice("half-way", 0);
+}
+
+TEST_CASE("Lesson 16: what it says in figures") {
+    CHECK(ndc_z(4.001, 0.1, 100.0) == Approx(0.976).margin(0.0005));
+    CHECK(ndc_z(4.0, 0.1, 100.0) == Approx(0.97598).margin(0.00001));
+    CHECK(ndc_z(0.2, 0.1, 100.0) == Approx(0.5005).margin(0.0001));
+    // A step of 16 bits at the back wall, from the slope of ndc z there.
+    const double slope = (ndc_z(4.002, 0.1, 100.0) - ndc_z(4.0, 0.1, 100.0)) / 0.002;
+    CHECK(1.0 / 65535.0 / slope == Approx(0.0024).margin(0.00005));
+    // Its task: far hardly matters, near does.
+    CHECK(ndc_z(4.001, 0.1, 50.0) > 0.95);
+    CHECK(ndc_z(4.001, 0.2, 100.0) > 0.95);
+    CHECK(ndc_z(4.001, 0.25, 100.0) < 0.95);
+    const Scene room = read_room();
+    const auto colours = [&](const std::string& way) {
+        return draw_frame(room_frame(room, {"stage=pixel_light", "light.power=14",
+                                            "interpolation=" + way}))
+            .colour;
+    };
+    const auto affine = colours("affine"), perspective = colours("perspective");
+    int different = 0;
+    for (std::size_t i = 0; i < affine.size(); ++i)
+        different += affine[i] != perspective[i] ? 1 : 0;
+    CHECK(different == 229956);
+    // The picture of mix 0.5 is that of a camera one unit behind.
+    const Frame mixed = room_frame(room, {"stage=depth", "projection_mix=0.5"});
+    const Frame behind = room_frame(
+        room, {"stage=depth", "camera.position=0,0,-4.001", "camera.focal_length=666.6"});
+    for (int t = 0; t < room.triangle_count(); ++t) {
+        for (int v = 0; v < 3; ++v) {
+            const glm::vec2 a = mixed.given_vertex(t, v).pixel.position;
+            const glm::vec2 b = behind.given_vertex(t, v).pixel.position;
+            CHECK(glm::distance(a, b) < 0.1f);
+        }
+    }
+}
+
+} // namespace spaces_track
+} // namespace

@@ -1,0 +1,50 @@
+#pragma once
+
+// Asks the program for its answers to the predictions of a lesson.
+
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "lessons/lesson_run.h"
+#include "session/content.h"
+#include "support/prediction_checks.h"
+
+namespace rasterwalk::test {
+
+/// A lesson, and a session to ask it in.
+struct Questions {
+    Lesson lesson;
+    Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
+
+    explicit Questions(const std::string& id)
+        : lesson(read_lesson(lessons_folder() + "/" + id + ".md")) {}
+
+    Judgement answered(const std::string& id, const GivenAnswer& answer) const {
+        note_asked(lesson.id, id);
+        const LessonPrediction* const found = find_prediction(lesson, id);
+        INFO(lesson.id << " " << id);
+        REQUIRE(found != nullptr);
+        Judgement judgement = judge(lesson, *found, answer, session);
+        INFO(judgement.fault);
+        CHECK(judgement.fault.empty());
+        CHECK_FALSE(judgement.because.empty());
+        return judgement;
+    }
+    /// The program has about this number and takes it for right, and this other one for wrong.
+    void require_number(const std::string& id, double expected, double margin, double wrong) const {
+        const Judgement judgement = answered(id, {expected});
+        INFO(lesson.id << " " << id << ": the program has " << judgement.number);
+        CHECK(judgement.number == Approx(expected).margin(margin));
+        CHECK(judgement.is_right);
+        CHECK_FALSE(answered(id, {wrong}).is_right);
+    }
+    void require_choice(const std::string& id, int expected) const {
+        const Judgement judgement = answered(id, {expected});
+        INFO(lesson.id << " " << id);
+        CHECK(judgement.choice == expected);
+        CHECK(judgement.is_right);
+    }
+};
+
+} // namespace rasterwalk::test
