@@ -88,7 +88,7 @@ int check_picture(const Scene& scene, const Settings& settings) {
 
 void check_walk(const Scene& scene, const glm::vec3& low, const glm::vec3& high, int seed) {
     Random random(static_cast<std::uint32_t>(seed));
-    int compared = 0, cut = 0;
+    int compared = 0, cut = 0, told = 0;
     const int cameras = rounds(1000, 100); // ten thousand were walked with effort 10
     for (int i = 0; i < cameras; ++i) {
         Settings settings = default_settings(scene);
@@ -108,11 +108,20 @@ void check_walk(const Scene& scene, const glm::vec3& low, const glm::vec3& high,
         CAPTURE(i, static_cast<int>(settings.clip), settings.camera.position.x,
                 settings.camera.position.y, settings.camera.position.z, settings.camera.yaw,
                 settings.camera.pitch, settings.camera.focal_length);
+        const FrameStats stats = frame_stats(prepare_frame(scene, settings));
+        cut += stats.clipped;
+        const bool is_told = stats.left_out.of(Rejection::too_far_out) > 0;
+        if (is_told && settings.clip == Clip::near) {
+            // The near plane alone leaves corners too far out for the arithmetic; that is said.
+            ++told;
+            continue;
+        }
+        REQUIRE_FALSE(is_told);
         compared += check_picture(scene, settings);
-        cut += frame_stats(prepare_frame(scene, settings)).clipped;
     }
     CHECK(compared > 40 * cameras);
     CHECK(cut > cameras);
+    CHECK(told <= cameras / 20);
 }
 
 Scene scene_of_lessons(const std::string& name) {
