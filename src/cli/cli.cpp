@@ -56,7 +56,7 @@ void add_json(CLI::App& command, bool& json) {
     command.add_flag("--json", json, "Print JSON");
 }
 
-void describe(CommandLine& line, std::ostream& out, std::ostream& err) {
+void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ostream& err) {
     line.app.set_version_flag("--version", "rasterwalk " + version_text());
     line.app.require_subcommand(0, 1);
     line.app
@@ -75,8 +75,11 @@ void describe(CommandLine& line, std::ostream& out, std::ostream& err) {
     add_plane_options(render, line.render.view);
 
     CLI::App& stats = add_command(line, "stats", "Count triangles, fragments, overdraw ...",
-                                  [&] { stats_command(line.stats, out, err); });
+                                  [&] { stats_command(line.stats, clock, out, err); });
     add_json(stats, line.stats.json);
+    stats.add_flag("--time", line.stats.time,
+                   "Measure, too, what each way of culling saves on this machine");
+    stats.footer(stats_footer());
     add_view_options(stats, line.stats.view);
 
     CLI::App& rows = add_command(line, "rows", "Print the row table of a polygon",
@@ -230,7 +233,7 @@ int to_int(ExitCode code) {
 } // namespace
 
 int run_cli(int argc, const char* const* argv, std::ostream& data, std::ostream& messages,
-            CliRequest& request) {
+            CliRequest& request, const Clock& clock) {
     VisibleOutput out(data), err(messages);
     const auto complain = [&](const std::string& sentence, ExitCode code) {
         err << "rasterwalk: " << visible_line(sentence) << '\n';
@@ -238,7 +241,7 @@ int run_cli(int argc, const char* const* argv, std::ostream& data, std::ostream&
     };
     try {
         CommandLine line;
-        describe(line, out, err);
+        describe(line, clock, out, err);
         if (parse(line, command_arguments(argc, argv), out, err)) run(line, request);
         out.flush();
         if (!out) return complain("the output could not be written.", ExitCode::no_access);

@@ -2,6 +2,7 @@
 
 #include <iosfwd>
 
+#include "inspect/culling_cost.h"
 #include "session/session.h"
 
 namespace rasterwalk {
@@ -16,7 +17,8 @@ struct CliRequest {
 /// Carries out the command line of `rasterwalk`: writes what was asked for to `data`, and what is
 /// said about it to `messages`. Never throws for what a user may do wrong. Returns the exit code
 /// (see ExitCode).
+/// @param clock for the commands that measure times; without one they are wrong usage
 int run_cli(int argc, const char* const* argv, std::ostream& data, std::ostream& messages,
-            CliRequest& request);
+            CliRequest& request, const Clock& clock = {});
 
 } // namespace rasterwalk

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "inspect/culling_cost.h"
 #include "opening/view_options.h"
 
 namespace rasterwalk {
@@ -21,8 +22,13 @@ void render_command(const RenderOptions& options, std::ostream& err);
 struct StatsOptions {
     ViewOptions view;
     bool json = false;
+    bool time = false; ///< also measure what each way of culling costs
 };
-void stats_command(const StatsOptions& options, std::ostream& out, std::ostream& err);
+/// @param clock for `time`; without one UsageError
+void stats_command(const StatsOptions& options, const Clock& clock, std::ostream& out,
+                   std::ostream& err);
+/// What each of its numbers counts, a line each: for its help.
+std::string stats_footer();
 
 struct RowsOptions {
     std::vector<std::string> points; ///< X,Y

@@ -1,8 +1,12 @@
 #include "cli/commands.h"
 
 #include <map>
+#include <optional>
 #include <ostream>
 #include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
 
 #include "base/numbers.h"
 #include "cli/json.h"
@@ -35,23 +39,81 @@ Json to_json(const LeftOut& left_out) {
     return Json(counts);
 }
 
+/// A number of the frame.
+struct StatInfo {
+    std::string_view name, help;
+    std::int64_t (*read)(const FrameStats&);
+};
+
+/// All of them, in the order in which they are printed.
+constexpr StatInfo stat_list[] = {
+    {"triangles", "of the scene, drawn or not",
+     [](const FrameStats& s) -> std::int64_t { return s.triangles; }},
+    {"rejected", "triangles of which all vertices lie beyond the same plane, left out by reject",
+     [](const FrameStats& s) -> std::int64_t { return s.left_out.of(Rejection::outside); }},
+    {"clipped", "triangles from which a plane has cut a part",
+     [](const FrameStats& s) -> std::int64_t { return s.clipped; }},
+    {"clip_triangles", "triangles after clipping, a fan of each polygon; uncut ones too",
+     [](const FrameStats& s) -> std::int64_t { return s.clip_triangles; }},
+    {"culled", "triangles left out by cull, since they show their back",
+     [](const FrameStats& s) -> std::int64_t { return s.left_out.of(Rejection::back_facing); }},
+    {"fragments", "that fall in the picture; before stage fill, marks",
+     [](const FrameStats& s) { return s.fragments; }},
+    {"fragments_outside", "that are walked and fall beside the picture",
+     [](const FrameStats& s) { return s.fragments_outside; }},
+    {"max_overdraw", "most fragments on one pixel",
+     [](const FrameStats& s) -> std::int64_t { return s.max_overdraw; }},
+    {"uncovered", "pixels on which nothing falls", [](const FrameStats& s) { return s.uncovered; }},
+    {"rows_outside", "edge samples outside their triangle's row table",
+     [](const FrameStats& s) { return s.rows_outside; }},
+    {"rows_outside_triangles", "triangles that have such samples",
+     [](const FrameStats& s) -> std::int64_t { return s.rows_outside_triangles; }},
+    {"shaded", "fragments whose colour is worked out",
+     [](const FrameStats& s) { return s.shaded; }},
+    {"rows_looked_at", "rows asked by edge samples on the way to their own",
+     [](const FrameStats& s) { return s.rows_looked_at; }},
+    {"unset_rows", "rows that are drawn though no sample reached them",
+     [](const FrameStats& s) { return s.unset_rows; }},
+    {"depth_outside", "fragments whose pixel has no cell in the depth buffer",
+     [](const FrameStats& s) { return s.depth_outside; }},
+};
+
 Json to_json(const FrameStats& stats) {
-    return {{"clip_triangles", stats.clip_triangles},
-            {"clipped", stats.clipped},
-            {"culled", stats.left_out.of(Rejection::back_facing)},
-            {"depth_outside", stats.depth_outside},
-            {"fragments", stats.fragments},
-            {"fragments_outside", stats.fragments_outside},
-            {"left_out", to_json(stats.left_out)},
-            {"max_overdraw", stats.max_overdraw},
-            {"rejected", stats.left_out.of(Rejection::outside)},
-            {"rows_looked_at", stats.rows_looked_at},
-            {"rows_outside", stats.rows_outside},
-            {"rows_outside_triangles", stats.rows_outside_triangles},
-            {"shaded", stats.shaded},
-            {"triangles", stats.triangles},
-            {"uncovered", stats.uncovered},
-            {"unset_rows", stats.unset_rows}};
+    std::map<std::string_view, Json> numbers; // by name
+    for (const StatInfo& info : stat_list)
+        numbers[info.name] = info.read(stats);
+    numbers["left_out"] = to_json(stats.left_out);
+    Json json = Json::object();
+    for (const auto& [name, value] : numbers)
+        json[std::string(name)] = value;
+    return json;
+}
+
+std::int64_t culled_count(const CullingCost& cost) {
+    return cost.stats.left_out.of(Rejection::back_facing);
+}
+
+Json to_json(const CullingCosts& costs) {
+    Json ways = Json::array();
+    for (const CullingCost& cost : costs.ways) {
+        ways.push_back({{"cull", word_of(cost.way)},
+                        {"culled", culled_count(cost)},
+                        {"fragments", cost.stats.fragments},
+                        {"milliseconds", cost.milliseconds},
+                        {"shaded", cost.stats.shaded},
+                        {"share", cost.share}});
+    }
+    return {{"draws", costs.draws}, {"ways", std::move(ways)}};
+}
+
+void print_costs(const CullingCosts& costs, std::ostream& out) {
+    out << fmt::format("\n{:<17}{:>7}{:>12}{:>12}{:>14}{:>9}\n", "cull", "culled", "fragments",
+                       "shaded", "milliseconds", "share");
+    for (const CullingCost& cost : costs.ways) {
+        out << fmt::format("{:<17}{:>7}{:>12}{:>12}{:>14.3f}{:>9.3f}\n", word_of(cost.way),
+                           culled_count(cost), cost.stats.fragments, cost.stats.shaded,
+                           cost.milliseconds, cost.share);
+    }
 }
 
 } // namespace
@@ -66,29 +128,34 @@ void render_command(const RenderOptions& options, std::ostream& err) {
     report_troubles(frame, count_left_out(frame), err);
 }
 
-void stats_command(const StatsOptions& options, std::ostream& out, std::ostream& err) {
+std::string stats_footer() {
+    std::string text = "What is counted:";
+    for (const StatInfo& info : stat_list)
+        text += fmt::format("\n  {:<24}{}", info.name, info.help);
+    return text +
+           "\n  left_out                with --json: triangles that are not drawn, by reason\n"
+           "With --time, for each way of culling: the median time of a frame in milliseconds,\n"
+           "and its share of the time without culling; with --json as culling_times.";
+}
+
+void stats_command(const StatsOptions& options, const Clock& clock, std::ostream& out,
+                   std::ostream& err) {
+    if (options.time && !clock) throw UsageError("--time: there is no clock here.");
     const Session session = open_view(options.view);
-    const Frame frame = prepare_frame(*session.scene, session.a.settings);
+    const Settings& settings = session.a.settings;
+    const Frame frame = prepare_frame(*session.scene, settings);
     Framebuffer framebuffer;
     const FrameStats stats = frame_stats(frame, session.cursor, framebuffer);
+    std::optional<CullingCosts> costs;
+    if (options.time) costs = culling_costs(*session.scene, settings, session.cursor, clock);
     if (options.json) {
-        print_json(to_json(stats), out);
+        Json json = to_json(stats);
+        if (costs) json["culling_times"] = to_json(*costs);
+        print_json(json, out);
     } else {
-        out << "triangles               " << stats.triangles << '\n'
-            << "rejected                " << stats.left_out.of(Rejection::outside) << '\n'
-            << "clipped                 " << stats.clipped << '\n'
-            << "clip_triangles          " << stats.clip_triangles << '\n'
-            << "culled                  " << stats.left_out.of(Rejection::back_facing) << '\n'
-            << "fragments               " << stats.fragments << '\n'
-            << "fragments_outside       " << stats.fragments_outside << '\n'
-            << "max_overdraw            " << stats.max_overdraw << '\n'
-            << "uncovered               " << stats.uncovered << '\n'
-            << "rows_outside            " << stats.rows_outside << '\n'
-            << "rows_outside_triangles  " << stats.rows_outside_triangles << '\n'
-            << "shaded                  " << stats.shaded << '\n'
-            << "rows_looked_at          " << stats.rows_looked_at << '\n'
-            << "unset_rows              " << stats.unset_rows << '\n'
-            << "depth_outside           " << stats.depth_outside << '\n';
+        for (const StatInfo& info : stat_list)
+            out << fmt::format("{:<24}{}\n", info.name, info.read(stats));
+        if (costs) print_costs(*costs, out);
     }
     report_troubles(frame, stats.left_out, err);
 }

@@ -44,6 +44,14 @@ inline ValueRange whole(double low, double high) {
 inline ValueRange real(double low = -endless, double high = endless) {
     return {ValueType::number, {}, low, high, false};
 }
+/// A count: a whole number from 0.
+inline ValueRange natural() {
+    return whole(0, endless);
+}
+/// 1 for yes, 0 for no.
+inline ValueRange yes_or_no() {
+    return whole(0, 1);
+}
 inline ValueRange words(std::span<const std::string_view> list) {
     return {ValueType::word, {list.begin(), list.end()}, 0.0, 0.0, false};
 }

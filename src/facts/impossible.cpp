@@ -3,6 +3,7 @@
 
 #include "base/numbers.h"
 #include "facts/expression.h"
+#include "facts/fact_values.h"
 #include "facts/facts.h"
 
 namespace rasterwalk {
@@ -17,8 +18,6 @@ struct Reach {
     double low, high;
     bool is_whole;
 };
-
-constexpr double endless = std::numeric_limits<double>::infinity();
 
 /// Endless ends make sums and products that are no number: nothing is known of them then.
 Reach known(double low, double high, bool is_whole) {

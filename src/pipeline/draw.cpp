@@ -27,11 +27,6 @@ namespace rasterwalk {
 
 namespace {
 
-Rectangle intersection(const Rectangle& a, const Rectangle& b) {
-    return {std::max(a.left, b.left), std::max(a.top, b.top), std::min(a.right, b.right),
-            std::min(a.bottom, b.bottom)};
-}
-
 Rectangle scissor_rectangle(const DrawWindow& window, const Framebuffer& target) {
     const Rectangle whole{target.origin.x, target.origin.y, target.origin.x + target.size.width,
                           target.origin.y + target.size.height};
@@ -147,10 +142,12 @@ void draw_fragments(Drawing& d, Cursor cursor, std::span<const LineSample> fragm
     }
 }
 
-/// Fragments of a triangle's table that fall beside what the bounds test lets through.
+/// Fragments of a triangle's table that are walked and fall beside what the bounds test lets
+/// through.
 std::int64_t count_outside(const Frame& frame, int triangle, const PolygonRows& rows) {
     const Rectangle area = drawn_area(frame);
-    const Rectangle reach = reach_of(frame, triangle);
+    const Rectangle walked = frame.stages.walked_area(frame.settings.viewport);
+    const Rectangle reach = intersection(reach_of(frame, triangle), walked);
     if (reach.left >= area.left && reach.right <= area.right && reach.top >= area.top &&
         reach.bottom <= area.bottom)
         return 0;
@@ -158,13 +155,16 @@ std::int64_t count_outside(const Frame& frame, int triangle, const PolygonRows& 
     for (int r = 0; r < rows.size(); ++r) {
         const RowSpan span = row_span(frame.stages, rows, r);
         if (span.drawn <= 0 || rows.is_empty_row(r)) continue;
-        const std::int64_t left = span.left, behind = left + span.drawn;
         const int row = rows.first_row + r;
+        const std::int64_t left = std::max(span.left, walked.left);
+        const std::int64_t behind =
+            std::min<std::int64_t>(std::int64_t{span.left} + span.drawn, walked.right);
+        if (row < walked.top || row >= walked.bottom || left >= behind) continue;
         const bool is_in_picture = row >= area.top && row < area.bottom;
         const std::int64_t inside = is_in_picture ? std::min<std::int64_t>(behind, area.right) -
                                                         std::max<std::int64_t>(left, area.left)
                                                   : 0;
-        outside += span.drawn - std::max<std::int64_t>(inside, 0);
+        outside += behind - left - std::max<std::int64_t>(inside, 0);
     }
     return outside;
 }

@@ -142,7 +142,8 @@ void compute_rows(const Frame& frame, int triangle, PolygonRows& rows, SampleSin
 }
 
 Rectangle drawn_area(const Frame& frame) {
-    return frame.stages.drawn_area(frame.settings.viewport);
+    const Viewport& picture = frame.settings.viewport;
+    return intersection(frame.stages.walked_area(picture), frame.stages.drawn_area(picture));
 }
 
 } // namespace rasterwalk

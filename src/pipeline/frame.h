@@ -116,7 +116,7 @@ CullTest cull_test(const Frame& frame, int triangle);
 void compute_rows(const Frame& frame, int triangle, PolygonRows& rows, SampleSink* sink = nullptr,
                   VaryingSet carried = VaryingSet::all());
 
-/// The pixels that the bounds test lets through: the picture, or a little less.
+/// The pixels that are walked and that the bounds test lets through: the picture, or a little less.
 Rectangle drawn_area(const Frame& frame);
 
 } // namespace rasterwalk

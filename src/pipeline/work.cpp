@@ -35,10 +35,15 @@ Box box_of(std::span<const ScreenVertex> v) {
     return box;
 }
 
+Box part_in(const Box& box, const Rectangle& area) {
+    return {std::max(box.left, static_cast<double>(area.left)),
+            std::max(box.top, static_cast<double>(area.top)),
+            std::min(box.right, static_cast<double>(area.right)),
+            std::min(box.bottom, static_cast<double>(area.bottom))};
+}
+
 Box in_picture(const Box& box, Viewport picture) {
-    return {std::max(box.left, 0.0), std::max(box.top, 0.0),
-            std::min(box.right, static_cast<double>(picture.width)),
-            std::min(box.bottom, static_cast<double>(picture.height))};
+    return part_in(box, {0, 0, picture.width, picture.height});
 }
 
 /// Of a polygon without dents, as a fan of triangles about its first corner.
@@ -60,9 +65,12 @@ double samples_of(const Box& box) {
 FragmentEstimate fragments_of(const Frame& frame, int triangle) {
     if (!has_fragments(frame.settings.stage)) return {};
     const std::span<const ScreenVertex> v = frame.triangle_vertices(triangle);
+    const Viewport& picture = frame.settings.viewport;
     const Box box = box_of(v);
-    const double all = (twice_the_area(v) + samples_of(box)) / 2.0;
-    return {all, all * (in_picture(box, frame.settings.viewport).area() / box.area())};
+    const Box walked = part_in(box, frame.stages.walked_area(picture));
+    const double whole = (twice_the_area(v) + samples_of(box)) / 2.0;
+    return {whole * (walked.area() / box.area()),
+            whole * (in_picture(box, picture).area() / box.area())};
 }
 
 /// The work of a drawn triangle.

@@ -29,7 +29,7 @@ inline constexpr WorkLimit frame_limit{.at_once = 4'000'000.0, .slice = 1'000'00
 
 /// How many fragments a frame makes, estimated from the areas of its triangles.
 struct FragmentEstimate {
-    double all = 0.0;        ///< of whole triangles, as the lab's loop interpolates them
+    double all = 0.0;        ///< that are walked: of whole triangles, as in the lab's loop
     double in_picture = 0.0; ///< of those only what falls in the picture: that is drawn
 
     double share_outside() const { return all > 0.0 ? 1.0 - in_picture / all : 0.0; }

@@ -31,9 +31,10 @@ static_assert(words_match<Clip>);
 enum class Reject : std::uint8_t {
     none,     ///< none: the lab
     outcodes, ///< those whose vertices all lie beyond the same plane of the view volume
+    cheap,    ///< the same, and of the rest all that lies beside the picture: cheap clipping
 };
 template <>
-inline constexpr auto enum_words<Reject> = word_list("none", "outcodes");
+inline constexpr auto enum_words<Reject> = word_list("none", "outcodes", "cheap");
 static_assert(words_match<Reject>);
 
 /// What is left out because it shows its back: triangles, or single fragments.

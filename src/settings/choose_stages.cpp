@@ -53,7 +53,9 @@ void choose(NormalW w, Stages& stages) {
 }
 
 void choose(Reject reject, Stages& stages) {
-    if (reject == Reject::outcodes) stages.reject = reject_by_outcodes;
+    if (reject == Reject::none) return;
+    stages.reject = reject_by_outcodes;
+    if (reject == Reject::cheap) stages.walked_area = walk_in_picture;
 }
 
 void choose(Clip clip, Stages& stages) {

@@ -245,7 +245,8 @@ std::vector<Setting> make_table() {
                        0.1f}},
         {"reject", "Rejected before clipping", "View volume",
          "Which triangles are found to lie outside as a whole: none, or those whose vertices all "
-         "lie beyond the same plane.",
+         "lie beyond the same plane. Cheap clipping does that too, and walks the others only as "
+         "far as the picture reaches.",
          "Drawing points", "", choice<&Settings::reject>()},
         {"clip", "Clipped", "View volume",
          "What becomes of triangles that reach out of the view: left out if a vertex lies behind "

@@ -72,6 +72,7 @@ constexpr SaidWord said_words[] = {
     {"behind_mark", "none", "no mark"},
     {"behind_mark", "minus_one", "by −1"},
     {"reject", "outcodes", "by outcodes"},
+    {"reject", "cheap", "cheap clipping"},
     {"clip", "none", "not at all"},
     {"clip", "near", "by the near plane"},
     {"clip", "all", "by all planes"},

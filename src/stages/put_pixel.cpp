@@ -1,11 +1,20 @@
 #include "stages/put_pixel.h"
 
 #include <algorithm>
+#include <climits>
 
 namespace rasterwalk {
 
 Rectangle drawn_area(Viewport picture) {
     return {0, 0, picture.width, picture.height};
+}
+
+Rectangle walk_everywhere(Viewport) {
+    return {INT_MIN, INT_MIN, INT_MAX, INT_MAX};
+}
+
+Rectangle walk_in_picture(Viewport picture) {
+    return drawn_area(picture);
 }
 
 std::uint8_t to_byte(float channel) {

@@ -24,6 +24,14 @@ namespace rasterwalk {
 /// The places that lie in the picture: 0 <= x < W and 0 <= y < H.
 Rectangle drawn_area(Viewport picture);
 
+/// Where the rows of a polygon are walked: everywhere. Each fragment is then asked by itself
+/// whether it lies in the picture.
+Rectangle walk_everywhere(Viewport picture);
+
+/// Only in the picture, to which the box of the polygon is cut before its rows are walked: four
+/// comparisons, and no fragment falls beside it.
+Rectangle walk_in_picture(Viewport picture);
+
 /// A channel in 8 bits, as the lab's PutPixelSDL does it: 255 c, fraction dropped, at most 255.
 /// NaN becomes 0.
 std::uint8_t to_byte(float channel);

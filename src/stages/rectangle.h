@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 namespace rasterwalk {
 
 /// Pixels from (left, top) up to, not including, (right, bottom).
@@ -12,6 +14,12 @@ struct Rectangle {
 /// Are there no pixels in it?
 constexpr bool is_empty(const Rectangle& r) {
     return r.left >= r.right || r.top >= r.bottom;
+}
+
+/// What both have in common; empty if that is nothing.
+constexpr Rectangle intersection(const Rectangle& a, const Rectangle& b) {
+    return {std::max(a.left, b.left), std::max(a.top, b.top), std::min(a.right, b.right),
+            std::min(a.bottom, b.bottom)};
 }
 
 } // namespace rasterwalk

@@ -11,6 +11,9 @@
 // That the corners have no bit in common does not mean that a part is inside: a triangle can pass
 // by a corner of the view. Clipping finds nothing of it.
 //
+// "Cheap clipping" cuts nothing at all: it rejects by the codes, and of the other polygons it walks
+// the rows only as far as the picture reaches, see walk_in_picture().
+//
 // Source: the codes are those of D. Cohen and I. Sutherland for lines: Newman and Sproull,
 // Principles of Interactive Computer Graphics, 1973.
 

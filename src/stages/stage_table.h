@@ -57,6 +57,7 @@ struct Stages {
     decltype(&rasterwalk::find_row) find_row = rasterwalk::find_row;
     decltype(&rasterwalk::compute_polygon_rows) compute_polygon_rows =
         rasterwalk::compute_polygon_rows;
+    decltype(&walk_everywhere) walked_area = walk_everywhere;
     int (*row_pixel_count)(int left, int right) = rasterwalk::row_pixel_count;
     int (*drawn_pixels)(int pixel_count) = rasterwalk::drawn_pixels;
 

@@ -17,6 +17,7 @@
 #include "base/error.h"
 #include "camera_benchmark.h"
 #include "compare/compare.h"
+#include "inspect/culling_cost.h"
 #include "inspect/pixel_history.h"
 #include "picture/view_image.h"
 #include "pipeline/draw.h"
@@ -199,6 +200,23 @@ void print_table(const Measurements& measurements) {
     }
 }
 
+double milliseconds_now() {
+    const std::chrono::duration<double, std::milli> time =
+        std::chrono::steady_clock::now().time_since_epoch();
+    return time.count();
+}
+
+/// What each way of culling saves of a frame.
+void print_culling_times(const Scene& scene) {
+    const CullingCosts costs =
+        culling_costs(scene, default_settings(scene), cursor_end, milliseconds_now);
+    std::printf("\n%-32s %12s %12s %12s\n", ("culling, " + scene.name).c_str(), "fragments",
+                "median", "x none");
+    for (const CullingCost& cost : costs.ways)
+        std::printf("%-32s %12lld %12.3f %12.3f\n", std::string(word_of(cost.way)).c_str(),
+                    static_cast<long long>(cost.stats.fragments), cost.milliseconds, cost.share);
+}
+
 /// The words behind `camera`. Throws UsageError.
 CameraBenchmark camera_options(const std::vector<std::string>& words) {
     CameraBenchmark options;
@@ -243,6 +261,8 @@ int main(int argc, char** argv) {
         measure_comparison(measurements, path);
         measure_interface(measurements, path);
         print_table(measurements);
+        print_culling_times(scene);
+        print_culling_times(test::made_scene(100'000));
         print_replay_times(scene);
         print_replay_times(test::made_scene(100'000));
     } catch (const Error& fault) {

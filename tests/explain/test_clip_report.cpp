@@ -138,10 +138,7 @@ TEST_CASE("What is divided before it is cut comes out of formulas that go back t
 
 TEST_CASE("What is no number of the triangle has no formula") {
     const Scene room = lab_room();
-    Settings settings = default_settings(room);
-    settings.clip = Clip::near;
-    settings.camera.position.z = -0.5f;
-    const Frame frame = prepare_frame(room, settings);
+    const Frame frame = prepare_frame(room, near_clipped_room(room));
     const ClipHistory history = clip_history(frame, 1);
     for (const char* const id : {"",
                                  ".",

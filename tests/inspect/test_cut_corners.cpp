@@ -103,10 +103,7 @@ TEST_CASE("Step by step the polygon becomes what the plane leaves") {
 
 TEST_CASE("The moment just done tells how far clipping has come") {
     const Scene room = lab_room();
-    Settings settings = default_settings(room);
-    settings.clip = Clip::near;
-    settings.camera.position.z = -0.5f;
-    const Frame frame = prepare_frame(room, settings);
+    const Frame frame = prepare_frame(room, near_clipped_room(room));
     const ClipHistory history = clip_history(frame, 1);
     REQUIRE(history.planes.size() == 1);
     CHECK_FALSE(clip_progress(history, std::nullopt));

@@ -228,6 +228,7 @@ const std::vector<Replacement>& replacements() {
         {"depth_test", [](Stages& s) { s.depth_test = depth_test_reversed; }},
         {"depth_cell", [](Stages& s) { s.depth_cell = depth_cell_transposed; }},
         {"pixel_shader", [](Stages& s) { s.pixel_shader = blue; }},
+        {"walked_area", [](Stages& s) { s.walked_area = without_border; }},
         {"drawn_area", [](Stages& s) { s.drawn_area = without_border; }},
         {"to_byte and visible_channel",
          [](Stages& s) {

@@ -205,10 +205,7 @@ TEST_CASE("From outside a cut triangle has what is left of it, and dashed what i
 
 TEST_CASE("While clipping is at work only what is done is seen") {
     const Scene room = lab_room();
-    Settings settings = default_settings(room);
-    settings.clip = Clip::near;
-    settings.camera.position.z = -0.5f;
-    const Frame frame = prepare_frame(room, settings);
+    const Frame frame = prepare_frame(room, near_clipped_room(room));
     const ClipHistory history = clip_history(frame, 1);
     REQUIRE(history.planes.size() == 1);
     const auto seen_after = [&](int step) {
@@ -229,9 +226,7 @@ TEST_CASE("While clipping is at work only what is done is seen") {
 
 TEST_CASE("What clipping takes of the triangle at work has another colour from outside") {
     const Scene room = lab_room();
-    Settings settings = default_settings(room);
-    settings.clip = Clip::near;
-    settings.camera.position.z = -0.5f;
+    const Settings settings = near_clipped_room(room);
     const Moment moment(room, settings, cursor_end);
     OutsideLook look;
     look.size = {500, 400};
@@ -284,8 +279,7 @@ TEST_CASE("What clipping takes of the triangle at work has another colour from o
 
 TEST_CASE("A vertex behind the camera is mirrored through the eye where it is divided") {
     const Scene room = lab_room();
-    Settings settings = default_settings(room);
-    settings.camera.position.z = -0.5f;
+    const Settings settings = near_clipped_room(room);
     OutsideThings things;
     things.box = box_of(room);
     things.plane = picture_plane(settings.camera, settings.viewport, things.box);

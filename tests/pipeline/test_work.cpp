@@ -72,8 +72,13 @@ TEST_CASE("A frame's fragments are estimated without drawing them, those beside 
         CHECK(work.fragments().in_picture > 0.5 * inside);
         CHECK(work.fragments().in_picture < 2.0 * inside);
     }
-    settings.stage = Stage::edges;
+    settings.reject = Reject::cheap; // walks nothing beside the picture
     FrameWork work;
+    const Frame cheap = prepare_frame(scene, settings);
+    work.begin(cheap);
+    CHECK(tally_rows(cheap, 0).fragments_outside == 0);
+    CHECK(work.fragments().all == work.fragments().in_picture);
+    settings.stage = Stage::edges;
     const Frame edges = prepare_frame(scene, settings);
     work.begin(edges);
     CHECK(work.fragments().all == 0.0);

@@ -17,4 +17,12 @@ inline Frame room_frame(const Scene& room, Random& random, Clip clip) {
     return prepare_frame(room, settings);
 }
 
+/// The room from within: the camera at z = -0.5, which cuts walls at the near plane.
+inline Settings near_clipped_room(const Scene& room) {
+    Settings settings = default_settings(room);
+    settings.clip = Clip::near;
+    settings.camera.position.z = -0.5f;
+    return settings;
+}
+
 } // namespace rasterwalk::test

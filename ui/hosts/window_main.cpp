@@ -1,3 +1,4 @@
+#include <chrono>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -8,6 +9,16 @@
 #include "cli/cli.h"
 #include "ui/hosts/window.h"
 
+namespace {
+
+double milliseconds_now() {
+    const std::chrono::duration<double, std::milli> time =
+        std::chrono::steady_clock::now().time_since_epoch();
+    return time.count();
+}
+
+} // namespace
+
 int main(int argc, char** argv) {
     using rasterwalk::ExitCode;
     const auto complain = [](const char* sentence, ExitCode code) {
@@ -16,7 +27,8 @@ int main(int argc, char** argv) {
     };
     try {
         rasterwalk::CliRequest request;
-        const int exit_code = rasterwalk::run_cli(argc, argv, std::cout, std::cerr, request);
+        const int exit_code =
+            rasterwalk::run_cli(argc, argv, std::cout, std::cerr, request, milliseconds_now);
         if (request.open_window) {
             rasterwalk::show_window(std::move(request.session), request.is_plain);
         }

@@ -47,6 +47,9 @@ std::string verdict_of(const ClipHistory& history, const Settings& settings) {
             return "It is changed by a function that tells of no plane: what is left stands below.";
         if (history.clipped.rejection != Rejection::none)
             return "Nothing is cut: the triangle is left out whole.";
+        if (settings.reject == Reject::cheap)
+            return "Nothing is cut: of what lies beside the picture cheap clipping walks no row "
+                   "and no column.";
         if (settings.clip != Clip::leave_out)
             return "Nothing is cut: what reaches out of the view is divided as it is.";
         return "Nothing is cut, as in the lab: a triangle with a vertex behind the camera is left "

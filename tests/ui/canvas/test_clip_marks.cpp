@@ -46,6 +46,17 @@ std::vector<ImDrawVert> clip_marks(Driver& driver) {
     return {list.VtxBuffer.begin(), list.VtxBuffer.end()};
 }
 
+/// The names of corners that are marked on the canvas.
+std::vector<VertexLabel> corner_labels(Driver& driver) {
+    ImDrawList list(ImGui::GetDrawListSharedData());
+    list._ResetForNewFrame();
+    list.PushTextureID(ImGui::GetIO().Fonts->TexID);
+    list.PushClipRectFullScreen();
+    const WidgetPlace& canvas = driver.ui.widgets.at("canvas");
+    return draw_canvas_marks(driver.ui, run_a(driver.ui), &list, canvas.top_left,
+                             canvas.bottom_right);
+}
+
 } // namespace
 
 TEST_CASE("New corners stand on the picture with the names of their planes") {
@@ -67,6 +78,50 @@ TEST_CASE("New corners stand on the picture with the names of their planes") {
     driver.hand.frames(frames_to_rest);
     for (const CutCorner& corner : corners)
         CHECK((!corner.is_new() || count_on_canvas(std::string(word_of(corner.plane))) == 0));
+}
+
+TEST_CASE("The corners of a cut triangle are named in their order, and no name lies on another") {
+    int named = 0, made = 0;
+    for (const ImVec2 window : {ImVec2(1600, 1000), ImVec2(1024, 640)}) {
+        for (const int triangle : {0, 1, 5, 9}) {
+            Driver driver("corridor.toml", window);
+            // A picture so small that pixels are large enough for the names of all corners.
+            for (const char* set : {"clip=all", "viewport.size=40x32", "camera.focal_length=32"})
+                follow_link(driver.ui, std::string("set:") + set);
+            follow_link(driver.ui, "triangle:" + std::to_string(triangle));
+            driver.ui.session.canvas.row_table = false;
+            driver.hand.press('F');
+            driver.hand.leave();
+            CAPTURE(window.x, triangle);
+            const std::vector<CutCorner> corners =
+                corners_before(*driver.ui.results.a.inspected.clip);
+            const std::vector<VertexLabel> labels = corner_labels(driver);
+            int last = -1;
+            for (const VertexLabel& label : labels) {
+                CAPTURE(label.name);
+                REQUIRE(label.vertex > last); // from the first corner on, as the edges go
+                last = label.vertex;
+                REQUIRE(last < static_cast<int>(corners.size()));
+                const CutCorner& corner = corners[static_cast<std::size_t>(last)];
+                const bool is_short = label.name == short_corner_name(corner);
+                CHECK((is_short || label.name.starts_with(corner_name(corner))));
+                if (corner.is_new() && !is_short)
+                    CHECK(label.name.ends_with(", " + std::string(word_of(corner.plane))));
+                CHECK(count_on_canvas(label.name) == 1);
+                for (const VertexLabel& other : labels) {
+                    if (&other == &label) break;
+                    const bool is_apart =
+                        label.high.x <= other.low.x || other.high.x <= label.low.x ||
+                        label.high.y <= other.low.y || other.high.y <= label.low.y;
+                    CHECK(is_apart);
+                }
+                ++named;
+                made += corner.is_new() ? 1 : 0;
+            }
+        }
+    }
+    CHECK(named > 12);
+    CHECK(made > 6);
 }
 
 TEST_CASE("The outline before the cut reaches beyond the picture's border") {

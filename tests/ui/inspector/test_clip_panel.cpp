@@ -281,6 +281,65 @@ TEST_CASE("The step at the cursor is explained, and a click on an edge goes to i
     CHECK(number_in(shown_text(driver, "clip.formula.result")) == Approx(-2.1));
 }
 
+TEST_CASE("The Clip tab scrolls to the step at the cursor, forwards and backwards") {
+    for (const SmallWindow& window : small_windows) {
+        CAPTURE(window.size.x, window.size.y, window.text_scale);
+        Driver driver("corridor.toml", window.size, window.text_scale);
+        follow_link(driver.ui, "set:clip=all");
+        follow_link(driver.ui, "triangle:1");
+        driver.open("clip");
+        const ClipHistory history = *driver.ui.results.a.inspected.clip;
+        std::vector<Cursor> steps;
+        for (const PlaneHistory& plane : history.planes) {
+            for (const ClipStep& step : plane.steps)
+                steps.push_back({1, Phase::clip, static_cast<int>(plane.plane), step.from});
+        }
+        REQUIRE(history.planes.size() >= 2);
+        const auto edge_of = [](const Cursor& step) {
+            return fmt::format("clip.edge.{}.{}", step.index, step.step);
+        };
+        const auto check_seen = [&](const Cursor& step) {
+            const std::string edge = edge_of(step);
+            CAPTURE(edge);
+            REQUIRE(driver.ui.results.a.done == step);
+            const auto found = driver.ui.widgets.find(edge);
+            REQUIRE(found != driver.ui.widgets.end());
+            CHECK(found->second.is_whole);
+        };
+        follow_link(driver.ui, fmt::format("cursor:t1/p{}/s0", steps.front().index));
+        driver.hand.frames(frames_to_rest);
+        for (const Cursor& step : steps) {
+            driver.hand.press(key::period);
+            driver.hand.frames(frames_to_rest);
+            check_seen(step);
+        }
+        // Not because all of them have room at once.
+        CHECK_FALSE(driver.hand.is_visible(edge_of(steps.front())));
+        for (std::size_t i = steps.size() - 1; i-- > 0;) {
+            driver.hand.press(key::comma);
+            driver.hand.frames(frames_to_rest);
+            check_seen(steps[i]);
+        }
+        CHECK_FALSE(driver.hand.is_visible(edge_of(steps.back())));
+    }
+}
+
+TEST_CASE("Cheap clipping cuts nothing, and the Clip tab says what it leaves out") {
+    Corridor corridor("leave_out", 2);
+    Driver& driver = corridor.driver;
+    driver.ui.session.a.settings.camera.position = {0.9f, 0.0f, 2.0f};
+    driver.hand.frames(frames_to_rest);
+    const auto outside = [&] {
+        return number_in(shown_text(driver, "clip.count.fragments_outside"));
+    };
+    CHECK(outside() > 0.0);
+    follow_link(driver.ui, "set:reject=cheap");
+    driver.hand.frames(frames_to_rest);
+    CHECK(outside() == 0.0);
+    driver.hand.find("clip.verdict");
+    CHECK_THAT(inspector_words(), Catch::Contains("cheap clipping"));
+}
+
 TEST_CASE("In small windows the numbers of clipping are whole") {
     for (const SmallWindow& window : small_windows) {
         CAPTURE(window.size.x, window.size.y, window.text_scale);

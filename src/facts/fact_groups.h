@@ -1,0 +1,44 @@
+#pragma once
+
+// The groups of the table of facts, each the facts of one subject.
+
+#include <vector>
+
+#include "facts/fact_values.h"
+#include "facts/facts.h"
+
+namespace rasterwalk {
+
+// In frame_facts.cpp:
+/// The moment: what comes next.
+void add_cursor_facts(std::vector<Fact>& table);
+/// What is selected, and what is on show.
+void add_session_facts(std::vector<Fact>& table);
+/// The whole frame in numbers.
+void add_frame_facts(std::vector<Fact>& table);
+
+// In triangle_facts.cpp, of the triangle on show:
+/// Where it lies, and which side it shows.
+void add_side_facts(std::vector<Fact>& table);
+/// What clipping and culling do to it.
+void add_clip_facts(std::vector<Fact>& table);
+/// Its selected vertex.
+void add_vertex_facts(std::vector<Fact>& table);
+
+// In fragment_facts.cpp:
+/// The picked pixel.
+void add_pixel_facts(std::vector<Fact>& table);
+/// The row table of the triangle on show.
+void add_table_facts(std::vector<Fact>& table);
+
+// In compare_facts.cpp:
+/// Two runs, and how they differ.
+void add_compare_facts(std::vector<Fact>& table);
+
+/// Of a triangle behind all planes, one of which cuts off each of the corners it has by then.
+inline constexpr int most_polygon_corners = triangle_corners + static_cast<int>(clip_plane_count);
+
+/// Ndc z of a depth in front of run A's camera; none in a scene in pixels.
+Value z_ndc(const Facts& facts, float z);
+
+} // namespace rasterwalk

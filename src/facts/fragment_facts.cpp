@@ -1,0 +1,162 @@
+#include "facts/fact_groups.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "base/element_names.h"
+#include "base/limits.h"
+
+namespace rasterwalk {
+
+namespace {
+
+const ValueRange place = whole(0, largest_viewport - 1); ///< column or row of the picture
+
+Value pixel_place(const Facts& facts, int axis) {
+    const std::optional<PixelHistory>& history = facts.results().history;
+    return history ? number(axis == 0 ? history->pixel.x : history->pixel.y) : Value();
+}
+
+Value pixel_channel(const Facts& facts, int channel) {
+    if (!facts.results().history) return {};
+    const PixelEntry* const winner = facts.winner();
+    return winner != nullptr ? number(winner->colour_after[channel]) : number(0);
+}
+
+Value edge_samples(const Facts& facts, int edge) {
+    const RowHistory* const table = facts.table();
+    if (table == nullptr) return {};
+    return number(table->edge_samples[static_cast<std::size_t>(edge)]);
+}
+
+/// An end of the selected row; none where no sample reached it.
+Value row_end(const Facts& facts, int end) {
+    const std::optional<int> row = facts.table_row();
+    if (!row || facts.table()->rows.is_empty_row(*row)) return {};
+    const PolygonRows& rows = facts.table()->rows;
+    return number((end == 0 ? rows.left : rows.right)[static_cast<std::size_t>(*row)].column);
+}
+
+Value table_fragments(const Facts& facts, int) {
+    const RowHistory* const table = facts.table();
+    if (table == nullptr) return {};
+    std::int64_t sum = 0;
+    for (int row = 0; row < table->rows.size(); ++row)
+        sum += table->rows.pixel_count(row);
+    return number(sum);
+}
+
+} // namespace
+
+void add_pixel_facts(std::vector<Fact>& table) {
+    table.push_back({"pixel.column", "Column of the picked pixel.", place, pixel_place, 0});
+    table.push_back({"pixel.row", "Row of the picked pixel.", place, pixel_place, 1});
+    table.push_back({"pixel.fragments", "Fragments that fall on the picked pixel, drawn or not.",
+                     natural(), [](const Facts& f, int) {
+                         const auto& history = f.results().history;
+                         return history ? number(static_cast<std::int64_t>(history->entries.size()))
+                                        : Value();
+                     }});
+    table.push_back({"pixel.uncovered", "1 if nothing falls on the picked pixel.", yes_or_no(),
+                     [](const Facts& f, int) {
+                         const auto& history = f.results().history;
+                         return history ? number(history->entries.empty() ? 1 : 0) : Value();
+                     }});
+    table.push_back({"pixel.losers", "Fragments on the picked pixel that fail the depth test.",
+                     natural(), [](const Facts& f, int) {
+                         const auto& history = f.results().history;
+                         if (!history) return Value();
+                         return number(std::count_if(
+                             history->entries.begin(), history->entries.end(),
+                             [](const PixelEntry& e) { return e.fate == Fate::depth_failed; }));
+                     }});
+    table.push_back({"pixel.owner", "Triangle that the picked pixel shows in the end; -1: none.",
+                     whole(-1, endless), [](const Facts& f, int) {
+                         if (!f.results().history) return Value();
+                         const PixelEntry* const winner = f.winner();
+                         return number(winner != nullptr ? winner->cursor.triangle : -1);
+                     }});
+    table.push_back({"pixel.zinv",
+                     "1/z of what the picked pixel shows in the end; 1/w under another projection.",
+                     real(), [](const Facts& f, int) {
+                         const PixelEntry* const winner = f.winner();
+                         return winner != nullptr ? number(winner->zinv) : Value();
+                     }});
+    table.push_back({"pixel.depth",
+                     "What the depth buffer holds, by depth_format, of what the picked pixel shows "
+                     "in the end.",
+                     real(), [](const Facts& f, int) {
+                         const PixelEntry* const winner = f.winner();
+                         return winner != nullptr ? number(winner->depth) : Value();
+                     }});
+    table.push_back({"pixel.z", "z of what the picked pixel shows in the end.", real(),
+                     [](const Facts& f, int) {
+                         const PixelEntry* const winner = f.winner();
+                         return winner != nullptr && winner->zinv > 0.0f ? number(winner->z)
+                                                                         : Value();
+                     }});
+    table.push_back({"pixel.z_ndc",
+                     "Ndc z of what the picked pixel shows in the end: 0 at the near plane, 1 at "
+                     "the far one.",
+                     real(), [](const Facts& f, int) {
+                         const PixelEntry* const winner = f.winner();
+                         return winner != nullptr && winner->zinv > 0.0f ? z_ndc(f, winner->z)
+                                                                         : Value();
+                     }});
+    constexpr std::array<const char*, 3> channels{"red", "green", "blue"};
+    for (int i = 0; i < 3; ++i) {
+        const std::string channel = channels[static_cast<std::size_t>(i)];
+        table.push_back({"pixel." + channel,
+                         "The picked pixel's " + channel +
+                             " in the end, linear, not cut at 1; 0 where nothing falls.",
+                         real(), pixel_channel, i});
+    }
+    table.push_back({"pixel.light_error",
+                     "How far off affine interpolation puts the light there, largest channel.",
+                     real(0), [](const Facts& f, int) {
+                         const auto error = f.interpolation_error();
+                         return error ? number(error->light) : Value();
+                     }});
+    table.push_back({"pixel.position_error",
+                     "How far off affine interpolation puts the place there, world units.", real(0),
+                     [](const Facts& f, int) {
+                         const auto error = f.interpolation_error();
+                         return error ? number(error->position) : Value();
+                     }});
+}
+
+void add_table_facts(std::vector<Fact>& table) {
+    table.push_back({"table.rows", "Rows of the row table of the triangle on show.", natural(),
+                     [](const Facts& f, int) {
+                         return f.table() != nullptr ? number(f.table()->rows.size()) : Value();
+                     }});
+    table.push_back({"table.first_row", "Row of the picture with which the table begins.",
+                     whole(-endless, endless), [](const Facts& f, int) {
+                         return f.table() != nullptr ? number(f.table()->rows.first_row) : Value();
+                     }});
+    table.push_back({"table.outside", "Edge samples that fall outside the table.", natural(),
+                     [](const Facts& f, int) {
+                         return f.table() != nullptr ? number(f.table()->rows.outside) : Value();
+                     }});
+    table.push_back({"table.fragments", "Pixels from end to end of all rows of the table.",
+                     natural(), table_fragments});
+    table.push_back({"table.left", "Left end of the selected row, when the table is finished.",
+                     whole(-endless, endless), row_end, 0});
+    table.push_back({"table.right", "Right end of the selected row, when the table is finished.",
+                     whole(-endless, endless), row_end, 1});
+    table.push_back({"table.count", "Pixels of the selected row, both ends included.", natural(),
+                     [](const Facts& f, int) {
+                         const std::optional<int> row = f.table_row();
+                         return row ? number(f.table()->rows.pixel_count(*row)) : Value();
+                     }});
+    for (int edge = 0; edge < triangle_corners; ++edge) {
+        table.push_back(
+            {fmt::format("table.e{}.samples", edge),
+             fmt::format("How many samples {} of the triangle on show has.", edge_name(edge)),
+             natural(), edge_samples, edge});
+    }
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,189 @@
+#include "facts/fact_groups.h"
+
+#include <array>
+
+#include "picture/view_image.h"
+#include "session/tabs.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// The words of the phases, and at last one for the end.
+constexpr auto phase_words = [] {
+    std::array<std::string_view, phase_count + 1> words;
+    for (std::size_t i = 0; i < phase_list.size(); ++i)
+        words[i] = phase_list[i].word;
+    words.back() = "end";
+    return words;
+}();
+
+/// The cursor, if it stands in this phase of a triangle.
+const Cursor* cursor_in(const Facts& facts, Phase phase) {
+    const Cursor& cursor = facts.results().a.cursor;
+    return cursor != cursor_end && cursor.phase == phase ? &cursor : nullptr;
+}
+
+Value cursor_phase(const Facts& facts, int) {
+    const Cursor& cursor = facts.results().a.cursor;
+    return std::string(cursor == cursor_end ? phase_words.back() : phase_info(cursor.phase).word);
+}
+
+Value cursor_plane(const Facts& facts, int) {
+    const Cursor* const at = cursor_in(facts, Phase::clip);
+    if (at == nullptr) return {};
+    return std::string(word_of(static_cast<ClipPlane>(at->index)));
+}
+
+/// Row or column of the picture where the next fragment falls.
+Value cursor_pixel(const Facts& facts, int axis) {
+    const Cursor* const cursor = cursor_in(facts, Phase::rows);
+    if (cursor == nullptr) return {};
+    const Timeline timeline(facts.results().a.frame);
+    const PolygonRows& rows = timeline.moments(cursor->triangle).rows;
+    if (axis == 1) return number(rows.first_row + cursor->index);
+    return number(rows.left[static_cast<std::size_t>(cursor->index)].column + cursor->step);
+}
+
+template <class Number>
+void add_frame_fact(std::vector<Fact>& table, const char* name, const char* help, Number) {
+    table.push_back(
+        {name, help, natural(), [](const Facts& f, int) { return Number{}(f.frame_stats()); }});
+}
+
+} // namespace
+
+void add_cursor_facts(std::vector<Fact>& table) {
+    table.push_back({"cursor", "The moment: what comes next. `end` after everything.", moment(),
+                     [](const Facts& f, int) { return Value(f.results().a.cursor); }});
+    table.push_back(
+        {"cursor.triangle", "Triangle of the moment, from 0.", natural(), [](const Facts& f, int) {
+             const Cursor& cursor = f.results().a.cursor;
+             return cursor == cursor_end ? Value() : number(cursor.triangle);
+         }});
+    table.push_back(
+        {"cursor.phase", "What kind of work comes next.", words(phase_words), cursor_phase});
+    table.push_back(
+        {"cursor.vertex", "Vertex that comes next, 0 to 2.", whole(0, 2), [](const Facts& f, int) {
+             const Cursor* const at = cursor_in(f, Phase::vertices);
+             return at != nullptr ? number(at->index) : Value();
+         }});
+    table.push_back({"cursor.plane", "Clipping plane at which an edge comes next.",
+                     words(enum_words<ClipPlane>), cursor_plane});
+    table.push_back({"cursor.clip_edge", "Edge that comes next at that plane, from 0.",
+                     whole(0, most_polygon_corners - 1), [](const Facts& f, int) {
+                         const Cursor* const at = cursor_in(f, Phase::clip);
+                         return at != nullptr ? number(at->step) : Value();
+                     }});
+    table.push_back({"cursor.edge",
+                     "Edge whose sample comes next; of a triangle that is not cut 0 "
+                     "to 2.",
+                     whole(0, most_polygon_corners - 1), [](const Facts& f, int) {
+                         const Cursor* const at = cursor_in(f, Phase::edges);
+                         return at != nullptr ? number(at->index) : Value();
+                     }});
+    table.push_back({"cursor.sample", "Sample of that edge, from 0: line[...].", natural(),
+                     [](const Facts& f, int) {
+                         const Cursor* const at = cursor_in(f, Phase::edges);
+                         return at != nullptr ? number(at->step) : Value();
+                     }});
+    table.push_back({"cursor.decision",
+                     "Decision variable at that sample; only lines that decide have one.", real(),
+                     [](const Facts& f, int) {
+                         const std::optional<LineDecision> decision = f.decision();
+                         return decision ? number(decision->before) : Value();
+                     }});
+    table.push_back({"cursor.diagonal",
+                     "1 if the line goes on diagonally from that sample, 0 if straight.",
+                     yes_or_no(), [](const Facts& f, int) {
+                         const std::optional<LineDecision> decision = f.decision();
+                         if (!decision || decision->step == PixelStep::none) return Value();
+                         return number(decision->step == PixelStep::diagonal ? 1 : 0);
+                     }});
+    table.push_back({"cursor.column", "Column of the picture in which the next fragment falls.",
+                     whole(-endless, endless), cursor_pixel, 0});
+    table.push_back({"cursor.row", "Row of the picture in which the next fragment falls.",
+                     whole(-endless, endless), cursor_pixel, 1});
+}
+
+void add_session_facts(std::vector<Fact>& table) {
+    table.push_back({"triangle", "Selected triangle, from 0.", natural(),
+                     [](const Facts& f, int) { return number(f.session().selection.triangle); }});
+    table.push_back(
+        {"triangle.count", "Triangles of the scene.", natural(),
+         [](const Facts& f, int) { return number(f.results().a.frame.triangle_count()); }});
+    table.push_back({"triangle.shown",
+                     "Triangle that the inspector shows, from 0: the selected one, or "
+                     "the one that was just drawn.",
+                     natural(),
+                     [](const Facts& f, int) { return number(f.results().a.triangle); }});
+    table.push_back({"row", "Selected row of the picture.", whole(-endless, endless),
+                     [](const Facts& f, int) { return number(f.session().selection.row); }});
+    table.push_back({"vertex", "Selected vertex of the triangle on show, 0 to 2.", whole(0, 2),
+                     [](const Facts& f, int) { return number(f.session().selection.vertex); }});
+    table.push_back({"tab", "Tab of the inspector that is open.", words(tab_names()),
+                     [](const Facts& f, int) { return Value(f.session().tab); }});
+    table.push_back(
+        {"view", "Plane of the picture that is shown.", words(enum_words<View>),
+         [](const Facts& f, int) { return Value(std::string(word_of(f.session().view))); }});
+    table.push_back(
+        {"canvas", "What the canvas shows: the picture, the scene from outside, or both.",
+         words(enum_words<CanvasShows>), [](const Facts& f, int) {
+             const Session& session = f.session();
+             return Value(std::string(word_of(shown_on_canvas(session.canvas, *session.scene))));
+         }});
+    for (const OverlayInfo& info : overlay_list()) {
+        table.push_back({"overlay." + std::string(info.name),
+                         "1 while the overlay '" + std::string(info.title) + "' is on.",
+                         yes_or_no(),
+                         [](const Facts& f, int overlay) {
+                             const auto which = static_cast<Overlay>(overlay);
+                             return number(f.session().overlays.has(which) ? 1 : 0);
+                         },
+                         static_cast<int>(info.overlay)});
+    }
+    table.push_back({"zoom", "Screen pixels for each pixel of the picture; 0: it fits.",
+                     real(0, 64),
+                     [](const Facts& f, int) { return number(f.session().canvas.zoom); }});
+}
+
+void add_frame_facts(std::vector<Fact>& table) {
+    add_frame_fact(table, "frame.fragments",
+                   "Fragments that fall in the picture, drawn or not; before stage fill, marks.",
+                   [](const FrameStats& s) { return number(s.fragments); });
+    add_frame_fact(table, "frame.fragments_outside", "Fragments that fall beside the picture.",
+                   [](const FrameStats& s) { return number(s.fragments_outside); });
+    add_frame_fact(table, "frame.shaded", "Fragments whose colour is worked out.",
+                   [](const FrameStats& s) { return number(s.shaded); });
+    add_frame_fact(table, "frame.clipped", "Triangles that clipping has cut.",
+                   [](const FrameStats& s) { return number(s.clipped); });
+    add_frame_fact(table, "frame.clip_triangles",
+                   "Triangles after clipping, uncut ones too: a polygon counts as its fan.",
+                   [](const FrameStats& s) { return number(s.clip_triangles); });
+    add_frame_fact(
+        table, "frame.culled", "Triangles left out because they show their back.",
+        [](const FrameStats& s) { return number(s.left_out.of(Rejection::back_facing)); });
+    add_frame_fact(table, "frame.rejected",
+                   "Triangles left out because all their vertices lie beyond the same plane.",
+                   [](const FrameStats& s) { return number(s.left_out.of(Rejection::outside)); });
+    add_frame_fact(table, "frame.triangles", "Triangles that are drawn.",
+                   [](const FrameStats& s) { return number(s.triangles - s.left_out.total()); });
+    add_frame_fact(table, "frame.left_out", "Triangles that are left out.",
+                   [](const FrameStats& s) { return number(s.left_out.total()); });
+    table.push_back({"frame.edges", "Edges of the triangles that are drawn.", natural(),
+                     [](const Facts& f, int) { return number(f.edge_ends().edges); }});
+    table.push_back({"frame.ends_missed",
+                     "Edges whose last sample is not on the pixel of their end vertex.", natural(),
+                     [](const Facts& f, int) { return number(f.edge_ends().missed); }});
+    add_frame_fact(table, "frame.max_overdraw", "Most fragments on one pixel.",
+                   [](const FrameStats& s) { return number(std::int64_t{s.max_overdraw}); });
+    add_frame_fact(table, "frame.uncovered", "Pixels on which nothing falls.",
+                   [](const FrameStats& s) { return number(s.uncovered); });
+    add_frame_fact(table, "frame.rows_outside",
+                   "Edge samples that fall outside their triangle's row table.",
+                   [](const FrameStats& s) { return number(s.rows_outside); });
+    add_frame_fact(table, "frame.rows_outside_triangles", "Triangles that have such samples.",
+                   [](const FrameStats& s) { return number(s.rows_outside_triangles); });
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,64 @@
+#include "inspect/culling_cost.h"
+
+#include <algorithm>
+
+#include "pipeline/draw.h"
+
+namespace rasterwalk {
+
+namespace {
+
+constexpr Cull ways_to_cull[] = {Cull::none, Cull::face_normal, Cull::screen_area,
+                                 Cull::vertex_normals, Cull::fragment_normal};
+
+constexpr double enough_milliseconds = 1000.0;
+
+/// Of an odd number of times.
+double median(std::vector<double> times) {
+    const auto middle = times.begin() + std::ssize(times) / 2;
+    std::nth_element(times.begin(), middle, times.end());
+    return *middle;
+}
+
+} // namespace
+
+CullingCosts culling_costs(const Scene& scene, const Settings& settings, const Cursor& to,
+                           const Clock& clock) {
+    Frame frame;
+    Framebuffer framebuffer;
+    const auto prepare = [&](Cull way) {
+        Settings with = settings;
+        with.cull = way;
+        prepare_frame(scene, with, nullptr, frame);
+    };
+    CullingCosts costs;
+    for (const Cull way : ways_to_cull) {
+        prepare(way);
+        costs.ways.push_back({way, frame_stats(frame, to, framebuffer), 0.0, 1.0});
+    }
+    std::vector<std::vector<double>> times(costs.ways.size());
+    const double begin = clock();
+    const auto is_enough = [&] {
+        if (costs.draws % 2 == 0 || costs.draws < fewest_draws) return false;
+        return costs.draws >= most_draws || clock() - begin >= enough_milliseconds;
+    };
+    // In turn, so that whatever else the machine does meets all of them.
+    for (; !is_enough(); ++costs.draws) {
+        for (std::size_t i = 0; i < costs.ways.size(); ++i) {
+            const double start = clock();
+            prepare(costs.ways[i].way);
+            clear(framebuffer, frame);
+            draw(frame, {.from = cursor_begin, .to = to, .scissor = {}}, framebuffer);
+            times[i].push_back(clock() - start);
+        }
+    }
+    for (std::size_t i = 0; i < costs.ways.size(); ++i) {
+        CullingCost& cost = costs.ways[i];
+        cost.milliseconds = median(times[i]);
+        const double without = costs.ways.front().milliseconds;
+        if (without > 0.0) cost.share = cost.milliseconds / without;
+    }
+    return costs;
+}
+
+} // namespace rasterwalk
