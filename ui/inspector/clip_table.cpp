@@ -53,6 +53,12 @@ void draw_asked(const ClipPage& page, const std::string& name, const std::string
 
 void draw_clip_title(const ClipPage& page, const std::string& title, const std::string& beside) {
     ImGui::Dummy({0.0f, 4.0f * page.ui.options.text_scale});
+    // A title stands above its column titles and a row of its table, or is left out with them.
+    const float top = ImGui::GetCursorScreenPos().y;
+    const float row = page.ui.fonts.text->FontSize + 2.0f * ImGui::GetStyle().CellPadding.y;
+    keep_beginning(page.ui, top,
+                   top + page.ui.fonts.bold->FontSize + ImGui::GetStyle().ItemSpacing.y +
+                       2.0f * row);
     ImGui::PushFont(page.ui.fonts.bold);
     put_text(page, page.palette().text, title);
     ImGui::PopFont();
