@@ -307,8 +307,10 @@ bool draw_row_table_for_inspector(Ui& ui, const Area& area) {
     ui.inspector.hovered_row = std::nullopt;
     ImGui::SetNextWindowPos(area.position);
     ImGui::SetNextWindowSize(area.size);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
     ImGui::Begin("inspector", nullptr,
                  panel_flags | ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoScrollbar);
+    ImGui::PopStyleVar();
     draw_row_table_beside(ui, {*layout, {area.position.x, area.position.x + layout->width, false}},
                           canvas);
     ImGui::End();

@@ -71,20 +71,25 @@ float quantity_list_width(const Ui& ui) {
 void draw_row_choice(Ui& ui, int index, const char* where) {
     const RowGraph& graph = graph_of(ui);
     const Palette& p = palette(ui.options.theme);
-    ImGui::AlignTextToFramePadding();
-    text_in(p.text, (ui.inspector.is_low ? short_triangle_name(graph.row.triangle) + " · " : "") +
-                        "row " + std::to_string(graph.row.row));
-    name_widget(ui, "graph.row", "Row of the picture; choose another here or in the Rows tab.");
-    ImGui::SameLine();
-    ImGui::AlignTextToFramePadding();
     const ImVec2 size{ImGui::GetFrameHeight(), 0};
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const bool is_low = ui.inspector.is_low;
     const float list = is_low ? quantity_list_width(ui) : 0.0f;
     const float width = 2.0f * size.x + gap + (is_low ? list + gap : 0.0f);
+    const float left = ImGui::GetContentRegionAvail().x - width - gap;
     const std::string number = std::to_string(graph.first_column + index);
+    const std::string row = "row " + std::to_string(graph.row.row);
+    const std::string triangle = short_triangle_name(graph.row.triangle) + " · ";
+    // Where not even the number has room beside it, the triangle is only named below.
+    const bool names_triangle =
+        is_low && text_width(triangle + row) + gap + text_width(number) <= left;
+    ImGui::AlignTextToFramePadding();
+    text_in(p.text, (names_triangle ? triangle : "") + row);
+    name_widget(ui, "graph.row", "Row of the picture; choose another here or in the Rows tab.");
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
     const std::string column = "column " + number;
-    text_in(p.dim, first_fitting({column + where, column, "x " + number},
+    text_in(p.dim, first_fitting({column + where, column, "x " + number, number},
                                  ImGui::GetContentRegionAvail().x - width - gap));
     name_widget(ui, "graph.where",
                 "The column whose numbers stand beside the curves' names: under the pointer, or "

@@ -55,8 +55,10 @@ constexpr std::array<Card, way_count> cards{{
 }};
 static_assert(is_indexed_by(cards, &Card::way));
 
-/// What a card holds besides its pictures, design pixels.
-constexpr float height_without_pictures = 280.0f;
+/// What a card holds besides its pictures, with all that it says and with less; design pixels. A
+/// card lower than this says less.
+constexpr float height_without_pictures = 280.0f, brief_height_without_pictures = 245.0f;
+constexpr float eloquent_card = 400.0f;
 
 /// A card names no more of the lessons that come.
 constexpr std::size_t most_next_lessons = 5;
@@ -266,8 +268,11 @@ void draw_tall_card(Ui& ui, const Card& card, ImVec2 low, ImVec2 size) {
     wrapped_text(card.about);
     ImGui::Dummy({0.0f, 4.0f * u});
     ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-    for (const char* point : card.points)
+    const bool is_brief = size.y < eloquent_card * u;
+    for (const char* point : card.points) {
         wrapped_text(point);
+        if (is_brief) break;
+    }
     ImGui::PopStyleColor();
     ImGui::PopTextWrapPos();
     ImGui::EndGroup();
@@ -279,8 +284,9 @@ void draw_tall_card(Ui& ui, const Card& card, ImVec2 low, ImVec2 size) {
         ImGui::SetCursorScreenPos({low.x + padding, cells});
         draw_lesson_cells(ui, inner);
     } else {
-        draw_way_pictures(ui, card.way, below, {below.x + inner, bottom - control - 14.0f * u},
-                          size.y - height_without_pictures * u);
+        draw_way_pictures(
+            ui, card.way, below, {below.x + inner, bottom - control - 14.0f * u},
+            size.y - (is_brief ? brief_height_without_pictures : height_without_pictures) * u);
     }
     ImGui::SetCursorScreenPos({low.x + padding, bottom - control});
     draw_way_button(ui, card, {inner, control});
@@ -333,7 +339,7 @@ void draw_cards(Ui& ui, const PageLayout& page, float bottom) {
         return;
     }
     const float width = (page.width - page.gap * (way_count - 1)) / way_count;
-    const float height = std::clamp(bottom - start.y, 300.0f * u, 470.0f * u);
+    const float height = std::clamp(bottom - start.y, 300.0f * u, 440.0f * u);
     for (std::size_t i = 0; i < cards.size(); ++i) {
         draw_tall_card(ui, cards[i],
                        {start.x + static_cast<float>(i) * (width + page.gap), start.y},

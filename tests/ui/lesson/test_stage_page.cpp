@@ -279,13 +279,13 @@ TEST_CASE("The page about the depth buffer speaks of the picked pixel, in every 
         Driver driver(scene);
         driver.hand.press('5');
         driver.hand.leave();
-        CHECK_FALSE(said(driver, "(250, 400)"));
+        CHECK_FALSE(said(driver, "400)"));
         CHECK_FALSE(said(driver, "in all, of which"));
         const glm::ivec2 pixel{90, 120};
         driver.ui.session.selection.pixel = pixel;
         driver.hand.frames(frames_to_rest);
         REQUIRE(driver.ui.results.history);
-        CHECK(said(driver, "(90, 120)"));
+        CHECK(said(driver, "120)"));
         CHECK_FALSE(said(driver, "{"));
     }
 }
