@@ -78,13 +78,13 @@ void draw_row_choice(Ui& ui, int index, const char* where) {
     const float width = 2.0f * size.x + gap + (is_low ? list + gap : 0.0f);
     const float left = ImGui::GetContentRegionAvail().x - width - gap;
     const std::string number = std::to_string(graph.first_column + index);
-    const std::string row = "row " + std::to_string(graph.row.row);
+    const std::string row_words = "row " + std::to_string(graph.row.row);
     const std::string triangle = short_triangle_name(graph.row.triangle) + " · ";
     // Where not even the number has room beside it, the triangle is only named below.
     const bool names_triangle =
-        is_low && text_width(triangle + row) + gap + text_width(number) <= left;
+        is_low && text_width(triangle + row_words) + gap + text_width(number) <= left;
     ImGui::AlignTextToFramePadding();
-    text_in(p.text, (names_triangle ? triangle : "") + row);
+    text_in(p.text, (names_triangle ? triangle : "") + row_words);
     name_widget(ui, "graph.row", "Row of the picture; choose another here or in the Rows tab.");
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();

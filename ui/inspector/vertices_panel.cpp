@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <string>
 #include <utility>
@@ -333,6 +334,17 @@ void draw_formula_card(Ui& ui, const VertexReport& vertex) {
     go_to_source(ui, *clicked);
 }
 
+/// Scrolls to what was just drawn; of what is higher than the window the beginning is seen.
+/// @param top of it, screen pixels
+void bring_into_sight(float top) {
+    const float bottom = ImGui::GetItemRectMax().y;
+    if (bottom - top <= ImGui::GetWindowHeight()) {
+        ImGui::SetScrollHereY(1.0f);
+    } else {
+        ImGui::SetScrollFromPosY(std::floor(top - 2.0f - ImGui::GetWindowPos().y), 0.0f);
+    }
+}
+
 /// Where lines are few: the names of the vertices stay, and below them scrolls all the rest: the
 /// numbers, and how the chosen one came to be right below its line. A number that is clicked brings
 /// its formula into view.
@@ -358,10 +370,13 @@ void draw_as_one_page(Ui& ui, int chosen, const VertexReport& vertex, bool has_s
         draw_lines(ui, chosen, all.first(above));
         end_vertex_table();
     }
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float row = ImGui::GetCursorScreenPos().y - style.ItemSpacing.y -
+                      2.0f * style.CellPadding.y - ui.fonts.text->FontSize;
     draw_formula_card(ui, vertex);
     // The click has been in the frame before: there the formula stood elsewhere.
     const int frame = ImGui::GetFrameCount();
-    if (ui.inspector.formula_frame + 1 == frame) ImGui::SetScrollHereY(1.0f);
+    if (ui.inspector.formula_frame + 1 == frame) bring_into_sight(row);
     if (above < all.size() && begin_vertex_table(ui, "vertices below", width)) {
         draw_lines(ui, chosen, all.subspan(above));
         end_vertex_table();

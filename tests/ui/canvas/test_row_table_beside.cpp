@@ -17,6 +17,7 @@
 #include "tests/ui/shown_colours.h"
 #include "tests/ui/shown_number.h"
 #include "ui/actions/keys.h"
+#include "ui/actions/lesson_links.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/actions/row_table_layout.h"
 #include "ui/widgets/layout.h"
@@ -560,7 +561,7 @@ TEST_CASE("A lesson that points at what stands below the row table has the Rows 
     driver.hand.press(key::f5);
     driver.hand.leave();
     REQUIRE(is_shown(driver));
-    driver.ui.lesson.pointed_at = "rows.values";
+    point_at_widget(driver.ui, "rows.values", true);
     driver.hand.frames(frames_to_rest);
     CHECK_FALSE(is_shown(driver));
     CHECK(driver.hand.is_visible("rows.values"));

@@ -357,10 +357,12 @@ TEST_CASE("The cards show what their ways lead to") {
             named +=
                 text.words == driver.ui.lesson.lessons.all()[static_cast<std::size_t>(i)].title;
     CHECK(named == 3);
-    // A triangle alone cannot be half drawn, and hides nothing.
-    Driver bench("one-triangle.toml");
-    begin(bench);
-    for (const bool is_shown : bench.ui.start.way_pictures.is_shown)
+}
+
+TEST_CASE("A triangle alone cannot be half drawn, and hides nothing: its cards have no pictures") {
+    Driver driver("one-triangle.toml");
+    begin(driver);
+    for (const bool is_shown : driver.ui.start.way_pictures.is_shown)
         CHECK_FALSE(is_shown);
 }
 
