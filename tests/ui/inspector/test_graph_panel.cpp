@@ -101,7 +101,7 @@ TEST_CASE("In a small window all of the graph can be reached") {
             CHECK(driver.hand.find(name).is_whole);
         }
         const bool is_list = driver.ui.widgets.count("graph.quantity") > 0;
-        for (const char* name : {"graph.blue", "graph.zinv"}) {
+        for (const char* name : {"graph.zinv", "graph.blue"}) {
             INFO(name);
             if (is_list) driver.hand.click("graph.quantity");
             CHECK(driver.hand.find(name).is_whole);
