@@ -1,9 +1,13 @@
 #include "lessons/stage_note.h"
 
+#include <algorithm>
+#include <optional>
 #include <system_error>
+#include <utility>
 
 #include "base/error.h"
 #include "base/files.h"
+#include "lessons/lesson_run.h"
 #include "session/bench.h"
 #include "session/content.h"
 
@@ -27,6 +31,22 @@ FileState state_of(const std::string& path) {
     return state;
 }
 
+/// None where one of its numbers is not there.
+std::optional<std::string> paragraph_about(std::string_view paragraph, const FactReader& fact) {
+    if (paragraph.find('{') == std::string_view::npos) return std::string(paragraph);
+    bool is_whole = true;
+    try {
+        std::string text = fill_in(paragraph, "", std::nullopt, [&](std::string_view name) {
+            Value value = fact(name);
+            is_whole = is_whole && is_there(value);
+            return value;
+        });
+        return is_whole ? std::optional(std::move(text)) : std::nullopt;
+    } catch (const UsageError&) {
+        return std::string(paragraph);
+    }
+}
+
 } // namespace
 
 std::string note_name(const Session& session) {
@@ -34,6 +54,20 @@ std::string note_name(const Session& session) {
         return session.scene->examples.empty() ? "pixels" : "bench";
     }
     return std::string(stage_info(session.a.settings).name);
+}
+
+std::string note_about(std::string_view text, const FactReader& fact) {
+    constexpr std::string_view gap = "\n\n";
+    std::string result;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find(gap), text.size());
+        const std::string_view paragraph = text.substr(0, end);
+        text.remove_prefix(std::min(end + gap.size(), text.size()));
+        const std::string_view between = text.empty() ? std::string_view() : gap;
+        if (const auto shown = paragraph_about(paragraph, fact))
+            result.append(*shown).append(between);
+    }
+    return result;
 }
 
 StageNote read_stage_note(const std::string& folder, std::string_view name) {

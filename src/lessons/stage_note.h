@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "facts/expression.h"
 #include "session/session.h"
 
 namespace rasterwalk {
@@ -20,6 +21,11 @@ struct StageNote {
 /// Name of the note that belongs to what the session shows: that of the stage, or for a scene in
 /// pixel space `bench` where it has the lab's examples, `pixels` where it has none.
 std::string note_name(const Session& session);
+
+/// The text of a note about what is on show: the number of each {EXPRESSION} in its place, as in
+/// fill_in(). A paragraph that lacks one of its numbers, as those of a pixel while none is picked,
+/// is left out. One with an expression that is not understood stays as it is written.
+std::string note_about(std::string_view text, const FactReader& fact);
 
 /// Reads FOLDER/stages/NAME.md. Never throws: what goes wrong is the note's fault.
 StageNote read_stage_note(const std::string& folder, std::string_view name);

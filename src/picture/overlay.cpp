@@ -316,7 +316,7 @@ std::string overlay_total(Overlay overlay, const Frame& frame, const OverlayPict
         }
         return counted(totals.wires, "edge", "edges");
     case Overlay::owner:
-        return fmt::format("{} of {} to be seen", totals.visible_triangles,
+        return fmt::format("{} of {} seen", totals.visible_triangles,
                            counted(frame.triangle_count(), "triangle", "triangles"));
     case Overlay::overdraw:
         return fmt::format("{}, at most {} on a pixel",

@@ -5,9 +5,11 @@
 #include <catch2/catch.hpp>
 
 #include "base/error.h"
+#include "facts/facts.h"
 #include "lessons/lesson_link.h"
 #include "scene/read_scene.h"
 #include "session/content.h"
+#include "session/results.h"
 #include "settings/setting_table.h"
 #include "tests/support/temporary_folder.h"
 
@@ -183,4 +185,38 @@ TEST_CASE("A link that only points at a widget leaves the session alone") {
     const Settings before = session.a.settings;
     follow_lesson_link(session, frame_of(session), link);
     CHECK(session.a.settings == before);
+}
+
+TEST_CASE("A note says the numbers of what is on show, and nothing of what is not there") {
+    const FactReader fact = [](std::string_view name) -> Value {
+        if (name == "there") return 2.5;
+        return {};
+    };
+    const std::string text = "# Title\n\nA {there} and {there + 1:2}.\n\nNo {missing} here.\n\n"
+                             "`{code}` stays.\n\nNo {sense at all.\n";
+    CHECK(note_about(text, fact) == "# Title\n\nA 2.5 and 3.50.\n\n`{code}` stays.\n\n"
+                                    "No {sense at all.\n");
+    CHECK(note_about("", fact).empty());
+    CHECK(note_about("{missing}", fact).empty());
+    CHECK(note_about("as it is\n", fact) == "as it is\n");
+}
+
+TEST_CASE("The numbers of every note are understood, and are those of the session") {
+    StageNotes notes;
+    Session session = open_room();
+    session.selection.pixel = {250, 400};
+    for (const StageInfo& info : stage_list()) {
+        INFO(info.name);
+        set_step(session.a.settings, info.step);
+        Results results;
+        update(session, results);
+        const std::string text =
+            note_about(notes.find(note_name(session)).text, Facts(session, results));
+        for (const char* const expression : {"{pixel", "{vertex", "{row"})
+            CHECK(text.find(expression) == std::string::npos);
+        if (info.step.stage != Stage::depth || strip_place(info.step) != 4) continue;
+        CHECK(text.find(
+                  "pixel (250,\u00a0400): 5 in all, of which 3 fail the test. The one that stays "
+                  "has 1/z\u00a0=\u00a00.4170.") != std::string::npos);
+    }
 }

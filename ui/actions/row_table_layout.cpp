@@ -8,7 +8,10 @@
 #include <string>
 
 #include "session/canvas_view.h"
+#include "session/tabs.h"
 #include "ui/actions/compare.h"
+#include "ui/actions/open_tab.h"
+#include "ui/actions/outside.h"
 #include "ui/ui.h"
 #include "ui/widgets/row_ends.h"
 #include "ui/widgets/widgets.h"
@@ -21,12 +24,20 @@ namespace {
 constexpr float largest_part = 0.42f;
 constexpr float largest_bare_part = 0.52f;
 
+/// The height of a line that is read from afar, of its letters.
+constexpr float large_line = 1.12f;
+
 /// The widest texts of the table of the triangle on show, as they will be when it is whole.
 struct Widest {
     float number = 0.0f, writer = 0.0f, entry = 0.0f;
 };
 
-Widest widest_texts(const Ui& ui) {
+/// The letters of entries, and of ends that no sample has reached.
+const ImFont* quiet_font(const Ui& ui, bool is_large) {
+    return is_large ? ui.fonts.mono : ui.fonts.mono_small;
+}
+
+Widest widest_texts(const Ui& ui, bool is_large) {
     const RowHistory& history = ui.results.a.rows;
     int low = INT_MAX, high = INT_MIN;
     for (const ScreenVertex& vertex :
@@ -42,7 +53,7 @@ Widest widest_texts(const Ui& ui) {
     widest.writer = text_width(ui.fonts.mono_small, sample_text(0, std::max(samples - 1, 10)));
     widest.entry = std::max(
         text_width(ui.fonts.small, "entry"),
-        text_width(ui.fonts.mono_small, "[" + std::to_string(history.rows.size() - 1) + "]"));
+        text_width(quiet_font(ui, is_large), "[" + std::to_string(history.rows.size() - 1) + "]"));
     return widest;
 }
 
@@ -55,12 +66,20 @@ bool has_one_depth(const Ui& ui) {
     });
 }
 
-RowTableLayout layout_of(const Ui& ui, const Widest& widest, bool has_writers, bool has_depths) {
+/// What of a table is shown.
+struct TableForm {
+    bool has_writers, has_depths, is_large;
+};
+
+RowTableLayout layout_of(const Ui& ui, const Widest& widest, const TableForm& form) {
+    const auto [has_writers, has_depths, is_large] = form;
     const float u = ui.options.text_scale;
     const float gap = 9.0f * u, edge = 10.0f * u;
     RowTableLayout layout;
     layout.has_writers = has_writers;
     layout.has_depths = has_depths;
+    layout.is_large = is_large;
+    layout.is_flat = has_one_depth(ui);
     layout.entry = edge + widest.entry;
     const std::array titles{has_writers ? "leftPixels" : "left",
                             has_writers ? "rightPixels" : "right"};
@@ -68,7 +87,7 @@ RowTableLayout layout_of(const Ui& ui, const Widest& widest, bool has_writers, b
     for (int i = 0; i < 2; ++i) {
         RowTableLayout::End& end = layout.ends[i];
         const float texts = widest.number + (has_writers ? widest.writer + gap : 0.0f);
-        const float extreme = text_width(ui.fonts.mono_small, "+INT_MAX");
+        const float extreme = text_width(quiet_font(ui, is_large), "+INT_MAX");
         const float title = text_width(ui.fonts.small, titles[static_cast<std::size_t>(i)]);
         end.left = x + 1.6f * gap;
         end.number = end.left + std::max({texts, extreme, title});
@@ -79,6 +98,24 @@ RowTableLayout layout_of(const Ui& ui, const Widest& widest, bool has_writers, b
     }
     layout.width = x + edge;
     return layout;
+}
+
+/// Moves the ends apart until the table is as wide.
+void spread(RowTableLayout& layout, float width) {
+    const float step = (width - layout.width) / 3.0f;
+    for (int i = 0; i < 2; ++i) {
+        RowTableLayout::End& end = layout.ends[i];
+        const float shift = step * static_cast<float>(i + 1);
+        for (float* const x : {&end.left, &end.right, &end.number, &end.writer, &end.depth})
+            *x += shift;
+    }
+    layout.width = width;
+}
+
+/// Does the inspector show the rows, and nothing over them, in a lecture?
+bool is_lecture_of_rows(const Ui& ui) {
+    return ui.options.is_lecture && tab_below(ui.session) == "rows" && !is_settings_open(ui) &&
+           !is_drawer_open(ui);
 }
 
 } // namespace
@@ -94,17 +131,36 @@ float row_table_zoom(const Ui& ui) {
     return std::max(cell_zoom, std::ceil(1.15f * ui.fonts.mono_small->FontSize));
 }
 
+bool has_row_table_for_inspector(const Ui& ui) {
+    // A lesson that points at what stands around the table in the Rows tab wants that.
+    return is_lecture_of_rows(ui) && wants_row_table(ui) &&
+           shown_on_canvas(ui) == CanvasShows::picture &&
+           !ui.lesson.pointed_at.starts_with("rows.");
+}
+
+std::optional<RowTableLayout> large_row_table(const Ui& ui, float width) {
+    if (ui.canvas.place.scale < std::ceil(large_line * ui.fonts.mono->FontSize)) return {};
+    const Widest widest = widest_texts(ui, true);
+    for (const TableForm& form : {TableForm{true, true, true}, TableForm{true, false, true},
+                                  TableForm{false, false, true}}) {
+        if (form.has_depths && has_one_depth(ui)) continue;
+        RowTableLayout layout = layout_of(ui, widest, form);
+        if (layout.width > width) continue;
+        spread(layout, width);
+        return layout;
+    }
+    return {};
+}
+
 std::vector<RowTableLayout> row_table_layouts(const Ui& ui, float canvas_width) {
     std::vector<RowTableLayout> layouts;
-    if (!wants_row_table(ui)) return layouts;
-    const Widest widest = widest_texts(ui);
-    const bool is_flat = has_one_depth(ui);
+    if (!wants_row_table(ui) || is_lecture_of_rows(ui)) return layouts;
+    const Widest widest = widest_texts(ui, false);
     const auto offer = [&](bool has_writers, bool has_depths, float largest) {
-        RowTableLayout layout = layout_of(ui, widest, has_writers, has_depths);
-        layout.is_flat = is_flat;
+        RowTableLayout layout = layout_of(ui, widest, {has_writers, has_depths, false});
         if (layout.width <= largest * canvas_width) layouts.push_back(layout);
     };
-    if (!is_flat) offer(true, true, 0.75f * largest_part);
+    if (!has_one_depth(ui)) offer(true, true, 0.75f * largest_part);
     offer(true, false, largest_part);
     offer(false, false, largest_bare_part);
     return layouts;

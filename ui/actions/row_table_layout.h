@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 namespace rasterwalk {
@@ -22,10 +23,18 @@ struct RowTableLayout {
     bool has_writers = false;
     bool has_depths = false; ///< beside the numbers; or else below them, where a row is high enough
     bool is_flat = false;    ///< 1/z is the same everywhere, and not said at all
+    bool is_large = false;   ///< to be read from afar: no small letters for what is asked for
 };
 
 /// Is there a row table to show beside the picture, if the zoom gives room for it?
 bool wants_row_table(const Ui& ui);
+
+/// In a lecture whose inspector would show the rows, the table beside the picture stands in its
+/// place: large, and once.
+bool has_row_table_for_inspector(const Ui& ui);
+
+/// That table over this width, screen pixels; none where its texts or its lines have no room.
+std::optional<RowTableLayout> large_row_table(const Ui& ui, float width);
 
 /// The smallest zoom at which the lines of the table are as high as the rows of the picture.
 float row_table_zoom(const Ui& ui);

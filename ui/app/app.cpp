@@ -19,6 +19,7 @@
 #include "ui/canvas/canvas.h"
 #include "ui/canvas/large_frame.h"
 #include "ui/canvas/outside_view.h"
+#include "ui/canvas/row_table_beside.h"
 #include "ui/inspector/panels.h"
 #include "ui/lesson/lesson_column.h"
 #include "ui/lesson/lesson_strip.h"
@@ -134,7 +135,7 @@ void draw_workplace(Ui& ui, const Layout& layout) {
     guarded(ui, [&] {
         if (has_drawer) {
             draw_lesson_drawer(ui, layout.inspector);
-        } else {
+        } else if (!draw_row_table_for_inspector(ui, layout.inspector)) {
             draw_inspector(ui, layout.inspector);
         }
     });

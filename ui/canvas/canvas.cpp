@@ -107,6 +107,8 @@ void draw_picture(Ui& ui, const Pane& pane) {
     const ImVec2 frame_room{std::max(space.x, 1.0f), std::max(space.y - below, 1.0f)};
     const ImVec2 frame_high{frame_low.x + frame_room.x, frame_low.y + frame_room.y};
     const Pane canvas{frame_low, frame_high};
+    ui.canvas.frame_top = frame_low.y;
+    ui.canvas.frame_bottom = frame_high.y;
     const Panes panes = panes_of(ui, canvas);
     std::vector<RowTableLayout> tables = place_pictures(ui, panes);
     draw_wipe_handle(ui, canvas);

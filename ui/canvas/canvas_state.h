@@ -57,7 +57,9 @@ struct CanvasState {
     std::optional<int> hovered_row; ///< of the picture, under the pointer in the table beside it
     std::optional<RowTablePlace> row_table; ///< beside the picture in this frame; none: not shown
     FateFinder fates;                       ///< of the triangle on show
-    int dragged_vertex = -1;                ///< of the bench triangle; -1: none
+    float frame_top = 0.0f,
+          frame_bottom = 0.0f; ///< of the picture's part of the canvas, screen pixels
+    int dragged_vertex = -1;   ///< of the bench triangle; -1: none
     LargeFrame large_frame;
 };
 

@@ -29,6 +29,9 @@ TitlePlace place_of_title(const Ui& ui, const Pane& canvas, float left, float ri
 /// place for them.
 void draw_run_title(Ui& ui, ImDrawList* list, bool of_b, const TitlePlace& title);
 
+/// The same for both runs, in the same form: the longest for which both have room.
+void draw_two_titles(Ui& ui, ImDrawList* list, const TitlePlace& a, const TitlePlace& b);
+
 /// The titles of both runs, at the left and at the right of the canvas.
 void draw_both_titles(Ui& ui, ImDrawList* list, const Pane& canvas);
 

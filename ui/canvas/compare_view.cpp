@@ -95,10 +95,9 @@ void draw_side_by_side(Ui& ui, ImDrawList* list, const Pane& canvas) {
                                    : ImVec2{std::round(panes.b.low.x) - 0.5f, canvas.low.y};
     const ImVec2 to = is_stacked ? ImVec2{canvas.high.x, from.y} : ImVec2{from.x, canvas.high.y};
     list->AddLine(from, to, packed(palette(ui.options.theme).line), u);
-    draw_run_title(ui, list, false,
-                   place_of_title(ui, canvas, panes.a.low.x, panes.a.high.x, canvas.low.y));
-    draw_run_title(ui, list, true,
-                   place_of_title(ui, canvas, panes.b.low.x, panes.b.high.x, top_of_b));
+    draw_two_titles(ui, list,
+                    place_of_title(ui, canvas, panes.a.low.x, panes.a.high.x, canvas.low.y),
+                    place_of_title(ui, canvas, panes.b.low.x, panes.b.high.x, top_of_b));
 }
 
 void draw_wipe(Ui& ui, ImDrawList* list, const Pane& canvas) {

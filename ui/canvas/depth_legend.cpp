@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "base/numbers.h"
 #include "picture/colour_map.h"
@@ -34,6 +35,11 @@ float bars_height_of(const Ui& ui, float canvas_height) {
 std::string depth_text(const Ui& ui, float depth) {
     return fixed(static_cast<double>(depth), 4) + " (z " +
            fixed(z_of_stored_depth(ui.results.a.frame, depth), 3) + ")";
+}
+
+/// The same, and for want of room without the z.
+std::vector<std::string> depth_forms(const Ui& ui, const std::string& name, float depth) {
+    return {name + " " + depth_text(ui, depth), name + " " + fixed(static_cast<double>(depth), 4)};
 }
 
 /// What the depth buffer holds.
@@ -175,22 +181,31 @@ void draw_numbers(Ui& ui, const DepthView& view, ImVec2 low, float right) {
     const float gap = 14.0f * ui.options.text_scale;
     const char* const fit = "autofit";
     const float button_left = right - button_width(fit);
-    const std::string far = "far " + depth_text(ui, view.range.far);
-    const std::string near = "near " + depth_text(ui, view.range.near);
+    // Both ends in the same form, so that they can be compared.
+    const std::vector<std::string> fars = depth_forms(ui, "far", view.range.far);
+    const std::vector<std::string> nears = depth_forms(ui, "near", view.range.near);
+    const float room = button_left - low.x - 2.0f * gap;
+    const std::size_t form = text_width(fars[0]) + text_width(nears[0]) <= room ? 0 : 1;
+    const std::string &far = fars[form], &near = nears[form];
     const float y = low.y + ImGui::GetStyle().FramePadding.y;
     ImGui::SetCursorScreenPos({low.x, y});
     text_in(p.dim, far);
     name_widget(ui, "depth.far_text",
-                depth_name(ui) + " from which on pixels take the darkest colour, and the z of it.");
+                depth_name(ui) +
+                    " from which on pixels take the darkest colour, and the z of it: " +
+                    depth_text(ui, view.range.far) + ".");
+    note_text(ui, "depth.far_text", far);
     const float far_end = ImGui::GetItemRectMax().x + gap;
     const float near_left = button_left - gap - ImGui::CalcTextSize(near.c_str()).x;
     ImGui::SetCursorScreenPos({std::max(near_left, far_end), y});
     text_in(p.dim, near);
     name_widget(ui, "depth.near_text",
                 depth_name(ui) +
-                    " from which on pixels take the brightest colour, and the z of it.");
+                    " from which on pixels take the brightest colour, and the z of it: " +
+                    depth_text(ui, view.range.near) + ".");
+    note_text(ui, "depth.near_text", near);
     if (const std::optional<float> depth = depth_asked(ui)) {
-        const std::string here = "here " + depth_text(ui, *depth);
+        const std::string here = depth_forms(ui, "here", *depth)[form];
         const float width = ImGui::CalcTextSize(here.c_str()).x;
         const float middle = 0.5f * (far_end + near_left - gap);
         if (width < near_left - gap - far_end) {

@@ -192,9 +192,13 @@ void draw_entry(const Legend& l, const OverlayInfo& info, ImVec2 at, float right
     const std::string name = std::string("legend.").append(info.name);
     const std::string total =
         overlay_total(info.overlay, l.ui.results.a.frame, l.ui.results.overlay);
+    const std::optional<glm::ivec2> pixel = pixel_asked(l.ui);
+    const std::string value = pixel ? value_at(l.ui, info.overlay, *pixel) : std::string();
     ImGui::SetCursorScreenPos(at);
     ImGui::Dummy({right - at.x, l.height(info.overlay)});
-    name_widget(l.ui, name, std::string(info.help) + (total.empty() ? "" : "\n" + total));
+    name_widget(l.ui, name,
+                std::string(info.help) + (total.empty() ? "" : "\n" + total) +
+                    (value.empty() ? "" : "\n" + value_forms(l.ui, value).front()));
 
     draw_swatch(l.ui, ImGui::GetWindowDrawList(),
                 {at.x, std::round(at.y + 0.5f * (ImGui::GetFontSize() - swatch.y) + l.u)},
@@ -202,14 +206,14 @@ void draw_entry(const Legend& l, const OverlayInfo& info, ImVec2 at, float right
     const float text_left = at.x + swatch.x + 8.0f * l.u, gap = 10.0f * l.u;
     ImGui::SetCursorScreenPos({text_left, at.y});
     text_in(p.text, info.title);
-    float next = ImGui::GetItemRectMax().x + gap;
-    const std::optional<glm::ivec2> pixel = pixel_asked(l.ui);
-    const std::string value = pixel ? value_at(l.ui, info.overlay, *pixel) : std::string();
-    std::string said = first_fitting(value_forms(l.ui, value), right - next);
-    if (said.empty()) said = shortened(value, right - next);
+    const float next = ImGui::GetItemRectMax().x + gap;
+    // Whole words or none: the tooltip says all of it.
+    std::vector<std::string> values = value_forms(l.ui, value);
+    values.emplace_back();
+    const std::string said = first_fitting(values, right - next);
     const float value_left = right - ImGui::CalcTextSize(said.c_str()).x;
-    const std::string shown_total =
-        first_fitting({total}, value_left - next - (said.empty() ? 0.0f : gap));
+    const std::string shown_total = first_fitting({total, total.substr(0, total.find(',')), ""},
+                                                  value_left - next - (said.empty() ? 0.0f : gap));
     ImGui::SetCursorScreenPos({next, at.y});
     text_in(p.dim, shown_total);
     ImGui::SetCursorScreenPos({value_left, at.y});

@@ -76,7 +76,7 @@ void draw_end(const Table& t, int index, bool is_left) {
     const float below = middle + 0.5f * (fonts.mono->FontSize + second);
     const float number = t.left + place.number;
     const std::string text = end_text(end, is_left);
-    ImFont* const font = is_extreme ? fonts.mono_small : fonts.mono;
+    ImFont* const font = is_extreme && !t.layout.is_large ? fonts.mono_small : fonts.mono;
     const std::string by = is_set ? sample_text(writer.edge, writer.sample) : std::string();
     const std::string depth = is_set ? fixed(static_cast<double>(end.inv_w), 4) : std::string("—");
     // Half a line would be read as another one.
@@ -150,7 +150,7 @@ void draw_line(const Table& t, int index, std::optional<int> at_work, bool is_ov
                     " of leftPixels and rightPixels.");
     const std::string entry = "[" + std::to_string(index) + "]";
     note_text(t.ui, name, entry);
-    ImFont* const font = t.ui.fonts.mono_small;
+    ImFont* const font = t.layout.is_large ? t.ui.fonts.mono : t.ui.fonts.mono_small;
     const float middle = 0.5f * (top + bottom), half = 0.5f * font->FontSize;
     if (middle - half >= t.top && middle + half <= t.bottom)
         write(t, font, entry, t.left + t.layout.entry, middle, at_work == row ? p.text : p.dim);
@@ -302,6 +302,26 @@ bool draw_row_table_beside(Ui& ui, const RowTableBeside& table, const Pane& canv
     ImGui::PopStyleVar();
     ImGui::PopStyleColor();
     return is_over;
+}
+
+bool draw_row_table_for_inspector(Ui& ui, const Area& area) {
+    if (!has_row_table_for_inspector(ui)) return false;
+    const ImVec2 padding = ImGui::GetStyle().WindowPadding;
+    const std::optional<RowTableLayout> layout = large_row_table(ui, area.size.x - padding.x);
+    const Pane canvas{{area.position.x, ui.canvas.frame_top},
+                      {area.position.x + area.size.x, ui.canvas.frame_bottom}};
+    if (!layout || !reach_of_rows(ui, canvas)) return false;
+    ui.inspector.hovered_row = std::nullopt;
+    ImGui::SetNextWindowPos(area.position);
+    ImGui::SetNextWindowSize(area.size);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+    ImGui::Begin("inspector", nullptr,
+                 panel_flags | ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoScrollbar);
+    ImGui::PopStyleVar();
+    draw_row_table_beside(ui, {*layout, {area.position.x, area.position.x + layout->width, false}},
+                          canvas);
+    ImGui::End();
+    return true;
 }
 
 } // namespace rasterwalk

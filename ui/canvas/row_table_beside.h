@@ -6,6 +6,7 @@
 #include "ui/actions/row_table_layout.h"
 #include "ui/canvas/canvas_state.h"
 #include "ui/canvas/compare_view.h"
+#include "ui/widgets/layout.h"
 
 namespace rasterwalk {
 
@@ -26,5 +27,10 @@ place_row_table(const Ui& ui, const std::vector<RowTableLayout>& layouts, const 
 /// written leads to its sample. Costs what is visible.
 /// @return is the pointer over it?
 bool draw_row_table_beside(Ui& ui, const RowTableBeside& table, const Pane& canvas);
+
+/// The same table, large, in place of an inspector that would show the rows in a lecture; after the
+/// canvas, whose rows it stands beside. Returns false, and draws nothing, where the inspector
+/// stays.
+bool draw_row_table_for_inspector(Ui& ui, const Area& area);
 
 } // namespace rasterwalk

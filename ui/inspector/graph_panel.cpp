@@ -41,22 +41,55 @@ int marked_index(const Ui& ui) {
                                                                          : -1;
 }
 
+/// The quantities as a list: where lines are few they have none of their own.
+void draw_quantity_list(Ui& ui, float width) {
+    const Quantity chosen = chosen_quantity(ui);
+    ImGui::SetNextItemWidth(width);
+    const bool open =
+        ImGui::BeginCombo("##quantity", std::string(quantity_info(chosen).words.name).c_str());
+    name_widget(ui, "graph.quantity", "What the curves show along the row.");
+    if (!open) return;
+    for (const QuantityInfo& info : shown_quantities(ui.results.a.frame)) {
+        if (list_entry(ui, "graph." + std::string(info.words.id), info.words.name,
+                       info.quantity == chosen, info.words.help)) {
+            ui.inspector.chosen.graph_quantity = info.words.id;
+        }
+    }
+    ImGui::EndCombo();
+}
+
+/// As wide as the longest name of a quantity wants it.
+float quantity_list_width(const Ui& ui) {
+    float widest = 0.0f;
+    for (const QuantityInfo& info : shown_quantities(ui.results.a.frame))
+        widest = std::max(widest, button_width(info.words.name));
+    return widest + ImGui::GetFrameHeight();
+}
+
 /// "row 21, column 398 at the fragment", and buttons to the rows above and below.
 /// @param where which column the numbers in the legends are of
 void draw_row_choice(Ui& ui, int index, const char* where) {
     const RowGraph& graph = graph_of(ui);
     const Palette& p = palette(ui.options.theme);
+    const ImVec2 size{ImGui::GetFrameHeight(), 0};
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const bool is_low = ui.inspector.is_low;
+    const float list = is_low ? quantity_list_width(ui) : 0.0f;
+    const float width = 2.0f * size.x + gap + (is_low ? list + gap : 0.0f);
+    const float left = ImGui::GetContentRegionAvail().x - width - gap;
+    const std::string number = std::to_string(graph.first_column + index);
+    const std::string row_words = "row " + std::to_string(graph.row.row);
+    const std::string triangle = short_triangle_name(graph.row.triangle) + " · ";
+    // Where not even the number has room beside it, the triangle is only named below.
+    const bool names_triangle =
+        is_low && text_width(triangle + row_words) + gap + text_width(number) <= left;
     ImGui::AlignTextToFramePadding();
-    text_in(p.text, (ui.inspector.is_low ? short_triangle_name(graph.row.triangle) + " · " : "") +
-                        "row " + std::to_string(graph.row.row));
+    text_in(p.text, (names_triangle ? triangle : "") + row_words);
     name_widget(ui, "graph.row", "Row of the picture; choose another here or in the Rows tab.");
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
-    const ImVec2 size{ImGui::GetFrameHeight(), 0};
-    const float gap = ImGui::GetStyle().ItemSpacing.x;
-    const float width = 2.0f * size.x + gap;
-    const std::string column = "column " + std::to_string(graph.first_column + index);
-    text_in(p.dim, first_fitting({column + where, column},
+    const std::string column = "column " + number;
+    text_in(p.dim, first_fitting({column + where, column, "x " + number, number},
                                  ImGui::GetContentRegionAvail().x - width - gap));
     name_widget(ui, "graph.where",
                 "The column whose numbers stand beside the curves' names: under the pointer, or "
@@ -64,6 +97,10 @@ void draw_row_choice(Ui& ui, int index, const char* where) {
     ImGui::SameLine();
     const float room = ImGui::GetContentRegionAvail().x;
     if (room > width) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room - width);
+    if (is_low) {
+        draw_quantity_list(ui, list);
+        ImGui::SameLine();
+    }
     const int top = graph.row.row - graph.row.index;
     const auto choose = [&](int row) {
         ui.session.selection.triangle = graph.row.triangle;
@@ -205,10 +242,7 @@ int draw_plots(Ui& ui, int index, int pointed) {
                                  ImGui::CalcTextSize("0.00").x});
     const int in_truth = draw_plot(ui, "graph.plot", truth, {width, high}, axis, pointed);
     bool clicked = ImGui::IsItemClicked();
-    if (is_low) {
-        draw_legend(ui, "graph.legend", truth, index, truth_tooltip(ui, quantity));
-        draw_quantities(ui);
-    }
+    if (is_low) draw_legend(ui, "graph.legend", truth, index, truth_tooltip(ui, quantity));
     int in_carried = -1;
     if (has_carried) {
         draw_legend(ui, "graph.carried.legend", carried, index,

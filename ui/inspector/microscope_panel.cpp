@@ -11,6 +11,7 @@
 #include "ui/ui.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -141,14 +142,14 @@ void draw_buttons(Ui& ui) {
 }
 
 /// A line of the card: what is in order is quiet, what is not is marked.
-void draw_statement(const Ui& ui, bool in_order, const std::string& text) {
+void draw_statement(Ui& ui, bool in_order, const std::string& text) {
     const Palette& p = palette(ui.options.theme);
     text_in(in_order ? p.dim : colour_of(Meaning::fail, ui.options.theme),
             (in_order ? "=  " : "≠  ") + text);
+    keep_text_whole(ui);
 }
 
-void draw_step(const Ui& ui, const char* axis, const Fraction& step, float float_step,
-               double drift) {
+void draw_step(Ui& ui, const char* axis, const Fraction& step, float float_step, double drift) {
     const bool is_exact = static_cast<double>(float_step) * static_cast<double>(step.denominator) ==
                           static_cast<double>(step.numerator);
     std::string text = std::string(axis) + ": step " + fraction_text(step);
@@ -156,6 +157,7 @@ void draw_step(const Ui& ui, const char* axis, const Fraction& step, float float
     const ImVec4& ink = palette(ui.options.theme).text;
     if (drift == 0.0) {
         text_in(ink, text);
+        keep_item_whole(ui);
         return;
     }
     // The line breaks between the two parts, never within a number.
@@ -165,12 +167,14 @@ void draw_step(const Ui& ui, const char* axis, const Fraction& step, float float
         text_in(ink, text + "; " + end);
     } else {
         text_in(ink, text);
+        keep_item_whole(ui);
         text_in(ink, "    " + end);
     }
+    keep_item_whole(ui);
 }
 
 /// How many samples the floats have put on a wrong pixel.
-void draw_verdict(const Ui& ui) {
+void draw_verdict(Ui& ui) {
     const EdgeMicroscope& edge = ui.inspector.microscope.shown;
     const std::size_t differing = edge.differing.size();
     draw_statement(ui, differing == 0,
@@ -214,13 +218,17 @@ void draw_way(Ui& ui) {
     const Palette& p = palette(ui.options.theme);
     if (!edge.decides()) {
         text_in(p.dim, walk_text(settings.line_walk));
+        keep_text_whole(ui);
         draw_step(ui, "x", edge.step_x, edge.float_step_x, edge.summary.largest_drift_x);
         draw_step(ui, "y", edge.step_y, edge.float_step_y, edge.summary.largest_drift_y);
         return;
     }
     text_in(p.dim, line_summary(settings.line, settings.bresenham_rule));
-    for (const std::string& rule : line_rules(edge, settings.line, settings.bresenham_rule))
+    keep_text_whole(ui);
+    for (const std::string& rule : line_rules(edge, settings.line, settings.bresenham_rule)) {
         text_in(p.text, with_minus_signs(rule));
+        keep_text_whole(ui);
+    }
     draw_current_decision(ui);
 }
 
@@ -235,6 +243,7 @@ void draw_summary(Ui& ui) {
     ImGui::TextUnformatted((" from " + place_text(edge.a.column, edge.a.row) + " to " +
                             place_text(edge.b.column, edge.b.row))
                                .c_str());
+    keep_item_whole(ui);
     draw_way(ui);
     draw_verdict(ui);
     if (summary.misses_end) {

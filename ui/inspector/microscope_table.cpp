@@ -13,6 +13,7 @@
 #include "ui/ui.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -109,6 +110,7 @@ void draw_sample(Ui& ui, const SampleColumns& columns, int index, int current, i
     const EdgeMicroscope& edge = ui.inspector.microscope.shown;
     const std::string tooltip = hovered ? sample_words(ui, sample) : std::string();
     name_widget(ui, "microscope.sample." + std::to_string(index), tooltip);
+    keep_item_whole(ui);
     ImGui::SameLine(0.0f, 0.0f);
     right_aligned(std::to_string(index), ink);
     ImGui::PopID();
@@ -293,6 +295,7 @@ void draw_sample_table_with(Ui& ui, bool appears, const std::function<void()>& b
         ImGui::EndTable();
     }
     ImGui::BeginChild("samples.body", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    begin_whole_lines(ui);
     if (begin_samples("samples", columns, 0, {width, 0})) {
         draw_samples(ui, columns, appears);
         ImGui::EndTable();
@@ -301,6 +304,7 @@ void draw_sample_table_with(Ui& ui, bool appears, const std::function<void()>& b
     ImGui::PushTextWrapPos(width);
     below();
     ImGui::PopTextWrapPos();
+    end_whole_lines(ui);
     ImGui::EndChild();
 }
 

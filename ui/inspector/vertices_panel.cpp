@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <string>
 #include <utility>
@@ -205,21 +206,22 @@ void draw_cell(Ui& ui, const Line& line, int v, int chosen) {
     }
 }
 
-/// @param shown those of the lines that are drawn; the first of all has the names of the vertices
-void draw_table(Ui& ui, int chosen, std::span<const Line> shown) {
+/// The columns of words and numbers, over a width that the panel leaves for them. The tables of the
+/// panel share them: numbers of a vertex stand below its name.
+bool begin_vertex_table(Ui& ui, const char* name, float width) {
     const float padding = (ui.inspector.is_narrow ? 2.0f : 6.0f) * ui.options.text_scale;
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {padding, ImGui::GetStyle().CellPadding.y});
-    if (!ImGui::BeginTable(shown.data() == lines ? "vertices" : "vertices below",
-                           label_columns(ui) + triangle_corners, ImGuiTableFlags_SizingFixedFit)) {
+    if (!ImGui::BeginTable(name, label_columns(ui) + triangle_corners,
+                           ImGuiTableFlags_SizingFixedFit, {width, 0.0f})) {
         ImGui::PopStyleVar();
-        return;
+        return false;
     }
     // The numbers share what the words leave.
-    float room = ImGui::GetContentRegionAvail().x;
+    float room = width;
     const auto add_words = [&](ImFont* font, const char* widest) {
-        const float width = text_width(font, widest);
-        ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, width);
-        room -= width;
+        const float words = text_width(font, widest);
+        ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, words);
+        room -= words;
     };
     if (ui.inspector.is_narrow) {
         add_words(ui.fonts.small, "− camera x ");
@@ -231,7 +233,15 @@ void draw_table(Ui& ui, int chosen, std::span<const Line> shown) {
         ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed,
                                 std::max((room - 9.0f * padding) / triangle_corners, 1.0f));
     }
-    if (shown.data() == lines) draw_header(ui, chosen);
+    return true;
+}
+
+void end_vertex_table() {
+    ImGui::EndTable();
+    ImGui::PopStyleVar();
+}
+
+void draw_lines(Ui& ui, int chosen, std::span<const Line> shown) {
     for (const Line& line : shown) {
         if (!is_shown(ui, line)) continue;
         ImGui::TableNextRow();
@@ -243,8 +253,6 @@ void draw_table(Ui& ui, int chosen, std::span<const Line> shown) {
         }
         ImGui::PopFont();
     }
-    ImGui::EndTable();
-    ImGui::PopStyleVar();
 }
 
 /// "floor would give 0, round would give 0"
@@ -327,9 +335,21 @@ void draw_formula_card(Ui& ui, const VertexReport& vertex) {
     go_to_source(ui, *clicked);
 }
 
-/// Where lines are few: the numbers first, how the chosen one came to be right below its line, and
-/// all of it in one scroll. A number that is clicked brings its formula into view.
-void draw_as_one_page(Ui& ui, int chosen, const VertexReport& vertex) {
+/// Scrolls to what was just drawn; of what is higher than the window the beginning is seen.
+/// @param top of it, screen pixels
+void bring_into_sight(float top) {
+    const float bottom = ImGui::GetItemRectMax().y;
+    if (bottom - top <= ImGui::GetWindowHeight()) {
+        ImGui::SetScrollHereY(1.0f);
+    } else {
+        ImGui::SetScrollFromPosY(std::floor(top - 2.0f - ImGui::GetWindowPos().y), 0.0f);
+    }
+}
+
+/// Where lines are few: the names of the vertices stay, and below them scrolls all the rest: the
+/// numbers, and how the chosen one came to be right below its line. A number that is clicked brings
+/// its formula into view.
+void draw_as_one_page(Ui& ui, int chosen, const VertexReport& vertex, bool has_spaces) {
     const auto number = [&] {
         return std::pair{ui.session.selection.vertex, ui.inspector.chosen.vertex_number};
     };
@@ -339,13 +359,33 @@ void draw_as_one_page(Ui& ui, int chosen, const VertexReport& vertex) {
                                    [&](const Line& one) { return one.id == before.second; });
     const auto above =
         line == all.end() ? all.size() : static_cast<std::size_t>(line - all.begin()) + 1;
-    draw_table(ui, chosen, all.first(above));
+    // Beside the scroll bar of what is below.
+    const float width = ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ScrollbarSize;
+    if (begin_vertex_table(ui, "vertices.head", width)) {
+        draw_header(ui, chosen);
+        end_vertex_table();
+    }
+    ImGui::BeginChild("vertices.body", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    begin_whole_lines(ui);
+    if (begin_vertex_table(ui, "vertices", width)) {
+        draw_lines(ui, chosen, all.first(above));
+        end_vertex_table();
+    }
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float row = ImGui::GetCursorScreenPos().y - style.ItemSpacing.y -
+                      2.0f * style.CellPadding.y - ui.fonts.text->FontSize;
     draw_formula_card(ui, vertex);
     // The click has been in the frame before: there the formula stood elsewhere.
     const int frame = ImGui::GetFrameCount();
-    if (ui.inspector.formula_frame + 1 == frame) ImGui::SetScrollHereY(1.0f);
-    if (above < all.size()) draw_table(ui, chosen, all.subspan(above));
+    if (ui.inspector.formula_frame + 1 == frame) bring_into_sight(row);
+    if (above < all.size() && begin_vertex_table(ui, "vertices below", width)) {
+        draw_lines(ui, chosen, all.subspan(above));
+        end_vertex_table();
+    }
     if (number() != before) ui.inspector.formula_frame = frame;
+    if (has_spaces) draw_spaces(ui, chosen);
+    end_whole_lines(ui);
+    ImGui::EndChild();
 }
 
 /// The vertex that is explained: the one picked, or else the one just projected.
@@ -370,14 +410,17 @@ void draw_vertices_panel(Ui& ui) {
     const VertexReport& vertex = vertices[static_cast<std::size_t>(chosen)];
     const bool has_spaces = ui.results.a.frame.settings.transform == Transform::matrices;
     if (!ui.inspector.has_card) {
-        draw_as_one_page(ui, chosen, vertex);
-        if (has_spaces) draw_spaces(ui, chosen);
+        draw_as_one_page(ui, chosen, vertex, has_spaces);
         return;
     }
     draw_with_card(
         ui, "vertices",
         [&] {
-            draw_table(ui, chosen, lines);
+            if (begin_vertex_table(ui, "vertices", ImGui::GetContentRegionAvail().x)) {
+                draw_header(ui, chosen);
+                draw_lines(ui, chosen, lines);
+                end_vertex_table();
+            }
             if (has_spaces) draw_spaces(ui, chosen);
         },
         [&] { draw_formula_card(ui, vertex); });

@@ -1,6 +1,8 @@
 #include "ui/lesson/lesson_list.h"
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -16,6 +18,17 @@ namespace rasterwalk {
 
 namespace {
 
+/// Beside an entry's mark and right of its title, design pixels.
+constexpr float entry_margin = 8.0f, entry_indent = 30.0f;
+
+/// The room of a title beside what stands at the right of it, screen pixels.
+float title_room(const Ui& ui, float width, const std::string& right) {
+    const float u = ui.options.text_scale;
+    const float beside =
+        right.empty() ? 0.0f : text_width(ui.fonts.small, right) + entry_margin * u;
+    return width - (entry_indent + entry_margin) * u - beside;
+}
+
 /// The text with line breaks where it would be wider than this in the font, screen pixels.
 std::string lines_of(ImFont* font, std::string_view text, float width) {
     ImGui::PushFont(font);
@@ -30,12 +43,20 @@ bool draw_entry(Ui& ui, const std::string& name, const std::string& mark, const 
                 const std::string& right, float width, std::string_view help) {
     const Palette& p = palette(ui.options.theme);
     const float u = ui.options.text_scale;
-    const float margin = 8.0f * u, indent = 30.0f * u;
+    const float margin = entry_margin * u, indent = entry_indent * u;
     const float wrap = width - indent - margin;
     ImFont* const font = ui.fonts.text;
     ImFont* const small = ui.fonts.small;
     const float right_width = text_width(small, right);
-    const std::string title = lines_of(font, title_text, wrap - right_width - margin);
+    const float room = title_room(ui, width, right);
+    std::string title;
+    if (below_text.empty()) {
+        ImGui::PushFont(font);
+        title = shortened_to_words(title_text, room); // a line each
+        ImGui::PopFont();
+    } else {
+        title = lines_of(font, title_text, room);
+    }
     const std::string below = lines_of(small, below_text, wrap);
     const ImVec2 title_size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, title.c_str());
     const ImVec2 below_size = small->CalcTextSizeA(small->FontSize, FLT_MAX, 0.0f, below.c_str());
@@ -44,6 +65,7 @@ bool draw_entry(Ui& ui, const std::string& name, const std::string& mark, const 
     const bool pressed = ImGui::InvisibleButton(name.c_str(), {width, height});
     const bool hovered = ImGui::IsItemHovered();
     name_widget(ui, name, help);
+    note_text(ui, name, title);
     keep_item_whole(ui);
     ImDrawList* const list = ImGui::GetWindowDrawList();
     if (hovered) {
@@ -61,10 +83,26 @@ bool draw_entry(Ui& ui, const std::string& name, const std::string& mark, const 
     return pressed;
 }
 
+std::string minutes_text(const Lesson& lesson) {
+    return std::to_string(lesson.minutes) + " min";
+}
+
+/// Have all titles room on one line beside the minutes? Where one has not, none has minutes: they
+/// are told with what the lesson is about.
+bool has_room_for_minutes(const Ui& ui, const std::vector<Lesson>& lessons, float width) {
+    return std::all_of(lessons.begin(), lessons.end(), [&](const Lesson& lesson) {
+        return text_width(ui.fonts.text, lesson.title) <=
+               title_room(ui, width, minutes_text(lesson));
+    });
+}
+
 void draw_lessons(Ui& ui, float width) {
     const Palette& p = palette(ui.options.theme);
     ui.lesson.scores.renew(ui.lesson.progress, ui.lesson.lessons);
     const std::vector<Lesson>& lessons = ui.lesson.lessons.all();
+    // Where lines are few a lesson has one, and the rest is told beside the pointer.
+    const bool is_short = ui.lesson.is_strip;
+    const bool has_minutes = !is_short || has_room_for_minutes(ui, lessons, width);
     for (std::size_t i = 0; i < lessons.size(); ++i) {
         const Lesson& lesson = lessons[i];
         const LessonScore score = ui.lesson.scores.of(i);
@@ -76,12 +114,12 @@ void draw_lessons(Ui& ui, float width) {
         if (score.done > 0 && !score.is_done) {
             right.append(std::to_string(score.done)).append("/");
             right.append(std::to_string(score.all));
-        } else {
-            right.append(std::to_string(lesson.minutes)).append(" min");
+        } else if (has_minutes) {
+            right = minutes_text(lesson);
         }
-        // Where lines are few a lesson has one, and the rest is told beside the pointer.
-        const bool is_short = ui.lesson.is_strip;
-        const std::string help = is_short ? lesson.about : "Opens this lesson.";
+        const std::string help =
+            is_short ? lesson.title + ", " + minutes_text(lesson) + ".\n" + lesson.about
+                     : "Opens this lesson.";
         if (draw_entry(ui, "lesson.item." + lesson.id, score.is_done ? "✓" : std::to_string(i + 1),
                        colour, lesson.title, is_short ? "" : lesson.about, right, width, help)) {
             const int step = score.is_done ? 0 : score.last_step;

@@ -170,7 +170,8 @@ int draw_stage(Ui& ui, const PageFooter& pages, float width) {
     begin_card_window(ui, width);
     scroll_by_key(ui.lesson);
     const StageNote& note = ui.lesson.notes.find(note_name(ui.session));
-    const std::string text = note.fault.empty() ? note.text : std::string(info.summary);
+    const std::string text =
+        note.fault.empty() ? note_on_show(ui, note) : std::string(info.summary);
     draw_text_card(ui, fitting_sentences(ui, text, width, lines_of_strip), width);
     end_card_window(ui);
     return wanted;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "facts/facts.h"
 #include "ui/actions/actions.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/lesson/page_footer.h"
@@ -45,13 +46,18 @@ void draw_text(Ui& ui, const StageInfo& info, float width) {
         draw_missing(ui, info, note);
     } else {
         std::shared_ptr<MarkdownPage>& page = lesson.pages["stage"];
-        const MarkdownEvents events = draw_markdown(ui, page, note.text, width, "lesson.link.");
+        const MarkdownEvents events =
+            draw_markdown(ui, page, note_on_show(ui, note), width, "lesson.link.");
         answer_links(ui, document_of(*page), events);
     }
     ImGui::Dummy({0.0f, 10.0f * ui.options.text_scale});
 }
 
 } // namespace
+
+std::string note_on_show(const Ui& ui, const StageNote& note) {
+    return note_about(note.text, Facts(ui.session, ui.results));
+}
 
 std::string stage_page_name(Ui& ui) {
     return ui.lesson.notes.find(note_name(ui.session)).path;

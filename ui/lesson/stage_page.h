@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "lessons/stage_note.h"
 #include "ui/lesson/page_footer.h"
 
 namespace rasterwalk {
@@ -12,6 +13,9 @@ struct Ui;
 std::string stage_page_name(Ui& ui); ///< by which its scroll position is known
 void draw_stage_text(Ui& ui, float width);
 void draw_stage_footer(Ui& ui, float width);
+
+/// The text of a stage's note, with the numbers of what is on show.
+std::string note_on_show(const Ui& ui, const StageNote& note);
 
 /// What the footer walks through, and what it does with the stage that is wanted.
 PageFooter pages_of_stages(const Ui& ui);

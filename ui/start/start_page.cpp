@@ -14,6 +14,7 @@
 #include "ui/actions/open_lesson.h"
 #include "ui/actions/view_files.h"
 #include "ui/start/stage_pictures.h"
+#include "ui/start/way_pictures.h"
 #include "ui/start/ways.h"
 #include "ui/ui.h"
 #include "ui/widgets/layout.h"
@@ -29,7 +30,7 @@ struct Card {
     Way way;
     const char* title;
     const char* about;
-    std::array<const char*, 3> points; ///< left out where room is short
+    std::array<const char*, 2> points; ///< left out where room is short
     const char* help;
 };
 
@@ -37,25 +38,30 @@ constexpr std::array<Card, way_count> cards{{
     {Way::lessons,
      "Begin the lessons",
      "Read a little, predict, try.",
-     {"Every answer is checked by the program itself.", "Each step sets the scene for you.",
-      "What you have done is kept for the next time."},
+     {"Every answer is checked by the program itself.", "Each step sets the scene for you."},
      "Opens the lesson with which you go on."},
     {Way::stages,
      "Walk the stages",
      "Press play, stop anywhere, and look.",
      {"Time runs both ways, down to the single edge sample.",
-      "Click a pixel or a triangle: every number says where it comes from.",
-      "Turn perspective or the depth test off, and see what breaks."},
+      "Click a pixel or a triangle: every number says where it comes from."},
      "Begins at the first stage; the pictures above lead to each."},
     {Way::picture,
      "Check my own picture",
      "What differs from the right one, where first, and why?",
      {"A picture that your program saved, or the rows that it printed.",
-      "Known mistakes are carried out, to see which one explains yours.",
-      "You can also drop the file on this window at any time."},
+      "Known mistakes are carried out, to see which one explains yours."},
      "Shows the files that can be checked."},
 }};
 static_assert(is_indexed_by(cards, &Card::way));
+
+/// What a card holds besides its pictures, with all that it says and with less; design pixels. A
+/// card lower than this says less.
+constexpr float height_without_pictures = 280.0f, brief_height_without_pictures = 245.0f;
+constexpr float eloquent_card = 400.0f;
+
+/// A card names no more of the lessons that come.
+constexpr std::size_t most_next_lessons = 5;
 
 /// The lesson of the main button; null if there is none.
 const Lesson* next_lesson(Ui& ui) {
@@ -188,6 +194,43 @@ void draw_lesson_cells(Ui& ui, float width) {
     ImGui::PopFont();
 }
 
+/// The lessons that come next, a line each, as many as have room.
+void draw_next_lessons(Ui& ui, ImVec2 top, float width, float bottom) {
+    const float u = ui.options.text_scale;
+    const Palette& p = palette(ui.options.theme);
+    const std::vector<Lesson>& lessons = ui.lesson.lessons.all();
+    const Lesson* const next = next_lesson(ui);
+    if (next == nullptr) return;
+    const float line = ui.fonts.text->FontSize + 9.0f * u, indent = 28.0f * u;
+    const auto room = static_cast<std::size_t>(std::max((bottom - top.y) / line, 0.0f));
+    const std::size_t count = std::min({room, lessons.size(), most_next_lessons});
+    // At the end of the course those before it stand above.
+    const auto first =
+        std::min(static_cast<std::size_t>(next - lessons.data()), lessons.size() - count);
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    ImFont* const font = ui.fonts.text;
+    ImFont* const small = ui.fonts.small;
+    float y = bottom - line * static_cast<float>(count);
+    for (std::size_t i = first; i < first + count; ++i, y += line) {
+        const Lesson& lesson = lessons[i];
+        const bool is_done = ui.lesson.scores.of(i).is_done;
+        const std::string mark = is_done ? "✓" : std::to_string(lesson_number(lesson.id));
+        const std::string minutes = fmt::format("{} min", lesson.minutes);
+        const float right = top.x + width - text_width(small, minutes);
+        const bool is_next = &lesson == next;
+        list->AddLine({top.x, std::round(y)}, {top.x + width, std::round(y)}, packed(p.line));
+        const float text_y = std::round(y + 0.5f * (line - font->FontSize));
+        list->AddText(font, font->FontSize, {top.x, text_y},
+                      packed(is_done ? colour_of(Meaning::pass, ui.options.theme) : p.dim),
+                      mark.c_str());
+        list->AddText(font, font->FontSize, {top.x + indent, text_y},
+                      packed(is_next ? p.text : p.dim),
+                      shortened_to_words(lesson.title, right - top.x - indent - 8.0f * u).c_str());
+        list->AddText(small, small->FontSize, {right, text_y + 2.0f * u}, packed(p.dim),
+                      minutes.c_str());
+    }
+}
+
 /// The button of a card: the chosen card's is the main one.
 void draw_way_button(Ui& ui, const Card& card, ImVec2 size) {
     const bool is_chosen = ui.start.chosen == card.way;
@@ -225,15 +268,25 @@ void draw_tall_card(Ui& ui, const Card& card, ImVec2 low, ImVec2 size) {
     wrapped_text(card.about);
     ImGui::Dummy({0.0f, 4.0f * u});
     ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-    for (const char* point : card.points)
+    const bool is_brief = size.y < eloquent_card * u;
+    for (const char* point : card.points) {
         wrapped_text(point);
+        if (is_brief) break;
+    }
     ImGui::PopStyleColor();
     ImGui::PopTextWrapPos();
     ImGui::EndGroup();
+    const ImVec2 below{low.x + padding, ImGui::GetItemRectMax().y + 12.0f * u};
     const float bottom = low.y + size.y - padding;
     if (card.way == Way::lessons) {
-        ImGui::SetCursorScreenPos({low.x + padding, bottom - control - 38.0f * u});
+        const float cells = bottom - control - 38.0f * u;
+        draw_next_lessons(ui, below, inner, cells - 14.0f * u);
+        ImGui::SetCursorScreenPos({low.x + padding, cells});
         draw_lesson_cells(ui, inner);
+    } else {
+        draw_way_pictures(
+            ui, card.way, below, {below.x + inner, bottom - control - 14.0f * u},
+            size.y - (is_brief ? brief_height_without_pictures : height_without_pictures) * u);
     }
     ImGui::SetCursorScreenPos({low.x + padding, bottom - control});
     draw_way_button(ui, card, {inner, control});
@@ -286,7 +339,7 @@ void draw_cards(Ui& ui, const PageLayout& page, float bottom) {
         return;
     }
     const float width = (page.width - page.gap * (way_count - 1)) / way_count;
-    const float height = std::clamp(bottom - start.y, 300.0f * u, 400.0f * u);
+    const float height = std::clamp(bottom - start.y, 300.0f * u, 440.0f * u);
     for (std::size_t i = 0; i < cards.size(); ++i) {
         draw_tall_card(ui, cards[i],
                        {start.x + static_cast<float>(i) * (width + page.gap), start.y},

@@ -21,6 +21,15 @@ struct StagePictures {
     std::array<ImTextureID, stage_count> textures{};
 };
 
+/// What the ways lead to, in pictures on their cards.
+struct WayPictures {
+    std::shared_ptr<const Scene> scene; ///< that they show
+    int side = 0;                       ///< screen pixels for which they were made
+    Theme theme{};                      ///< of their colours
+    std::array<bool, way_count> is_shown{};
+    std::array<std::array<ImTextureID, 3>, way_count> textures{};
+};
+
 /// The page with which the program begins the first time.
 struct StartPage {
     bool is_open = false;
@@ -30,6 +39,7 @@ struct StartPage {
     std::optional<SessionInputs> behind;
     std::string lesson; ///< that is open behind it
     StagePictures pictures;
+    WayPictures way_pictures;
 };
 
 } // namespace rasterwalk

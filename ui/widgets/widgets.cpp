@@ -307,6 +307,17 @@ std::string shortened(const std::string& text, float width) {
     return "…";
 }
 
+std::string shortened_to_words(const std::string& text, float width) {
+    if (text_width(text) <= width) return text;
+    std::size_t end = text.size();
+    while ((end = text.find_last_of(' ', end - 1)) != std::string::npos && end > 0) {
+        const std::size_t word = text.find_last_not_of(" ,;:", end);
+        const std::string cut = text.substr(0, word == std::string::npos ? 0 : word + 1) + " …";
+        if (text_width(cut) <= width) return cut;
+    }
+    return shortened(text, width);
+}
+
 bool list_entry(Ui& ui, std::string_view name, std::string_view label, bool is_chosen,
                 std::string_view tooltip) {
     const bool is_pressed = ImGui::Selectable(std::string(label).c_str(), is_chosen);

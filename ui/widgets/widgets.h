@@ -89,6 +89,9 @@ bool scroll_to_line(int line, float height);
 /// all.
 std::string shortened(const std::string& text, float width);
 
+/// The same, cut between two words: a letter or two of a word say nothing.
+std::string shortened_to_words(const std::string& text, float width);
+
 /// An entry of an open list; where keys open the list they begin at the chosen one. Returns true
 /// when it is pressed.
 bool list_entry(Ui& ui, std::string_view name, std::string_view label, bool is_chosen,

@@ -144,4 +144,25 @@ TEST_CASE("A pixel that arrows pick is seen, even where the picture showed only 
     }
 }
 
+TEST_CASE("In a narrow canvas the ends of the depth range say both the same, and stay apart") {
+    for (const ImVec2 window : {ImVec2{800, 600}, ImVec2{1024, 640}, ImVec2{1600, 1000}}) {
+        INFO(window.x << " x " << window.y);
+        Driver driver("lab-room.toml", window, window.x < 1600.0f ? 1.5f : 1.0f);
+        driver.hand.press('5');
+        driver.ui.session.view = View::depth;
+        driver.hand.frames(frames_to_rest);
+        driver.hand.leave();
+        const WidgetPlace far = driver.ui.widgets.at("depth.far_text");
+        const WidgetPlace near = driver.ui.widgets.at("depth.near_text");
+        const WidgetPlace fit = driver.ui.widgets.at("depth.autofit");
+        CHECK(far.bottom_right.x < near.top_left.x);
+        CHECK(near.bottom_right.x < fit.top_left.x);
+        const auto has_z = [](const WidgetPlace& place) {
+            return place.text.find("(z ") != std::string::npos;
+        };
+        CHECK(has_z(far) == has_z(near));
+        CHECK(has_z(far) == (window.x > 1500.0f));
+    }
+}
+
 } // namespace rasterwalk

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <catch2/catch.hpp>
@@ -496,6 +497,33 @@ TEST_CASE("In a narrow tab each setting's columns have names of their own") {
         CHECK(driver.ui.widgets.count("compare.header.b." + setting) == 1);
     }
     CHECK(settings > 1);
+}
+
+TEST_CASE("A difference names both runs in the same form") {
+    for (const ImVec2 window : {ImVec2{800, 600}, ImVec2{1024, 640}, ImVec2{1600, 1000}}) {
+        for (const CompareView view :
+             {CompareView::difference, CompareView::wipe, CompareView::side_by_side}) {
+            INFO(window.x << " x " << window.y << ", " << word_of(view));
+            Driver driver(lit_room(), window, window.x < 1600.0f ? 1.5f : 1.0f);
+            driver.hand.press('C');
+            driver.ui.session.compare_view = view;
+            driver.hand.frames(frames_to_rest);
+            driver.hand.leave();
+            REQUIRE(driver.ui.widgets.count("compare.title_a") == 1);
+            REQUIRE(driver.ui.widgets.count("compare.title_b") == 1);
+            const std::string a = driver.ui.widgets.at("compare.title_a").text;
+            const std::string b = driver.ui.widgets.at("compare.title_b").text;
+            const std::vector<std::string> forms_a = run_forms(driver.ui.session, false);
+            const std::vector<std::string> forms_b = run_forms(driver.ui.session, true);
+            const auto form = [](const std::vector<std::string>& forms, const std::string& text) {
+                if (text.empty()) return std::ptrdiff_t{-1};
+                const auto found = std::find(forms.begin(), forms.end(), text);
+                REQUIRE(found != forms.end());
+                return found - forms.begin();
+            };
+            CHECK(form(forms_a, a) == form(forms_b, b));
+        }
+    }
 }
 
 } // namespace rasterwalk

@@ -4,6 +4,7 @@
 
 #include "picture/view_image.h"
 #include "tests/ui/driver.h"
+#include "tests/ui/screen_text.h"
 #include "tests/ui/shown_colours.h"
 #include "ui/actions/keys.h"
 #include "ui/actions/open_lesson.h"
@@ -249,6 +250,29 @@ TEST_CASE("The overdraw legend is whole in small windows, and lists what there i
             CHECK(boxes < 60);
             CHECK(driver.ui.widgets.count("overdraw.count.0") == 1);
             CHECK(driver.ui.widgets.count("overdraw.count.4000") == 1);
+        }
+    }
+}
+
+TEST_CASE("The legend says whole words, however many layers are on") {
+    for (const ImVec2 window : {ImVec2{800, 600}, ImVec2{1024, 640}, ImVec2{1600, 1000}}) {
+        INFO(window.x << " x " << window.y);
+        Driver driver("lab-room.toml", window, window.x < 1600.0f ? 1.5f : 1.0f);
+        driver.hand.press('7');
+        for (const OverlayInfo& info : overlay_list())
+            driver.ui.session.overlays.set(info.overlay, true);
+        for (const bool is_picked : {false, true}) {
+            if (is_picked) driver.ui.session.selection.pixel = glm::ivec2(250, 400);
+            driver.hand.frames(frames_to_rest);
+            driver.hand.leave();
+            int texts = 0;
+            for (const ScreenText& text : screen_text()) {
+                if (text.window.find("legend") == std::string::npos) continue;
+                INFO(text.words);
+                CHECK(text.words.find("…") == std::string::npos);
+                ++texts;
+            }
+            CHECK(texts > 2);
         }
     }
 }

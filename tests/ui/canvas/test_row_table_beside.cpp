@@ -11,13 +11,16 @@
 
 #include <catch2/catch.hpp>
 
+#include "session/tabs.h"
 #include "tests/ui/driver.h"
 #include "tests/ui/screen_text.h"
 #include "tests/ui/shown_colours.h"
 #include "tests/ui/shown_number.h"
 #include "ui/actions/keys.h"
+#include "ui/actions/lesson_links.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/actions/row_table_layout.h"
+#include "ui/widgets/layout.h"
 #include "ui/widgets/style.h"
 
 namespace rasterwalk {
@@ -495,6 +498,73 @@ TEST_CASE(
     CHECK(inspector.find("row 15, entry [10] of 11") != inspector.npos);
     CHECK(inspector.find("last sample") == inspector.npos);
     CHECK(outside == 1);
+}
+
+TEST_CASE("In a lecture about rows the table stands in the inspector's place, large and once") {
+    struct Case {
+        ImVec2 window;
+        float text;
+        bool is_beside;
+    };
+    // Where the rows of the picture are too low for letters that are read from afar, the Rows tab
+    // has the table.
+    for (const Case& c : {Case{{1600, 1000}, 1.0f, true}, Case{{1024, 640}, 1.0f, true},
+                          Case{{1920, 1080}, 1.0f, true}, Case{{1024, 640}, 1.5f, false}}) {
+        INFO(c.window.x << " x " << c.window.y << ", text " << c.text);
+        Driver driver("lab-room.toml", c.window, c.text);
+        open_lesson(driver.ui, "05-row-table", 4);
+        driver.hand.press(key::f5);
+        driver.hand.leave();
+        REQUIRE(tab_below(driver.ui.session) == "rows");
+        CHECK(is_shown(driver) == c.is_beside);
+        // "rows.5" is a line of the Rows tab.
+        CHECK((driver.ui.widgets.count("rows.5") > 0) != c.is_beside);
+        if (!c.is_beside) continue;
+        CHECK(misplaced_lines(driver).empty());
+        const WidgetPlace table = driver.ui.widgets.at("canvas.rows");
+        const WidgetPlace canvas = driver.ui.widgets.at("canvas");
+        CHECK(table.top_left.x >= canvas.bottom_right.x);
+        CHECK(table.bottom_right.x - table.top_left.x >= 0.35f * c.window.x);
+        const PolygonRows& rows = driver.ui.results.a.rows.rows;
+        for (int row = rows.first_row; row < rows.first_row + rows.size(); ++row) {
+            INFO(line_name(row));
+            REQUIRE(driver.ui.widgets.count(line_name(row)) == 1);
+            CHECK(driver.ui.widgets.at(line_name(row)).is_whole);
+        }
+        // As large as all that is written in numbers, on lines that keep it apart.
+        int numbers = 0;
+        for (const ScreenText& text : screen_text()) {
+            if (text.window.find("row table") == std::string::npos) continue;
+            CHECK(text.size >= least_lecture_letters(c.window) - 0.5f);
+            numbers += text.size >= driver.ui.fonts.mono->FontSize - 0.5f ? 1 : 0;
+        }
+        CHECK(numbers >= rows.size());
+        CHECK(driver.ui.canvas.place.scale >= 1.1f * driver.ui.fonts.mono->FontSize);
+        // A click leads to the sample, as everywhere.
+        driver.hand.click(line_name(7) + ".left");
+        REQUIRE(driver.ui.results.a.done);
+        CHECK(driver.ui.results.a.done->step == 2);
+        CHECK(is_shown(driver));
+        // Zoomed out the rows have no lines: then the tab has them.
+        driver.hand.leave();
+        driver.ui.session.canvas.zoom = 10.0f;
+        driver.ui.session.canvas.centre = {10.0f, 10.0f};
+        driver.hand.frames(frames_to_rest);
+        CHECK_FALSE(is_shown(driver));
+        CHECK(driver.ui.widgets.count("rows.7") > 0);
+    }
+}
+
+TEST_CASE("A lesson that points at what stands below the row table has the Rows tab in a lecture") {
+    Driver driver("lab-room.toml", {1600, 1000});
+    open_lesson(driver.ui, "05-row-table", 4);
+    driver.hand.press(key::f5);
+    driver.hand.leave();
+    REQUIRE(is_shown(driver));
+    point_at_widget(driver.ui, "rows.values", true);
+    driver.hand.frames(frames_to_rest);
+    CHECK_FALSE(is_shown(driver));
+    CHECK(driver.hand.is_visible("rows.values"));
 }
 
 } // namespace rasterwalk

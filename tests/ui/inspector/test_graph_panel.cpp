@@ -79,7 +79,7 @@ TEST_CASE("On a projector the curve is seen at once, with its names") {
     Driver driver("lab-room.toml", {1024, 640}, 1.5f);
     open_lesson(driver.ui, "08-depth-buffer", 5);
     driver.hand.leave();
-    for (const char* name : {"graph.row", "graph.plot", "graph.legend"}) {
+    for (const char* name : {"graph.row", "graph.quantity", "graph.plot", "graph.legend"}) {
         INFO(name);
         REQUIRE(driver.ui.widgets.count(name) == 1);
         CHECK(driver.ui.widgets.at(name).is_whole);
@@ -95,10 +95,18 @@ TEST_CASE("In a small window all of the graph can be reached") {
         driver.ui.session.selection.triangle = 5;
         driver.ui.session.tab = "graph";
         driver.hand.frames(4);
-        for (const char* name : {"graph.row.previous", "graph.row.next", "graph.row", "graph.where",
-                                 "graph.blue", "graph.zinv"}) {
+        for (const char* name :
+             {"graph.row.previous", "graph.row.next", "graph.row", "graph.where"}) {
             INFO(name);
             CHECK(driver.hand.find(name).is_whole);
+        }
+        const bool is_list = driver.ui.widgets.count("graph.quantity") > 0;
+        for (const char* name : {"graph.zinv", "graph.blue"}) {
+            INFO(name);
+            if (is_list) driver.hand.click("graph.quantity");
+            CHECK(driver.hand.find(name).is_whole);
+            driver.hand.click(name);
+            CHECK("graph." + driver.ui.inspector.chosen.graph_quantity == name);
         }
         for (const char* name : {"graph.plot", "graph.carried"}) {
             INFO(name);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <string>
 #include <utility>
@@ -267,6 +268,28 @@ TEST_CASE("In a small window the table shows what the step speaks of, in all its
     driver.ui.session.a.settings.camera.yaw = 0.3f;
     driver.hand.frames(frames_to_rest);
     CHECK(driver.ui.widgets.contains("vertices.rotated.z"));
+}
+
+TEST_CASE("In a small window the names of the vertices stay while their numbers are scrolled") {
+    for (const ImVec2 window : {ImVec2{1024, 640}, ImVec2{800, 600}}) {
+        INFO(window.x << " x " << window.y);
+        Driver driver("lab-room.toml", window, 1.5f);
+        driver.open("vertices");
+        driver.hand.find("vertices.world.x.v0");
+        for (const char* const number : {"vertices.zinv", "vertices.world.x"}) {
+            INFO(number);
+            const WidgetPlace label = driver.hand.find(number);
+            CHECK(label.is_whole);
+            for (int v = 0; v < 3; ++v) {
+                const std::string of = ".v" + std::to_string(v);
+                const WidgetPlace head = driver.ui.widgets.at("vertices" + of);
+                const WidgetPlace cell = driver.ui.widgets.at(number + of);
+                CHECK(head.is_whole);
+                CHECK(head.bottom_right.y <= cell.top_left.y + 1.0f);
+                CHECK(std::abs(head.bottom_right.x - cell.bottom_right.x) < 1.5f);
+            }
+        }
+    }
 }
 
 } // namespace rasterwalk

@@ -135,4 +135,49 @@ TEST_CASE("The row table ends with a whole row") {
     }
 }
 
+TEST_CASE("In a small window the samples of an edge begin and end with whole lines") {
+    for (const ImVec2 size : {ImVec2(1024, 640), ImVec2(800, 600)}) {
+        INFO(size.x << " x " << size.y);
+        Driver driver("lab-room.toml", size, 1.5f);
+        driver.ui.session.selection.triangle = 7;
+        driver.ui.session.tab = "microscope";
+        driver.hand.frames(frames_to_rest + 2);
+        CHECK(look_at_edges(driver) > 3);
+    }
+}
+
+TEST_CASE("A title of the Clip tab stands above a row of its table, or is not seen") {
+    const std::vector<std::string> titles{"The corners", "Outcodes",  "near plane",
+                                          "left plane",  "top plane", "The polygon that remains"};
+    int looked = 0;
+    for (float height = 800.0f; height <= 1020.0f; height += 20.0f) {
+        INFO("window 1600 x " << height);
+        Driver driver("corridor.toml", {1600, height});
+        driver.ui.session.a.settings.clip = Clip::all;
+        driver.ui.session.selection.triangle = 5;
+        driver.ui.session.tab = "clip";
+        driver.hand.frames(frames_to_rest + 2);
+        for (const ImGuiWindow* const window : scrolling_windows()) {
+            const Edges edges = edges_of(*window->DrawList);
+            std::vector<ScreenText> seen;
+            for (const ScreenText& line : screen_text()) {
+                if (line.window == window->DrawList->_OwnerName &&
+                    line.high.y <= edges.bottom + 1.5f)
+                    seen.push_back(line);
+            }
+            for (const ScreenText& title : seen) {
+                if (std::find(titles.begin(), titles.end(), title.words) == titles.end()) continue;
+                INFO(title.words);
+                // Below it the titles of the columns, and a row at least.
+                const float lines_below = 2.0f * title.size;
+                CHECK(std::any_of(seen.begin(), seen.end(), [&](const ScreenText& line) {
+                    return line.low.y > title.low.y + lines_below;
+                }));
+                ++looked;
+            }
+        }
+    }
+    CHECK(looked > 20);
+}
+
 } // namespace rasterwalk

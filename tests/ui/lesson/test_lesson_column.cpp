@@ -488,4 +488,30 @@ TEST_CASE("What a lesson is about is broken between words, never within a number
     CHECK(with_lists > 0);
 }
 
+TEST_CASE("In a small window each lesson of the list has one line, cut between words") {
+    for (const ImVec2 window : {ImVec2{1024, 640}, ImVec2{800, 600}}) {
+        INFO(window.x << " x " << window.y);
+        Driver driver("lab-room.toml", window, 1.5f);
+        driver.hand.press('L');
+        driver.hand.leave();
+        float height = 0.0f;
+        for (const Lesson& lesson : driver.ui.lesson.lessons.all()) {
+            INFO(lesson.title);
+            const WidgetPlace place = driver.hand.find("lesson.item." + lesson.id);
+            // Of one at the edge of the list only a part is seen.
+            height = std::max(height, place.bottom_right.y - place.top_left.y);
+            if (place.text == lesson.title) continue;
+            const std::string end = " …";
+            REQUIRE(place.text.ends_with(end));
+            const std::size_t kept = place.text.size() - end.size();
+            CHECK(kept > 4);
+            CHECK(lesson.title.starts_with(place.text.substr(0, kept)));
+            const std::string between = " ,;:";
+            CHECK(between.find(lesson.title[kept]) != std::string::npos);
+        }
+        CHECK(height > 0.0f);
+        CHECK(height < 3.0f * driver.ui.fonts.text->FontSize);
+    }
+}
+
 } // namespace rasterwalk

@@ -12,11 +12,13 @@
 #include "support/effort.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/driver.h"
+#include "tests/ui/screen_text.h"
 #include "ui/actions/actions.h"
 #include "ui/actions/keys.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/start/ways.h"
 #include "ui/ui.h"
+#include "ui/widgets/style.h"
 
 namespace rasterwalk {
 
@@ -299,10 +301,17 @@ TEST_CASE("The stages are drawn once, and each is another picture") {
     Driver driver;
     const int before = driver.textures.uploads;
     begin(driver);
-    CHECK(driver.textures.uploads == before + stage_count);
+    // Two of the ways have pictures on their cards.
+    const int drawn = driver.textures.uploads;
+    CHECK(drawn == before + stage_count + 6);
     driver.hand.frames(5);
-    CHECK(driver.textures.uploads == before + stage_count);
-    // The last one is the room in the light of every pixel: more shades than the room has colours.
+    CHECK(driver.textures.uploads == drawn);
+    driver.hand.press(key::escape);
+    // In a low window the cards have none: the last is the room in the light of every pixel, with
+    // more shades than the room has colours.
+    driver.resize({1024, 640});
+    driver.ui.start.is_open = true;
+    driver.hand.frames(frames_to_rest);
     const Image& lit = driver.textures.last;
     REQUIRE(lit.width > 50);
     CHECK(std::abs(lit.width - lit.height) <= 1);
@@ -313,6 +322,48 @@ TEST_CASE("The stages are drawn once, and each is another picture") {
     const std::set<ImTextureID> textures(driver.ui.start.pictures.textures.begin(),
                                          driver.ui.start.pictures.textures.end());
     CHECK(textures.size() == stage_count);
+}
+
+TEST_CASE("The cards show what their ways lead to") {
+    Driver driver;
+    begin(driver);
+    driver.hand.leave();
+    const WayPictures& pictures = driver.ui.start.way_pictures;
+    CHECK_FALSE(pictures.is_shown[static_cast<std::size_t>(Way::lessons)]);
+    std::set<ImTextureID> textures;
+    for (const Way way : {Way::stages, Way::picture}) {
+        CHECK(pictures.is_shown[static_cast<std::size_t>(way)]);
+        for (const ImTextureID texture : pictures.textures[static_cast<std::size_t>(way)])
+            textures.insert(texture);
+    }
+    CHECK(textures.size() == 6);
+    // The last of them marks where the picture without a depth test differs: some of it, not most.
+    const Image& marked = driver.textures.last;
+    REQUIRE(marked.width == pictures.side);
+    const ImVec4 fail = colour_of(Meaning::fail, driver.ui.options.theme);
+    std::size_t different = 0;
+    for (std::size_t i = 0; i + 3 < marked.rgba.size(); i += 4)
+        different += std::abs(marked.rgba[i] - 255.0f * fail.x) < 1.0f &&
+                             std::abs(marked.rgba[i + 1] - 255.0f * fail.y) < 1.0f
+                         ? 1
+                         : 0;
+    const std::size_t all = marked.rgba.size() / 4;
+    CHECK(different > all / 200);
+    CHECK(different < all / 4);
+    // The lessons that come next are named, each on a line of its own.
+    int named = 0;
+    for (const ScreenText& text : screen_text())
+        for (int i = 0; i < 3; ++i)
+            named +=
+                text.words == driver.ui.lesson.lessons.all()[static_cast<std::size_t>(i)].title;
+    CHECK(named == 3);
+}
+
+TEST_CASE("A triangle alone cannot be half drawn, and hides nothing: its cards have no pictures") {
+    Driver driver("one-triangle.toml");
+    begin(driver);
+    for (const bool is_shown : driver.ui.start.way_pictures.is_shown)
+        CHECK_FALSE(is_shown);
 }
 
 TEST_CASE("A scene that takes long to draw leaves the pictures out, and the ways stay") {

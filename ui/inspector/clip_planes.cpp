@@ -1,0 +1,301 @@
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/element_names.h"
+#include "base/numbers.h"
+#include "pipeline/timeline.h"
+#include "session/walk.h"
+#include "ui/inspector/clip_parts.h"
+#include "ui/inspector/clip_table.h"
+#include "ui/ui.h"
+#include "ui/widgets/number_text.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// As ids and names of widgets have it.
+std::string number_of(ClipPlane plane) {
+    return std::to_string(static_cast<int>(plane));
+}
+
+/// The steps of a plane; of one without work what they would be.
+std::vector<ClipStep> steps_of(const ClipPage& page, ClipPlane plane,
+                               const std::vector<CutCorner>& before) {
+    if (const PlaneHistory* const work = work_of(page.history, plane)) return work->steps;
+    const glm::vec4& coefficients = page.history.codes.planes[static_cast<std::size_t>(plane)];
+    std::vector<ClipStep> steps;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        const std::size_t next = (i + 1) % before.size();
+        ClipStep step;
+        step.plane = plane;
+        step.from = static_cast<int>(i);
+        step.to = static_cast<int>(next);
+        step.d_from = inner_distance(coefficients, before[i].vertex);
+        step.d_to = inner_distance(coefficients, before[next].vertex);
+        step.is_from_inside = step.is_to_inside = step.keeps_from = true;
+        steps.push_back(step);
+    }
+    return steps;
+}
+
+bool has_work(const ClipPage& page, ClipPlane plane) {
+    return work_of(page.history, plane) != nullptr;
+}
+
+bool is_plane_open(const ClipPage& page, ClipPlane plane) {
+    const bool is_turned = page.ui.inspector.clip.is_turned[static_cast<std::size_t>(plane)];
+    return has_work(page, plane) != is_turned;
+}
+
+/// A distance from the plane, and on which side that is.
+std::string distance_text(float distance, bool is_inside) {
+    return fixed(static_cast<double>(distance), 3) + (is_inside ? " in" : " out");
+}
+
+/// Is there room for the words of all distances? Where there is none the sign says it.
+bool has_room_for_sides(const std::vector<ClipStep>& steps, float room) {
+    return std::all_of(steps.begin(), steps.end(), [&](const ClipStep& step) {
+        return text_width(distance_text(step.d_from, step.is_from_inside)) <= room &&
+               text_width(distance_text(step.d_to, step.is_to_inside)) <= room;
+    });
+}
+
+void draw_distance(const ClipPage& page, const std::string& name, const std::string& id,
+                   float distance, bool is_inside, bool is_coming, bool has_side) {
+    ImGui::TableNextColumn();
+    const std::string text =
+        has_side ? distance_text(distance, is_inside) : fixed(static_cast<double>(distance), 3);
+    const Meaning meaning = is_inside ? Meaning::pass : Meaning::fail;
+    draw_asked(page, name, id, text,
+               is_coming ? page.palette().dim : colour_of(meaning, page.ui.options.theme),
+               is_inside ? "How far inside of the plane the corner lies."
+                         : "Less than 0: the corner lies outside of the plane.");
+}
+
+/// What a step passes on: the corner at its beginning, the one that it makes, both or none.
+std::string passed_text(const ClipPage& page, const ClipStep& step, const CutCorner& from) {
+    std::string text;
+    if (step.keeps_from) text = short_corner_name(from);
+    if (!step.is_cut && text.empty())
+        return text_width("nothing") <= ImGui::GetContentRegionAvail().x ? "nothing" : "–";
+    if (!step.is_cut) return text;
+    const auto made = corner_made(page.history, planes_before(page.history, step.plane), step.from);
+    if (!made) return text;
+    return text + (text.empty() ? "" : ", ") + short_corner_name(*made);
+}
+
+/// Scrolls to what was just drawn where it is not seen whole.
+void show_item(const Ui& ui) {
+    const ShownLines seen = shown_lines(ui);
+    const bool is_seen =
+        ImGui::GetItemRectMin().y >= seen.top && ImGui::GetItemRectMax().y <= seen.bottom;
+    if (!is_seen) ImGui::SetScrollHereY(0.5f);
+}
+
+void go_to_step(const ClipPage& page, ClipPlane plane, int step) {
+    const Timeline timeline(page.frame);
+    const Cursor cursor{page.history.triangle, Phase::clip, static_cast<int>(plane), step};
+    if (timeline.exists(cursor)) go_to(page.ui.session, timeline.next(cursor, Granularity::moment));
+}
+
+void draw_step(const ClipPage& page, const ClipStep& step, const std::vector<CutCorner>& before,
+               bool has_sides) {
+    const CutCorner& from = before[static_cast<std::size_t>(step.from)];
+    const CutCorner& to = before[static_cast<std::size_t>(step.to)];
+    const std::string plane = number_of(step.plane);
+    const std::string place = plane + "." + std::to_string(step.from);
+    const bool is_coming = page.is_coming(step.plane, step.from);
+    const bool is_current = page.is_current(step.plane, step.from);
+    const ImVec4& dim = page.palette().dim;
+    ImGui::TableNextRow();
+    if (is_current)
+        ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, packed(page.palette().row_lit));
+    ImGui::TableNextColumn();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    put_text(page, is_coming ? dim : cut_edge_colour(page, from),
+             short_corner_name(from) + "→" + short_corner_name(to));
+    const std::string edge =
+        from.edge >= 0 ? "On " + edge_name(from.edge) + " of the triangle"
+                       : "Along the " + plane_name(from.edge_plane) + ", which has cut before";
+    name_widget(page.ui, "clip.edge." + place,
+                fmt::format("{}, from {} to {}.\nClick: to the moment in which it is cut.", edge,
+                            corner_name(from), corner_name(to)));
+    if (ImGui::IsItemClicked()) go_to_step(page, step.plane, step.from);
+    if (is_current) {
+        if (page.has_moved) show_item(page.ui);
+        const float padding = ImGui::GetStyle().CellPadding.x;
+        draw_current_bar(page.ui, ImGui::GetWindowDrawList(), {corner.x - padding, corner.y},
+                         corner.y + ImGui::GetTextLineHeight());
+    }
+    const auto distance_id = [&](int of) { return "d." + plane + "." + std::to_string(of); };
+    const std::string name = "clip.d." + place;
+    draw_distance(page, name + ".from", distance_id(step.from), step.d_from, step.is_from_inside,
+                  is_coming, has_sides);
+    draw_distance(page, name + ".to", distance_id(step.to), step.d_to, step.is_to_inside, is_coming,
+                  has_sides);
+    ImGui::TableNextColumn();
+    if (step.is_cut) {
+        draw_asked(page, "clip.t." + place, "t." + place, fixed(static_cast<double>(step.t), 4),
+                   is_coming ? dim : page.palette().text,
+                   "Where the plane cuts: 0 is the corner inside, 1 the one outside.");
+    } else {
+        put_right(page, "–", dim);
+    }
+    ImGui::TableNextColumn();
+    put_right(page, passed_text(page, step, from),
+              is_coming         ? dim
+              : step.is_cut     ? colour_of(plane_meaning, page.ui.options.theme)
+              : step.keeps_from ? page.palette().text
+                                : dim);
+    name_widget(page.ui, "clip.gives." + place,
+                "What the step passes on to the polygon after this plane: the corner at its "
+                "beginning if that lies inside, and the new corner if the edge is cut.");
+}
+
+/// The names of a varying's row: where the lab has a word for it, that.
+std::string varying_title(const VaryingInfo& info) {
+    if (info.name == "position_world") return "world";
+    return info.name == "illumination" ? "light" : std::string(info.name);
+}
+
+/// A corner that the plane has made: in clip space, and all that it carries.
+void draw_made(const ClipPage& page, const CutCorner& corner) {
+    const std::string number = std::to_string(corner.new_index);
+    draw_corner_name(page, corner, false);
+    name_widget(page.ui, "clip.new." + number, corner_help(corner));
+    ImGui::PushFont(page.ui.fonts.mono);
+    for (int i = 0; i < 4; ++i) {
+        const std::string id = corner_formula_id(corner, i);
+        ImGui::TableNextColumn();
+        draw_asked(page, "clip." + id, id, clip_number(corner.vertex.position_clip[i], i),
+                   page.palette().text, clip_coordinate_help[static_cast<std::size_t>(i)]);
+    }
+    ImGui::PopFont();
+    const VaryingSet carried =
+        carried_varyings(page.frame.stages, shading_rule(page.frame.settings));
+    for (int v = 0; v < varying_count; ++v) {
+        if (!carried.has(v)) continue;
+        const VaryingInfo& info = varying_list[static_cast<std::size_t>(v)];
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        put_text(page, page.palette().dim, varying_title(info));
+        name_widget(page.ui, "clip.new." + number + "." + std::string(info.name),
+                    "The " + std::string(info.word) + ", cut with the same t.");
+        ImGui::PushFont(page.ui.fonts.mono);
+        for (int k = 0; k < info.count; ++k) {
+            const std::string id = fmt::format("new.{}.{}.{}", number, v, k);
+            ImGui::TableNextColumn();
+            draw_asked(page, "clip." + id, id,
+                       fixed(static_cast<double>(info.component(corner.vertex.varyings, k)), 3),
+                       page.palette().text,
+                       std::string(info.components[static_cast<std::size_t>(k)].help));
+        }
+        ImGui::PopFont();
+    }
+}
+
+void draw_made_corners(const ClipPage& page, ClipPlane plane) {
+    const PlaneHistory* const work = work_of(page.history, plane);
+    if (work == nullptr) return;
+    std::vector<CutCorner> made;
+    for (const ClipStep& step : work->steps) {
+        if (!step.is_cut || page.is_coming(plane, step.from)) continue;
+        if (auto corner = corner_made(page.history, planes_before(page.history, plane), step.from))
+            made.push_back(*corner);
+    }
+    if (made.empty()) return;
+    if (!begin_clip_table(page, "made" + number_of(plane), {1.1f, 1.1f, 1.1f, 0.9f, 0.9f})) return;
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    for (std::size_t i = 0; i < clip_coordinates.size(); ++i)
+        draw_column_title(page, std::string("clip.made.") + clip_coordinates[i],
+                          clip_coordinates[i], clip_coordinate_help[i]);
+    for (const CutCorner& corner : made)
+        draw_made(page, corner);
+    end_clip_table();
+}
+
+/// "3 corners become 4"
+std::string become_text(const PlaneHistory& work) {
+    return fmt::format("{} become {}",
+                       counted(static_cast<int>(work.before.size()), "corner", "corners"),
+                       work.after.size());
+}
+
+} // namespace
+
+ImVec4 cut_edge_colour(const ClipPage& page, const CutCorner& corner) {
+    return colour_of(corner.edge >= 0 ? edge_meaning(corner.edge) : plane_meaning,
+                     page.ui.options.theme);
+}
+
+void draw_clip_plane_buttons(const ClipPage& page) {
+    const float gap = 6.0f * page.ui.options.text_scale;
+    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    draw_clip_title(page, "Plane by plane", "open: those that have work");
+    ImGui::PushFont(page.ui.fonts.small);
+    for (std::size_t p = 0; p < page.history.codes.plane_count; ++p) {
+        const auto plane = static_cast<ClipPlane>(p);
+        const std::string label(word_of(plane));
+        if (p > 0 && ImGui::GetItemRectMax().x + gap + button_width(label) <= right)
+            ImGui::SameLine(0.0f, gap);
+        const std::string help = has_work(page, plane)
+                                     ? "It cuts. Click: opens or closes what it does."
+                                     : "It has no work: every corner lies inside. Click: opens or "
+                                       "closes the distances.";
+        if (!button(page.ui, "clip.plane." + label, label,
+                    is_plane_open(page, plane) ? Look::chosen : Look::plain, help))
+            continue;
+        bool& is_turned = page.ui.inspector.clip.is_turned[p];
+        is_turned = !is_turned;
+        if (is_plane_open(page, plane)) page.ui.inspector.clip.plane = plane;
+    }
+    ImGui::PopFont();
+}
+
+void draw_clip_plane(const ClipPage& page, ClipPlane plane) {
+    if (!is_plane_open(page, plane)) return;
+    const PlaneHistory* const work = work_of(page.history, plane);
+    const std::vector<CutCorner> before =
+        corners_before(page.history, planes_before(page.history, plane));
+    draw_clip_title(page, plane_name(plane),
+                    work == nullptr ? "nothing to cut" : become_text(*work));
+    if (begin_clip_table(page, "plane" + number_of(plane), {0.9f, 1.3f, 1.3f, 0.9f, 0.9f})) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::PushFont(page.ui.fonts.small);
+        put_text(page, page.palette().dim, "edge");
+        ImGui::PopFont();
+        draw_column_title(page, "clip.header.from", "from, d",
+                          "How far inside of the plane the edge begins.");
+        draw_column_title(page, "clip.header.to", "to, d",
+                          "How far inside of the plane the edge ends.");
+        const float room = ImGui::GetContentRegionAvail().x;
+        draw_column_title(page, "clip.header.t", "t",
+                          "Where the edge is cut: d of the corner inside, divided by the sum of "
+                          "both distances. Always measured from the corner inside, so that two "
+                          "triangles that share an edge share the cut.");
+        draw_column_title(page, "clip.header.gives", "gives",
+                          "The corners that this edge passes on.");
+        ImGui::PushFont(page.ui.fonts.mono);
+        const std::vector<ClipStep> steps = steps_of(page, plane, before);
+        const bool has_sides = has_room_for_sides(steps, room);
+        for (const ClipStep& step : steps) {
+            if (step.from < static_cast<int>(before.size()) &&
+                step.to < static_cast<int>(before.size()))
+                draw_step(page, step, before, has_sides);
+        }
+        ImGui::PopFont();
+        end_clip_table();
+    }
+    draw_made_corners(page, plane);
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,220 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/numbers.h"
+#include "inspect/stats.h"
+#include "settings/value_words.h"
+#include "ui/inspector/clip_parts.h"
+#include "ui/inspector/clip_table.h"
+#include "ui/ui.h"
+#include "ui/widgets/formula_view.h"
+#include "ui/widgets/number_text.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+const char* answer_text(const CullAnswer& answer) {
+    if (answer.is_open) return "no answer";
+    return answer.is_in_parts ? "in parts" : answer.is_back ? "back" : "front";
+}
+
+std::string_view answer_help(Cull way) {
+    switch (way) {
+    case Cull::face_normal:
+        return "n · (p − C): does the normal of the first corner point the way from the camera to "
+               "it? Then it is a back.";
+    case Cull::screen_area:
+        return "The area on the screen with its sign: less than 0 where the corners go round "
+               "counterclockwise, as those of a back do. With a corner behind the camera there is "
+               "no such order.";
+    case Cull::vertex_normals:
+        return "n · (p − C) of the corner whose normal points least away: a back only if all of "
+               "them do. A smooth body keeps the faces of its outline.";
+    case Cull::fragment_normal:
+        return "n · (p − C) at every fragment, with the normal that was interpolated to it: a back "
+               "only as far as it is greater than 0. The number is that of the corner whose normal "
+               "points least away.";
+    case Cull::none:
+    case Cull::view_axis:
+        break;
+    }
+    return "";
+}
+
+void draw_answer(const ClipPage& page, const CullAnswer& answer, bool is_in_force) {
+    const Setting& setting = *find_setting("cull");
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    const std::string word(word_of(answer.way));
+    put_text(page, is_in_force ? page.palette().text : page.palette().dim,
+             (is_in_force ? "● " : "○ ") + said_word(setting, word));
+    name_widget(page.ui, "clip.cull.way." + word, answer_help(answer.way));
+    ImGui::PushFont(page.ui.fonts.mono);
+    ImGui::TableNextColumn();
+    const std::string text = std::abs(answer.measure) >= 1000.0f
+                                 ? fixed(static_cast<double>(answer.measure), 0)
+                                 : fixed(static_cast<double>(answer.measure), 3);
+    draw_asked(page, "clip.cull." + word, answer.formula, text, page.palette().text,
+               std::string(answer_help(answer.way)));
+    ImGui::TableNextColumn();
+    const Meaning meaning = answer.is_back ? Meaning::fail : Meaning::pass;
+    put_right(page, answer_text(answer),
+              answer.is_open ? page.palette().dim : colour_of(meaning, page.ui.options.theme));
+    ImGui::PopFont();
+}
+
+/// What becomes of it, and why the ways differ.
+std::string culling_text(const ClipPage& page, const std::vector<CullAnswer>& answers) {
+    const Cull in_force = page.frame.settings.cull;
+    std::string text;
+    if (in_force == Cull::none) {
+        text = "The setting leaves out no backs: it is drawn whichever side it shows.";
+    } else if (in_force == Cull::fragment_normal) {
+        text = "The setting asks each fragment by itself: those with a back's normal are left out.";
+    } else {
+        text = page.history.cull.is_back ? "It is left out." : "It is drawn.";
+    }
+    const auto is_back = [](const CullAnswer& answer) { return answer.is_back; };
+    const auto backs = std::count_if(answers.begin(), answers.end(), is_back);
+    if (backs == 0 || backs == static_cast<std::ptrdiff_t>(answers.size())) return text;
+    const bool is_open = std::any_of(answers.begin(), answers.end(),
+                                     [](const CullAnswer& answer) { return answer.is_open; });
+    text += " The ways differ here: ";
+    if (is_open) {
+        text += "a corner lies behind the camera, so that the corners have no order on the screen.";
+    } else if (answers[0].is_back != answers[1].is_back) {
+        text += "the normal and the order of the corners do not say the same of its front.";
+    } else {
+        text += "some of its vertices have normals that point to the camera.";
+    }
+    return text;
+}
+
+} // namespace
+
+void draw_clip_rest(const ClipPage& page) {
+    const std::vector<CutCorner> corners = corners_before(page.history);
+    if (page.history.planes.empty() || page.history.polygon.empty()) return;
+    const std::span<const ScreenVertex> pixels =
+        page.frame.triangle_vertices(page.history.triangle);
+    const bool has_pixels =
+        page.frame.is_drawn(page.history.triangle) && pixels.size() == corners.size();
+    draw_clip_title(page, "The polygon that remains", "divided by w: pixels");
+    if (begin_clip_table(page, "rest", {1.2f, 1.1f, 1.1f, 0.8f, 0.9f, 0.9f})) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        for (const int i : {0, 1, 3}) {
+            const auto at = static_cast<std::size_t>(i);
+            draw_column_title(page, std::string("clip.rest.") + clip_coordinates[at],
+                              clip_coordinates[at], clip_coordinate_help[at]);
+        }
+        draw_column_title(page, "clip.rest.column", "column", "The column of its pixel.");
+        draw_column_title(page, "clip.rest.row", "row", "The row of its pixel.");
+        for (std::size_t c = 0; c < corners.size(); ++c) {
+            const std::string corner = std::to_string(c);
+            draw_corner_name(page, corners[c], page.progress.has_value());
+            name_widget(page.ui, "clip.rest." + corner, corner_help(corners[c]));
+            ImGui::PushFont(page.ui.fonts.mono);
+            for (const int i : {0, 1, 3}) {
+                const std::string id = corner_formula_id(corners[c], i);
+                ImGui::TableNextColumn();
+                draw_asked(page,
+                           "clip.rest." + corner + "." +
+                               clip_coordinates[static_cast<std::size_t>(i)],
+                           id, clip_number(corners[c].vertex.position_clip[i], i),
+                           page.palette().dim, clip_coordinate_help[static_cast<std::size_t>(i)]);
+            }
+            for (const bool is_column : {true, false}) {
+                const std::string id = "pixel." + corner + (is_column ? ".column" : ".row");
+                ImGui::TableNextColumn();
+                if (!has_pixels) continue;
+                draw_asked(page, "clip." + id, id,
+                           whole_text(is_column ? pixels[c].column : pixels[c].row),
+                           page.palette().text, "Its pixel in the picture.");
+            }
+            ImGui::PopFont();
+        }
+        end_clip_table();
+    }
+    std::string fan;
+    for (const auto& triangle : page.history.fan) {
+        fan += fan.empty() ? "" : ",  ";
+        for (std::size_t k = 0; k < triangle.size(); ++k)
+            fan += (k == 0 ? "" : " ") +
+                   short_corner_name(corners[static_cast<std::size_t>(triangle[k])]);
+    }
+    wrapped_text(
+        fmt::format("{} make {}:", counted(static_cast<int>(corners.size()), "corner", "corners"),
+                    counted(static_cast<int>(page.history.fan.size()), "triangle", "triangles")));
+    keep_text_whole(page.ui);
+    ImGui::PushFont(page.ui.fonts.mono);
+    ImGui::PushStyleColor(ImGuiCol_Text, page.palette().dim);
+    wrapped_text(fan);
+    keep_text_whole(page.ui);
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+    name_widget(page.ui, "clip.fan",
+                "The fan: every triangle begins at the first corner of the polygon.");
+}
+
+void draw_clip_culling(const ClipPage& page) {
+    const std::vector<CullAnswer> answers = cull_answers(page.frame, page.history);
+    if (answers.empty()) return;
+    draw_clip_title(page, "Front or back?", "each way to ask");
+    if (begin_clip_table(page, "culling", {1.6f, 1.2f, 1.0f})) {
+        for (const CullAnswer& answer : answers)
+            draw_answer(page, answer, answer.way == page.frame.settings.cull);
+        end_clip_table();
+    }
+    ImGui::PushStyleColor(ImGuiCol_Text, page.palette().dim);
+    wrapped_text(culling_text(page, answers));
+    keep_text_whole(page.ui);
+    ImGui::PopStyleColor();
+    name_widget(page.ui, "clip.culling",
+                "Of a closed body one sees only the sides that face the camera; the others need "
+                "not be drawn. The setting \"Backs left out\" says which way is in force.");
+}
+
+void draw_clip_counts(const ClipPage& page) {
+    const RunResults& a = page.ui.results.a;
+    const bool is_whole = a.replay.tallied() == cursor_end;
+    const LeftOut left_out = count_left_out(page.frame);
+    const ClipCounts clipping = count_clipping(page.frame);
+    draw_clip_title(page, "In the whole frame",
+                    counted(page.frame.triangle_count(), "triangle", "triangles"));
+    if (!begin_clip_table(page, "counts", {2.2f, 1.0f})) return;
+    const auto line = [&](const std::string& title, const std::string& name, std::int64_t count,
+                          const std::string& help) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        put_text(page, page.palette().text, title);
+        name_widget(page.ui, "clip.count." + name, help);
+        ImGui::PushFont(page.ui.fonts.mono);
+        ImGui::TableNextColumn();
+        put_right(page, whole_text(count), page.palette().text);
+        ImGui::PopFont();
+        note_text(page.ui, "clip.count." + name, whole_text(count));
+    };
+    line("rejected", "rejected", left_out.of(Rejection::outside),
+         "Triangles of which all corners lie beyond the same plane, found by their outcodes.");
+    line("cut", "clipped", clipping.clipped, "Triangles from which a plane has cut a part.");
+    line("after clipping", "clip_triangles", clipping.clip_triangles,
+         "Triangles after clipping: a fan of each polygon; those that were not cut count as well.");
+    line("culled", "culled", left_out.of(Rejection::back_facing),
+         "Triangles that show their back and are left out.");
+    line(is_whole ? "fragments outside" : "fragments outside, so far", "fragments_outside",
+         a.replay.tally().fragments_outside,
+         "Fragments that fall beside the picture: worked out for nothing. Clipping by all planes "
+         "saves them, and so does cheap clipping.");
+    end_clip_table();
+}
+
+} // namespace rasterwalk

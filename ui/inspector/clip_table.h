@@ -1,0 +1,53 @@
+#pragma once
+
+// What the tables of the Clip tab are made of.
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ui/inspector/clip_parts.h"
+
+namespace rasterwalk {
+
+inline constexpr std::array<const char*, 4> clip_coordinates{"x", "y", "z", "w"};
+inline constexpr std::array<const char*, 4> clip_coordinate_help{
+    "x of clip space: pixels from the middle of the picture, times w. Divided by w it is on the "
+    "screen.",
+    "y of clip space: pixels from the middle of the picture, times w; points down.",
+    "z of clip space, of which the depth is made: it is divided by w too.",
+    "What x, y and z are divided by: how far in front of the camera. 0 or less is behind it."};
+
+/// A text that is shown whole or not at all.
+void put_text(const ClipPage& page, const ImVec4& colour, std::string_view text);
+
+/// In a cell of a table, at its right edge.
+void put_right(const ClipPage& page, std::string_view text, const ImVec4& colour);
+
+/// A coordinate in clip space as its column shows it.
+std::string clip_number(float value, int coordinate);
+
+/// A number of a table that can be asked where it came from.
+void draw_asked(const ClipPage& page, const std::string& name, const std::string& id,
+                const std::string& text, const ImVec4& colour, const std::string& help);
+
+/// The title of a table, and what is said small beside it, or below where there is no room.
+void draw_clip_title(const ClipPage& page, const std::string& title, const std::string& beside);
+
+/// A title over a column, at its right edge.
+void draw_column_title(const ClipPage& page, const std::string& name, const std::string& title,
+                       const std::string& help);
+
+/// @param widths of the columns in relation to each other; the first is that of names
+bool begin_clip_table(const ClipPage& page, const std::string& name,
+                      const std::vector<float>& widths);
+void end_clip_table();
+
+/// What its tooltip says of it: who made it.
+std::string corner_help(const CutCorner& corner);
+
+/// The name of a corner in its own column.
+void draw_corner_name(const ClipPage& page, const CutCorner& corner, bool is_dim);
+
+} // namespace rasterwalk

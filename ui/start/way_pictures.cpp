@@ -1,0 +1,136 @@
+#include "ui/start/way_pictures.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+#include "picture/thumbnail.h"
+#include "pipeline/work.h"
+#include "ui/start/stage_pictures.h"
+#include "ui/ui.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+constexpr int pictures_of_way = 3;
+constexpr float picture_gap = 10.0f; ///< between two, design pixels
+constexpr float least_picture = 56.0f;
+
+using WayImages = std::array<Image, pictures_of_way>;
+using WayWords = std::array<const char*, pictures_of_way>;
+
+constexpr WayWords words_of_time{"a third is drawn", "two thirds", "the frame"};
+constexpr WayWords words_of_check{"yours", "the right one", "what differs"};
+
+/// The scene with only the first of its triangles.
+Scene first_triangles(const Scene& scene, int count) {
+    Scene begun;
+    begun.space = scene.space;
+    begun.camera = scene.camera;
+    begun.light = scene.light;
+    begun.viewport = scene.viewport;
+    for (const Vertex& vertex : scene.mesh.vertices())
+        begun.mesh.add_vertex(vertex);
+    for (int t = 0; t < count; ++t)
+        begun.mesh.add_triangle(scene.mesh.triangles()[static_cast<std::size_t>(t)]);
+    return begun;
+}
+
+WayImages pictures_of_time(const Scene& scene, const Settings& settings, int side) {
+    WayImages images;
+    for (int i = 0; i < pictures_of_way; ++i) {
+        const int count = scene.triangle_count() * (i + 1) / pictures_of_way;
+        images[static_cast<std::size_t>(i)] =
+            thumbnail(first_triangles(scene, count), settings, side);
+    }
+    return images;
+}
+
+/// Where the pictures differ in the colour of a failure, on what they have in common in grey.
+Image marked_difference(const Image& wrong, const Image& right, const ImVec4& mark) {
+    Image image = right;
+    const std::array<float, 3> marked{mark.x, mark.y, mark.z};
+    for (std::size_t at = 0; at + 3 < image.rgba.size(); at += 4) {
+        const bool differs = !std::equal(&wrong.rgba[at], &wrong.rgba[at] + 3, &right.rgba[at]);
+        const int grey = (right.rgba[at] + right.rgba[at + 1] + right.rgba[at + 2]) / 9;
+        for (std::size_t c = 0; c < 3; ++c) {
+            image.rgba[at + c] = differs
+                                     ? static_cast<std::uint8_t>(std::lround(255.0f * marked[c]))
+                                     : static_cast<std::uint8_t>(grey);
+        }
+    }
+    return image;
+}
+
+/// A picture without a depth test, the right one, and what differs.
+WayImages pictures_of_check(const Ui& ui, const Scene& scene, Settings settings, int side) {
+    WayImages images;
+    images[1] = thumbnail(scene, settings, side);
+    settings.depth_test = DepthTest::off;
+    images[0] = thumbnail(scene, settings, side);
+    images[2] = marked_difference(images[0], images[1], colour_of(Meaning::fail, ui.options.theme));
+    return images;
+}
+
+void renew_way_pictures(Ui& ui, int side) {
+    WayPictures& pictures = ui.start.way_pictures;
+    const std::shared_ptr<const Scene>& scene = ui.session.scene;
+    if (pictures.scene == scene && pictures.side == side && pictures.theme == ui.options.theme)
+        return;
+    pictures.scene = scene;
+    pictures.side = side;
+    pictures.theme = ui.options.theme;
+    pictures.is_shown.fill(false);
+    Settings settings = default_settings(*scene);
+    light_up(ui.session, settings);
+    set_step(settings, stage_list().back().step);
+    constexpr int drawn = 2 * pictures_of_way;
+    if (thumbnail_work(*scene, settings, side) * drawn > frame_limit.at_once) return;
+    const auto show = [&](Way way, const WayImages& images) {
+        const auto place = static_cast<std::size_t>(way);
+        pictures.is_shown[place] = true;
+        for (std::size_t i = 0; i < images.size(); ++i) {
+            ImTextureID& texture = pictures.textures[place][i];
+            texture = ui.host.textures->upload(texture, images[i]);
+        }
+    };
+    if (scene->triangle_count() >= pictures_of_way)
+        show(Way::stages, pictures_of_time(*scene, settings, side));
+    const WayImages check = pictures_of_check(ui, *scene, settings, side);
+    if (!(check[0] == check[1])) show(Way::picture, check);
+}
+
+} // namespace
+
+void draw_way_pictures(Ui& ui, Way way, ImVec2 low, ImVec2 high, float most) {
+    const float u = ui.options.text_scale;
+    const float gap = picture_gap * u;
+    const float caption = ui.fonts.small->FontSize + 6.0f * u;
+    const float width = high.x - low.x;
+    const float side =
+        std::floor(std::min((width - gap * (pictures_of_way - 1)) / pictures_of_way, most));
+    const float y = std::round(high.y - caption - side);
+    if (side < least_picture * u || y < low.y) return;
+    renew_way_pictures(ui, static_cast<int>(side));
+    const WayPictures& pictures = ui.start.way_pictures;
+    const auto place = static_cast<std::size_t>(way);
+    if (!pictures.is_shown[place]) return;
+    const Palette& p = palette(ui.options.theme);
+    const WayWords& words = way == Way::stages ? words_of_time : words_of_check;
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    const float step = std::round((width - side) / (pictures_of_way - 1));
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const float x = std::round(low.x) + step * static_cast<float>(i);
+        list->AddImage(pictures.textures[place][i], {x, y}, {x + side, y + side});
+        list->AddRect({x, y}, {x + side, y + side}, packed(p.line));
+        list->AddText(ui.fonts.small, ui.fonts.small->FontSize, {x, y + side + 5.0f * u},
+                      packed(p.dim), words[i]);
+    }
+}
+
+} // namespace rasterwalk
