@@ -17,7 +17,7 @@ namespace rasterwalk {
 
 namespace {
 
-std::optional<int> parse_number(std::string_view text) {
+std::optional<int> parse_coordinate(std::string_view text) {
     // A number may be quoted with blanks before it.
     text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
     int value = 0;
@@ -30,9 +30,9 @@ glm::ivec2 parse_pixel(const std::string& text, Viewport size) {
     const std::string range =
         fmt::format("columns 0 to {}, rows 0 to {}", size.width - 1, size.height - 1);
     const std::size_t comma = std::min(text.find(','), text.size());
-    const std::optional<int> column = parse_number(std::string_view(text).substr(0, comma));
+    const std::optional<int> column = parse_coordinate(std::string_view(text).substr(0, comma));
     const std::optional<int> row =
-        parse_number(std::string_view(text).substr(std::min(comma + 1, text.size())));
+        parse_coordinate(std::string_view(text).substr(std::min(comma + 1, text.size())));
     if (!column || !row) {
         throw UsageError(fmt::format(
             "'{}' is not a pixel: it is written COLUMN,ROW; the picture has {}.", text, range));

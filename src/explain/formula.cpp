@@ -17,10 +17,10 @@ namespace {
 
 using SyntaxKind = SyntaxNode::Kind;
 
-constexpr std::string_view minus = "−";
+constexpr std::string_view true_minus = "−";
 
 constexpr std::array<SignSpelling, 8> formula_signs{{{"+", Sign::plus},
-                                                     {minus, Sign::minus},
+                                                     {true_minus, Sign::minus},
                                                      {"·", Sign::times},
                                                      {"/", Sign::over},
                                                      {"²", Sign::square},
@@ -162,21 +162,21 @@ class Evaluator {
 };
 
 /// A term of the outermost sum.
-struct Term {
+struct Summand {
     std::string_view sign; ///< before it; empty before the first
     int node = -1;
 };
 
 /// From left to right. A sum in parentheses is one term.
-std::vector<Term> terms_of(const SyntaxTree& tree) {
-    std::vector<Term> terms;
+std::vector<Summand> terms_of(const SyntaxTree& tree) {
+    std::vector<Summand> terms;
     int index = tree.root;
     while (true) {
         const SyntaxNode& here = tree.node(index);
         const bool is_sum = !here.is_in_parentheses &&
                             (here.kind == SyntaxKind::add || here.kind == SyntaxKind::subtract);
         if (!is_sum) break;
-        terms.push_back({here.kind == SyntaxKind::add ? "+" : minus, here.parts[1]});
+        terms.push_back({here.kind == SyntaxKind::add ? "+" : true_minus, here.parts[1]});
         index = here.parts[0];
     }
     terms.push_back({{}, index});
@@ -185,7 +185,7 @@ std::vector<Term> terms_of(const SyntaxTree& tree) {
 }
 
 bool shows_minus(const std::string& text) {
-    return text.starts_with(minus);
+    return text.starts_with(true_minus);
 }
 
 } // namespace
@@ -220,9 +220,9 @@ std::string shown(const Number& number) {
     // Numbers that someone has typed are shown as typed: 0.15, not 0.1500.
     const std::string brief = shortest(std::abs(value));
     if (brief.size() < text.size()) text = brief;
-    std::string result = value < 0 ? std::string(minus) + text : text;
+    std::string result = value < 0 ? std::string(true_minus) + text : text;
     const std::size_t hyphen = result.find('-');
-    if (hyphen != std::string::npos) result.replace(hyphen, 1, minus);
+    if (hyphen != std::string::npos) result.replace(hyphen, 1, true_minus);
     return result;
 }
 
@@ -269,15 +269,15 @@ std::string with_numbers(const Formula& formula) {
 std::string with_terms(const Formula& formula) {
     const Evaluator evaluator(formula);
     const SyntaxTree& tree = evaluator.tree();
-    const std::vector<Term> terms = terms_of(tree);
-    const auto is_call = [&](const Term& term) {
+    const std::vector<Summand> terms = terms_of(tree);
+    const auto is_call = [&](const Summand& term) {
         const SyntaxNode& node = tree.node(term.node);
         return node.kind == SyntaxKind::call && !node.is_in_parentheses;
     };
     evaluator.value(tree.root); // all of it must make sense
     if (terms.size() == 1 && !is_call(terms.front())) return {};
     std::string text;
-    for (const Term& term : terms) {
+    for (const Summand& term : terms) {
         if (!term.sign.empty()) text.append(" ").append(term.sign).append(" ");
         if (is_call(term)) {
             const SyntaxNode& call = tree.node(term.node);

@@ -12,7 +12,7 @@ namespace rasterwalk {
 
 namespace {
 
-double largest_part(const glm::vec3& v) {
+double largest_component(const glm::vec3& v) {
     return static_cast<double>(std::max({v.x, v.y, v.z}));
 }
 
@@ -38,7 +38,7 @@ std::optional<InterpolationError> error_of(const Frame& frame, const Cursor& at)
     const glm::vec3 light =
         glm::abs(light_of(frame, wrong, at.triangle) - light_of(frame, right, at.triangle));
     return InterpolationError{
-        largest_part(light),
+        largest_component(light),
         static_cast<double>(glm::length(wrong.position_world - right.position_world))};
 }
 

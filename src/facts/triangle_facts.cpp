@@ -34,7 +34,7 @@ Value triangle_arrows(const Facts& facts, int is_cross) {
         const bool has_pixels =
             frame.is_drawn(triangle) || (frame.rejection(triangle) == Rejection::back_facing &&
                                          has_pixel(0) && has_pixel(1) && has_pixel(2));
-        const std::optional<Arrows> arrows =
+        const std::optional<ArrowProducts> arrows =
             has_pixels ? arrows_of(frame.triangle_vertices(triangle)) : std::nullopt;
         if (!arrows) return Value();
         return number(is_cross != 0 ? arrows->cross : arrows->dot);

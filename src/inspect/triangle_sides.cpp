@@ -33,13 +33,13 @@ TriangleSides triangle_sides(const Frame& frame, int triangle) {
     return sides;
 }
 
-std::optional<Arrows> arrows_of(std::span<const ScreenVertex> corners) {
+std::optional<ArrowProducts> arrows_of(std::span<const ScreenVertex> corners) {
     if (corners.size() != static_cast<std::size_t>(triangle_corners)) return std::nullopt;
     const auto arrow_to = [&](std::size_t i) {
         return glm::dvec2(corners[i].column - corners[0].column, corners[i].row - corners[0].row);
     };
     const glm::dvec2 u = arrow_to(1), v = arrow_to(2);
-    return Arrows{glm::dot(u, v), u.x * v.y - u.y * v.x};
+    return ArrowProducts{glm::dot(u, v), u.x * v.y - u.y * v.x};
 }
 
 } // namespace rasterwalk

@@ -25,13 +25,13 @@ TriangleSides triangle_sides(const Frame& frame, int triangle);
 
 /// The two arrows of a triangle on the screen, from its first corner to the two others, in whole
 /// pixels, x right and y down.
-struct Arrows {
+struct ArrowProducts {
     double dot = 0.0;   ///< of both
     double cross = 0.0; ///< u.x v.y - u.y v.x: twice the area, positive if the corners go round
                         ///< clockwise, which is the front
 };
 
 /// None of a polygon that clipping has given more or fewer than three corners.
-std::optional<Arrows> arrows_of(std::span<const ScreenVertex> corners);
+std::optional<ArrowProducts> arrows_of(std::span<const ScreenVertex> corners);
 
 } // namespace rasterwalk

@@ -105,7 +105,7 @@ if [ -n "$commands" ]; then
             file = $0
             sub(/^[ \t]*"file":[ \t]*"/, "", file); sub(/".*$/, "", file)
             # Or the file that includes all sources of a folder of the core.
-            if (index(file, root "/src/") != 1 && file !~ /\/rasterwalk_(core|drawing)\.dir\/Unity\/[^\/]*$/) next
+            if (index(file, root "/src/") != 1 && file !~ /\/rasterwalk_(core|drawing|telling)\.dir\/Unity\/[^\/]*$/) next
             ++core
             if (match(command, /-ffast-math|-Ofast|-funsafe-math-optimizations|-fassociative-math|-ffp-contract=(fast|on)/))
                 printf "%s:%d: %s is compiled with %s\n", FILENAME, line, file, substr(command, RSTART, RLENGTH)

@@ -130,7 +130,7 @@ class Unit:
 
 
 def join_commands(commands):
-    """The sources, by commands that differ in folders and macros only, which all of them then get."""
+    """The sources, by commands that differ in folders, macros and optimization only; all get all folders and macros."""
     joined = {}  # the other words of a command -> its folders and macros, and the sources
     for source, words in sorted(commands.items()):
         options, rest, pending = [], [], iter(words)
@@ -139,7 +139,7 @@ def join_commands(commands):
                 options.append((word, next(pending)))
             elif word.startswith(("-I", "-D")):
                 options.append((word,))
-            else:
+            elif not word.startswith("-O"):  # what is not compiled is not optimized
                 rest.append(word)
         known, sources = joined.setdefault(tuple(rest), ([], []))
         known.extend(option for option in options if option not in known)
@@ -201,11 +201,15 @@ def check_units(tool, version, commands, folder):
         return unity
 
     def ask_together(number, command, sources):
-        """The compiler is quick to say which sources cannot stand in one file, which is no fault of theirs."""
-        faulty = faulty_files(command, unity_of(number, sources))
+        """Where they do not compile, the compiler says which cannot stand in one file: that is no fault of theirs."""
+        unity = unity_of(number, sources)
+        said, is_good = ask(tool, checks, unity, command)
+        if "[clang-diagnostic-error]" not in said or len(sources) == 1:
+            return [(said, is_good)]
+        faulty = faulty_files(command, unity)
         misfits = [source for source in sources if str(source.resolve()) in faulty]
-        if not misfits or len(sources) == 1:
-            return [ask(tool, checks, unity_of(number, sources), command)]
+        if not misfits:
+            return [(said, is_good)]
         if len(misfits) == len(sources):
             misfits = sources[len(sources) // 2:]
         others = [source for source in sources if source not in misfits]
