@@ -102,7 +102,7 @@ const Event* take_at(const Cursor& cursor, const std::vector<Event>& events, std
 
 } // namespace
 
-const Cursor& EventRecorder::next() const {
+Cursor EventRecorder::next() const {
     const Cursor& vertex = earlier(cursor_end, vertices_, vertex_);
     const Cursor& clip = earlier(vertex, clips_, clip_);
     const Cursor& cull = earlier(clip, culls_, cull_);
@@ -128,7 +128,7 @@ namespace {
 /// Tells of the moments of both runs in order. False if the visitor has ended the walk.
 bool merge(EventRecorder& a, EventRecorder& b, const PairVisitor& visit) {
     while (true) {
-        const Cursor& cursor = std::min(a.next(), b.next());
+        const Cursor cursor = std::min(a.next(), b.next());
         if (cursor == cursor_end) return true;
         if (!visit({cursor, a.take(cursor), b.take(cursor)})) return false;
     }

@@ -76,9 +76,8 @@ class EventRecorder : public Observer {
                fragments_.size();
     }
 
-    /// The next moment that has not been taken, valid until more is recorded; the end if all have
-    /// been.
-    const Cursor& next() const;
+    /// The next moment that has not been taken; the end if all have been.
+    Cursor next() const;
     /// What is done at that moment, which must not be before next().
     MomentEvents take(const Cursor& cursor);
 
