@@ -89,7 +89,7 @@ namespace {
 
 /// The earlier of a moment and that of the next event of a list.
 template <class Event>
-Cursor earlier(const Cursor& cursor, const std::vector<Event>& events, std::size_t next) {
+const Cursor& earlier(const Cursor& cursor, const std::vector<Event>& events, std::size_t next) {
     return next < events.size() ? std::min(cursor, events[next].cursor) : cursor;
 }
 
@@ -103,12 +103,11 @@ const Event* take_at(const Cursor& cursor, const std::vector<Event>& events, std
 } // namespace
 
 Cursor EventRecorder::next() const {
-    Cursor cursor = cursor_end;
-    cursor = earlier(cursor, vertices_, vertex_);
-    cursor = earlier(cursor, clips_, clip_);
-    cursor = earlier(cursor, culls_, cull_);
-    cursor = earlier(cursor, samples_, sample_);
-    return earlier(cursor, fragments_, fragment_);
+    const Cursor& vertex = earlier(cursor_end, vertices_, vertex_);
+    const Cursor& clip = earlier(vertex, clips_, clip_);
+    const Cursor& cull = earlier(clip, culls_, cull_);
+    const Cursor& sample = earlier(cull, samples_, sample_);
+    return earlier(sample, fragments_, fragment_);
 }
 
 MomentEvents EventRecorder::take(const Cursor& cursor) {

@@ -14,22 +14,22 @@ namespace rasterwalk {
 
 namespace {
 
-/// The picture with its pixels taken from elsewhere; black where that lies outside.
+/// The picture with its pixels taken from elsewhere; black where that lies outside. Opacity stays.
 template <class From>
 Image rearranged(const Image& image, From from) {
     Image result = image;
+    const auto width = static_cast<std::size_t>(image.width);
+    std::uint8_t* into = result.rgba.data();
     for (int row = 0; row < image.height; ++row) {
-        for (int column = 0; column < image.width; ++column) {
+        for (int column = 0; column < image.width; ++column, into += 4) {
             const glm::ivec2 p = from(column, row);
-            const bool is_inside = p.x >= 0 && p.x < image.width && p.y >= 0 && p.y < image.height;
-            const auto place = [&](int x, int y) {
-                return 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
-                            static_cast<std::size_t>(x));
-            };
-            for (std::size_t i = 0; i < 3; ++i) {
-                result.rgba[place(column, row) + i] =
-                    is_inside ? image.rgba[place(p.x, p.y) + i] : std::uint8_t{0};
+            if (p.x < 0 || p.x >= image.width || p.y < 0 || p.y >= image.height) {
+                std::fill_n(into, 3, std::uint8_t{0});
+                continue;
             }
+            const std::size_t place =
+                4 * (static_cast<std::size_t>(p.y) * width + static_cast<std::size_t>(p.x));
+            std::copy_n(image.rgba.data() + place, 3, into);
         }
     }
     return result;
@@ -106,6 +106,7 @@ const std::array<OrientationInfo, 4>& orientation_list() {
 }
 
 Image oriented(const Image& image, Orientation orientation) {
+    if (orientation == Orientation::upright) return image;
     const bool x = orientation == Orientation::mirrored || orientation == Orientation::half_turn;
     const bool y = orientation == Orientation::upside_down || orientation == Orientation::half_turn;
     return rearranged(image, [&](int column, int row) {
@@ -114,6 +115,7 @@ Image oriented(const Image& image, Orientation orientation) {
 }
 
 Image shifted(const Image& image, int columns, int rows) {
+    if (columns == 0 && rows == 0) return image;
     return rearranged(
         image, [&](int column, int row) { return glm::ivec2(column - columns, row - rows); });
 }

@@ -313,7 +313,7 @@ TEST_CASE("The other interpolation is what drawing with that setting gives") {
     const Frame frame = prepare_frame(room, settings);
     settings.interpolation = Interpolation::affine;
     const Frame other = prepare_frame(room, settings);
-    for (const FragmentEvent& event : some_fragments(other, 500)) {
+    for (const FragmentEvent& event : some_fragments(other, test::rounds(500, 150))) {
         const std::optional<FragmentReport> report = fragment_report(frame, event.cursor);
         REQUIRE(report);
         if (!same_bits(report->under(Interpolation::affine).position_world,
@@ -332,9 +332,10 @@ TEST_CASE("The other lighting is what drawing with that stage gives") {
     const Frame by_vertex = prepare_frame(room, settings);
     set_step(settings, StripStep::pixel_light);
     const Frame by_pixel = prepare_frame(room, settings);
+    const int of_each = test::rounds(500, 150);
     int written = 0;
     const auto check = [&](const Frame& drawn, const Frame& reported, bool per_vertex) {
-        for (const FragmentEvent& event : some_fragments(drawn, 500)) {
+        for (const FragmentEvent& event : some_fragments(drawn, of_each)) {
             if (event.fate != Fate::written) continue;
             const std::optional<FragmentReport> report = fragment_report(reported, event.cursor);
             REQUIRE(report);
@@ -348,7 +349,7 @@ TEST_CASE("The other lighting is what drawing with that stage gives") {
     };
     check(by_vertex, by_pixel, true);
     check(by_pixel, by_vertex, false);
-    CHECK(written > 500);
+    CHECK(written > of_each);
 }
 
 TEST_CASE(

@@ -23,6 +23,20 @@ using namespace rasterwalk::test;
 
 namespace {
 
+/// The room, half as large where little effort is asked for.
+Scene seen_room() {
+    Scene room = lab_room();
+    if (effort() >= 1.0) return room;
+    room.viewport = {room.viewport.width / 2, room.viewport.height / 2};
+    room.camera.focal_length /= 2.0f;
+    return room;
+}
+
+std::size_t pixels_of(const Scene& scene) {
+    return static_cast<std::size_t>(scene.viewport.width) *
+           static_cast<std::size_t>(scene.viewport.height);
+}
+
 std::string pixel_text(const Frame& frame, std::size_t pixel) {
     const auto width = static_cast<std::size_t>(frame.settings.viewport.width);
     return "column " + std::to_string(pixel % width) + " row " + std::to_string(pixel / width);
@@ -96,7 +110,7 @@ std::string first_wrong_pair(const Frame& frame, const Cursor& to) {
 } // namespace
 
 TEST_CASE("Neighbours that both drew on a pixel are those that the fragments show") {
-    const Scene room = lab_room();
+    const Scene room = seen_room();
     for (const Variant& variant : some_of(rule_variants(), 3)) {
         INFO(variant.name);
         CHECK(first_wrong_pair(frame_of(room, Stage::depth, variant), cursor_end) == "");
@@ -104,7 +118,7 @@ TEST_CASE("Neighbours that both drew on a pixel are those that the fragments sho
 }
 
 TEST_CASE("At any moment only what was drawn before it counts as drawn twice") {
-    const Scene room = lab_room();
+    const Scene room = seen_room();
     const Frame frame = frame_of(room, Stage::fill, rule_variants().front());
     const Timeline timeline(frame);
     Random random(8);
@@ -139,7 +153,7 @@ TEST_CASE("A triangle folded over its neighbour covers it rightly") {
 }
 
 TEST_CASE("Passed and failed fragments are those of the drawing, light or not, at any moment") {
-    const Scene room = lab_room();
+    const Scene room = seen_room();
     const std::vector<StripStep> stages{StripStep{Stage::depth}, StripStep::vertex_light,
                                         StripStep::pixel_light};
     for (const StripStep& stage : some_of(stages, 2)) {
@@ -149,7 +163,7 @@ TEST_CASE("Passed and failed fragments are those of the drawing, light or not, a
             for (const Cursor to : {cursor_end, Cursor{13, Phase::rows, 20, 5}}) {
                 const PixelFacts facts = pixel_facts(frame, to, {.depth = true});
                 std::vector<DepthVerdicts> expected(facts.depth.size());
-                REQUIRE(expected.size() == 250'000);
+                REQUIRE(expected.size() == pixels_of(room));
                 for (const FragmentEvent& event : fragments_of(frame, to).fragments) {
                     DepthVerdicts& verdicts = expected[pixel_of(frame, event.fragment)];
                     ++(event.fate == Fate::written ? verdicts.passed : verdicts.failed);
@@ -170,7 +184,7 @@ TEST_CASE("Passed and failed fragments are those of the drawing, light or not, a
 }
 
 TEST_CASE("Without a depth test there is nothing to tell of it") {
-    const Scene room = lab_room();
+    const Scene room = seen_room();
     Settings settings = default_settings(room);
     settings.stage = Stage::fill;
     CHECK(pixel_facts(prepare_frame(room, settings), cursor_end, {.depth = true}).depth.empty());
@@ -180,7 +194,7 @@ TEST_CASE("Without a depth test there is nothing to tell of it") {
 }
 
 TEST_CASE("The affine error is the distance between the two places the visible point is given") {
-    const Scene room = lab_room();
+    const Scene room = seen_room();
     float largest = 0.0f;
     const std::vector<StripStep> stages{StripStep{Stage::fill}, StripStep::vertex_light,
                                         StripStep::pixel_light};
@@ -194,7 +208,7 @@ TEST_CASE("The affine error is the distance between the two places the visible p
             for (const Interpolation way : {Interpolation::perspective, Interpolation::affine}) {
                 settings.interpolation = way;
                 auto& plane = places[static_cast<int>(way)];
-                plane.assign(250'000, glm::vec3(0.0f));
+                plane.assign(pixels_of(room), glm::vec3(0.0f));
                 const Frame other = prepare_frame(room, settings);
                 for (const FragmentEvent& event : fragments_of(other, cursor_end).fragments) {
                     if (event.fate != Fate::written) continue;
@@ -203,7 +217,7 @@ TEST_CASE("The affine error is the distance between the two places the visible p
                 }
             }
             const PixelFacts facts = pixel_facts(frame, cursor_end, {.affine_error = true});
-            for (std::size_t i = 0; i < 250'000; ++i) {
+            for (std::size_t i = 0; i < pixels_of(room); ++i) {
                 const float expected = glm::distance(places[0][i], places[1][i]);
                 if (facts.affine_error[i] != expected) {
                     FAIL(pixel_text(frame, i)
@@ -218,7 +232,7 @@ TEST_CASE("The affine error is the distance between the two places the visible p
 }
 
 TEST_CASE("Only what is asked for is worked out") {
-    const Scene room = lab_room();
+    const Scene room = seen_room();
     const Frame frame = prepare_frame(room, default_settings(room));
     const PixelFacts none = pixel_facts(frame, cursor_end, {});
     CHECK((none.drawn_twice.empty() && none.depth.empty() && none.affine_error.empty()));
@@ -229,13 +243,14 @@ TEST_CASE("Only what is asked for is worked out") {
 }
 
 TEST_CASE("Before stage fill there are no fragments to tell of") {
-    const Scene room = lab_room();
+    const Scene room = seen_room();
     for (const Stage stage : {Stage::points, Stage::edges, Stage::rows}) {
         const Frame frame = frame_of(room, stage, rule_variants().front());
         const PixelFacts facts = pixel_facts(frame, cursor_end, {true, true, true});
+        const auto pixels = static_cast<std::ptrdiff_t>(pixels_of(room));
         CHECK(std::count(facts.drawn_twice.begin(), facts.drawn_twice.end(), DrawnTwice{}) ==
-              250'000);
-        CHECK(std::count(facts.affine_error.begin(), facts.affine_error.end(), 0.0f) == 250'000);
+              pixels);
+        CHECK(std::count(facts.affine_error.begin(), facts.affine_error.end(), 0.0f) == pixels);
         CHECK(facts.depth.empty());
     }
 }

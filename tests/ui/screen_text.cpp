@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include <imgui.h>
@@ -18,9 +19,26 @@ struct Letter {
 
 using Letters = std::map<std::pair<float, float>, Letter>;
 
-/// The letters of all fonts by the corner at which they begin in the fonts' picture.
-Letters letters_of(const ImFontAtlas& atlas) {
-    Letters letters;
+/// Where the letters of each font lie, how many they are and how large: what letters_of() follows
+/// from.
+using FontsKey = std::vector<std::tuple<const ImFont*, const ImFontGlyph*, int, float>>;
+
+FontsKey key_of(const ImFontAtlas& atlas) {
+    FontsKey key;
+    for (const ImFont* const font : atlas.Fonts)
+        key.emplace_back(font, font->Glyphs.Data, font->Glyphs.Size, font->FontSize);
+    return key;
+}
+
+/// The letters of all fonts by the corner at which they begin in the fonts' picture. They are some
+/// ten thousand, so they are kept until the fonts are others.
+const Letters& letters_of(const ImFontAtlas& atlas) {
+    static FontsKey known;
+    static Letters letters;
+    const FontsKey key = key_of(atlas);
+    if (key == known) return letters;
+    known = key;
+    letters.clear();
     for (const ImFont* const font : atlas.Fonts) {
         for (const ImFontGlyph& glyph : font->Glyphs) {
             if (glyph.Visible != 0) letters[{glyph.U0, glyph.V0}] = {font, &glyph};
@@ -80,7 +98,7 @@ class Reader {
 } // namespace
 
 std::vector<ScreenText> screen_text(float widest_gap) {
-    const Letters letters = letters_of(*ImGui::GetIO().Fonts);
+    const Letters& letters = letters_of(*ImGui::GetIO().Fonts);
     std::vector<ScreenText> lines;
     const ImDrawData* const data = ImGui::GetDrawData();
     for (int list = 0; data != nullptr && list < data->CmdListsCount; ++list) {

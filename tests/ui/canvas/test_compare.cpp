@@ -25,10 +25,14 @@ namespace rasterwalk {
 namespace {
 
 /// The room with a lamp that can be seen, at stage pixel_light.
-Session lit_room() {
+/// @param side of the picture, pixels
+Session lit_room(int side = 500) {
     Session session = open_session(project_root() + "/lessons/scenes/lab-room.toml");
-    set_step(session.a.settings, StripStep::pixel_light);
-    session.a.settings.light.power = glm::vec3(14.0f);
+    Settings& settings = session.a.settings;
+    set_step(settings, StripStep::pixel_light);
+    settings.light.power = glm::vec3(14.0f);
+    settings.viewport = {side, side};
+    settings.camera.focal_length = static_cast<float>(side);
     return session;
 }
 
@@ -90,7 +94,7 @@ TEST_CASE("In a low canvas no title lies over a picture, and each picture has on
 }
 
 TEST_CASE("A comparison brings the tab that explains it, and the one before is back at its end") {
-    Driver driver(lit_room());
+    Driver driver(lit_room(200));
     const auto tab = [&] { return driver.ui.session.tab; };
     REQUIRE(tab() == "fragment");
     driver.hand.press('C');
@@ -127,7 +131,7 @@ TEST_CASE("A comparison brings the tab that explains it, and the one before is b
 }
 
 TEST_CASE("A stage that is chosen while two runs are compared has its tab when they are not") {
-    Driver driver(lit_room());
+    Driver driver(lit_room(200));
     const auto tab = [&] { return driver.ui.session.tab; };
     driver.hand.click("stage.rows");
     REQUIRE(tab() == "rows");
@@ -391,7 +395,7 @@ TEST_CASE(
 }
 
 TEST_CASE("The tab leads to the first divergence, to the next, and back; a click on a group too") {
-    Driver driver(lit_room());
+    Driver driver(lit_room(200));
     driver.open("compare");
     driver.hand.click("compare.tab.exact");
     const DivergenceList& list = driver.ui.results.comparison.whole().divergences;
@@ -418,7 +422,7 @@ TEST_CASE("The tab leads to the first divergence, to the next, and back; a click
 }
 
 TEST_CASE("The counts of the tab are those of the comparison") {
-    Driver driver(lit_room());
+    Driver driver(lit_room(200));
     driver.open("compare");
     driver.hand.click("compare.tab.affine");
     const Comparison& whole = driver.ui.results.comparison.whole();
@@ -431,7 +435,7 @@ TEST_CASE("The counts of the tab are those of the comparison") {
 }
 
 TEST_CASE("Run B is set in the tab, and what is changed in A is changed in both") {
-    Driver driver(lit_room());
+    Driver driver(lit_room(200));
     driver.open("compare");
     driver.hand.click("compare.another");
     driver.hand.click("compare.another.rounding");
@@ -449,7 +453,7 @@ TEST_CASE("Run B is set in the tab, and what is changed in A is changed in both"
 }
 
 TEST_CASE("Comparing is undone and done again") {
-    Driver driver(lit_room());
+    Driver driver(lit_room(200));
     driver.hand.frames(2);
     driver.hand.click("switch.compare");
     driver.hand.press('Z', {.ctrl = true});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
@@ -197,7 +198,8 @@ TEST_CASE("Of a huge picture only some columns and rows are looked at, evenly") 
 }
 
 TEST_CASE("No comparison makes a picture of the lab smaller where the window has room") {
-    for (const ImVec2 window : {ImVec2{1600, 1000}, ImVec2{1920, 1080}, ImVec2{2560, 1440}}) {
+    const std::vector<ImVec2> windows{{1600, 1000}, {1920, 1080}, {2560, 1440}};
+    for (const ImVec2 window : test::some_of(windows, 2)) {
         Driver driver(lit_room_of({500, 500}), window);
         driver.open("compare");
         for (const ComparePair& pair : test::some_of(compare_pairs(), 2)) {

@@ -28,10 +28,14 @@ namespace rasterwalk {
 
 namespace {
 
-Session lit_room() {
+/// @param side of the picture: most of these tests draw it many times
+Session lit_room(int side = 200) {
     Session session = open_session(project_root() + "/lessons/scenes/lab-room.toml");
-    set_step(session.a.settings, StripStep::pixel_light);
-    session.a.settings.light.power = glm::vec3(14.0f);
+    Settings& settings = session.a.settings;
+    set_step(settings, StripStep::pixel_light);
+    settings.light.power = glm::vec3(14.0f);
+    settings.viewport = {side, side};
+    settings.camera.focal_length = static_cast<float>(side);
     return session;
 }
 
@@ -157,7 +161,7 @@ TEST_CASE("A round of the quiz is won: hint, wrong guess, right guess, and all i
 }
 
 TEST_CASE("A picture with a mistake is diagnosed when its path is named, and the mistake shown") {
-    const Session session = lit_room();
+    const Session session = lit_room(120);
     test::TemporaryFolder folder;
     const std::string path = folder.file("mine.bmp.png");
     const std::vector<Bug> bugs = read_bugs();
@@ -221,7 +225,7 @@ int marked_pixels(const Image& image) {
 }
 
 /// @param side of the picture: each diagnosis draws it some fifty times
-Settings pixel_light(const Driver& driver, int side = 200) {
+Settings pixel_light(const Driver& driver, int side = 120) {
     Settings settings = with_handout_rules(driver.ui.session.a.settings);
     set_step(settings, StripStep::pixel_light);
     settings.viewport = {side, side};
@@ -232,14 +236,15 @@ Settings pixel_light(const Driver& driver, int side = 200) {
 } // namespace
 
 TEST_CASE("A diagnosis shows the student's picture beside the one that the mistake makes") {
+    constexpr int side = 160;
     Driver driver;
     AllTextures textures;
     driver.ui.host.textures = &textures;
-    driver.ui.session.a.settings = pixel_light(driver);
+    driver.ui.session.a.settings = pixel_light(driver, side);
     const auto shown = [&](std::size_t i) -> const Image& {
         return textures.images.at(driver.ui.lab.pictures.small[i].id);
     };
-    const Settings reference = pixel_light(driver);
+    const Settings reference = pixel_light(driver, side);
     const Image mine = drawn_by(driver, wrong_run(find_bug(read_bugs(), "B9"), reference));
     check_image(driver, mine);
     const WidgetPlace own = driver.hand.find("lab.picture.own");
@@ -268,7 +273,7 @@ TEST_CASE("A diagnosis shows the student's picture beside the one that the mista
     CHECK(shown(1) == shown(0));
     // Without a likely mistake the reference, in which even one pixel is seen.
     Image scratched = drawn_by(driver, reference);
-    std::fill_n(scratched.rgba.begin() + 4 * (100 * 200 + 100), 3, std::uint8_t{255});
+    std::fill_n(scratched.rgba.begin() + 4 * (side / 2 * side + side / 2), 3, std::uint8_t{255});
     check_image(driver, scratched);
     CHECK_THAT(shown_text(driver, "lab.picture.beside"), Catch::StartsWith("The reference"));
     CHECK(marked_pixels(shown(1)) >= 1);
