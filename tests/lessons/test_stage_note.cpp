@@ -189,15 +189,17 @@ TEST_CASE("A link that only points at a widget leaves the session alone") {
 
 TEST_CASE("A note says the numbers of what is on show, and nothing of what is not there") {
     const FactReader fact = [](std::string_view name) -> Value {
-        if (name == "there") return 2.5;
+        if (name == "pixel.zinv") return 2.5;
         return {};
     };
-    const std::string text = "# Title\n\nA {there} and {there + 1:2}.\n\nNo {missing} here.\n\n"
-                             "`{code}` stays.\n\nNo {sense at all.\n";
+    const std::string text =
+        "# Title\n\nA {pixel.zinv} and {pixel.zinv + 1:2}.\n\nNo {pixel.z} here.\n\n"
+        "`{code}` stays.\n\nNo {sense at all.\n";
     CHECK(note_about(text, fact) == "# Title\n\nA 2.5 and 3.50.\n\n`{code}` stays.\n\n"
                                     "No {sense at all.\n");
     CHECK(note_about("", fact).empty());
-    CHECK(note_about("{missing}", fact).empty());
+    CHECK(note_about("{pixel.z}", fact).empty());
+    CHECK(note_about("{no.such_name}", fact) == "{no.such_name}");
     CHECK(note_about("as it is\n", fact) == "as it is\n");
 }
 

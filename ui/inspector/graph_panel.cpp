@@ -74,22 +74,25 @@ void draw_row_choice(Ui& ui, int index, const char* where) {
     const ImVec2 size{ImGui::GetFrameHeight(), 0};
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const bool is_low = ui.inspector.is_low;
+    const float arrows = 2.0f * size.x + gap;
     const float list = is_low ? quantity_list_width(ui) : 0.0f;
-    const float width = 2.0f * size.x + gap + (is_low ? list + gap : 0.0f);
-    const float left = ImGui::GetContentRegionAvail().x - width - gap;
     const std::string number = std::to_string(graph.first_column + index);
     const std::string row_words = "row " + std::to_string(graph.row.row);
     const std::string triangle = short_triangle_name(graph.row.triangle) + " · ";
-    // Where not even the number has room beside it, the triangle is only named below.
-    const bool names_triangle =
-        is_low && text_width(triangle + row_words) + gap + text_width(number) <= left;
+    const std::string shortest = "x " + number;
+    const float words = text_width(row_words) + gap + text_width(shortest) + gap;
+    const float all = ImGui::GetContentRegionAvail().x;
+    // In a narrow page the list has a line of its own.
+    const bool has_list = is_low && words + list + gap + arrows <= all;
+    const float width = arrows + (has_list ? list + gap : 0.0f);
+    const bool names_triangle = is_low && text_width(triangle) + words + width <= all;
     ImGui::AlignTextToFramePadding();
     text_in(p.text, (names_triangle ? triangle : "") + row_words);
     name_widget(ui, "graph.row", "Row of the picture; choose another here or in the Rows tab.");
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     const std::string column = "column " + number;
-    text_in(p.dim, first_fitting({column + where, column, "x " + number, number},
+    text_in(p.dim, first_fitting({column + where, column, shortest},
                                  ImGui::GetContentRegionAvail().x - width - gap));
     name_widget(ui, "graph.where",
                 "The column whose numbers stand beside the curves' names: under the pointer, or "
@@ -97,7 +100,7 @@ void draw_row_choice(Ui& ui, int index, const char* where) {
     ImGui::SameLine();
     const float room = ImGui::GetContentRegionAvail().x;
     if (room > width) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room - width);
-    if (is_low) {
+    if (has_list) {
         draw_quantity_list(ui, list);
         ImGui::SameLine();
     }
@@ -113,6 +116,7 @@ void draw_row_choice(Ui& ui, int index, const char* where) {
     if (button(ui, "graph.row.next", "↓", Look::plain, "The row below.", size)) {
         choose(graph.row.row + 1);
     }
+    if (is_low && !has_list) draw_quantity_list(ui, all);
 }
 
 void draw_quantities(Ui& ui) {

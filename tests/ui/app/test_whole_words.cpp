@@ -47,11 +47,12 @@ std::string all_words(const std::string& name) {
     return words;
 }
 
-/// What is said in this tab, however little room there is; empty: nothing in particular.
-std::string said_by(std::string_view tab) {
-    if (tab == "history" || tab == "fragment") return "(250, 400)";
-    if (tab == "graph") return "column ";
-    return "";
+/// What is said in this tab, however little room there is, in one of these forms; none: nothing in
+/// particular.
+std::vector<std::string> said_by(std::string_view tab) {
+    if (tab == "history" || tab == "fragment") return {"(250, 400)"};
+    if (tab == "graph") return {"column ", "\nx "};
+    return {};
 }
 
 } // namespace
@@ -69,8 +70,13 @@ TEST_CASE("No panel shortens what it says, nor does the line below the time line
             driver.hand.leave();
             CHECK(shortened_lines({"inspector", "transport"}) == nothing);
             // Nor does it leave out what it is about.
-            if (const auto said = said_by(tab); !said.empty())
-                CHECK_THAT(all_words("inspector"), Catch::Contains(said));
+            const std::string words = "\n" + all_words("inspector");
+            const std::vector<std::string> said = said_by(tab);
+            INFO(words);
+            CHECK((said.empty() ||
+                   std::any_of(said.begin(), said.end(), [&](const std::string& form) {
+                       return words.find(form) != std::string::npos;
+                   })));
         }
     }
 }
