@@ -23,7 +23,7 @@ Image picture_of(const Scene& scene, const Settings& settings) {
 
 /// The room, seen small, and smaller where little effort is asked for.
 Settings small(const Scene& scene) {
-    const int side = effort() < 1.0 ? 120 : 200;
+    const int side = effort() < 1.0 ? 100 : 200;
     Settings settings = default_settings(scene);
     settings.viewport = {side, side};
     settings.camera.focal_length = static_cast<float>(side);
@@ -81,8 +81,10 @@ TEST_CASE("The picture of every single bug is told, from three camera positions"
         const Bug& bug = of_bug;
         Settings view = default_settings(scene);
         view.camera = pose.camera;
-        view.viewport = {180, 160};
-        view.camera.focal_length *= 160.0f / static_cast<float>(pose.viewport.height);
+        const int height = effort() < 1.0 ? 112 : 160;
+        view.viewport = {height * 9 / 8, height};
+        view.camera.focal_length *=
+            static_cast<float>(height) / static_cast<float>(pose.viewport.height);
         ++tried;
         CAPTURE(pose.name, bug.id);
         const Image picture = picture_of(scene, wrong_run(bug, view));
