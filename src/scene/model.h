@@ -49,7 +49,7 @@ struct ModelStep {
 
 /// An object as it is made, before its steps. The mesh has it in the world already.
 struct Model {
-    std::vector<ModelStep> steps;     ///< in the order in which they are carried out
+    std::vector<ModelStep> steps; ///< in the order in which they are carried out
     /// Three a triangle, in object space and in the order of the mesh; none: no steps.
     std::vector<glm::vec3> positions;
 
