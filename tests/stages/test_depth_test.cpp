@@ -9,7 +9,7 @@ using namespace rasterwalk;
 
 namespace {
 
-Fragment near(float zinv, float z = 1.0f) {
+Fragment fragment_near(float zinv, float z = 1.0f) {
     Fragment fragment;
     fragment.depth = zinv;
     fragment.z = z;
@@ -23,16 +23,16 @@ const DepthRules lab{};
 } // namespace
 
 TEST_CASE("The depth value of a fragment is its 1/z, or 1 over its linear z") {
-    CHECK(depth_test(near(0.75f, 2.0f), 0.0f, lab).depth == 0.75f);
-    CHECK(no_depth_test(near(0.75f, 2.0f), 0.0f, lab).depth == 0.75f);
-    CHECK(depth_test_reversed(near(0.75f, 2.0f), 0.0f, lab).depth == 0.75f);
-    CHECK(depth_test_linear_z(near(0.75f, 2.0f), 0.0f, lab).depth == 0.5f);
+    CHECK(depth_test(fragment_near(0.75f, 2.0f), 0.0f, lab).depth == 0.75f);
+    CHECK(no_depth_test(fragment_near(0.75f, 2.0f), 0.0f, lab).depth == 0.75f);
+    CHECK(depth_test_reversed(fragment_near(0.75f, 2.0f), 0.0f, lab).depth == 0.75f);
+    CHECK(depth_test_linear_z(fragment_near(0.75f, 2.0f), 0.0f, lab).depth == 0.5f);
 }
 
 TEST_CASE("A fragment is drawn only if its value is larger than what is stored") {
     const auto passes = [](float value, float stored) {
-        const bool passed = depth_test(near(value), stored, lab).passed;
-        CHECK(depth_test_linear_z(near(0.0f, 1.0f / value), stored, lab).passed == passed);
+        const bool passed = depth_test(fragment_near(value), stored, lab).passed;
+        CHECK(depth_test_linear_z(fragment_near(0.0f, 1.0f / value), stored, lab).passed == passed);
         return passed;
     };
     CHECK(passes(0.5f, 0.25f));
@@ -44,15 +44,15 @@ TEST_CASE("A fragment is drawn only if its value is larger than what is stored")
 }
 
 TEST_CASE("Without a depth test the last fragment wins, whatever its value") {
-    CHECK(no_depth_test(near(0.1f), 0.9f, lab).passed);
-    CHECK(no_depth_test(near(-1.0f), 0.9f, lab).passed);
-    CHECK(no_depth_test(near(not_a_number), 0.0f, lab).passed);
+    CHECK(no_depth_test(fragment_near(0.1f), 0.9f, lab).passed);
+    CHECK(no_depth_test(fragment_near(-1.0f), 0.9f, lab).passed);
+    CHECK(no_depth_test(fragment_near(not_a_number), 0.0f, lab).passed);
 }
 
 TEST_CASE("Mistake B17a lets the smaller value win, and B17c swaps the indices") {
-    CHECK(depth_test_reversed(near(0.25f), 0.5f, lab).passed);
-    CHECK_FALSE(depth_test_reversed(near(0.5f), 0.5f, lab).passed);
-    CHECK_FALSE(depth_test_reversed(near(not_a_number), 0.5f, lab).passed);
+    CHECK(depth_test_reversed(fragment_near(0.25f), 0.5f, lab).passed);
+    CHECK_FALSE(depth_test_reversed(fragment_near(0.5f), 0.5f, lab).passed);
+    CHECK_FALSE(depth_test_reversed(fragment_near(not_a_number), 0.5f, lab).passed);
     CHECK(depth_cell(3, 8) == glm::ivec2(3, 8));
     CHECK(depth_cell_transposed(3, 8) == glm::ivec2(8, 3));
 }

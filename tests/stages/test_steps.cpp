@@ -40,9 +40,9 @@ static_assert(!takes<decltype(interpolate), ScreenVertex, ScreenVertex, LineStep
 static_assert(!takes<decltype(interpolate), RowEnd, RowEnd, LineStep, LinePart, Line>);
 
 // Only fragments are tested and shaded.
-static_assert(takes<decltype(depth_test), Fragment, float>);
-static_assert(!takes<decltype(depth_test), ScreenVertex, float>);
-static_assert(!takes<decltype(depth_test), RowEnd, float>);
+static_assert(takes<decltype(depth_test), Fragment, float, DepthRules>);
+static_assert(!takes<decltype(depth_test), ScreenVertex, float, DepthRules>);
+static_assert(!takes<decltype(depth_test), RowEnd, float, DepthRules>);
 static_assert(takes<decltype(pixel_shader), Fragment, Surface, PixelRules, Stages>);
 static_assert(!takes<decltype(pixel_shader), ScreenVertex, Surface, PixelRules, Stages>);
 static_assert(!takes<decltype(pixel_shader), RowEnd, Surface, PixelRules, Stages>);
