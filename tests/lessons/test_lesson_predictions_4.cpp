@@ -11,6 +11,7 @@
 #include <glm/vec3.hpp>
 
 #include "pipeline/draw.h"
+#include "scene/look_at.h"
 #include "scene/read_scene.h"
 #include "session/content.h"
 #include "settings/setting_table.h"

@@ -95,7 +95,7 @@ TEST_CASE("Each word of the depth format is a quantity and its bits") {
     }
 }
 
-TEST_CASE("Half of the range of ndc z is used up at twice the near plane") {
+TEST_CASE("Half of the steps of ndc z are used up at twice the near plane") {
     const DepthRules ndc = rules_of("ndc_32"), reversed = rules_of("reversed_32");
     CHECK(depth_at(0.2f, ndc) == Approx(0.5005).margin(5e-5));
     CHECK(depth_at(4.0f, ndc) == Approx(0.97598).margin(5e-6));
