@@ -90,7 +90,9 @@ glm::dvec3 unit(const glm::dvec3& direction) {
 NormalPlace normal_of(const std::array<glm::dvec3, triangle_corners>& object,
                       const glm::dmat4& model) {
     NormalPlace normal;
-    normal.object = unit(glm::cross(object[2] - object[0], object[1] - object[0]));
+    // The corners of a mirrored object are in the order in which they go round in the world.
+    const double side = is_mirrored(model) ? -1.0 : 1.0;
+    normal.object = unit(side * glm::cross(object[2] - object[0], object[1] - object[0]));
     normal.world = unit(normal_matrix(model) * normal.object);
     normal.as_point = unit(transform_direction(model, normal.object));
     return normal;

@@ -54,7 +54,9 @@ std::map<Cursor, Seen> everything(const Frame& frame, bool with_light, bool as_s
                 event.has_pixel ? 1U : 0U};
         if (with_light) {
             const Vertex& vertex = frame.scene->corner(event.cursor.triangle, event.cursor.index);
-            add(work, reflected_light(vertex.position, vertex.normal, vertex.reflectance,
+            const glm::vec3 normal =
+                frame.stages.light_normal(vertex.normal, frame.settings.camera);
+            add(work, reflected_light(vertex.position, normal, vertex.reflectance,
                                       frame.settings.light, frame.settings.light_rules)
                           .reflected);
         }

@@ -244,7 +244,8 @@ TEST_CASE("Values that a view cannot have are refused with a sentence") {
             "target as -0.75,-0.4,5,0,0,1, not '1'.");
     refuses({"--wipe", "2"}, 2, "--wipe is a number from 0 to 1, not '2'.");
     refuses({"--depth-range", "0.8,0.2"}, 2,
-            "--depth-range is a range of 1/z, far and near, as 0.2,0.8 or none, not '0.8,0.2'.");
+            "--depth-range is a range of depths, the smaller first, as 0.2,0.8 or none, not "
+            "'0.8,0.2'.");
 }
 
 TEST_CASE("A saved view is opened, and what is said beside it wins") {

@@ -227,7 +227,7 @@ TEST_CASE("What is wrong in a saved view is told with its line") {
          "v.walk.toml:2: the view from outside is camera, yaw and pitch as -0.75,-0.4, or these "
          "with a distance and a target as -0.75,-0.4,5,0,0,1.");
     says(head + "depth_range = \"2,1\"\n",
-         "v.walk.toml:2: a range of 1/z is needed here, far and near: \"0.2,0.8\".");
+         "v.walk.toml:2: a range of depths is needed here, the smaller first: \"0.2,0.8\".");
     says(head + "set = [\n\"light.power=1e9\",\n]\n",
          "v.walk.toml:3: light.power cannot be '1e9': it takes one number or three, each from 0 "
          "to 10000.");

@@ -458,7 +458,7 @@ TEST_CASE("Comparing is undone and done again") {
     driver.hand.click("switch.compare");
     driver.hand.press('Z', {.ctrl = true});
     CHECK_FALSE(driver.ui.session.b);
-    CHECK(driver.ui.session.a.settings == lit_room().a.settings);
+    CHECK(driver.ui.session.a.settings == lit_room(200).a.settings);
     driver.hand.press('Z', {.ctrl = true, .shift = true});
     CHECK(driver.ui.session.b);
 }

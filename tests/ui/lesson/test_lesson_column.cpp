@@ -394,6 +394,8 @@ TEST_CASE("The first page of a lesson says what the next one is about") {
         open_lesson(driver.ui, lesson.id, 0);
         driver.hand.frames(frames_to_rest);
         INFO(lesson.id);
+        // Beside two views it is a strip, whose last card says so.
+        if (driver.ui.lesson.is_strip) continue;
         const std::vector<ScreenText> texts = screen_text();
         CHECK(std::any_of(texts.begin(), texts.end(), [&](const ScreenText& text) {
             // Where it is too long, as far as it fits.
