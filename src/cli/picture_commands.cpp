@@ -33,22 +33,24 @@ Json to_json(const LeftOut& left_out) {
 }
 
 Json to_json(const FrameStats& stats) {
-    return {{"clip_triangles", stats.clip_triangles},
-            {"clipped", stats.clipped},
-            {"culled", stats.left_out.of(Rejection::back_facing)},
-            {"depth_outside", stats.depth_outside},
-            {"fragments", stats.fragments},
-            {"fragments_outside", stats.fragments_outside},
-            {"left_out", to_json(stats.left_out)},
-            {"max_overdraw", stats.max_overdraw},
-            {"rejected", stats.left_out.of(Rejection::outside)},
-            {"rows_looked_at", stats.rows_looked_at},
-            {"rows_outside", stats.rows_outside},
-            {"rows_outside_triangles", stats.rows_outside_triangles},
-            {"shaded", stats.shaded},
-            {"triangles", stats.triangles},
-            {"uncovered", stats.uncovered},
-            {"unset_rows", stats.unset_rows}};
+    Json object{{"clip_triangles", stats.clip_triangles},
+                {"clipped", stats.clipped},
+                {"culled", stats.left_out.of(Rejection::back_facing)},
+                {"depth_outside", stats.depth_outside},
+                {"fragments", stats.fragments},
+                {"fragments_outside", stats.fragments_outside},
+                {"left_out", to_json(stats.left_out)},
+                {"max_overdraw", stats.max_overdraw},
+                {"rejected", stats.left_out.of(Rejection::outside)},
+                {"rows_looked_at", stats.rows_looked_at},
+                {"rows_outside", stats.rows_outside},
+                {"rows_outside_triangles", stats.rows_outside_triangles},
+                {"shaded", stats.shaded},
+                {"triangles", stats.triangles},
+                {"uncovered", stats.uncovered},
+                {"unset_rows", stats.unset_rows}};
+    if (stats.pixels_tested > 0) object["pixels_tested"] = stats.pixels_tested;
+    return object;
 }
 
 } // namespace
@@ -86,6 +88,8 @@ void stats_command(const StatsOptions& options, std::ostream& out, std::ostream&
             << "rows_looked_at          " << stats.rows_looked_at << '\n'
             << "unset_rows              " << stats.unset_rows << '\n'
             << "depth_outside           " << stats.depth_outside << '\n';
+        if (stats.pixels_tested > 0)
+            out << "pixels_tested           " << stats.pixels_tested << '\n';
     }
     report_left_out(stats.left_out, err);
 }

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "inspect/pixel_tests.h"
 #include "session/bench.h"
 #include "ui/canvas/clip_marks.h"
 #include "ui/canvas/marks.h"
@@ -196,6 +197,12 @@ void draw_current(const Marks& m) {
     case Phase::edges: {
         const Fragment sample = edge_samples(frame, done.triangle, m.run.cursor).back().fragment;
         frame_pixel(m, sample.column, sample.row, white, 2.5f * m.u);
+        break;
+    }
+    case Phase::tests: {
+        const PixelTest test = test_at_step(timeline.moments(done.triangle).rows.tested, done.index,
+                                            done.step, frame.stages);
+        frame_pixel(m, test.column, test.row, white, 2.5f * m.u);
         break;
     }
     case Phase::rows: {
