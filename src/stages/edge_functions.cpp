@@ -1,7 +1,10 @@
 #include "stages/edge_functions.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <utility>
 
+#include "stages/fan.h"
 #include "stages/stage_table.h"
 
 namespace rasterwalk {
@@ -19,25 +22,20 @@ GridPoint centre_of(int column, int row) {
     return {pixel_centre(column), pixel_centre(row)};
 }
 
-TestedTriangle set_up_triangle(const std::array<int, edge_function_count>& corners,
-                               std::span<const ScreenVertex> vertices, const Stages& stages) {
+TestedTriangle set_up_triangle(const FanTriangle& fan, const Stages& stages) {
     TestedTriangle triangle;
-    triangle.corners = corners;
-    std::array<GridPoint, edge_function_count> points;
-    for (std::size_t i = 0; i < points.size(); ++i)
-        points[i] = stages.snap(vertices[static_cast<std::size_t>(corners[i])]);
-    const auto edge_between = [&](const GridPoint& a, const GridPoint& b) {
-        EdgeFunction edge{a, {b.x - a.x, b.y - a.y}};
-        edge.owns_points = stages.edge_owns_points(edge.way);
-        return edge;
-    };
-    const bool is_turned = edge_between(points[0], points[1]).at(points[2]) < 0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const GridPoint &from = points[i], &to = points[(i + 1) % points.size()];
-        triangle.edges[i] = is_turned ? edge_between(to, from) : edge_between(from, to);
+    triangle.corners = fan.corners;
+    triangle.area = std::abs(fan.area);
+    triangle.box = touched_pixels(fan.points);
+    triangle.owns_corner = owns_any(stages.edge_owns_points);
+    for (std::size_t i = 0; i < fan.points.size(); ++i) {
+        const GridPoint *from = &fan.points[i], *to = &fan.points[(i + 1) % fan.points.size()];
+        if (fan.area < 0) std::swap(from, to);
+        EdgeFunction& edge = triangle.edges[i];
+        edge = {*from, {to->x - from->x, to->y - from->y}};
+        edge.owns_points =
+            fan.is_inner[i] ? owns_top_left(edge.way) : stages.edge_owns_points(edge.way);
     }
-    triangle.area = triangle.edges[0].at(points[2]);
-    triangle.box = touched_pixels(points);
     return triangle;
 }
 
@@ -118,6 +116,14 @@ CoveredColumns covered_columns(const TestedTriangle& triangle, int row) {
         if (growth < 0) last = std::min(last, floor_divided(e - least, -growth));
         if (growth == 0 && e < least) return {};
     }
+    // Solved without regard to the fan's corner, which is never between two pixels inside.
+    const auto takes_corner = [&](std::int64_t column) {
+        const EdgeValues e =
+            triangle.values_at(centre_of(box.left + static_cast<int>(column), row));
+        return !triangle.owns_corner && e[0] == 0 && e[2] == 0;
+    };
+    if (first <= last && takes_corner(first)) ++first;
+    if (first <= last && takes_corner(last)) --last;
     if (first > last) return {};
     return {box.left + static_cast<int>(first), box.left + static_cast<int>(last)};
 }
@@ -147,8 +153,9 @@ void set_up_tests(std::span<const ScreenVertex> vertices, const Stages& stages,
     polygon.triangles.clear();
     for (const ScreenVertex& v : vertices)
         polygon.corners.push_back({v.column, v.depth, v.inv_w, v.z, v.varyings});
-    for (int i = 2; i < static_cast<int>(vertices.size()); ++i)
-        polygon.triangles.push_back(set_up_triangle({0, i - 1, i}, vertices, stages));
+    for_each_fan_triangle(vertices, stages.snap, [&](const FanTriangle& triangle) {
+        polygon.triangles.push_back(set_up_triangle(triangle, stages));
+    });
 }
 
 void rows_by_edge_functions(std::span<const ScreenVertex> vertices, const EdgeRules& rules,

@@ -79,13 +79,16 @@ constexpr double in_square_pixels(std::int64_t e) {
 struct TestedTriangle {
     std::array<int, edge_function_count> corners{}; ///< of the polygon
     std::array<EdgeFunction, edge_function_count> edges;
-    std::int64_t area = 0; ///< the sum of the three E, anywhere; 0: nothing lies inside
-    Rectangle box;         ///< the pixels that are tested
+    std::int64_t area = 0;   ///< the sum of the three E, anywhere; 0: nothing lies inside
+    bool owns_corner = true; ///< the first one, about which the fan is laid
+    Rectangle box;           ///< the pixels that are tested
 
     EdgeValues values_at(const GridPoint& p) const {
         return {edges[0].at(p), edges[1].at(p), edges[2].at(p)};
     }
     bool admits(const EdgeValues& e) const {
+        const bool is_first_corner = e[0] == 0 && e[2] == 0;
+        if (is_first_corner && !owns_corner) return false;
         return area > 0 && edges[0].admits(e[0]) && edges[1].admits(e[1]) && edges[2].admits(e[2]);
     }
 };

@@ -46,4 +46,10 @@ constexpr bool owns_top_left(const EdgeDirection& edge) {
 inline constexpr EdgeDirection left_side{0, -1}, right_side{0, 1}, top_side{1, 0},
     bottom_side{-1, 0};
 
+/// Are there edges that own their points? If not, no corner lies inside either, also where only
+/// inner edges of a fan meet it.
+constexpr bool owns_any(bool (*owns)(const EdgeDirection&)) {
+    return owns(left_side) || owns(right_side) || owns(top_side) || owns(bottom_side);
+}
+
 } // namespace rasterwalk

@@ -32,7 +32,7 @@ DownEdge down_edge(const ScreenVertex& a, const ScreenVertex& b, const Stages& s
     const auto values = [](const ScreenVertex& v) {
         return RowEnd{v.column, v.depth, v.inv_w, v.z, v.varyings};
     };
-    DownEdge edge{stages.snap(a), stages.snap(b), values(a), values(b)};
+    DownEdge edge{stages.snap(a), stages.snap(b), values(a), values(b), false};
     if (edge.top.y > edge.bottom.y) {
         std::swap(edge.top, edge.bottom);
         std::swap(edge.at_top, edge.at_bottom);

@@ -18,6 +18,7 @@ struct Stages;
 struct DownEdge {
     GridPoint top, bottom;
     RowEnd at_top, at_bottom; ///< the values there; the columns say nothing
+    bool is_inner = false;    ///< of a fan: no edge of the polygon
 
     bool reaches(std::int64_t y) const { return top.y <= y && y <= bottom.y; }
 };

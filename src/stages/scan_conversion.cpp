@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "stages/fan.h"
 #include "stages/row_crossing.h"
 #include "stages/stage_table.h"
 
@@ -14,12 +15,15 @@ namespace {
 struct HalfSides {
     const DownEdge& left;
     const DownEdge& right;
+    OwnedEnds owned; ///< inner edges of a fan go by the top-left rule
 };
 
 /// What is the same for all triangles of a polygon.
 struct ScanConversion {
     OwnedEnds owned;
     bool owns_top, owns_bottom; ///< the points of level edges
+    GridPoint corner;           ///< about which the fan is laid
+    bool owns_corner;
     VaryingSet carried;
     PolygonRows& rows;
 
@@ -28,7 +32,9 @@ struct ScanConversion {
         const std::int64_t y = pixel_centre(row);
         const RowCrossing left = crossing_at(sides.left, y, carried);
         const RowCrossing right = crossing_at(sides.right, y, carried);
-        const PixelSpan span = pixels_between(left, right, owned);
+        PixelSpan span = pixels_between(left, right, sides.owned);
+        const bool begins_at_corner = corner == GridPoint{pixel_centre(span.first), y};
+        if (begins_at_corner && !owns_corner) ++span.first;
         if (span.is_empty()) return;
         const auto i = static_cast<std::size_t>(row - rows.first_row);
         if (span.first < rows.left[i].column)
@@ -49,32 +55,56 @@ int first_row_below(std::int64_t y, bool is_owned) {
     return !is_owned && pixel_centre(row) == y ? row + 1 : row;
 }
 
-void convert_triangle(std::array<const ScreenVertex*, 3> corners, const Stages& stages,
-                      ScanConversion& conversion) {
-    std::sort(corners.begin(), corners.end(), [&](const ScreenVertex* a, const ScreenVertex* b) {
-        return stages.snap(*a).y < stages.snap(*b).y;
+void convert_triangle(const FanTriangle& triangle, std::span<const ScreenVertex> vertices,
+                      const Stages& stages, ScanConversion& conversion) {
+    if (triangle.area == 0) return;
+    std::array<std::size_t, 3> order{0, 1, 2}; // of the corners, from top to bottom
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return triangle.points[a].y < triangle.points[b].y;
     });
-    const auto& [top, middle, bottom] = corners;
+    const auto vertex = [&](std::size_t corner) -> const ScreenVertex& {
+        return vertices[static_cast<std::size_t>(triangle.corners[corner])];
+    };
+    const auto edge_between = [&](std::size_t a, std::size_t b) {
+        DownEdge edge = down_edge(vertex(a), vertex(b), stages);
+        // Edge i begins at corner i; of two corners the one that the other follows.
+        edge.is_inner = triangle.is_inner[(a + 1) % 3 == b ? a : b];
+        return edge;
+    };
+    const auto [top, middle, bottom] = order;
+    const DownEdge upper = edge_between(top, middle), lower = edge_between(middle, bottom),
+                   whole = edge_between(top, bottom);
     const std::int64_t area =
-        double_area(stages.snap(*top), stages.snap(*middle), stages.snap(*bottom));
-    if (area == 0) return;
-    const DownEdge upper = down_edge(*top, *middle, stages);
-    const DownEdge lower = down_edge(*middle, *bottom, stages);
-    const DownEdge whole = down_edge(*top, *bottom, stages);
+        double_area(triangle.points[top], triangle.points[middle], triangle.points[bottom]);
     const bool is_middle_right = area > 0;
     const auto sides = [&](const DownEdge& shorter) {
-        return is_middle_right ? HalfSides{whole, shorter} : HalfSides{shorter, whole};
+        const DownEdge &left = is_middle_right ? whole : shorter,
+                       &right = is_middle_right ? shorter : whole;
+        return HalfSides{
+            left,
+            right,
+            {left.is_inner || conversion.owned.left, !right.is_inner && conversion.owned.right}};
     };
     const std::int64_t split = upper.bottom.y;
     const bool has_level_top = upper.top.y == split, has_level_bottom = lower.bottom.y == split;
     // A row of centres through the middle corner belongs to the lower half, if there is one.
     if (!has_level_top) {
-        const int last = has_level_bottom && conversion.owns_bottom ? last_row_to(split)
-                                                                    : first_row_from(split) - 1;
-        conversion.lay_rows(sides(upper), first_row_from(upper.top.y), last);
+        const bool keeps_last = has_level_bottom && !lower.is_inner && conversion.owns_bottom;
+        conversion.lay_rows(sides(upper), first_row_from(upper.top.y),
+                            keeps_last ? last_row_to(split) : first_row_from(split) - 1);
     }
     if (!has_level_bottom) {
-        const int first = first_row_below(split, !has_level_top || conversion.owns_top);
+        const bool keeps_first = !has_level_top || upper.is_inner || conversion.owns_top;
+        int first = first_row_below(split, keeps_first);
+        if (!has_level_top && pixel_centre(first) == split) {
+            // The middle corner lies on both of its edges.
+            HalfSides at_corner = sides(lower);
+            const OwnedEnds above = sides(upper).owned;
+            at_corner.owned = {at_corner.owned.left && above.left,
+                               at_corner.owned.right && above.right};
+            conversion.lay_rows(at_corner, first, first);
+            ++first;
+        }
         conversion.lay_rows(sides(lower), first, last_row_to(lower.bottom.y));
     }
 }
@@ -86,13 +116,16 @@ void rows_by_scan_conversion(std::span<const ScreenVertex> vertices, const EdgeR
     const Rectangle box = snapped_box(vertices, rules, stages);
     empty_table(box.top, box.bottom - box.top, rows);
     const auto owns = [&](const EdgeDirection& side) { return stages.edge_owns_points(side); };
-    ScanConversion conversion{{owns(left_side), owns(right_side)},
-                              owns(top_side),
-                              owns(bottom_side),
-                              rules.carried,
-                              rows};
-    for (std::size_t i = 2; i < vertices.size(); ++i)
-        convert_triangle({&vertices[0], &vertices[i - 1], &vertices[i]}, stages, conversion);
+    ScanConversion conversion{.owned = {owns(left_side), owns(right_side)},
+                              .owns_top = owns(top_side),
+                              .owns_bottom = owns(bottom_side),
+                              .corner = stages.snap(vertices[0]),
+                              .owns_corner = owns_any(stages.edge_owns_points),
+                              .carried = rules.carried,
+                              .rows = rows};
+    for_each_fan_triangle(vertices, stages.snap, [&](const FanTriangle& triangle) {
+        convert_triangle(triangle, vertices, stages, conversion);
+    });
     if (sink != nullptr) sink->rows_without_samples(rows);
 }
 
