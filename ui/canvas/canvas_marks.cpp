@@ -80,6 +80,7 @@ void draw_dashes(const Marks& m, ImVec2 a, ImVec2 b, ImU32 colour) {
 
 /// How far an edge is walked, 0..1.
 float walked_share(const RowHistory& history, int edge) {
+    if (history.sample_count == 0) return 1.0f; // coverage walks no edges
     if (!history.last || edge > history.last->edge) return 0.0f;
     const int steps = history.edge_samples[static_cast<std::size_t>(edge)] - 1;
     if (edge < history.last->edge || steps < 1) return 1.0f;

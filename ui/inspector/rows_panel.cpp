@@ -5,6 +5,7 @@
 
 #include "base/element_names.h"
 #include "base/numbers.h"
+#include "inspect/pixel_tests.h"
 #include "ui/inspector/panels.h"
 #include "ui/inspector/rows_parts.h"
 #include "ui/ui.h"
@@ -42,6 +43,16 @@ void draw_moment(Ui& ui) {
     const std::optional<Cursor>& done = ui.results.a.done;
     if (done && done->triangle == ui.results.a.triangle && done->phase == Phase::rows) {
         draw_row_in_work(ui, *done);
+        end_card(ui);
+        return;
+    }
+    const RunResults& a = ui.results.a;
+    if (a.triangle && a.frame.is_drawn(*a.triangle) && !walks_edges(a.frame.stages)) {
+        text_in(p.dim, "No samples: a row holds the pixels whose centres lie inside.");
+        if (const auto test = done ? test_at(a.frame, *done) : std::nullopt) {
+            ImGui::TextUnformatted(fmt::format("pixel ({}, {})", test->column, test->row).c_str());
+            ImGui::TextUnformatted(pixel_test_text(*test).c_str());
+        }
         end_card(ui);
         return;
     }
