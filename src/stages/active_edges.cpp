@@ -9,17 +9,17 @@ namespace rasterwalk {
 
 namespace {
 
-using Spans = std::vector<InsideSpan>;
+using SpanList = std::vector<InsideSpan>;
 
 bool begins_before(const InsideSpan& a, const InsideSpan& b) {
     return a.left.column < b.left.column;
 }
 
 /// The stretches of both lists together.
-Spans united(Spans a, const Spans& b) {
+SpanList united(SpanList a, const SpanList& b) {
     a.insert(a.end(), b.begin(), b.end());
     std::sort(a.begin(), a.end(), begins_before);
-    Spans all;
+    SpanList all;
     for (const InsideSpan& span : a) {
         if (all.empty() || span.left.column > all.back().right.column)
             all.push_back(span);
@@ -30,8 +30,8 @@ Spans united(Spans a, const Spans& b) {
 }
 
 /// The stretches that lie in both lists.
-Spans common(const Spans& a, const Spans& b) {
-    Spans both;
+SpanList common(const SpanList& a, const SpanList& b) {
+    SpanList both;
     for (auto p = a.begin(), q = b.begin(); p != a.end() && q != b.end();) {
         const RowEnd& left = begins_before(*p, *q) ? q->left : p->left;
         const bool ends_first = p->right.column < q->right.column;
@@ -74,7 +74,7 @@ class ActiveEdges {
     }
 
     /// The stretches of the next row, which must lie below all rows before.
-    Spans in_row(int row) {
+    SpanList in_row(int row) {
         const std::int64_t y = pixel_centre(row);
         for (; !to_come_.empty() && to_come_.back().top.y <= y; to_come_.pop_back())
             active_.push_back(to_come_.back());
@@ -98,13 +98,13 @@ class ActiveEdges {
 
   private:
     template <class Counts>
-    Spans spans_of(int row, Counts counts) const {
+    SpanList spans_of(int row, Counts counts) const {
         std::vector<RowCrossing> crossings;
         for (const DownEdge& edge : active_) {
             if (counts(edge)) crossings.push_back(crossing_at(edge, pixel_centre(row), carried_));
         }
         std::sort(crossings.begin(), crossings.end());
-        Spans spans;
+        SpanList spans;
         for (std::size_t i = 1; i < crossings.size(); i += 2) {
             const RowCrossing &left = crossings[i - 1], &right = crossings[i];
             PixelSpan pixels = pixels_between(left, right, owned_);
@@ -130,9 +130,9 @@ std::vector<InsideSpan> active_edge_spans(std::span<const ScreenVertex> vertices
                                           const EdgeRules& rules, const Stages& stages) {
     const Rectangle box = snapped_box(vertices, rules, stages);
     ActiveEdges edges(vertices, rules, stages);
-    Spans all;
+    SpanList all;
     for (int row = box.top; row < box.bottom; ++row) {
-        const Spans spans = edges.in_row(row);
+        const SpanList spans = edges.in_row(row);
         all.insert(all.end(), spans.begin(), spans.end());
     }
     return all;
@@ -144,7 +144,7 @@ void rows_by_active_edges(std::span<const ScreenVertex> vertices, const EdgeRule
     empty_table(box.top, box.bottom - box.top, rows);
     ActiveEdges edges(vertices, rules, stages);
     for (int row = box.top; row < box.bottom; ++row) {
-        const Spans spans = edges.in_row(row);
+        const SpanList spans = edges.in_row(row);
         if (spans.empty()) continue;
         const auto i = static_cast<std::size_t>(row - box.top);
         rows.left[i] = spans.front().left;
