@@ -92,10 +92,10 @@ std::vector<Cursor> told_moments(const Recorder& told) {
     return {moments.begin(), moments.end()};
 }
 
-/// The first moment that only one of two lists has, as text; empty if there is none.
+/// The first moment that only one of two lists has, as text.
 std::string first_odd_one(const std::vector<Cursor>& a, const std::vector<Cursor>& b) {
     const auto [p, q] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
-    if (p == a.end() && q == b.end()) return "";
+    if (p == a.end() && q == b.end()) return "none";
     return to_text(p == a.end() ? *q : q == b.end() ? *p : std::min(*p, *q));
 }
 
@@ -218,13 +218,13 @@ TEST_CASE("However the pixels are found, all that is shown tells the same story"
             if (frame.settings.stage == Stage::rows)
                 std::erase_if(*list, [](const Cursor& at) { return at.phase == Phase::rows; });
         }
-        CHECK(first_odd_one(heard, moments) == "");
+        CHECK(first_odd_one(heard, moments) == "none");
         const Timeline timeline(frame);
         std::vector<Cursor> walked;
         for (Cursor at = timeline.first(); at != cursor_end;
              at = timeline.next(at, Granularity::moment))
             walked.push_back(at);
-        CHECK(first_odd_one(walked, expected) == "");
+        CHECK(first_odd_one(walked, expected) == "none");
         const FrameStats stats = frame_stats(frame);
         CHECK(stats.pixels_tested == static_cast<std::int64_t>(told.events.tests.size()));
         CHECK(stats.fragments == static_cast<std::int64_t>(told.events.fragments.size()));

@@ -53,9 +53,9 @@ GridPoint any_point(Random& random) {
         case 0:
             return pixel_centre(random.integer(0, field - 1));
         case 1:
-            return 64 * random.integer(0, 4 * field - 1);
+            return std::int64_t{64} * random.integer(0, 4 * field - 1);
         default:
-            return random.integer(0, 256 * field - 1);
+            return random.integer(0, static_cast<int>(grid_parts) * field - 1);
         }
     };
     const std::int64_t x = any();
