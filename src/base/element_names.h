@@ -15,8 +15,10 @@ inline constexpr std::string_view triangle_form = "triangles[#]";
 inline constexpr std::string_view vertex_form = "vertices[#]";
 inline constexpr std::string_view plane_form = "plane #";
 inline constexpr std::string_view edge_form = "edge #";
-inline constexpr std::string_view sample_form = "line[#]";  ///< of an edge: the array of the lab
-inline constexpr std::string_view entry_form = "entry [#]"; ///< of leftPixels and rightPixels
+inline constexpr std::string_view sample_form = "line[#]";    ///< of an edge: the array of the lab
+inline constexpr std::string_view box_row_form = "box row #"; ///< of pixels that are tested
+inline constexpr std::string_view box_pixel_form = "pixel #"; ///< of such a row, from its left end
+inline constexpr std::string_view entry_form = "entry [#]";   ///< of leftPixels and rightPixels
 inline constexpr std::string_view fragment_form = "fragments[#]"; ///< of a row, from its left end
 
 /// The name with its number; a form without a '#' as it is.

@@ -61,6 +61,8 @@ constexpr StatInfo stat_list[] = {
      [](const FrameStats& s) { return s.fragments; }},
     {"fragments_outside", "that are walked and fall beside the picture",
      [](const FrameStats& s) { return s.fragments_outside; }},
+    {"pixels_tested", "that edge functions ask, in the picture; 0 with other coverage",
+     [](const FrameStats& s) { return s.pixels_tested; }},
     {"max_overdraw", "most fragments on one pixel",
      [](const FrameStats& s) -> std::int64_t { return s.max_overdraw; }},
     {"uncovered", "pixels on which nothing falls", [](const FrameStats& s) { return s.uncovered; }},

@@ -12,6 +12,7 @@
 #include "base/numbers.h"
 #include "cli/json.h"
 #include "inspect/pixel_history.h"
+#include "inspect/pixel_tests.h"
 
 namespace rasterwalk {
 
@@ -65,6 +66,17 @@ Json to_json(const Scene& scene, const PixelEntry& entry, bool stays, const Curs
     return object;
 }
 
+Json to_json(const TestEvent& event) {
+    Json values = Json::array();
+    for (const std::int64_t e : event.test.e)
+        values.push_back(in_square_pixels(e));
+    return {{"edge_functions", std::move(values)},
+            {"inside", event.test.is_inside},
+            {"moment", to_text(event.cursor)},
+            {"passes", event.test.passes},
+            {"weights", event.test.weights}};
+}
+
 Json to_json(const Scene& scene, const NearTriangle& near, const glm::ivec2& pixel) {
     Json rules = Json::array();
     for (const OtherRule& rule : near.rules)
@@ -103,14 +115,27 @@ Json to_json(const Frame& frame, const PixelHistory& history, const Cursor& to) 
     }
     for (const NearTriangle& near : history.nearest)
         nearest.push_back(to_json(scene, near, history.pixel));
-    return {{"colour", vector_to_json(colour_at(history, to))},
-            {"column", history.pixel.x},
-            {"covered", !history.entries.empty()},
-            {"depth_holds", depth_words(frame).name},
-            {"depth_tested", history.depth_tested},
-            {"history", std::move(entries)},
-            {"row", history.pixel.y},
-            {"uncovered", std::move(nearest)}};
+    Json object{{"colour", vector_to_json(colour_at(history, to))},
+                {"column", history.pixel.x},
+                {"covered", !history.entries.empty()},
+                {"depth_holds", depth_words(frame).name},
+                {"depth_tested", history.depth_tested},
+                {"history", std::move(entries)},
+                {"row", history.pixel.y},
+                {"uncovered", std::move(nearest)}};
+    if (!history.tests.empty()) {
+        Json tests = Json::array();
+        for (const TestEvent& event : history.tests)
+            tests.push_back(to_json(event));
+        object["tests"] = std::move(tests);
+    }
+    return object;
+}
+
+/// Each time the pixel was asked, where edge functions ask.
+void print_tests(const PixelHistory& history, std::ostream& out) {
+    for (const TestEvent& event : history.tests)
+        out << fmt::format("{:<15}  {}\n", to_text(event.cursor), pixel_test_text(event.test));
 }
 
 const char* word_in_table(Fate fate) {
@@ -180,6 +205,7 @@ void pixel_command(const PixelOptions& options, std::ostream& out) {
         print_json(to_json(frame, history, session.cursor), out);
     } else {
         print_text(frame, history, session.cursor, out);
+        print_tests(history, out);
     }
 }
 

@@ -79,11 +79,17 @@ Apart samples_apart(const SampleEvent& a, const SampleEvent& b) {
     return same ? Apart::not_at_all : Apart::clearly;
 }
 
+Apart tests_apart(const PixelTest& a, const PixelTest& b) {
+    const bool same = a.column == b.column && a.row == b.row && a.is_inside == b.is_inside;
+    return same ? Apart::not_at_all : Apart::clearly;
+}
+
 /// By what both runs' pixels are told apart.
 struct SightRules {
     float (*visible_a)(float); ///< what is seen of a channel
     float (*visible_b)(float);
     bool has_depth_a, has_depth_b; ///< marks have none: what stands in its place says nothing
+    bool compares_samples, compares_tests; ///< both runs have them
 };
 
 Apart fragments_apart(const FragmentEvent& a, const FragmentEvent& b, const SightRules& rules) {
@@ -105,8 +111,10 @@ struct Difference {
 };
 
 /// How the two runs differ at a moment; nothing if they do not.
-std::optional<Difference> difference_at(const MomentEvents& a, const MomentEvents& b,
-                                        const SightRules& rules) {
+std::optional<Difference> difference_at(MomentEvents a, MomentEvents b, const SightRules& rules) {
+    // Where pixels are found in different ways, what is found counts.
+    if (!rules.compares_samples) a.sample = b.sample = nullptr;
+    if (!rules.compares_tests) a.test = b.test = nullptr;
     if (a.is_nothing() && b.is_nothing()) return std::nullopt;
     if (b.is_nothing()) return Difference{DivergenceKind::missing, false};
     if (a.is_nothing()) return Difference{DivergenceKind::extra, false};
@@ -120,6 +128,8 @@ std::optional<Difference> difference_at(const MomentEvents& a, const MomentEvent
     if (a.sample != nullptr && b.sample != nullptr) {
         most = std::max(most, samples_apart(*a.sample, *b.sample));
     }
+    if (a.test != nullptr && b.test != nullptr)
+        most = std::max(most, tests_apart(a.test->test, b.test->test));
     for (std::size_t i = 0; i < a.fragments.size(); ++i)
         most = std::max(most, fragments_apart(a.fragments[i], b.fragments[i], rules));
     if (most == Apart::not_at_all) return std::nullopt;
@@ -127,8 +137,12 @@ std::optional<Difference> difference_at(const MomentEvents& a, const MomentEvent
 }
 
 SightRules sight_rules(const Frame& a, const Frame& b) {
-    return {a.stages.visible_channel, b.stages.visible_channel, has_fragments(a.settings.stage),
-            has_fragments(b.settings.stage)};
+    return {a.stages.visible_channel,
+            b.stages.visible_channel,
+            has_fragments(a.settings.stage),
+            has_fragments(b.settings.stage),
+            walks_edges(a.stages) == walks_edges(b.stages),
+            tests_pixels(a.stages) == tests_pixels(b.stages)};
 }
 
 Divergence divergence_of(const Frame& a, const Frame& b, const PairMoment& moment,

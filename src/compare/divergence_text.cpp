@@ -11,6 +11,7 @@
 #include "base/element_names.h"
 #include "base/numbers.h"
 #include "inspect/clip_history.h"
+#include "inspect/pixel_tests.h"
 #include "inspect/row_history.h"
 #include "picture/view_image.h"
 
@@ -253,6 +254,18 @@ std::string sample_text(const Frame& a, const Frame& b, const PairMoment& moment
                        sample_side(b, *moment.b.sample, with_x, with_y, digits));
 }
 
+/// "box row 3, pixel 7. A: pixel (7, 5), E = 48, 27, 33: inside. B: ..."
+std::string test_text(const PairMoment& moment) {
+    const auto side = [](const TestEvent* event) {
+        if (event == nullptr) return std::string("no pixel is asked");
+        return fmt::format("{}, {}", pixel_text(event->test.column, event->test.row),
+                           pixel_test_text(event->test));
+    };
+    return fmt::format("{}, {}. A: {}. B: {}.", element_name(box_row_form, moment.cursor.index),
+                       element_name(box_pixel_form, moment.cursor.step), side(moment.a.test),
+                       side(moment.b.test));
+}
+
 /// What a run's row table has in the row of a moment: "the columns 12 to 40".
 std::string row_ends(const Frame& frame, const Cursor& cursor) {
     PolygonRows rows;
@@ -395,6 +408,7 @@ std::string divergence_text(const Frame& a, const Frame& b, const PairMoment& mo
         return cull_text(moment);
     case Phase::edges:
         if (one_is_idle && first < Stage::edges) return stage_sentence(a, b, "edges");
+        if (walks_edges(a.stages) != walks_edges(b.stages)) return mark_sentence(a, b, kind);
         if (!one_is_idle && moment.a.fragments.size() != moment.b.fragments.size() &&
             moment.a.sample->sample.fragment.column == moment.b.sample->sample.fragment.column &&
             moment.a.sample->sample.fragment.row == moment.b.sample->sample.fragment.row) {
@@ -404,6 +418,8 @@ std::string divergence_text(const Frame& a, const Frame& b, const PairMoment& mo
                                           moment.b.sample->sample.fragment);
         }
         return sample_text(a, b, moment);
+    case Phase::tests:
+        return test_text(moment);
     case Phase::rows:
         if (one_is_idle && first < Stage::rows) return stage_sentence(a, b, "rows");
         return row_text(a, b, moment);

@@ -24,6 +24,14 @@ RowRange rows_in_picture(const Frame& frame, int triangle) {
     return {std::clamp(-top, 0, size), std::clamp(frame.settings.viewport.height - top, 0, size)};
 }
 
+/// Rows of the boxes that are tested.
+int box_rows(const Frame& frame, int triangle) {
+    if (!frame.is_drawn(triangle) || !tests_pixels(frame.stages)) return 0;
+    TestedPolygon polygon;
+    set_up_tests(frame.triangle_vertices(triangle), frame.stages, polygon);
+    return tested_row_count(polygon);
+}
+
 Cursor behind(const Cursor& cursor) {
     Cursor next = cursor;
     ++(phase_info(cursor.phase).step_letter == 0 ? next.index : next.step);
@@ -60,12 +68,9 @@ void watch_moment(const Frame& frame, const Framebuffer& picture, const Cursor& 
 } // namespace
 
 TableRows table_rows(const Frame& frame, int triangle) {
-    const std::span<const ScreenVertex> v = frame.triangle_vertices(triangle);
-    const auto [top, bottom] =
-        std::minmax_element(v.begin(), v.end(), [](const ScreenVertex& a, const ScreenVertex& b) {
-            return a.row < b.row;
-        });
-    return {top->row, bottom->row};
+    const Rectangle box = frame.stages.polygon_box(frame.triangle_vertices(triangle),
+                                                   edge_rules(frame.settings), frame.stages);
+    return {box.top, box.bottom - 1};
 }
 
 void EventRecorder::clear() {
@@ -73,8 +78,9 @@ void EventRecorder::clear() {
     clips_.clear();
     culls_.clear();
     samples_.clear();
+    tests_.clear();
     fragments_.clear();
-    vertex_ = clip_ = cull_ = sample_ = fragment_ = 0;
+    vertex_ = clip_ = cull_ = sample_ = test_ = fragment_ = 0;
 }
 
 void EventRecorder::vertex(const Cursor& cursor, const ProjectedVertex& vertex) {
@@ -107,7 +113,8 @@ Cursor EventRecorder::next() const {
     const Cursor& clip = earlier(vertex, clips_, clip_);
     const Cursor& cull = earlier(clip, culls_, cull_);
     const Cursor& sample = earlier(cull, samples_, sample_);
-    return earlier(sample, fragments_, fragment_);
+    const Cursor& test = earlier(sample, tests_, test_);
+    return earlier(test, fragments_, fragment_);
 }
 
 MomentEvents EventRecorder::take(const Cursor& cursor) {
@@ -116,6 +123,7 @@ MomentEvents EventRecorder::take(const Cursor& cursor) {
     events.clip = take_at(cursor, clips_, clip_);
     events.cull = take_at(cursor, culls_, cull_);
     events.sample = take_at(cursor, samples_, sample_);
+    events.test = take_at(cursor, tests_, test_);
     const std::size_t first = fragment_;
     while (fragment_ < fragments_.size() && fragments_[fragment_].cursor == cursor)
         ++fragment_;
@@ -154,8 +162,20 @@ void RunWalk::skip_to(int triangle) {
     next_ = {triangle, Phase::vertices, 0, 0};
 }
 
+/// Of a box of many pixels the tests of so many as are kept; none where no more are left than go
+/// with the first rows.
+std::optional<Cursor> RunWalk::part_end_in_box() const {
+    if (next_.phase > Phase::tests) return std::nullopt;
+    const int count = std::max(box_rows(a_, next_.triangle), box_rows(b_, next_.triangle));
+    const int begun = next_.phase == Phase::tests ? next_.index : 0;
+    const int rows_at_once = std::max(1, most_kept / std::max(1, a_.settings.viewport.width));
+    if (count - begun <= rows_at_once) return std::nullopt;
+    return Cursor{next_.triangle, Phase::tests, begun + rows_at_once, 0};
+}
+
 /// Behind the part of the triangle that begins at next_: rows of so many fragments as are kept.
 Cursor RunWalk::part_end() const {
+    if (const std::optional<Cursor> in_box = part_end_in_box()) return *in_box;
     const RowRange rows_a = rows_in_picture(a_, next_.triangle);
     const RowRange rows_b = rows_in_picture(b_, next_.triangle);
     const int last = std::max(rows_a.last, rows_b.last);

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -36,13 +37,14 @@ struct MomentEvents {
     const ClipEvent* clip = nullptr;
     const CullEvent* cull = nullptr;
     const SampleEvent* sample = nullptr;
+    const TestEvent* test = nullptr;
     std::span<const FragmentEvent> fragments; ///< and marks; both ends of a row are one moment
 
     /// A triangle that is asked and shows its front goes on as if nobody had asked.
     bool is_culled() const { return cull != nullptr && cull->test.is_back; }
     bool is_nothing() const {
         return vertex == nullptr && clip == nullptr && !is_culled() && sample == nullptr &&
-               fragments.empty();
+               test == nullptr && fragments.empty();
     }
 };
 
@@ -66,13 +68,15 @@ class EventRecorder : public Observer {
     void clip_step(const ClipEvent& event) override { clips_.push_back(event); }
     void cull(const CullEvent& event) override { culls_.push_back(event); }
     void edge_sample(const SampleEvent& event) override { samples_.push_back(event); }
+    void pixel_test(const TestEvent& event) override { tests_.push_back(event); }
     void fragment(const FragmentEvent& event) override { fragments_.push_back(event); }
     bool wants_edge_samples() const override { return true; }
+    bool wants_pixel_tests() const override { return true; }
     bool wants_clipping() const override { return true; }
 
     /// How many moments there are; of a row that is only bounded both ends.
     std::size_t count() const {
-        return vertices_.size() + clips_.size() + culls_.size() + samples_.size() +
+        return vertices_.size() + clips_.size() + culls_.size() + samples_.size() + tests_.size() +
                fragments_.size();
     }
 
@@ -87,8 +91,10 @@ class EventRecorder : public Observer {
     std::vector<ClipEvent> clips_;
     std::vector<CullEvent> culls_;
     std::vector<SampleEvent> samples_;
+    std::vector<TestEvent> tests_;
     std::vector<FragmentEvent> fragments_;
-    std::size_t vertex_ = 0, clip_ = 0, cull_ = 0, sample_ = 0, fragment_ = 0; ///< the next of each
+    /// The next of each.
+    std::size_t vertex_ = 0, clip_ = 0, cull_ = 0, sample_ = 0, test_ = 0, fragment_ = 0;
 };
 
 /// A walk through two runs of the same scene, with viewports of the same size.
@@ -101,8 +107,8 @@ class RunWalk {
     /// Draws everything before this triangle without telling anyone.
     void skip_to(int triangle);
 
-    /// Draws the next part, a triangle or some rows of a large one, and tells of every moment.
-    /// False if the visitor has ended the walk.
+    /// Draws the next part, a triangle or some rows of a large one or of its box, and tells of
+    /// every moment. False if the visitor has ended the walk.
     bool walk_part(const PairVisitor& visit);
 
     bool is_done() const;
@@ -119,6 +125,7 @@ class RunWalk {
 
   private:
     Cursor part_end() const;
+    std::optional<Cursor> part_end_in_box() const;
 
     const Frame& a_;
     const Frame& b_;

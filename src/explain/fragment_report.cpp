@@ -1,6 +1,7 @@
 #include "explain/fragment_report.h"
 
 #include <cmath>
+#include <functional>
 
 #include <fmt/format.h>
 
@@ -44,22 +45,111 @@ class Watcher : public Observer {
     Cursor wanted;
 };
 
-/// How a value gets along a row: by the walk that is in force, as one formula of both ends.
+/// One value of an end of a row, or of a corner.
+using Part = std::function<float(const RowEnd&)>;
+
+Part part_of_ends(Quantity quantity) {
+    return [quantity](const RowEnd& end) { return part_of(end.varyings, quantity); };
+}
+
+/// Where edge functions find the pixels: what weighs the fragment.
+struct WeighedCorners {
+    const TestedPolygon& polygon;
+    const TestedTriangle& triangle;
+
+    WeighedCorners(const FragmentReport& report, Interpolation way)
+        : polygon(report.row.tested[static_cast<std::size_t>(way)]),
+          triangle(triangle_of_pixel(polygon, report.pixel.x, report.pixel.y)) {}
+
+    /// The number of a corner of what is drawn, and its values.
+    int number(std::size_t i) const { return triangle.corners[i]; }
+    const RowEnd& corner(std::size_t i) const {
+        return polygon.corners[static_cast<std::size_t>(number(i))];
+    }
+    EdgeValues values(const FragmentReport& report) const {
+        return triangle.values_at({pixel_centre(report.pixel.x), pixel_centre(report.pixel.y)});
+    }
+    Source source(std::size_t i) const {
+        return from_words(fmt::format("corner {} of what is drawn", number(i)));
+    }
+};
+
+std::string weight_id(std::size_t i) {
+    return fmt::format("weight.{}", i);
+}
+
+/// The weights of the three corners.
+void add_weights(FragmentReport& report) {
+    if (!report.row.is_weighted()) return;
+    const WeighedCorners corners(report, Interpolation::perspective);
+    const EdgeValues e = corners.values(report);
+    const Stages& stages = report.row.stages.front();
+    const Weights weights = stages.weights(e, corners.triangle.area);
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        const std::size_t opposite = (i + 1) % weights.size();
+        report.formulas.push_back(
+            {weight_id(i),
+             fmt::format("b{}", i),
+             fmt::format("The weight of corner {}: the edge function of the edge opposite of it, "
+                         "as a part of all three.",
+                         corners.number(i)),
+             "E / A",
+             {{"E",
+               {static_cast<float>(in_square_pixels(e[opposite]))},
+               from_words(fmt::format("edge function of {} at the pixel's centre, in square pixels",
+                                      edge_name(static_cast<int>(opposite))))},
+              {"A",
+               {static_cast<float>(in_square_pixels(corners.triangle.area))},
+               from_words("the sum of all three, twice the area")}},
+             {weights[i]}});
+    }
+}
+
+constexpr std::array<const char*, edge_function_count> corner_symbols{"p", "q", "r"};
+
+/// How a value is mixed from those of the corners.
+/// @param is_twice the corners' values are multiplied by their 1/z once more
+Formula by_weights(const FragmentReport& report, Formula formula, Interpolation way,
+                   const Part& part, bool is_twice) {
+    const WeighedCorners corners(report, way);
+    formula.inputs.clear();
+    formula.expression.clear();
+    for (std::size_t i = 0; i < corner_symbols.size(); ++i) {
+        const std::string symbol = corner_symbols[i], weight = fmt::format("b{}", i);
+        formula.expression += i > 0 ? " + " : "";
+        formula.expression += symbol;
+        formula.inputs.push_back({symbol, {part(corners.corner(i))}, corners.source(i)});
+        if (is_twice) {
+            formula.expression += " · z" + symbol;
+            formula.inputs.push_back({"z" + symbol, {corners.corner(i).inv_w}, corners.source(i)});
+        }
+        formula.expression += " · " + weight;
+        formula.inputs.push_back({weight,
+                                  {find_formula(report.formulas, weight_id(i))->result.value},
+                                  from_formula(weight_id(i))});
+    }
+    return formula;
+}
+
+/// How a value gets along a row: by the walk that is in force, as one formula of both ends; or,
+/// where edge functions find the pixels, by the weights of the corners.
 Formula along_row(const FragmentReport& report, std::string id, std::string name, std::string help,
-                  float left, float right, float result) {
+                  Interpolation way, const Part& part, float result) {
     const CarriedRow& row = report.row;
+    const RowEnds& ends = row.under(way);
     Formula formula{
         std::move(id),
         std::move(name),
         std::move(help),
         "",
-        {{"left", {left}, from_row_end(row.triangle, row.row, false)},
-         {"right", {right}, from_row_end(row.triangle, row.row, true)},
+        {{"left", {part(ends.left)}, from_row_end(row.triangle, row.row, false)},
+         {"right", {part(ends.right)}, from_row_end(row.triangle, row.row, true)},
          {"n",
           {static_cast<float>(row.count), true},
           from_words("pixels of the row, both ends included")},
          {"i", {static_cast<float>(report.step), true}, from_words(column_words(report.step))}},
         {result}};
+    if (row.is_weighted()) return by_weights(report, std::move(formula), way, part, false);
     switch (row.walk) {
     case LineWalk::accumulate:
     case LineWalk::integer_step: // only the place's step is cut, and along a row it is 1
@@ -81,12 +171,15 @@ Formula along_row(const FragmentReport& report, std::string id, std::string name
 }
 
 /// The same where the row's ends are multiplied by 1/z once more.
-Formula along_row_twice(const FragmentReport& report, Formula formula, float left_zinv,
-                        float right_zinv) {
+Formula along_row_twice(const FragmentReport& report, Formula formula, const Part& part) {
     const CarriedRow& row = report.row;
-    formula.inputs.push_back({"zl", {left_zinv}, from_row_end(row.triangle, row.row, false)});
+    constexpr Interpolation way = Interpolation::zinv_twice;
+    if (row.is_weighted()) return by_weights(report, std::move(formula), way, part, true);
+    const RowEnds& ends = row.under(way);
+    formula.inputs.push_back({"zl", {ends.left.inv_w}, from_row_end(row.triangle, row.row, false)});
     if (report.step > 0) {
-        formula.inputs.push_back({"zr", {right_zinv}, from_row_end(row.triangle, row.row, true)});
+        formula.inputs.push_back(
+            {"zr", {ends.right.inv_w}, from_row_end(row.triangle, row.row, true)});
     }
     const auto put = [&](std::string_view word, std::string_view by) {
         for (std::size_t at = 0; (at = formula.expression.find(word, at)) != std::string::npos;
@@ -120,6 +213,7 @@ Formula true_depth(const Fragment& fragment, float mix) {
 }
 
 void add_depths(FragmentReport& report, const Frame& frame, const Carried& carried) {
+    add_weights(report);
     const RowEnds& ends = report.row.under(Interpolation::perspective);
     const Fragment& fragment = carried[0];
     report.formulas.push_back(
@@ -132,13 +226,14 @@ void add_depths(FragmentReport& report, const Frame& frame, const Carried& carri
            from_row_end(report.row.triangle, report.row.row, false)},
           {"i", {static_cast<float>(report.step), true}, from_words(column_words(report.step))}},
          {static_cast<float>(report.pixel.x), true}});
-    report.formulas.push_back(along_row(report, "zinv", "1/z",
-                                        std::string(quantity_info(Quantity::zinv).words.help),
-                                        ends.left.inv_w, ends.right.inv_w, fragment.inv_w));
-    report.formulas.push_back(along_row(report, "z.affine", "z",
-                                        "z interpolated as if it changed in equal steps: wrong "
-                                        "between the vertices.",
-                                        ends.left.z, ends.right.z, fragment.z));
+    report.formulas.push_back(along_row(
+        report, "zinv", "1/z", std::string(quantity_info(Quantity::zinv).words.help),
+        Interpolation::perspective, [](const RowEnd& end) { return end.inv_w; }, fragment.inv_w));
+    report.formulas.push_back(along_row(
+        report, "z.affine", "z",
+        "z interpolated as if it changed in equal steps: wrong "
+        "between the vertices.",
+        Interpolation::perspective, [](const RowEnd& end) { return end.z; }, fragment.z));
     const float mix = vertex_rules(frame.settings, frame.scene->space).projection.mix;
     report.formulas.push_back(true_depth(fragment, mix));
 }
@@ -165,17 +260,16 @@ void add_twice(FragmentReport& report, const QuantityInfo& info, const Carried& 
     const std::string id(info.words.id), name(info.words.name),
         carried_name = std::string(info.words.carried_name);
     const Quantity quantity = info.quantity;
-    const RowEnds& ends = report.row.under(Interpolation::zinv_twice);
     const auto way = static_cast<std::size_t>(Interpolation::zinv_twice);
     const float value = part_of(carried[way].varyings, quantity);
+    const Part part = part_of_ends(quantity);
     report.formulas.push_back(along_row_twice(
         report,
         along_row(report, id + ".carried_twice", carried_name + "²",
                   "What the row carries by mistake: the ends, divided by z already, once more "
                   "multiplied by their 1/z.",
-                  part_of(ends.left.varyings, quantity), part_of(ends.right.varyings, quantity),
-                  value),
-        ends.left.inv_w, ends.right.inv_w));
+                  Interpolation::zinv_twice, part, value),
+        part));
     report.formulas.push_back(
         {id + ".zinv_twice",
          name,
@@ -192,10 +286,8 @@ void add_varying(FragmentReport& report, const QuantityInfo& info, const Carried
     const Quantity quantity = info.quantity;
     const auto add_walk = [&](Interpolation way, const std::string& formula_of,
                               const std::string& shown_name, const std::string& help) {
-        const RowEnds& ends = report.row.under(way);
         report.formulas.push_back(
-            along_row(report, formula_of, shown_name, help, part_of(ends.left.varyings, quantity),
-                      part_of(ends.right.varyings, quantity),
+            along_row(report, formula_of, shown_name, help, way, part_of_ends(quantity),
                       part_of(carried[static_cast<std::size_t>(way)].varyings, quantity)));
     };
     add_walk(Interpolation::affine, id + ".affine", name,
@@ -325,17 +417,16 @@ void add_depth_test(FragmentReport& report, const Frame& frame) {
                               words.nearer),
                   "(1/z)",
                   {{"(1/z)", {report.fragment.depth}, from_formula("zinv")}},
-                  {report.fragment.depth}};
+                  {report.depth}};
     // What is culled never came to the test.
     const bool is_tested = report.fate != Fate::back_facing;
     if (is_tested && report.depth_test == DepthTest::linear_z) {
         add_linear_depth(depth, report.fragment.z, rules);
     } else if (kind != ClipDepth::inv_z) {
-        const RowEnds& ends = report.row.under(report.interpolation);
-        report.formulas.push_back(
-            along_row(report, "depth.carried", name,
-                      "Interpolated in equal steps. " + std::string(words.ends), ends.left.depth,
-                      ends.right.depth, report.fragment.depth));
+        report.formulas.push_back(along_row(
+            report, "depth.carried", name,
+            "Interpolated in equal steps. " + std::string(words.ends), report.interpolation,
+            [](const RowEnd& end) { return end.depth; }, report.fragment.depth));
         depth.expression = "depth";
         depth.inputs = {{"depth", {report.fragment.depth}, from_formula("depth.carried")}};
     }

@@ -22,6 +22,7 @@ namespace rasterwalk {
 ///
 /// Ids of its formulas, with q one of x y z_world red green blue:
 ///     column              where in the picture
+///     weight.0 weight.1 weight.2      of the corners, where edge functions find the pixels
 ///     zinv                interpolated 1/z
 ///     z.affine z.perspective z.off
 ///     q.carried           interpolated q/z

@@ -12,6 +12,8 @@ namespace rasterwalk {
 // In frame_facts.cpp:
 /// The moment: what comes next.
 void add_cursor_facts(std::vector<Fact>& table);
+/// What edge functions find out about the pixel that comes next.
+void add_test_facts(std::vector<Fact>& table);
 /// What is selected, and what is on show.
 void add_session_facts(std::vector<Fact>& table);
 /// The whole frame in numbers.

@@ -15,6 +15,7 @@ std::span<const Fact> fact_table() {
     static const std::vector<Fact> table = [] {
         std::vector<Fact> facts;
         add_cursor_facts(facts);
+        add_test_facts(facts);
         add_session_facts(facts);
         add_side_facts(facts);
         add_frame_facts(facts);

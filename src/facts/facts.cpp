@@ -131,6 +131,10 @@ std::optional<LineDecision> Facts::decision() const {
     return known.decision;
 }
 
+std::optional<PixelTest> Facts::pixel_test() const {
+    return test_at(results_->a.frame, results_->a.cursor);
+}
+
 const RowHistory* Facts::table() const {
     const std::optional<int>& triangle = results_->a.triangle;
     const Frame& frame = results_->a.frame;

@@ -13,6 +13,7 @@
 #include "facts/value.h"
 #include "inspect/clip_history.h"
 #include "inspect/edge_lines.h"
+#include "inspect/pixel_tests.h"
 #include "inspect/row_history.h"
 #include "inspect/stats.h"
 #include "session/results.h"
@@ -71,6 +72,8 @@ class Facts {
     /// What the line decides at the edge sample that comes next; none where none comes, or it
     /// decides nothing.
     std::optional<LineDecision> decision() const;
+    /// What edge functions find out about the pixel that they ask next; none where they ask none.
+    std::optional<PixelTest> pixel_test() const;
     /// The finished row table of the triangle on show; null if it has none.
     const RowHistory* table() const;
     /// The selected row in that table; none if no row is selected, or it lies outside of it.

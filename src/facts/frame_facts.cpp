@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include <fmt/format.h>
+
 #include "picture/view_image.h"
 #include "session/tabs.h"
 
@@ -37,6 +39,8 @@ Value cursor_plane(const Facts& facts, int) {
 
 /// Row or column of the picture where the next fragment falls.
 Value cursor_pixel(const Facts& facts, int axis) {
+    if (const std::optional<PixelTest> test = facts.pixel_test())
+        return number(axis == 1 ? test->row : test->column);
     const Cursor* const cursor = cursor_in(facts, Phase::rows);
     if (cursor == nullptr) return {};
     const Timeline timeline(facts.results().a.frame);
@@ -100,10 +104,45 @@ void add_cursor_facts(std::vector<Fact>& table) {
                          if (!decision || decision->step == PixelStep::none) return Value();
                          return number(decision->step == PixelStep::diagonal ? 1 : 0);
                      }});
-    table.push_back({"cursor.column", "Column of the picture in which the next fragment falls.",
+    table.push_back({"cursor.column",
+                     "Column of the picture in which the next fragment falls, or of the pixel that "
+                     "edge functions ask next.",
                      whole(-endless, endless), cursor_pixel, 0});
-    table.push_back({"cursor.row", "Row of the picture in which the next fragment falls.",
+    table.push_back({"cursor.row",
+                     "Row of the picture in which the next fragment falls, or of the pixel that "
+                     "edge functions ask next.",
                      whole(-endless, endless), cursor_pixel, 1});
+}
+
+void add_test_facts(std::vector<Fact>& table) {
+    table.push_back({"test.inside",
+                     "1 if the pixel that edge functions ask next lies inside, 0 if not.",
+                     yes_or_no(), [](const Facts& f, int) {
+                         const std::optional<PixelTest> test = f.pixel_test();
+                         return test ? number(test->is_inside ? 1 : 0) : Value();
+                     }});
+    for (int i = 0; i < static_cast<int>(edge_function_count); ++i) {
+        table.push_back({fmt::format("test.e{}", i),
+                         fmt::format("Edge function of edge {} at that pixel's centre, in square "
+                                     "pixels.",
+                                     i),
+                         real(),
+                         [](const Facts& f, int edge) {
+                             const std::optional<PixelTest> test = f.pixel_test();
+                             if (!test) return Value();
+                             return number(
+                                 in_square_pixels(test->e[static_cast<std::size_t>(edge)]));
+                         },
+                         i});
+        table.push_back({fmt::format("test.weight{}", i),
+                         fmt::format("Weight of corner {} at that pixel's centre.", i), real(),
+                         [](const Facts& f, int corner) {
+                             const std::optional<PixelTest> test = f.pixel_test();
+                             if (!test) return Value();
+                             return number(test->weights[static_cast<std::size_t>(corner)]);
+                         },
+                         i});
+    }
 }
 
 void add_session_facts(std::vector<Fact>& table) {

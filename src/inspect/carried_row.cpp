@@ -61,9 +61,9 @@ float part_of(const Varyings& varyings, Quantity quantity) {
 }
 
 void CarriedRow::walk_from(Interpolation way, int first, std::span<LineSample> result) const {
-    const Row ends_of_row{under(way).left, under(way).right, row, count};
-    row_fragments(stages[static_cast<std::size_t>(way)], ends_of_row, first, VaryingSet::all(),
-                  result);
+    const auto i = static_cast<std::size_t>(way);
+    const Row ends_of_row{under(way).left, under(way).right, row, count, &tested[i]};
+    stages[i].row_fragments(stages[i], ends_of_row, first, VaryingSet::all(), result);
 }
 
 std::vector<Fragment> CarriedRow::fragments(Interpolation way) const {
@@ -101,6 +101,7 @@ std::optional<CarriedRow> carried_row(const Frame& frame, int triangle, int inde
         const auto i = static_cast<std::size_t>(index);
         row.stages[static_cast<std::size_t>(way)] = stages;
         row.ends[static_cast<std::size_t>(way)] = {rows.left[i], rows.right[i]};
+        row.tested[static_cast<std::size_t>(way)] = rows.tested;
         row.row = rows.first_row + index;
         row.row_count = rows.size();
         row.count = row_span(stages, rows, index).count;

@@ -76,11 +76,14 @@ struct CarriedRow {
     int row_count = 0;                             ///< rows of the whole table
     int count = 0;                                 ///< pixels from end to end; at least 1
     std::array<RowEnds, interpolation_count> ends; ///< as in the table; indexed by Interpolation
+    /// What weighs the fragments where edge functions find them; indexed by Interpolation.
+    std::array<TestedPolygon, interpolation_count> tested;
     EndWriter left_by, right_by;
     LineWalk walk = LineWalk::accumulate;           ///< how the row is walked, for its formulas
     std::array<Stages, interpolation_count> stages; ///< likewise
 
     const RowEnds& under(Interpolation way) const { return ends[static_cast<std::size_t>(way)]; }
+    bool is_weighted() const { return !tested.front().triangles.empty(); }
     /// All fragments from the left to the right end, as draw() makes them.
     std::vector<Fragment> fragments(Interpolation way) const;
     /// The fragment in this column of the row, counted from its left end.

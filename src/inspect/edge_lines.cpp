@@ -16,9 +16,12 @@ class EdgePixels : public SampleSink {
 
     EdgePixels(const Frame& frame, int triangle) {
         if (!frame.is_drawn(triangle)) return;
-        edges_.resize(frame.triangle_vertices(triangle).size());
+        const std::span<const ScreenVertex> vertices = frame.triangle_vertices(triangle);
+        edges_.resize(vertices.size());
+        // Where coverage walks no edges they are those of stage `edges`.
+        const Stages walking = walking_edges(frame.stages);
         PolygonRows rows;
-        compute_rows(frame, triangle, rows, this, {});
+        walking.compute_polygon_rows(vertices, edge_rules(frame.settings, {}), walking, rows, this);
     }
     void edge_sample(const EdgeSample& sample) override {
         edges_[static_cast<std::size_t>(sample.edge)].emplace_back(sample.fragment.column,

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "inspect/clip_history.h"
+#include "inspect/pixel_tests.h"
 
 namespace rasterwalk {
 
@@ -65,6 +66,12 @@ std::string sample_event(const EventList& list, int ordinal) {
                        sample.fragment.row, sample_effect(sample.write));
 }
 
+std::string test_event(const EventList& list, const Cursor& cursor) {
+    const PixelTest test =
+        test_at_step(list.moments.rows.tested, cursor.index, cursor.step, list.stages);
+    return fmt::format("column {}, row {}: {}", test.column, test.row, pixel_test_text(test));
+}
+
 std::string row_event(const EventList& list, const Cursor& cursor) {
     const PolygonRows& rows = list.moments.rows;
     const auto index = static_cast<std::size_t>(cursor.index);
@@ -89,6 +96,7 @@ EventList list_events(const Frame& frame, int triangle) {
     list_clip_steps(frame, list);
     if (frame.is_cull_asked(triangle)) list.cull = cull_test(frame, triangle);
     if (frame.is_drawn(triangle)) list.samples = edge_samples(frame, triangle);
+    list.stages = frame.stages;
     list.has_fragments = has_fragments(frame.settings.stage);
     return list;
 }
@@ -121,6 +129,8 @@ std::string event_text(const EventList& list, int ordinal) {
         return text + vertex_event(list, cursor.index);
     case Phase::edges:
         return text + sample_event(list, in_phase);
+    case Phase::tests:
+        return text + test_event(list, cursor);
     case Phase::rows:
         return text + row_event(list, cursor);
     case Phase::clip:

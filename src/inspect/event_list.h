@@ -19,6 +19,7 @@ struct EventList {
     std::vector<ClipEvent> clip_steps;     ///< in order of time
     CullTest cull;                         ///< where it has a moment
     std::vector<EdgeSample> samples;       ///< of all edges, in order
+    Stages stages;                         ///< by which pixels are tested
     bool has_fragments = false;            ///< rows are filled, not only bounded
 
     int count() const { return moments.count; }

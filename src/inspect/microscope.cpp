@@ -130,7 +130,9 @@ EdgeMicroscope microscope(const ScreenVertex& a, const ScreenVertex& b, const Ed
     edge.stages = stages;
     BothWays ways(edge);
     PolygonRows rows;
-    stages.compute_polygon_rows(std::array{a, b}, rules, stages, rows, &ways);
+    // Where coverage walks no edges they are those of stage `edges`.
+    const Stages walking = walking_edges(stages);
+    walking.compute_polygon_rows(std::array{a, b}, rules, walking, rows, &ways);
     edge.count = static_cast<int>(edge.forward.size());
     const int steps = std::max(edge.count - 1, 1);
     const LineStep step =

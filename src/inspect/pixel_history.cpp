@@ -11,8 +11,11 @@ namespace {
 
 class Collector : public Observer {
   public:
-    Collector(std::vector<PixelEntry>& into, const Projection& projection)
-        : entries(into), projection_(projection) {}
+    Collector(PixelHistory& into, const Projection& projection)
+        : entries(into.entries), tests_(into.tests), projection_(projection) {}
+
+    bool wants_pixel_tests() const override { return true; }
+    void pixel_test(const TestEvent& event) override { tests_.push_back(event); }
 
     void fragment(const FragmentEvent& event) override {
         PixelEntry entry;
@@ -34,6 +37,7 @@ class Collector : public Observer {
 
   private:
     std::vector<PixelEntry>& entries;
+    std::vector<TestEvent>& tests_;
     Projection projection_;
 };
 
@@ -68,7 +72,7 @@ PixelHistory pixel_history(const Frame& frame, const glm::ivec2& pixel) {
     Framebuffer one_pixel;
     clear(one_pixel, frame, {1, 1}, pixel);
     const Projection projection = vertex_rules(frame.settings, frame.scene->space).projection;
-    Collector collector(history.entries, projection);
+    Collector collector(history, projection);
     draw(frame, {}, one_pixel, &collector);
     if (frame.settings.stage == Stage::rows) find_columns_of_row_ends(frame, history);
     for (std::size_t i = 0; i < history.entries.size(); ++i) {

@@ -37,6 +37,7 @@ struct PixelHistory {
     std::vector<PixelEntry> entries;   ///< in the order of drawing
     int winner = -1;                   ///< the entry whose colour stays; -1: nothing was written
     bool depth_tested = false;         ///< whether margins decided anything
+    std::vector<TestEvent> tests;      ///< where edge functions ask pixels: each time it was asked
     std::vector<NearTriangle> nearest; ///< if nothing fell here: what came nearest, and what hardly
                                        ///< stayed farther away; see uncovered.h
 };

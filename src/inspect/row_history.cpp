@@ -1,5 +1,6 @@
 #include "inspect/row_history.h"
 
+#include <algorithm>
 #include <functional>
 
 #include <fmt/format.h>
@@ -28,6 +29,11 @@ class HistoryMaker : public SampleSink {
         history_.rows.right = rows.right;
         history_.left_by.resize(rows.left.size());
         history_.right_by.resize(rows.left.size());
+    }
+
+    void rows_without_samples(const PolygonRows& rows) override {
+        begin_rows(rows);
+        history_.rows.tested = rows.tested;
     }
 
     void edge_sample(const EdgeSample& sample) override {
@@ -81,6 +87,36 @@ HistoryMaker::Wanted comes_before(int triangle, const Cursor& to) {
     };
 }
 
+/// How many pixels of a row of the box have been asked at a moment.
+int tested_before(const Cursor& to, const Cursor& row, int width) {
+    if (to.phase != Phase::tests || to.triangle != row.triangle || to.pass != row.pass)
+        return row < to ? width : 0;
+    if (to.index != row.index) return row.index < to.index ? width : 0;
+    return std::clamp(to.step, 0, width);
+}
+
+/// Leaves the rows as far as the pixels before the moment show that they go.
+void keep_tested(const Frame& frame, int triangle, const Cursor& to, PolygonRows& rows) {
+    if (rows.tested.triangles.empty() || to >= Cursor{triangle, Phase::rows, 0, 0}) return;
+    const TestedPolygon tested = rows.tested;
+    empty_table(rows.first_row, rows.size(), rows);
+    rows.tested = tested;
+    for (int i = 0; i < tested_row_count(tested); ++i) {
+        const TestedRow box = tested_row(tested, i);
+        const TestedTriangle& of = tested.triangles[static_cast<std::size_t>(box.triangle)];
+        const int asked = tested_before(to, {triangle, Phase::tests, i, 0}, box.right - box.left);
+        const CoveredColumns covered = covered_columns(of, box.row);
+        const int last = std::min(covered.last, box.left + asked - 1);
+        if (covered.first > last) continue;
+        const auto row = static_cast<std::size_t>(box.row - rows.first_row);
+        const auto end = [&](int column) {
+            return weighted_end(tested, of, column, box.row, frame.stages, VaryingSet::all());
+        };
+        if (covered.first < rows.left[row].column) rows.left[row] = end(covered.first);
+        if (last > rows.right[row].column) rows.right[row] = end(last);
+    }
+}
+
 } // namespace
 
 RowHistory row_history(const Frame& frame, int triangle, const Cursor& to) {
@@ -88,6 +124,8 @@ RowHistory row_history(const Frame& frame, int triangle, const Cursor& to) {
     HistoryMaker maker(history, comes_before(triangle, to));
     PolygonRows rows;
     compute_rows(frame, triangle, rows, &maker);
+    keep_tested(frame, triangle, to, history.rows);
+    history.edge_samples.resize(frame.triangle_vertices(triangle).size());
     return history;
 }
 
@@ -97,6 +135,7 @@ RowHistory row_history(std::span<const ScreenVertex> vertices, const EdgeRules& 
     HistoryMaker maker(history, [&](const EdgeSample&) { return history.samples < samples; });
     PolygonRows table;
     stages.compute_polygon_rows(vertices, rules, stages, table, &maker);
+    history.edge_samples.resize(vertices.size());
     return history;
 }
 

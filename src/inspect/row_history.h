@@ -35,7 +35,8 @@ struct OutsideSample {
     friend bool operator==(const OutsideSample&, const OutsideSample&) = default;
 };
 
-/// The row table of a polygon with its history.
+/// The row table of a polygon with its history. Coverage that asks pixels at their centres enters
+/// no samples: its ends have no writers.
 struct RowHistory {
     PolygonRows rows;
     std::vector<EndWriter> left_by;  ///< for each row of the table

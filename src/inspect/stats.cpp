@@ -37,6 +37,7 @@ FrameStats frame_stats(const Frame& frame, const Cursor& to, Framebuffer& frameb
     stats.rows_outside_triangles = tally.triangles_outside;
     stats.shaded = tally.shaded;
     stats.rows_looked_at = tally.rows_looked_at;
+    stats.pixels_tested = tally.pixels_tested;
     stats.unset_rows = tally.unset_rows;
     stats.depth_outside = tally.depth_outside;
     for (const std::uint32_t fragments : framebuffer.overdraw) {

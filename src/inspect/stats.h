@@ -40,6 +40,7 @@ struct FrameStats {
     int rows_outside_triangles = 0;     ///< triangles that have such samples
     std::int64_t shaded = 0;            ///< fragments whose colour was worked out, drawn or not
     std::int64_t rows_looked_at = 0; ///< rows that the edge samples asked on their way to their own
+    std::int64_t pixels_tested = 0;  ///< in the picture, by edge functions, of whole triangles
     std::int64_t unset_rows = 0;     ///< rows without a sample, drawn all the same; none in view
     std::int64_t depth_outside = 0;  ///< fragments whose pixel has no cell in the depth buffer
     LeftOut left_out;

@@ -35,7 +35,8 @@ double work_between(const Frame& frame, int first, int last, const Rectangle& pa
     for (int t = first; t <= last && work <= most; ++t) {
         work += work_of_triangle;
         if (!frame.is_drawn(t)) continue;
-        const Rectangle box = polygon_box(frame.triangle_vertices(t), rules);
+        const Rectangle box =
+            frame.stages.polygon_box(frame.triangle_vertices(t), rules, frame.stages);
         const double width = std::min(box.right, part.right) - std::max(box.left, part.left);
         const double height = std::min(box.bottom, part.bottom) - std::max(box.top, part.top);
         if (width <= 0.0 || height <= 0.0) continue;

@@ -21,7 +21,7 @@ struct CoverageRule {
     void (*apply)(Settings&);
 };
 
-constexpr std::array<CoverageRule, 12> coverage_rules{{
+constexpr std::array<CoverageRule, 17> coverage_rules{{
     {"rounding=truncate", [](Settings& s) { set_rounding(s, Rounding::truncate); }},
     {"rounding=floor", [](Settings& s) { set_rounding(s, Rounding::floor); }},
     {"rounding=round", [](Settings& s) { set_rounding(s, Rounding::round); }},
@@ -30,6 +30,11 @@ constexpr std::array<CoverageRule, 12> coverage_rules{{
     {"line_walk=exact", [](Settings& s) { s.line_walk = LineWalk::exact; }},
     {"edge_samples=longest_axis", [](Settings& s) { s.edge_samples = EdgeSamples::longest_axis; }},
     {"edge_samples=rows", [](Settings& s) { s.edge_samples = EdgeSamples::rows; }},
+    {"fill_rule=inclusive", [](Settings& s) { s.fill_rule = FillRule::inclusive; }},
+    {"fill_rule=top_left", [](Settings& s) { s.fill_rule = FillRule::top_left; }},
+    {"snap=pixel", [](Settings& s) { s.snap = Snap::pixel; }},
+    {"snap=sixteenth", [](Settings& s) { s.snap = Snap::sixteenth; }},
+    {"snap=subpixel", [](Settings& s) { s.snap = Snap::subpixel; }},
     // Of what can only be a mistake, the right way alone is worth a try.
     {"row_start=extreme", [](Settings& s) { s.row_start = RowStart::extreme; }},
     {"spans=inclusive", [](Settings& s) { s.spans = Spans::inclusive; }},
@@ -52,8 +57,8 @@ std::int64_t squared_distance(const NearTriangle& near) {
 /// From the pixel to the box of the triangle's vertices, which no row of it leaves: to the right
 /// and downward are positive.
 glm::ivec2 way_to_box(const Frame& frame, int triangle, const glm::ivec2& pixel) {
-    const Rectangle box =
-        frame.stages.polygon_box(frame.triangle_vertices(triangle), edge_rules(frame.settings));
+    const Rectangle box = frame.stages.polygon_box(frame.triangle_vertices(triangle),
+                                                   edge_rules(frame.settings), frame.stages);
     return {-beyond(pixel.x, box.left, box.right - 1), -beyond(pixel.y, box.top, box.bottom - 1)};
 }
 
@@ -70,6 +75,7 @@ NearTriangle look_at(const Frame& frame, int triangle, const glm::ivec2& pixel, 
     const bool is_unset = rows.is_empty_row(index);
     const int drawn = is_unset ? 0 : row_span(frame.stages, rows, index).drawn;
     near.is_empty = drawn == 0;
+    near.is_by_samples = walks_edges(frame.stages);
     near.is_left_out = drawn == 0 && !is_unset;
     if (near.is_empty) {
         near.columns_away = way_to_box(frame, triangle, pixel).x;
@@ -196,7 +202,10 @@ std::string miss_text(const NearTriangle& near) {
     }
     if (near.is_left_out)
         return fmt::format("its row {} is a single pixel, and passed over", near.row);
-    if (near.is_empty) return fmt::format("no edge sample reached its row {}", near.row);
+    if (near.is_empty) {
+        return near.is_by_samples ? fmt::format("no edge sample reached its row {}", near.row)
+                                  : fmt::format("no centre of its row {} lies inside", near.row);
+    }
     const bool begins = near.columns_away > 0;
     return fmt::format("row {} {} at column {}, {} the pixel", near.row, begins ? "begins" : "ends",
                        begins ? near.left : near.right, column_direction(near.columns_away));

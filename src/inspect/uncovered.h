@@ -23,10 +23,11 @@ struct OtherRule {
 struct NearTriangle {
     int triangle = -1;
     int first_row = 0, last_row = 0; ///< rows of the picture that its row table spans
-    int row = 0;              ///< of the picture: the pixel's own, or the nearest of the table
-    bool is_empty = false;    ///< nothing of that row is drawn; it has no ends
-    bool is_left_out = false; ///< because it is a single pixel and such rows are left out
-    int left = 0, right = 0;  ///< columns at which that row begins and ends
+    int row = 0;               ///< of the picture: the pixel's own, or the nearest of the table
+    bool is_empty = false;     ///< nothing of that row is drawn; it has no ends
+    bool is_by_samples = true; ///< its rows are made of edge samples
+    bool is_left_out = false;  ///< because it is a single pixel and such rows are left out
+    int left = 0, right = 0;   ///< columns at which that row begins and ends
     int columns_away = 0; ///< from the pixel to the nearer end, or, if the row is empty, to the box
                           ///< of the vertices; to the right is positive
     int rows_away = 0;    ///< from the pixel to that row; downward is positive

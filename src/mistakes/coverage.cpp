@@ -22,8 +22,9 @@ void begin_rows_at_picture(std::span<const ScreenVertex> vertices, const EdgeRul
         end.column = 0;
 }
 
-Rectangle polygon_box_at_picture(std::span<const ScreenVertex> vertices, const EdgeRules& rules) {
-    Rectangle box = polygon_box(vertices, rules);
+Rectangle polygon_box_at_picture(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
+                                 const Stages& stages) {
+    Rectangle box = polygon_box(vertices, rules, stages);
     box.left = std::min(box.left, rules.picture_width);
     box.right = std::max(box.right, 1);
     return box;

@@ -19,7 +19,8 @@ void begin_rows_at_picture(std::span<const ScreenVertex> vertices, const EdgeRul
                            PolygonRows& rows);
 
 /// The box that goes with begin_rows_at_picture: rows also reach to where their ends started.
-Rectangle polygon_box_at_picture(std::span<const ScreenVertex> vertices, const EdgeRules& rules);
+Rectangle polygon_box_at_picture(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
+                                 const Stages& stages);
 
 /// B27, in the slot find_row: asks every row of the table whether it is the one. The answer is the
 /// same, the work is not. Under guard: a table is searched through until its samples have asked

@@ -15,7 +15,7 @@
 namespace rasterwalk {
 
 /// What kind of work a moment is, in the order in which a triangle goes through them.
-enum class Phase : std::uint8_t { vertices, clip, cull, edges, rows };
+enum class Phase : std::uint8_t { vertices, clip, cull, edges, tests, rows };
 
 /// What is said of a phase, and how its moments are written. A phase has pieces and a piece has
 /// steps; the moments are the steps, or the pieces where they have none.
@@ -35,6 +35,7 @@ inline constexpr std::array phase_list{
     PhaseInfo{Phase::clip, "clip", 'p', true, plane_form, 's', edge_form},
     PhaseInfo{Phase::cull, "cull", 'k', false, "front or back", 0, ""},
     PhaseInfo{Phase::edges, "edges", 'e', true, edge_form, 's', sample_form},
+    PhaseInfo{Phase::tests, "tests", 'b', true, box_row_form, 'c', box_pixel_form},
     PhaseInfo{Phase::rows, "rows", 'r', true, entry_form, 'c', fragment_form},
 };
 inline constexpr int phase_count = static_cast<int>(phase_list.size());
@@ -61,7 +62,7 @@ struct Cursor {
     int pass = 0; ///< over all triangles; a frame has one, so far
     int triangle = 0;
     Phase phase = Phase::vertices;
-    int index = 0; ///< the piece: which vertex, plane, edge, or row of the row table
+    int index = 0; ///< the piece: which vertex, plane, edge, row of the box or of the row table
     int step = 0;  ///< of the piece: which sample, or which column from the row's left end
 
     constexpr Cursor() = default;
@@ -77,8 +78,8 @@ inline constexpr Cursor cursor_begin{};
 /// The moment after the last, of every frame.
 inline constexpr Cursor cursor_end{INT_MAX, Phase::vertices, 0, 0, INT_MAX};
 
-/// The text form: `t12/v1`, `t12/p0/s2`, `t12/k`, `t12/e2/s14`, `t12/r37/c5`, `end`; before it the
-/// pass where it is not 0: `p1:t12/v1`.
+/// The text form: `t12/v1`, `t12/p0/s2`, `t12/k`, `t12/e2/s14`, `t12/b4/c7`, `t12/r37/c5`, `end`;
+/// before it the pass where it is not 0: `p1:t12/v1`.
 std::string to_text(const Cursor& cursor);
 
 /// The piece and the step alone, where room is short: "v1", "e2 [14]" for edge 2, line[14], "r37

@@ -4,6 +4,7 @@
 //   show_vertices    stage `points`: a mark for each vertex                     (draw_marks.cpp)
 //   tell_clip_and_cull   what has been done to it; leaves no mark            (tell_clipping.cpp)
 //   cover            the row table; stage `edges` shows the samples that make it
+//   tell_pixel_tests     which pixels edge functions ask; leaves no mark     (tell_tests.cpp)
 //   show_row_ends    stage `rows`: both ends of each row                        (draw_marks.cpp)
 //   fill_rows        for each row:
 //     interpolate_row    its fragments, from the left to the right end
@@ -22,6 +23,7 @@
 #include "pipeline/draw_marks.h"
 #include "pipeline/drawing.h"
 #include "pipeline/tell_clipping.h"
+#include "pipeline/tell_tests.h"
 
 namespace rasterwalk {
 
@@ -35,8 +37,8 @@ Rectangle scissor_rectangle(const DrawWindow& window, const Framebuffer& target)
 
 /// All that the pixels of a triangle can reach: its box, and a little more.
 Rectangle reach_of(const Frame& frame, int triangle) {
-    const Rectangle box =
-        frame.stages.polygon_box(frame.triangle_vertices(triangle), edge_rules(frame.settings));
+    const Rectangle box = frame.stages.polygon_box(frame.triangle_vertices(triangle),
+                                                   edge_rules(frame.settings), frame.stages);
     // A walk that adds up its steps strays from the box: each addition is off by half a unit in the
     // last place, 2^-24 of the largest value. The bound is twice that; the 1 is for the rounding.
     const int steps = std::max(box.right - box.left, box.bottom - box.top);
@@ -178,6 +180,7 @@ void count_rows(const Frame& frame, const PolygonRows& rows, int triangle, bool 
     tally.triangles_outside += rows.outside > 0 ? 1 : 0;
     if (rows.outside > 0 && tally.first_outside < 0) tally.first_outside = triangle;
     tally.rows_looked_at += rows.looked_at;
+    tally.pixels_tested += count_pixel_tests(frame, rows.tested);
     if (!draws_unset) return;
     for (int r = 0; r < rows.size(); ++r)
         tally.unset_rows += rows.is_empty_row(r) ? 1 : 0;
@@ -196,6 +199,7 @@ void cover(Drawing& d, int triangle) {
     if (d.window.from <= Cursor{triangle, Phase::vertices, 0, 0}) {
         count_rows(d.frame, d.rows, triangle, d.draws_unset, d.tally);
     }
+    tell_pixel_tests(d, triangle);
 }
 
 /// The columns of a row that lie in the window and in the scissor, counted from its left end.
@@ -214,9 +218,11 @@ PieceRange columns_in_window(const Drawing& d, const Cursor& row, const RowSpan&
 std::span<const LineSample> interpolate_row(Drawing& d, int index, const RowSpan& span,
                                             const PieceRange& columns, VaryingSet carried) {
     const auto i = static_cast<std::size_t>(index);
-    const Row row{d.rows.left[i], d.rows.right[i], d.rows.first_row + index, span.count};
+    const Row row{d.rows.left[i], d.rows.right[i], d.rows.first_row + index, span.count,
+                  &d.rows.tested};
     const std::span<LineSample> fragments = samples_of(d.fragments, columns.last - columns.first);
-    row_fragments(d.stages, row, columns.first, carried, fragments);
+    call<row_fragments, fragments_by_weights>(d.stages.row_fragments, d.stages, row, columns.first,
+                                              carried, fragments);
     return fragments;
 }
 
@@ -283,6 +289,7 @@ DrawTally& operator+=(DrawTally& sum, const DrawTally& part) {
     if (part.first_outside >= 0 && is_earlier) sum.first_outside = part.first_outside;
     sum.shaded += part.shaded;
     sum.rows_looked_at += part.rows_looked_at;
+    sum.pixels_tested += part.pixels_tested;
     sum.unset_rows += part.unset_rows;
     sum.depth_outside += part.depth_outside;
     return sum;

@@ -29,6 +29,7 @@ struct DrawTally {
     int first_outside = -1;           ///< the first of them; -1: there is none
     std::int64_t shaded = 0;          ///< fragments whose colour was worked out, drawn or not
     std::int64_t rows_looked_at = 0;  ///< rows asked by the edge samples of whole triangles
+    std::int64_t pixels_tested = 0;   ///< of whole triangles, in the picture, by edge functions
     std::int64_t unset_rows = 0;      ///< rows without a sample that are drawn all the same
     std::int64_t depth_outside = 0;   ///< tested fragments whose pixel has no depth cell
 

@@ -8,6 +8,7 @@
 #include "pipeline/cursor.h"
 #include "stages/clip.h"
 #include "stages/cull.h"
+#include "stages/edge_functions.h"
 #include "stages/fragment.h"
 #include "stages/polygon_rows.h"
 #include "stages/project.h"
@@ -50,6 +51,12 @@ struct SampleEvent {
     EdgeSample sample;
 };
 
+/// One pixel of the box, in the moment in which it is asked whether it is covered.
+struct TestEvent {
+    Cursor cursor;
+    PixelTest test;
+};
+
 /// One edge at one plane, in the moment in which it is clipped.
 struct ClipEvent {
     Cursor cursor;
@@ -71,9 +78,12 @@ class Observer {
     virtual void clip_step(const ClipEvent&) {}
     virtual void cull(const CullEvent&) {}
     virtual void edge_sample(const SampleEvent&) {}
+    virtual void pixel_test(const TestEvent&) {}
     virtual void fragment(const FragmentEvent&) {}
     /// False spares draw() the telling of edge samples.
     virtual bool wants_edge_samples() const { return false; }
+    /// False spares draw() the telling of tested pixels.
+    virtual bool wants_pixel_tests() const { return false; }
     /// False spares draw() the telling of clipping and culling.
     virtual bool wants_clipping() const { return false; }
 };

@@ -61,6 +61,19 @@ void find_rows(const Frame& frame, const PolygonRows& rows, PhaseMoments& moment
     }
 }
 
+void find_tests(const Frame& frame, const TestedPolygon& tested, PhaseMoments& moments) {
+    const Rectangle area = drawn_area(frame);
+    for (const TestedTriangle& triangle : tested.triangles) {
+        const Rectangle& box = triangle.box;
+        const int first = std::max(box.left, area.left), behind = std::min(box.right, area.right);
+        const PhaseMoments::Steps in_picture{first - box.left, std::max(behind - first, 0)};
+        for (int row = box.top; row < box.bottom; ++row) {
+            const bool is_in = row >= area.top && row < area.bottom;
+            moments.add(is_in ? in_picture : PhaseMoments::Steps{});
+        }
+    }
+}
+
 bool has_steps(Phase phase) {
     return phase_info(phase).step_letter != 0;
 }
@@ -165,6 +178,7 @@ const TriangleMoments& Timeline::moments(int triangle) const {
         phase.clear();
     cache_.rows.left.clear();
     cache_.rows.right.clear();
+    cache_.rows.tested.triangles.clear();
     const Frame& frame = *frame_;
     if (frame.has_moments(triangle)) {
         for (int v = 0; v < triangle_corners; ++v)
@@ -174,8 +188,10 @@ const TriangleMoments& Timeline::moments(int triangle) const {
     }
     if (frame.is_drawn(triangle)) {
         find_samples(frame, triangle, cache_.rows, cache_.of(Phase::edges));
-        if (frame.settings.stage >= Stage::rows)
+        if (frame.settings.stage >= Stage::rows) {
+            find_tests(frame, cache_.rows.tested, cache_.of(Phase::tests));
             find_rows(frame, cache_.rows, cache_.of(Phase::rows));
+        }
     }
     cache_.count = 0;
     for (const PhaseMoments& phase : cache_.phases)

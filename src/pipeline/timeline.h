@@ -3,7 +3,8 @@
 // The moments of a frame: which cursors exist, and how to go from one to another. The moments of a
 // triangle go through the phases of phase_list: its three vertices; where planes cut it, each edge
 // at each of them; where something culls, the answer; then, from stage `edges` on, the samples of
-// the edges of what is left; then in stage `rows` one moment for every row, in which its two ends
+// the edges of what is left, or, where edge functions find the pixels, every pixel of the box that
+// they ask; then in stage `rows` one moment for every row, in which its two ends
 // are shown, and from stage `fill` on one moment for every fragment. Rows and fragments beyond the
 // picture have no moments, nor has a triangle that is left out; one that clip or cull have taken
 // away ends there. Every question costs at most the edges of a triangle or two.
@@ -34,8 +35,8 @@ static_assert(words_match<Granularity>);
 
 /// The moments of one phase of a triangle.
 struct PhaseMoments {
-    /// The steps of a piece that are moments: of a row the columns from its left end on that lie in
-    /// the picture. 0 where the piece has no moments.
+    /// The steps of a piece that are moments: of a row, and of one of the box, the columns from its
+    /// left end on that lie in the picture. 0 where the piece has no moments.
     struct Steps {
         int first = 0;
         int count = 0;

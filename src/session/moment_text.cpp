@@ -24,11 +24,13 @@ std::string describe_moment(const Frame& frame, const Cursor& cursor) {
     const TriangleMoments& moments = timeline.moments(cursor.triangle);
     const PhaseInfo& phase = phase_info(cursor.phase);
     const PhaseMoments& of_phase = moments.of(cursor.phase);
-    const bool is_row = cursor.phase == Phase::rows;
+    const bool is_row = cursor.phase == Phase::rows, is_test = cursor.phase == Phase::tests;
+    const int row = is_test ? tested_row(moments.rows.tested, cursor.index).row
+                            : moments.rows.first_row + cursor.index;
     std::string text = fmt::format(
         "{} ({}) · {}{}", element_name_of(triangle_form, cursor.triangle, frame.triangle_count()),
         part_name(*frame.scene, cursor.triangle),
-        is_row ? fmt::format("row {}, ", moments.rows.first_row + cursor.index) : "",
+        is_row || is_test ? fmt::format("row {}, ", row) : "",
         piece_name(cursor, static_cast<int>(of_phase.pieces.size())));
     if (phase.step.empty()) return text;
     if (is_row && !has_fragments(frame.settings.stage)) return text + ": its two ends";

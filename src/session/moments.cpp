@@ -39,6 +39,15 @@ std::string edge_sentence(const Frame& frame, const Cursor& cursor, const std::s
            pieces("sample", 0, samples - 1);
 }
 
+std::string test_sentence(const Frame& frame, const Cursor& cursor, const std::string& triangle) {
+    if (frame.settings.stage < Stage::rows)
+        return "in stage " + stage_name(frame) + " no pixel is tested";
+    if (!tests_pixels(frame.stages)) return "only coverage=edge_functions tests pixels";
+    const Timeline timeline(frame);
+    const PhaseMoments& tests = timeline.moments(cursor.triangle).of(Phase::tests);
+    return triangle + " has " + pieces("box row", 0, static_cast<int>(tests.pieces.size()) - 1);
+}
+
 std::string row_sentence(const Frame& frame, const Cursor& cursor, const std::string& triangle) {
     if (frame.settings.stage < Stage::rows) {
         return "in stage " + stage_name(frame) + " a triangle has no rows";
@@ -94,18 +103,23 @@ std::string possible(const Frame& frame, const Cursor& cursor) {
         return cull_sentence(frame, cursor, triangle);
     case Phase::edges:
         return edge_sentence(frame, cursor, triangle);
+    case Phase::tests:
+        return test_sentence(frame, cursor, triangle);
     case Phase::rows:
         return row_sentence(frame, cursor, triangle);
     }
     return {};
 }
 
-/// Does the cursor name a row of a row table?
+/// Does the cursor name a row of a row table, or of a box?
 bool is_row(const Timeline& timeline, const Cursor& cursor) {
     const Frame& frame = timeline.frame();
-    return cursor.pass == 0 && cursor.phase == Phase::rows && frame.settings.stage >= Stage::rows &&
-           cursor.triangle < frame.triangle_count() && frame.is_drawn(cursor.triangle) &&
-           cursor.index < timeline.moments(cursor.triangle).rows.size();
+    if (cursor.pass != 0 || cursor.phase < Phase::tests || frame.settings.stage < Stage::rows ||
+        cursor.triangle >= frame.triangle_count() || !frame.is_drawn(cursor.triangle))
+        return false;
+    const TriangleMoments& moments = timeline.moments(cursor.triangle);
+    const auto index = static_cast<std::size_t>(cursor.index);
+    return index < moments.of(cursor.phase).pieces.size();
 }
 
 /// @param text as the moment was written
@@ -127,7 +141,7 @@ Cursor moment_of(const Frame& frame, const std::string& text) {
     if (!cursor) {
         throw UsageError(in_quotes(text) +
                          " is not a moment; one is written t12, t12/v1, t12/p2/s1, t12/k, "
-                         "t12/e2/s14, t12/r37/c5 or end.");
+                         "t12/e2/s14, t12/b4/c7, t12/r37/c5 or end.");
     }
     return find_moment(frame, *cursor, text);
 }

@@ -151,6 +151,38 @@ template <>
 inline constexpr auto enum_words<ImageAxes> = word_list("right_way", "mirrored");
 static_assert(words_match<ImageAxes>);
 
+/// How the pixels of a polygon are found.
+enum class Coverage : std::uint8_t {
+    rows,            ///< by a row table that the samples of the edges fill: the lab
+    edge_functions,  ///< each pixel of the box is asked on which side of every edge it lies
+    scan_conversion, ///< row by row between a left and a right side
+    active_edges,    ///< row by row between the edges that reach it, of any polygon
+};
+template <>
+inline constexpr auto enum_words<Coverage> = word_list("rows", "edge_functions", "scan_conversion",
+                                                       "active_edges");
+static_assert(words_match<Coverage>);
+
+/// Whom a pixel belongs to whose centre lies exactly on an edge.
+enum class FillRule : std::uint8_t {
+    inclusive, ///< every polygon that has the edge
+    exclusive, ///< none
+    top_left,  ///< the one of which it is a top or a left edge: exactly one
+};
+template <>
+inline constexpr auto enum_words<FillRule> = word_list("inclusive", "exclusive", "top_left");
+static_assert(words_match<FillRule>);
+
+/// The grid on which the corners of a polygon stand.
+enum class Snap : std::uint8_t {
+    pixel,     ///< centres of whole pixels
+    sixteenth, ///< 16ths of a pixel
+    subpixel,  ///< 256ths of a pixel
+};
+template <>
+inline constexpr auto enum_words<Snap> = word_list("pixel", "sixteenth", "subpixel");
+static_assert(words_match<Snap>);
+
 /// How the samples of an edge are found.
 enum class LineAlgorithm : std::uint8_t {
     interpolate, ///< Interpolate, by line_walk and line_rounding: the lab

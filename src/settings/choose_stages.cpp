@@ -10,8 +10,10 @@
 #include "mistakes/project.h"
 #include "mistakes/put_pixel.h"
 #include "mistakes/vertex_shader.h"
+#include "stages/active_edges.h"
 #include "stages/matrices.h"
 #include "stages/orthographic.h"
+#include "stages/scan_conversion.h"
 
 namespace rasterwalk {
 
@@ -185,6 +187,32 @@ void choose(LineAlgorithm line, const Settings& settings, Stages& stages) {
     }
 }
 
+void choose(FillRule rule, Stages& stages) {
+    switch (rule) {
+    case FillRule::inclusive:
+        break;
+    case FillRule::exclusive:
+        stages.edge_owns_points = owns_exclusive;
+        break;
+    case FillRule::top_left:
+        stages.edge_owns_points = owns_top_left;
+        break;
+    }
+}
+
+void choose(Snap snap, Stages& stages) {
+    switch (snap) {
+    case Snap::pixel:
+        break;
+    case Snap::sixteenth:
+        stages.snap = snap_to_sixteenth;
+        break;
+    case Snap::subpixel:
+        stages.snap = snap_to_subpixel;
+        break;
+    }
+}
+
 void choose(RowStart start, Stages& stages) {
     if (start == RowStart::extreme) return;
     stages.begin_polygon_rows = begin_rows_at_picture;
@@ -210,6 +238,25 @@ void choose(Spans spans, Stages& stages) {
         stages.drawn_pixels = drawn_pixels_without_last;
         break;
     }
+}
+
+/// A row table that edge samples fill can go wrong in ways that the other tables cannot.
+void choose_coverage(const Settings& settings, Stages& stages) {
+    const Coverage coverage = coverage_rule(settings);
+    if (coverage == Coverage::rows) {
+        choose(settings.row_start, stages);
+        choose(settings.row_search, stages);
+        choose(settings.empty_rows, stages);
+        choose(settings.spans, stages);
+        return;
+    }
+    choose(settings.fill_rule, stages);
+    choose(settings.snap, stages);
+    stages.polygon_box = snapped_box;
+    stages.compute_polygon_rows = coverage == Coverage::edge_functions    ? rows_by_edge_functions
+                                  : coverage == Coverage::scan_conversion ? rows_by_scan_conversion
+                                                                          : rows_by_active_edges;
+    if (coverage == Coverage::edge_functions) stages.row_fragments = fragments_by_weights;
 }
 
 void choose(Interpolation interpolation, Stages& stages) {
@@ -311,10 +358,7 @@ Stages choose_stages(const Settings& settings) {
     choose(settings.outside_picture, stages);
     choose(settings.line_walk, stages);
     choose(settings.line, settings, stages);
-    choose(settings.row_start, stages);
-    choose(settings.row_search, stages);
-    choose(settings.empty_rows, stages);
-    choose(settings.spans, stages);
+    choose_coverage(settings, stages);
     choose(settings.interpolation, stages);
     choose(settings.light_rules, stages);
     choose(depth_rule(settings), depth_rules(settings, SceneSpace::world), stages);

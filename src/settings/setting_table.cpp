@@ -93,6 +93,19 @@ std::vector<Setting> make_table() {
          "How a sample of an edge becomes a pixel. Only where the line algorithm is interpolate: "
          "the others take the nearest pixel.",
          "Drawing edges", "", choice<&Settings::line_rounding>(), "rounding"},
+        {"coverage", "Pixels found by", "Rows and edges",
+         "How the pixels of a triangle are found: by the row table that the samples of its edges "
+         "fill, by edge functions that ask every pixel of its box, by scan conversion row by row, "
+         "or by a list of active edges. The last three ask the centres of pixels.",
+         "Filled triangles", "", choice<&Settings::coverage>()},
+        {"fill_rule", "Centres on an edge", "Rows and edges",
+         "Whom a pixel belongs to whose centre lies exactly on an edge: every triangle there, "
+         "none, or the one of which it is a top or a left edge. Only where coverage is not rows.",
+         "Filled triangles", "", choice<&Settings::fill_rule>()},
+        {"snap", "Corners stand on", "Rows and edges",
+         "The grid on which the corners of a triangle stand: centres of whole pixels, 16ths or "
+         "256ths of a pixel. Only where coverage is not rows.",
+         "Filled triangles", "", choice<&Settings::snap>()},
         {"line", "Line algorithm", "Rows and edges",
          "How the samples of an edge are found: by Interpolate, by Bresenham's whole numbers, by "
          "the midpoint, or by a float that is rounded to the nearest (DDA). Values along rows are "

@@ -138,6 +138,10 @@ PixelRules pixel_rules(const Settings& settings) {
     return {.light = settings.light, .shading = shading_rule(settings)};
 }
 
+Coverage coverage_rule(const Settings& settings) {
+    return settings.stage >= Stage::rows ? settings.coverage : Coverage::rows;
+}
+
 Shading shading_rule(const Settings& settings) {
     return settings.stage >= Stage::shade ? settings.shading : Shading::unlit;
 }

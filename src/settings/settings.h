@@ -17,6 +17,9 @@ struct Settings {
     Stage stage = Stage::shade;
     Shading shading = Shading::phong; ///< of stage `shade`
     VertexRounding vertex_rounding = VertexRounding::truncate;
+    Coverage coverage = Coverage::rows;
+    FillRule fill_rule = FillRule::inclusive; ///< where coverage asks the centres of pixels
+    Snap snap = Snap::pixel;                  ///< likewise
     LineAlgorithm line = LineAlgorithm::interpolate;
     BresenhamRule bresenham_rule = BresenhamRule::right;
     Rounding line_rounding = Rounding::truncate; ///< of the samples of Interpolate along edges
@@ -91,6 +94,10 @@ VertexRules vertex_rules(const Settings& settings, SceneSpace space);
 /// @param carried the varyings that are wanted; where only places count, none
 EdgeRules edge_rules(const Settings& settings, VaryingSet carried = VaryingSet::all());
 PixelRules pixel_rules(const Settings& settings);
+
+/// The coverage in force: before stage `rows` only the samples of edges are drawn, whatever the
+/// setting says.
+Coverage coverage_rule(const Settings& settings);
 
 /// The shading in force: none before stage `shade`, whatever the setting says.
 Shading shading_rule(const Settings& settings);

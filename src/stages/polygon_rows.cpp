@@ -24,7 +24,7 @@ std::span<LineDecision> decisions_of(PolygonRows& rows, int count) {
 
 } // namespace
 
-Rectangle polygon_box(std::span<const ScreenVertex> vertices, const EdgeRules&) {
+Rectangle polygon_box(std::span<const ScreenVertex> vertices, const EdgeRules&, const Stages&) {
     Rectangle box{vertices[0].column, vertices[0].row, vertices[0].column + 1, vertices[0].row + 1};
     for (const ScreenVertex& vertex : vertices.subspan(1)) {
         box.left = std::min(box.left, vertex.column);
@@ -35,20 +35,24 @@ Rectangle polygon_box(std::span<const ScreenVertex> vertices, const EdgeRules&) 
     return box;
 }
 
+void empty_table(int first_row, int count, PolygonRows& rows) {
+    rows.first_row = first_row;
+    rows.outside = 0;
+    rows.looked_at = 0;
+    rows.tested.triangles.clear();
+    RowEnd empty;
+    empty.column = empty_left;
+    rows.left.assign(static_cast<std::size_t>(count), empty);
+    empty.column = empty_right;
+    rows.right.assign(static_cast<std::size_t>(count), empty);
+}
+
 void begin_polygon_rows(std::span<const ScreenVertex> vertices, const EdgeRules&,
                         PolygonRows& rows) {
     const auto [top, bottom] = std::minmax_element(
         vertices.begin(), vertices.end(),
         [](const ScreenVertex& a, const ScreenVertex& b) { return a.row < b.row; });
-    rows.first_row = top->row;
-    rows.outside = 0;
-    rows.looked_at = 0;
-    const auto count = static_cast<std::size_t>(bottom->row - top->row + 1);
-    RowEnd empty;
-    empty.column = empty_left;
-    rows.left.assign(count, empty);
-    empty.column = empty_right;
-    rows.right.assign(count, empty);
+    empty_table(top->row, bottom->row - top->row + 1, rows);
 }
 
 RowWrite add_edge_sample(const Fragment& sample, VaryingSet carried, const Stages& stages,

@@ -22,6 +22,7 @@
 #include <span>
 #include <vector>
 
+#include "stages/edge_functions.h"
 #include "stages/lines.h"
 #include "stages/rectangle.h"
 #include "stages/row_end.h"
@@ -44,6 +45,7 @@ struct PolygonRows {
     std::int64_t looked_at = 0;   ///< rows that were asked on the samples' way to their own
     std::vector<LineSample> line; ///< room for the samples of an edge; kept to save allocations
     std::vector<LineDecision> decisions; ///< likewise, and only where someone is told
+    TestedPolygon tested; ///< where edge functions made the rows; else without triangles
 
     int size() const { return static_cast<int>(left.size()); }
     bool is_empty_row(int index) const { return left[index].column > right[index].column; }
@@ -79,6 +81,8 @@ class SampleSink {
     /// The empty table, before the first sample.
     virtual void begin_rows(const PolygonRows&) {}
     virtual void edge_sample(const EdgeSample&) = 0;
+    /// The finished table, of coverage that enters no samples and tells of nothing else.
+    virtual void rows_without_samples(const PolygonRows&) {}
 };
 
 /// The rules by which edges become rows.
@@ -97,7 +101,11 @@ struct FoundRow {
 };
 
 /// All pixels that the rows of a polygon can reach, but for the rounding errors of the walk.
-Rectangle polygon_box(std::span<const ScreenVertex> vertices, const EdgeRules& rules);
+Rectangle polygon_box(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
+                      const Stages& stages);
+
+/// Gives the table so many empty rows, `first_row` of the picture and those below it.
+void empty_table(int first_row, int count, PolygonRows& rows);
 
 /// Empties the table and gives it one row for every row between the highest and the lowest vertex.
 void begin_polygon_rows(std::span<const ScreenVertex> vertices, const EdgeRules& rules,

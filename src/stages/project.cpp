@@ -70,6 +70,8 @@ ProjectedVertex project(const ClipVertex& vertex, const VertexRules& rules, cons
     ProjectedVertex result;
     result.has_pixel = true;
     result.pixel.position = projected + glm::vec2(middle);
+    // A place that is given as a pixel is its centre.
+    if (rules.space == SceneSpace::pixels) result.pixel.position += 0.5f;
     result.pixel.column = pixel.x;
     result.pixel.row = pixel.y;
     result.pixel.depth = clip.z * inv_w;

@@ -9,7 +9,8 @@ namespace rasterwalk {
 /// A vertex on the screen, as project() leaves it: a corner of the polygon that is drawn.
 struct ScreenVertex {
     /// Where it falls, not rounded: pixels from the left and from the top of the picture. For
-    /// coverage that keeps parts of a pixel; the lab's begins at the whole one.
+    /// coverage that keeps parts of a pixel; the lab's begins at the whole one. In a scene in pixel
+    /// space the centre of the pixel that is given.
     glm::vec2 position{0.0f};
     int column = 0; ///< the whole pixel that it is snapped to
     int row = 0;

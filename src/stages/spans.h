@@ -14,6 +14,10 @@
 // Source: Foley, van Dam, Feiner, Hughes, Computer Graphics: Principles and Practice, 2nd edition,
 // section 3.6.3, on spans and which of their ends belong to them.
 
+#include <span>
+
+#include "stages/edge_functions.h"
+#include "stages/interpolate.h"
 #include "stages/row_end.h"
 
 namespace rasterwalk {
@@ -33,5 +37,19 @@ constexpr int drawn_pixels(int pixel_count) {
 inline RowEnd span_end(const RowEnd& end) {
     return end;
 }
+
+/// A row of the picture, from end to end.
+struct Row {
+    const RowEnd& left;
+    const RowEnd& right;
+    int row = 0;                           ///< of the picture
+    int count = 0;                         ///< pixels from end to end
+    const TestedPolygon* tested = nullptr; ///< whose row it is, where edge functions made it
+};
+
+/// The fragments `first`, `first` + 1, ... of a row, counted from its left end: as many as `result`
+/// holds. They stand in the row's own columns; their values are walked from end to end.
+void row_fragments(const Stages& stages, const Row& row, int first, VaryingSet carried,
+                   std::span<LineSample> result);
 
 } // namespace rasterwalk

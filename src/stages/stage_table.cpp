@@ -1,5 +1,8 @@
 #include "stages/stage_table.h"
 
+#include "stages/active_edges.h"
+#include "stages/scan_conversion.h"
+
 namespace rasterwalk {
 
 VaryingSet carried_varyings(const Stages& stages, Shading shading) {
@@ -26,6 +29,26 @@ void row_fragments(const Stages& stages, const Row& row, int first, VaryingSet c
         sample.fragment.column = row.left.column + first++;
         sample.fragment.row = row.row;
     }
+}
+
+bool walks_edges(const Stages& stages) {
+    const auto slot = stages.compute_polygon_rows;
+    return slot != rows_by_edge_functions && slot != rows_by_scan_conversion &&
+           slot != rows_by_active_edges;
+}
+
+Stages walking_edges(const Stages& stages) {
+    Stages walking = stages;
+    if (!walks_edges(stages)) {
+        walking.compute_polygon_rows = compute_polygon_rows;
+        walking.polygon_box = polygon_box;
+        walking.row_fragments = row_fragments;
+    }
+    return walking;
+}
+
+bool tests_pixels(const Stages& stages) {
+    return stages.compute_polygon_rows == rows_by_edge_functions;
 }
 
 } // namespace rasterwalk

@@ -8,7 +8,9 @@
 #include "stages/clip.h"
 #include "stages/cull.h"
 #include "stages/depth_test.h"
+#include "stages/edge_functions.h"
 #include "stages/edges.h"
+#include "stages/fill_rule.h"
 #include "stages/interpolate.h"
 #include "stages/light.h"
 #include "stages/lines.h"
@@ -18,6 +20,7 @@
 #include "stages/project.h"
 #include "stages/put_pixel.h"
 #include "stages/reject.h"
+#include "stages/snap.h"
 #include "stages/spans.h"
 #include "stages/vertex_shader.h"
 
@@ -60,6 +63,12 @@ struct Stages {
     decltype(&walk_everywhere) walked_area = walk_everywhere;
     int (*row_pixel_count)(int left, int right) = rasterwalk::row_pixel_count;
     int (*drawn_pixels)(int pixel_count) = rasterwalk::drawn_pixels;
+    decltype(&rasterwalk::row_fragments) row_fragments = rasterwalk::row_fragments;
+
+    // Of coverage that asks pixels at their centres.
+    GridPoint (*snap)(const ScreenVertex& vertex) = snap_to_centre;
+    bool (*edge_owns_points)(const EdgeDirection& edge) = owns_inclusive;
+    decltype(&barycentric_weights) weights = barycentric_weights;
 
     // The samples of an edge; the lab's function asks the two slots of Interpolate.
     decltype(&line_by_interpolate) line = line_by_interpolate;
@@ -117,17 +126,13 @@ struct RowSpan {
 /// How the stages draw a row of a table, 0 <= index < rows.size().
 RowSpan row_span(const Stages& stages, const PolygonRows& rows, int index);
 
-/// A row of the picture, from end to end.
-struct Row {
-    const RowEnd& left;
-    const RowEnd& right;
-    int row = 0;   ///< of the picture
-    int count = 0; ///< pixels from end to end
-};
+/// Does coverage walk the edges, sample by sample? Else it asks pixels at their centres.
+bool walks_edges(const Stages& stages);
 
-/// The fragments `first`, `first` + 1, ... of a row, counted from its left end: as many as `result`
-/// holds. They stand in the row's own columns.
-void row_fragments(const Stages& stages, const Row& row, int first, VaryingSet carried,
-                   std::span<LineSample> result);
+/// The table with coverage that walks edges: the same, or with the lab's row table in its place.
+Stages walking_edges(const Stages& stages);
+
+/// Does coverage ask every pixel of a box, so that each is a moment?
+bool tests_pixels(const Stages& stages);
 
 } // namespace rasterwalk

@@ -42,7 +42,9 @@ void add(std::vector<std::uint32_t>& seen, const glm::vec3& v) {
 
 /// Everything that is seen of a run, by its moments: the plain walk.
 /// @param as_shown colours as the screen shows them
-std::map<Cursor, Seen> everything(const Frame& frame, bool with_light, bool as_shown = false) {
+/// @param with_ways edge samples and tested pixels too
+std::map<Cursor, Seen> everything(const Frame& frame, bool with_light, bool as_shown = false,
+                                  bool with_ways = true) {
     Recorder recorder(true);
     Framebuffer framebuffer;
     clear(framebuffer, frame);
@@ -73,7 +75,13 @@ std::map<Cursor, Seen> everything(const Frame& frame, bool with_light, bool as_s
     for (const CullEvent& event : recorder.culls) {
         if (event.test.is_back) all[event.cursor].work = {1U};
     }
+    for (const TestEvent& event : recorder.tests) {
+        if (!with_ways) break;
+        all[event.cursor].work = {bits(event.test.column), bits(event.test.row),
+                                  event.test.is_inside ? 1U : 0U};
+    }
     for (const SampleEvent& event : recorder.samples) {
+        if (!with_ways) break;
         all[event.cursor].work = {bits(event.sample.fragment.column),
                                   bits(event.sample.fragment.row),
                                   event.sample.write.inside ? 1U : 0U};
@@ -96,8 +104,15 @@ Differences differences(const Frame& a, const Frame& b) {
     const bool with_light = step_of(a.settings) == StripStep::vertex_light &&
                             step_of(b.settings) == StripStep::vertex_light;
     const bool as_shown = a.settings.colour_over_one != b.settings.colour_over_one;
-    const std::map<Cursor, Seen> in_a = everything(a, with_light, as_shown);
-    const std::map<Cursor, Seen> in_b = everything(b, with_light, as_shown);
+    // Where the runs find pixels in different ways, only what they find is compared.
+    const auto way = [](const Frame& frame) {
+        return frame.settings.stage < Stage::rows ? Coverage::rows : frame.settings.coverage;
+    };
+    const auto walks = [&](const Frame& frame) { return way(frame) == Coverage::rows; };
+    const auto tests = [&](const Frame& frame) { return way(frame) == Coverage::edge_functions; };
+    const bool same_way = walks(a) == walks(b) && tests(a) == tests(b);
+    const std::map<Cursor, Seen> in_a = everything(a, with_light, as_shown, same_way);
+    const std::map<Cursor, Seen> in_b = everything(b, with_light, as_shown, same_way);
     Differences found;
     for (const auto& [cursor, seen] : in_a) {
         const auto other = in_b.find(cursor);

@@ -134,7 +134,7 @@ void rows_from_column_three(std::span<const ScreenVertex> vertices, const EdgeRu
     for (RowEnd& end : rows.left)
         end.column = 3;
 }
-Rectangle everywhere(std::span<const ScreenVertex>, const EdgeRules&) {
+Rectangle everywhere(std::span<const ScreenVertex>, const EdgeRules&, const Stages&) {
     return {-9999, -9999, 9999, 9999};
 }
 FoundRow all_but_the_first(int row, const PolygonRows& rows) {
@@ -159,6 +159,14 @@ void line_backwards(const LineEnd& a, const LineEnd& b, const LineStep&, const L
         const int behind = part.count - 1 - part.first - static_cast<int>(i);
         const LinePart one{part.count, behind, part.rounding, part.carried};
         interpolate(b, a, line_step(b, a, part), one, {&result[i], 1});
+    }
+}
+void fragments_backwards(const Stages& stages, const Row& row, int first, VaryingSet carried,
+                         std::span<LineSample> result) {
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        const int step = first + static_cast<int>(i);
+        row_fragments(stages, row, row.count - 1 - step, carried, {&result[i], 1});
+        result[i].fragment.column = row.left.column + step;
     }
 }
 RowEnd nearer_end(const RowEnd& end) {
@@ -212,6 +220,7 @@ const std::vector<Replacement>& replacements() {
         {"compute_polygon_rows", [](Stages& s) { s.compute_polygon_rows = rows_by_rows; }},
         {"row_pixel_count", [](Stages& s) { s.row_pixel_count = at_most_four; }},
         {"drawn_pixels", [](Stages& s) { s.drawn_pixels = no_more_than_three; }},
+        {"row_fragments", [](Stages& s) { s.row_fragments = fragments_backwards; }},
         {"line: bresenham", [](Stages& s) { s.line = line_by_bresenham; }},
         {"line: midpoint", [](Stages& s) { s.line = line_by_midpoint; }},
         {"line: dda", [](Stages& s) { s.line = line_by_dda; }},

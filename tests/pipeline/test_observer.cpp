@@ -29,8 +29,8 @@ TEST_CASE("An observer is told every moment in order, and changes no bit") {
         CHECK(draw(frame, {}, unwatched) == tally);
         require_same(unwatched, watched);
         CHECK(tally.fragments == static_cast<std::int64_t>(recorder.fragments.size()));
-        // Vertices, clip steps, culling, samples and fragments together are the moments; from stage
-        // `edges` on.
+        // Vertices, clip steps, culling, samples, tests and fragments together are the moments;
+        // from stage `edges` on.
         std::vector<Cursor> told;
         for (const auto& event : recorder.vertices)
             told.push_back(event.cursor);
@@ -39,6 +39,8 @@ TEST_CASE("An observer is told every moment in order, and changes no bit") {
         for (const CullEvent& event : recorder.culls)
             told.push_back(event.cursor);
         for (const SampleEvent& event : recorder.samples)
+            told.push_back(event.cursor);
+        for (const TestEvent& event : recorder.tests)
             told.push_back(event.cursor);
         const Stage stage = frame.settings.stage;
         if (has_fragments(stage)) {

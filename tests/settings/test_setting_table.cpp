@@ -39,6 +39,9 @@ TEST_CASE("The table holds exactly the settings that are promised, each with hel
                                                  "rounding",
                                                  "vertex_rounding",
                                                  "line_rounding",
+                                                 "coverage",
+                                                 "fill_rule",
+                                                 "snap",
                                                  "line",
                                                  "bresenham_rule",
                                                  "line_walk",
@@ -100,6 +103,7 @@ TEST_CASE("The defaults are the lab's rules") {
     const Settings settings;
     CHECK(value_of(settings, "stage") == "pixel_light");
     CHECK(value_of(settings, "rounding") == "truncate");
+    CHECK(value_of(settings, "coverage") == "rows");
     CHECK(value_of(settings, "line") == "interpolate");
     CHECK(value_of(settings, "line_walk") == "accumulate");
     CHECK(value_of(settings, "edge_samples") == "longest_axis");
@@ -124,6 +128,9 @@ TEST_CASE("Every word of every choice is set and read back, and lands in its own
     // Every choice now stands on its last word.
     CHECK(step_of(settings) == StripStep::pixel_light);
     CHECK(settings.vertex_rounding == VertexRounding::truncate_sum);
+    CHECK(settings.coverage == Coverage::active_edges);
+    CHECK(settings.fill_rule == FillRule::top_left);
+    CHECK(settings.snap == Snap::subpixel);
     CHECK(settings.line == LineAlgorithm::dda);
     CHECK(settings.bresenham_rule == BresenhamRule::wrong_term);
     CHECK(settings.line_rounding == Rounding::round);

@@ -2,6 +2,8 @@
 
 // The moments of a frame by plain loops over everything there is.
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "pipeline/cursor.h"
@@ -10,6 +12,36 @@
 #include "support/walks.h"
 
 namespace rasterwalk::test {
+
+/// The pixels that edge functions ask, triangle by triangle of the fan, by the places of its
+/// corners.
+inline void add_tests(const Frame& frame, int t, std::vector<Cursor>& moments) {
+    const Settings& settings = frame.settings;
+    const int first = settings.bounds == Bounds::excludes_zero ? 1 : 0;
+    const std::span<const ScreenVertex> v = frame.triangle_vertices(t);
+    // In pixels, on the grid that is set; whole pixels stand at their centres.
+    const auto place = [&](const ScreenVertex& vertex, int axis) {
+        const double parts = settings.snap == Snap::sixteenth ? 16.0 : 256.0;
+        if (settings.snap == Snap::pixel) return (axis == 0 ? vertex.column : vertex.row) + 0.5;
+        return std::floor(static_cast<double>(vertex.position[axis]) * parts + 0.5) / parts;
+    };
+    int index = 0;
+    for (std::size_t i = 2; i < v.size(); ++i) {
+        const auto [left, right] =
+            std::minmax({place(v[0], 0), place(v[i - 1], 0), place(v[i], 0)});
+        const auto [top, bottom] =
+            std::minmax({place(v[0], 1), place(v[i - 1], 1), place(v[i], 1)});
+        const int begin = static_cast<int>(std::floor(left));
+        for (int row = static_cast<int>(std::floor(top)); row <= std::floor(bottom); ++row) {
+            for (int column = begin; column <= std::floor(right); ++column) {
+                const bool is_in = column >= first && column < settings.viewport.width &&
+                                   row >= first && row < settings.viewport.height;
+                if (is_in) moments.push_back({t, Phase::tests, index, column - begin});
+            }
+            ++index;
+        }
+    }
+}
 
 /// Every moment of a frame, in order, without `end`.
 inline std::vector<Cursor> all_moments(const Frame& frame) {
@@ -35,13 +67,16 @@ inline std::vector<Cursor> all_moments(const Frame& frame) {
         if (settings.stage == Stage::points || is_clipped_away || is_culled) continue;
         const std::span<const ScreenVertex> vertices = frame.triangle_vertices(t);
         const int corners = static_cast<int>(vertices.size());
-        for (int e = 0; e < corners; ++e) {
+        const bool is_walked =
+            settings.coverage == Coverage::rows || settings.stage == Stage::edges;
+        for (int e = 0; is_walked && e < corners; ++e) {
             const int count =
                 edge_sample_count(vertices[e], vertices[(e + 1) % corners], settings.edge_samples);
             for (int s = 0; s < count; ++s)
                 moments.push_back({t, Phase::edges, e, s});
         }
         if (settings.stage == Stage::edges) continue;
+        if (settings.coverage == Coverage::edge_functions) add_tests(frame, t, moments);
         PolygonRows rows;
         compute_polygon_rows(vertices, settings, rows);
         for (int r = 0; r < rows.size(); ++r) {
@@ -52,6 +87,13 @@ inline std::vector<Cursor> all_moments(const Frame& frame) {
                 continue;
             }
             int last = rows.right[r].column;
+            if (!is_walked) {
+                for (int c = rows.left[r].column; c <= last; ++c) {
+                    if (c >= first && c < size.width)
+                        moments.push_back({t, Phase::rows, r, c - rows.left[r].column});
+                }
+                continue;
+            }
             if (settings.spans == Spans::last_dropped) --last;
             if (settings.spans == Spans::single_skipped && rows.left[r].column == last) continue;
             for (int c = rows.left[r].column; c <= last; ++c) {

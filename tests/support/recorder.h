@@ -6,7 +6,8 @@
 
 namespace rasterwalk::test {
 
-/// Keeps everything that an observer is told, in order.
+/// Keeps everything that an observer is told, in order; edge samples and tested pixels only where
+/// they are asked for.
 struct Recorder : Observer {
     explicit Recorder(bool samples_too = false) : with_samples(samples_too) {}
 
@@ -20,6 +21,7 @@ struct Recorder : Observer {
     std::vector<ClipEvent> clip_steps;
     std::vector<CullEvent> culls;
     std::vector<SampleEvent> samples;
+    std::vector<TestEvent> tests;
     std::vector<FragmentEvent> fragments;
 
     void vertex(const Cursor& cursor, const ProjectedVertex& vertex) override {
@@ -29,6 +31,8 @@ struct Recorder : Observer {
     void cull(const CullEvent& event) override { culls.push_back(event); }
     bool wants_clipping() const override { return true; }
     void edge_sample(const SampleEvent& event) override { samples.push_back(event); }
+    void pixel_test(const TestEvent& event) override { tests.push_back(event); }
+    bool wants_pixel_tests() const override { return with_samples; }
     void fragment(const FragmentEvent& event) override { fragments.push_back(event); }
     bool wants_edge_samples() const override { return with_samples; }
 };

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "inspect/pixel_tests.h"
 #include "session/bench.h"
 #include "ui/canvas/clip_marks.h"
 #include "ui/canvas/marks.h"
@@ -79,6 +80,7 @@ void draw_dashes(const Marks& m, ImVec2 a, ImVec2 b, ImU32 colour) {
 
 /// How far an edge is walked, 0..1.
 float walked_share(const RowHistory& history, int edge) {
+    if (history.sample_count == 0) return 1.0f; // coverage walks no edges
     if (!history.last || edge > history.last->edge) return 0.0f;
     const int steps = history.edge_samples[static_cast<std::size_t>(edge)] - 1;
     if (edge < history.last->edge || steps < 1) return 1.0f;
@@ -196,6 +198,12 @@ void draw_current(const Marks& m) {
     case Phase::edges: {
         const Fragment sample = edge_samples(frame, done.triangle, m.run.cursor).back().fragment;
         frame_pixel(m, sample.column, sample.row, white, 2.5f * m.u);
+        break;
+    }
+    case Phase::tests: {
+        const PixelTest test = test_at_step(timeline.moments(done.triangle).rows.tested, done.index,
+                                            done.step, frame.stages);
+        frame_pixel(m, test.column, test.row, white, 2.5f * m.u);
         break;
     }
     case Phase::rows: {

@@ -36,9 +36,15 @@ struct Marks {
         const PicturePlace& place = run.place;
         return {place.origin.x + scale * (x + 0.5f), place.origin.y + scale * (y + 0.5f)};
     }
-    /// The middle of the pixel that a vertex is snapped to.
+    /// Where coverage takes a vertex to lie: in the lab the middle of the pixel that it is snapped
+    /// to.
     ImVec2 at(const ScreenVertex& v) const {
-        return at(static_cast<float>(v.column), static_cast<float>(v.row));
+        const Stages& stages = run.frame.stages;
+        if (walks_edges(stages)) return at(static_cast<float>(v.column), static_cast<float>(v.row));
+        const GridPoint point = stages.snap(v);
+        constexpr float parts = static_cast<float>(grid_parts);
+        return at(static_cast<float>(point.x) / parts - 0.5f,
+                  static_cast<float>(point.y) / parts - 0.5f);
     }
     bool is_visible(ImVec2 p) const {
         return p.x > low.x - scale && p.x < high.x + scale && p.y > low.y - scale &&

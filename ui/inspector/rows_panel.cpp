@@ -5,6 +5,7 @@
 
 #include "base/element_names.h"
 #include "base/numbers.h"
+#include "inspect/pixel_tests.h"
 #include "ui/inspector/panels.h"
 #include "ui/inspector/rows_parts.h"
 #include "ui/ui.h"
@@ -34,6 +35,38 @@ void draw_row_in_work(Ui& ui, const Cursor& done) {
                                : "its two ends are drawn");
 }
 
+/// On which side of a triangle an edge lies.
+const char* side_of(const EdgeFunction& edge) {
+    if (edge.way.dy == 0) return edge.way.dx > 0 ? "top" : "bottom";
+    return edge.way.dy < 0 ? "left" : "right";
+}
+
+/// A pixel that edge functions have asked: each edge with its value and what it asks for, and the
+/// weights of the corners.
+void draw_pixel_test(Ui& ui, const PixelTest& test, const TestedPolygon& polygon) {
+    const TestedTriangle& triangle = polygon.triangles[static_cast<std::size_t>(test.triangle)];
+    ImGui::TextUnformatted(fmt::format("pixel ({}, {}): {}", test.column, test.row,
+                                       test.is_inside ? "inside" : "outside")
+                               .c_str());
+    ImGui::PushFont(ui.fonts.mono);
+    for (std::size_t i = 0; i < test.e.size(); ++i) {
+        const EdgeFunction& edge = triangle.edges[i];
+        const int number = static_cast<int>(i);
+        text_in(colour_of(edge_meaning(number), ui.options.theme),
+                fmt::format("{:<7}{:<7}{:>12} {} 0 {}", edge_name(number), side_of(edge),
+                            significant(in_square_pixels(test.e[i]), 7),
+                            edge.owns_points ? "≥" : ">", test.passes[i] ? "passes" : "fails"));
+    }
+    ImGui::TextUnformatted(
+        fmt::format("sum           {:>12}", significant(in_square_pixels(triangle.area), 7))
+            .c_str());
+    std::string weights = "weights";
+    for (const float weight : test.weights)
+        weights += fmt::format(" {}", decimals(static_cast<double>(weight), 4));
+    ImGui::TextUnformatted(weights.c_str());
+    ImGui::PopFont();
+}
+
 /// What the moment did, in words and numbers: the sample that was entered last, or the row.
 void draw_moment(Ui& ui) {
     const RowHistory& history = ui.results.a.rows;
@@ -42,6 +75,15 @@ void draw_moment(Ui& ui) {
     const std::optional<Cursor>& done = ui.results.a.done;
     if (done && done->triangle == ui.results.a.triangle && done->phase == Phase::rows) {
         draw_row_in_work(ui, *done);
+        end_card(ui);
+        return;
+    }
+    const RunResults& a = ui.results.a;
+    if (a.triangle && a.frame.is_drawn(*a.triangle) && !walks_edges(a.frame.stages)) {
+        text_in(p.dim, "No samples: a row holds the pixels whose centres lie inside.");
+        if (const auto test = done ? test_at(a.frame, *done) : std::nullopt) {
+            draw_pixel_test(ui, *test, a.rows.rows.tested);
+        }
         end_card(ui);
         return;
     }

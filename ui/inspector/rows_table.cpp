@@ -149,13 +149,17 @@ void draw_row(Ui& ui, int index) {
     keep_item_whole(ui);
     ImGui::PopID();
     const RowWrite write = just_written(ui, row);
+    // Coverage that walks no edges has ends that nobody wrote.
+    const auto has_values = [&](const EndWriter& writer) {
+        return writer.is_set() || (history.sample_count == 0 && !history.rows.is_empty_row(index));
+    };
     ImGui::TableNextColumn();
     draw_end_cell(ui, name + ".left", history.rows.left[index], left, true, write.left);
-    if (ui.inspector.shows_end_values) draw_values(ui, history.rows.left[index], left.is_set());
+    if (ui.inspector.shows_end_values) draw_values(ui, history.rows.left[index], has_values(left));
     ImGui::TableNextColumn();
     draw_end_cell(ui, name + ".right", history.rows.right[index], right, false, write.right);
     if (ui.inspector.shows_end_values) {
-        draw_values(ui, history.rows.right[index], right.is_set());
+        draw_values(ui, history.rows.right[index], has_values(right));
         return;
     }
     if (has_counts()) {

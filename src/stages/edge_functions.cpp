@@ -1,0 +1,203 @@
+#include "stages/edge_functions.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+#include "stages/fan.h"
+#include "stages/stage_table.h"
+
+namespace rasterwalk {
+
+namespace {
+
+constexpr std::int64_t floor_divided(std::int64_t a, std::int64_t b) {
+    return a / b - (a % b != 0 && (a < 0) != (b < 0) ? 1 : 0);
+}
+constexpr std::int64_t ceil_divided(std::int64_t a, std::int64_t b) {
+    return -floor_divided(-a, b);
+}
+
+GridPoint centre_of(int column, int row) {
+    return {pixel_centre(column), pixel_centre(row)};
+}
+
+TestedTriangle set_up_triangle(const FanTriangle& fan, const Stages& stages) {
+    TestedTriangle triangle;
+    triangle.corners = fan.corners;
+    triangle.area = std::abs(fan.area);
+    triangle.box = touched_pixels(fan.points);
+    triangle.owns_corner = owns_any(stages.edge_owns_points);
+    for (std::size_t i = 0; i < fan.points.size(); ++i) {
+        const GridPoint *from = &fan.points[i], *to = &fan.points[(i + 1) % fan.points.size()];
+        if (fan.area < 0) std::swap(from, to);
+        EdgeFunction& edge = triangle.edges[i];
+        edge = {*from, {to->x - from->x, to->y - from->y}};
+        edge.owns_points =
+            fan.is_inner[i] ? owns_top_left(edge.way) : stages.edge_owns_points(edge.way);
+    }
+    return triangle;
+}
+
+/// into = a w_0 + b w_1 + c w_2, for every value that is carried.
+template <class Values>
+void mix_corners(const std::array<RowEnd, edge_function_count>& corners, const Weights& w,
+                 VaryingSet carried, Values& into) {
+    const auto& [a, b, c] = corners;
+    into.depth = a.depth * w[0] + b.depth * w[1] + c.depth * w[2];
+    into.inv_w = a.inv_w * w[0] + b.inv_w * w[1] + c.inv_w * w[2];
+    into.z = a.z * w[0] + b.z * w[1] + c.z * w[2];
+    each_in(carried, into.varyings, a.varyings, b.varyings,
+            [&](auto& value, const auto& p, const auto& q) { value = p * w[0] + q * w[1]; });
+    each_in(carried, into.varyings, into.varyings, c.varyings,
+            [&](auto& value, const auto& sum, const auto& r) { value = sum + r * w[2]; });
+}
+
+/// The corners of a triangle of the fan, in the order of its weights: edge i lies opposite of the
+/// corner behind the next.
+std::array<RowEnd, edge_function_count> corner_values(const TestedPolygon& polygon,
+                                                      const TestedTriangle& triangle) {
+    const auto corner = [&](std::size_t i) {
+        return polygon.corners[static_cast<std::size_t>(triangle.corners[i])];
+    };
+    return {corner(0), corner(1), corner(2)};
+}
+
+} // namespace
+
+int tested_row_count(const TestedPolygon& polygon) {
+    int count = 0;
+    for (const TestedTriangle& triangle : polygon.triangles)
+        count += triangle.box.bottom - triangle.box.top;
+    return count;
+}
+
+TestedRow tested_row(const TestedPolygon& polygon, int index) {
+    int t = 0;
+    for (const TestedTriangle& triangle : polygon.triangles) {
+        const Rectangle& box = triangle.box;
+        if (index < box.bottom - box.top) return {t, box.top + index, box.left, box.right};
+        index -= box.bottom - box.top;
+        ++t;
+    }
+    return {};
+}
+
+PixelTest test_pixel(const TestedPolygon& polygon, int triangle, int column, int row,
+                     const Stages& stages) {
+    const TestedTriangle& of = polygon.triangles[static_cast<std::size_t>(triangle)];
+    PixelTest test{.triangle = triangle, .column = column, .row = row};
+    test.e = of.values_at(centre_of(column, row));
+    for (std::size_t i = 0; i < test.e.size(); ++i)
+        test.passes[i] = of.edges[i].admits(test.e[i]);
+    test.weights = stages.weights(test.e, of.area);
+    test.is_inside = of.admits(test.e);
+    return test;
+}
+
+Weights barycentric_weights(const EdgeValues& e, std::int64_t area) {
+    if (area == 0) return {};
+    const float whole = static_cast<float>(area);
+    // Edge 0 runs from corner 0 to 1 and lies opposite of corner 2.
+    return {static_cast<float>(e[1]) / whole, static_cast<float>(e[2]) / whole,
+            static_cast<float>(e[0]) / whole};
+}
+
+CoveredColumns covered_columns(const TestedTriangle& triangle, int row) {
+    if (triangle.area == 0) return {};
+    const Rectangle& box = triangle.box;
+    // Counted from the left of the box.
+    std::int64_t first = 0, last = box.right - box.left - 1;
+    for (const EdgeFunction& edge : triangle.edges) {
+        const std::int64_t e = edge.at(centre_of(box.left, row));
+        const std::int64_t least = edge.owns_points ? 0 : 1;
+        const std::int64_t growth = edge.one_right();
+        if (growth > 0) first = std::max(first, ceil_divided(least - e, growth));
+        if (growth < 0) last = std::min(last, floor_divided(e - least, -growth));
+        if (growth == 0 && e < least) return {};
+    }
+    // Solved without regard to the fan's corner, which is never between two pixels inside.
+    const auto takes_corner = [&](std::int64_t column) {
+        const EdgeValues e =
+            triangle.values_at(centre_of(box.left + static_cast<int>(column), row));
+        return !triangle.owns_corner && e[0] == 0 && e[2] == 0;
+    };
+    if (first <= last && takes_corner(first)) ++first;
+    if (first <= last && takes_corner(last)) --last;
+    if (first > last) return {};
+    return {box.left + static_cast<int>(first), box.left + static_cast<int>(last)};
+}
+
+const TestedTriangle& triangle_of_pixel(const TestedPolygon& polygon, int column, int row) {
+    const GridPoint centre = centre_of(column, row);
+    const TestedTriangle* with_area = &polygon.triangles.front();
+    for (const TestedTriangle& triangle : polygon.triangles) {
+        if (triangle.admits(triangle.values_at(centre))) return triangle;
+        if (with_area->area == 0) with_area = &triangle;
+    }
+    return *with_area;
+}
+
+RowEnd weighted_end(const TestedPolygon& polygon, const TestedTriangle& triangle, int column,
+                    int row, const Stages& stages, VaryingSet carried) {
+    RowEnd end;
+    end.column = column;
+    const EdgeValues e = triangle.values_at(centre_of(column, row));
+    mix_corners(corner_values(polygon, triangle), stages.weights(e, triangle.area), carried, end);
+    return end;
+}
+
+void set_up_tests(std::span<const ScreenVertex> vertices, const Stages& stages,
+                  TestedPolygon& polygon) {
+    polygon.corners.clear();
+    polygon.triangles.clear();
+    for (const ScreenVertex& v : vertices)
+        polygon.corners.push_back({v.column, v.depth, v.inv_w, v.z, v.varyings});
+    for_each_fan_triangle(vertices, stages.snap, [&](const FanTriangle& triangle) {
+        polygon.triangles.push_back(set_up_triangle(triangle, stages));
+    });
+}
+
+void rows_by_edge_functions(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
+                            const Stages& stages, PolygonRows& rows, SampleSink* sink) {
+    const Rectangle box = snapped_box(vertices, rules, stages);
+    empty_table(box.top, box.bottom - box.top, rows);
+    set_up_tests(vertices, stages, rows.tested);
+    for (const TestedTriangle& triangle : rows.tested.triangles) {
+        for (int row = triangle.box.top; row < triangle.box.bottom; ++row) {
+            const CoveredColumns covered = covered_columns(triangle, row);
+            if (covered.first > covered.last) continue;
+            const auto i = static_cast<std::size_t>(row - rows.first_row);
+            const auto end = [&](int column) {
+                return weighted_end(rows.tested, triangle, column, row, stages, rules.carried);
+            };
+            if (covered.first < rows.left[i].column) rows.left[i] = end(covered.first);
+            if (covered.last > rows.right[i].column) rows.right[i] = end(covered.last);
+        }
+    }
+    if (sink != nullptr) sink->rows_without_samples(rows);
+}
+
+void fragments_by_weights(const Stages& stages, const Row& row, int first, VaryingSet carried,
+                          std::span<LineSample> result) {
+    const TestedPolygon& polygon = *row.tested;
+    std::array<RowEnd, edge_function_count> corners;
+    int column = row.left.column + first;
+    const TestedTriangle* corners_of = nullptr; // whose they are
+    for (LineSample& sample : result) {
+        const TestedTriangle& triangle = triangle_of_pixel(polygon, column, row.row);
+        if (&triangle != corners_of) {
+            corners = corner_values(polygon, triangle);
+            for (RowEnd& corner : corners)
+                corner = call<span_end>(stages.span_end, corner);
+            corners_of = &triangle;
+        }
+        const Weights weights = call<barycentric_weights>(
+            stages.weights, triangle.values_at(centre_of(column, row.row)), triangle.area);
+        mix_corners(corners, weights, carried, sample.fragment);
+        sample.fragment.column = column++;
+        sample.fragment.row = row.row;
+    }
+}
+
+} // namespace rasterwalk

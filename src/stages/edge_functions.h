@@ -1,0 +1,168 @@
+#pragma once
+
+// Edge functions: every pixel is asked three questions.
+//
+// In:  the corners of a polygon on the screen.
+// Out: for every pixel of its box whether it lies inside, and how much each corner weighs there.
+// Picture: an edge divides the plane in two halves. Its edge function is positive on one side,
+//          negative on the other and 0 on the edge; a triangle is what lies on the inner side of
+//          all three.
+//
+//     E(x, y) = (x_b - x_a) (y - y_a) - (y_b - y_a) (x - x_a)
+//
+// E is also twice the area of the triangle of the edge and the point. The three of them add up to
+// twice the area of the whole, and each one's share of it is the weight of the opposite corner: the
+// barycentric coordinates. They mix the values of the corners: depth, 1/w, varyings.
+//
+// The corners lie on the grid of snap.h and pixels are asked at their centres, so E is a whole
+// number, without error: of two triangles that share an edge the one has E and the other -E. From
+// one pixel to the next E grows by the same amount, so a row costs an addition for each edge and
+// pixel.
+//
+// A polygon of more corners is taken as a fan of triangles about its first corner. That is right
+// where it has no dents.
+//
+// The classic mistakes are corners that go round the other way, for which everything is outside;
+// samples at the pixel's corner instead of its centre; and a fill rule that gives a shared edge to
+// both neighbours, or to neither (fill_rule.h).
+//
+// Source: J. Pineda, "A Parallel Algorithm for Polygon Rasterization", Computer Graphics 22(4),
+// SIGGRAPH 1988.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "stages/fill_rule.h"
+#include "stages/rectangle.h"
+#include "stages/row_end.h"
+#include "stages/snap.h"
+
+namespace rasterwalk {
+
+struct EdgeRules;
+struct LineSample;
+struct PolygonRows;
+struct Row;
+class SampleSink;
+struct Stages;
+
+/// The edge function of one edge. In 256ths of a pixel; E in 65536ths of a square pixel.
+struct EdgeFunction {
+    GridPoint from;
+    EdgeDirection way;
+    bool owns_points = false; ///< what lies on the edge is inside
+
+    /// E at a point.
+    std::int64_t at(const GridPoint& p) const {
+        return way.dx * (p.y - from.y) - way.dy * (p.x - from.x);
+    }
+    /// What E grows by from a pixel to the one on its right, or below.
+    std::int64_t one_right() const { return -way.dy * grid_parts; }
+    std::int64_t one_down() const { return way.dx * grid_parts; }
+    /// Does a point of this E lie on the inner side?
+    bool admits(std::int64_t e) const { return e > 0 || (e == 0 && owns_points); }
+};
+
+inline constexpr std::size_t edge_function_count = 3;
+using EdgeValues = std::array<std::int64_t, edge_function_count>;
+using Weights = std::array<float, edge_function_count>;
+
+/// E in square pixels, for the eye.
+constexpr double in_square_pixels(std::int64_t e) {
+    return static_cast<double>(e) / static_cast<double>(grid_parts * grid_parts);
+}
+
+/// A triangle of the fan. Edge i goes from corner i to the next; where the corners go round
+/// counterclockwise each edge is turned, so that inside is where E is positive.
+struct TestedTriangle {
+    std::array<int, edge_function_count> corners{}; ///< of the polygon
+    std::array<EdgeFunction, edge_function_count> edges;
+    std::int64_t area = 0;   ///< the sum of the three E, anywhere; 0: nothing lies inside
+    bool owns_corner = true; ///< the first one, about which the fan is laid
+    Rectangle box;           ///< the pixels that are tested
+
+    EdgeValues values_at(const GridPoint& p) const {
+        return {edges[0].at(p), edges[1].at(p), edges[2].at(p)};
+    }
+    bool admits(const EdgeValues& e) const {
+        const bool is_first_corner = e[0] == 0 && e[2] == 0;
+        if (is_first_corner && !owns_corner) return false;
+        return area > 0 && edges[0].admits(e[0]) && edges[1].admits(e[1]) && edges[2].admits(e[2]);
+    }
+};
+
+/// A polygon whose pixels are tested.
+struct TestedPolygon {
+    std::vector<RowEnd> corners; ///< their values; the columns say nothing
+    std::vector<TestedTriangle> triangles;
+};
+
+/// One row of the box of one triangle of the fan: the tests are counted in such rows, those of a
+/// triangle from the top, one triangle after the other.
+struct TestedRow {
+    int triangle = 0;        ///< of the fan
+    int row = 0;             ///< of the picture
+    int left = 0, right = 0; ///< columns of the first pixel and of the one behind the last
+};
+
+int tested_row_count(const TestedPolygon& polygon);
+/// @param index 0 <= index < tested_row_count()
+TestedRow tested_row(const TestedPolygon& polygon, int index);
+
+/// What is found out about one pixel.
+struct PixelTest {
+    int triangle = 0; ///< of the fan
+    int column = 0, row = 0;
+    EdgeValues e{}; ///< of the edges, at the pixel's centre: 65536ths of a square pixel
+    std::array<bool, edge_function_count> passes{}; ///< it lies on the edge's inner side
+    Weights weights{};                              ///< of the corners; below 0 beyond an edge
+    bool is_inside = false;                         ///< it passes all three
+
+    friend bool operator==(const PixelTest&, const PixelTest&) = default;
+};
+
+/// Asks a pixel whether a triangle of the fan covers it, by the functions of the table.
+PixelTest test_pixel(const TestedPolygon& polygon, int triangle, int column, int row,
+                     const Stages& stages);
+
+/// The weight of each corner: E of the opposite edge as a part of the sum of all three. In float;
+/// at a point inside each is from 0 to 1, and their sum is 1 but for the last bits.
+/// @param area the sum; where it is 0 no corner has a weight
+Weights barycentric_weights(const EdgeValues& e, std::int64_t area);
+
+/// The columns of a row whose pixels lie inside a triangle of the fan, by solving E for the column:
+/// the same pixels that test_pixel() finds one by one.
+/// @return the first and the last; where there are none the first lies behind the last
+struct CoveredColumns {
+    int first = 0, last = -1;
+};
+CoveredColumns covered_columns(const TestedTriangle& triangle, int row);
+
+/// The triangle of the fan that a pixel of the polygon's rows belongs to: the first that it lies
+/// inside. Where the snap has bent the polygon inward a row may hold a pixel more; that goes with
+/// the first triangle that has an area.
+const TestedTriangle& triangle_of_pixel(const TestedPolygon& polygon, int column, int row);
+
+/// The values of a triangle of the fan at a pixel, as the end of a row.
+RowEnd weighted_end(const TestedPolygon& polygon, const TestedTriangle& triangle, int column,
+                    int row, const Stages& stages, VaryingSet carried);
+
+/// Snaps the corners and sets up the edge functions.
+/// @param vertices at least one
+/// @param polygon  is reused to save allocations
+void set_up_tests(std::span<const ScreenVertex> vertices, const Stages& stages,
+                  TestedPolygon& polygon);
+
+/// The slot compute_polygon_rows: the first and the last pixel inside in every row of the box, and
+/// the polygon's edge functions. There are no edge samples to tell of: what is done is test_pixel()
+/// of every pixel of the box.
+void rows_by_edge_functions(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
+                            const Stages& stages, PolygonRows& rows, SampleSink* sink);
+
+/// The slot row_fragments: each fragment's values as the weighted sum of the corners' values.
+void fragments_by_weights(const Stages& stages, const Row& row, int first, VaryingSet carried,
+                          std::span<LineSample> result);
+
+} // namespace rasterwalk

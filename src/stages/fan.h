@@ -1,0 +1,49 @@
+#pragma once
+
+// A polygon as a fan of triangles about its first corner: right where the polygon has no dents.
+//
+// Between two triangles of the fan runs an inner edge. Whatever the fill rule, it goes by the
+// top-left rule: it must neither leave a hole in the polygon nor be laid twice.
+
+#include <array>
+#include <span>
+
+#include "stages/snap.h"
+
+namespace rasterwalk {
+
+/// A triangle of the fan. Edge i goes from corner i to the next.
+struct FanTriangle {
+    std::array<int, 3> corners{};      ///< of the polygon
+    std::array<bool, 3> is_inner{};    ///< the edges that the polygon has not
+    std::array<GridPoint, 3> points{}; ///< where the corners stand
+    std::int64_t area = 0;             ///< twice; negative where they go round counterclockwise
+};
+
+/// Calls the function with every triangle of the fan, in order, also with those that have no area.
+template <class Use>
+void for_each_fan_triangle(std::span<const ScreenVertex> vertices,
+                           GridPoint (*snap)(const ScreenVertex&), Use use) {
+    const int count = static_cast<int>(vertices.size());
+    const auto triangle_to = [&](int last) {
+        FanTriangle triangle{{0, last - 1, last}};
+        for (std::size_t i = 0; i < 3; ++i)
+            triangle.points[i] = snap(vertices[static_cast<std::size_t>(triangle.corners[i])]);
+        triangle.area = double_area(triangle.points[0], triangle.points[1], triangle.points[2]);
+        return triangle;
+    };
+    // Where the first corners lie on a line, the outline goes on to the last of them; likewise at
+    // the end.
+    int first_with_area = 2, last_with_area = count - 1;
+    while (first_with_area < count && triangle_to(first_with_area).area == 0)
+        ++first_with_area;
+    while (last_with_area > 1 && triangle_to(last_with_area).area == 0)
+        --last_with_area;
+    for (int last = 2; last < count; ++last) {
+        FanTriangle triangle = triangle_to(last);
+        triangle.is_inner = {last > first_with_area, false, last < last_with_area};
+        use(triangle);
+    }
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,132 @@
+#include "stages/scan_conversion.h"
+
+#include <algorithm>
+#include <array>
+
+#include "stages/fan.h"
+#include "stages/row_crossing.h"
+#include "stages/stage_table.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// The two sides of a half triangle.
+struct HalfSides {
+    const DownEdge& left;
+    const DownEdge& right;
+    OwnedEnds owned; ///< inner edges of a fan go by the top-left rule
+};
+
+/// What is the same for all triangles of a polygon.
+struct ScanConversion {
+    OwnedEnds owned;
+    bool owns_top, owns_bottom; ///< the points of level edges
+    GridPoint corner;           ///< about which the fan is laid
+    bool owns_corner;
+    VaryingSet carried;
+    PolygonRows& rows;
+
+    /// Lays a row of pixels. What other triangles of the polygon have laid there it lengthens.
+    void lay_row(const HalfSides& sides, int row) {
+        const std::int64_t y = pixel_centre(row);
+        const RowCrossing left = crossing_at(sides.left, y, carried);
+        const RowCrossing right = crossing_at(sides.right, y, carried);
+        PixelSpan span = pixels_between(left, right, sides.owned);
+        const bool begins_at_corner = corner == GridPoint{pixel_centre(span.first), y};
+        if (begins_at_corner && !owns_corner) ++span.first;
+        if (span.is_empty()) return;
+        const auto i = static_cast<std::size_t>(row - rows.first_row);
+        if (span.first < rows.left[i].column)
+            rows.left[i] = value_between(left, right, span.first, carried);
+        if (span.last > rows.right[i].column)
+            rows.right[i] = value_between(left, right, span.last, carried);
+    }
+    void lay_rows(const HalfSides& sides, int first, int last) {
+        for (int row = first; row <= last; ++row)
+            lay_row(sides, row);
+    }
+};
+
+/// The first row that does not begin before a height; of an edge there that is level and does not
+/// own its points, behind it.
+int first_row_below(std::int64_t y, bool is_owned) {
+    const int row = first_row_from(y);
+    return !is_owned && pixel_centre(row) == y ? row + 1 : row;
+}
+
+void convert_triangle(const FanTriangle& triangle, std::span<const ScreenVertex> vertices,
+                      const Stages& stages, ScanConversion& conversion) {
+    if (triangle.area == 0) return;
+    std::array<std::size_t, 3> order{0, 1, 2}; // of the corners, from top to bottom
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return triangle.points[a].y < triangle.points[b].y;
+    });
+    const auto vertex = [&](std::size_t corner) -> const ScreenVertex& {
+        return vertices[static_cast<std::size_t>(triangle.corners[corner])];
+    };
+    const auto edge_between = [&](std::size_t a, std::size_t b) {
+        DownEdge edge = down_edge(vertex(a), vertex(b), stages);
+        // Edge i begins at corner i; of two corners the one that the other follows.
+        edge.is_inner = triangle.is_inner[(a + 1) % 3 == b ? a : b];
+        return edge;
+    };
+    const auto [top, middle, bottom] = order;
+    const DownEdge upper = edge_between(top, middle), lower = edge_between(middle, bottom),
+                   whole = edge_between(top, bottom);
+    const std::int64_t area =
+        double_area(triangle.points[top], triangle.points[middle], triangle.points[bottom]);
+    const bool is_middle_right = area > 0;
+    const auto sides = [&](const DownEdge& shorter) {
+        const DownEdge &left = is_middle_right ? whole : shorter,
+                       &right = is_middle_right ? shorter : whole;
+        return HalfSides{
+            left,
+            right,
+            {left.is_inner || conversion.owned.left, !right.is_inner && conversion.owned.right}};
+    };
+    const std::int64_t split = upper.bottom.y;
+    const bool has_level_top = upper.top.y == split, has_level_bottom = lower.bottom.y == split;
+    // A row of centres through the middle corner belongs to the lower half, if there is one.
+    if (!has_level_top) {
+        const bool keeps_last = has_level_bottom && !lower.is_inner && conversion.owns_bottom;
+        conversion.lay_rows(sides(upper), first_row_from(upper.top.y),
+                            keeps_last ? last_row_to(split) : first_row_from(split) - 1);
+    }
+    if (!has_level_bottom) {
+        const bool keeps_first = !has_level_top || upper.is_inner || conversion.owns_top;
+        int first = first_row_below(split, keeps_first);
+        if (!has_level_top && pixel_centre(first) == split) {
+            // The middle corner lies on both of its edges.
+            HalfSides at_corner = sides(lower);
+            const OwnedEnds above = sides(upper).owned;
+            at_corner.owned = {at_corner.owned.left && above.left,
+                               at_corner.owned.right && above.right};
+            conversion.lay_rows(at_corner, first, first);
+            ++first;
+        }
+        conversion.lay_rows(sides(lower), first, last_row_to(lower.bottom.y));
+    }
+}
+
+} // namespace
+
+void rows_by_scan_conversion(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
+                             const Stages& stages, PolygonRows& rows, SampleSink* sink) {
+    const Rectangle box = snapped_box(vertices, rules, stages);
+    empty_table(box.top, box.bottom - box.top, rows);
+    const auto owns = [&](const EdgeDirection& side) { return stages.edge_owns_points(side); };
+    ScanConversion conversion{.owned = {owns(left_side), owns(right_side)},
+                              .owns_top = owns(top_side),
+                              .owns_bottom = owns(bottom_side),
+                              .corner = stages.snap(vertices[0]),
+                              .owns_corner = owns_any(stages.edge_owns_points),
+                              .carried = rules.carried,
+                              .rows = rows};
+    for_each_fan_triangle(vertices, stages.snap, [&](const FanTriangle& triangle) {
+        convert_triangle(triangle, vertices, stages, conversion);
+    });
+    if (sink != nullptr) sink->rows_without_samples(rows);
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,298 @@
+// With every way to find the pixels of a triangle, and every rule of it: picture, row tables,
+// timeline, histories, statistics and the list of events tell one story.
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include <catch2/catch.hpp>
+
+#include "explain/fragment_report.h"
+#include "inspect/event_list.h"
+#include "inspect/microscope.h"
+#include "inspect/pixel_history.h"
+#include "inspect/pixel_tests.h"
+#include "inspect/row_graph.h"
+#include "inspect/stats.h"
+#include "inspect/triangle_report.h"
+#include "pipeline/replay.h"
+#include "pipeline/timeline.h"
+#include "support/bits.h"
+#include "support/cut_frames.h"
+#include "support/effort.h"
+#include "support/moments.h"
+#include "support/recorder.h"
+#include "support/samples.h"
+
+using namespace rasterwalk;
+using namespace rasterwalk::test;
+
+namespace {
+
+struct Way {
+    Coverage coverage;
+    FillRule rule;
+    Snap snap;
+};
+
+std::vector<Way> ways() {
+    std::vector<Way> all;
+    for (const Coverage coverage :
+         {Coverage::edge_functions, Coverage::scan_conversion, Coverage::active_edges}) {
+        for (const FillRule rule : {FillRule::inclusive, FillRule::exclusive, FillRule::top_left}) {
+            for (const Snap snap : {Snap::pixel, Snap::sixteenth, Snap::subpixel})
+                all.push_back({coverage, rule, snap});
+        }
+    }
+    return all;
+}
+
+Settings settings_of(const Scene& scene, const StripStep& step, const Way& way) {
+    Settings settings = default_settings(scene);
+    set_step(settings, step);
+    settings.coverage = way.coverage;
+    settings.fill_rule = way.rule;
+    settings.snap = way.snap;
+    return settings;
+}
+
+/// Calls the function with frames of pixels, of a world, and of triangles that are cut.
+template <class Function>
+void for_each_covered_frame(Function function) {
+    const Scene pixels = small_scene(), cut = cut_scene();
+    Scene room = lab_room();
+    room.viewport = {36, 28};
+    room.camera.focal_length = 30.0f;
+    int number = 0;
+    for (const Way& way : some_of(ways(), 6)) {
+        for (const Scene* scene : {&pixels, &cut, static_cast<const Scene*>(&room)}) {
+            const StripStep step =
+                stage_list()[static_cast<std::size_t>(2 + number++ % (stage_count - 2))].step;
+            Settings settings = settings_of(*scene, step, way);
+            if (scene == &cut) settings.clip = Clip::all;
+            CAPTURE(std::string(word_of(way.coverage)), std::string(word_of(way.rule)),
+                    std::string(word_of(way.snap)), strip_place(step));
+            function(prepare_frame(*scene, settings));
+        }
+    }
+}
+
+std::vector<Cursor> told_moments(const Recorder& told) {
+    std::set<Cursor> moments;
+    for (const auto& event : told.vertices)
+        moments.insert(event.cursor);
+    for (const auto& event : told.clip_steps)
+        moments.insert(event.cursor);
+    for (const auto& event : told.culls)
+        moments.insert(event.cursor);
+    for (const auto& event : told.tests)
+        moments.insert(event.cursor);
+    for (const auto& event : told.fragments)
+        moments.insert(event.cursor);
+    return {moments.begin(), moments.end()};
+}
+
+/// The first moment that only one of two lists has, as text.
+std::string first_odd_one(const std::vector<Cursor>& a, const std::vector<Cursor>& b) {
+    const auto [p, q] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
+    if (p == a.end() && q == b.end()) return "none";
+    return to_text(p == a.end() ? *q : q == b.end() ? *p : std::min(*p, *q));
+}
+
+struct Told {
+    Framebuffer picture;
+    Recorder events{true};
+    DrawTally tally;
+};
+
+Told told_of(const Frame& frame) {
+    Told told;
+    clear(told.picture, frame);
+    told.tally = draw(frame, {}, told.picture, &told.events);
+    return told;
+}
+
+/// The pixels that tests found inside, row by row of the picture.
+std::map<int, std::set<int>> inside_rows(const Recorder& told, int triangle, const Cursor& to) {
+    std::map<int, std::set<int>> rows;
+    for (const TestEvent& event : told.tests) {
+        if (event.cursor.triangle == triangle && event.cursor < to && event.test.is_inside)
+            rows[event.test.row].insert(event.test.column);
+    }
+    return rows;
+}
+
+/// A row table as far as the picture shows it.
+std::map<int, std::set<int>> table_rows_in_picture(const Frame& frame, const PolygonRows& table) {
+    const Rectangle area = drawn_area(frame);
+    std::map<int, std::set<int>> rows;
+    for (int r = 0; r < table.size(); ++r) {
+        const int row = table.first_row + r;
+        if (table.is_empty_row(r) || row < area.top || row >= area.bottom) continue;
+        const auto i = static_cast<std::size_t>(r);
+        const int last = std::min(table.right[i].column, area.right - 1);
+        for (int c = std::max(table.left[i].column, area.left); c <= last; ++c)
+            rows[row].insert(c);
+    }
+    return rows;
+}
+
+void check_triangle(const Frame& frame, const Told& told, int triangle) {
+    const TriangleReport report = triangle_report(frame, triangle);
+    CHECK(report.edges.size() == frame.triangle_vertices(triangle).size());
+    CHECK(report.rows.sample_count == 0);
+    PolygonRows table;
+    compute_rows(frame, triangle, table);
+    CHECK(report.rows.rows.left == table.left);
+    CHECK(report.rows.rows.right == table.right);
+    if (tests_pixels(frame.stages)) {
+        CHECK(inside_rows(told.events, triangle, cursor_end) ==
+              table_rows_in_picture(frame, table));
+    }
+    std::map<int, std::set<int>> drawn;
+    for (const FragmentEvent& event : told.events.fragments) {
+        if (event.cursor.triangle == triangle)
+            drawn[event.fragment.row].insert(event.fragment.column);
+    }
+    if (has_fragments(frame.settings.stage)) CHECK(drawn == table_rows_in_picture(frame, table));
+    const EventList list = list_events(frame, triangle);
+    REQUIRE(list.count() == Timeline(frame).moments(triangle).count);
+    for (const int i : {0, list.count() / 2, list.count() - 1})
+        CHECK(event_text(list, i).starts_with(to_text(event_cursor(list, i)) + "  "));
+    // The microscope shows the edges as stage `edges` draws them.
+    const std::span<const ScreenVertex> v = frame.triangle_vertices(triangle);
+    CHECK(microscope(v[0], v[1], edge_rules(frame.settings), frame.stages).count ==
+          edge_sample_count(v[0], v[1]));
+}
+
+void check_pixels(const Frame& frame, const Told& told) {
+    const Viewport size = frame.settings.viewport;
+    for (int row = 0; row < size.height; row += 5) {
+        for (int column = 0; column < size.width; column += 3) {
+            CAPTURE(column, row);
+            const PixelHistory history = pixel_history(frame, {column, row});
+            CHECK(history.entries.size() == told.picture.overdraw[told.picture.at(column, row)]);
+            std::vector<TestEvent> tests;
+            for (const TestEvent& event : told.events.tests) {
+                if (event.test.column == column && event.test.row == row) tests.push_back(event);
+            }
+            REQUIRE(history.tests.size() == tests.size());
+            for (std::size_t i = 0; i < tests.size(); ++i) {
+                CHECK(history.tests[i].cursor == tests[i].cursor);
+                CHECK(history.tests[i].test == tests[i].test);
+                CHECK(test_at(frame, tests[i].cursor) == tests[i].test);
+            }
+            if (history.winner < 0 || !has_fragments(frame.settings.stage)) continue;
+            const PixelEntry& winner = history.entries[static_cast<std::size_t>(history.winner)];
+            const auto report = fragment_report(frame, winner.cursor);
+            REQUIRE(report);
+            CHECK(same_bits(report->after, winner.colour_after));
+            CHECK(same_bits(report->colour, winner.colour_after));
+            for (const Formula& formula : report->formulas) {
+                CAPTURE(formula.id, formula.expression);
+                CHECK(same_bits(evaluate(formula), formula.result.value));
+            }
+            const auto graph = row_graph(frame, winner.cursor.triangle, winner.cursor.index);
+            REQUIRE(graph);
+            CHECK(same_bits(graph->at(frame.settings.interpolation, winner.cursor.step).inv_w,
+                            winner.zinv));
+        }
+    }
+}
+
+} // namespace
+
+TEST_CASE("However the pixels are found, all that is shown tells the same story") {
+    for_each_covered_frame([](const Frame& frame) {
+        const Told told = told_of(frame);
+        CHECK(draw_frame(frame) == told.picture); // also when nobody watches
+        CHECK(told.events.samples.empty());
+        CHECK(told.events.tests.empty() != tests_pixels(frame.stages));
+        for (int t = 0; t < frame.triangle_count(); ++t) {
+            if (frame.is_drawn(t)) check_triangle(frame, told, t);
+        }
+        const std::vector<Cursor> expected = all_moments(frame);
+        std::vector<Cursor> moments = expected, heard = told_moments(told.events);
+        // Of a row whose ends both lie beside the picture no mark is told.
+        for (std::vector<Cursor>* const list : {&moments, &heard}) {
+            if (frame.settings.stage == Stage::rows)
+                std::erase_if(*list, [](const Cursor& at) { return at.phase == Phase::rows; });
+        }
+        CHECK(first_odd_one(heard, moments) == "none");
+        const Timeline timeline(frame);
+        std::vector<Cursor> walked;
+        for (Cursor at = timeline.first(); at != cursor_end;
+             at = timeline.next(at, Granularity::moment))
+            walked.push_back(at);
+        CHECK(first_odd_one(walked, expected) == "none");
+        const FrameStats stats = frame_stats(frame);
+        CHECK(stats.pixels_tested == static_cast<std::int64_t>(told.events.tests.size()));
+        CHECK(stats.fragments == static_cast<std::int64_t>(told.events.fragments.size()));
+        CHECK(tally_rows(frame, 0).pixels_tested == stats.pixels_tested);
+        check_pixels(frame, told);
+    });
+}
+
+TEST_CASE("Both ways in time the picture and the rows are those of the moment") {
+    Random random(1988);
+    for_each_covered_frame([&](const Frame& frame) {
+        const Told told = told_of(frame);
+        const std::vector<Cursor> moments = all_moments(frame);
+        if (moments.empty()) return;
+        const Timeline timeline(frame);
+        Replay replay;
+        replay.begin(frame);
+        for (int i = 0; i < rounds(30, 8); ++i) {
+            const auto at =
+                static_cast<std::size_t>(random.integer(0, static_cast<int>(moments.size()) - 1));
+            const Cursor& cursor = moments[at];
+            CAPTURE(to_text(cursor));
+            Framebuffer expected;
+            clear(expected, frame);
+            draw(frame, {cursor_begin, cursor, {}}, expected);
+            CHECK(replay.at(cursor) == expected);
+            CHECK(timeline.previous(cursor, Granularity::moment) == moments[at > 0 ? at - 1 : 0]);
+            CHECK(parse_cursor(to_text(cursor)) == cursor);
+            if (!tests_pixels(frame.stages) || !frame.is_drawn(cursor.triangle)) continue;
+            const RowHistory history = row_history(frame, cursor.triangle, cursor);
+            // Rows reach as far as the pixels show that have been asked; what lies beside the
+            // picture is asked without a moment of its own.
+            const auto rows = table_rows_in_picture(frame, history.rows);
+            for (const auto& [row, columns] : inside_rows(told.events, cursor.triangle, cursor)) {
+                REQUIRE(rows.contains(row));
+                CHECK(*rows.at(row).begin() == *columns.begin());
+                CHECK(*rows.at(row).rbegin() == *columns.rbegin());
+            }
+        }
+    });
+}
+
+TEST_CASE("The lab's picture is untouched by the rules of other coverage") {
+    const Scene scene = small_scene();
+    for (const StageInfo& info : stage_list()) {
+        Settings settings = default_settings(scene);
+        set_step(settings, info.step);
+        const Framebuffer usual = draw_frame(prepare_frame(scene, settings));
+        settings.fill_rule = FillRule::top_left;
+        settings.snap = Snap::subpixel;
+        CHECK(draw_frame(prepare_frame(scene, settings)) == usual);
+        // Points and edges are drawn as ever, however pixels are found later.
+        settings.coverage = Coverage::edge_functions;
+        if (settings.stage < Stage::rows)
+            CHECK(draw_frame(prepare_frame(scene, settings)) == usual);
+    }
+}
+
+TEST_CASE("A point given in pixels lies at its pixel's centre") {
+    const Scene scene = pixel_scene({{{{2, 1, 1}, {14, 1, 1}, {5, 10, 1}}}}, {16, 12});
+    for (const Snap snap : {Snap::pixel, Snap::sixteenth, Snap::subpixel}) {
+        const Frame frame =
+            prepare_frame(scene, settings_of(scene, {Stage::fill},
+                                             {Coverage::edge_functions, FillRule::top_left, snap}));
+        const std::optional<PixelTest> test = test_at(frame, *parse_cursor("t0/b4/c5"));
+        REQUIRE(test);
+        CHECK(pixel_test_text(*test) == "E = 48, 27, 33: inside");
+        CHECK(frame_stats(frame).fragments == 57);
+        CHECK(frame_stats(frame).pixels_tested == 130);
+    }
+}
