@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::array coverages{Coverage::edge_functions, Coverage::scan_conversion,
                                Coverage::active_edges};
-constexpr std::array rules{FillRule::inclusive, FillRule::exclusive, FillRule::top_left};
+constexpr std::array fill_rules{FillRule::inclusive, FillRule::exclusive, FillRule::top_left};
 
 Stages table_of(Coverage coverage, FillRule rule, Snap snap = Snap::subpixel) {
     Settings settings;
@@ -249,7 +249,7 @@ TEST_CASE("All three ways find the pixels that the second implementation finds")
     for (int i = 0; i < rounds(150'000, 5'000); ++i) {
         const std::vector<GridPoint> triangle{any_point(random), any_point(random),
                                               any_point(random)};
-        const FillRule rule = rules[static_cast<std::size_t>(i) % rules.size()];
+        const FillRule rule = fill_rules[static_cast<std::size_t>(i) % fill_rules.size()];
         for (const Coverage coverage : coverages) {
             Covered covered{};
             compute(triangle, table_of(coverage, rule), rows);
@@ -264,7 +264,7 @@ TEST_CASE("Each pixel by itself is as its row says, and E is the second implemen
     for (int i = 0; i < rounds(20'000, 1'000); ++i) {
         const std::vector<GridPoint> points{any_point(random), any_point(random),
                                             any_point(random)};
-        const FillRule rule = rules[static_cast<std::size_t>(i) % rules.size()];
+        const FillRule rule = fill_rules[static_cast<std::size_t>(i) % fill_rules.size()];
         const Stages stages = table_of(Coverage::edge_functions, rule);
         TestedPolygon polygon;
         set_up_tests(vertices_of(points), stages, polygon);
@@ -334,7 +334,7 @@ TEST_CASE("Polygons of many corners by active edges, with dents too") {
     PolygonRows rows;
     for (int i = 0; i < rounds(60'000, 2'000); ++i) {
         const std::vector<GridPoint> polygon = star(random, random.integer(4, 9));
-        const FillRule rule = rules[static_cast<std::size_t>(i) % rules.size()];
+        const FillRule rule = fill_rules[static_cast<std::size_t>(i) % fill_rules.size()];
         EdgeRules edges;
         edges.carried = {};
         const Stages stages = table_of(Coverage::active_edges, rule);
