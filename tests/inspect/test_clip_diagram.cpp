@@ -22,8 +22,8 @@ namespace {
 /// How far inside of a plane of the view a corner lies. Of the lab's projection, where w is z.
 double own_distance(const Settings& settings, ClipPlane plane, const CutCorner& corner) {
     const glm::dvec4 p(corner.vertex.position_clip);
-    const double half_width = settings.viewport.width / 2,
-                 half_height = settings.viewport.height / 2;
+    const double half_width = 0.5 * settings.viewport.width,
+                 half_height = 0.5 * settings.viewport.height;
     switch (plane) {
     case ClipPlane::near:
         return p.w - static_cast<double>(settings.near);

@@ -24,7 +24,7 @@ namespace {
 
 /// The heights it can have, design pixels; where the page is too low for the smaller one it is left
 /// out.
-constexpr float diagram_heights[] = {200.0f, 130.0f};
+constexpr float diagram_heights[] = {170.0f, 120.0f};
 
 /// A narrower one has no room for names, design pixels.
 constexpr float least_diagram_width = 180.0f;
@@ -337,9 +337,9 @@ void draw_caption(const ClipPage& page, const ClipDiagram& diagram) {
 
 } // namespace
 
-void draw_clip_diagram(const ClipPage& page, ClipPlane plane) {
+bool draw_clip_diagram(const ClipPage& page, ClipPlane plane) {
     const std::optional<ClipDiagram> diagram = clip_diagram(page.history, plane);
-    if (!diagram) return;
+    if (!diagram) return false;
     Ui& ui = page.ui;
     const float u = ui.options.text_scale;
     ImGui::PushFont(ui.fonts.small);
@@ -373,6 +373,7 @@ void draw_clip_diagram(const ClipPage& page, ClipPlane plane) {
         draw_field(field, marks, start.x);
     }
     ImGui::PopFont();
+    return height.has_value();
 }
 
 } // namespace rasterwalk

@@ -91,6 +91,15 @@ void show_item(const Ui& ui) {
     if (!is_seen) ImGui::SetScrollHereY(0.5f);
 }
 
+/// Scrolls to a plane's table and the diagram below it, which was just drawn, where both have room
+/// and are not seen yet.
+void show_with_diagram(const Ui& ui, float top) {
+    const ShownLines seen = shown_lines(ui);
+    const float bottom = ImGui::GetItemRectMax().y;
+    const bool is_seen = top >= seen.top && bottom <= seen.bottom;
+    if (!is_seen && bottom - top <= seen.bottom - seen.top) ImGui::SetScrollHereY(1.0f);
+}
+
 void go_to_step(const ClipPage& page, ClipPlane plane, int step) {
     const Timeline timeline(page.frame);
     const Cursor cursor{page.history.triangle, Phase::clip, static_cast<int>(plane), step};
@@ -242,9 +251,11 @@ void draw_clip_plane_buttons(const ClipPage& page) {
                                      ? "It cuts. Click: opens or closes what it does."
                                      : "It has no work: every corner lies inside. Click: opens or "
                                        "closes the distances.";
-        if (!button(page.ui, "clip.plane." + label, label,
-                    is_plane_open(page, plane) ? Look::chosen : Look::plain, help))
-            continue;
+        const bool is_clicked =
+            button(page.ui, "clip.plane." + label, label,
+                   is_plane_open(page, plane) ? Look::chosen : Look::plain, help);
+        keep_item_whole(page.ui);
+        if (!is_clicked) continue;
         bool& is_turned = page.ui.inspector.clip.is_turned[p];
         is_turned = !is_turned;
         if (is_plane_open(page, plane)) page.ui.inspector.clip.plane = plane;
@@ -259,6 +270,7 @@ void draw_clip_plane(const ClipPage& page, ClipPlane plane) {
         corners_before(page.history, planes_before(page.history, plane));
     draw_clip_title(page, plane_name(plane),
                     work == nullptr ? "nothing to cut" : become_text(*work));
+    const float top = ImGui::GetCursorScreenPos().y;
     if (begin_clip_table(page, "plane" + number_of(plane), {0.9f, 1.3f, 1.3f, 0.9f, 0.9f})) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
@@ -287,7 +299,8 @@ void draw_clip_plane(const ClipPage& page, ClipPlane plane) {
         ImGui::PopFont();
         end_clip_table();
     }
-    if (plane == plane_in_diagram(page)) draw_clip_diagram(page, plane);
+    const bool has_diagram = plane == plane_in_diagram(page) && draw_clip_diagram(page, plane);
+    if (has_diagram && page.progress && page.has_moved) show_with_diagram(page.ui, top);
     draw_made_corners(page, plane);
 }
 
