@@ -127,6 +127,25 @@ const PlaneHistory* work_of(const ClipHistory& history, ClipPlane plane) {
     return found == history.planes.end() ? nullptr : &*found;
 }
 
+std::vector<ClipStep> plane_steps(const ClipHistory& history, ClipPlane plane) {
+    if (const PlaneHistory* const work = work_of(history, plane)) return work->steps;
+    const glm::vec4& coefficients = history.codes.planes[static_cast<std::size_t>(plane)];
+    const std::vector<CutCorner> before = corners_before(history, planes_before(history, plane));
+    std::vector<ClipStep> steps;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        const std::size_t next = (i + 1) % before.size();
+        ClipStep step;
+        step.plane = plane;
+        step.from = static_cast<int>(i);
+        step.to = static_cast<int>(next);
+        step.d_from = inner_distance(coefficients, before[i].vertex);
+        step.d_to = inner_distance(coefficients, before[next].vertex);
+        step.is_from_inside = step.is_to_inside = step.keeps_from = true;
+        steps.push_back(step);
+    }
+    return steps;
+}
+
 std::vector<CutCorner> corners_passed(const ClipHistory& history, const ClipProgress& progress) {
     std::vector<CutCorner> corners = corners_before(history, progress.planes);
     if (progress.planes >= static_cast<int>(history.planes.size())) return corners;

@@ -67,6 +67,10 @@ int planes_before(const ClipHistory& history, ClipPlane plane);
 /// The plane's work; null if it has none.
 const PlaneHistory* work_of(const ClipHistory& history, ClipPlane plane);
 
+/// What a plane does with each edge of the polygon before it; of one without work what it would do.
+/// @param plane one of those that are asked
+std::vector<ClipStep> plane_steps(const ClipHistory& history, ClipPlane plane);
+
 /// What the plane at work has passed on so far; without a plane at work what is left.
 std::vector<CutCorner> corners_passed(const ClipHistory& history, const ClipProgress& progress);
 

@@ -42,6 +42,9 @@ void draw_clip_codes(const ClipPage& page);
 void draw_clip_plane_buttons(const ClipPage& page);
 /// What a plane does with each edge, and the corners it makes; nothing if it is closed.
 void draw_clip_plane(const ClipPage& page, ClipPlane plane);
+/// What the plane does, drawn in clip space. Returns false, and draws nothing, where the page is
+/// too low for it.
+bool draw_clip_diagram(const ClipPage& page, ClipPlane plane);
 /// The polygon that is left, and its triangles.
 void draw_clip_rest(const ClipPage& page);
 /// What each way of culling takes it for.

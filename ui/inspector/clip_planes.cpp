@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,26 +26,6 @@ std::string number_of(ClipPlane plane) {
     return std::to_string(static_cast<int>(plane));
 }
 
-/// The steps of a plane; of one without work what they would be.
-std::vector<ClipStep> steps_of(const ClipPage& page, ClipPlane plane,
-                               const std::vector<CutCorner>& before) {
-    if (const PlaneHistory* const work = work_of(page.history, plane)) return work->steps;
-    const glm::vec4& coefficients = page.history.codes.planes[static_cast<std::size_t>(plane)];
-    std::vector<ClipStep> steps;
-    for (std::size_t i = 0; i < before.size(); ++i) {
-        const std::size_t next = (i + 1) % before.size();
-        ClipStep step;
-        step.plane = plane;
-        step.from = static_cast<int>(i);
-        step.to = static_cast<int>(next);
-        step.d_from = inner_distance(coefficients, before[i].vertex);
-        step.d_to = inner_distance(coefficients, before[next].vertex);
-        step.is_from_inside = step.is_to_inside = step.keeps_from = true;
-        steps.push_back(step);
-    }
-    return steps;
-}
-
 bool has_work(const ClipPage& page, ClipPlane plane) {
     return work_of(page.history, plane) != nullptr;
 }
@@ -52,6 +33,17 @@ bool has_work(const ClipPage& page, ClipPlane plane) {
 bool is_plane_open(const ClipPage& page, ClipPlane plane) {
     const bool is_turned = page.ui.inspector.clip.is_turned[static_cast<std::size_t>(plane)];
     return has_work(page, plane) != is_turned;
+}
+
+/// The plane of which there is a diagram: the one at work, the one that was opened last, or the
+/// first that cuts.
+std::optional<ClipPlane> plane_in_diagram(const ClipPage& page) {
+    const std::vector<PlaneHistory>& planes = page.history.planes;
+    if (page.progress) return planes[static_cast<std::size_t>(page.progress->planes)].plane;
+    const std::optional<ClipPlane> opened = page.ui.inspector.clip.plane;
+    if (opened && is_plane_open(page, *opened)) return opened;
+    if (planes.empty()) return std::nullopt;
+    return planes.front().plane;
 }
 
 /// A distance from the plane, and on which side that is.
@@ -97,6 +89,15 @@ void show_item(const Ui& ui) {
     const bool is_seen =
         ImGui::GetItemRectMin().y >= seen.top && ImGui::GetItemRectMax().y <= seen.bottom;
     if (!is_seen) ImGui::SetScrollHereY(0.5f);
+}
+
+/// Scrolls to a plane's table and the diagram below it, which was just drawn, where both have room
+/// and are not seen yet.
+void show_with_diagram(const Ui& ui, float top) {
+    const ShownLines seen = shown_lines(ui);
+    const float bottom = ImGui::GetItemRectMax().y;
+    const bool is_seen = top >= seen.top && bottom <= seen.bottom;
+    if (!is_seen && bottom - top <= seen.bottom - seen.top) ImGui::SetScrollHereY(1.0f);
 }
 
 void go_to_step(const ClipPage& page, ClipPlane plane, int step) {
@@ -250,9 +251,11 @@ void draw_clip_plane_buttons(const ClipPage& page) {
                                      ? "It cuts. Click: opens or closes what it does."
                                      : "It has no work: every corner lies inside. Click: opens or "
                                        "closes the distances.";
-        if (!button(page.ui, "clip.plane." + label, label,
-                    is_plane_open(page, plane) ? Look::chosen : Look::plain, help))
-            continue;
+        const bool is_clicked =
+            button(page.ui, "clip.plane." + label, label,
+                   is_plane_open(page, plane) ? Look::chosen : Look::plain, help);
+        keep_item_whole(page.ui);
+        if (!is_clicked) continue;
         bool& is_turned = page.ui.inspector.clip.is_turned[p];
         is_turned = !is_turned;
         if (is_plane_open(page, plane)) page.ui.inspector.clip.plane = plane;
@@ -267,6 +270,7 @@ void draw_clip_plane(const ClipPage& page, ClipPlane plane) {
         corners_before(page.history, planes_before(page.history, plane));
     draw_clip_title(page, plane_name(plane),
                     work == nullptr ? "nothing to cut" : become_text(*work));
+    const float top = ImGui::GetCursorScreenPos().y;
     if (begin_clip_table(page, "plane" + number_of(plane), {0.9f, 1.3f, 1.3f, 0.9f, 0.9f})) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
@@ -285,7 +289,7 @@ void draw_clip_plane(const ClipPage& page, ClipPlane plane) {
         draw_column_title(page, "clip.header.gives", "gives",
                           "The corners that this edge passes on.");
         ImGui::PushFont(page.ui.fonts.mono);
-        const std::vector<ClipStep> steps = steps_of(page, plane, before);
+        const std::vector<ClipStep> steps = plane_steps(page.history, plane);
         const bool has_sides = has_room_for_sides(steps, room);
         for (const ClipStep& step : steps) {
             if (step.from < static_cast<int>(before.size()) &&
@@ -295,6 +299,8 @@ void draw_clip_plane(const ClipPage& page, ClipPlane plane) {
         ImGui::PopFont();
         end_clip_table();
     }
+    const bool has_diagram = plane == plane_in_diagram(page) && draw_clip_diagram(page, plane);
+    if (has_diagram && page.progress && page.has_moved) show_with_diagram(page.ui, top);
     draw_made_corners(page, plane);
 }
 

@@ -15,8 +15,8 @@ namespace {
 /// What says enough by itself: the picture and the plots, with their read-outs; the borders that
 /// are dragged; links and sentences; lines of a table whose headers explain them.
 bool needs_tooltip(const std::string& name) {
-    for (const char* exempt :
-         {"canvas", "canvas.rows", "graph.plot", "graph.carried", "fragment.none"}) {
+    for (const char* exempt : {"canvas", "canvas.rows", "clip.diagram", "graph.plot",
+                               "graph.carried", "fragment.none"}) {
         if (name == exempt) return false;
     }
     for (const char* exempt : {"splitter.", "lesson.link.", "lab.link.", "microscope.sample."}) {
