@@ -17,8 +17,9 @@ struct SettingFault {
     friend bool operator==(const SettingFault&, const SettingFault&) = default;
 };
 
-/// A far plane that is not behind the near one, and a camera without a direction. None in a scene
-/// in pixel space, which has no camera.
+/// A far plane that is not behind the near one, and a camera without a direction. A scene in pixel
+/// space has no camera; the planes count there if the depth is measured between them, see
+/// ClipDepth.
 std::vector<SettingFault> setting_faults(const Settings& settings, SceneSpace space);
 
 } // namespace rasterwalk

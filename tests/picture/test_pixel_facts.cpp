@@ -165,6 +165,7 @@ TEST_CASE("Passed and failed fragments are those of the drawing, light or not, a
                 std::vector<DepthVerdicts> expected(facts.depth.size());
                 REQUIRE(expected.size() == pixels_of(room));
                 for (const FragmentEvent& event : fragments_of(frame, to).fragments) {
+                    if (event.fate == Fate::back_facing) continue; // never came to the test
                     DepthVerdicts& verdicts = expected[pixel_of(frame, event.fragment)];
                     ++(event.fate == Fate::written ? verdicts.passed : verdicts.failed);
                 }
