@@ -1,0 +1,33 @@
+#include <catch2/catch.hpp>
+
+#include "settings/setting_faults.h"
+
+using namespace rasterwalk;
+
+TEST_CASE("The planes are told of wherever they act, the camera's aim only in the world") {
+    Settings settings;
+    settings.near = 3.0f;
+    settings.far = 1.0f;
+    settings.camera.aim = CameraAim::look_at;
+    settings.camera.target = settings.camera.position;
+    const auto in_short = [&](SceneSpace space) {
+        std::vector<std::string> texts;
+        for (const SettingFault& fault : setting_faults(settings, space))
+            texts.push_back(fault.in_short);
+        return texts;
+    };
+    const std::string planes = "far plane not behind the near one",
+                      aim = "the camera has no direction";
+    for (const std::string_view word : enum_words<DepthFormat>) {
+        settings.depth_format = *value_of_word<DepthFormat>(word);
+        CAPTURE(word);
+        // 1/z needs no planes; what lies between 0 and 1 is measured from one to the other.
+        const bool is_measured = word.find("inv_z") == std::string_view::npos;
+        CHECK(in_short(SceneSpace::world) == std::vector<std::string>{planes, aim});
+        CHECK(in_short(SceneSpace::pixels) ==
+              (is_measured ? std::vector<std::string>{planes} : std::vector<std::string>{}));
+    }
+    settings.near = 0.5f;
+    CHECK(in_short(SceneSpace::world) == std::vector<std::string>{aim});
+    CHECK(in_short(SceneSpace::pixels).empty());
+}
