@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "tests/support/effort.h"
 #include "tests/ui/driver.h"
 #include "ui/actions/keys.h"
 #include "ui/actions/lesson_links.h"
@@ -27,7 +28,7 @@ TEST_CASE("A step outlines what it points at, whatever is pressed, until it is u
     const LessonView& view = driver.ui.lesson;
     const std::vector<Lesson> lessons = driver.ui.lesson.lessons.all();
     int tried = 0;
-    for (const Lesson& lesson : lessons) {
+    for (const Lesson& lesson : test::some_of(lessons, 8)) {
         const int step = step_that_points(lesson);
         if (step < 0) continue;
         INFO(lesson.id << ", step " << step);
