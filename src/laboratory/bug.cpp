@@ -19,7 +19,7 @@ namespace rasterwalk {
 
 namespace {
 
-Assignments read_assignments(const TomlInput& input, std::string_view key) {
+Assignments read_named_assignments(const TomlInput& input, std::string_view key) {
     Assignments values;
     for (const toml::node& node : input.list(key)) {
         const auto* text = node.as_string();
@@ -75,9 +75,9 @@ Bug read_bug(const TomlInput& input) {
     if (!is_scene_path(bug.scene)) {
         input.fail(*input.find("scene"), "'scene' is a file of this folder: \"scenes/name.toml\".");
     }
-    bug.set = read_assignments(input, "set");
+    bug.set = read_named_assignments(input, "set");
     if (bug.set.empty()) input.fail(*input.find("set"), "'set' must change something.");
-    if (input.find("against") != nullptr) bug.against = read_assignments(input, "against");
+    if (input.find("against") != nullptr) bug.against = read_named_assignments(input, "against");
     return bug;
 }
 

@@ -15,7 +15,7 @@ namespace {
 constexpr float same_direction = 0.999f;
 
 /// An edge of one triangle, its ends in order.
-struct Side {
+struct OutlineSide {
     glm::vec3 from, to;
     int triangle;
 
@@ -37,8 +37,8 @@ bool is_flat(const Scene& scene, int a, int b) {
            std::abs(glm::dot(normal_of(scene, a), normal_of(scene, b))) > same_direction;
 }
 
-std::vector<Side> sides_of(const Scene& scene) {
-    std::vector<Side> sides;
+std::vector<OutlineSide> sides_of(const Scene& scene) {
+    std::vector<OutlineSide> sides;
     for (int t = 0; t < scene.triangle_count(); ++t) {
         for (int i = 0; i < triangle_corners; ++i) {
             glm::vec3 from = scene.corner(t, i).position;
@@ -50,7 +50,7 @@ std::vector<Side> sides_of(const Scene& scene) {
         }
     }
     std::sort(sides.begin(), sides.end(),
-              [](const Side& a, const Side& b) { return a.ends() < b.ends(); });
+              [](const OutlineSide& a, const OutlineSide& b) { return a.ends() < b.ends(); });
     return sides;
 }
 
@@ -59,7 +59,7 @@ std::vector<Side> sides_of(const Scene& scene) {
 std::vector<OutlineEdge> outline_of(const Scene& scene) {
     std::vector<OutlineEdge> outline;
     if (scene.triangle_count() > most_outlined) return outline;
-    const std::vector<Side> sides = sides_of(scene);
+    const std::vector<OutlineSide> sides = sides_of(scene);
     for (std::size_t i = 0; i < sides.size();) {
         std::size_t end = i + 1;
         while (end < sides.size() && sides[end].ends() == sides[i].ends())

@@ -185,7 +185,7 @@ SeenClipping seen_clipping(const Ui& ui) {
 
 /// Is it seen where the division puts a vertex behind the camera? Where the triangle is drawn with
 /// it, and while it is clipped, which saves it from that.
-bool is_mirrored(const RunResults& run) {
+bool is_seen_mirrored(const RunResults& run) {
     if (!run.triangle) return false;
     if (run.inspected.clip && clip_progress(*run.inspected.clip, run.done)) return true;
     return run.frame.settings.clip == Clip::none && run.frame.is_drawn(*run.triangle);
@@ -229,9 +229,10 @@ void draw_outside(Ui& ui, const Pane& pane) {
     list->AddRectFilled(pane.low, pane.high, packed(p.canvas), 4.0f * u);
     list->PushClipRect(pane.low, pane.high, true);
     draw_image(ui, list, pane);
-    const OutsideMarks marks = outside_marks(
-        *a.scene, drawing.things(), drawing.eye(), {a.triangle, subject.clipping, is_mirrored(a)},
-        ui.session.selection.pixel, size_of(pane), bases_of(a.frame, a.triangle));
+    const OutsideMarks marks =
+        outside_marks(*a.scene, drawing.things(), drawing.eye(),
+                      {a.triangle, subject.clipping, is_seen_mirrored(a)},
+                      ui.session.selection.pixel, size_of(pane), bases_of(a.frame, a.triangle));
     const std::string coming = fitting_coming_words(ui, pane);
     const float below =
         coming.empty() ? 0.0f : ui.fonts.small->FontSize + (coming_border + coming_gap) * u;

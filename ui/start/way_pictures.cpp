@@ -19,7 +19,7 @@ namespace {
 
 constexpr int pictures_of_way = 3;
 constexpr float picture_gap = 10.0f; ///< between two, design pixels
-constexpr float least_picture = 56.0f;
+constexpr float least_way_picture = 56.0f;
 
 using WayImages = std::array<Image, pictures_of_way>;
 using WayWords = std::array<const char*, pictures_of_way>;
@@ -115,7 +115,7 @@ void draw_way_pictures(Ui& ui, Way way, ImVec2 low, ImVec2 high, float most) {
     const float side =
         std::floor(std::min((width - gap * (pictures_of_way - 1)) / pictures_of_way, most));
     const float y = std::round(high.y - caption - side);
-    if (side < least_picture * u || y < low.y) return;
+    if (side < least_way_picture * u || y < low.y) return;
     renew_way_pictures(ui, static_cast<int>(side));
     const WayPictures& pictures = ui.start.way_pictures;
     const auto place = static_cast<std::size_t>(way);
