@@ -1,64 +1,52 @@
-#!/ usr / bin / env bash
-#Adds a varying to a copy of stages / varyings.h, puts that copy first on the include path, and sees
-#that the rest of the core, as it is, interpolates it, shows it and compares it.Then forgets one
-#step of the adding after the other, and sees that none of these compiles.
-#add_varying.sh ROOT SCRATCH COMPILER
-set - eu root =
-${1 : ? ROOT is missing } scratch =
-  ${2 : ? SCRATCH is missing } compiler =
-    ${3 : -c++} here =
-        $(cd "$(dirname " $ { BASH_SOURCE[0] } ")" && pwd)
+#!/usr/bin/env bash
+# Adds a varying to a copy of stages/varyings.h, puts that copy first on the include path, and sees
+# that the rest of the core, as it is, interpolates it, shows it and compares it. Then forgets one
+# step of the adding after the other, and sees that none of these compiles.
+#   add_varying.sh ROOT SCRATCH COMPILER
+set -eu
+root=${1:?ROOT is missing}
+scratch=${2:?SCRATCH is missing}
+compiler=${3:-c++}
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 
-            rm -
-        rf "$scratch" mkdir -
-        p "$scratch" / {whole, no_member_pointer, no_entry} / stages header =
-            $root / src / stages /
-            varyings.h
+rm -rf "$scratch"
+mkdir -p "$scratch"/{whole,no_member_pointer,no_entry}/stages
+header=$root/src/stages/varyings.h
 
-                add_member =
-                's|^    glm::vec3 illumination{0.0f};.*|&\n    glm::vec2 heat{0.0f};|' add_pointer =
-                    's|&Varyings::illumination};|\&Varyings::illumination, \&Varyings::heat};|' entry =
-                        '    varying_info("heat", "heat", "kelvin", false, VaryingUse::always,\
+add_member='s|^    glm::vec3 illumination{0.0f};.*|&\n    glm::vec2 heat{0.0f};|'
+add_pointer='s|&Varyings::illumination};|\&Varyings::illumination, \&Varyings::heat};|'
+entry='    varying_info("heat", "heat", "kelvin", false, VaryingUse::always,\
                  {{{"heat_in", "heat in", "hi/z", "Heat that arrives."},\
                    {"heat_out", "heat out", "ho/z", "Heat that leaves."}}},\
                  varying_component<\&Varyings::heat>, \&Varyings::heat),'
-#The entry goes behind the last one, which ends the list.
-    add_entry =
-        's|^                 varying_component<&Varyings::illumination>, &Varyings::illumination),|&\n' $entry '|'
+# The entry goes behind the last one, which ends the list.
+add_entry='s|^                 varying_component<&Varyings::illumination>, &Varyings::illumination),|&\n'$entry'|'
 
-            sed -
-            e "$add_member" - e "$add_pointer" -
-            e "$add_entry"
-              "$header" >
-        "$scratch/whole/stages/varyings.h" sed - e "$add_member"
-                                                   "$header" >
-        "$scratch/no_member_pointer/stages/varyings.h" sed - e "$add_member" -
-            e "$add_pointer"
-              "$header" >
-        "$scratch/no_entry/stages/varyings.h" if
-            ["$(grep -c heat " $scratch / whole / stages / varyings.h ")" - lt 6]; then
+sed -e "$add_member" -e "$add_pointer" -e "$add_entry" "$header" > "$scratch/whole/stages/varyings.h"
+sed -e "$add_member" "$header" > "$scratch/no_member_pointer/stages/varyings.h"
+sed -e "$add_member" -e "$add_pointer" "$header" > "$scratch/no_entry/stages/varyings.h"
+if [ "$(grep -c heat "$scratch/whole/stages/varyings.h")" -lt 6 ]; then
     echo "varyings.h has changed its form: the varying could not be added" >&2
     exit 1
 fi
 
 flags="-std=c++20 -O0 -ffp-contract=off"
-#An incomplete addition must say what is missing.
-for forgotten in no_member_pointer:varying_members no_entry:varying_list;
-do
-    folder = ${forgotten % % : * } word = $ {
-        forgotten##*:
-    }
-if
-    "$compiler" $flags - fsyntax - only - I "$scratch/$folder" - I "$root/src" -
-            x c++ "$scratch/$folder/stages/varyings.h" 2 >
-        "$scratch/$folder/said";
-then echo "$folder: it compiles, and the new varying would silently be 0" >
-    &2 exit 1 fi if !grep - q "missing in $word"
-                              "$scratch/$folder/said";
-then echo "$folder: the compiler does not say what is missing:" > &2 cat "$scratch/$folder/said" >
-    &2 exit 1 fi done
+# An incomplete addition must say what is missing.
+for forgotten in no_member_pointer:varying_members no_entry:varying_list; do
+    folder=${forgotten%%:*} word=${forgotten##*:}
+    if "$compiler" $flags -fsyntax-only -I "$scratch/$folder" -I "$root/src" -x c++ \
+            "$scratch/$folder/stages/varyings.h" 2> "$scratch/$folder/said"; then
+        echo "$folder: it compiles, and the new varying would silently be 0" >&2
+        exit 1
+    fi
+    if ! grep -q "missing in $word" "$scratch/$folder/said"; then
+        echo "$folder: the compiler does not say what is missing:" >&2
+        cat "$scratch/$folder/said" >&2
+        exit 1
+    fi
+done
 
-#The core needs nothing else : every file of these folders as it is, in one go.
+# The core needs nothing else: every file of these folders as it is, in one go.
 {
     echo "// The core with one varying more."
     for file in "$root"/src/scene/{scene,mesh,look_at}.cpp "$root"/src/stages/*.cpp \
