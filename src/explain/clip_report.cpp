@@ -52,6 +52,7 @@ struct Maker {
     const ClipHistory& history;
 
     VertexRules rules() const { return vertex_rules(frame.settings, frame.scene->space); }
+    SightRays rays() const { return sight_rays(rules()); }
 
     /// The formula, or where other functions stand in the slots the bare number.
     Formula checked(Formula formula, const Source& source) const {
@@ -352,24 +353,42 @@ std::optional<Formula> Maker::pixel(std::string_view corner, std::string_view pa
 }
 
 Formula Maker::away(const CutCorner& corner, std::string id) const {
+    const SightRays sight = rays();
+    const bool has_way = sight.mix<1.0f, has_forward = sight.mix> 0.0f;
     Formula formula{std::move(id),
-                    "n · (p − C)",
-                    "Greater than 0: the normal n points the way from the camera C to the corner "
-                    "p, so one sees the back.",
+                    std::string(sight_name(frame)),
+                    "Greater than 0: the normal n points ",
                     "",
                     {},
-                    {away_from_camera(corner.vertex, rules())}};
-    const glm::vec3& camera = frame.settings.camera.position;
+                    {away_from_camera(corner.vertex.varyings, sight)}};
+    formula.help += !has_forward ? "the way from the camera C to the corner p"
+                    : !has_way   ? "the way all rays run, forward"
+                                 : "the way between that from the camera C to the corner p and "
+                                   "forward";
+    formula.help += ", so one sees the back.";
     const int place = varying_index(&Varyings::position_world);
     const int normal = varying_index(&Varyings::normal);
     for (int i = 0; i < 3; ++i) {
         const std::string axis = axis_names[static_cast<std::size_t>(i)];
-        formula.expression +=
-            (i == 0 ? "n." : " + n.") + axis + " · (p." + axis + " − C." + axis + ")";
+        const std::string way = "(p." + axis + " − C." + axis + ")", forward = "forward." + axis;
+        formula.expression += (i == 0 ? "n." : " + n.") + axis + " · ";
+        formula.expression += !has_forward ? way
+                              : !has_way   ? forward
+                                         : "((1 − mix) · " + way + " + mix · " + forward + ")";
         formula.inputs.push_back(varying("n." + axis, corner, normal, i));
-        formula.inputs.push_back(varying("p." + axis, corner, place, i));
-        formula.inputs.push_back({"C." + axis, {camera[i]}, from_setting("camera.position")});
+        if (has_way) {
+            formula.inputs.push_back(varying("p." + axis, corner, place, i));
+            formula.inputs.push_back(
+                {"C." + axis, {sight.camera[i]}, from_setting("camera.position")});
+        }
+        if (has_forward) {
+            formula.inputs.push_back({forward,
+                                      {sight.forward[i]},
+                                      from_vertex(history.triangle, 0, fmt::format("R.{}.2", i))});
+        }
     }
+    if (has_way && has_forward)
+        formula.inputs.push_back({"mix", {sight.mix}, from_setting("projection_mix")});
     return checked(formula, from_words("the function that culls"));
 }
 
@@ -420,6 +439,12 @@ Formula Maker::area() const {
 }
 
 } // namespace
+
+std::string_view sight_name(const Frame& frame) {
+    const float mix = vertex_rules(frame.settings, frame.scene->space).projection.mix;
+    if (mix == 0.0f) return "n · (p − C)";
+    return mix == 1.0f ? "n · forward" : "n · ((1 − mix) (p − C) + mix forward)";
+}
 
 std::string plane_name(ClipPlane plane) {
     return plane_name(static_cast<int>(plane));
@@ -489,21 +514,23 @@ std::vector<CullAnswer> cull_answers(const Frame& frame, const ClipHistory& hist
     const VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
     const std::vector<ClipVertex>& polygon = history.polygon;
     const auto is_back = [](Rejection rejection) { return rejection != Rejection::none; };
-    CullAnswer normal{Cull::face_normal, is_back(cull_by_face_normal(polygon, rules)),
-                      away_from_camera(polygon.front(), rules), "cull.normal"};
-    CullAnswer area{Cull::screen_area, is_back(cull_by_screen_area(polygon, rules)),
+    const SightRays rays = sight_rays(rules);
+    const auto away = [&](std::size_t i) { return away_from_camera(polygon[i].varyings, rays); };
+    CullAnswer normal{Cull::face_normal, is_back(cull_by_face_normal(polygon, rules, rays)),
+                      away(0), "cull.normal"};
+    CullAnswer area{Cull::screen_area, is_back(cull_by_screen_area(polygon, rules, rays)),
                     screen_area_sign(polygon, rules), "cull.area"};
     area.is_open = !std::all_of(polygon.begin(), polygon.end(),
                                 [](const ClipVertex& v) { return v.position_clip.w > 0.0f; });
-    const auto away = [&](std::size_t i) { return away_from_camera(polygon[i], rules); };
     std::size_t least = 0, most = 0;
     for (std::size_t i = 1; i < polygon.size(); ++i) {
         least = away(i) < away(least) ? i : least;
         most = away(i) > away(most) ? i : most;
     }
     const std::string least_formula = "cull.normal." + std::to_string(least);
-    const CullAnswer normals{Cull::vertex_normals, is_back(cull_by_vertex_normals(polygon, rules)),
-                             away(least), least_formula};
+    const CullAnswer normals{Cull::vertex_normals,
+                             is_back(cull_by_vertex_normals(polygon, rules, rays)), away(least),
+                             least_formula};
     CullAnswer fragments{Cull::fragment_normal, away(least) > 0.0f, away(least), least_formula};
     fragments.is_in_parts = !fragments.is_back && away(most) > 0.0f;
     return {normal, area, normals, fragments};

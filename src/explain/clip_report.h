@@ -32,6 +32,9 @@ std::optional<Formula> clip_formula(const Frame& frame, const ClipHistory& histo
 /// @param coordinate 0..3: x y z w
 std::string corner_formula_id(const CutCorner& corner, int coordinate);
 
+/// What away_from_camera() works out in a frame, with the signs of formulas: "n · (p − C)".
+std::string_view sight_name(const Frame& frame);
+
 /// What a way of culling takes the triangle for.
 struct CullAnswer {
     Cull way = Cull::none;

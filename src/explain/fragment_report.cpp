@@ -8,6 +8,7 @@
 #include "base/element_names.h"
 #include "explain/light_formulas.h"
 #include "explain/vertex_report.h"
+#include "inspect/pixel_tests.h"
 #include "pipeline/draw.h"
 #include "stages/orthographic.h"
 
@@ -97,7 +98,7 @@ void add_weights(FragmentReport& report) {
              {{"E",
                {static_cast<float>(in_square_pixels(e[opposite]))},
                from_words(fmt::format("edge function of {} at the pixel's centre, in square pixels",
-                                      edge_name(static_cast<int>(opposite))))},
+                                      tested_edge_name(corners.triangle.edges[opposite].number)))},
               {"A",
                {static_cast<float>(in_square_pixels(corners.triangle.area))},
                from_words("the sum of all three, twice the area")}},
@@ -226,8 +227,9 @@ void add_depths(FragmentReport& report, const Frame& frame, const Carried& carri
            from_row_end(report.row.triangle, report.row.row, false)},
           {"i", {static_cast<float>(report.step), true}, from_words(column_words(report.step))}},
          {static_cast<float>(report.pixel.x), true}});
+    const QuantityInfo weight = quantity_in(frame, Quantity::zinv);
     report.formulas.push_back(along_row(
-        report, "zinv", "1/z", std::string(quantity_info(Quantity::zinv).words.help),
+        report, "zinv", std::string(weight.words.name), std::string(weight.words.help),
         Interpolation::perspective, [](const RowEnd& end) { return end.inv_w; }, fragment.inv_w));
     report.formulas.push_back(along_row(
         report, "z.affine", "z",
@@ -464,7 +466,7 @@ std::string formula_id(Quantity quantity, Interpolation way) {
 namespace {
 
 /// Where w is not z, values are carried divided by w.
-void say_w_for_z(std::vector<Formula>& formulas, const QuantityInfo& weight) {
+void say_w_for_z(std::vector<Formula>& formulas) {
     const auto put = [](std::string& text, std::string_view word, std::string_view by) {
         for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos; at += by.size())
             text.replace(at, word.size(), by);
@@ -477,7 +479,6 @@ void say_w_for_z(std::vector<Formula>& formulas, const QuantityInfo& weight) {
         put(formula.help, "1/z", "1/w");
         for (FormulaInput& input : formula.inputs)
             put(input.symbol, "/z", "/w");
-        if (formula.id == "zinv") formula.help = weight.words.help;
     }
 }
 
@@ -542,7 +543,7 @@ std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& 
     add_light(frame, report);
     add_depth_test(report, frame);
     if (vertex_rules(frame.settings, frame.scene->space).projection.mix > 0.0f)
-        say_w_for_z(report.formulas, shown_quantities(frame).front());
+        say_w_for_z(report.formulas);
     return report;
 }
 

@@ -95,14 +95,15 @@ void add_side_facts(std::vector<Fact>& table) {
                                                                     : 0);
                          });
                      }});
-    table.push_back({"triangle.away",
-                     "dot(n, v0 - camera) of the triangle on show, world units: positive if it "
-                     "shows its back.",
-                     real(), [](const Facts& f, int) {
-                         return of_shown_triangle(f, [](const Frame& frame, int triangle) {
-                             return number(triangle_sides(frame, triangle).away);
-                         });
-                     }});
+    table.push_back(
+        {"triangle.away",
+         "dot(n, v0 - camera) of the triangle on show, or dot(n, forward) as far as rays "
+         "are parallel, world units: positive if it shows its back.",
+         real(), [](const Facts& f, int) {
+             return of_shown_triangle(f, [](const Frame& frame, int triangle) {
+                 return number(triangle_sides(frame, triangle).away);
+             });
+         }});
     table.push_back({"triangle.near_t",
                      "t of its first edge that the near plane cuts: 0 at the corner in front.",
                      real(0, 1), [](const Facts& f, int) {

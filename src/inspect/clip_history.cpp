@@ -54,7 +54,8 @@ std::vector<std::array<int, triangle_corners>> fan_of(std::size_t corners) {
 void cull(const Frame& frame, const VertexRules& rules, ClipHistory& history) {
     history.fan = fan_of(history.polygon.size());
     history.is_cull_asked = frame.stages.cull != cull_nothing;
-    const Rejection rejection = frame.stages.cull(history.polygon, rules, &history.cull);
+    const Rejection rejection =
+        frame.stages.cull(history.polygon, rules, sight_rays(rules), &history.cull);
     history.cull.is_back = rejection != Rejection::none;
 }
 
@@ -82,12 +83,10 @@ ClipHistory clip_history(const Frame& frame, int triangle) {
     history.triangle = triangle;
     history.rejection = frame.rejection(triangle);
     const ViewVolume volume(vertex_rules(frame.settings, frame.scene->space));
-    std::vector<ClipVertex> corners;
-    for (int corner = 0; corner < triangle_corners; ++corner) {
-        corners.push_back(frame.given_clip_vertex(triangle, corner));
-        history.corners[static_cast<std::size_t>(corner)] = corners.back();
+    history.corners = frame.given_clip_vertices(triangle);
+    std::vector<ClipVertex> corners(history.corners.begin(), history.corners.end());
+    for (int corner = 0; corner < triangle_corners; ++corner)
         history.projected[static_cast<std::size_t>(corner)] = frame.given_vertex(triangle, corner);
-    }
     if (volume.rules.space == SceneSpace::world) {
         history.codes = triangle_codes(history.corners, volume.view);
         history.outer_codes = triangle_codes(history.corners, volume.outer);

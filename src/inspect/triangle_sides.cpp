@@ -1,7 +1,5 @@
 #include "inspect/triangle_sides.h"
 
-#include <array>
-
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
@@ -21,10 +19,8 @@ std::optional<float> cut_at(const glm::vec4& plane, const ClipVertex& a, const C
 TriangleSides triangle_sides(const Frame& frame, int triangle) {
     TriangleSides sides;
     const VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
-    std::array<ClipVertex, triangle_corners> corners;
-    for (int i = 0; i < triangle_corners; ++i)
-        corners[static_cast<std::size_t>(i)] = frame.given_clip_vertex(triangle, i);
-    sides.away = away_from_camera(corners.front(), rules);
+    const auto corners = frame.given_clip_vertices(triangle);
+    sides.away = away_from_camera(corners.front().varyings, sight_rays(rules));
     if (rules.space == SceneSpace::pixels) return sides;
     sides.codes = triangle_codes(corners, outer_planes(rules));
     const glm::vec4& near = sides.codes.planes.front();

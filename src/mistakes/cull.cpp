@@ -5,10 +5,9 @@
 namespace rasterwalk {
 
 Rejection cull_by_view_axis(std::span<const ClipVertex> corners, const VertexRules& rules,
-                            CullTest* test) {
-    // Of a row vector times R, z is the product with the last column.
-    const glm::vec3 forward = camera_rotation(rules.camera)[2];
-    const float along = glm::dot(corners.front().varyings.normal, forward);
+                            const SightRays& rays, CullTest* test) {
+    static_cast<void>(rules);
+    const float along = glm::dot(corners.front().varyings.normal, rays.forward);
     const bool is_back = along > 0.0f;
     if (test != nullptr) {
         test->measure = "dot(n, forward)";

@@ -10,6 +10,6 @@ namespace rasterwalk {
 /// dot(n, forward) > 0. Under perspective sides are culled that are seen, and others kept that are
 /// not.
 Rejection cull_by_view_axis(std::span<const ClipVertex> corners, const VertexRules& rules,
-                            CullTest* test = nullptr);
+                            const SightRays& rays, CullTest* test = nullptr);
 
 } // namespace rasterwalk

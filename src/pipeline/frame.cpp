@@ -31,14 +31,15 @@ void shade_vertices(const Mesh& mesh, const VertexRules& rules, Frame& frame) {
 /// What the triangles of a frame go through before they are covered.
 class PolygonMaker {
   public:
-    PolygonMaker(const VertexRules& rules, Frame& frame) : volume_(rules), frame_(frame) {}
+    PolygonMaker(const VertexRules& rules, Frame& frame)
+        : volume_(rules), rays_(sight_rays(rules)), frame_(frame) {}
 
     /// Reject, clip, cull and project; appends the corners to the frame's.
     Polygon make(int triangle) {
         Polygon polygon{static_cast<int>(frame_.vertices.size()), 0, Rejection::none, false};
         clip(triangle, polygon);
         if (polygon.rejection == Rejection::none)
-            polygon.rejection = frame_.stages.cull(corners_, volume_.rules, nullptr);
+            polygon.rejection = frame_.stages.cull(corners_, volume_.rules, rays_, nullptr);
         if (polygon.is_cut) {
             for (const ClipVertex& corner : corners_)
                 add(frame_.stages.project(corner, volume_.rules, frame_.stages, nullptr), polygon);
@@ -51,9 +52,8 @@ class PolygonMaker {
 
   private:
     void clip(int triangle, Polygon& polygon) {
-        corners_.clear();
-        for (int corner = 0; corner < triangle_corners; ++corner)
-            corners_.push_back(frame_.given_clip_vertex(triangle, corner));
+        const auto given = frame_.given_clip_vertices(triangle);
+        corners_.assign(given.begin(), given.end());
         polygon.rejection = frame_.stages.reject(corners_, volume_);
         if (polygon.rejection != Rejection::none) return;
         const Clipped clipped = frame_.stages.clip(corners_, volume_, nullptr);
@@ -70,16 +70,10 @@ class PolygonMaker {
     }
 
     ViewVolume volume_;
+    SightRays rays_;
     Frame& frame_;
     std::vector<ClipVertex> corners_; ///< of the polygon on its way
 };
-
-std::vector<ClipVertex> given_corners(const Frame& frame, int triangle) {
-    std::vector<ClipVertex> corners;
-    for (int corner = 0; corner < triangle_corners; ++corner)
-        corners.push_back(frame.given_clip_vertex(triangle, corner));
-    return corners;
-}
 
 void make_polygons(const Mesh& mesh, const VertexRules& rules, Frame& frame) {
     shade_vertices(mesh, rules, frame);
@@ -121,16 +115,18 @@ std::vector<ScreenVertex> polygon_under(const Frame& frame, int triangle,
 
 void tell_clipping(const Frame& frame, int triangle, ClipSink& sink) {
     if (!frame.is_clip_told(triangle)) return;
-    std::vector<ClipVertex> corners = given_corners(frame, triangle);
+    const auto given = frame.given_clip_vertices(triangle);
+    std::vector<ClipVertex> corners(given.begin(), given.end());
     frame.stages.clip(corners, ViewVolume(vertex_rules(frame.settings, frame.scene->space)), &sink);
 }
 
 CullTest cull_test(const Frame& frame, int triangle) {
     CullTest test;
     const VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
-    std::vector<ClipVertex> corners = given_corners(frame, triangle);
+    const auto given = frame.given_clip_vertices(triangle);
+    std::vector<ClipVertex> corners(given.begin(), given.end());
     frame.stages.clip(corners, ViewVolume(rules), nullptr);
-    test.is_back = frame.stages.cull(corners, rules, &test) != Rejection::none;
+    test.is_back = frame.stages.cull(corners, rules, sight_rays(rules), &test) != Rejection::none;
     return test;
 }
 

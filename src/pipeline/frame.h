@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <span>
 #include <string_view>
@@ -58,6 +59,11 @@ struct Frame {
     }
     const ClipVertex& given_clip_vertex(int triangle, int corner) const {
         return shaded[vertex_index(triangle, corner)];
+    }
+    /// All three in clip space.
+    std::array<ClipVertex, triangle_corners> given_clip_vertices(int triangle) const {
+        return {given_clip_vertex(triangle, 0), given_clip_vertex(triangle, 1),
+                given_clip_vertex(triangle, 2)};
     }
     /// Of a corner of a triangle as the scene gives it, 0, 1 or 2: its number in the mesh.
     std::size_t vertex_index(int triangle, int corner) const {

@@ -15,12 +15,18 @@ struct CullWords {
     std::string_view measure, front, back;
 };
 
-constexpr CullWords face_words{"dot(n, p - C)", "the normal points to the camera's side",
-                               "the normal points away from the camera"};
+CullWords face_words(const SightRays& rays) {
+    return {sight_measure(rays), "the normal points to the camera's side",
+            "the normal points away from the camera"};
+}
+
+CullWords corner_words(const SightRays& rays) {
+    return {sight_measure(rays), "not every normal points away from the camera",
+            "the normals of all corners point away from the camera"};
+}
+
 constexpr CullWords area_words{"area times w", "its corners go round clockwise on the screen",
                                "its corners go round counterclockwise on the screen"};
-constexpr CullWords corner_words{"dot(n, p - C)", "not every normal points away from the camera",
-                                 "the normals of all corners point away from the camera"};
 
 /// @param test receives words and answer, or null; the values stand in it
 Rejection back_facing_if(bool is_back, const CullWords& words, CullTest* test) {
@@ -35,15 +41,19 @@ Rejection back_facing_if(bool is_back, const CullWords& words, CullTest* test) {
 } // namespace
 
 SightRays sight_rays(const VertexRules& rules) {
-    SightRays rays{rules.camera.position, glm::vec3(0.0f), rules.projection.mix};
-    if (rays.mix > 0.0f) rays.forward = camera_rotation(rules.camera)[2];
-    return rays;
+    // Of a row vector times R, z is the product with the last column.
+    return {rules.camera.position, camera_rotation(rules.camera)[2], rules.projection.mix};
 }
 
 float away_from_camera(const Varyings& varyings, const SightRays& rays) {
     glm::vec3 ray = varyings.position_world - rays.camera;
     if (rays.mix > 0.0f) ray = (1.0f - rays.mix) * ray + rays.mix * rays.forward;
     return glm::dot(varyings.normal, ray);
+}
+
+std::string_view sight_measure(const SightRays& rays) {
+    if (rays.mix == 0.0f) return "dot(n, p - C)";
+    return rays.mix == 1.0f ? "dot(n, forward)" : "dot(n, (1 - mix) (p - C) + mix forward)";
 }
 
 float screen_area_sign(std::span<const ClipVertex> corners, const VertexRules& rules) {
@@ -60,14 +70,16 @@ float screen_area_sign(std::span<const ClipVertex> corners, const VertexRules& r
 }
 
 Rejection cull_by_face_normal(std::span<const ClipVertex> corners, const VertexRules& rules,
-                              CullTest* test) {
-    const float away = away_from_camera(corners.front(), rules);
+                              const SightRays& rays, CullTest* test) {
+    static_cast<void>(rules);
+    const float away = away_from_camera(corners.front().varyings, rays);
     if (test != nullptr) test->values = {away};
-    return back_facing_if(away > 0.0f, face_words, test);
+    return back_facing_if(away > 0.0f, face_words(rays), test);
 }
 
 Rejection cull_by_screen_area(std::span<const ClipVertex> corners, const VertexRules& rules,
-                              CullTest* test) {
+                              const SightRays& rays, CullTest* test) {
+    static_cast<void>(rays);
     const auto is_in_front = [](const ClipVertex& v) { return v.position_clip.w > 0.0f; };
     if (rules.space == SceneSpace::world &&
         !std::all_of(corners.begin(), corners.end(), is_in_front)) {
@@ -80,14 +92,18 @@ Rejection cull_by_screen_area(std::span<const ClipVertex> corners, const VertexR
 }
 
 Rejection cull_by_vertex_normals(std::span<const ClipVertex> corners, const VertexRules& rules,
-                                 CullTest* test) {
-    const auto is_away = [&](const ClipVertex& v) { return away_from_camera(v, rules) > 0.0f; };
+                                 const SightRays& rays, CullTest* test) {
+    static_cast<void>(rules);
+    const auto is_away = [&rays](const ClipVertex& v) {
+        return away_from_camera(v.varyings, rays) > 0.0f;
+    };
     if (test != nullptr) {
         test->values.clear();
         for (const ClipVertex& corner : corners)
-            test->values.push_back(away_from_camera(corner, rules));
+            test->values.push_back(away_from_camera(corner.varyings, rays));
     }
-    return back_facing_if(std::all_of(corners.begin(), corners.end(), is_away), corner_words, test);
+    return back_facing_if(std::all_of(corners.begin(), corners.end(), is_away), corner_words(rays),
+                          test);
 }
 
 bool cull_by_fragment_normal(const Fragment& fragment, const SightRays& rays,

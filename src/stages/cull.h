@@ -39,52 +39,53 @@ struct CullTest {
 
 struct Stages;
 
-/// Every polygon is drawn, whichever side it shows.
-/// @param corners what clipping has left, at least three
-/// @param test    receives what was looked at, or null
-inline Rejection cull_nothing(std::span<const ClipVertex> corners, const VertexRules& rules,
-                              CullTest* test = nullptr) {
-    static_cast<void>(corners);
-    static_cast<void>(rules);
-    static_cast<void>(test);
-    return Rejection::none;
-}
-
-/// By the normal of the surface: it is a back if the normal of the first corner points the way from
-/// the camera to that corner, dot(n, p - C) > 0. In world space.
-Rejection cull_by_face_normal(std::span<const ClipVertex> corners, const VertexRules& rules,
-                              CullTest* test = nullptr);
-
-/// By the order of the corners on the screen: the front goes round clockwise, y down, which is a
-/// positive area. Where a corner lies behind the camera there is no such order, and it is drawn.
-Rejection cull_by_screen_area(std::span<const ClipVertex> corners, const VertexRules& rules,
-                              CullTest* test = nullptr);
-
-/// By the normals of all corners: it is a back if each of them points away from the camera. A
-/// smooth body keeps the faces of its outline.
-Rejection cull_by_vertex_normals(std::span<const ClipVertex> corners, const VertexRules& rules,
-                                 CullTest* test = nullptr);
-
 /// The rays along which the camera sees: what "toward the camera" means under every projection.
 struct SightRays {
     glm::vec3 camera{0.0f};  ///< where those of perspective meet, in the world
-    glm::vec3 forward{0.0f}; ///< where those of orthographic run, length 1; counts if mix is not 0
+    glm::vec3 forward{0.0f}; ///< the way the camera looks, length 1; those of orthographic run so
     float mix = 0.0f;        ///< 0: perspective; 1: orthographic; between: the way between
 };
 
-/// Those of a frame.
+/// Those of a frame: to be found once, since they take the camera's rotation.
 SightRays sight_rays(const VertexRules& rules);
 
 /// dot(n, p - C): positive if the normal points away from the camera. Where rays are parallel,
 /// under orthographic projection, the way they run stands for p - C; between the two, the mixture
-/// of both.
+/// of both. sight_measure() writes it down.
 /// @param varyings its normal and its place in the world, of a vertex or of a fragment
 float away_from_camera(const Varyings& varyings, const SightRays& rays);
 
-/// The same of a corner.
-inline float away_from_camera(const ClipVertex& vertex, const VertexRules& rules) {
-    return away_from_camera(vertex.varyings, sight_rays(rules));
+/// What away_from_camera() works out with these rays: "dot(n, p - C)", "dot(n, forward)" or the
+/// mixture.
+std::string_view sight_measure(const SightRays& rays);
+
+/// Every polygon is drawn, whichever side it shows.
+/// @param corners what clipping has left, at least three
+/// @param rays    of the frame
+/// @param test    receives what was looked at, or null
+inline Rejection cull_nothing(std::span<const ClipVertex> corners, const VertexRules& rules,
+                              const SightRays& rays, CullTest* test = nullptr) {
+    static_cast<void>(corners);
+    static_cast<void>(rules);
+    static_cast<void>(rays);
+    static_cast<void>(test);
+    return Rejection::none;
 }
+
+/// By the normal of the surface: it is a back if that of the first corner points away from the
+/// camera, away_from_camera() > 0. In world space.
+Rejection cull_by_face_normal(std::span<const ClipVertex> corners, const VertexRules& rules,
+                              const SightRays& rays, CullTest* test = nullptr);
+
+/// By the order of the corners on the screen: the front goes round clockwise, y down, which is a
+/// positive area. Where a corner lies behind the camera there is no such order, and it is drawn.
+Rejection cull_by_screen_area(std::span<const ClipVertex> corners, const VertexRules& rules,
+                              const SightRays& rays, CullTest* test = nullptr);
+
+/// By the normals of all corners: it is a back if each of them points away from the camera. A
+/// smooth body keeps the faces of its outline.
+Rejection cull_by_vertex_normals(std::span<const ClipVertex> corners, const VertexRules& rules,
+                                 const SightRays& rays, CullTest* test = nullptr);
 
 /// The varyings that cull_by_fragment_normal() reads.
 inline constexpr VaryingSet varyings_read_by_culling =

@@ -1,10 +1,13 @@
 #include "explain/clip_report.h"
 
+#include <cmath>
 #include <string>
 #include <vector>
 
 #include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
 
+#include "explain/vertex_report.h"
 #include "support/clipped_room.h"
 #include "support/effort.h"
 
@@ -65,7 +68,8 @@ TEST_CASE("Every number of clipping comes out of its formula bit by bit") {
                 }
             }
             if (history.polygon.empty()) continue;
-            check(frame, history, "cull.normal", away_from_camera(history.polygon[0], rules));
+            check(frame, history, "cull.normal",
+                  away_from_camera(history.polygon[0].varyings, sight_rays(rules)));
             check(frame, history, "cull.area", screen_area_sign(history.polygon, rules));
             if (!frame.is_drawn(t)) continue;
             const auto pixels = frame.triangle_vertices(t);
@@ -168,6 +172,56 @@ TEST_CASE("What is no number of the triangle has no formula") {
                                  "t.99999999999.0"}) {
         CAPTURE(id);
         CHECK_FALSE(clip_formula(frame, history, id));
+    }
+}
+
+TEST_CASE("What culling asks is written down as each projection has it") {
+    const Scene room = lab_room();
+    struct {
+        float mix;
+        std::string measure, name;
+    } const projections[] = {
+        {0.0f, "dot(n, p - C)", "n · (p − C)"},
+        {0.3f, "dot(n, (1 - mix) (p - C) + mix forward)", "n · ((1 − mix) (p − C) + mix forward)"},
+        {1.0f, "dot(n, forward)", "n · forward"},
+    };
+    for (const auto& projection : projections) {
+        Settings settings = default_settings(room);
+        settings.projection_mix = projection.mix;
+        settings.camera.yaw = 0.4f;
+        settings.camera.pitch = -0.2f;
+        for (const Cull way : {Cull::face_normal, Cull::vertex_normals}) {
+            settings.cull = way;
+            const Frame frame = prepare_frame(room, settings);
+            for (int t = 0; t < frame.triangle_count(); ++t) {
+                CAPTURE(projection.mix, t);
+                const ClipHistory history = clip_history(frame, t);
+                CHECK(history.cull.measure == projection.measure);
+                REQUIRE_FALSE(history.polygon.empty());
+                const auto formula = clip_formula(frame, history, "cull.normal");
+                REQUIRE(formula);
+                CHECK(formula->name == projection.name);
+                CHECK(formula->expression != "v");
+                CHECK(evaluate(*formula) == history.cull.values.front());
+                // The way to the corner turns into the way the camera looks.
+                const Varyings& at = history.polygon.front().varyings;
+                const double mix = projection.mix, yaw = 0.4, pitch = -0.2;
+                const glm::dvec3 forward(std::cos(pitch) * std::sin(yaw), -std::sin(pitch),
+                                         std::cos(pitch) * std::cos(yaw));
+                const glm::dvec3 way_to =
+                    glm::dvec3(at.position_world) - glm::dvec3(settings.camera.position);
+                CHECK(glm::dot(glm::dvec3(at.normal), (1.0 - mix) * way_to + mix * forward) ==
+                      Approx(history.cull.values.front()).margin(1e-5));
+                const VertexReport vertex = vertex_report(frame, t, 0);
+                for (const FormulaInput& input : formula->inputs) {
+                    if (input.symbol.find("forward") == std::string::npos) continue;
+                    CAPTURE(input.symbol, input.source.name);
+                    const Formula* const of = find_formula(vertex.formulas, input.source.name);
+                    REQUIRE(of != nullptr);
+                    CHECK(of->result.value == input.number.value);
+                }
+            }
+        }
     }
 }
 

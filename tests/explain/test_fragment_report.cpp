@@ -393,6 +393,31 @@ TEST_CASE(
     CHECK(largest_disagreement < 0.01);
 }
 
+TEST_CASE("What values are divided by has the same name in each of a fragment's formulas") {
+    const Scene scene = test::small_scene();
+    for (const float mix : {0.0f, 0.5f, 1.0f}) {
+        Settings settings = default_settings(scene);
+        settings.stage = Stage::depth;
+        settings.projection_mix = mix;
+        const Frame frame = prepare_frame(scene, settings);
+        const std::optional<FragmentReport> report = fragment_report(frame, {0, Phase::rows, 0, 0});
+        REQUIRE(report);
+        const std::string word = mix > 0.0f ? "1/w" : "1/z", other = mix > 0.0f ? "1/z" : "1/w";
+        const Formula* const weight = find_formula(report->formulas, "zinv");
+        REQUIRE(weight != nullptr);
+        CHECK(weight->name == word);
+        CHECK(weight->help == quantity_in(frame, Quantity::zinv).words.help);
+        for (const Formula& formula : report->formulas) {
+            if (formula.id.rfind("depth", 0) == 0)
+                continue; // the depth buffer has words of its own
+            CAPTURE(formula.id, mix);
+            CHECK(formula.name.find(other) == std::string::npos);
+            CHECK(formula.expression.find(other) == std::string::npos);
+            CHECK(formula.help.find(other) == std::string::npos);
+        }
+    }
+}
+
 TEST_CASE("What is no fragment in the picture has no report") {
     const Scene scene = test::small_scene();
     Settings settings = default_settings(scene);

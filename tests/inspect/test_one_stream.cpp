@@ -113,7 +113,8 @@ float signed_area(std::span<const ClipVertex> corners) {
     }
     return area;
 }
-Rejection cull_back_faces(std::span<const ClipVertex> corners, const VertexRules&, CullTest* test) {
+Rejection cull_back_faces(std::span<const ClipVertex> corners, const VertexRules&, const SightRays&,
+                          CullTest* test) {
     const float area = signed_area(corners);
     if (test != nullptr) *test = {"area", "by its area", {area}, area < 0.0f};
     return area < 0.0f ? Rejection::back_facing : Rejection::none;

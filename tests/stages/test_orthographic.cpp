@@ -289,8 +289,8 @@ TEST_CASE("A fragment asks for the camera along the same rays as its triangle") 
         const Frame asked = prepare_frame(room, settings);
         bool is_on_edge = false;
         for (int t = 0; t < asked.triangle_count(); ++t) {
-            const float away =
-                away_from_camera(asked.given_clip_vertex(t, 0), vertex_rules(settings, room.space));
+            const float away = away_from_camera(asked.given_clip_vertex(t, 0).varyings,
+                                                sight_rays(vertex_rules(settings, room.space)));
             is_on_edge = is_on_edge || std::abs(away) < 1e-3f;
         }
         if (is_on_edge) continue;

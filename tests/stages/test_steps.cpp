@@ -19,9 +19,10 @@ using Line = std::span<LineSample>;
 static_assert(takes<decltype(project), ClipVertex, VertexRules, Stages, VertexSpaces*>);
 static_assert(!takes<decltype(project), Vertex, VertexRules, Stages, VertexSpaces*>);
 static_assert(!takes<decltype(project), ScreenVertex, VertexRules, Stages, VertexSpaces*>);
-static_assert(takes<decltype(cull_nothing), std::span<const ClipVertex>, VertexRules, CullTest*>);
 static_assert(
-    !takes<decltype(cull_nothing), std::span<const ScreenVertex>, VertexRules, CullTest*>);
+    takes<decltype(cull_nothing), std::span<const ClipVertex>, VertexRules, SightRays, CullTest*>);
+static_assert(!takes<decltype(cull_nothing), std::span<const ScreenVertex>, VertexRules, SightRays,
+                     CullTest*>);
 
 // Coverage begins with vertices on the screen; a sample of an edge becomes the end of a row.
 static_assert(takes<decltype(edge_sample_count), ScreenVertex, ScreenVertex>);

@@ -26,20 +26,22 @@ const char* answer_text(const CullAnswer& answer) {
     return answer.is_in_parts ? "in parts" : answer.is_back ? "back" : "front";
 }
 
-std::string_view answer_help(Cull way) {
+std::string answer_help(const Frame& frame, Cull way) {
+    const std::string sight(sight_name(frame));
     switch (way) {
     case Cull::face_normal:
-        return "n · (p − C): does the normal of the first corner point the way from the camera to "
-               "it? Then it is a back.";
+        return sight + ": does the normal of the first corner point away from the camera? Then it "
+                       "is a back.";
     case Cull::screen_area:
         return "The area on the screen with its sign: less than 0 where the corners go round "
                "counterclockwise, as those of a back do. With a corner behind the camera there is "
                "no such order.";
     case Cull::vertex_normals:
-        return "n · (p − C) of the corner whose normal points least away: a back only if all of "
-               "them do. A smooth body keeps the faces of its outline.";
+        return sight + " of the corner whose normal points least away: a back only if all of them "
+                       "do. A smooth body keeps the faces of its outline.";
     case Cull::fragment_normal:
-        return "n · (p − C) at every fragment, with the normal that was interpolated to it: a back "
+        return sight +
+               " at every fragment, with the normal that was interpolated to it: a back "
                "only as far as it is greater than 0. The number is that of the corner whose normal "
                "points least away.";
     case Cull::none:
@@ -56,14 +58,14 @@ void draw_answer(const ClipPage& page, const CullAnswer& answer, bool is_in_forc
     const std::string word(word_of(answer.way));
     put_text(page, is_in_force ? page.palette().text : page.palette().dim,
              (is_in_force ? "● " : "○ ") + said_word(setting, word));
-    name_widget(page.ui, "clip.cull.way." + word, answer_help(answer.way));
+    name_widget(page.ui, "clip.cull.way." + word, answer_help(page.frame, answer.way));
     ImGui::PushFont(page.ui.fonts.mono);
     ImGui::TableNextColumn();
     const std::string text = std::abs(answer.measure) >= 1000.0f
                                  ? fixed(static_cast<double>(answer.measure), 0)
                                  : fixed(static_cast<double>(answer.measure), 3);
     draw_asked(page, "clip.cull." + word, answer.formula, text, page.palette().text,
-               std::string(answer_help(answer.way)));
+               std::string(answer_help(page.frame, answer.way)));
     ImGui::TableNextColumn();
     const Meaning meaning = answer.is_back ? Meaning::fail : Meaning::pass;
     put_right(page, answer_text(answer),
