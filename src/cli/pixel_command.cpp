@@ -66,14 +66,16 @@ Json to_json(const Scene& scene, const PixelEntry& entry, bool stays, const Curs
     return object;
 }
 
-Json to_json(const TestEvent& event) {
-    Json values = Json::array();
+Json to_json(const TestEvent& event, const Cursor& to) {
+    Json values = Json::array(), edges = Json::array();
     for (const std::int64_t e : event.test.e)
         values.push_back(in_square_pixels(e));
-    return {{"edge_functions", std::move(values)},
-            {"inside", event.test.is_inside},
-            {"moment", to_text(event.cursor)},
-            {"passes", event.test.passes},
+    for (const int number : event.test.edges)
+        edges.push_back(number < 0 ? Json() : Json(number)); // an inner edge has no number
+    return {{"asked", event.cursor < to},      {"edge_functions", std::move(values)},
+            {"edges", std::move(edges)},       {"fan_triangle", event.test.triangle},
+            {"inside", event.test.is_inside},  {"is_corner_given_away", event.test.is_given_corner},
+            {"moment", to_text(event.cursor)}, {"passes", event.test.passes},
             {"weights", event.test.weights}};
 }
 
@@ -126,16 +128,18 @@ Json to_json(const Frame& frame, const PixelHistory& history, const Cursor& to) 
     if (!history.tests.empty()) {
         Json tests = Json::array();
         for (const TestEvent& event : history.tests)
-            tests.push_back(to_json(event));
+            tests.push_back(to_json(event, to));
         object["tests"] = std::move(tests);
     }
     return object;
 }
 
 /// Each time the pixel was asked, where edge functions ask.
-void print_tests(const PixelHistory& history, std::ostream& out) {
-    for (const TestEvent& event : history.tests)
-        out << fmt::format("{:<15}  {}\n", to_text(event.cursor), pixel_test_text(event.test));
+void print_tests(const PixelHistory& history, const Cursor& to, std::ostream& out) {
+    for (const TestEvent& event : history.tests) {
+        out << fmt::format("{:<15}  {}{}\n", to_text(event.cursor), pixel_test_text(event.test),
+                           event.cursor < to ? "" : "  not asked yet");
+    }
 }
 
 const char* word_in_table(Fate fate) {
@@ -205,7 +209,7 @@ void pixel_command(const PixelOptions& options, std::ostream& out) {
         print_json(to_json(frame, history, session.cursor), out);
     } else {
         print_text(frame, history, session.cursor, out);
-        print_tests(history, out);
+        print_tests(history, session.cursor, out);
     }
 }
 

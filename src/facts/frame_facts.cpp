@@ -123,8 +123,8 @@ void add_test_facts(std::vector<Fact>& table) {
                      }});
     for (int i = 0; i < static_cast<int>(edge_function_count); ++i) {
         table.push_back({fmt::format("test.e{}", i),
-                         fmt::format("Edge function of edge {} at that pixel's centre, in square "
-                                     "pixels.",
+                         fmt::format("Edge function {} of the triangle, or of the triangle of the "
+                                     "fan, at that pixel's centre, in square pixels.",
                                      i),
                          real(),
                          [](const Facts& f, int edge) {
@@ -135,7 +135,10 @@ void add_test_facts(std::vector<Fact>& table) {
                          },
                          i});
         table.push_back({fmt::format("test.weight{}", i),
-                         fmt::format("Weight of corner {} at that pixel's centre.", i), real(),
+                         fmt::format("Weight of corner {} of that triangle at that pixel's "
+                                     "centre.",
+                                     i),
+                         real(),
                          [](const Facts& f, int corner) {
                              const std::optional<PixelTest> test = f.pixel_test();
                              if (!test) return Value();

@@ -1,5 +1,7 @@
 #include "inspect/pixel_tests.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "base/element_names.h"
@@ -9,15 +11,17 @@ namespace rasterwalk {
 
 namespace {
 
-/// Why a pixel is outside: of all edges that keep it out the first.
+/// Why a pixel is outside: of all edges that keep it out the first; or the fan's corner, where only
+/// inner edges meet it.
 std::string outside_text(const PixelTest& test) {
     for (std::size_t i = 0; i < test.e.size(); ++i) {
         if (test.passes[i]) continue;
-        const std::string edge = edge_name(static_cast<int>(i));
+        const std::string edge = tested_edge_name(test.edges[i]);
         return test.e[i] < 0 ? "outside, beyond " + edge
                              : "outside, " + edge + " gives its points away";
     }
-    return "outside, the triangle has no area";
+    return test.is_given_corner ? "outside, the fill rule gives the corner of the fan away"
+                                : "outside, the triangle has no area";
 }
 
 } // namespace
@@ -38,11 +42,19 @@ std::optional<PixelTest> test_at(const Frame& frame, const Cursor& cursor) {
     return test_at_step(polygon, cursor.index, cursor.step, frame.stages);
 }
 
+std::string tested_edge_name(int number) {
+    return number < 0 ? "inner edge" : edge_name(number);
+}
+
 std::string pixel_test_text(const PixelTest& test) {
+    const bool is_in_fan =
+        std::any_of(test.edges.begin(), test.edges.end(), [](int number) { return number < 0; });
+    const std::string fan =
+        is_in_fan ? fmt::format("triangle {} of the fan, ", test.triangle) : std::string();
     std::string values;
     for (const std::int64_t e : test.e)
         values.append(values.empty() ? "" : ", ").append(significant(in_square_pixels(e), 7));
-    return fmt::format("E = {}: {}", values, test.is_inside ? "inside" : outside_text(test));
+    return fmt::format("{}E = {}: {}", fan, values, test.is_inside ? "inside" : outside_text(test));
 }
 
 } // namespace rasterwalk

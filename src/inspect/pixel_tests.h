@@ -18,9 +18,14 @@ PixelTest test_at_step(const TestedPolygon& polygon, int index, int step, const 
 /// The test that is done at a moment; none if none is.
 std::optional<PixelTest> test_at(const Frame& frame, const Cursor& cursor);
 
+/// What an edge is called that is asked about: "edge 1" of the polygon, or "inner edge" of its fan.
+/// @param number as in EdgeFunction
+std::string tested_edge_name(int number);
+
 /// The values of the edge functions in square pixels, and what they say: "E = 48, 27, 33: inside",
 /// "E = 12, -9, 105: outside, beyond edge 1", "E = 0, 54, 54: outside, edge 0 gives its points
-/// away". With an ASCII minus.
+/// away"; of a polygon of more corners "triangle 1 of the fan, E = -3, 9, 8: outside, beyond inner
+/// edge". With an ASCII minus.
 std::string pixel_test_text(const PixelTest& test);
 
 } // namespace rasterwalk

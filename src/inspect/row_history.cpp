@@ -95,9 +95,10 @@ int tested_before(const Cursor& to, const Cursor& row, int width) {
     return std::clamp(to.step, 0, width);
 }
 
-/// Leaves the rows as far as the pixels before the moment show that they go.
+/// Before its rows begin, of a table without samples: leaves the rows as far as the pixels that
+/// have been asked show that they go. Where none are asked the table is empty until then.
 void keep_tested(const Frame& frame, int triangle, const Cursor& to, PolygonRows& rows) {
-    if (rows.tested.triangles.empty() || to >= Cursor{triangle, Phase::rows, 0, 0}) return;
+    if (walks_edges(frame.stages) || to >= Cursor{triangle, Phase::rows, 0, 0}) return;
     const TestedPolygon tested = rows.tested;
     empty_table(rows.first_row, rows.size(), rows);
     rows.tested = tested;

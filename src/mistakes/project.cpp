@@ -14,10 +14,12 @@ ProjectedVertex project_marking_column(const ClipVertex& vertex, const VertexRul
     return result;
 }
 
-glm::ivec2 snap_into_picture(const glm::vec2& projected, glm::ivec2 middle,
-                             const VertexRules& rules) {
+ScreenPlace snap_into_picture(const glm::vec2& projected, glm::ivec2 middle,
+                              const VertexRules& rules) {
     const glm::ivec2 last(rules.viewport.width - 1, rules.viewport.height - 1);
-    return glm::clamp(snap_to_pixel(projected, middle, rules), glm::ivec2(0), last);
+    const ScreenPlace place = snap_to_pixel(projected, middle, rules);
+    return {glm::clamp(place.position, glm::vec2(0.5f), glm::vec2(last) + 0.5f),
+            glm::clamp(place.pixel, glm::ivec2(0), last)};
 }
 
 } // namespace rasterwalk

@@ -20,8 +20,8 @@ ProjectedVertex project_marking_column(const ClipVertex& vertex, const VertexRul
                                        const Stages& stages, VertexSpaces* spaces);
 
 /// B15, in the slot snap_to_pixel: a vertex outside the picture is moved to its border, which bends
-/// the edges that end in it.
-glm::ivec2 snap_into_picture(const glm::vec2& projected, glm::ivec2 middle,
-                             const VertexRules& rules);
+/// the edges that end in it. No place is left beyond the centres of the pixels at the border.
+ScreenPlace snap_into_picture(const glm::vec2& projected, glm::ivec2 middle,
+                              const VertexRules& rules);
 
 } // namespace rasterwalk

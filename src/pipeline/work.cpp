@@ -24,15 +24,11 @@ struct Box {
     double area() const { return width() * height(); }
 };
 
-Box box_of(std::span<const ScreenVertex> v) {
-    Box box{1e9, 1e9, -1e9, -1e9};
-    for (const ScreenVertex& vertex : v) {
-        box.left = std::min(box.left, static_cast<double>(vertex.column));
-        box.right = std::max(box.right, vertex.column + 1.0);
-        box.top = std::min(box.top, static_cast<double>(vertex.row));
-        box.bottom = std::max(box.bottom, vertex.row + 1.0);
-    }
-    return box;
+Box box_of(const Frame& frame, int triangle) {
+    const Rectangle box = frame.stages.polygon_box(frame.triangle_vertices(triangle),
+                                                   edge_rules(frame.settings), frame.stages);
+    return {static_cast<double>(box.left), static_cast<double>(box.top),
+            static_cast<double>(box.right), static_cast<double>(box.bottom)};
 }
 
 Box part_in(const Box& box, const Rectangle& area) {
@@ -66,7 +62,7 @@ FragmentEstimate fragments_of(const Frame& frame, int triangle) {
     if (!has_fragments(frame.settings.stage)) return {};
     const std::span<const ScreenVertex> v = frame.triangle_vertices(triangle);
     const Viewport& picture = frame.settings.viewport;
-    const Box box = box_of(v);
+    const Box box = box_of(frame, triangle);
     const Box walked = part_in(box, frame.stages.walked_area(picture));
     const double whole = (twice_the_area(v) + samples_of(box)) / 2.0;
     return {whole * (walked.area() / box.area()),
@@ -75,7 +71,7 @@ FragmentEstimate fragments_of(const Frame& frame, int triangle) {
 
 /// The work of a drawn triangle.
 double work_of(const Frame& frame, int triangle, const FragmentEstimate& fragments) {
-    const Box box = box_of(frame.triangle_vertices(triangle));
+    const Box box = box_of(frame, triangle);
     return triangle_work + sample_work * samples_of(box) + fragments.in_picture;
 }
 
@@ -109,7 +105,7 @@ double FrameWork::before(const Cursor& cursor) const {
     const auto triangle = static_cast<std::size_t>(cursor.triangle);
     const double begin = before_[triangle], work = before_[triangle + 1] - begin;
     if (cursor.phase != Phase::rows || !is_divided(*frame_, work)) return begin;
-    const Box box = box_of(frame_->triangle_vertices(cursor.triangle));
+    const Box box = box_of(*frame_, cursor.triangle);
     const Box shown = in_picture(box, frame_->settings.viewport);
     if (shown.height() <= 0.0) return begin;
     const double share = (cursor.index - (shown.top - box.top)) / shown.height();
@@ -122,7 +118,7 @@ Cursor FrameWork::at(double work) const {
     const auto triangle = static_cast<int>(behind - before_.begin()) - 1;
     const double begin = before_[static_cast<std::size_t>(triangle)], of_triangle = *behind - begin;
     if (!is_divided(*frame_, of_triangle)) return {triangle, Phase::vertices, 0, 0};
-    const Box box = box_of(frame_->triangle_vertices(triangle));
+    const Box box = box_of(*frame_, triangle);
     const Box shown = in_picture(box, frame_->settings.viewport);
     const double row = shown.top - box.top + (work - begin) / of_triangle * shown.height();
     return {triangle, Phase::rows, static_cast<int>(row), 0};

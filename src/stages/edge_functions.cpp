@@ -22,7 +22,14 @@ GridPoint centre_of(int column, int row) {
     return {pixel_centre(column), pixel_centre(row)};
 }
 
-TestedTriangle set_up_triangle(const FanTriangle& fan, const Stages& stages) {
+/// The polygon's edge that an edge of a triangle of the fan lies on. Of several on a line the one
+/// that meets the fan's corner.
+int polygon_edge(const FanTriangle& fan, std::size_t i, int corner_count) {
+    if (fan.is_inner[i]) return -1;
+    return i == 2 ? corner_count - 1 : fan.corners[i];
+}
+
+TestedTriangle set_up_triangle(const FanTriangle& fan, int corner_count, const Stages& stages) {
     TestedTriangle triangle;
     triangle.corners = fan.corners;
     triangle.area = std::abs(fan.area);
@@ -33,6 +40,7 @@ TestedTriangle set_up_triangle(const FanTriangle& fan, const Stages& stages) {
         if (fan.area < 0) std::swap(from, to);
         EdgeFunction& edge = triangle.edges[i];
         edge = {*from, {to->x - from->x, to->y - from->y}};
+        edge.number = polygon_edge(fan, i, corner_count);
         edge.owns_points =
             fan.is_inner[i] ? owns_top_left(edge.way) : stages.edge_owns_points(edge.way);
     }
@@ -88,9 +96,12 @@ PixelTest test_pixel(const TestedPolygon& polygon, int triangle, int column, int
     const TestedTriangle& of = polygon.triangles[static_cast<std::size_t>(triangle)];
     PixelTest test{.triangle = triangle, .column = column, .row = row};
     test.e = of.values_at(centre_of(column, row));
-    for (std::size_t i = 0; i < test.e.size(); ++i)
+    for (std::size_t i = 0; i < test.e.size(); ++i) {
+        test.edges[i] = of.edges[i].number;
         test.passes[i] = of.edges[i].admits(test.e[i]);
+    }
     test.weights = stages.weights(test.e, of.area);
+    test.is_given_corner = of.gives_away_corner(test.e);
     test.is_inside = of.admits(test.e);
     return test;
 }
@@ -154,7 +165,8 @@ void set_up_tests(std::span<const ScreenVertex> vertices, const Stages& stages,
     for (const ScreenVertex& v : vertices)
         polygon.corners.push_back({v.column, v.depth, v.inv_w, v.z, v.varyings});
     for_each_fan_triangle(vertices, stages.snap, [&](const FanTriangle& triangle) {
-        polygon.triangles.push_back(set_up_triangle(triangle, stages));
+        polygon.triangles.push_back(
+            set_up_triangle(triangle, static_cast<int>(vertices.size()), stages));
     });
 }
 

@@ -20,7 +20,7 @@
 // pixel.
 //
 // A polygon of more corners is taken as a fan of triangles about its first corner. That is right
-// where it has no dents.
+// where it has no dents; the snap can make some (fan.h).
 //
 // The classic mistakes are corners that go round the other way, for which everything is outside;
 // samples at the pixel's corner instead of its centre; and a fill rule that gives a shared edge to
@@ -53,6 +53,7 @@ struct EdgeFunction {
     GridPoint from;
     EdgeDirection way;
     bool owns_points = false; ///< what lies on the edge is inside
+    int number = -1;          ///< of the polygon's edges; -1: an inner edge of the fan
 
     /// E at a point.
     std::int64_t at(const GridPoint& p) const {
@@ -86,9 +87,12 @@ struct TestedTriangle {
     EdgeValues values_at(const GridPoint& p) const {
         return {edges[0].at(p), edges[1].at(p), edges[2].at(p)};
     }
+    /// Is it the first corner, and not owned?
+    bool gives_away_corner(const EdgeValues& e) const {
+        return area > 0 && e[0] == 0 && e[2] == 0 && !owns_corner;
+    }
     bool admits(const EdgeValues& e) const {
-        const bool is_first_corner = e[0] == 0 && e[2] == 0;
-        if (is_first_corner && !owns_corner) return false;
+        if (gives_away_corner(e)) return false;
         return area > 0 && edges[0].admits(e[0]) && edges[1].admits(e[1]) && edges[2].admits(e[2]);
     }
 };
@@ -113,12 +117,15 @@ TestedRow tested_row(const TestedPolygon& polygon, int index);
 
 /// What is found out about one pixel.
 struct PixelTest {
-    int triangle = 0; ///< of the fan
+    int triangle = 0;                             ///< of the fan
+    std::array<int, edge_function_count> edges{}; ///< their numbers, see EdgeFunction
     int column = 0, row = 0;
     EdgeValues e{}; ///< of the edges, at the pixel's centre: 65536ths of a square pixel
     std::array<bool, edge_function_count> passes{}; ///< it lies on the edge's inner side
     Weights weights{};                              ///< of the corners; below 0 beyond an edge
-    bool is_inside = false;                         ///< it passes all three
+    bool is_given_corner = false; ///< it lies in the fan's corner, which the fill rule gives away
+    bool is_inside = false;       ///< it passes all three, of a triangle with an area, and is not
+                                  ///< such a corner
 
     friend bool operator==(const PixelTest&, const PixelTest&) = default;
 };

@@ -49,9 +49,14 @@ glm::ivec2 viewport_middle(const VertexRules& rules) {
     return {rules.viewport.width / 2, rules.viewport.height / 2};
 }
 
-glm::ivec2 snap_to_pixel(const glm::vec2& projected, glm::ivec2 middle, const VertexRules& rules) {
-    return {snap(projected.x, middle.x, rules.rounding),
-            snap(projected.y, middle.y, rules.rounding)};
+ScreenPlace snap_to_pixel(const glm::vec2& projected, glm::ivec2 middle, const VertexRules& rules) {
+    ScreenPlace place;
+    place.position = projected + glm::vec2(middle);
+    // A place that is given as a pixel is its centre.
+    if (rules.space == SceneSpace::pixels) place.position += 0.5f;
+    place.pixel = {snap(projected.x, middle.x, rules.rounding),
+                   snap(projected.y, middle.y, rules.rounding)};
+    return place;
 }
 
 ProjectedVertex project(const ClipVertex& vertex, const VertexRules& rules, const Stages& stages,
@@ -66,14 +71,12 @@ ProjectedVertex project(const ClipVertex& vertex, const VertexRules& rules, cons
     if (spaces != nullptr) spaces->add("projected", {projected, 0.0f});
     if (is_too_far_out(projected, inv_w)) return rejected(Rejection::too_far_out);
     const glm::ivec2 middle = stages.viewport_middle(rules);
-    const glm::ivec2 pixel = stages.snap_to_pixel(projected, middle, rules);
+    const ScreenPlace place = stages.snap_to_pixel(projected, middle, rules);
     ProjectedVertex result;
     result.has_pixel = true;
-    result.pixel.position = projected + glm::vec2(middle);
-    // A place that is given as a pixel is its centre.
-    if (rules.space == SceneSpace::pixels) result.pixel.position += 0.5f;
-    result.pixel.column = pixel.x;
-    result.pixel.row = pixel.y;
+    result.pixel.position = place.position;
+    result.pixel.column = place.pixel.x;
+    result.pixel.row = place.pixel.y;
     result.pixel.depth = clip.z * inv_w;
     result.pixel.inv_w = inv_w;
     result.pixel.z = camera_depth(clip, rules);

@@ -57,12 +57,17 @@ inline glm::vec2 perspective_divide(const glm::vec4& clip, float inv_w) {
 /// places count from its corner already.
 glm::ivec2 viewport_middle(const VertexRules& rules);
 
+/// Where a vertex falls in the picture.
+struct ScreenPlace {
+    glm::vec2 position{0.0f}; ///< not rounded, see ScreenVertex
+    glm::ivec2 pixel{0};      ///< column and row
+};
+
 /// The snap to whole pixels. The lab rounds first and moves to the middle then, int(f x / z) + W/2;
 /// the other ways are those of VertexRounding.
 /// @param projected pixels from the middle
 /// @param middle    of the viewport transform
-/// @return column and row
-glm::ivec2 snap_to_pixel(const glm::vec2& projected, glm::ivec2 middle, const VertexRules& rules);
+ScreenPlace snap_to_pixel(const glm::vec2& projected, glm::ivec2 middle, const VertexRules& rules);
 
 /// Perspective division, viewport transform and snap to a whole pixel, by the functions of the
 /// table, which weighs the varyings too.

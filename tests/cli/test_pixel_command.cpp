@@ -124,3 +124,21 @@ TEST_CASE("pixel without a pixel of the picture is wrong usage, and says which t
     CHECK_THAT(run({"pixel", "40,3", "--size", "40x30"}).err,
                Contains("columns 0 to 39, rows 0 to 29"));
 }
+
+TEST_CASE("pixel says which of its tests have been done at the moment") {
+    const std::string bench = lessons_folder() + "/scenes/one-triangle.toml";
+    const auto told = [&](const std::string& moment, const std::string& form) {
+        return without_blanks(run({"pixel", "9,8", "--scene", bench, "--stage", "fill", "--set",
+                                   "coverage=edge_functions", "--to", moment, form})
+                                  .out);
+    };
+    CHECK(count_of("\"asked\":false", told("t0/v0", "--json")) == 1);
+    CHECK(count_of("\"asked\":true", told("end", "--json")) == 1);
+    const std::string text = run({"pixel", "9,8", "--scene", bench, "--stage", "fill", "--set",
+                                  "coverage=edge_functions", "--to", "t0/v0"})
+                                 .out;
+    CHECK_THAT(text, Contains("  not asked yet\n"));
+    CHECK(count_of("not asked yet", run({"pixel", "9,8", "--scene", bench, "--stage", "fill",
+                                         "--set", "coverage=edge_functions"})
+                                        .out) == 0);
+}

@@ -296,3 +296,116 @@ TEST_CASE("A point given in pixels lies at its pixel's centre") {
         CHECK(frame_stats(frame).pixels_tested == 130);
     }
 }
+
+TEST_CASE("Before the rows of a triangle begin no row of its table is filled") {
+    const Scene scene = pixel_scene({{{{2, 1, 1}, {14, 1, 1}, {5, 10, 1}}}}, {16, 12});
+    for (const Coverage coverage :
+         {Coverage::edge_functions, Coverage::scan_conversion, Coverage::active_edges}) {
+        CAPTURE(std::string(word_of(coverage)));
+        const Frame frame = prepare_frame(
+            scene, settings_of(scene, {Stage::fill}, {coverage, FillRule::top_left, Snap::pixel}));
+        const auto filled_rows = [&](const char* moment) {
+            const PolygonRows rows = row_history(frame, 0, *parse_cursor(moment)).rows;
+            int filled = 0;
+            for (int r = 0; r < rows.size(); ++r)
+                filled += rows.is_empty_row(r) ? 0 : 1;
+            return filled;
+        };
+        CHECK(filled_rows("t0/v0") == 0);
+        CHECK(filled_rows("t0/v2") == 0);
+        CHECK(filled_rows("t0/r0") == 9);
+        CHECK(row_history(frame, 0, *parse_cursor("t0/v0")).rows.size() == 10);
+    }
+}
+
+TEST_CASE("A vertex that is moved into the picture is moved under every snap") {
+    const Scene scene = pixel_scene({{{{-8, -5, 1}, {30, 2, 1}, {4, 40, 1}}}}, {16, 12});
+    for (const Snap snap : {Snap::pixel, Snap::sixteenth, Snap::subpixel}) {
+        CAPTURE(std::string(word_of(snap)));
+        Settings settings =
+            settings_of(scene, {Stage::fill}, {Coverage::edge_functions, FillRule::top_left, snap});
+        settings.outside_picture = OutsidePicture::clamped;
+        const Frame frame = prepare_frame(scene, settings);
+        const std::span<const ScreenVertex> v = frame.triangle_vertices(0);
+        CHECK(frame.stages.snap(v[0]) == GridPoint{pixel_centre(0), pixel_centre(0)});
+        CHECK(frame.stages.snap(v[1]) == GridPoint{pixel_centre(15), pixel_centre(2)});
+        CHECK(frame.stages.snap(v[2]) == GridPoint{pixel_centre(4), pixel_centre(11)});
+        CHECK(frame.stages.polygon_box(v, edge_rules(settings), frame.stages) ==
+              Rectangle{0, 0, 16, 12});
+    }
+}
+
+TEST_CASE("What the fan's corner gives away is said to be given away") {
+    // Corners in clockwise order; the triangle in the middle has no edge of the polygon at (0, 8).
+    std::vector<ScreenVertex> corners;
+    for (const glm::ivec2 at : {glm::ivec2(0, 8), {4, 0}, {12, 2}, {12, 14}, {4, 16}}) {
+        ScreenVertex& corner = corners.emplace_back();
+        corner.column = at.x;
+        corner.row = at.y;
+        corner.inv_w = 1.0f;
+    }
+    const Scene scene = pixel_scene({{{{2, 1, 1}, {14, 1, 1}, {5, 10, 1}}}}, {16, 12});
+    const Settings settings = settings_of(
+        scene, {Stage::fill}, {Coverage::edge_functions, FillRule::exclusive, Snap::pixel});
+    const Stages stages = prepare_frame(scene, settings).stages;
+    TestedPolygon polygon;
+    set_up_tests(corners, stages, polygon);
+    const PixelTest test = test_pixel(polygon, 1, 0, 8, stages);
+    CHECK_FALSE(test.is_inside);
+    CHECK(test.is_given_corner);
+    CHECK(pixel_test_text(test) == "triangle 1 of the fan, E = 0, 144, 0: outside, the fill rule "
+                                   "gives the corner of the fan away");
+    CHECK_FALSE(test_pixel(polygon, 1, 8, 8, stages).is_given_corner);
+}
+
+TEST_CASE("Of the tests those in the scissor are told, in order") {
+    const Scene scene = pixel_scene({{{{-20, -30, 1}, {40, 5, 1}, {5, 50, 1}}}}, {16, 12});
+    const Frame frame = prepare_frame(
+        scene, settings_of(scene, {Stage::fill},
+                           {Coverage::edge_functions, FillRule::top_left, Snap::subpixel}));
+    const Told told = told_of(frame);
+    const Rectangle scissor{3, 4, 9, 8};
+    Framebuffer picture;
+    clear(picture, frame);
+    Recorder part(true);
+    draw(frame, {cursor_begin, cursor_end, scissor}, picture, &part);
+    std::vector<TestEvent> expected;
+    for (const TestEvent& event : told.events.tests) {
+        const bool is_in = event.test.column >= 3 && event.test.column < 9 && event.test.row >= 4 &&
+                           event.test.row < 8;
+        if (is_in) expected.push_back(event);
+    }
+    REQUIRE(part.tests.size() == expected.size());
+    CHECK(expected.size() == 24);
+    for (std::size_t i = 0; i < expected.size(); ++i)
+        CHECK(part.tests[i].cursor == expected[i].cursor);
+}
+
+TEST_CASE("The edges of a fan's triangles are named as the polygon's, or as inner ones") {
+    std::vector<ScreenVertex> corners;
+    for (const glm::ivec2 at : {glm::ivec2(0, 8), {4, 0}, {12, 2}, {12, 14}, {4, 16}}) {
+        ScreenVertex& corner = corners.emplace_back();
+        corner.column = at.x;
+        corner.row = at.y;
+        corner.inv_w = 1.0f;
+    }
+    Stages stages;
+    stages.snap = snap_to_centre;
+    TestedPolygon polygon;
+    set_up_tests(corners, stages, polygon);
+    REQUIRE(polygon.triangles.size() == 3);
+    using Edges = std::array<int, 3>;
+    CHECK(test_pixel(polygon, 0, 4, 4, stages).edges == Edges{0, 1, -1});
+    CHECK(test_pixel(polygon, 1, 4, 4, stages).edges == Edges{-1, 2, -1});
+    CHECK(test_pixel(polygon, 2, 4, 4, stages).edges == Edges{-1, 3, 4});
+    CHECK(tested_edge_name(4) == "edge 4");
+    CHECK(tested_edge_name(-1) == "inner edge");
+    // Each edge of the polygon is that of the two corners it joins.
+    for (const TestedTriangle& triangle : polygon.triangles) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const int next = triangle.corners[(i + 1) % 3];
+            const bool is_polygons = next == (triangle.corners[i] + 1) % 5;
+            CHECK(triangle.edges[i].number == (is_polygons ? triangle.corners[i] : -1));
+        }
+    }
+}

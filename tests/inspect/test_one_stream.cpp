@@ -67,9 +67,10 @@ glm::vec2 two_columns_left(const glm::vec4& clip, float inv_w) {
 glm::ivec2 below_the_middle(const VertexRules& rules) {
     return viewport_middle(rules) + glm::ivec2(0, 2);
 }
-glm::ivec2 even_columns(const glm::vec2& projected, glm::ivec2 middle, const VertexRules& rules) {
-    const glm::ivec2 pixel = snap_to_pixel(projected, middle, rules);
-    return {pixel.x - pixel.x % 2, pixel.y};
+ScreenPlace even_columns(const glm::vec2& projected, glm::ivec2 middle, const VertexRules& rules) {
+    ScreenPlace place = snap_to_pixel(projected, middle, rules);
+    place.pixel.x -= place.pixel.x % 2;
+    return place;
 }
 ClipVertex between(const ClipVertex& a, const ClipVertex& b, float t) {
     return {a.position_clip + (b.position_clip - a.position_clip) * t,

@@ -51,10 +51,11 @@ void draw_pixel_test(Ui& ui, const PixelTest& test, const TestedPolygon& polygon
     ImGui::PushFont(ui.fonts.mono);
     for (std::size_t i = 0; i < test.e.size(); ++i) {
         const EdgeFunction& edge = triangle.edges[i];
-        const int number = static_cast<int>(i);
-        text_in(colour_of(edge_meaning(number), ui.options.theme),
-                fmt::format("{:<7}{:<7}{:>12} {} 0 {}", edge_name(number), side_of(edge),
-                            significant(in_square_pixels(test.e[i]), 7),
+        const bool is_inner = edge.number < 0;
+        text_in(is_inner ? palette(ui.options.theme).dim
+                         : colour_of(edge_meaning(edge.number), ui.options.theme),
+                fmt::format("{:<7}{:<7}{:>12} {} 0 {}", is_inner ? "inner" : edge_name(edge.number),
+                            side_of(edge), significant(in_square_pixels(test.e[i]), 7),
                             edge.owns_points ? "≥" : ">", test.passes[i] ? "passes" : "fails"));
     }
     ImGui::TextUnformatted(
@@ -73,7 +74,8 @@ void draw_moment(Ui& ui) {
     const Palette& p = palette(ui.options.theme);
     begin_card(ui);
     const std::optional<Cursor>& done = ui.results.a.done;
-    if (done && done->triangle == ui.results.a.triangle && done->phase == Phase::rows) {
+    const bool is_of_triangle = done && done->triangle == ui.results.a.triangle;
+    if (is_of_triangle && done->phase == Phase::rows) {
         draw_row_in_work(ui, *done);
         end_card(ui);
         return;
@@ -81,7 +83,7 @@ void draw_moment(Ui& ui) {
     const RunResults& a = ui.results.a;
     if (a.triangle && a.frame.is_drawn(*a.triangle) && !walks_edges(a.frame.stages)) {
         text_in(p.dim, "No samples: a row holds the pixels whose centres lie inside.");
-        if (const auto test = done ? test_at(a.frame, *done) : std::nullopt) {
+        if (const auto test = is_of_triangle ? test_at(a.frame, *done) : std::nullopt) {
             draw_pixel_test(ui, *test, a.rows.rows.tested);
         }
         end_card(ui);

@@ -1,7 +1,11 @@
+#include <algorithm>
+
 #include <catch2/catch.hpp>
 
 #include "inspect/row_history.h"
+#include "support/samples.h"
 #include "tests/ui/driver.h"
+#include "tests/ui/screen_text.h"
 #include "ui/actions/keys.h"
 #include "ui/ui.h"
 
@@ -81,6 +85,29 @@ TEST_CASE("A write outside the table has a line of its own that leads to its sam
     driver.hand.click("rows.outside.0");
     REQUIRE(driver.ui.results.a.rows.last);
     CHECK_FALSE(driver.ui.results.a.rows.last->write.inside);
+}
+
+TEST_CASE("A test of another triangle is not shown as one of the chosen triangle") {
+    Driver driver("one-triangle.toml");
+    Session& session = driver.ui.session;
+    set_scene(session, test::pixel_scene({{{{2, 1, 1}, {14, 1, 1}, {5, 10, 1}}},
+                                          {{{2, 12, 1}, {4, 12, 1}, {2, 14, 1}}}},
+                                         {20, 20}));
+    session.a.settings.coverage = Coverage::edge_functions;
+    session.a.settings.stage = Stage::fill;
+    session.cursor = *parse_cursor("t0/b4/c6");
+    driver.open("rows");
+    const auto count_of_tests = [&] {
+        const std::vector<ScreenText> all = screen_text();
+        return std::count_if(all.begin(), all.end(), [](const ScreenText& text) {
+            return text.words.find("pixel (7, 5): inside") != std::string::npos;
+        });
+    };
+    CHECK(count_of_tests() == 1);
+    session.selection.triangle = 1;
+    driver.hand.leave();
+    CHECK(driver.ui.results.a.triangle == 1);
+    CHECK(count_of_tests() == 0);
 }
 
 TEST_CASE("A dragged bench vertex takes the row table with it") {
