@@ -6,7 +6,8 @@ namespace rasterwalk {
 
 namespace {
 
-/// A moment that is drawn, told of and compared takes so many times the work of one that is drawn.
+/// A moment or a row that is drawn, told of and compared takes so many times the work of one that
+/// is drawn.
 constexpr double work_factor = 3.0;
 
 /// The finished row table of a triangle; without rows if the run makes none.
@@ -68,8 +69,8 @@ void ComparisonWork::end_triangles() {
 void ComparisonWork::advance(const WorkLimit& limit) {
     if (walk_ == nullptr) return;
     const bool is_little = missing_work() <= limit.at_once;
-    const auto last_event = static_cast<double>(walk_->events()) + limit.slice / work_factor;
-    while (!walk_->is_done() && (is_little || static_cast<double>(walk_->events()) < last_event)) {
+    const auto end = static_cast<double>(walk_->work()) + limit.slice / work_factor;
+    while (!walk_->is_done() && (is_little || static_cast<double>(walk_->work()) < end)) {
         divergences_.walk_part(*a_, *b_, *walk_, found_.divergences);
         end_triangles();
     }

@@ -1,6 +1,7 @@
 #include "compare/run_walk.h"
 
 #include <algorithm>
+#include <climits>
 #include <utility>
 
 #include "pipeline/draw.h"
@@ -24,12 +25,31 @@ RowRange rows_in_picture(const Frame& frame, int triangle) {
     return {std::clamp(-top, 0, size), std::clamp(frame.settings.viewport.height - top, 0, size)};
 }
 
-/// Rows of the boxes that are tested.
-int box_rows(const Frame& frame, int triangle) {
-    if (!frame.is_drawn(triangle) || !tests_pixels(frame.stages)) return 0;
+/// Behind so many of the box rows from `begun` on that lie in the picture; none if no more do.
+std::optional<int> behind_box_rows(const Frame& frame, int triangle, int begun, int many) {
+    if (!frame.is_drawn(triangle) || !tests_pixels(frame.stages)) return std::nullopt;
     TestedPolygon polygon;
     set_up_tests(frame.triangle_vertices(triangle), frame.stages, polygon);
-    return tested_row_count(polygon);
+    const Rectangle area = drawn_area(frame);
+    int top = 0; // the first row of the triangle's box
+    for (const TestedTriangle& tested : polygon.triangles) {
+        const Rectangle shown = intersection(tested.box, area);
+        const int first = std::max(begun, top + shown.top - tested.box.top);
+        const int count = top + shown.bottom - tested.box.top - first;
+        if (shown.left < shown.right && count > 0) {
+            if (count > many) return first + many;
+            many -= count;
+        }
+        top += tested.box.bottom - tested.box.top;
+    }
+    return std::nullopt;
+}
+
+/// Rows of the table that every part makes anew.
+std::int64_t remade_rows(const Frame& frame, int triangle) {
+    if (!frame.is_drawn(triangle) || frame.settings.stage < Stage::rows) return 0;
+    const auto [top, bottom] = table_rows(frame, triangle);
+    return std::int64_t{bottom} - top + 1;
 }
 
 Cursor behind(const Cursor& cursor) {
@@ -163,14 +183,16 @@ void RunWalk::skip_to(int triangle) {
 }
 
 /// Of a box of many pixels the tests of so many as are kept; none where no more are left than go
-/// with the first rows.
+/// with the first rows. Box rows beside the picture cost nothing, and go with the others.
 std::optional<Cursor> RunWalk::part_end_in_box() const {
     if (next_.phase > Phase::tests) return std::nullopt;
-    const int count = std::max(box_rows(a_, next_.triangle), box_rows(b_, next_.triangle));
     const int begun = next_.phase == Phase::tests ? next_.index : 0;
     const int rows_at_once = std::max(1, most_kept / std::max(1, a_.settings.viewport.width));
-    if (count - begun <= rows_at_once) return std::nullopt;
-    return Cursor{next_.triangle, Phase::tests, begun + rows_at_once, 0};
+    const std::optional<int> of_a = behind_box_rows(a_, next_.triangle, begun, rows_at_once);
+    const std::optional<int> of_b = behind_box_rows(b_, next_.triangle, begun, rows_at_once);
+    if (!of_a && !of_b) return std::nullopt;
+    const int end = std::min(of_a.value_or(INT_MAX), of_b.value_or(INT_MAX));
+    return Cursor{next_.triangle, Phase::tests, end, 0};
 }
 
 /// Behind the part of the triangle that begins at next_: rows of so many fragments as are kept.
@@ -202,7 +224,8 @@ bool RunWalk::walk_part(const PairVisitor& visit) {
     recorder_b_.clear();
     draw(a_, {from, end, {}}, picture_a_, &recorder_a_);
     draw(b_, {from, end, {}}, picture_b_, &recorder_b_);
-    events_ += static_cast<std::int64_t>(recorder_a_.count() + recorder_b_.count());
+    work_ += static_cast<std::int64_t>(recorder_a_.count() + recorder_b_.count()) +
+             remade_rows(a_, from.triangle) + remade_rows(b_, from.triangle);
     return merge(recorder_a_, recorder_b_, visit);
 }
 

@@ -116,8 +116,8 @@ class RunWalk {
     /// The triangle that the next part belongs to.
     int triangle() const { return next_.triangle; }
 
-    /// How many moments of both runs have been drawn and told of.
-    std::int64_t events() const { return events_; }
+    /// How many moments of both runs have been drawn and told of, and rows of tables made for it.
+    std::int64_t work() const { return work_; }
 
     /// The pictures so far.
     const Framebuffer& picture_a() const { return picture_a_; }
@@ -131,7 +131,7 @@ class RunWalk {
     const Frame& b_;
     Cursor to_;
     Cursor next_ = cursor_begin; ///< where the next part begins
-    std::int64_t events_ = 0;
+    std::int64_t work_ = 0;
     Framebuffer picture_a_, picture_b_;
     EventRecorder recorder_a_, recorder_b_;
 };

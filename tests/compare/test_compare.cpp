@@ -1,4 +1,5 @@
 #include "compare/compare.h"
+#include "compare/run_walk.h"
 #include "picture/view_image.h"
 
 #include <cmath>
@@ -109,4 +110,37 @@ TEST_CASE("A large triangle is compared in parts of its rows") {
         work.advance({0.0, 1.0});
     CHECK(parts > 3);
     CHECK(work.found().is_same());
+}
+
+TEST_CASE("A box that reaches far beyond the picture is compared in few parts") {
+    const Scene scene =
+        test::pixel_scene({{{{-16000, -16000, 1}, {16000, -16000, 1}, {0, 16000, 1}}}}, {2048, 64});
+    Settings settings = default_settings(scene);
+    set_from_text(settings, "coverage=edge_functions");
+    const Frame frame = prepare_frame(scene, settings);
+    RunWalk walk(frame, frame, cursor_end);
+    int parts = 0;
+    std::int64_t tests = 0;
+    for (; !walk.is_done() && parts < 20; ++parts) {
+        walk.walk_part([&](const PairMoment& moment) {
+            tests += moment.a.test != nullptr && moment.b.test != nullptr ? 1 : 0;
+            return true;
+        });
+    }
+    CHECK(walk.is_done());
+    CHECK(parts <= 4);
+    CHECK(parts > 1);
+    CHECK(tests == 2048 * 64);
+}
+
+TEST_CASE("A slice of a comparison ends where only row tables are made") {
+    const Scene scene = test::pixel_scene(
+        {10, {{{-16000, -16000, 1}, {-100, -16000, 1}, {-100, 16000, 1}}}}, {16, 16});
+    Settings settings = default_settings(scene);
+    set_from_text(settings, "coverage=edge_functions");
+    const Frame frame = prepare_frame(scene, settings);
+    ComparisonWork work;
+    work.begin(frame, frame);
+    work.advance({0.0, 10'000.0});
+    CHECK(work.triangles_done() == 1);
 }
