@@ -29,6 +29,10 @@ std::string edge_sentence(const Frame& frame, const Cursor& cursor, const std::s
     if (frame.settings.stage < Stage::edges) {
         return "in stage " + stage_name(frame) + " a triangle has no edges";
     }
+    if (frame.settings.stage >= Stage::rows && !walks_edges(frame.stages)) {
+        return "coverage=" + std::string(word_of(frame.settings.coverage)) +
+               " walks no edges in stage " + stage_name(frame);
+    }
     const Timeline timeline(frame);
     const PhaseMoments& edges = timeline.moments(cursor.triangle).of(Phase::edges);
     const int count = static_cast<int>(edges.pieces.size());

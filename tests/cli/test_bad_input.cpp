@@ -197,6 +197,8 @@ TEST_CASE("A moment that does not exist ends with exit code 2 and says which one
            "there is no moment t3/r0: in stage edges a triangle has no rows.");
     expect({"stats", "--to", "t3/e0", "--stage", "points"}, 2,
            "there is no moment t3/e0: in stage points a triangle has no edges.");
+    expect({"stats", "--to", "t3/e0/s0", "--stage", "fill", "--set", "coverage=active_edges"}, 2,
+           "there is no moment t3/e0/s0: coverage=active_edges walks no edges in stage fill.");
     expect({"stats", "--to", "t0", "--set", "camera.position=0,0,900"}, 2,
            "there is no moment t0: triangle t0 is left out: a vertex lies on or behind the camera "
            "plane.");
