@@ -9,19 +9,26 @@ void tell_pixel_tests(const Drawing& d, int triangle) {
     const TestedPolygon& tested = d.rows.tested;
     const PieceRange rows = clamp_to_window(d.window, {triangle, Phase::tests, 0, 0},
                                             &Cursor::index, tested_row_count(tested));
-    // The row before the first that begins in the window may end in it.
-    for (int r = std::max(rows.first - 1, 0); r < rows.last; ++r) {
-        const TestedRow row = tested_row(tested, r);
-        if (row.row < d.scissor.top || row.row >= d.scissor.bottom) continue;
-        Cursor cursor{triangle, Phase::tests, r, 0};
-        const PieceRange columns =
-            clamp_to_window(d.window, cursor, &Cursor::step, row.right - row.left);
-        const int first = std::max(columns.first, d.scissor.left - row.left);
-        const int last = std::min(columns.last, d.scissor.right - row.left);
-        for (cursor.step = first; cursor.step < last; ++cursor.step) {
-            d.observer->pixel_test({cursor, test_pixel(tested, row.triangle, row.left + cursor.step,
-                                                       row.row, d.stages)});
+    int first_of_box = 0, number = 0; // of the triangle of the fan
+    for (const TestedTriangle& of : tested.triangles) {
+        const Rectangle& box = of.box;
+        const Rectangle shown = intersection(box, d.scissor);
+        // The row before the first that begins in the window may end in it.
+        const int first = std::max(rows.first - 1, first_of_box + shown.top - box.top);
+        const int last = std::min(rows.last, first_of_box + shown.bottom - box.top);
+        for (int r = first; r < last; ++r) {
+            Cursor cursor{triangle, Phase::tests, r, 0};
+            const PieceRange columns =
+                clamp_to_window(d.window, cursor, &Cursor::step, box.right - box.left);
+            const int end = std::min(columns.last, shown.right - box.left);
+            for (cursor.step = std::max(columns.first, shown.left - box.left); cursor.step < end;
+                 ++cursor.step) {
+                d.observer->pixel_test({cursor, test_pixel(tested, number, box.left + cursor.step,
+                                                           box.top + r - first_of_box, d.stages)});
+            }
         }
+        first_of_box += box.bottom - box.top;
+        ++number;
     }
 }
 

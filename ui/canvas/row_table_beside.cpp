@@ -66,11 +66,13 @@ void draw_end(const Table& t, int index, bool is_left) {
     const RowTableLayout::End& place = t.layout.ends[is_left ? 0 : 1];
     const bool is_set = writer.is_set();
     const bool is_extreme = end.column == empty_left || end.column == empty_right;
+    // Coverage without samples sets ends that have no writer.
+    const bool has_values = is_set || (!is_extreme && !walks_edges(t.ui.results.a.frame.stages));
     const Fonts& fonts = t.ui.fonts;
 
     const float top = t.y_of(row);
     const bool has_more = t.layout.has_writers ? !t.layout.is_flat && !t.layout.has_depths : true;
-    const bool has_second = t.is_high() && is_set && has_more;
+    const bool has_second = t.is_high() && has_more && (t.layout.has_writers ? has_values : is_set);
     const float second = 1.1f * fonts.mono_small->FontSize;
     const float middle = top + 0.5f * (t.scale - (has_second ? second : 0.0f));
     const float below = middle + 0.5f * (fonts.mono->FontSize + second);
@@ -78,7 +80,8 @@ void draw_end(const Table& t, int index, bool is_left) {
     const std::string text = end_text(end, is_left);
     ImFont* const font = is_extreme && !t.layout.is_large ? fonts.mono_small : fonts.mono;
     const std::string by = is_set ? sample_text(writer.edge, writer.sample) : std::string();
-    const std::string depth = is_set ? fixed(static_cast<double>(end.inv_w), 4) : std::string("—");
+    const std::string depth =
+        has_values ? fixed(static_cast<double>(end.inv_w), 4) : std::string("—");
     // Half a line would be read as another one.
     const float half = 0.5f * fonts.mono->FontSize;
     const float last = has_second ? below + 0.5f * fonts.mono_small->FontSize : middle + half;
@@ -89,7 +92,7 @@ void draw_end(const Table& t, int index, bool is_left) {
             write(t, fonts.mono_small, by, t.left + place.writer, middle, p.dim);
         if (t.layout.has_depths) {
             write(t, fonts.mono_small, depth, t.left + place.depth, middle,
-                  is_set ? p.text : p.dim);
+                  has_values ? p.text : p.dim);
         } else if (has_second) {
             write(t, fonts.mono_small, t.layout.has_writers ? weight_word(t) + " " + depth : by,
                   number, below, p.dim);
@@ -109,12 +112,12 @@ void draw_end(const Table& t, int index, bool is_left) {
     const bool pressed = ImGui::InvisibleButton(
         name.c_str(), {place.right - place.left + 2.0f * around, high_y - low_y});
     name_widget(t.ui, name,
-                (is_set ? "x " + text +
-                              (t.layout.is_flat
-                                   ? ""
-                                   : ", " + weight_word(t) + " " + nine_digits_shown(end.inv_w)) +
-                              ". "
-                        : std::string()) +
+                (has_values ? "x " + text +
+                                  (t.layout.is_flat ? ""
+                                                    : ", " + weight_word(t) + " " +
+                                                          nine_digits_shown(end.inv_w)) +
+                                  ". "
+                            : std::string()) +
                     end_tooltip(end, writer));
     note_text(t.ui, name, text);
     if (!pressed) return;
