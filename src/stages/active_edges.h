@@ -42,7 +42,9 @@ std::vector<InsideSpan> active_edge_spans(std::span<const ScreenVertex> vertices
                                           const EdgeRules& rules, const Stages& stages);
 
 /// The slot compute_polygon_rows. A table has one left and one right end a row: of a polygon with
-/// dents it holds the first and the last of active_edge_spans(). What the pipeline draws has none.
+/// dents it holds the first and the last of active_edge_spans(). What the pipeline draws has none,
+/// but where the snap to whole pixels bends a cut polygon inward. There the ends of a row can be a
+/// pixel other than those of a fan, which fills the dent (fan.h).
 void rows_by_active_edges(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
                           const Stages& stages, PolygonRows& rows, SampleSink* sink);
 

@@ -2,6 +2,11 @@
 
 // A polygon as a fan of triangles about its first corner: right where the polygon has no dents.
 //
+// A polygon that clipping has cut has none before the snap. The snap to whole pixels moves corners
+// by up to half a pixel and can bend it inward, where corners lie close together. A triangle of the
+// fan then goes round the other way. It is filled like the others, so now and then a pixel at the
+// dent is covered that active_edges.h leaves out.
+//
 // Between two triangles of the fan runs an inner edge. Whatever the fill rule, it goes by the
 // top-left rule: it must neither leave a hole in the polygon nor be laid twice.
 

@@ -421,3 +421,21 @@ TEST_CASE("Weights against double: from 0 to 1, their sum 1, and what they mix")
     CHECK(worst_sum < 3e-7);
     CHECK(worst_value < 1e-5);
 }
+
+TEST_CASE(
+    "Where the snap has bent a polygon inward a fan fills the dent, and active edges do not") {
+    std::vector<GridPoint> polygon;
+    for (const glm::ivec2 at :
+         {glm::ivec2(5, 7), {-8, 6}, {-8, 6}, {-9, 6}, {-9, 5}, {-10, -6}, {-2, -9}})
+        polygon.push_back({pixel_centre(at.x), pixel_centre(at.y)});
+    const auto left_of_row_6 = [&](Coverage coverage) {
+        PolygonRows rows;
+        compute(polygon, table_of(coverage, FillRule::top_left), rows);
+        const auto i = static_cast<std::size_t>(6 - rows.first_row);
+        CHECK(rows.right[i].column == 4);
+        return rows.left[i].column;
+    };
+    CHECK(left_of_row_6(Coverage::edge_functions) == -9);
+    CHECK(left_of_row_6(Coverage::scan_conversion) == -9);
+    CHECK(left_of_row_6(Coverage::active_edges) == -8);
+}
