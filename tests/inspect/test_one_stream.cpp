@@ -509,7 +509,7 @@ TEST_CASE("Clipping and culling show in polygons, reports, counts and the compar
         }
         const Clipped clipped = clip_at_near_plane(corners, ViewVolume(VertexRules()), nullptr);
         Rejection rejection = clipped.rejection;
-        if (rejection == Rejection::none) rejection = cull_back_faces(corners, {}, nullptr);
+        if (rejection == Rejection::none) rejection = cull_back_faces(corners, {}, {}, nullptr);
         CAPTURE(t);
         CHECK(frame.rejection(t) == rejection);
         CHECK(triangle_report(frame, t).rejection == rejection);
