@@ -4,7 +4,7 @@
 //   show_vertices    stage `points`: a mark for each vertex                     (draw_marks.cpp)
 //   tell_clip_and_cull   what has been done to it; leaves no mark            (tell_clipping.cpp)
 //   cover            the row table; stage `edges` shows the samples that make it
-//   tell_pixel_tests     which pixels edge functions ask; leaves no mark     (tell_tests.cpp)
+//     tell_pixel_tests   which pixels edge functions ask; leaves no mark       (tell_tests.cpp)
 //   show_row_ends    stage `rows`: both ends of each row                        (draw_marks.cpp)
 //   fill_rows        for each row:
 //     interpolate_row    its fragments, from the left to the right end

@@ -4,10 +4,11 @@
 // triangle go through the phases of phase_list: its three vertices; where planes cut it, each edge
 // at each of them; where something culls, the answer; then, from stage `edges` on, the samples of
 // the edges of what is left, or, where edge functions find the pixels, every pixel of the box that
-// they ask; then in stage `rows` one moment for every row, in which its two ends
-// are shown, and from stage `fill` on one moment for every fragment. Rows and fragments beyond the
-// picture have no moments, nor has a triangle that is left out; one that clip or cull have taken
-// away ends there. Every question costs at most the edges of a triangle or two.
+// they ask; then in stage `rows` one moment for every row, in which its two ends are shown, and
+// from stage `fill` on one moment for every fragment. Rows and fragments beyond the picture have no
+// moments, nor has a triangle that is left out; one that clip or cull have taken away ends there.
+// Every question costs at most a triangle or two: the samples of their edges and their rows, or the
+// rows of their boxes.
 
 #include <array>
 #include <cstdint>
