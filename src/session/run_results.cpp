@@ -108,6 +108,26 @@ void update_picture(View view, const std::optional<DepthRange>& depths, bool is_
 
 } // namespace
 
+namespace {
+
+/// The lesson that tells why triangles are left out for a reason; 0: none does.
+int lesson_of(Rejection rejection) {
+    switch (rejection) {
+    case Rejection::too_far_out:
+        return 12;
+    case Rejection::behind_camera:
+        return 17;
+    case Rejection::outside:
+        return 18;
+    case Rejection::back_facing:
+        return 19;
+    default:
+        return 0;
+    }
+}
+
+} // namespace
+
 std::vector<Trouble> describe_troubles(const Frame& frame, const DrawTally& tally) {
     std::vector<Trouble> troubles;
     for (SettingFault& fault : setting_faults(frame.settings, frame.scene->space))
@@ -117,7 +137,8 @@ std::vector<Trouble> describe_troubles(const Frame& frame, const DrawTally& tall
         const int count = left_out.of(reason.rejection);
         if (count == 0) continue;
         const std::string left_out_count = counted(count, "triangle", "triangles") + " left out";
-        troubles.push_back({left_out_count + ": " + std::string(reason.cause), left_out_count});
+        troubles.push_back({left_out_count + ": " + std::string(reason.cause), left_out_count,
+                            false, -1, lesson_of(reason.rejection)});
     }
     const std::int64_t unset = tally.unset_rows;
     if (unset > 0) {
@@ -140,7 +161,7 @@ std::vector<Trouble> describe_troubles(const Frame& frame, const DrawTally& tall
         const std::string samples = counted(tally.samples_outside, "edge sample", "edge samples");
         troubles.push_back({fmt::format("{} outside the row table of {}; not written", samples,
                                         counted(tally.triangles_outside, "triangle", "triangles")),
-                            samples + " outside", true, tally.first_outside});
+                            samples + " outside", true, tally.first_outside, 12});
     }
     return troubles;
 }

@@ -23,6 +23,7 @@ struct Trouble {
     std::string in_short;    ///< the same where there is little room
     bool is_of_rows = false; ///< it speaks of row tables, which not everyone has met yet
     int triangle = -1;       ///< one that shows it; -1: none does
+    int lesson = 0;          ///< the number of the one that tells why it happens; 0: none does
 
     friend bool operator==(const Trouble&, const Trouble&) = default;
 };

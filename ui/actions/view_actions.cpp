@@ -196,7 +196,8 @@ std::vector<Action> stage_actions() {
         {"switch.perspective",
          "Stage",
          "Perspective correction",
-         "Interpolates q/z and divides by 1/z; off, q itself is interpolated and the light skews.",
+         "Interpolates q/z, or q/w where w is not z, and recovers q at the pixel; off, q itself is "
+         "interpolated and the light skews.",
          {'P'},
          [](Ui& ui) {
              if (refuses_settings(ui.session)) return;

@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "session/depth_view.h"
+#include "settings/setting_table.h"
+#include "settings/value_words.h"
 #include "ui/actions/actions.h"
 #include "ui/actions/compare.h"
 #include "ui/bars/bars.h"
@@ -113,7 +115,8 @@ std::string word_of_depth_test(const Settings& settings, const Frame& frame) {
     case DepthTest::inverse_z:
         return std::string(depth_words(frame).short_name);
     case DepthTest::reversed:
-        return "reversed";
+        // Not its own word, which is that of a depth format too.
+        return said_word(*find_setting("depth_test"), word_of(DepthTest::reversed));
     default:
         return "z";
     }

@@ -28,15 +28,28 @@ void show_sample_outside(Ui& ui, int triangle) {
 }
 
 struct StatusTrouble {
-    std::string text;     ///< empty: there is none
-    std::string in_short; ///< the same where there is little room; or empty
-    int triangle = -1;    ///< that shows it; -1: none does
+    std::string text;         ///< empty: there is none
+    std::string in_short;     ///< the same where there is little room; or empty
+    int triangle = -1;        ///< that shows it; -1: none does
+    std::vector<int> lessons; ///< numbers of those that tell why it happens
 };
 
+/// "; lesson 12 tells why it happens": a clause, or nothing.
+std::string lesson_words(const std::vector<int>& lessons) {
+    if (lessons.empty()) return "";
+    std::string words = lessons.size() == 1 ? "; lesson " : "; lessons ";
+    for (std::size_t i = 0; i < lessons.size(); ++i)
+        words += (i == 0                   ? ""
+                  : i + 1 < lessons.size() ? ", "
+                                           : " and ") +
+                 std::to_string(lessons[i]);
+    return words + (lessons.size() == 1 ? " tells why it happens" : " tell why it happens");
+}
+
 StatusTrouble trouble_of(const Ui& ui) {
-    if (!ui.session.notice.empty()) return {ui.session.notice, {}};
-    if (!ui.fonts.notice.empty()) return {ui.fonts.notice, {}};
-    if (is_working(ui.results)) return {work_words(ui.results), {}};
+    if (!ui.session.notice.empty()) return {ui.session.notice, {}, -1, {}};
+    if (!ui.fonts.notice.empty()) return {ui.fonts.notice, {}, -1, {}};
+    if (is_working(ui.results)) return {work_words(ui.results), {}, -1, {}};
     // What a message says may be the answer.
     if (hides_settings(ui.session)) return {};
     // Of row tables nothing is told before there are any, nor in a lesson that comes before them.
@@ -48,8 +61,12 @@ StatusTrouble trouble_of(const Ui& ui) {
         all.text += (all.text.empty() ? "" : "; ") + trouble.sentence;
         all.in_short += (all.in_short.empty() ? "" : "; ") + trouble.in_short;
         if (trouble.triangle >= 0) all.triangle = trouble.triangle;
+        const bool is_new =
+            std::find(all.lessons.begin(), all.lessons.end(), trouble.lesson) == all.lessons.end();
+        if (trouble.lesson > 0 && is_new) all.lessons.push_back(trouble.lesson);
     }
     if (all.text.empty()) return all;
+    std::sort(all.lessons.begin(), all.lessons.end());
     // The panels tell of one triangle, and of it what is done so far.
     all.text = (ui.results.a.has_all_troubles ? "whole frame: " : "so far: ") + all.text;
     return all;
@@ -89,11 +106,11 @@ void draw_trouble(Ui& ui, const Area& area, const StatusTrouble& trouble) {
                               ? colour_of(Meaning::fail, ui.options.theme)
                               : p.text;
     text_in(colour, words);
-    const char* const about =
+    const std::string about =
         is_notice ? ""
         : is_working(ui.results)
             ? "\nIt is too much work for one frame of the window, and goes on."
-            : "\nThe program guards against this and goes on; lesson 12 tells why it happens.";
+            : "\nThe program guards against this and goes on" + lesson_words(trouble.lessons) + ".";
     name_widget(ui, "status.trouble", trouble.text + about);
     if (!action.empty()) {
         const float x = ImGui::GetItemRectMax().x + gap;
