@@ -38,8 +38,10 @@ struct ViewInfo {
 /// All views, indexed by View.
 const std::array<ViewInfo, view_count>& view_list();
 
-/// A range of the depth buffer's values. Chosen and written down far is the smaller one, whatever
-/// the buffer holds; on show it is the farther one, see turned_to().
+/// A range of the depth buffer's values. A range on show has the end that is farther away as `far`,
+/// which of ndc z is the larger value. A chosen range, as a session keeps it and as it is written
+/// down, has the smaller value as `far`, whatever the buffer holds, so that it lasts when that
+/// changes; turned_to() makes the one that is shown of it.
 struct DepthRange {
     float far = 0.0f;
     float near = 0.0f;
@@ -51,7 +53,7 @@ struct DepthRange {
     friend bool operator==(const DepthRange&, const DepthRange&) = default;
 };
 
-/// The range with its farther end as `far`.
+/// The range as it is shown of a buffer of this kind: its farther end as `far`.
 DepthRange turned_to(ClipDepth kind, const DepthRange& range);
 
 /// From the farthest to the nearest depth present; none where nothing has one.

@@ -167,7 +167,7 @@ ViewField depth_range_field() {
         return range && range->far <= range->near ? range : std::nullopt;
     };
     form.show = [](const auto& range, Session& session) { session.depth_range = range; };
-    const ViewOption option{"depth-range", "FAR,NEAR",
+    const ViewOption option{"depth-range", "SMALLER,LARGER",
                             "Range of 1/z, or of what else the depth buffer holds, that the depth "
                             "view colours; all that is there if not given"};
     ViewField field = make_field("depth_range", ViewPart::plane, option, form);
