@@ -147,7 +147,9 @@ TEST_CASE("stats counts what is rejected, clipped, culled and outside, as a seco
             Settings settings = default_settings(scene);
             set_step(settings, {Stage::depth, Shading::unlit});
             for (const std::string& assignment :
-                 {std::string("camera.position=") + view.position,
+                 // Small, since near corners lie thousands of pixels away from large pictures.
+                 {std::string("viewport.size=60x60"), std::string("camera.focal_length=60"),
+                  std::string("camera.position=") + view.position,
                   std::string("camera.yaw=") + view.yaw, std::string(rule[0]), std::string(rule[1]),
                   std::string(rule[2])}) {
                 set_from_text(settings, assignment);
