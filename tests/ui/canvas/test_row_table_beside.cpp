@@ -22,6 +22,7 @@
 #include "ui/actions/row_table_layout.h"
 #include "ui/widgets/layout.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
 
@@ -457,6 +458,24 @@ TEST_CASE("1/z stands in the table of a triangle of the room") {
     const std::vector<ScreenText> texts = table_texts();
     CHECK(std::any_of(texts.begin(), texts.end(), [](const ScreenText& text) {
         return text.words.find("1/z") != text.words.npos;
+    }));
+}
+
+TEST_CASE("1/z stands in the table too where no samples have written the ends") {
+    Driver room;
+    room.hand.click("stage.depth");
+    room.ui.session.a.settings.coverage = Coverage::edge_functions;
+    room.ui.session.selection.triangle = 22;
+    room.hand.frames(frames_to_rest);
+    const PolygonRows& rows = room.ui.results.a.rows.rows;
+    const RowEnd& left = rows.left[static_cast<std::size_t>(rows.size() / 2)];
+    REQUIRE(left.column != empty_left);
+    look_at(room, 46.0f, {left.column - 1, rows.first_row + rows.size() / 2});
+    REQUIRE(is_shown(room));
+    const std::vector<ScreenText> texts = table_texts();
+    const std::string shown = fixed(static_cast<double>(left.inv_w), 4);
+    CHECK(std::any_of(texts.begin(), texts.end(), [&](const ScreenText& text) {
+        return text.words.find(shown) != text.words.npos;
     }));
 }
 
