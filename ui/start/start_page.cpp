@@ -88,20 +88,20 @@ std::string button_label(Ui& ui, Way way, float width) {
 }
 
 /// Where everything stands, screen pixels.
-struct PageLayout {
+struct StartLayout {
     float left, width; ///< of all that is shown
     float gap;         ///< between two cards
     bool is_small;     ///< a card is a line or two, and stands below the one before
 };
 
-PageLayout lay_out(const Ui& ui, ImVec2 size) {
+StartLayout lay_out(const Ui& ui, ImVec2 size) {
     const float u = ui.options.text_scale;
     const float margin = std::clamp(0.05f * size.x, 14.0f * u, 80.0f * u);
     const float width = std::min(size.x - 2.0f * margin, 1440.0f * u);
     return {0.5f * (size.x - width), width, 22.0f * u, size.x < 1000.0f * u || size.y < 760.0f * u};
 }
 
-void draw_title(Ui& ui, const PageLayout& page) {
+void draw_title(Ui& ui, const StartLayout& page) {
     const Scene& scene = *ui.session.scene;
     ImGui::PushFont(page.is_small ? ui.fonts.title : ui.fonts.headline);
     ImGui::TextUnformatted("How does a program draw a room?");
@@ -118,7 +118,7 @@ void draw_title(Ui& ui, const PageLayout& page) {
 }
 
 /// The picture after each stage, and its name; a click shows the scene there.
-void draw_stages(Ui& ui, const PageLayout& page) {
+void draw_stages(Ui& ui, const StartLayout& page) {
     const float u = ui.options.text_scale;
     const Palette& p = palette(ui.options.theme);
     const float gap = (page.is_small ? 6.0f : 12.0f) * u;
@@ -323,7 +323,7 @@ void draw_low_card(Ui& ui, const Card& card, ImVec2 low, ImVec2 size) {
     draw_way_button(ui, card, {wide, control});
 }
 
-void draw_cards(Ui& ui, const PageLayout& page, float bottom) {
+void draw_cards(Ui& ui, const StartLayout& page, float bottom) {
     const float u = ui.options.text_scale;
     const ImVec2 start = ImGui::GetCursorScreenPos();
     if (page.is_small) {
@@ -350,7 +350,7 @@ void draw_cards(Ui& ui, const PageLayout& page, float bottom) {
 }
 
 /// Left out where it has no room and nothing is to be told.
-void draw_last_line(Ui& ui, const PageLayout& page, float bottom) {
+void draw_last_line(Ui& ui, const StartLayout& page, float bottom) {
     const float line_end = ImGui::GetCursorScreenPos().y + ui.fonts.small->FontSize;
     if (line_end > bottom && ui.session.notice.empty()) return;
     const Palette& p = palette(ui.options.theme);
@@ -405,7 +405,7 @@ void draw_start_page(Ui& ui, ImVec2 low, ImVec2 high) {
     }
     const float u = ui.options.text_scale;
     const ImVec2 size{high.x - low.x, high.y - low.y};
-    const PageLayout page = lay_out(ui, size);
+    const StartLayout page = lay_out(ui, size);
     ImGui::SetNextWindowPos(low);
     ImGui::SetNextWindowSize(size);
     ImGui::Begin("start", nullptr, panel_flags & ~ImGuiWindowFlags_NoScrollbar);
