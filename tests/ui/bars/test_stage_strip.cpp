@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <cmath>
 
 #include <catch2/catch.hpp>
 
 #include "pipeline/draw.h"
 #include "tests/ui/driver.h"
+#include "tests/ui/screen_text.h"
 #include "ui/actions/keys.h"
 #include "ui/ui.h"
 
@@ -82,6 +84,26 @@ TEST_CASE("Without the depth test the blue block covers the red one") {
     CHECK(owner_in_front() == "tall block");
     driver.hand.press('Z');
     CHECK(owner_in_front() == "short block");
+}
+
+TEST_CASE("The test that lets the farther one win is not called like a depth format beside it") {
+    Driver driver;
+    driver.hand.click("stage.depth");
+    const auto strip_says = [&](std::string_view words) {
+        driver.hand.frames(frames_to_rest);
+        const auto texts = screen_text();
+        return std::any_of(texts.begin(), texts.end(), [&](const ScreenText& text) {
+            const WidgetPlace& chip = driver.hand.find("switch.depth_test");
+            return text.words.find(words) != std::string::npos && text.low.y >= chip.top_left.y &&
+                   text.high.y <= chip.bottom_right.y;
+        });
+    };
+    Settings& settings = driver.ui.session.a.settings;
+    settings.depth_format = DepthFormat::reversed_32;
+    CHECK(strip_says("rev z"));
+    settings.depth_test = DepthTest::reversed;
+    CHECK(strip_says("farther wins"));
+    CHECK_FALSE(strip_says("rev"));
 }
 
 TEST_CASE("Alternatives touch in the strip; what follows or begins a group stands apart") {

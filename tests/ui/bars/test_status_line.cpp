@@ -42,6 +42,27 @@ TEST_CASE("Of row tables nothing is told before they are a subject") {
     CHECK(tells());
 }
 
+TEST_CASE("The status line names the lesson that tells of the trouble there is, or none") {
+    Driver driver;
+    const auto says = [&] {
+        driver.hand.frames(frames_to_rest);
+        driver.hand.hover("status.trouble");
+        std::string all;
+        for (const ScreenText& line : screen_text())
+            if (line.window.find("Tooltip") != std::string::npos) all += line.words + " ";
+        return all;
+    };
+    Settings& settings = driver.ui.session.a.settings;
+    CHECK_THAT(says(), Contains("lesson 12 tells"));
+    settings.stage = Stage::edges;
+    settings.camera.position.z = -0.5f;
+    CHECK_THAT(says(), Contains("lesson 17 tells"));
+    settings = default_settings(*driver.ui.session.scene);
+    settings.stage = Stage::edges;
+    settings.far = 0.01f;
+    CHECK_THAT(says(), Contains("goes on.") && !Contains("tells why"));
+}
+
 TEST_CASE("Samples outside their row table are shown by a click on the status line") {
     Driver driver;
     driver.hand.click("status.show_outside");
