@@ -23,7 +23,8 @@ void draw_row_in_work(Ui& ui, const Cursor& done) {
     const Palette& p = palette(ui.options.theme);
     const auto i = static_cast<std::size_t>(done.index);
     const int left = a.rows.rows.left[i].column, right = a.rows.rows.right[i].column;
-    text_in(p.dim, "all samples are entered, now the rows: ");
+    text_in(p.dim, walks_edges(a.frame.stages) ? "all samples are entered, now the rows: "
+                                               : "the pixels are found, now the rows: ");
     ImGui::TextUnformatted(("row " + whole_text(a.rows.rows.first_row + done.index) + ", " +
                             element_name_of(entry_form, done.index, a.rows.rows.size()))
                                .c_str());
@@ -59,7 +60,7 @@ void draw_pixel_test(Ui& ui, const PixelTest& test, const TestedPolygon& polygon
                             edge.owns_points ? "≥" : ">", test.passes[i] ? "passes" : "fails"));
     }
     ImGui::TextUnformatted(
-        fmt::format("sum           {:>12}", significant(in_square_pixels(triangle.area), 7))
+        fmt::format("twice the area{:>12}", significant(in_square_pixels(triangle.area), 7))
             .c_str());
     std::string weights = "weights";
     for (const float weight : test.weights)

@@ -50,7 +50,7 @@ constexpr std::array<Card, way_count> cards{{
      "Check my own picture",
      "What differs from the right one, where first, and why?",
      {"A picture that your program saved, or the rows that it printed.",
-      "Known mistakes are carried out, to see which one explains yours."},
+      "Rasterwalk makes the known mistakes, to see which one explains yours."},
      "Shows the files that can be checked."},
 }};
 static_assert(is_indexed_by(cards, &Card::way));
@@ -356,7 +356,7 @@ void draw_last_line(Ui& ui, const StartLayout& page, float bottom) {
     const Palette& p = palette(ui.options.theme);
     ImGui::PushFont(ui.fonts.small);
     const char* const keys =
-        "Enter begins · Tab goes to the other ways · later starts go on where you stopped";
+        "Enter begins · Tab goes to the other ways · next time you go on where you stopped";
     const std::string& notice = ui.session.notice;
     const float wide = ImGui::CalcTextSize(keys).x;
     const ImVec2 at = ImGui::GetCursorScreenPos();
