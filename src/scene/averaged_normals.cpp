@@ -30,15 +30,16 @@ void AveragedNormals::add(const TriangleIndices& points,
     for (std::size_t i = 0; i < places.size(); ++i) {
         const glm::dvec3 next = places[(i + 1) % places.size()] - places[i];
         const glm::dvec3 other = places[(i + 2) % places.size()] - places[i];
-        sums_[static_cast<std::size_t>(points[i])] +=
+        sums_.try_emplace(points[i], 0.0).first->second +=
             across * (angle_between(next, other) / length);
     }
 }
 
 glm::vec3 AveragedNormals::at(int point, const glm::vec3& face) const {
-    const glm::dvec3& sum = sums_[static_cast<std::size_t>(point)];
-    const double length = glm::length(sum);
-    return length > shortest_sum ? glm::vec3(sum / length) : face;
+    const auto found = sums_.find(point);
+    if (found == sums_.end()) return face;
+    const double length = glm::length(found->second);
+    return length > shortest_sum ? glm::vec3(found->second / length) : face;
 }
 
 } // namespace rasterwalk

@@ -17,7 +17,7 @@
 // Facets", Journal of Graphics Tools 3(1), 1998.
 
 #include <array>
-#include <vector>
+#include <unordered_map>
 
 #include <glm/vec3.hpp>
 
@@ -28,12 +28,8 @@ namespace rasterwalk {
 /// Takes up triangles one by one, and then answers.
 class AveragedNormals {
   public:
-    /// @param point_count the points of the triangles are numbered 0 to point_count - 1
-    explicit AveragedNormals(int point_count)
-        : sums_(static_cast<std::size_t>(point_count), glm::dvec3(0.0)) {}
-
     /// A triangle without area adds nothing.
-    /// @param points    the numbers of its corners
+    /// @param points    the numbers of its corners, any
     /// @param positions their places, in the order that face_normal() takes
     void add(const TriangleIndices& points,
              const std::array<glm::vec3, triangle_corners>& positions);
@@ -44,7 +40,7 @@ class AveragedNormals {
     glm::vec3 at(int point, const glm::vec3& face) const;
 
   private:
-    std::vector<glm::dvec3> sums_;
+    std::unordered_map<int, glm::dvec3> sums_; ///< only of points that triangles have
 };
 
 } // namespace rasterwalk

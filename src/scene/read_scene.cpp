@@ -300,7 +300,7 @@ std::array<glm::vec3, triangle_corners> places_of(const NamedCorners& triangle) 
     return places;
 }
 
-void read_part(const TomlInput& input, const PointSets& sets, const SurfaceSections& sections,
+void read_part(const TomlInput& input, const PointSets& sets, SurfaceSections& sections,
                VertexJoin& vertices, Scene& scene) {
     input.allow_only(
         {"name", "points", "reflectance", "material", "colours", "normals", "triangles", "model"});
@@ -417,7 +417,7 @@ Scene parse_scene(std::string_view text, const std::string& path,
     PointSets sets;
     section("points",
             [&](const TomlInput& table) { sets = read_points(table, scene.space, transform); });
-    const SurfaceSections sections = read_surface_sections(
+    SurfaceSections sections = read_surface_sections(
         input, scene.space, transform ? transform->mirror : std::array<bool, 3>{});
     VertexJoin vertices(scene.mesh);
     for_each_table(input, "part", "part", [&](const TomlInput& table) {

@@ -63,21 +63,24 @@ PointVectors read_colours(const TomlInput& set) {
 }
 
 /// The set of vectors that a part names under a key.
-const PointVectors& find_set(const TomlInput& part, std::string_view key, const std::string& name,
+const PointVectors& find_set(const TomlInput& part, std::string_view key,
                              const std::map<std::string, PointVectors, std::less<>>& sets,
-                             const PointSet& points, const std::string& set_name) {
+                             SurfaceSections& sections, const PointSet& points,
+                             const std::string& set_name) {
+    const std::string name = part.text(key), section = "[" + std::string(key) + "]";
     const toml::node& node = *part.find(key);
     const auto found = sets.find(name);
     if (found == sets.end()) {
-        const std::string words = key == "normals" ? "'normals' is \"face\", \"averaged\" or the "
-                                                     "name of a set of normals; there"
-                                                   : "there";
-        part.fail(node, words + " is no set '" + name + "' in [" + std::string(key) + "].");
+        const std::string words = key == "normals" ? "'normals' is \"face\", \"averaged\" or a set "
+                                                     "in [normals], and "
+                                                   : "";
+        part.fail(node, words + "there is no set '" + name + "' in " + section + ".");
     }
+    if (!sections.checked.emplace(&found->second, &points).second) return found->second;
     for (const auto& [point, value] : found->second) {
         if (points.find(point) == points.end()) {
-            part.fail(node, "'" + name + "' in [" + std::string(key) + "] has the point '" + point +
-                                "', which the point set '" + set_name + "' has not.");
+            part.fail(node, "the set '" + name + "' in " + section + " names '" + point +
+                                "', which is no point of '" + set_name + "'.");
         }
     }
     return found->second;
@@ -125,7 +128,7 @@ void PartSurface::dress(NamedCorners& triangle) const {
     }
 }
 
-PartSurface read_part_surface(const TomlInput& part, const SurfaceSections& sections,
+PartSurface read_part_surface(const TomlInput& part, SurfaceSections& sections,
                               const PointSet& points, const std::string& set_name,
                               SceneSpace space) {
     PartSurface surface;
@@ -142,16 +145,16 @@ PartSurface read_part_surface(const TomlInput& part, const SurfaceSections& sect
     part.read_colour("reflectance", surface.material.reflectance, 0.0f, 1.0f);
     const std::string colours = part.text_or_empty("colours");
     if (!colours.empty()) {
-        surface.colours = &find_set(part, "colours", colours, sections.colours, points, set_name);
+        surface.colours = &find_set(part, "colours", sections.colours, sections, points, set_name);
     }
     const std::string normals = part.text_or_empty("normals");
     if (normals.empty() || normals == face_word) return surface;
     if (space == SceneSpace::pixels)
         part.fail(*part.find("normals"), "points in pixels take no normals.");
     if (normals == averaged_word) {
-        surface.averaged.emplace(static_cast<int>(points.size()));
+        surface.averaged.emplace();
     } else {
-        surface.normals = &find_set(part, "normals", normals, sections.normals, points, set_name);
+        surface.normals = &find_set(part, "normals", sections.normals, sections, points, set_name);
     }
     return surface;
 }

@@ -6,9 +6,10 @@
 #include <functional>
 #include <map>
 #include <optional>
-#include <span>
+#include <set>
 #include <string>
 #include <unordered_map>
+#include <utility>
 
 #include <glm/vec3.hpp>
 
@@ -33,6 +34,9 @@ struct SurfaceSections {
     std::map<std::string, Material, std::less<>> materials;
     std::map<std::string, PointVectors, std::less<>> normals;
     std::map<std::string, PointVectors, std::less<>> colours;
+    /// Of which sets all points are known to stand in which sets of points: many parts may name
+    /// the same.
+    std::set<std::pair<const PointVectors*, const PointSet*>> checked;
 };
 
 /// Reads `materials`, `normals` and `colours` of a scene. Throws InputError.
@@ -62,7 +66,7 @@ struct PartSurface {
 /// its triangles are still to be added. Throws InputError.
 /// @param points   the part's set
 /// @param set_name and its name
-PartSurface read_part_surface(const TomlInput& part, const SurfaceSections& sections,
+PartSurface read_part_surface(const TomlInput& part, SurfaceSections& sections,
                               const PointSet& points, const std::string& set_name,
                               SceneSpace space);
 
