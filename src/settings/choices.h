@@ -331,8 +331,8 @@ static_assert(words_match<Renormalize>);
 /// How the highlight is worked out.
 enum class HighlightRule : std::uint8_t {
     right,     ///< where n . l > 0, with h of unit length
-    unasked,   ///< without a look at n . l: mistake B40
-    long_half, ///< with h = l + v, up to 2 long: mistake B41
+    unasked,   ///< without a look at n . l: mistake B50
+    long_half, ///< with h = l + v, up to 2 long: mistake B51
 };
 template <>
 inline constexpr auto enum_words<HighlightRule> = word_list("right", "unasked", "long_half");
