@@ -43,6 +43,10 @@ inline constexpr float largest_focal_length = 100000.0f;
 inline constexpr float largest_power = 10000.0f;
 inline constexpr float largest_indirect = 100.0f;
 
+/// The exponent of a highlight: at 0 it is as large as the surface, at most as small as a pixel.
+inline constexpr float smallest_exponent = 0.0f;
+inline constexpr float largest_exponent = 10000.0f;
+
 /// The number of the last step that a lesson can have.
 inline constexpr int most_lesson_steps = 64;
 

@@ -101,6 +101,7 @@ struct Maker {
                                 const std::vector<std::string_view>& parts) const;
     std::optional<Formula> pixel(std::string_view corner, std::string_view part) const;
     Formula away(const CutCorner& corner, std::string id) const;
+    Formula away_as_one(CutCorner first) const;
     Formula area_of(int triangle) const;
     Formula area() const;
 
@@ -392,6 +393,19 @@ Formula Maker::away(const CutCorner& corner, std::string id) const {
     return checked(formula, from_words("the function that culls"));
 }
 
+/// The same for the polygon as one face, whose normal may be none of its corners'.
+Formula Maker::away_as_one(CutCorner first) const {
+    const glm::vec3 own = first.vertex.varyings.normal;
+    first.vertex.varyings = as_one_face(history.polygon);
+    Formula formula = away(first, "cull.normal");
+    if (first.vertex.varyings.normal == own) return formula;
+    for (FormulaInput& input : formula.inputs) {
+        if (input.symbol.starts_with("n."))
+            input.source = from_words("across the places of the corners, whose normals differ");
+    }
+    return formula;
+}
+
 Formula Maker::area_of(int triangle) const {
     const std::vector<CutCorner> corners = corners_before(history);
     const std::array<int, 3>& fan = history.fan[static_cast<std::size_t>(triangle)];
@@ -475,7 +489,8 @@ std::optional<Formula> clip_formula(const Frame& frame, const ClipHistory& histo
         if (parts[1] == "area" && index(2, history.fan.size()) >= 0)
             return maker.area_of(index(2, history.fan.size()));
         if (parts[1] != "normal") return std::nullopt;
-        const int corner = parts.size() == 2 ? 0 : index(2, corners.size());
+        if (parts.size() == 2) return maker.away_as_one(corners.front());
+        const int corner = index(2, corners.size());
         if (corner < 0) return std::nullopt;
         return maker.away(corners[static_cast<std::size_t>(corner)], std::string(id));
     }
@@ -517,7 +532,7 @@ std::vector<CullAnswer> cull_answers(const Frame& frame, const ClipHistory& hist
     const SightRays rays = sight_rays(rules);
     const auto away = [&](std::size_t i) { return away_from_camera(polygon[i].varyings, rays); };
     CullAnswer normal{Cull::face_normal, is_back(cull_by_face_normal(polygon, rules, rays)),
-                      away(0), "cull.normal"};
+                      away_from_camera(as_one_face(polygon), rays), "cull.normal"};
     CullAnswer area{Cull::screen_area, is_back(cull_by_screen_area(polygon, rules, rays)),
                     screen_area_sign(polygon, rules), "cull.area"};
     area.is_open = !std::all_of(polygon.begin(), polygon.end(),

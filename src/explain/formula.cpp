@@ -139,6 +139,7 @@ class Evaluator {
         if (wants("sqrt", 1)) return {std::sqrt(a.value), false};
         if (wants("cos", 1)) return {std::cos(a.value), false};
         if (wants("sin", 1)) return {std::sin(a.value), false};
+        if (wants("pow", 2)) return {std::pow(a.value, b.value), false};
         if (wants("min", 2)) return {std::min(a.value, b.value), a.is_whole && b.is_whole};
         if (wants("max", 2)) return {std::max(a.value, b.value), a.is_whole && b.is_whole};
         if (wants("clamp", 3)) return {std::min(std::max(a.value, b.value), c.value), false};
@@ -191,12 +192,13 @@ bool shows_minus(const std::string& text) {
 } // namespace
 
 std::string function_help(std::string_view expression) {
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 5> helps{{
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 6> helps{{
         {"int(", "int(x): x without what stands behind the point, so it goes toward 0."},
         {"clamp(", "clamp(x, low, high): x, or the bound that it lies beyond."},
         {"wrap(", "wrap(x, n): what x leaves when it is divided by n."},
         {"accumulate(", "accumulate(start, step, n): begins with start and adds step n times, one "
                         "by one. Each sum is rounded to a float, as on the way along a line."},
+        {"pow(", "pow(x, e): x to the power of e."},
         {"max(0,", "max(0, x): x, or 0 where x is below it."},
     }};
     std::string text;

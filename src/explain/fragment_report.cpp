@@ -6,10 +6,12 @@
 #include <fmt/format.h>
 
 #include "base/element_names.h"
+#include "explain/highlight_formulas.h"
 #include "explain/light_formulas.h"
 #include "explain/vertex_report.h"
 #include "inspect/pixel_tests.h"
 #include "pipeline/draw.h"
+#include "pipeline/surface.h"
 #include "stages/orthographic.h"
 
 namespace rasterwalk {
@@ -314,38 +316,138 @@ void add_varying(FragmentReport& report, const QuantityInfo& info, const Carried
                    part_of(report.under(Interpolation::perspective), quantity)));
 }
 
-void add_light(const Frame& frame, FragmentReport& report) {
+/// The sources of a varying's components, where the report has their formulas.
+SourcedVector interpolated(const FragmentReport& report, glm::vec3 Varyings::*member,
+                           const char* otherwise) {
+    SourcedVector vector{report.under(report.interpolation).*member, {}};
+    for (int i = 0; i < 3; ++i) {
+        const std::string id = formula_id(quantity_of(member, i), report.interpolation);
+        vector.sources[static_cast<std::size_t>(i)] =
+            find_formula(report.formulas, id) != nullptr ? from_formula(id) : from_words(otherwise);
+    }
+    return vector;
+}
+
+/// What a triangle has once: as its first vertex has it.
+SourcedVector of_first_vertex(int triangle, const glm::vec3& value,
+                              const std::array<std::string, 3>& ids) {
+    SourcedVector vector{value, {}};
+    for (std::size_t i = 0; i < ids.size(); ++i)
+        vector.sources[i] = from_vertex(triangle, 0, ids[i]);
+    return vector;
+}
+
+std::array<std::string, 3> light_normal_ids(const Frame& frame) {
+    return {light_normal_id(frame.settings, 0), light_normal_id(frame.settings, 1),
+            light_normal_id(frame.settings, 2)};
+}
+
+std::array<std::string, 3> reflectance_ids() {
+    std::array<std::string, 3> ids;
+    for (std::size_t i = 0; i < ids.size(); ++i)
+        ids[i] = std::string("reflectance.") + channel_names[i];
+    return ids;
+}
+
+/// The light at the fragment's own place.
+/// @return the reflectance there, interpolated where the corners' differ
+SourcedVector add_pixel_light(const Frame& frame, FragmentReport& report) {
     const int triangle = report.cursor.triangle;
-    const Vertex& corner = frame.scene->corner(triangle, 0);
-    const Light& light = frame.settings.light;
+    Surface surface = surface_of(frame, triangle);
+    surface.shine = frame.scene->corner(triangle, 0).shine;
+    surface.differences = frame.scene->mesh.differences(triangle);
+    const PixelRules rules = pixel_rules(frame.settings);
+    const SurfacePoint place =
+        surface_point(report.under(report.interpolation), surface, rules.camera, frame.stages);
     LitPoint point;
     point.prefix = "pixel_light.";
-    point.position.value = report.under(report.interpolation).position_world;
-    const Camera& camera = frame.settings.camera;
-    point.normal.value = frame.stages.light_normal(corner.normal, camera);
-    point.reflectance.value = corner.reflectance;
-    constexpr std::array<Quantity, 3> place{quantity_of(&Varyings::position_world, 0),
-                                            quantity_of(&Varyings::position_world, 1),
-                                            quantity_of(&Varyings::position_world, 2)};
+    point.shine = place.shine;
+    point.light = report.light = surface_light(place, rules.light, rules.rays, frame.stages);
+    point.position = interpolated(report, &Varyings::position_world, "");
+    point.reflectance = of_first_vertex(triangle, place.reflectance, reflectance_ids());
+    if (surface.differences.colours)
+        point.reflectance =
+            interpolated(report, &Varyings::colour, "the colours of the vertices, interpolated");
+    point.normal = of_first_vertex(triangle, place.normal, light_normal_ids(frame));
+    if (surface.differences.normals) {
+        append_normal_formulas(
+            point,
+            interpolated(report, &Varyings::normal, "the normals of the vertices, interpolated"),
+            frame, report.formulas);
+    }
+    append_light_formulas(point, frame, report.formulas);
+    return point.reflectance;
+}
+
+/// A part of the middle of a triangle, which is the mean of its corners' parts.
+Source add_mean(const FragmentReport& report, const std::string& id, const std::string& symbol,
+                const std::array<float, triangle_corners>& parts, float mean,
+                const std::string& vertex_id, std::vector<Formula>& formulas) {
+    Formula formula{id,
+                    symbol,
+                    "In the middle of the triangle: the mean of its three corners.",
+                    "(a + b + c) / 3",
+                    {},
+                    {mean}};
+    constexpr std::array<const char*, triangle_corners> symbols{"a", "b", "c"};
+    for (std::size_t v = 0; v < parts.size(); ++v) {
+        formula.inputs.push_back(
+            {symbols[v],
+             {parts[v]},
+             from_vertex(report.cursor.triangle, static_cast<int>(v), vertex_id)});
+    }
+    formulas.push_back(formula);
+    return from_formula(id);
+}
+
+/// The light in the middle of the triangle, which flat shading gives all of it.
+void add_triangle_light(const Frame& frame, FragmentReport& report) {
+    const int triangle = report.cursor.triangle;
+    const CornerDifferences differs = frame.scene->mesh.differences(triangle);
+    const PixelRules rules = pixel_rules(frame.settings);
+    const SurfacePoint place = flat_point(frame, triangle);
+    LitPoint point;
+    point.prefix = "triangle_light.";
+    point.shine = place.shine;
+    point.light = report.light_per_triangle =
+        surface_light(place, rules.light, rules.rays, frame.stages);
+    const auto mean_of = [&](glm::vec3 Vertex::*member, const glm::vec3& value,
+                             const std::string& symbol, const std::string& vertex_id,
+                             const std::array<const char*, 3>& names) {
+        SourcedVector vector{value, {}};
+        for (int i = 0; i < 3; ++i) {
+            const auto part = static_cast<std::size_t>(i);
+            std::array<float, triangle_corners> parts{};
+            for (int v = 0; v < triangle_corners; ++v)
+                parts[static_cast<std::size_t>(v)] = (frame.scene->corner(triangle, v).*member)[i];
+            vector.sources[part] = add_mean(report, point.prefix + symbol + "." + names[part],
+                                            symbol + "." + names[part], parts, value[i],
+                                            vertex_id + "." + names[part], report.formulas);
+        }
+        return vector;
+    };
+    point.position = mean_of(&Vertex::position, place.position_world, "p", "world", axis_names);
+    point.reflectance = differs.colours
+                            ? mean_of(&Vertex::reflectance, place.reflectance, "reflectance",
+                                      "reflectance", channel_names)
+                            : of_first_vertex(triangle, place.reflectance, reflectance_ids());
+    point.normal = of_first_vertex(triangle, place.normal, light_normal_ids(frame));
+    if (differs.normals)
+        point.normal.sources.fill(from_words("across the places of the triangle's corners"));
+    append_light_formulas(point, frame, report.formulas);
+}
+
+void add_light(const Frame& frame, FragmentReport& report) {
+    const int triangle = report.cursor.triangle;
+    const VertexRules vertex = vertex_rules(frame.settings, frame.scene->space);
     constexpr std::array<Quantity, 3> colour{quantity_of(&Varyings::illumination, 0),
                                              quantity_of(&Varyings::illumination, 1),
                                              quantity_of(&Varyings::illumination, 2)};
-    for (std::size_t i = 0; i < 3; ++i) {
-        point.position.sources[i] = from_formula(formula_id(place[i], report.interpolation));
-        point.normal.sources[i] =
-            from_vertex(triangle, 0, light_normal_id(frame.settings, static_cast<int>(i)));
-        point.reflectance.sources[i] =
-            from_vertex(triangle, 0, std::string("reflectance.") + channel_names[i]);
-    }
-    report.light = point.terms = frame.stages.reflected_light(
-        point.position.value, point.normal.value, point.reflectance.value, light);
-    append_light_formulas(point, frame, report.formulas);
-
+    const SourcedVector reflectance = add_pixel_light(frame, report);
+    if (report.shading == Shading::flat) add_triangle_light(frame, report);
     for (std::size_t v = 0; v < report.at_vertex.size(); ++v) {
-        const Vertex& vertex = frame.scene->corner(triangle, static_cast<int>(v));
-        report.at_vertex[v] = frame.stages.reflected_light(
-            vertex.position, frame.stages.light_normal(vertex.normal, camera), vertex.reflectance,
-            light);
+        report.at_vertex[v] = light_at_vertex(frame.scene->corner(triangle, static_cast<int>(v)),
+                                              vertex, frame.stages);
     }
     report.light_per_vertex = report.under(report.interpolation).illumination;
     for (int i = 0; i < 3; ++i) {
@@ -359,10 +461,9 @@ void add_light(const Frame& frame, FragmentReport& report) {
                           frame);
         by_vertex.help = "The light of the vertices, interpolated. " + by_vertex.help;
         report.formulas.push_back(by_vertex);
-        Formula flat = shown_channel(
-            "flat.colour." + name, name,
-            {"ρ", {point.reflectance.value[i]}, from_vertex(triangle, 0, "reflectance." + name)},
-            frame);
+        Formula flat =
+            shown_channel("flat.colour." + name, name,
+                          {"ρ", {reflectance.value[i]}, reflectance.sources[part]}, frame);
         flat.help = "The surface's own colour: this stage computes no light. " + flat.help;
         report.formulas.push_back(flat);
     }
@@ -522,10 +623,8 @@ std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& 
     report.interpolation = frame.settings.interpolation;
     report.shading = rules.shading;
     report.depth_test = depth_rule(frame.settings);
-    const Vertex& corner = frame.scene->corner(cursor.triangle, 0);
-    const glm::vec3 normal = frame.stages.light_normal(corner.normal, frame.settings.camera);
-    report.colour = frame.stages.pixel_shader(report.fragment, {normal, corner.reflectance}, rules,
-                                              frame.stages);
+    report.colour = frame.stages.pixel_shader(report.fragment, surface_of(frame, cursor.triangle),
+                                              rules, frame.stages);
 
     Carried carried;
     for (const Interpolation way : ways) {

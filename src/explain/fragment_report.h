@@ -14,7 +14,7 @@
 #include "explain/formula.h"
 #include "inspect/carried_row.h"
 #include "pipeline/observer.h"
-#include "stages/light.h"
+#include "stages/surface_shader.h"
 
 namespace rasterwalk {
 
@@ -29,6 +29,9 @@ namespace rasterwalk {
 ///     q.affine q.perspective q.off
 ///     q.carried_twice q.zinv_twice    only where that is in force; q.off is then of the latter
 ///     pixel_light.*       the light at the fragment's own place, see light_formulas.h
+///     pixel_light.n_length pixel_light.n.x ...      where normals travel, see highlight_formulas.h
+///     triangle_light.*    under flat shading: the light in the middle of the triangle, whose place
+///                         is triangle_light.p.x ...
 ///     vertex_light.colour.red ...   the light that the vertices brought along, as shown
 ///     flat.colour.red ... the reflectance, as shown; the colour where there is no light
 ///     depth margin        value for the depth buffer, and how much nearer it is than the stored
@@ -45,8 +48,9 @@ struct FragmentReport {
 
     Fragment fragment;                                  ///< as draw() had it
     std::array<Varyings, interpolation_count> varyings; ///< recovered, q; indexed by Interpolation
-    LightTerms light; ///< at its own place, interpolated as is in force
-    std::array<LightTerms, triangle_corners> at_vertex; ///< light at the vertices of the scene
+    SurfaceLight light;              ///< at its own place, interpolated as is in force
+    SurfaceLight light_per_triangle; ///< under flat shading: in the middle of the triangle
+    std::array<SurfaceLight, triangle_corners> at_vertex; ///< light at the vertices of the scene
     glm::vec3 light_per_vertex{0.0f}; ///< carried from the vertices as is in force
 
     float depth = 0.0f, stored = 0.0f;

@@ -1,23 +1,13 @@
 #include "explain/light_formulas.h"
 
+#include "explain/highlight_formulas.h"
+
 namespace rasterwalk {
 
 namespace {
 
-using Inputs = std::vector<FormulaInput>;
-
-Inputs parts(const char* symbol, const SourcedVector& vector) {
-    Inputs inputs;
-    for (int i = 0; i < 3; ++i) {
-        inputs.push_back({std::string(symbol) + "." + axis_names[i],
-                          {vector.value[i]},
-                          vector.sources[static_cast<std::size_t>(i)]});
-    }
-    return inputs;
-}
-
 SourcedVector ray(const LitPoint& point) {
-    SourcedVector r{point.terms.to_light, {}};
+    SourcedVector r{point.light.diffuse.to_light, {}};
     for (std::size_t i = 0; i < 3; ++i)
         r.sources[i] = from_formula(point.prefix + "r." + axis_names[i]);
     return r;
@@ -34,17 +24,18 @@ Formula cosine_formula(const LitPoint& point, LightDirection direction) {
                    "cosine",
                    "How slanted the light falls: r · n at unit length; nothing comes from behind.",
                    "max(0, (r.x · n.x + r.y · n.y + r.z · n.z) / sqrt(r²))",
-                   parts("r", ray(point)),
-                   {point.terms.cosine}};
-    for (const FormulaInput& n : parts("n", point.normal))
+                   parts_of_vector("r", ray(point)),
+                   {point.light.diffuse.cosine}};
+    for (const FormulaInput& n : parts_of_vector("n", point.normal))
         cosine.inputs.push_back(n);
     if (direction == LightDirection::not_normalized) {
         cosine.help = "How slanted the light falls, by mistake with r as long as the way is.";
         cosine.expression = "max(0, r.x · n.x + r.y · n.y + r.z · n.z)";
     } else {
-        cosine.inputs.push_back({"r²", {point.terms.distance2}, from_formula(point.prefix + "r2")});
+        cosine.inputs.push_back(
+            {"r²", {point.light.diffuse.distance2}, from_formula(point.prefix + "r2")});
     }
-    if (!has_direction(point.terms)) {
+    if (!has_direction(point.light.diffuse)) {
         cosine.help = "The lamp itself stands here: there is no direction to it.";
         cosine.expression = "0";
         cosine.inputs.clear();
@@ -59,13 +50,25 @@ Formula area_formula(const LitPoint& point, LightFalloff falloff) {
                  "The sphere over which the lamp's power has spread at this distance.",
                  "4 · π · r²",
                  {{"π", {3.14159265f}, from_words("the constant π")},
-                  {"r²", {point.terms.distance2}, from_formula(point.prefix + "r2")}},
-                 {point.terms.sphere_area}};
+                  {"r²", {point.light.diffuse.distance2}, from_formula(point.prefix + "r2")}},
+                 {point.light.diffuse.sphere_area}};
     if (falloff == LightFalloff::no_4pi) {
         area.name = "r²";
         area.help = "What the power is divided by; a sphere would be 4π times as large.";
         area.expression = "r²";
         area.inputs.erase(area.inputs.begin());
+    }
+    if (falloff == LightFalloff::linear) {
+        area.name = "r";
+        area.help = "What the power is divided by: the distance, once.";
+        area.expression = "sqrt(r²)";
+        area.inputs.erase(area.inputs.begin());
+    }
+    if (falloff == LightFalloff::none) {
+        area.name = "fall-off";
+        area.help = "What the power is divided by: the distance does not count.";
+        area.expression = "1";
+        area.inputs.clear();
     }
     if (falloff == LightFalloff::cubed) {
         area.name = "4πr³";
@@ -79,7 +82,7 @@ Formula area_formula(const LitPoint& point, LightFalloff falloff) {
 void append_channel(const LitPoint& point, const Light& light, int channel,
                     std::vector<Formula>& formulas) {
     const std::string name = channel_names[channel];
-    const LightTerms& terms = point.terms;
+    const LightTerms& terms = point.light.diffuse;
     Formula direct{point.prefix + "D." + name,
                    "D " + name,
                    "Direct light: the lamp's power spread over the sphere, weakened by the slant.",
@@ -97,6 +100,16 @@ void append_channel(const LitPoint& point, const Light& light, int channel,
 }
 
 } // namespace
+
+std::vector<FormulaInput> parts_of_vector(const std::string& symbol, const SourcedVector& vector) {
+    std::vector<FormulaInput> inputs;
+    for (int i = 0; i < 3; ++i) {
+        inputs.push_back({symbol + "." + axis_names[static_cast<std::size_t>(i)],
+                          {vector.value[i]},
+                          vector.sources[static_cast<std::size_t>(i)]});
+    }
+    return inputs;
+}
 
 Formula shown_channel(std::string id, std::string name, const FormulaInput& channel,
                       const Frame& frame) {
@@ -117,9 +130,10 @@ Formula shown_channel(std::string id, std::string name, const FormulaInput& chan
 void append_light_formulas(const LitPoint& point, const Frame& frame,
                            std::vector<Formula>& formulas) {
     const Settings& settings = frame.settings;
-    const LightTerms& terms = point.terms;
+    const LightTerms& terms = point.light.diffuse;
     const LightRules& rules = settings.light_rules;
-    const Light& light = settings.light;
+    const Light light = light_rule(settings);
+    const bool is_at_camera = light.place == LampPlace::camera;
     const bool is_turned_round = rules.direction == LightDirection::from_light;
     for (int i = 0; i < 3; ++i) {
         const std::string axis = axis_names[i];
@@ -129,7 +143,9 @@ void append_light_formulas(const LitPoint& point, const Frame& frame,
                             is_turned_round ? "From the lamp to the point, the wrong way round."
                                             : "From the point to the lamp.",
                             is_turned_round ? place + " − " + lamp : lamp + " − " + place,
-                            {{lamp, {light.position[i]}, from_setting("light.position")},
+                            {{lamp,
+                              {light.position[i]},
+                              from_setting(is_at_camera ? "camera.position" : "light.position")},
                              {place,
                               {point.position.value[i]},
                               point.position.sources[static_cast<std::size_t>(i)]}},
@@ -139,12 +155,14 @@ void append_light_formulas(const LitPoint& point, const Frame& frame,
                         "r²",
                         "The distance to the lamp, squared.",
                         "r.x² + r.y² + r.z²",
-                        parts("r", ray(point)),
+                        parts_of_vector("r", ray(point)),
                         {terms.distance2}});
     formulas.push_back(cosine_formula(point, rules.direction));
     formulas.push_back(area_formula(point, rules.falloff));
     for (int i = 0; i < 3; ++i)
         append_channel(point, light, i, formulas);
+    const bool has_highlight = light.model != LightModel::lambert;
+    if (has_highlight) append_highlight_formulas(point, frame, formulas);
     for (int i = 0; i < 3; ++i) {
         const std::string name = channel_names[i];
         Formula sum{point.prefix + "R." + name,
@@ -157,11 +175,18 @@ void append_light_formulas(const LitPoint& point, const Frame& frame,
                       point.reflectance.sources[static_cast<std::size_t>(i)]},
                      {"D", {terms.direct[i]}, from_formula(point.prefix + "D." + name)},
                      {"N", {light.indirect[i]}, from_setting("light.indirect")}},
-                    {terms.reflected[i]}};
+                    {point.light.reflected[i]}};
         if (rules.sum == LightSum::reflectance_plus) {
             sum.help = "The direct light and, by mistake, the reflectance added to it.";
             sum.expression = "D + ρ";
             sum.inputs.pop_back();
+        }
+        if (has_highlight) {
+            sum.help += " The highlight comes on top of it.";
+            sum.expression += " + S";
+            sum.inputs.push_back({"S",
+                                  {point.light.highlight.reflected[i]},
+                                  from_formula(point.prefix + "S." + name)});
         }
         formulas.push_back(sum);
     }
@@ -169,7 +194,7 @@ void append_light_formulas(const LitPoint& point, const Frame& frame,
         const std::string name = channel_names[i];
         formulas.push_back(shown_channel(
             point.prefix + "colour." + name, name,
-            {"R", {terms.reflected[i]}, from_formula(point.prefix + "R." + name)}, frame));
+            {"R", {point.light.reflected[i]}, from_formula(point.prefix + "R." + name)}, frame));
     }
 }
 

@@ -8,7 +8,7 @@
 
 #include "explain/formula.h"
 #include "pipeline/frame.h"
-#include "stages/light.h"
+#include "stages/surface_shader.h"
 
 namespace rasterwalk {
 
@@ -24,15 +24,20 @@ struct LitPoint {
     SourcedVector position;
     SourcedVector normal;
     SourcedVector reflectance;
-    LightTerms terms; ///< as reflected_light gave them
+    Shine shine{};
+    SurfaceLight light; ///< as the functions of the table gave it
 };
 
 /// The names of the parts: x y z, and red green blue.
 inline constexpr std::array<const char*, 3> axis_names{"x", "y", "z"};
 inline constexpr std::array<const char*, 3> channel_names{"red", "green", "blue"};
 
+/// The parts of a vector as inputs: "n.x", "n.y", "n.z".
+std::vector<FormulaInput> parts_of_vector(const std::string& symbol, const SourcedVector& vector);
+
 /// Appends, in this order and with these ids after the prefix: r.x r.y r.z, r2, cosine, area,
-/// D.red D.green D.blue, R.red ..., colour.red ... (as the screen shows it).
+/// D.red D.green D.blue, those of highlight_formulas.h where the model has highlights, R.red ...,
+/// which has the highlight in it, colour.red ... (as the screen shows it).
 void append_light_formulas(const LitPoint& point, const Frame& frame,
                            std::vector<Formula>& formulas);
 

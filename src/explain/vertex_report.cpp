@@ -334,7 +334,8 @@ void add_light(Made& made, const glm::vec3& normal) {
     point.position.value = made.vertex.position;
     point.normal.value = normal;
     point.reflectance.value = made.vertex.reflectance;
-    point.terms = report.light;
+    point.shine = made.vertex.shine;
+    point.light = report.light;
     for (std::size_t i = 0; i < 3; ++i) {
         point.position.sources[i] = from_formula(std::string("world.") + axis_names[i]);
         point.normal.sources[i] =
@@ -361,8 +362,7 @@ VertexReport vertex_report(const Frame& frame, int triangle, int vertex) {
         report.by_rounding[i] = shade_vertex(given, rotation, other, frame.stages);
     }
     const glm::vec3 normal = frame.stages.light_normal(given.normal, rules.camera);
-    report.light =
-        frame.stages.reflected_light(given.position, normal, given.reflectance, rules.light);
+    report.light = light_at_vertex(given, rules, frame.stages);
 
     Made made{frame, given, rotation, report};
     add_given(made, "world", axis_names, report.shaded.in("world"),

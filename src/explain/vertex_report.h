@@ -10,7 +10,7 @@
 
 #include "explain/formula.h"
 #include "pipeline/frame.h"
-#include "stages/light.h"
+#include "stages/surface_shader.h"
 
 namespace rasterwalk {
 
@@ -28,7 +28,7 @@ struct VertexReport {
     ShadedVertex transposed; ///< with R v in place of v R, mistake B24, or v R again
     std::array<ShadedVertex, enum_words<VertexRounding>.size()>
         by_rounding; ///< indexed by VertexRounding
-    LightTerms light;
+    SurfaceLight light;
     std::vector<Formula> formulas;
 };
 

@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 
 #include "inspect/carried_row.h"
+#include "pipeline/surface.h"
 #include "stages/pixel_shader.h"
 
 namespace rasterwalk {
@@ -19,10 +20,19 @@ double largest_component(const glm::vec3& v) {
 /// The light at a fragment that came one way: from the vertices in stage vertex_light, else from
 /// its own place.
 glm::vec3 light_of(const Frame& frame, const Varyings& varyings, int triangle) {
-    if (shading_rule(frame.settings) == Shading::gouraud) return varyings.illumination;
+    const Shading shading = shading_rule(frame.settings);
+    if (shading == Shading::gouraud) return varyings.illumination;
+    if (frame.stages.pixel_shader == surface_shader) {
+        const Surface surface = surface_of(frame, triangle);
+        if (shading == Shading::flat) return surface.flat_light;
+        const PixelRules rules = pixel_rules(frame.settings);
+        return surface_light(surface_point(varyings, surface, rules.camera, frame.stages),
+                             rules.light, rules.rays, frame.stages)
+            .reflected;
+    }
     const Vertex& corner = frame.scene->corner(triangle, 0);
     return reflected_light(varyings.position_world, corner.normal, corner.reflectance,
-                           frame.settings.light)
+                           light_rule(frame.settings))
         .reflected;
 }
 

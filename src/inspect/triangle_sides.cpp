@@ -20,7 +20,7 @@ TriangleSides triangle_sides(const Frame& frame, int triangle) {
     TriangleSides sides;
     const VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
     const auto corners = frame.given_clip_vertices(triangle);
-    sides.away = away_from_camera(corners.front().varyings, sight_rays(rules));
+    sides.away = away_from_camera(as_one_face(corners), sight_rays(rules));
     if (rules.space == SceneSpace::pixels) return sides;
     sides.codes = triangle_codes(corners, outer_planes(rules));
     const glm::vec4& near = sides.codes.planes.front();

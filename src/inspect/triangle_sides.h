@@ -13,7 +13,7 @@ namespace rasterwalk {
 struct TriangleSides {
     /// By outer_planes(), as reject_by_outcodes() has them; no planes in pixel space.
     TriangleCodes codes;
-    /// away_from_camera() of its first corner: positive if it shows its back. World units.
+    /// away_from_camera() of as_one_face(): positive if it shows its back. World units.
     float away = 0.0f;
     /// t of its first edge that the near plane cuts, 0 at the corner in front of the plane; none if
     /// it cuts none.

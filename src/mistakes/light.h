@@ -45,10 +45,7 @@ inline float sphere_area(float distance2, float) {
     constexpr float pi = 3.14159265f;
     return 4.0f * pi * distance2;
 }
-/// B20c: r^2.
-inline float area_without_4pi(float distance2, float) {
-    return distance2;
-}
+// B20c, r^2, and the laws that are no mistakes: see stages/light.h.
 /// B20d: 4 pi r^3.
 inline float cubed_area(float distance2, float distance) {
     return sphere_area(distance2, distance) * distance;

@@ -223,7 +223,7 @@ void OutsideDrawing::take_scene(const OutsideSubject& subject) {
     const Settings& settings = subject.frame.settings;
     things_.plane = picture_plane(settings.camera, settings.viewport, things_.box,
                                   vertex_rules(settings, subject.frame.scene->space).projection);
-    things_.lamp = settings.light.position;
+    things_.lamp = light_rule(settings).position;
 }
 
 void OutsideDrawing::begin_base(const OutsideLook& look) {

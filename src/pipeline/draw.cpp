@@ -22,6 +22,7 @@
 
 #include "pipeline/draw_marks.h"
 #include "pipeline/drawing.h"
+#include "pipeline/surface.h"
 #include "pipeline/tell_clipping.h"
 #include "pipeline/tell_tests.h"
 
@@ -244,9 +245,7 @@ bool pass_over_hidden(Drawing& d, std::span<const LineSample> fragments) {
 /// The lab's DrawPolygonRows: every row from its left to its right end, both included.
 void fill_rows(Drawing& d, int triangle) {
     const PolygonRows& rows = d.rows;
-    const Vertex& corner = d.frame.scene->corner(triangle, 0);
-    const Surface surface{d.stages.light_normal(corner.normal, d.frame.settings.camera),
-                          corner.reflectance};
+    const Surface surface = surface_of(d.frame, triangle);
     const PieceRange range =
         clamp_to_window(d.window, {triangle, Phase::rows, 0, 0}, &Cursor::index, rows.size());
     // The row above the first that begins in the window may end in it; its columns will tell.

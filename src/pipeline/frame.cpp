@@ -4,8 +4,9 @@
 
 namespace rasterwalk {
 
-Stages stages_for(const Settings& settings, const ReplaceStages& replace) {
-    Stages stages = choose_stages(settings);
+Stages stages_for(const Settings& settings, const CornerDifferences& differences,
+                  const ReplaceStages& replace) {
+    Stages stages = choose_stages(settings, differences);
     if (replace) replace(stages);
     return stages;
 }
@@ -93,7 +94,7 @@ void prepare_frame(const Scene& scene, const Settings& settings, const ReplaceSt
     frame.scene = &scene;
     frame.settings = settings;
     frame.replace = replace;
-    frame.stages = stages_for(settings, replace);
+    frame.stages = stages_for(settings, scene.mesh.differences(), replace);
     make_polygons(scene.mesh, vertex_rules(settings, scene.space), frame);
 }
 
@@ -108,7 +109,7 @@ std::vector<ScreenVertex> polygon_under(const Frame& frame, int triangle,
     Mesh mesh;
     mesh.add_triangle_of(corners_of(*frame.scene, triangle));
     Frame other;
-    other.stages = stages_for(settings, frame.replace);
+    other.stages = stages_for(settings, frame.scene->mesh.differences(), frame.replace);
     make_polygons(mesh, vertex_rules(settings, frame.scene->space), other);
     return std::move(other.vertices);
 }

@@ -90,8 +90,9 @@ inline std::string_view weight_name(const Frame& frame) {
     return vertex_rules(frame.settings, frame.scene->space).projection.mix > 0.0f ? "1/w" : "1/z";
 }
 
-/// The table for a frame: what the settings choose, and what is put in its place.
-Stages stages_for(const Settings& settings, const ReplaceStages& replace);
+/// The table for a frame: what the settings choose for such a mesh, and what is put in its place.
+Stages stages_for(const Settings& settings, const CornerDifferences& differences,
+                  const ReplaceStages& replace);
 
 /// Takes each vertex of the scene's mesh through vertex shader and projection, once, and each
 /// triangle through reject, clip and cull. A polygon with one vertex that is rejected is left out

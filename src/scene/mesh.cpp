@@ -11,7 +11,7 @@ namespace rasterwalk {
 
 namespace {
 
-constexpr std::size_t vertex_floats = 11;
+constexpr std::size_t vertex_floats = 15;
 static_assert(sizeof(Vertex) == vertex_floats * sizeof(float),
               "a vertex is compared by its bits: there must be none beside those of its numbers");
 
@@ -34,6 +34,7 @@ void Mesh::add_triangle(const TriangleIndices& indices) {
         }
     }
     triangles_.push_back(indices);
+    note_differences();
 }
 
 void Mesh::add_triangle_of(const std::array<Vertex, triangle_corners>& corners) {
@@ -41,6 +42,25 @@ void Mesh::add_triangle_of(const std::array<Vertex, triangle_corners>& corners) 
     std::transform(corners.begin(), corners.end(), indices.begin(),
                    [this](const Vertex& vertex) { return add_vertex(vertex); });
     triangles_.push_back(indices);
+    note_differences();
+}
+
+CornerDifferences Mesh::differences(int triangle) const {
+    const Vertex& first = corner(triangle, 0);
+    CornerDifferences found;
+    for (int i = 1; i < triangle_corners; ++i) {
+        const Vertex& other = corner(triangle, i);
+        found.normals = found.normals || !(other.normal == first.normal);
+        found.colours = found.colours || !(other.reflectance == first.reflectance);
+    }
+    return found;
+}
+
+/// Of the triangle that was added last.
+void Mesh::note_differences() {
+    const CornerDifferences found = differences(triangle_count() - 1);
+    differences_.normals = differences_.normals || found.normals;
+    differences_.colours = differences_.colours || found.colours;
 }
 
 bool Mesh::is_shared(int vertex) const {

@@ -13,6 +13,15 @@
 
 namespace rasterwalk {
 
+/// How a surface shines, beside what it gives back to all sides alike: the highlight of Blinn and
+/// Phong, see stages/highlight.h.
+struct Shine {
+    glm::vec3 specular{0.0f}; ///< share of light in the highlight, red green blue; 0: none
+    float exponent = 1.0f;    ///< the larger, the smaller and sharper the highlight
+
+    friend bool operator==(const Shine&, const Shine&) = default;
+};
+
 /// A vertex as the scene gives it. World space: x right, y down, z into the picture. One place with
 /// two normals, as on the edge of a box, is two vertices.
 struct Vertex {
@@ -20,6 +29,7 @@ struct Vertex {
     glm::vec3 normal{0.0f};   ///< unit length, world space
     glm::vec3 reflectance{1.0f}; ///< share of light given back, red green blue, 0..1
     glm::vec2 texcoord{0.0f};    ///< place in a texture, 0..1
+    Shine shine{};               ///< the same at all corners of a triangle
 
     friend bool operator==(const Vertex&, const Vertex&) = default;
 };
@@ -29,6 +39,14 @@ inline constexpr int triangle_corners = 3;
 
 /// The corners of a triangle as indices of vertices.
 using TriangleIndices = std::array<int, triangle_corners>;
+
+/// What differs between the corners of a triangle, so that it changes from pixel to pixel.
+struct CornerDifferences {
+    bool normals = false; ///< the surface is bent, or is to look so
+    bool colours = false; ///< reflectances
+
+    friend bool operator==(const CornerDifferences&, const CornerDifferences&) = default;
+};
 
 /// An indexed mesh. Both lists only grow, and every index is that of a vertex.
 class Mesh {
@@ -62,14 +80,22 @@ class Mesh {
         return vertices_[static_cast<std::size_t>(indices[static_cast<std::size_t>(corner)])];
     }
 
+    /// What differs between its corners.
+    CornerDifferences differences(int triangle) const;
+
+    /// What differs between the corners of any triangle.
+    const CornerDifferences& differences() const { return differences_; }
+
     /// The same triangles in the same order, whether or not they share the same corners.
     friend bool operator==(const Mesh& a, const Mesh& b);
 
   private:
     bool is_shared(int vertex) const;
+    void note_differences();
 
     std::vector<Vertex> vertices_;
     std::vector<TriangleIndices> triangles_;
+    CornerDifferences differences_;
 };
 
 /// Joins equal vertices while a mesh is made: those whose members are equal in every bit, so that

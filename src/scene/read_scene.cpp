@@ -15,6 +15,7 @@
 #include "base/files.h"
 #include "base/toml_input.h"
 #include "scene/look_at.h"
+#include "scene/read_surface.h"
 
 namespace rasterwalk {
 
@@ -42,7 +43,6 @@ struct SceneTransform {
     }
 };
 
-using PointSet = std::unordered_map<std::string, glm::vec3>;
 using PointSets = std::map<std::string, PointSet, std::less<>>;
 
 void read_camera(const TomlInput& input, Camera& camera) {
@@ -64,11 +64,30 @@ void read_camera(const TomlInput& input, Camera& camera) {
     }
 }
 
+/// A key that takes one of the words of an enum.
+template <class Enum>
+void read_word(const TomlInput& input, std::string_view key, Enum& value) {
+    if (input.find(key) == nullptr) return;
+    const std::string given = input.text(key);
+    std::string known;
+    for (std::size_t i = 0; i < enum_words<Enum>.size(); ++i) {
+        if (enum_words<Enum>[i] == given) {
+            value = static_cast<Enum>(i);
+            return;
+        }
+        known.append(known.empty() ? "" : " or ").append(enum_words<Enum>[i]);
+    }
+    input.fail(*input.find(key), "'" + std::string(key) + "' of " + input.what() + " is " + known +
+                                     ", not '" + given + "'.");
+}
+
 void read_light(const TomlInput& input, Light& light) {
-    input.allow_only({"position", "power", "indirect"});
+    input.allow_only({"position", "power", "indirect", "model", "place"});
     input.read("position", light.position, -largest_place, largest_place);
     input.read_colour("power", light.power, 0.0f, largest_power);
     input.read_colour("indirect", light.indirect, 0.0f, largest_indirect);
+    read_word(input, "model", light.model);
+    read_word(input, "place", light.place);
 }
 
 void read_viewport(const TomlInput& input, Viewport& viewport) {
@@ -195,7 +214,7 @@ PointSets read_points(const TomlInput& input, SceneSpace space,
                     set.fail(node, what + " lies too far out after the transform.");
                 }
             }
-            points.emplace(key.str(), point);
+            points.emplace(key.str(), ScenePoint{point, static_cast<int>(points.size())});
         }
     }
     return sets;
@@ -220,12 +239,11 @@ bool has_area(const std::array<Vertex, triangle_corners>& corners) {
                                   glm::dvec3(corners[2].position) - first)) > 0.0;
 }
 
-/// Puts the corners of a triangle in the world. The normal, which they have in object space, goes
+/// Puts the corners of a triangle in the world. Their normals, which they have in object space, go
 /// by the inverse transpose.
 void place_in_world(const TomlInput& part, const toml::node& node, const glm::dmat4& model,
                     std::array<Vertex, triangle_corners>& corners) {
-    const glm::dvec3 normal = normal_matrix(model) * glm::dvec3(corners[0].normal);
-    const double length = glm::length(normal);
+    const glm::dmat3 normals = normal_matrix(model);
     const bool had_area = has_area(corners);
     for (Vertex& corner : corners) {
         const glm::dvec3 place = transform_point(model, glm::dvec3(corner.position));
@@ -234,6 +252,8 @@ void place_in_world(const TomlInput& part, const toml::node& node, const glm::dm
             part.fail(node, "'" + std::string(node.value_or("")) +
                                 "' lies too far out after the model's steps.");
         corner.position = glm::vec3(place);
+        const glm::dvec3 normal = normals * glm::dvec3(corner.normal);
+        const double length = glm::length(normal);
         corner.normal = length > 0.0 ? glm::vec3(normal / length) : glm::vec3(0.0f);
     }
     // Steps of double that are none of float: too small, or too far from the origin for its size.
@@ -244,9 +264,8 @@ void place_in_world(const TomlInput& part, const toml::node& node, const glm::dm
 }
 
 /// The triangle's corners, with its own normal.
-std::array<Vertex, triangle_corners> read_triangle(const TomlInput& part, const toml::node& node,
-                                                   const PointSet& points,
-                                                   const std::string& set_name) {
+NamedCorners read_triangle(const TomlInput& part, const toml::node& node, const PointSet& points,
+                           const std::string& set_name) {
     const auto* text = node.as_string();
     if (text == nullptr) part.fail(node, "a triangle is the names of three points: \"A B C\".");
     const std::vector<std::string> names = split_words(text->get());
@@ -254,31 +273,43 @@ std::array<Vertex, triangle_corners> read_triangle(const TomlInput& part, const 
         part.fail(node, "a triangle has three points, and '" + text->get() + "' names " +
                             std::to_string(names.size()) + ".");
     }
-    std::array<Vertex, triangle_corners> corners;
+    NamedCorners triangle;
+    std::array<Vertex, triangle_corners>& corners = triangle.corners;
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const auto found = points.find(names[i]);
         if (found == points.end()) {
             part.fail(node,
                       "there is no point '" + names[i] + "' in the point set '" + set_name + "'.");
         }
-        corners[i].position = found->second;
+        corners[i].position = found->second.place;
+        triangle.names[i] = &found->first;
+        triangle.numbers[i] = found->second.number;
     }
     const glm::vec3 normal =
         face_normal(corners[0].position, corners[1].position, corners[2].position);
     for (Vertex& corner : corners)
         corner.normal = normal;
-    return corners;
+    return triangle;
 }
 
-void read_part(const TomlInput& input, const PointSets& sets, VertexJoin& vertices, Scene& scene) {
-    input.allow_only({"name", "points", "reflectance", "triangles", "model"});
+/// The places of a triangle's corners.
+std::array<glm::vec3, triangle_corners> places_of(const NamedCorners& triangle) {
+    std::array<glm::vec3, triangle_corners> places;
+    for (std::size_t i = 0; i < places.size(); ++i)
+        places[i] = triangle.corners[i].position;
+    return places;
+}
+
+void read_part(const TomlInput& input, const PointSets& sets, SurfaceSections& sections,
+               VertexJoin& vertices, Scene& scene) {
+    input.allow_only(
+        {"name", "points", "reflectance", "material", "colours", "normals", "triangles", "model"});
     const std::string set_name = input.text("points");
     const auto set = sets.find(set_name);
     if (set == sets.end()) {
         input.fail(*input.find("points"), "there is no point set '" + set_name + "'.");
     }
-    glm::vec3 reflectance(1.0f);
-    input.read_colour("reflectance", reflectance, 0.0f, 1.0f);
+    PartSurface surface = read_part_surface(input, sections, set->second, set_name, scene.space);
     const toml::array& triangles = input.list("triangles");
     if (triangles.empty()) input.fail(triangles, input.what() + " has no triangles.");
     if (triangles.size() + scene.mesh.triangles().size() >
@@ -291,11 +322,18 @@ void read_part(const TomlInput& input, const PointSets& sets, VertexJoin& vertic
     const bool is_turned_round = is_mirrored(matrix);
     const std::string name = input.text("name");
     const int first = scene.triangle_count();
+    if (surface.averaged) {
+        for (const toml::node& node : triangles) {
+            const NamedCorners triangle = read_triangle(input, node, set->second, set_name);
+            surface.averaged->add(triangle.numbers, places_of(triangle));
+        }
+    }
     for (const toml::node& node : triangles) {
         TriangleIndices indices{};
         auto index = indices.begin();
-        std::array<Vertex, triangle_corners> corners =
-            read_triangle(input, node, set->second, set_name);
+        NamedCorners triangle = read_triangle(input, node, set->second, set_name);
+        surface.dress(triangle);
+        std::array<Vertex, triangle_corners>& corners = triangle.corners;
         // In a mirror clockwise is counterclockwise. The front of a triangle is where its corners
         // go round clockwise, for its normal and on the screen alike; so they change places here,
         // once, before anyone reads an order from them.
@@ -305,10 +343,8 @@ void read_part(const TomlInput& input, const PointSets& sets, VertexJoin& vertic
                 model.positions.push_back(corner.position);
             place_in_world(input, node, matrix, corners);
         }
-        for (Vertex& corner : corners) {
-            corner.reflectance = reflectance;
+        for (const Vertex& corner : corners)
             *index++ = vertices.index_of(corner);
-        }
         scene.mesh.add_triangle(indices);
     }
     scene.parts.push_back({name, first, static_cast<int>(triangles.size()), std::move(model)});
@@ -358,7 +394,7 @@ Scene parse_scene(std::string_view text, const std::string& path,
     const toml::table root = parse_toml(text, path);
     const TomlInput input(root, path, "the scene");
     input.allow_only({"name", "stage", "space", "camera", "light", "viewport", "transform",
-                      "points", "part", "example"});
+                      "points", "materials", "normals", "colours", "part", "example"});
     Scene scene;
     scene.path = path;
     scene.name = input.text("name");
@@ -381,9 +417,12 @@ Scene parse_scene(std::string_view text, const std::string& path,
     PointSets sets;
     section("points",
             [&](const TomlInput& table) { sets = read_points(table, scene.space, transform); });
+    SurfaceSections sections = read_surface_sections(
+        input, scene.space, transform ? transform->mirror : std::array<bool, 3>{});
     VertexJoin vertices(scene.mesh);
-    for_each_table(input, "part", "part",
-                   [&](const TomlInput& table) { read_part(table, sets, vertices, scene); });
+    for_each_table(input, "part", "part", [&](const TomlInput& table) {
+        read_part(table, sets, sections, vertices, scene);
+    });
     if (scene.triangle_count() == 0) input.fail("the scene has no triangles.");
     for_each_table(input, "example", "example", [&](const TomlInput& table) {
         if (scene.space != SceneSpace::pixels) {

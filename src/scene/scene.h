@@ -13,6 +13,14 @@
 
 namespace rasterwalk {
 
+/// What a surface is made of.
+struct Material {
+    glm::vec3 reflectance{1.0f}; ///< share of light given back to all sides, red green blue, 0..1
+    Shine shine{};
+
+    friend bool operator==(const Material&, const Material&) = default;
+};
+
 /// A named group of triangles ("tall block") that follow each other in the mesh.
 struct Part {
     std::string name;
@@ -46,11 +54,31 @@ struct Camera {
     friend bool operator==(const Camera&, const Camera&) = default;
 };
 
+/// What a surface gives back of the light that falls on it.
+enum class LightModel : std::uint8_t {
+    lambert,     ///< the same to all sides: the lab
+    blinn_phong, ///< and a highlight on top of it, where the material has one
+};
+template <>
+inline constexpr auto enum_words<LightModel> = word_list("lambert", "blinn_phong");
+static_assert(words_match<LightModel>);
+
+/// Where the lamp is.
+enum class LampPlace : std::uint8_t {
+    fixed,  ///< at its position
+    camera, ///< where the camera stands, like a flashlight on a helmet
+};
+template <>
+inline constexpr auto enum_words<LampPlace> = word_list("fixed", "camera");
+static_assert(words_match<LampPlace>);
+
 /// One point light and one constant indirect light (lab section "Illumination").
 struct Light {
     glm::vec3 position{0.0f, -0.5f, -0.7f}; ///< world units
     glm::vec3 power{1.1f};                  ///< red green blue; spreads over a sphere of 4 pi r^2
     glm::vec3 indirect{0.5f};               ///< red green blue, the same everywhere
+    LightModel model = LightModel::lambert;
+    LampPlace place = LampPlace::fixed;
 
     friend bool operator==(const Light&, const Light&) = default;
 };

@@ -300,11 +300,14 @@ static_assert(words_match<LightDirection>);
 /// Over what the lamp's power is spread.
 enum class LightFalloff : std::uint8_t {
     sphere, ///< 4 pi r^2
-    no_4pi, ///< r^2: mistake B20
+    no_4pi, ///< r^2: mistake B20 where the power is meant as the lab means it
+    linear, ///< r
+    none,   ///< 1: the light is as bright at every distance
     cubed,  ///< 4 pi r^3: mistake B20
 };
 template <>
-inline constexpr auto enum_words<LightFalloff> = word_list("sphere", "no_4pi", "cubed");
+inline constexpr auto enum_words<LightFalloff> = word_list("sphere", "no_4pi", "linear", "none",
+                                                           "cubed");
 static_assert(words_match<LightFalloff>);
 
 /// How direct light, indirect light and reflectance are put together.
@@ -316,11 +319,32 @@ template <>
 inline constexpr auto enum_words<LightSum> = word_list("reflectance_times", "reflectance_plus");
 static_assert(words_match<LightSum>);
 
+/// What becomes of a normal that was interpolated.
+enum class Renormalize : std::uint8_t {
+    on,  ///< it is made unit length again
+    off, ///< it stays as short as it came: mistake B23
+};
+template <>
+inline constexpr auto enum_words<Renormalize> = word_list("on", "off");
+static_assert(words_match<Renormalize>);
+
+/// How the highlight is worked out.
+enum class HighlightRule : std::uint8_t {
+    right,     ///< where n . l > 0, with h of unit length
+    unasked,   ///< without a look at n . l: mistake B50
+    long_half, ///< with h = l + v, up to 2 long: mistake B51
+};
+template <>
+inline constexpr auto enum_words<HighlightRule> = word_list("right", "unasked", "long_half");
+static_assert(words_match<HighlightRule>);
+
 /// The rules by which light is computed; as they stand, the lab's.
 struct LightRules {
     LightDirection direction = LightDirection::to_light;
     LightFalloff falloff = LightFalloff::sphere;
     LightSum sum = LightSum::reflectance_times;
+    Renormalize renormalize = Renormalize::on;
+    HighlightRule highlight = HighlightRule::right;
 
     friend bool operator==(const LightRules&, const LightRules&) = default;
 };

@@ -4,6 +4,7 @@
 #include "mistakes/coverage.h"
 #include "mistakes/cull.h"
 #include "mistakes/depth_test.h"
+#include "mistakes/highlight.h"
 #include "mistakes/interpolate.h"
 #include "mistakes/light.h"
 #include "mistakes/lines.h"
@@ -14,6 +15,7 @@
 #include "stages/matrices.h"
 #include "stages/orthographic.h"
 #include "stages/scan_conversion.h"
+#include "stages/surface_shader.h"
 
 namespace rasterwalk {
 
@@ -287,14 +289,35 @@ LightFunction light_with(LightFalloff falloff, LightSum sum) {
         break;
     case LightFalloff::no_4pi:
         return light_with<way, length, area_without_4pi>(sum);
+    case LightFalloff::linear:
+        return light_with<way, length, area_of_distance>(sum);
+    case LightFalloff::none:
+        return light_with<way, length, area_of_one>(sum);
     case LightFalloff::cubed:
         return light_with<way, length, cubed_area>(sum);
     }
     return light_with<way, length, sphere_area>(sum);
 }
 
+void choose(HighlightRule rule, Stages& stages) {
+    switch (rule) {
+    case HighlightRule::right:
+        break;
+    case HighlightRule::unasked:
+        stages.highlight = highlight_unasked;
+        break;
+    case HighlightRule::long_half:
+        stages.highlight = highlight_with_long_half;
+        break;
+    }
+}
+
 void choose(const LightRules& rules, Stages& stages) {
-    if (rules == LightRules{}) return;
+    choose(rules.highlight, stages);
+    if (rules.renormalize == Renormalize::off) stages.unit_normal = normal_as_interpolated;
+    const LightRules lab;
+    if (rules.direction == lab.direction && rules.falloff == lab.falloff && rules.sum == lab.sum)
+        return;
     switch (rules.direction) {
     case LightDirection::to_light:
         stages.reflected_light = light_with<way_to_lamp, own_length>(rules.falloff, rules.sum);
@@ -342,7 +365,32 @@ void choose(ColourOverOne over_one, Stages& stages) {
     stages.visible_channel = visible_channel_wrapped;
 }
 
+template <bool normals_differ>
+auto varyings_read_with(bool colours_differ) {
+    return colours_differ ? varyings_read_by_surfaces<normals_differ, true>
+                          : varyings_read_by_surfaces<normals_differ, false>;
+}
+
+/// The lab's pixel shader, unless something is asked for that it does not have.
+void choose_shader(const Settings& settings, const CornerDifferences& differences, Stages& stages) {
+    const Shading shading = shading_rule(settings);
+    const bool has_normals = differences.normals && shading == Shading::phong;
+    const bool has_colours =
+        differences.colours && (shading == Shading::unlit || shading == Shading::phong);
+    const bool shines = settings.light.model != LightModel::lambert && shading == Shading::phong;
+    if (!has_normals && !has_colours && !shines && shading != Shading::flat) return;
+    stages.pixel_shader = surface_shader;
+    stages.varyings_read = differences.normals ? varyings_read_with<true>(differences.colours)
+                                               : varyings_read_with<false>(differences.colours);
+}
+
 } // namespace
+
+Stages choose_stages(const Settings& settings, const CornerDifferences& differences) {
+    Stages stages = choose_stages(settings);
+    choose_shader(settings, differences, stages);
+    return stages;
+}
 
 Stages choose_stages(const Settings& settings) {
     Stages stages;

@@ -36,6 +36,15 @@ ChoiceSetting light_choice() {
             [](Settings& s, int index) { s.light_rules.*member = static_cast<Enum>(index); }};
 }
 
+/// The same for a member of the lamp.
+template <auto member>
+ChoiceSetting lamp_choice() {
+    using Enum = std::remove_cvref_t<decltype(std::declval<Light>().*member)>;
+    static_assert(words_match<Enum>);
+    return {enum_words<Enum>, [](const Settings& s) { return static_cast<int>(s.light.*member); },
+            [](Settings& s, int index) { s.light.*member = static_cast<Enum>(index); }};
+}
+
 /// The steps of the strip: each says a stage and a shading.
 ChoiceSetting step_choice() {
     static const auto words = [] {
@@ -79,8 +88,8 @@ std::vector<Setting> make_table() {
         {"stage", "Drawn up to", "Stage", "How far along the pipeline the picture is drawn.",
          "All sections", "", step_choice()},
         {"shading", "Light computed", "Stage",
-         "Where light is computed once all other stages are done: nowhere, at the vertices "
-         "(Gouraud) or at every pixel (Phong).",
+         "Where light is computed once all other stages are done: nowhere, once a triangle "
+         "(flat), at the vertices (Gouraud) or at every pixel (Phong).",
          "Light per pixel", "", choice<&Settings::shading>(), "stage", "depth_order"},
         {"rounding", "Rounding", "Rows and edges",
          "How a real coordinate becomes a whole pixel: int() cuts toward zero.", "Drawing edges",
@@ -284,16 +293,31 @@ std::vector<Setting> make_table() {
          "Light that comes from everywhere, the same at every point.", "Illumination", "",
          VectorSetting{[](Settings& s) -> glm::vec3& { return s.light.indirect; }, 0.0f,
                        largest_indirect, 0.005f, true}},
+        {"light.place", "Lamp stands", "Light",
+         "Where the lamp stands: at its position, or where the camera is, like a flashlight.",
+         "Illumination", "", lamp_choice<&Light::place>()},
+        {"light.model", "Given back", "Light",
+         "What a surface gives back: the same to all sides (Lambert), or also a highlight, where "
+         "its material has one (Blinn and Phong).",
+         "Illumination", "", lamp_choice<&Light::model>()},
         {"light.direction", "Direction of the light", "Light",
          "The vector whose slant counts: to the lamp at unit length, from the lamp, or as long as "
          "the way.",
          "Illumination", "", light_choice<&LightRules::direction>()},
         {"light.falloff", "Falloff", "Light",
-         "Over what the power is spread: 4 pi r^2, r^2, or 4 pi r^3.", "Illumination", "",
-         light_choice<&LightRules::falloff>()},
+         "Over what the power is spread: 4 pi r^2, r^2, r, nothing, or by mistake 4 pi r^3.",
+         "Illumination", "", light_choice<&LightRules::falloff>()},
         {"light.sum", "Sum of the light", "Light",
          "How the light is put together: reflectance times (D + N), or D plus reflectance.",
          "Illumination", "", light_choice<&LightRules::sum>()},
+        {"light.renormalize", "Normals made unit length", "Light",
+         "Whether a normal that was interpolated is made unit length again at the pixel. Only on "
+         "surfaces whose corners have normals of their own.",
+         "Light per pixel", "", light_choice<&LightRules::renormalize>()},
+        {"light.highlight", "Highlight", "Light",
+         "How the highlight is worked out: rightly, or by mistake on backs too, or with a half "
+         "vector that is not made unit length. Only where highlights are given back.",
+         "Illumination", "", light_choice<&LightRules::highlight>()},
         {"viewport.size", "Picture size", "Picture", "Width and height of the picture.",
          "Drawing points", "pixels",
          SizeSetting{[](Settings& s) -> Viewport& { return s.viewport; }, largest_viewport}},

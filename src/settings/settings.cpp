@@ -116,9 +116,15 @@ float depth_clear_rule(const Settings& settings, SceneSpace space) {
     return held_depth(clear, depth_rules(settings, space));
 }
 
+Light light_rule(const Settings& settings) {
+    Light light = settings.light;
+    if (light.place == LampPlace::camera) light.position = settings.camera.position;
+    return light;
+}
+
 VertexRules vertex_rules(const Settings& settings, SceneSpace space) {
     return {.camera = settings.camera,
-            .light = settings.light,
+            .light = light_rule(settings),
             .viewport = settings.viewport,
             .space = space,
             .rounding = settings.vertex_rounding,
@@ -135,7 +141,10 @@ EdgeRules edge_rules(const Settings& settings, VaryingSet carried) {
 }
 
 PixelRules pixel_rules(const Settings& settings) {
-    return {.light = settings.light, .shading = shading_rule(settings)};
+    return {.light = light_rule(settings),
+            .shading = shading_rule(settings),
+            .camera = settings.camera,
+            .rays = sight_rays(vertex_rules(settings, SceneSpace::world))};
 }
 
 Coverage coverage_rule(const Settings& settings) {

@@ -89,6 +89,9 @@ DepthRules depth_rules(const Settings& settings, SceneSpace space);
 /// buffer holds it.
 float depth_clear_rule(const Settings& settings, SceneSpace space);
 
+/// The lamp in force: a flashlight stands where the camera does.
+Light light_rule(const Settings& settings);
+
 /// The part of the settings that each stage of the pipeline is told.
 VertexRules vertex_rules(const Settings& settings, SceneSpace space);
 /// @param carried the varyings that are wanted; where only places count, none

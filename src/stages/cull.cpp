@@ -46,9 +46,7 @@ SightRays sight_rays(const VertexRules& rules) {
 }
 
 float away_from_camera(const Varyings& varyings, const SightRays& rays) {
-    glm::vec3 ray = varyings.position_world - rays.camera;
-    if (rays.mix > 0.0f) ray = (1.0f - rays.mix) * ray + rays.mix * rays.forward;
-    return glm::dot(varyings.normal, ray);
+    return glm::dot(varyings.normal, sight_ray(varyings.position_world, rays));
 }
 
 std::string_view sight_measure(const SightRays& rays) {
@@ -69,10 +67,26 @@ float screen_area_sign(std::span<const ClipVertex> corners, const VertexRules& r
     return sum;
 }
 
+Varyings as_one_face(std::span<const ClipVertex> corners) {
+    Varyings face = corners.front().varyings;
+    const bool is_bent = std::any_of(corners.begin(), corners.end(), [&](const ClipVertex& v) {
+        return v.varyings.normal != face.normal;
+    });
+    if (!is_bent) return face;
+    // Newell's sum, so that three corners in a line, as clipping leaves them, do no harm.
+    glm::vec3 across(0.0f);
+    for (std::size_t i = 2; i < corners.size(); ++i) {
+        across += glm::cross(corners[i].varyings.position_world - face.position_world,
+                             corners[i - 1].varyings.position_world - face.position_world);
+    }
+    face.normal = across;
+    return face;
+}
+
 Rejection cull_by_face_normal(std::span<const ClipVertex> corners, const VertexRules& rules,
                               const SightRays& rays, CullTest* test) {
     static_cast<void>(rules);
-    const float away = away_from_camera(corners.front().varyings, rays);
+    const float away = away_from_camera(as_one_face(corners), rays);
     if (test != nullptr) test->values = {away};
     return back_facing_if(away > 0.0f, face_words(rays), test);
 }

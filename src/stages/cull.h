@@ -49,11 +49,22 @@ struct SightRays {
 /// Those of a frame: to be found once, since they take the camera's rotation.
 SightRays sight_rays(const VertexRules& rules);
 
+/// The ray of sight that meets a point in the world, away from the camera.
+inline glm::vec3 sight_ray(const glm::vec3& position_world, const SightRays& rays) {
+    glm::vec3 ray = position_world - rays.camera;
+    if (rays.mix > 0.0f) ray = (1.0f - rays.mix) * ray + rays.mix * rays.forward;
+    return ray;
+}
+
 /// dot(n, p - C): positive if the normal points away from the camera. Where rays are parallel,
 /// under orthographic projection, the way they run stands for p - C; between the two, the mixture
 /// of both. sight_measure() writes it down.
 /// @param varyings its normal and its place in the world, of a vertex or of a fragment
 float away_from_camera(const Varyings& varyings, const SightRays& rays);
+
+/// The first corner's varyings, with the normal of the whole polygon: where the corners lean each
+/// to another side, the one across their places.
+Varyings as_one_face(std::span<const ClipVertex> corners);
 
 /// What away_from_camera() works out with these rays: "dot(n, p - C)", "dot(n, forward)" or the
 /// mixture.
@@ -72,8 +83,9 @@ inline Rejection cull_nothing(std::span<const ClipVertex> corners, const VertexR
     return Rejection::none;
 }
 
-/// By the normal of the surface: it is a back if that of the first corner points away from the
-/// camera, away_from_camera() > 0. In world space.
+/// By the normal of the surface: it is a back if that points away from the camera,
+/// away_from_camera() > 0. In world space. It is the normal of the first corner, or where those of
+/// the corners differ, the one across their places.
 Rejection cull_by_face_normal(std::span<const ClipVertex> corners, const VertexRules& rules,
                               const SightRays& rays, CullTest* test = nullptr);
 

@@ -35,6 +35,29 @@ inline glm::vec3 light_normal(const glm::vec3& normal, const Camera&) {
     return normal;
 }
 
+/// A normal that was interpolated, made unit length again: half-way between two unit vectors that
+/// stand at an angle it is shorter than 1. One without length stays so.
+inline glm::vec3 unit_normal(const glm::vec3& interpolated) {
+    const float length = std::sqrt(glm::dot(interpolated, interpolated));
+    return length > 0.0f ? interpolated / length : glm::vec3(0.0f);
+}
+
+// Other laws of fall-off, for programs whose power is no power but a brightness: over what it is
+// spread at a distance.
+
+/// 1/r^2 without a sphere.
+inline float area_without_4pi(float distance2, float) {
+    return distance2;
+}
+/// 1/r: brighter far away than any lamp is, and so often preferred to 1/r^2.
+inline float area_of_distance(float, float distance) {
+    return distance;
+}
+/// None: like the sun's.
+inline float area_of_one(float, float) {
+    return 1.0f;
+}
+
 /// Every number on the way to the reflected light, in the order in which they arise.
 struct LightTerms {
     glm::vec3 to_light{0.0f};  ///< from the point to the lamp, world units

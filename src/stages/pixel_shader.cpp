@@ -21,6 +21,7 @@ glm::vec3 pixel_shader(const Fragment& fragment, const Surface& surface, const P
     // Only what is read is divided: the pixel shader pays for no other varying.
     switch (rules.shading) {
     case Shading::unlit:
+    case Shading::flat: // surface_shader() knows it
         break;
     case Shading::gouraud:
         return fragment.varyings.illumination / weight_of(fragment, stages);

@@ -18,6 +18,7 @@
 #include <glm/vec3.hpp>
 
 #include "scene/scene.h"
+#include "stages/cull.h"
 #include "stages/fragment.h"
 #include "stages/light.h"
 #include "stages/vertex_shader.h"
@@ -30,18 +31,25 @@ struct Stages;
 struct Surface {
     glm::vec3 normal{0.0f};
     glm::vec3 reflectance{1.0f};
+    // Of surfaces that the lab does not have, see surface_shader.h:
+    Shine shine{};
+    CornerDifferences differences{}; ///< what travels from the vertices, in place of the above
+    glm::vec3 flat_light{0.0f};      ///< of the whole triangle, under flat shading
 };
 
 /// The rules by which a fragment is coloured.
 struct PixelRules {
     Light light;
     Shading shading = Shading::unlit;
+    Camera camera{};  ///< for the slot light_normal
+    SightRays rays{}; ///< toward the eye, for highlights
 };
 
 /// The varyings that the pixel shader reads.
 constexpr VaryingSet varyings_read(Shading shading) {
     switch (shading) {
     case Shading::unlit:
+    case Shading::flat:
         break;
     case Shading::gouraud:
         return VaryingSet::of(&Varyings::illumination);

@@ -11,6 +11,7 @@
 #include "stages/edge_functions.h"
 #include "stages/edges.h"
 #include "stages/fill_rule.h"
+#include "stages/highlight.h"
 #include "stages/interpolate.h"
 #include "stages/light.h"
 #include "stages/lines.h"
@@ -51,6 +52,9 @@ struct Stages {
     // Light, at vertices or at pixels.
     decltype(&rasterwalk::light_normal) light_normal = rasterwalk::light_normal;
     decltype(&rasterwalk::reflected_light) reflected_light = rasterwalk::reflected_light;
+    // Asked by surface_shader() alone.
+    decltype(&rasterwalk::unit_normal) unit_normal = rasterwalk::unit_normal;
+    decltype(&rasterwalk::highlight) highlight = rasterwalk::highlight;
 
     // Coverage: from vertices to rows, and from a row to its fragments. Whoever puts functions here
     // whose rows leave the box of the vertices puts another box here as well.

@@ -6,6 +6,7 @@
 #include "scene/look_at.h"
 #include "stages/orthographic.h"
 #include "stages/stage_table.h"
+#include "stages/surface_shader.h"
 
 namespace rasterwalk {
 
@@ -50,19 +51,22 @@ glm::mat3 camera_rotation(const Camera& camera) {
     return {right, down, forward};
 }
 
+SurfaceLight light_at_vertex(const Vertex& vertex, const VertexRules& rules, const Stages& stages) {
+    const glm::vec3 normal = stages.light_normal(vertex.normal, rules.camera);
+    const SurfacePoint point{vertex.position, normal, vertex.reflectance, vertex.shine};
+    // Which way the camera looks takes sines, and only highlights ask.
+    const bool is_asked = rules.light.model != LightModel::lambert;
+    return surface_light(point, rules.light, is_asked ? sight_rays(rules) : SightRays{}, stages);
+}
+
 Varyings start_varyings(const Vertex& vertex, const VertexRules& rules, const Stages& stages) {
     Varyings varyings;
     varyings.position_world = vertex.position;
     varyings.normal = vertex.normal;
     varyings.colour = vertex.reflectance;
     varyings.texcoord = vertex.texcoord;
-    if (rules.shading == Shading::gouraud) {
-        varyings.illumination =
-            stages
-                .reflected_light(vertex.position, stages.light_normal(vertex.normal, rules.camera),
-                                 vertex.reflectance, rules.light)
-                .reflected;
-    }
+    if (rules.shading == Shading::gouraud)
+        varyings.illumination = light_at_vertex(vertex, rules, stages).reflected;
     return varyings;
 }
 

@@ -35,11 +35,12 @@ struct Stages;
 /// Where light is computed.
 enum class Shading : std::uint8_t {
     unlit,   ///< nowhere: a surface shows its own colour
+    flat,    ///< once a triangle, in its middle
     gouraud, ///< at the vertices, and interpolated between them
-    phong,   ///< at every pixel, from interpolated places
+    phong,   ///< at every pixel, from interpolated places and normals
 };
 template <>
-inline constexpr auto enum_words<Shading> = word_list("unlit", "gouraud", "phong");
+inline constexpr auto enum_words<Shading> = word_list("unlit", "flat", "gouraud", "phong");
 static_assert(words_match<Shading>);
 
 /// How a projected vertex becomes a pixel. The first three are those of Rounding: they work on the

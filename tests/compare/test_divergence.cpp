@@ -59,7 +59,7 @@ std::map<Cursor, Seen> everything(const Frame& frame, bool with_light, bool as_s
             const glm::vec3 normal =
                 frame.stages.light_normal(vertex.normal, frame.settings.camera);
             add(work, reflected_light(vertex.position, normal, vertex.reflectance,
-                                      frame.settings.light, frame.settings.light_rules)
+                                      light_rule(frame.settings), frame.settings.light_rules)
                           .reflected);
         }
     }

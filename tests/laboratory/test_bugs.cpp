@@ -145,10 +145,10 @@ std::string with(const std::string& from, const std::string& to) {
 
 TEST_CASE("The laboratory has the mistakes that are promised, each with all that is to be said") {
     const std::set<std::string> promised{
-        "B1",  "B2",  "B3",   "B4",   "B5",   "B6",   "B7",   "B8",   "B9",   "B10",
-        "B11", "B12", "B13",  "B14",  "B15",  "B16",  "B17a", "B17b", "B17c", "B17d",
-        "B18", "B19", "B20a", "B20b", "B20c", "B20d", "B21",  "B22",  "B24",  "B25",
-        "B27", "B30", "B31",  "B32",  "B33",  "B34",  "B35",  "B36",  "B38",  "B39"};
+        "B1",   "B2",   "B3",   "B4",   "B5",  "B6",   "B7",   "B8",   "B9",   "B10", "B11",
+        "B12",  "B13",  "B14",  "B15",  "B16", "B17a", "B17b", "B17c", "B17d", "B18", "B19",
+        "B20a", "B20b", "B20c", "B20d", "B21", "B22",  "B24",  "B25",  "B27",  "B30", "B31",
+        "B32",  "B33",  "B34",  "B35",  "B36", "B38",  "B39",  "B23",  "B50",  "B51"};
     std::set<std::string> ids, names;
     std::vector<std::string> sections;
     for (const Bug& bug : bugs()) {
@@ -163,10 +163,10 @@ TEST_CASE("The laboratory has the mistakes that are promised, each with all that
     }
     CHECK(ids == promised);
     // In the order of the lab's sections, so that each is one group in the list.
-    CHECK(sections == std::vector<std::string>{"Drawing points", "Drawing edges",
-                                               "Moving the camera", "Filled triangles",
-                                               "Depth buffer", "Illumination", "Light per pixel",
-                                               "Beyond the lab: geometry"});
+    CHECK(sections == std::vector<std::string>{
+                          "Drawing points", "Drawing edges", "Moving the camera",
+                          "Filled triangles", "Depth buffer", "Illumination", "Light per pixel",
+                          "Beyond the lab: geometry", "Beyond the lab: light"});
     CHECK(names.size() == ids.size());
 }
 
@@ -198,7 +198,7 @@ TEST_CASE("Both runs of a bug differ in what it sets and in nothing else") {
 TEST_CASE("A bug is found by its id in any letters, and a wrong id is answered with the nearest") {
     CHECK(find_bug(bugs(), "b20A").id == "B20a");
     CHECK_THROWS_AS(find_bug(bugs(), ""), UsageError);
-    CHECK_THROWS_WITH(find_bug(bugs(), "B23"), Contains("there is no bug 'B23'"));
+    CHECK_THROWS_WITH(find_bug(bugs(), "B28"), Contains("there is no bug 'B28'"));
     CHECK_THROWS_WITH(find_bug(bugs(), std::string(5000, 'x')), !Contains(std::string(30, 'x')));
 }
 
@@ -862,4 +862,92 @@ TEST_CASE("B36: light falls as on normals that were moved by minus the camera's 
     CHECK(pixel_difference(draw_frame(prepare_frame(*runs.session.scene, wrong)),
                            draw_frame(prepare_frame(*runs.session.scene, correct)))
               .different > 100000);
+}
+
+namespace {
+
+/// The light of the pixel shader at each written fragment, wrong and right, with its terms.
+struct LitPixel {
+    std::size_t pixel = 0;
+    Varyings varyings;
+    int triangle = 0;
+};
+
+std::vector<LitPixel> lit_pixels(const Frame& frame) {
+    std::vector<LitPixel> lit;
+    Framebuffer picture = draw_frame(frame);
+    for (const FragmentEvent& event : fragments_of(frame)) {
+        const std::size_t at = picture.at(event.fragment.column, event.fragment.row);
+        if (event.fate != Fate::written || picture.owner[at] != event.cursor.triangle) continue;
+        lit.push_back({at, recover_varyings(event.fragment, frame.settings.interpolation),
+                       event.cursor.triangle});
+    }
+    return lit;
+}
+
+} // namespace
+
+TEST_CASE(
+    "B23: the light falls on normals that are shorter the farther they are from the corners") {
+    const Runs runs("B23");
+    CHECK(same_but_for_colour(runs.wrong_picture, runs.correct_picture));
+    int dimmer = 0, bent = 0;
+    for (const LitPixel& lit : lit_pixels(runs.correct)) {
+        const bool is_bent = runs.session.scene->mesh.differences(lit.triangle).normals;
+        const glm::vec3& wrong = runs.wrong_picture.colour[lit.pixel];
+        const glm::vec3& right = runs.correct_picture.colour[lit.pixel];
+        if (!is_bent && wrong != right) FAIL("pixel " << lit.pixel << " of a flat end differs");
+        if (!is_bent) continue;
+        ++bent;
+        // Direct light goes with the length, the highlight with its 50th power; neither is more.
+        if (wrong.r > right.r + 1e-6f) FAIL("pixel " << lit.pixel << " is brighter");
+        dimmer += wrong.r < right.r - 1e-4f ? 1 : 0;
+    }
+    CHECK(bent > 5000);
+    CHECK(dimmer > bent / 4);
+}
+
+TEST_CASE("B50: what is too much is the highlight of places that do not see the lamp") {
+    const Runs runs("B50");
+    CHECK(same_but_for_colour(runs.wrong_picture, runs.correct_picture));
+    int shining = 0;
+    const glm::vec3 lamp = runs.correct.settings.light.position;
+    for (const LitPixel& lit : lit_pixels(runs.correct)) {
+        const glm::vec3& wrong = runs.wrong_picture.colour[lit.pixel];
+        const glm::vec3& right = runs.correct_picture.colour[lit.pixel];
+        if (wrong == right) continue;
+        if (glm::dot(lit.varyings.normal, lamp - lit.varyings.position_world) > 1e-4f)
+            FAIL("pixel " << lit.pixel << " sees the lamp and differs");
+        if (!(wrong.r > right.r)) FAIL("pixel " << lit.pixel << " has lost light");
+        shining += wrong.r > right.r + 1.0f / 255.0f ? 1 : 0;
+    }
+    CHECK(shining > 100);
+}
+
+TEST_CASE("B51: n times a half vector that is too long is raised to the exponent") {
+    const Runs runs("B51");
+    CHECK(same_but_for_colour(runs.wrong_picture, runs.correct_picture));
+    const double exponent = 50.0;
+    int brighter = 0;
+    for (const LitPixel& lit : lit_pixels(runs.correct)) {
+        const double right = runs.correct_picture.colour[lit.pixel].r;
+        const double wrong = runs.wrong_picture.colour[lit.pixel].r;
+        if (runs.session.scene->corner(lit.triangle, 0).shine == Shine{}) continue;
+        const glm::dvec3 at(lit.varyings.position_world);
+        const glm::dvec3 n = glm::normalize(glm::dvec3(lit.varyings.normal));
+        const glm::dvec3 l = glm::normalize(glm::dvec3(runs.correct.settings.light.position) - at);
+        const glm::dvec3 v = glm::normalize(glm::dvec3(runs.correct.settings.camera.position) - at);
+        const double length = glm::length(l + v);
+        if (glm::dot(n, l) < 1e-3) continue;
+        const double area = 4.0 * 3.14159265358979 *
+                            glm::dot(glm::dvec3(runs.correct.settings.light.position) - at,
+                                     glm::dvec3(runs.correct.settings.light.position) - at);
+        const double highlight = 0.7 * runs.correct.settings.light.power.r / area *
+                                 std::pow(std::max(glm::dot(n, l + v) / length, 0.0), exponent);
+        const double expected = right + highlight * (std::pow(length, exponent) - 1.0);
+        if (std::abs(wrong - expected) > 1e-3 * (1.0 + std::abs(expected)))
+            FAIL("pixel " << lit.pixel << " has " << wrong << ", not " << expected);
+        brighter += wrong > right + 0.1 ? 1 : 0;
+    }
+    CHECK(brighter > 1000);
 }

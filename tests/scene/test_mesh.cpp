@@ -28,7 +28,8 @@ Vertex vertex_at(float x, float y, float z) {
 bool same_bits_all(const Vertex& a, const Vertex& b) {
     return same_bits(a.position, b.position) && same_bits(a.normal, b.normal) &&
            same_bits(a.reflectance, b.reflectance) && same_bits(a.texcoord.x, b.texcoord.x) &&
-           same_bits(a.texcoord.y, b.texcoord.y);
+           same_bits(a.texcoord.y, b.texcoord.y) && same_bits(a.shine.specular, b.shine.specular) &&
+           same_bits(a.shine.exponent, b.shine.exponent);
 }
 
 /// Two triangles with a common edge, as four vertices.
@@ -108,9 +109,11 @@ TEST_CASE("Vertices are joined where they are equal in every bit, and nowhere el
         CHECK(is_another(with([&](Vertex& v) { v.position[i] += 1.0f; })));
         CHECK(is_another(with([&](Vertex& v) { v.normal[i] = 1.0f; })));
         CHECK(is_another(with([&](Vertex& v) { v.reflectance[i] = 0.5f; })));
+        CHECK(is_another(with([&](Vertex& v) { v.shine.specular[i] = 0.5f; })));
     }
     CHECK(is_another(with([](Vertex& v) { v.texcoord.x = 1.0f; })));
     CHECK(is_another(with([](Vertex& v) { v.texcoord.y = 1.0f; })));
+    CHECK(is_another(with([](Vertex& v) { v.shine.exponent = 9.0f; })));
     // -0 and 0 are equal, and yet two numbers; a NaN is not equal to itself, and yet one.
     CHECK(is_another(with([](Vertex& v) { v.position.y = -0.0f; })));
     const Vertex nan =
@@ -118,6 +121,26 @@ TEST_CASE("Vertices are joined where they are equal in every bit, and nowhere el
     CHECK(is_another(nan));
     CHECK(join.index_of(vertex) == first);
     CHECK(indices.size() == mesh.vertices().size());
+}
+
+TEST_CASE("A mesh knows whether the corners of a triangle differ in normal or colour") {
+    Mesh mesh = square();
+    CHECK(mesh.differences() == CornerDifferences{});
+    std::array<Vertex, triangle_corners> corners{vertex_at(0, 0, 0), vertex_at(1, 0, 0),
+                                                 vertex_at(0, 1, 0)};
+    corners[1].texcoord.x = 0.5f; // this travels anyhow
+    mesh.add_triangle_of(corners);
+    CHECK(mesh.differences() == CornerDifferences{});
+    corners[2].reflectance.b = 0.5f;
+    mesh.add_triangle_of(corners);
+    CHECK(mesh.differences() == CornerDifferences{false, true});
+    corners[1].normal = {0.0f, 0.0f, 1.0f};
+    mesh.add_triangle_of(corners);
+    CHECK(mesh.differences() == CornerDifferences{true, true});
+    const int last = mesh.triangle_count() - 1;
+    CHECK(mesh.differences(last) == CornerDifferences{true, true});
+    CHECK(mesh.differences(last - 1) == CornerDifferences{false, true});
+    CHECK(mesh.differences(last - 2) == CornerDifferences{});
 }
 
 TEST_CASE("Moving a corner leaves the other triangles where they are") {

@@ -82,9 +82,13 @@ TEST_CASE("The table holds exactly the settings that are promised, each with hel
                                                  "light.position",
                                                  "light.power",
                                                  "light.indirect",
+                                                 "light.place",
+                                                 "light.model",
                                                  "light.direction",
                                                  "light.falloff",
                                                  "light.sum",
+                                                 "light.renormalize",
+                                                 "light.highlight",
                                                  "viewport.size",
                                                  "bounds",
                                                  "colour_over_one"};
@@ -157,6 +161,10 @@ TEST_CASE("Every word of every choice is set and read back, and lands in its own
     CHECK(settings.light_rules.direction == LightDirection::not_normalized);
     CHECK(settings.light_rules.falloff == LightFalloff::cubed);
     CHECK(settings.light_rules.sum == LightSum::reflectance_plus);
+    CHECK(settings.light_rules.renormalize == Renormalize::off);
+    CHECK(settings.light_rules.highlight == HighlightRule::long_half);
+    CHECK(settings.light.place == LampPlace::camera);
+    CHECK(settings.light.model == LightModel::blinn_phong);
     CHECK(settings.colour_over_one == ColourOverOne::wrap);
 }
 
@@ -344,12 +352,15 @@ TEST_CASE("The two words of light on the strip say stage and shading") {
     set_from_text(settings, "stage=depth");
     CHECK(value_of(settings, "shading") == "phong");
     CHECK(shading_rule(settings) == Shading::unlit);
-    // A shading without a step of its own.
-    set_from_text(settings, "stage=vertex_light");
-    set_from_text(settings, "shading=unlit");
-    CHECK(settings.stage == Stage::shade);
-    CHECK(shading_rule(settings) == Shading::unlit);
-    CHECK(value_of(settings, "stage") == "pixel_light");
+    // Shadings without a step of their own.
+    for (const auto& [word, shading] :
+         {std::pair("shading=unlit", Shading::unlit), std::pair("shading=flat", Shading::flat)}) {
+        set_from_text(settings, "stage=vertex_light");
+        set_from_text(settings, word);
+        CHECK(settings.stage == Stage::shade);
+        CHECK(shading_rule(settings) == shading);
+        CHECK(value_of(settings, "stage") == "pixel_light");
+    }
 }
 
 TEST_CASE("The words that shading took once set depth_order") {
@@ -361,8 +372,8 @@ TEST_CASE("The words that shading took once set depth_order") {
     CHECK(settings.depth_order == DepthOrder::after_depth_test);
     CHECK(meant_setting(*find_setting("shading"), "before_depth_test").name == "depth_order");
     CHECK(meant_setting(*find_setting("shading"), "gouraud").name == "shading");
-    CHECK(assignment_refusal("shading=flat") ==
-          "shading cannot be 'flat': it takes unlit, gouraud or phong.");
+    CHECK(assignment_refusal("shading=toon") ==
+          "shading cannot be 'toon': it takes unlit, flat, gouraud or phong.");
 }
 
 TEST_CASE("What behind_camera said once is clip, and the mark of the laboratory") {

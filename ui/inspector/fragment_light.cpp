@@ -32,23 +32,40 @@ void draw_clamped(Ui& ui, const glm::vec3& colour) {
         line.text(shown({cut[i]}) + (i < 2 ? "  " : ""), p.text);
 }
 
-void draw_pixel_light(Ui& ui) {
+/// The highlight, where the model has one.
+void draw_highlight(Ui& ui, const std::string& prefix, const SurfaceLight& light) {
+    const Light& lamp = ui.results.a.frame.settings.light;
+    if (lamp.model == LightModel::lambert) return;
+    draw_fragment_line(ui, prefix + "n_dot_h");
+    draw_fragment_line(ui, prefix + "power");
+    if (is_grey(light.highlight.reflected)) {
+        draw_fragment_line(ui, prefix + "S.red", "S");
+        return;
+    }
+    for (const char* channel : channel_names)
+        draw_fragment_line(ui, prefix + "S." + channel);
+}
+
+/// The light at one point, term by term.
+void draw_light_terms(Ui& ui, const std::string& prefix, const SurfaceLight& light) {
     const FragmentReport& report = report_of(ui);
-    const std::string prefix = "pixel_light.";
+    if (find_formula(report.formulas, prefix + "n_length") != nullptr)
+        draw_fragment_line(ui, prefix + "n_length");
     draw_fragment_line(ui, prefix + "r2");
     draw_fragment_line(ui, prefix + "cosine");
     draw_fragment_line(ui, prefix + "area");
-    if (is_grey(report.light.direct)) {
+    if (is_grey(light.diffuse.direct)) {
         draw_fragment_line(ui, prefix + "D.red", "D");
     } else {
         for (const char* channel : channel_names)
             draw_fragment_line(ui, prefix + "D." + channel);
     }
+    draw_highlight(ui, prefix, light);
     for (int i = 0; i < 3; ++i) {
         draw_fragment_line(ui, prefix + "R." + channel_names[static_cast<std::size_t>(i)], {},
-                           report.light.reflected[i] > 1.0f);
+                           light.reflected[i] > 1.0f);
     }
-    draw_clamped(ui, report.light.reflected);
+    draw_clamped(ui, light.reflected);
 }
 
 void draw_vertex_light(Ui& ui) {
@@ -86,7 +103,7 @@ void draw_vertex_light(Ui& ui) {
 
 bool shows_vertex_light(const Ui& ui) {
     const Shading shading = report_of(ui).shading;
-    if (shading == Shading::unlit) return false;
+    if (shading != Shading::gouraud && shading != Shading::phong) return false;
     return (shading == Shading::gouraud) != ui.inspector.chosen.shows_other_light;
 }
 
@@ -95,6 +112,7 @@ void draw_fragment_light(Ui& ui) {
     const Palette& p = palette(ui.options.theme);
     if (report.shading == Shading::unlit) return;
     const bool in_force_is_vertex = report.shading == Shading::gouraud;
+    const bool in_force_is_flat = report.shading == Shading::flat;
     const bool shows_vertex = shows_vertex_light(ui);
     begin_card(ui);
     ImGui::PushFont(ui.fonts.small);
@@ -102,32 +120,40 @@ void draw_fragment_light(Ui& ui) {
     text_in(p.dim, "light");
     keep_item_whole(ui);
     name_widget(ui, "fragment.light", "R = ρ (D + N), term by term; see the tooltips.");
-    const struct {
+    struct LightChoice {
         const char* name;
         const char* title;
         const char* help;
-        bool is_vertex;
-    } choices[] = {{"fragment.light.per_vertex", "per vertex",
-                    "The light of the three vertices, interpolated.", true},
-                   {"fragment.light.per_pixel", "per pixel",
-                    "The light worked out at the fragment's own place.", false}};
+        bool is_first; ///< the one in force, if it is not the light per pixel
+    };
+    const LightChoice per_triangle{"fragment.light.per_triangle", "per triangle",
+                                   "The light in the middle of the triangle, for all of it.", true};
+    const LightChoice per_vertex{"fragment.light.per_vertex", "per vertex",
+                                 "The light of the three vertices, interpolated.", true};
+    const bool shows_first =
+        in_force_is_flat ? !ui.inspector.chosen.shows_other_light : shows_vertex;
+    const LightChoice choices[] = {in_force_is_flat ? per_triangle : per_vertex,
+                                   {"fragment.light.per_pixel", "per pixel",
+                                    "The light worked out at the fragment's own place.", false}};
     for (const auto& choice : choices) {
         ImGui::SameLine();
-        const bool in_force = choice.is_vertex == in_force_is_vertex;
+        const bool in_force = choice.is_first == (in_force_is_vertex || in_force_is_flat);
         const std::string title = std::string(in_force ? "● " : "") + choice.title;
         const std::string help =
             std::string(choice.help) + (in_force ? "\nThis is the lighting in force."
                                                  : "\nWhat the other lighting would give.");
         if (button(ui, choice.name, title,
-                   choice.is_vertex == shows_vertex ? Look::plain : Look::quiet, help)) {
+                   choice.is_first == shows_first ? Look::plain : Look::quiet, help)) {
             ui.inspector.chosen.shows_other_light = !in_force;
         }
     }
     ImGui::PopFont();
-    if (shows_vertex) {
+    if (shows_first && in_force_is_flat) {
+        draw_light_terms(ui, "triangle_light.", report.light_per_triangle);
+    } else if (shows_first) {
         draw_vertex_light(ui);
     } else {
-        draw_pixel_light(ui);
+        draw_light_terms(ui, "pixel_light.", report.light);
     }
     end_card(ui);
 }

@@ -1,0 +1,38 @@
+#pragma once
+
+// Mistakes with interpolated normals and highlights, in the slots unit_normal and highlight.
+
+#include "stages/highlight.h"
+
+namespace rasterwalk {
+
+/// B23, in the slot unit_normal: the normal stays as short as interpolation has left it.
+inline glm::vec3 normal_as_interpolated(const glm::vec3& interpolated) {
+    return interpolated;
+}
+
+/// B50: nobody asks on which side the lamp stands. Where n . l is below 0, n . h may still be above
+/// it.
+constexpr bool shines_unasked(const LightTerms&) {
+    return true;
+}
+
+/// B51: the sum of two unit vectors, which is up to 2 long. To the power of an exponent that is
+/// much.
+inline glm::vec3 half_way_too_long(const glm::vec3& to_light, const glm::vec3& to_eye) {
+    return to_light + to_eye;
+}
+
+/// B50, in the slot highlight.
+inline HighlightTerms highlight_unasked(const LightTerms& light, const HighlightPoint& point,
+                                        const glm::vec3& lamp_power) {
+    return highlight_with<shines_unasked, half_way>(light, point, lamp_power);
+}
+
+/// B51, in the slot highlight.
+inline HighlightTerms highlight_with_long_half(const LightTerms& light, const HighlightPoint& point,
+                                               const glm::vec3& lamp_power) {
+    return highlight_with<faces_lamp, half_way_too_long>(light, point, lamp_power);
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,34 @@
+#include "pipeline/surface.h"
+
+namespace rasterwalk {
+
+glm::vec3 flat_normal(const Frame& frame, int triangle) {
+    const std::array<Vertex, triangle_corners> corners = corners_of(*frame.scene, triangle);
+    const bool is_bent = frame.scene->mesh.differences(triangle).normals;
+    return frame.stages.light_normal(
+        is_bent ? face_normal(corners[0].position, corners[1].position, corners[2].position)
+                : corners[0].normal,
+        frame.settings.camera);
+}
+
+SurfacePoint flat_point(const Frame& frame, int triangle) {
+    return middle_point(corners_of(*frame.scene, triangle), flat_normal(frame, triangle));
+}
+
+Surface surface_of(const Frame& frame, int triangle) {
+    const Vertex& corner = frame.scene->corner(triangle, 0);
+    Surface surface{frame.stages.light_normal(corner.normal, frame.settings.camera),
+                    corner.reflectance};
+    if (frame.stages.pixel_shader == pixel_shader) return surface;
+    surface.shine = corner.shine;
+    surface.differences = frame.scene->mesh.differences(triangle);
+    if (shading_rule(frame.settings) == Shading::flat) {
+        const PixelRules rules = pixel_rules(frame.settings);
+        surface.flat_light =
+            surface_light(flat_point(frame, triangle), rules.light, rules.rays, frame.stages)
+                .reflected;
+    }
+    return surface;
+}
+
+} // namespace rasterwalk

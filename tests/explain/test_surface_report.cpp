@@ -1,0 +1,218 @@
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include "explain/fragment_report.h"
+#include "explain/vertex_report.h"
+#include "pipeline/draw.h"
+#include "scene/read_scene.h"
+#include "session/content.h"
+#include "settings/setting_table.h"
+#include "support/bits.h"
+#include "support/recorder.h"
+
+using namespace rasterwalk;
+using test::same_bits;
+
+namespace {
+
+/// The cylinder of the lessons in a small picture, whose wall has two colours.
+Scene coloured_cylinder() {
+    const Scene scene = read_scene(lessons_folder() + "/scenes/cylinder.toml");
+    Scene coloured = scene;
+    coloured.mesh = {};
+    coloured.viewport = {60, 56};
+    coloured.camera.focal_length = 75.0f;
+    for (int t = 0; t < scene.triangle_count(); ++t) {
+        std::array<Vertex, triangle_corners> corners = corners_of(scene, t);
+        for (Vertex& corner : corners) {
+            if (corner.position.y > 0.0f) corner.reflectance = {0.9f, 0.2f, 0.3f};
+        }
+        coloured.mesh.add_triangle_of(corners);
+    }
+    return coloured;
+}
+
+/// Every formula gives its number once more, and every input has the number of the formula that it
+/// comes from.
+void check_formulas(const Frame& frame, const std::vector<Formula>& formulas,
+                    const std::string& where) {
+    for (const Formula& formula : formulas) {
+        const float again = evaluate(formula);
+        if (!same_bits(again, formula.result.value)) {
+            FAIL(where << formula.id << " = " << formula.expression << " = "
+                       << with_numbers(formula) << " gives " << again << " and shows "
+                       << formula.result.value);
+        }
+        for (const FormulaInput& input : formula.inputs) {
+            const Formula* named = nullptr;
+            VertexReport vertex;
+            if (input.source.kind == SourceKind::formula) {
+                named = find_formula(formulas, input.source.name);
+            } else if (input.source.kind == SourceKind::vertex) {
+                vertex = vertex_report(frame, input.source.triangle, input.source.vertex);
+                named = find_formula(vertex.formulas, input.source.name);
+            } else {
+                continue;
+            }
+            if (named == nullptr || !same_bits(named->result.value, input.number.value)) {
+                FAIL(where << formula.id << ": " << input.symbol << " = " << input.number.value
+                           << " does not come from " << input.source.name);
+            }
+        }
+    }
+}
+
+float shown_by(const std::vector<Formula>& formulas, const std::string& id) {
+    const Formula* const formula = find_formula(formulas, id);
+    if (formula == nullptr) FAIL("no formula " << id);
+    return formula->result.value;
+}
+
+/// The brightest fragment of a frame, in which the highlight is, and two others.
+std::vector<FragmentEvent> some_fragments(const Frame& frame) {
+    test::Recorder recorder;
+    Framebuffer framebuffer;
+    clear(framebuffer, frame);
+    draw(frame, {}, framebuffer, &recorder);
+    const std::vector<FragmentEvent>& all = recorder.fragments;
+    const auto brightest = std::max_element(
+        all.begin(), all.end(),
+        [](const FragmentEvent& a, const FragmentEvent& b) { return a.after.g < b.after.g; });
+    return {*brightest, all[all.size() / 3], all[2 * all.size() / 3]};
+}
+
+/// Where the light in force is told, by its prefix and channel.
+std::string id_of_light(const Frame& frame, const FragmentReport& report, int channel) {
+    constexpr std::array<const char*, 3> names{"red", "green", "blue"};
+    const std::string name = names[static_cast<std::size_t>(channel)];
+    switch (report.shading) {
+    case Shading::unlit:
+        return "flat.colour." + name;
+    case Shading::flat:
+        return "triangle_light.R." + name;
+    case Shading::gouraud:
+        return formula_id(quantity_of(&Varyings::illumination, channel),
+                          frame.settings.interpolation);
+    case Shading::phong:
+        break;
+    }
+    return "pixel_light.R." + name;
+}
+
+} // namespace
+
+TEST_CASE("Every term of a shining, bent, coloured surface is told with its formula") {
+    const Scene scene = coloured_cylinder();
+    int told = 0, shining = 0;
+    for (const char* shading : {"stage=fill", "shading=flat", "shading=gouraud", "shading=phong"}) {
+        for (const char* rule :
+             {"light.model=lambert", "light.falloff=linear", "light.falloff=none",
+              "light.place=camera", "light.highlight=long_half", "light.highlight=unasked",
+              "light.renormalize=off", "normal_w=one", "interpolation=affine", "projection_mix=0.4",
+              "projection=orthographic"}) {
+            Settings settings = default_settings(scene);
+            for (const char* assignment : {"cull=face_normal", shading, rule})
+                set_from_text(settings, assignment);
+            const Frame frame = prepare_frame(scene, settings);
+            for (const FragmentEvent& event : some_fragments(frame)) {
+                const std::string where =
+                    std::string(shading) + ", " + rule + ", " + to_text(event.cursor) + ": ";
+                const std::optional<FragmentReport> report = fragment_report(frame, event.cursor);
+                if (!report) FAIL(where << "has no report");
+                check_formulas(frame, report->formulas, where);
+                for (int c = 0; c < 3; ++c) {
+                    const float shown = shown_by(report->formulas, id_of_light(frame, *report, c));
+                    if (!same_bits(shown, report->colour[c]))
+                        FAIL(where << "channel " << c << " tells " << shown << ", the shader gives "
+                                   << report->colour[c]);
+                    if (event.fate == Fate::written && !same_bits(shown, event.after[c]))
+                        FAIL(where << "channel " << c << " tells " << shown << ", drawn is "
+                                   << event.after[c]);
+                }
+                ++told;
+                shining += report->light.highlight.power > 0.1f ? 1 : 0;
+            }
+        }
+    }
+    CHECK(told == 4 * 11 * 3);
+    CHECK(shining > 5);
+}
+
+TEST_CASE("A vertex tells its highlight, and light per vertex brings it along") {
+    const Scene scene = coloured_cylinder();
+    Settings settings = default_settings(scene);
+    set_from_text(settings, "shading=gouraud");
+    const Frame frame = prepare_frame(scene, settings);
+    float brightest = 0.0f;
+    for (int t = 0; t < scene.triangle_count(); ++t) {
+        for (int v = 0; v < triangle_corners; ++v) {
+            const VertexReport report = vertex_report(frame, t, v);
+            const std::string where = "triangle " + std::to_string(t) + ": ";
+            check_formulas(frame, report.formulas, where);
+            const glm::vec3 carried = frame.given_clip_vertex(t, v).varyings.illumination;
+            if (!same_bits(shown_by(report.formulas, "light.R.green"), carried.g))
+                FAIL(where << "tells another light than it hands on, " << carried.g);
+            brightest = std::max(brightest, shown_by(report.formulas, "light.S.green"));
+        }
+    }
+    CHECK(brightest > 0.01f);
+}
+
+TEST_CASE(
+    "Half-way between normals 60 degrees apart 0.866 is left, and of that to the 50th 0.00075") {
+    // Two corners with normals 30 degrees to either side; lamp and eye straight in front.
+    const Scene scene = parse_scene(R"(
+name = "Two normals"
+stage = "pixel_light"
+[viewport]
+width = 41
+height = 41
+[camera]
+position = [0, 0, -4]
+focal_length = 60
+[light]
+position = [0, 0, -4]
+power = 10
+model = "blinn_phong"
+[points.p]
+A = [-1, 0, 0]
+B = [0, -1, 0]
+C = [1, 0, 0]
+D = [0, 1, 0]
+[normals.p]
+A = [-0.5, 0, -0.8660254]
+B = [0.5, 0, -0.8660254]
+C = [0.5, 0, -0.8660254]
+D = [-0.5, 0, -0.8660254]
+[materials.m]
+diffuse = 0.2
+specular = 1
+exponent = 50
+[[part]]
+name = "half"
+points = "p"
+material = "m"
+normals = "p"
+triangles = ["A C D", "A B C"]
+)",
+                                    "two.toml");
+    Settings settings = default_settings(scene);
+    for (const char* coverage : {"coverage=edge_functions", "snap=subpixel"})
+        set_from_text(settings, coverage);
+    for (const bool is_mistaken : {false, true}) {
+        settings.light_rules.renormalize = is_mistaken ? Renormalize::off : Renormalize::on;
+        const Frame frame = prepare_frame(scene, settings);
+        const std::optional<Cursor> at = fragment_on_pixel(frame, {20, 20}, cursor_end);
+        REQUIRE(at);
+        const std::optional<FragmentReport> report = fragment_report(frame, *at);
+        REQUIRE(report);
+        CHECK(shown_by(report->formulas, "pixel_light.n_length") ==
+              Approx(std::sqrt(0.75)).margin(2e-3));
+        CHECK(shown_by(report->formulas, "pixel_light.n_dot_h") ==
+              Approx(is_mistaken ? std::sqrt(0.75) : 1.0).margin(2e-3));
+        CHECK(shown_by(report->formulas, "pixel_light.power") ==
+              Approx(is_mistaken ? 0.00075 : 1.0).margin(is_mistaken ? 1e-4 : 0.02));
+    }
+}
