@@ -244,9 +244,7 @@ bool pass_over_hidden(Drawing& d, std::span<const LineSample> fragments) {
 /// The lab's DrawPolygonRows: every row from its left to its right end, both included.
 void fill_rows(Drawing& d, int triangle) {
     const PolygonRows& rows = d.rows;
-    const Vertex& corner = d.frame.scene->corner(triangle, 0);
-    const Surface surface{d.stages.light_normal(corner.normal, d.frame.settings.camera),
-                          corner.reflectance};
+    const Surface surface = surface_of(d.frame, triangle);
     const PieceRange range =
         clamp_to_window(d.window, {triangle, Phase::rows, 0, 0}, &Cursor::index, rows.size());
     // The row above the first that begins in the window may end in it; its columns will tell.
@@ -324,9 +322,7 @@ DrawTally draw(const Frame& frame, const DrawWindow& window, Framebuffer& frameb
     const Settings& settings = frame.settings;
     const Rectangle scissor = scissor_rectangle(window, framebuffer);
     // Whoever watches sees every varying; otherwise only those are walked that the shader reads.
-    const VaryingSet carried = observer != nullptr
-                                   ? VaryingSet::all()
-                                   : carried_varyings(frame.stages, shading_rule(settings));
+    const VaryingSet carried = observer != nullptr ? VaryingSet::all() : carried_varyings(frame);
     Drawing d{.frame = frame,
               .stages = frame.stages,
               .window = window,

@@ -113,6 +113,24 @@ std::vector<ScreenVertex> polygon_under(const Frame& frame, int triangle,
     return std::move(other.vertices);
 }
 
+Surface surface_of(const Frame& frame, int triangle) {
+    const Vertex& corner = frame.scene->corner(triangle, 0);
+    Surface surface{frame.stages.light_normal(corner.normal, frame.settings.camera),
+                    corner.reflectance,
+                    nullptr,
+                    {}};
+    if (!is_textured(frame)) return surface;
+    surface.texture = texture_of(*frame.scene, triangle);
+    if (surface.texture != nullptr)
+        surface.texture_slope = texture_slope(frame.triangle_vertices(triangle), frame.stages);
+    return surface;
+}
+
+VaryingSet carried_varyings(const Frame& frame) {
+    const VaryingSet carried = carried_varyings(frame.stages, shading_rule(frame.settings));
+    return is_textured(frame) ? carried | VaryingSet::of(&Varyings::texcoord) : carried;
+}
+
 void tell_clipping(const Frame& frame, int triangle, ClipSink& sink) {
     if (!frame.is_clip_told(triangle)) return;
     const auto given = frame.given_clip_vertices(triangle);

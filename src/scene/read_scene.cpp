@@ -15,6 +15,7 @@
 #include "base/files.h"
 #include "base/toml_input.h"
 #include "scene/look_at.h"
+#include "scene/read_texture.h"
 
 namespace rasterwalk {
 
@@ -270,8 +271,10 @@ std::array<Vertex, triangle_corners> read_triangle(const TomlInput& part, const 
     return corners;
 }
 
-void read_part(const TomlInput& input, const PointSets& sets, VertexJoin& vertices, Scene& scene) {
-    input.allow_only({"name", "points", "reflectance", "triangles", "model"});
+void read_part(const TomlInput& input, const PointSets& sets, VertexJoin& vertices,
+               TextureReader& textures, Scene& scene) {
+    input.allow_only(
+        {"name", "points", "reflectance", "triangles", "model", "texture", "texcoords"});
     const std::string set_name = input.text("points");
     const auto set = sets.find(set_name);
     if (set == sets.end()) {
@@ -286,6 +289,8 @@ void read_part(const TomlInput& input, const PointSets& sets, VertexJoin& vertic
         input.fail(triangles,
                    "the scene has more than " + std::to_string(max_triangles) + " triangles.");
     }
+    const std::vector<CornerTexcoords> texcoords = read_texcoords(input, triangles.size());
+    const int texture = textures.read(input);
     Model model{read_model(input, scene.space), {}};
     const glm::dmat4 matrix = model_matrix(model.steps);
     const bool is_turned_round = is_mirrored(matrix);
@@ -296,6 +301,11 @@ void read_part(const TomlInput& input, const PointSets& sets, VertexJoin& vertic
         auto index = indices.begin();
         std::array<Vertex, triangle_corners> corners =
             read_triangle(input, node, set->second, set_name);
+        if (!texcoords.empty()) {
+            const auto number = scene.mesh.triangles().size() - static_cast<std::size_t>(first);
+            for (std::size_t i = 0; i < corners.size(); ++i)
+                corners[i].texcoord = texcoords[number][i];
+        }
         // In a mirror clockwise is counterclockwise. The front of a triangle is where its corners
         // go round clockwise, for its normal and on the screen alike; so they change places here,
         // once, before anyone reads an order from them.
@@ -311,7 +321,8 @@ void read_part(const TomlInput& input, const PointSets& sets, VertexJoin& vertic
         }
         scene.mesh.add_triangle(indices);
     }
-    scene.parts.push_back({name, first, static_cast<int>(triangles.size()), std::move(model)});
+    scene.parts.push_back(
+        {name, first, static_cast<int>(triangles.size()), std::move(model), texture});
 }
 
 void read_example(const TomlInput& input, Scene& scene) {
@@ -382,8 +393,10 @@ Scene parse_scene(std::string_view text, const std::string& path,
     section("points",
             [&](const TomlInput& table) { sets = read_points(table, scene.space, transform); });
     VertexJoin vertices(scene.mesh);
-    for_each_table(input, "part", "part",
-                   [&](const TomlInput& table) { read_part(table, sets, vertices, scene); });
+    TextureReader textures(path, scene.textures);
+    for_each_table(input, "part", "part", [&](const TomlInput& table) {
+        read_part(table, sets, vertices, textures, scene);
+    });
     if (scene.triangle_count() == 0) input.fail("the scene has no triangles.");
     for_each_table(input, "example", "example", [&](const TomlInput& table) {
         if (scene.space != SceneSpace::pixels) {
