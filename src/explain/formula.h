@@ -32,8 +32,8 @@ struct FormulaInput {
 /// A number and how it came to be.
 ///
 /// The expression knows + − · / ² and parentheses, whole numbers, the symbols of its inputs, and
-/// the functions int, floor, round, abs, sqrt, cos, sin, min, max, clamp(x, low, high), wrap(x, n),
-/// which is what x leaves when divided by n, from 0 up (0 for what is no number), and
+/// the functions int, floor, round, abs, sqrt, log2, cos, sin, min, max, clamp(x, low, high),
+/// wrap(x, n), which is what x leaves when divided by n, from 0 up (0 for what is no number), and
 /// accumulate(start, step, times), which adds the step to the start so many times, one by one.
 struct Formula {
     std::string id;         ///< by which panels, links and tests find it: "x.perspective"

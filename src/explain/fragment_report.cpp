@@ -314,6 +314,34 @@ void add_varying(FragmentReport& report, const QuantityInfo& info, const Carried
                    part_of(report.under(Interpolation::perspective), quantity)));
 }
 
+/// Where the surface has a texture: the light of the vertices, which is that of its reflectance,
+/// times the texture.
+/// @param carried the light as it was carried
+FormulaInput painted_light(FragmentReport& report, int channel, const FormulaInput& carried) {
+    const std::string name = channel_names[static_cast<std::size_t>(channel)];
+    const float texture = report.texture->colour[channel];
+    const Number result{carried.number.value * texture};
+    const std::string id = "vertex_light.painted." + name;
+    report.formulas.push_back({id,
+                               "R " + name,
+                               "The light of the vertices, interpolated, and painted by the "
+                               "texture.",
+                               "R · t",
+                               {carried, {"t", {texture}, from_formula("texture." + name)}},
+                               result});
+    return {carried.symbol, result, from_formula(id)};
+}
+
+/// What the fragment took of its texture.
+void add_texture(const Frame& frame, FragmentReport& report) {
+    report.texture = texture_report(frame, report.cursor.triangle, report.fragment);
+    if (!report.texture) return;
+    append_texture_formulas(*report.texture, frame, report.cursor.triangle,
+                            formula_id(quantity_of(&Varyings::texcoord, 0), report.interpolation),
+                            formula_id(quantity_of(&Varyings::texcoord, 1), report.interpolation),
+                            report.formulas);
+}
+
 void add_light(const Frame& frame, FragmentReport& report) {
     const int triangle = report.cursor.triangle;
     const Vertex& corner = frame.scene->corner(triangle, 0);
@@ -324,6 +352,7 @@ void add_light(const Frame& frame, FragmentReport& report) {
     const Camera& camera = frame.settings.camera;
     point.normal.value = frame.stages.light_normal(corner.normal, camera);
     point.reflectance.value = corner.reflectance;
+    if (report.texture) point.reflectance.value *= report.texture->colour;
     constexpr std::array<Quantity, 3> place{quantity_of(&Varyings::position_world, 0),
                                             quantity_of(&Varyings::position_world, 1),
                                             quantity_of(&Varyings::position_world, 2)};
@@ -335,7 +364,9 @@ void add_light(const Frame& frame, FragmentReport& report) {
         point.normal.sources[i] =
             from_vertex(triangle, 0, light_normal_id(frame.settings, static_cast<int>(i)));
         point.reflectance.sources[i] =
-            from_vertex(triangle, 0, std::string("reflectance.") + channel_names[i]);
+            report.texture
+                ? from_formula(std::string("surface.") + channel_names[i])
+                : from_vertex(triangle, 0, std::string("reflectance.") + channel_names[i]);
     }
     report.light = point.terms = frame.stages.reflected_light(
         point.position.value, point.normal.value, point.reflectance.value, light);
@@ -351,18 +382,16 @@ void add_light(const Frame& frame, FragmentReport& report) {
     for (int i = 0; i < 3; ++i) {
         const auto part = static_cast<std::size_t>(i);
         const std::string name = channel_names[part];
-        Formula by_vertex =
-            shown_channel("vertex_light.colour." + name, name,
-                          {"R",
-                           {report.light_per_vertex[i]},
-                           from_formula(formula_id(colour[part], report.interpolation))},
-                          frame);
+        FormulaInput carried{"R",
+                             {report.light_per_vertex[i]},
+                             from_formula(formula_id(colour[part], report.interpolation))};
+        if (report.texture) carried = painted_light(report, i, carried);
+        Formula by_vertex = shown_channel("vertex_light.colour." + name, name, carried, frame);
         by_vertex.help = "The light of the vertices, interpolated. " + by_vertex.help;
         report.formulas.push_back(by_vertex);
         Formula flat = shown_channel(
             "flat.colour." + name, name,
-            {"ρ", {point.reflectance.value[i]}, from_vertex(triangle, 0, "reflectance." + name)},
-            frame);
+            {"ρ", {point.reflectance.value[i]}, point.reflectance.sources[part]}, frame);
         flat.help = "The surface's own colour: this stage computes no light. " + flat.help;
         report.formulas.push_back(flat);
     }
@@ -522,10 +551,8 @@ std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& 
     report.interpolation = frame.settings.interpolation;
     report.shading = rules.shading;
     report.depth_test = depth_rule(frame.settings);
-    const Vertex& corner = frame.scene->corner(cursor.triangle, 0);
-    const glm::vec3 normal = frame.stages.light_normal(corner.normal, frame.settings.camera);
-    report.colour = frame.stages.pixel_shader(report.fragment, {normal, corner.reflectance}, rules,
-                                              frame.stages);
+    report.colour = frame.stages.pixel_shader(report.fragment, surface_of(frame, cursor.triangle),
+                                              rules, frame.stages);
 
     Carried carried;
     for (const Interpolation way : ways) {
@@ -540,6 +567,7 @@ std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& 
     for (const QuantityInfo& info : shown_quantities(frame)) {
         if (is_varying(info.quantity)) add_varying(report, info, carried);
     }
+    add_texture(frame, report);
     add_light(frame, report);
     add_depth_test(report, frame);
     if (vertex_rules(frame.settings, frame.scene->space).projection.mix > 0.0f)
