@@ -28,6 +28,15 @@ inline constexpr float largest_pixel_coordinate = 16384.0f;
 /// The smallest depth of such a point.
 inline constexpr float smallest_pixel_depth = 1e-3f;
 
+/// The largest side of a texture, texels.
+inline constexpr int largest_texture_side = 4096;
+
+/// The most texels of all textures of a scene, without their mip chains.
+inline constexpr std::size_t most_texels = std::size_t{1} << 24;
+
+/// The largest coordinate in a texture, either sign: so often can it be repeated.
+inline constexpr float largest_texcoord = 1000.0f;
+
 /// Camera and lamp stay within this many world units of the origin along every axis.
 inline constexpr float largest_place = 1000.0f;
 

@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/numbers.h"
 #include "cli/json.h"
+#include "explain/texture_report.h"
 #include "inspect/pixel_history.h"
 #include "inspect/pixel_tests.h"
 
@@ -45,7 +46,27 @@ glm::ivec2 parse_pixel(const std::string& text, Viewport size) {
     return {*column, *row};
 }
 
-Json to_json(const Scene& scene, const PixelEntry& entry, bool stays, const Cursor& to) {
+Json to_json(const TextureReport& texture) {
+    Json texels = Json::array();
+    for (const TakenTexel& texel : texture.taken) {
+        texels.push_back({{"colour", vector_to_json(texel.colour)},
+                          {"column", texel.column},
+                          {"level", texel.level},
+                          {"row", texel.row},
+                          {"weight", texel.weight}});
+    }
+    return {{"colour", vector_to_json(texture.colour)},
+            {"down", texture.down},
+            {"level", texture.level},
+            {"name", texture.surface.texture->name},
+            {"right", texture.right},
+            {"texels", std::move(texels)},
+            {"u", texture.place.texcoord.x},
+            {"v", texture.place.texcoord.y}};
+}
+
+Json to_json(const Frame& frame, const PixelEntry& entry, bool stays, const Cursor& to) {
+    const Scene& scene = *frame.scene;
     const bool is_in_a_row = entry.row >= 0;
     Json object{{"colour_after", vector_to_json(entry.colour_after)},
                 {"colour_before", vector_to_json(entry.colour_before)}};
@@ -61,6 +82,8 @@ Json to_json(const Scene& scene, const PixelEntry& entry, bool stays, const Curs
     object["stays"] = stays;
     object["stored"] = entry.stored;
     object["stored_zinv"] = entry.stored; // its name when nothing else was stored
+    if (const auto texture = texture_report(frame, entry.cursor))
+        object["texture"] = to_json(*texture);
     object["triangle"] = entry.cursor.triangle;
     object["zinv"] = entry.zinv;
     return object;
@@ -113,7 +136,7 @@ Json to_json(const Frame& frame, const PixelHistory& history, const Cursor& to) 
     Json entries = Json::array(), nearest = Json::array();
     for (std::size_t i = 0; i < history.entries.size(); ++i) {
         const bool stays = static_cast<int>(i) == history.winner;
-        entries.push_back(to_json(scene, history.entries[i], stays, to));
+        entries.push_back(to_json(frame, history.entries[i], stays, to));
     }
     for (const NearTriangle& near : history.nearest)
         nearest.push_back(to_json(scene, near, history.pixel));
@@ -139,6 +162,24 @@ void print_tests(const PixelHistory& history, const Cursor& to, std::ostream& ou
     for (const TestEvent& event : history.tests) {
         out << fmt::format("{:<15}  {}{}\n", to_text(event.cursor), pixel_test_text(event.test),
                            event.cursor < to ? "" : "  not asked yet");
+    }
+}
+
+/// What the fragment that stays took of its texture.
+void print_texture(const Frame& frame, const PixelHistory& history, std::ostream& out) {
+    if (history.winner < 0) return;
+    const Cursor& cursor = history.entries[static_cast<std::size_t>(history.winner)].cursor;
+    const std::optional<TextureReport> texture = texture_report(frame, cursor);
+    if (!texture) return;
+    out << fmt::format("texture {}: u {:.6f}, v {:.6f}; reaches {:.3f} texels to the next column, "
+                       "{:.3f} to the next row; level {:.4f}.\n",
+                       texture->surface.texture->name, texture->place.texcoord.x,
+                       texture->place.texcoord.y, texture->right, texture->down, texture->level);
+    for (const TakenTexel& texel : texture->taken) {
+        out << fmt::format("  level {}  column {:>4}  row {:>4}  weight {:.6f}  {:.4f} {:.4f} "
+                           "{:.4f}\n",
+                           texel.level, texel.column, texel.row, texel.weight, texel.colour.r,
+                           texel.colour.g, texel.colour.b);
     }
 }
 
@@ -209,6 +250,7 @@ void pixel_command(const PixelOptions& options, std::ostream& out) {
         print_json(to_json(frame, history, session.cursor), out);
     } else {
         print_text(frame, history, session.cursor, out);
+        print_texture(frame, history, out);
         print_tests(history, session.cursor, out);
     }
 }

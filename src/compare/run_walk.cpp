@@ -105,7 +105,7 @@ void EventRecorder::clear() {
 
 void EventRecorder::vertex(const Cursor& cursor, const ProjectedVertex& vertex) {
     VertexEvent event{cursor, vertex.pixel, vertex.has_pixel, vertex.rejection, {}, {}};
-    event.compared = carried_varyings(frame_.stages, shading_rule(frame_.settings));
+    event.compared = carried_varyings(frame_);
     if (!(event.compared == VaryingSet{}))
         event.varyings = frame_.given_clip_vertex(cursor.triangle, cursor.index).varyings;
     vertices_.push_back(event);

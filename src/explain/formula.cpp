@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/syntax.h"
+#include "stages/texture_level.h"
 
 namespace rasterwalk {
 
@@ -137,6 +138,7 @@ class Evaluator {
         }
         if (wants("abs", 1)) return {std::abs(a.value), a.is_whole};
         if (wants("sqrt", 1)) return {std::sqrt(a.value), false};
+        if (wants("log2", 1)) return {log2_of(a.value), false};
         if (wants("cos", 1)) return {std::cos(a.value), false};
         if (wants("sin", 1)) return {std::sin(a.value), false};
         if (wants("pow", 2)) return {std::pow(a.value, b.value), false};
@@ -199,6 +201,7 @@ std::string function_help(std::string_view expression) {
         {"accumulate(", "accumulate(start, step, n): begins with start and adds step n times, one "
                         "by one. Each sum is rounded to a float, as on the way along a line."},
         {"pow(", "pow(x, e): x to the power of e."},
+        {"log2(", "log2(x): the power of 2 that is x; log2(8) is 3."},
         {"max(0,", "max(0, x): x, or 0 where x is below it."},
     }};
     std::string text;

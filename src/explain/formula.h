@@ -32,7 +32,8 @@ struct FormulaInput {
 /// A number and how it came to be.
 ///
 /// The expression knows + − · / ² and parentheses, whole numbers, the symbols of its inputs, and
-/// the functions int, floor, round, abs, sqrt, cos, sin, pow(x, e), min, max, clamp(x, low, high),
+/// the functions int, floor, round, abs, sqrt, log2, cos, sin, pow(x, e), min, max,
+/// clamp(x, low, high),
 /// wrap(x, n), which is what x leaves when divided by n, from 0 up (0 for what is no number), and
 /// accumulate(start, step, times), which adds the step to the start so many times, one by one.
 struct Formula {

@@ -349,6 +349,34 @@ std::array<std::string, 3> reflectance_ids() {
     return ids;
 }
 
+/// Where the surface has a texture: the light of the vertices, which is that of its reflectance,
+/// times the texture.
+/// @param carried the light as it was carried
+FormulaInput painted_light(FragmentReport& report, int channel, const FormulaInput& carried) {
+    const std::string name = channel_names[static_cast<std::size_t>(channel)];
+    const float texture = report.texture->colour[channel];
+    const Number result{carried.number.value * texture};
+    const std::string id = "vertex_light.painted." + name;
+    report.formulas.push_back({id,
+                               "R " + name,
+                               "The light of the vertices, interpolated, and painted by the "
+                               "texture.",
+                               "R · t",
+                               {carried, {"t", {texture}, from_formula("texture." + name)}},
+                               result});
+    return {carried.symbol, result, from_formula(id)};
+}
+
+/// What the fragment took of its texture.
+void add_texture(const Frame& frame, FragmentReport& report) {
+    report.texture = texture_report(frame, report.cursor.triangle, report.fragment);
+    if (!report.texture) return;
+    append_texture_formulas(*report.texture, frame, report.cursor.triangle,
+                            formula_id(quantity_of(&Varyings::texcoord, 0), report.interpolation),
+                            formula_id(quantity_of(&Varyings::texcoord, 1), report.interpolation),
+                            report.formulas);
+}
+
 /// The light at the fragment's own place.
 /// @return the reflectance there, interpolated where the corners' differ
 SourcedVector add_pixel_light(const Frame& frame, FragmentReport& report) {
@@ -357,8 +385,9 @@ SourcedVector add_pixel_light(const Frame& frame, FragmentReport& report) {
     surface.shine = frame.scene->corner(triangle, 0).shine;
     surface.differences = frame.scene->mesh.differences(triangle);
     const PixelRules rules = pixel_rules(frame.settings);
-    const SurfacePoint place =
+    SurfacePoint place =
         surface_point(report.under(report.interpolation), surface, rules.camera, frame.stages);
+    if (report.texture) place.reflectance *= report.texture->colour;
     LitPoint point;
     point.prefix = "pixel_light.";
     point.shine = place.shine;
@@ -368,6 +397,11 @@ SourcedVector add_pixel_light(const Frame& frame, FragmentReport& report) {
     if (surface.differences.colours)
         point.reflectance =
             interpolated(report, &Varyings::colour, "the colours of the vertices, interpolated");
+    if (report.texture) {
+        point.reflectance.value = place.reflectance;
+        for (std::size_t i = 0; i < 3; ++i)
+            point.reflectance.sources[i] = from_formula(std::string("surface.") + channel_names[i]);
+    }
     point.normal = of_first_vertex(triangle, place.normal, light_normal_ids(frame));
     if (surface.differences.normals) {
         append_normal_formulas(
@@ -453,12 +487,11 @@ void add_light(const Frame& frame, FragmentReport& report) {
     for (int i = 0; i < 3; ++i) {
         const auto part = static_cast<std::size_t>(i);
         const std::string name = channel_names[part];
-        Formula by_vertex =
-            shown_channel("vertex_light.colour." + name, name,
-                          {"R",
-                           {report.light_per_vertex[i]},
-                           from_formula(formula_id(colour[part], report.interpolation))},
-                          frame);
+        FormulaInput carried{"R",
+                             {report.light_per_vertex[i]},
+                             from_formula(formula_id(colour[part], report.interpolation))};
+        if (report.texture) carried = painted_light(report, i, carried);
+        Formula by_vertex = shown_channel("vertex_light.colour." + name, name, carried, frame);
         by_vertex.help = "The light of the vertices, interpolated. " + by_vertex.help;
         report.formulas.push_back(by_vertex);
         Formula flat =
@@ -639,6 +672,7 @@ std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& 
     for (const QuantityInfo& info : shown_quantities(frame)) {
         if (is_varying(info.quantity)) add_varying(report, info, carried);
     }
+    add_texture(frame, report);
     add_light(frame, report);
     add_depth_test(report, frame);
     if (vertex_rules(frame.settings, frame.scene->space).projection.mix > 0.0f)

@@ -12,6 +12,7 @@
 #include <glm/vec2.hpp>
 
 #include "explain/formula.h"
+#include "explain/texture_report.h"
 #include "inspect/carried_row.h"
 #include "pipeline/observer.h"
 #include "stages/surface_shader.h"
@@ -34,6 +35,9 @@ namespace rasterwalk {
 ///                         is triangle_light.p.x ...
 ///     vertex_light.colour.red ...   the light that the vertices brought along, as shown
 ///     flat.colour.red ... the reflectance, as shown; the colour where there is no light
+///     texture.* surface.red ...     where the surface has a texture: what it took of it, and the
+///                         colour that stands for its reflectance; see texture_report.h
+///     vertex_light.painted.red ...  likewise: the light of the vertices, times the texture
 ///     depth margin        value for the depth buffer, and how much nearer it is than the stored
 ///     one
 struct FragmentReport {
@@ -51,7 +55,8 @@ struct FragmentReport {
     SurfaceLight light;              ///< at its own place, interpolated as is in force
     SurfaceLight light_per_triangle; ///< under flat shading: in the middle of the triangle
     std::array<SurfaceLight, triangle_corners> at_vertex; ///< light at the vertices of the scene
-    glm::vec3 light_per_vertex{0.0f}; ///< carried from the vertices as is in force
+    glm::vec3 light_per_vertex{0.0f};     ///< carried from the vertices as is in force
+    std::optional<TextureReport> texture; ///< of the surface; none: it has none
 
     float depth = 0.0f, stored = 0.0f;
     bool has_cell = true;            ///< in the depth buffer; without one nothing is ever stored

@@ -182,6 +182,17 @@ std::optional<InterpolationError> Facts::interpolation_error() const {
     return known.error;
 }
 
+const TextureReport* Facts::texture() const {
+    const PixelEntry* const entry = winner();
+    if (entry == nullptr) return nullptr;
+    FactCache& known = cache();
+    if (known.texture_at != entry->cursor) {
+        known.texture = texture_report(results_->a.frame, entry->cursor);
+        known.texture_at = entry->cursor;
+    }
+    return known.texture ? &*known.texture : nullptr;
+}
+
 const ShadedVertex* Facts::vertex() const {
     const std::optional<int>& vertex = session_->selection.vertex;
     const std::vector<VertexReport>& reports = results_->a.inspected.vertices;

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "explain/texture_report.h"
 #include "facts/value.h"
 #include "inspect/clip_history.h"
 #include "inspect/edge_lines.h"
@@ -43,6 +44,8 @@ struct FactCache {
     std::optional<LineDecision> decision;
     std::optional<Cursor> error_at;
     std::optional<InterpolationError> error;
+    std::optional<Cursor> texture_at;
+    std::optional<TextureReport> texture;
 };
 
 /// Answers questions about a session and its results; both must live as long, and the results be up
@@ -82,6 +85,8 @@ class Facts {
     const PixelEntry* winner() const;
     /// Of that fragment; none if it belongs to no row.
     std::optional<InterpolationError> interpolation_error() const;
+    /// What it took of its texture; null if it shows none.
+    const TextureReport* texture() const;
     /// The selected vertex of the triangle on show; null if none is selected.
     const ShadedVertex* vertex() const;
 

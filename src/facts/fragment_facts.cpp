@@ -31,6 +31,13 @@ Value edge_samples(const Facts& facts, int edge) {
     return number(table->edge_samples[static_cast<std::size_t>(edge)]);
 }
 
+/// A number of the texture that the picked pixel shows; none if it shows none.
+template <auto read>
+Value texture_number(const Facts& facts, int) {
+    const TextureReport* const texture = facts.texture();
+    return texture != nullptr ? number(read(*texture)) : Value();
+}
+
 /// An end of the selected row; none where no sample reached it.
 Value row_end(const Facts& facts, int end) {
     const std::optional<int> row = facts.table_row();
@@ -46,6 +53,37 @@ Value table_fragments(const Facts& facts, int) {
     for (int row = 0; row < table->rows.size(); ++row)
         sum += table->rows.pixel_count(row);
     return number(sum);
+}
+
+/// What the picked pixel takes of its texture.
+void add_texture_facts(std::vector<Fact>& table) {
+    using Texels = const TextureReport&;
+    const ValueRange texel = whole(0, largest_texture_side - 1);
+    table.push_back({"pixel.u",
+                     "u of what the picked pixel shows in the end: its place in the texture, from "
+                     "the left, 0 to 1.",
+                     real(), texture_number<[](Texels t) { return t.place.texcoord.x; }>});
+    table.push_back({"pixel.v",
+                     "v of what the picked pixel shows in the end: its place in the texture, from "
+                     "the top, 0 to 1.",
+                     real(), texture_number<[](Texels t) { return t.place.texcoord.y; }>});
+    table.push_back({"pixel.footprint",
+                     "How far the picked pixel reaches in the texture, the longer side, texels.",
+                     real(0), texture_number<[](Texels t) { return std::max(t.right, t.down); }>});
+    table.push_back({"pixel.level",
+                     "Level of the mip chain that suits the picked pixel, whether or not the "
+                     "filter asks for it.",
+                     real(0), texture_number<[](Texels t) { return t.level; }>});
+    table.push_back({"pixel.texels", "Texels that the picked pixel is mixed from: 1, 4 or 8.",
+                     whole(1, 8), texture_number<[](Texels t) { return t.taken.count; }>});
+    table.push_back({"pixel.texel.column",
+                     "Column of the texel that counts most in the picked pixel.", texel,
+                     texture_number<[](Texels t) { return t.heaviest().column; }>});
+    table.push_back({"pixel.texel.row", "Row of the texel that counts most in the picked pixel.",
+                     texel, texture_number<[](Texels t) { return t.heaviest().row; }>});
+    table.push_back({"pixel.texel.level",
+                     "Level of the mip chain of the texel that counts most in the picked pixel.",
+                     natural(), texture_number<[](Texels t) { return t.heaviest().level; }>});
 }
 
 } // namespace
@@ -125,6 +163,7 @@ void add_pixel_facts(std::vector<Fact>& table) {
                          const auto error = f.interpolation_error();
                          return error ? number(error->position) : Value();
                      }});
+    add_texture_facts(table);
 }
 
 void add_table_facts(std::vector<Fact>& table) {

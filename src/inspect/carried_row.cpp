@@ -45,8 +45,7 @@ std::string carried_name_in(const Frame& frame, Quantity quantity) {
 }
 
 std::vector<QuantityInfo> shown_quantities(const Frame& frame) {
-    const VaryingSet shown = carried_varyings(frame.stages, shading_rule(frame.settings)) |
-                             varyings_with(VaryingUse::listed);
+    const VaryingSet shown = carried_varyings(frame) | varyings_with(VaryingUse::listed);
     std::vector<QuantityInfo> list;
     for (const QuantityInfo& info : quantity_list()) {
         if (!is_varying(info.quantity) || shown.has(info.varying))

@@ -149,6 +149,7 @@ void try_choices(PictureTrial& trial, const std::vector<Base>& bases) {
     for (const Setting& setting : setting_table()) {
         const auto* const choice = std::get_if<ChoiceSetting>(&setting.kind);
         if (choice == nullptr || setting.name == "stage" || setting.part_of == "stage") continue;
+        if (!is_of_use(setting, trial.scene())) continue;
         for (const std::string_view word : choice->words) {
             if (is_word_of_whole(setting, word)) continue;
             for (const Base& base : bases) {

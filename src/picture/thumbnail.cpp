@@ -48,6 +48,10 @@ void prepare_small_frame(const Scene& scene, const Settings& settings, int side,
     if (is_shrunken) {
         small.scene.space = scene.space;
         small.scene.mesh = shrunken(scene.mesh, scale);
+        if (!scene.textures.empty()) {
+            small.scene.parts = scene.parts;
+            small.scene.textures = scene.textures;
+        }
     }
     prepare_frame(is_shrunken ? small.scene : scene, scaled_to(scene, settings, side), nullptr,
                   small.frame);

@@ -323,9 +323,7 @@ DrawTally draw(const Frame& frame, const DrawWindow& window, Framebuffer& frameb
     const Settings& settings = frame.settings;
     const Rectangle scissor = scissor_rectangle(window, framebuffer);
     // Whoever watches sees every varying; otherwise only those are walked that the shader reads.
-    const VaryingSet carried = observer != nullptr
-                                   ? VaryingSet::all()
-                                   : carried_varyings(frame.stages, shading_rule(settings));
+    const VaryingSet carried = observer != nullptr ? VaryingSet::all() : carried_varyings(frame);
     Drawing d{.frame = frame,
               .stages = frame.stages,
               .window = window,

@@ -114,6 +114,11 @@ std::vector<ScreenVertex> polygon_under(const Frame& frame, int triangle,
     return std::move(other.vertices);
 }
 
+VaryingSet carried_varyings(const Frame& frame) {
+    const VaryingSet carried = carried_varyings(frame.stages, shading_rule(frame.settings));
+    return is_textured(frame) ? carried | VaryingSet::of(&Varyings::texcoord) : carried;
+}
+
 void tell_clipping(const Frame& frame, int triangle, ClipSink& sink) {
     if (!frame.is_clip_told(triangle)) return;
     const auto given = frame.given_clip_vertices(triangle);

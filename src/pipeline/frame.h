@@ -90,6 +90,15 @@ inline std::string_view weight_name(const Frame& frame) {
     return vertex_rules(frame.settings, frame.scene->space).projection.mix > 0.0f ? "1/w" : "1/z";
 }
 
+/// Does the frame show a texture anywhere?
+inline bool is_textured(const Frame& frame) {
+    return !frame.scene->textures.empty() && frame.settings.texture == TextureUse::on &&
+           has_fragments(frame.settings.stage);
+}
+
+/// The varyings that edges and rows carry in the frame.
+VaryingSet carried_varyings(const Frame& frame);
+
 /// The table for a frame: what the settings choose for such a mesh, and what is put in its place.
 Stages stages_for(const Settings& settings, const CornerDifferences& differences,
                   const ReplaceStages& replace);

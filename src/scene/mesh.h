@@ -28,8 +28,8 @@ struct Vertex {
     glm::vec3 position{0.0f}; ///< world units; in a scene in pixel space: column, row, depth z > 0
     glm::vec3 normal{0.0f};   ///< unit length, world space
     glm::vec3 reflectance{1.0f}; ///< share of light given back, red green blue, 0..1
-    glm::vec2 texcoord{0.0f};    ///< place in a texture, 0..1
-    Shine shine{};               ///< the same at all corners of a triangle
+    glm::vec2 texcoord{0.0f}; ///< place in a texture: u from its left, v from its top, 0..1 in it
+    Shine shine{};            ///< the same at all corners of a triangle
 
     friend bool operator==(const Vertex&, const Vertex&) = default;
 };

@@ -16,6 +16,7 @@
 #include "base/toml_input.h"
 #include "scene/look_at.h"
 #include "scene/read_surface.h"
+#include "scene/read_texture.h"
 
 namespace rasterwalk {
 
@@ -301,9 +302,9 @@ std::array<glm::vec3, triangle_corners> places_of(const NamedCorners& triangle) 
 }
 
 void read_part(const TomlInput& input, const PointSets& sets, SurfaceSections& sections,
-               VertexJoin& vertices, Scene& scene) {
-    input.allow_only(
-        {"name", "points", "reflectance", "material", "colours", "normals", "triangles", "model"});
+               VertexJoin& vertices, TextureReader& textures, Scene& scene) {
+    input.allow_only({"name", "points", "reflectance", "material", "colours", "normals",
+                      "triangles", "model", "texture", "texcoords"});
     const std::string set_name = input.text("points");
     const auto set = sets.find(set_name);
     if (set == sets.end()) {
@@ -317,6 +318,8 @@ void read_part(const TomlInput& input, const PointSets& sets, SurfaceSections& s
         input.fail(triangles,
                    "the scene has more than " + std::to_string(max_triangles) + " triangles.");
     }
+    const std::vector<CornerTexcoords> texcoords = read_texcoords(input, triangles.size());
+    const int texture = textures.read(input);
     Model model{read_model(input, scene.space), {}};
     const glm::dmat4 matrix = model_matrix(model.steps);
     const bool is_turned_round = is_mirrored(matrix);
@@ -334,6 +337,11 @@ void read_part(const TomlInput& input, const PointSets& sets, SurfaceSections& s
         NamedCorners triangle = read_triangle(input, node, set->second, set_name);
         surface.dress(triangle);
         std::array<Vertex, triangle_corners>& corners = triangle.corners;
+        if (!texcoords.empty()) {
+            const auto number = scene.mesh.triangles().size() - static_cast<std::size_t>(first);
+            for (std::size_t i = 0; i < corners.size(); ++i)
+                corners[i].texcoord = texcoords[number][i];
+        }
         // In a mirror clockwise is counterclockwise. The front of a triangle is where its corners
         // go round clockwise, for its normal and on the screen alike; so they change places here,
         // once, before anyone reads an order from them.
@@ -347,7 +355,8 @@ void read_part(const TomlInput& input, const PointSets& sets, SurfaceSections& s
             *index++ = vertices.index_of(corner);
         scene.mesh.add_triangle(indices);
     }
-    scene.parts.push_back({name, first, static_cast<int>(triangles.size()), std::move(model)});
+    scene.parts.push_back(
+        {name, first, static_cast<int>(triangles.size()), std::move(model), texture});
 }
 
 void read_example(const TomlInput& input, Scene& scene) {
@@ -420,8 +429,9 @@ Scene parse_scene(std::string_view text, const std::string& path,
     SurfaceSections sections = read_surface_sections(
         input, scene.space, transform ? transform->mirror : std::array<bool, 3>{});
     VertexJoin vertices(scene.mesh);
+    TextureReader textures(path, scene.textures);
     for_each_table(input, "part", "part", [&](const TomlInput& table) {
-        read_part(table, sets, sections, vertices, scene);
+        read_part(table, sets, sections, vertices, textures, scene);
     });
     if (scene.triangle_count() == 0) input.fail("the scene has no triangles.");
     for_each_table(input, "example", "example", [&](const TomlInput& table) {

@@ -10,6 +10,7 @@
 #include "base/enum_words.h"
 #include "scene/mesh.h"
 #include "scene/model.h"
+#include "scene/texture.h"
 
 namespace rasterwalk {
 
@@ -26,7 +27,8 @@ struct Part {
     std::string name;
     int first_triangle = 0;
     int triangle_count = 0;
-    Model model{}; ///< how the scene file made it; without steps it was given in the world
+    Model model{};    ///< how the scene file made it; without steps it was given in the world
+    int texture = -1; ///< index in Scene::textures; -1: none
 
     friend bool operator==(const Part&, const Part&) = default;
 };
@@ -112,7 +114,8 @@ struct Scene {
     std::string path; ///< the file it came from; empty for a scene made in memory
     SceneSpace space = SceneSpace::world;
     Mesh mesh;
-    std::vector<Part> parts; ///< one after another: every triangle belongs to one of them
+    std::vector<Part> parts;       ///< one after another: every triangle belongs to one of them
+    std::vector<Texture> textures; ///< each once, however many parts show it
     std::vector<BenchExample> examples;
     Camera camera;
     Light light;
@@ -135,6 +138,9 @@ std::array<Vertex, triangle_corners> corners_of(const Scene& scene, int triangle
 
 /// The part that a triangle belongs to, as an index of Scene::parts; -1 for a scene without parts.
 int part_of(const Scene& scene, int triangle);
+
+/// The texture that a triangle shows; null if it shows none.
+const Texture* texture_of(const Scene& scene, int triangle);
 
 /// The name of the part that a triangle belongs to.
 const std::string& part_name(const Scene& scene, int triangle);

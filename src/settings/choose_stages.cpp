@@ -274,6 +274,35 @@ void choose(Interpolation interpolation, Stages& stages) {
     }
 }
 
+void choose(TextureFilter filter, Stages& stages) {
+    switch (filter) {
+    case TextureFilter::nearest:
+        break;
+    case TextureFilter::bilinear:
+        stages.sample_texture = sample_bilinear;
+        break;
+    case TextureFilter::mipmap:
+        stages.sample_texture = sample_mipmap;
+        break;
+    case TextureFilter::trilinear:
+        stages.sample_texture = sample_trilinear;
+        break;
+    }
+}
+
+void choose(TextureWrap wrap, Stages& stages) {
+    switch (wrap) {
+    case TextureWrap::repeat:
+        break;
+    case TextureWrap::clamp:
+        stages.wrap_texel = wrap_clamp;
+        break;
+    case TextureWrap::mirror:
+        stages.wrap_texel = wrap_mirror;
+        break;
+    }
+}
+
 using LightFunction = decltype(Stages::reflected_light);
 
 template <auto way, auto length, auto area>
@@ -408,6 +437,8 @@ Stages choose_stages(const Settings& settings) {
     choose(settings.line, settings, stages);
     choose_coverage(settings, stages);
     choose(settings.interpolation, stages);
+    choose(settings.texture_filter, stages);
+    choose(settings.texture_wrap, stages);
     choose(settings.light_rules, stages);
     choose(depth_rule(settings), depth_rules(settings, SceneSpace::world), stages);
     choose(settings.depth_index, stages);

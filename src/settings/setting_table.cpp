@@ -174,6 +174,39 @@ std::vector<Setting> make_table() {
          "How values between the vertices are found: divided by z on the way, straight across the "
          "picture, or divided by z twice and multiplied once.",
          "Light per pixel", "", choice<&Settings::interpolation>()},
+        {"texture",
+         "Textures shown",
+         "Texture",
+         "Do surfaces show the textures that the scene gives them? Without one a surface has its "
+         "own colour.",
+         "Light per pixel",
+         "",
+         choice<&Settings::texture>(),
+         {},
+         {},
+         true},
+        {"texture_filter",
+         "Texels mixed",
+         "Texture",
+         "Which texels colour a pixel: the one in which it lies; the four round it; those four of "
+         "the level of the mip chain that suits its size; or of the two levels next to that.",
+         "Light per pixel",
+         "",
+         choice<&Settings::texture_filter>(),
+         {},
+         {},
+         true},
+        {"texture_wrap",
+         "Beyond the texture",
+         "Texture",
+         "What lies beyond the borders of a texture: the texture again, the texels of its border, "
+         "or the texture turned round every second time.",
+         "Light per pixel",
+         "",
+         choice<&Settings::texture_wrap>(),
+         {},
+         {},
+         true},
         {"camera.position", "Camera position", "Camera",
          "Where the camera stands: x right, y down, z forward.", "Moving the camera", "world units",
          VectorSetting{[](Settings& s) -> glm::vec3& { return s.camera.position; }, -largest_place,
@@ -335,6 +368,10 @@ std::vector<Setting> make_table() {
 std::span<const Setting> setting_table() {
     static const std::vector<Setting> table = make_table();
     return table;
+}
+
+bool is_of_use(const Setting& setting, const Scene& scene) {
+    return !setting.needs_texture || !scene.textures.empty();
 }
 
 const Setting* find_setting(std::string_view name) {

@@ -62,6 +62,7 @@ struct Setting {
     /// The setting that has the words which this one took once; given here, they set it. Empty: no
     /// such words.
     std::string_view words_moved_to{};
+    bool needs_texture = false; ///< of no use to a scene without textures
 };
 
 /// Every setting, in the order of the sheet of settings.
@@ -69,6 +70,9 @@ std::span<const Setting> setting_table();
 
 /// The setting of this name, or null.
 const Setting* find_setting(std::string_view name);
+
+/// Can the scene use this setting?
+bool is_of_use(const Setting& setting, const Scene& scene);
 
 /// A setting's value in the text form that set_value reads; numbers as short as they can be and
 /// still be read back as the same bits. Empty if its parts have no word in common.

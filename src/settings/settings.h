@@ -36,6 +36,9 @@ struct Settings {
     DepthIndex depth_index = DepthIndex::row_major;
     Interpolation interpolation = Interpolation::perspective;
     DepthOrder depth_order = DepthOrder::after_depth_test;
+    TextureUse texture = TextureUse::on; ///< only where the scene has textures
+    TextureFilter texture_filter = TextureFilter::nearest;
+    TextureWrap texture_wrap = TextureWrap::repeat;
     Camera camera;
     Rotation rotation = Rotation::row_vector;
     ImageAxes image_axes = ImageAxes::right_way;

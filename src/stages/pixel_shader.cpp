@@ -16,6 +16,19 @@ Varyings recover_varyings(const Fragment& fragment, const Stages& stages) {
     return fragment.varyings / weight_of(fragment, stages);
 }
 
+TexturePlace place_in_texture(const Fragment& fragment, const Surface& surface,
+                              const Stages& stages) {
+    return texture_place(fragment.varyings.texcoord, weight_of(fragment, stages),
+                         surface.texture_slope);
+}
+
+glm::vec3 painted(const glm::vec3& colour, const Fragment& fragment, const Surface& surface,
+                  const Stages& stages) {
+    return colour * stages.sample_texture(*surface.texture,
+                                          place_in_texture(fragment, surface, stages), stages,
+                                          nullptr);
+}
+
 glm::vec3 pixel_shader(const Fragment& fragment, const Surface& surface, const PixelRules& rules,
                        const Stages& stages) {
     // Only what is read is divided: the pixel shader pays for no other varying.
@@ -24,14 +37,16 @@ glm::vec3 pixel_shader(const Fragment& fragment, const Surface& surface, const P
     case Shading::flat: // surface_shader() knows it
         break;
     case Shading::gouraud:
-        return fragment.varyings.illumination / weight_of(fragment, stages);
+        return textured(fragment.varyings.illumination / weight_of(fragment, stages), fragment,
+                        surface, stages);
     case Shading::phong:
-        return call<reflected_light>(stages.reflected_light,
-                                     fragment.varyings.position_world / weight_of(fragment, stages),
-                                     surface.normal, surface.reflectance, rules.light)
+        return call<reflected_light>(
+                   stages.reflected_light,
+                   fragment.varyings.position_world / weight_of(fragment, stages), surface.normal,
+                   textured(surface.reflectance, fragment, surface, stages), rules.light)
             .reflected;
     }
-    return surface.reflectance;
+    return textured(surface.reflectance, fragment, surface, stages);
 }
 
 } // namespace rasterwalk

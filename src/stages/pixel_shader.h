@@ -21,6 +21,7 @@
 #include "stages/cull.h"
 #include "stages/fragment.h"
 #include "stages/light.h"
+#include "stages/texture_lookup.h"
 #include "stages/vertex_shader.h"
 
 namespace rasterwalk {
@@ -31,6 +32,8 @@ struct Stages;
 struct Surface {
     glm::vec3 normal{0.0f};
     glm::vec3 reflectance{1.0f};
+    const Texture* texture = nullptr; ///< or none
+    TextureSlope texture_slope{};     ///< over the polygon; only where there is a texture
     // Of surfaces that the lab does not have, see surface_shader.h:
     Shine shine{};
     CornerDifferences differences{}; ///< what travels from the vertices, in place of the above
@@ -67,6 +70,21 @@ constexpr float varying_weight(float zinv) {
 
 /// The varyings of a fragment as q: divided by their weight.
 Varyings recover_varyings(const Fragment& fragment, const Stages& stages);
+
+/// Where a fragment lies in the texture of its surface.
+TexturePlace place_in_texture(const Fragment& fragment, const Surface& surface,
+                              const Stages& stages);
+
+/// A colour of the surface, times that of its texture: a white surface is painted by it. As Kd and
+/// map_Kd are combined: Alias/Wavefront, Object Files and MTL material format, 1995.
+glm::vec3 painted(const glm::vec3& colour, const Fragment& fragment, const Surface& surface,
+                  const Stages& stages);
+
+/// The same colour where the surface has no texture.
+inline glm::vec3 textured(const glm::vec3& colour, const Fragment& fragment, const Surface& surface,
+                          const Stages& stages) {
+    return surface.texture == nullptr ? colour : painted(colour, fragment, surface, stages);
+}
 
 /// The lab's PixelShader, without the depth test.
 /// @param stages the table whose functions light the fragment and weigh its varyings

@@ -23,6 +23,7 @@
 #include "stages/reject.h"
 #include "stages/snap.h"
 #include "stages/spans.h"
+#include "stages/texture_lookup.h"
 #include "stages/vertex_shader.h"
 
 namespace rasterwalk {
@@ -90,6 +91,10 @@ struct Stages {
     decltype(&rasterwalk::pixel_shader) pixel_shader = rasterwalk::pixel_shader;
     VaryingSet (*varyings_read)(Shading shading) = rasterwalk::varyings_read;
 
+    // Texture lookup: which texel stands beyond the border, and which texels are mixed.
+    int (*wrap_texel)(int texel, int count) = wrap_repeat;
+    decltype(&sample_nearest) sample_texture = sample_nearest;
+
     // Put pixel: which pixels there are, and what a channel becomes.
     decltype(&rasterwalk::drawn_area) drawn_area = rasterwalk::drawn_area;
     decltype(&rasterwalk::to_byte) to_byte = rasterwalk::to_byte;
@@ -109,8 +114,8 @@ auto call(decltype(likely) slot, const Arguments&... arguments) {
         return slot(arguments...);
 }
 
-/// The varyings that edges and rows carry in a frame: what the pixel shader and the culling of
-/// fragments read, and those that are always carried.
+/// The varyings that edges and rows carry where no texture is shown: what the pixel shader and the
+/// culling of fragments read, and those that are always carried.
 VaryingSet carried_varyings(const Stages& stages, Shading shading);
 
 /// Has the pixel a cell in a depth buffer of the picture's size? What would be read and written

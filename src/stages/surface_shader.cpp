@@ -43,21 +43,23 @@ glm::vec3 surface_shader(const Fragment& fragment, const Surface& surface, const
     case Shading::unlit:
         break;
     case Shading::flat:
-        return surface.flat_light;
+        return textured(surface.flat_light, fragment, surface, stages);
     case Shading::gouraud:
-        return fragment.varyings.illumination / weight;
+        return textured(fragment.varyings.illumination / weight, fragment, surface, stages);
     case Shading::phong: {
         // Only what is read is divided.
         Varyings varyings;
         varyings.position_world = fragment.varyings.position_world / weight;
         if (surface.differences.normals) varyings.normal = fragment.varyings.normal / weight;
         if (surface.differences.colours) varyings.colour = fragment.varyings.colour / weight;
-        return surface_light(surface_point(varyings, surface, rules.camera, stages), rules.light,
-                             rules.rays, stages)
-            .reflected;
+        SurfacePoint point = surface_point(varyings, surface, rules.camera, stages);
+        point.reflectance = textured(point.reflectance, fragment, surface, stages);
+        return surface_light(point, rules.light, rules.rays, stages).reflected;
     }
     }
-    return surface.differences.colours ? fragment.varyings.colour / weight : surface.reflectance;
+    return textured(surface.differences.colours ? fragment.varyings.colour / weight
+                                                : surface.reflectance,
+                    fragment, surface, stages);
 }
 
 } // namespace rasterwalk

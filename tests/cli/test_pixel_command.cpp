@@ -6,6 +6,7 @@
 
 #include "session/content.h"
 #include "tests/cli/run.h"
+#include "tests/support/temporary_folder.h"
 
 using namespace rasterwalk;
 using Catch::Matchers::Contains;
@@ -141,4 +142,44 @@ TEST_CASE("pixel says which of its tests have been done at the moment") {
     CHECK(count_of("not asked yet", run({"pixel", "9,8", "--scene", bench, "--stage", "fill",
                                          "--set", "coverage=edge_functions"})
                                         .out) == 0);
+}
+
+TEST_CASE("pixel tells which texels a pixel took, with weights, footprint and level") {
+    const std::string scene = lessons_folder() + "/scenes/receding-wall.toml";
+    const std::vector<std::string> asked{"pixel",   "100,70",
+                                         "--scene", scene,
+                                         "--set",   "coverage=edge_functions",
+                                         "--set",   "texture_filter=bilinear"};
+    const CliRun result = run(asked);
+    CHECK(result.exit_code == 0);
+    CHECK(result.err.empty());
+    // u = 1/3 and v = 1/2 - 1/9 of 8 texels are 2.6667 and 3.1111: 1/6 beyond the centre 2.5, and
+    // 0.6111 beyond the centre 2.5.
+    CHECK_THAT(result.out,
+               Contains("texture textures/checkerboard.png: u 0.333333, v 0.388889; reaches "));
+    CHECK_THAT(result.out, Contains("level 0.0000."));
+    CHECK_THAT(result.out, Contains("  level 0  column    2  row    2  weight 0.324074  0.9216 "
+                                    "0.9098 0.8706\n"));
+    CHECK_THAT(result.out, Contains("  level 0  column    3  row    2  weight 0.064815  0.1725 "
+                                    "0.2588 0.4314\n"));
+    CHECK(count_of("  level 0  column", result.out) == 4);
+    std::vector<std::string> as_json = asked;
+    as_json.push_back("--json");
+    const std::string json = without_blanks(run(as_json).out);
+    CHECK_THAT(json, Contains("\"texture\":{\"colour\":["));
+    CHECK_THAT(json, Contains("\"level\":0.0,\"name\":\"textures/checkerboard.png\""));
+    CHECK(count_of("\"weight\":", json) == 4);
+    CHECK(count_of("\"texture\":", without_blanks(run({"pixel", "240,300", "--json"}).out)) == 0);
+}
+
+TEST_CASE("A scene whose texture is missing ends with 3, file and line") {
+    const test::TemporaryFolder folder;
+    const std::string path = folder.write(
+        "s.toml", "name = \"s\"\n[points.p]\nA = [0, 0, 1]\nB = [1, 0, 1]\nC = [1, 1, 1]\n"
+                  "[[part]]\nname = \"q\"\npoints = \"p\"\ntriangles = [\"A B C\"]\n"
+                  "texture = \"none.png\"\ntexcoords = [[[0, 0], [1, 0], [1, 1]]]\n");
+    const CliRun result = run({"stats", "--scene", path});
+    CHECK(result.exit_code == 3);
+    CHECK(result.out.empty());
+    CHECK_THAT(result.err, Contains(path + ":10: the texture 'none.png' cannot be used: "));
 }

@@ -136,10 +136,11 @@ TEST_CASE("Clipping and culling of the triangle on show are facts, and so are th
 
 TEST_CASE("What is not selected is not there") {
     Asked room;
-    for (const char* name : {"triangle", "row", "vertex", "pixel.column", "pixel.owner", "pixel.z",
-                             "pixel.light_error", "table.left", "table.count", "vertex.column",
-                             "cursor.triangle", "cursor.edge", "cursor.plane", "cursor.clip_edge",
-                             "cursor.row", "compare.first", "compare.different_pixels"}) {
+    for (const char* name :
+         {"triangle", "row", "vertex", "pixel.column", "pixel.owner", "pixel.z",
+          "pixel.light_error", "pixel.u", "pixel.texels", "table.left", "table.count",
+          "vertex.column", "cursor.triangle", "cursor.edge", "cursor.plane", "cursor.clip_edge",
+          "cursor.row", "compare.first", "compare.different_pixels"}) {
         INFO(name);
         CHECK_FALSE(room.is_there(name));
     }
@@ -310,4 +311,40 @@ TEST_CASE("Facts of lines: ends that are missed, samples elsewhere in run B, dec
     // Where the next thing is no sample, nothing is decided.
     room.session.cursor = {0, Phase::vertices, 0, 0};
     CHECK_FALSE(room.is_there("cursor.decision"));
+}
+
+TEST_CASE("Where a picked pixel lies in its texture, and which texels it takes, are facts") {
+    Asked wall;
+    wall.session = open_session(lessons_folder() + "/scenes/receding-wall.toml");
+    wall.session.selection.pixel = glm::ivec2(100, 70);
+    Settings& settings = wall.session.a.settings;
+    settings.coverage = Coverage::edge_functions;
+    // Half-way on the screen from depth 2 to 4; a row is 10 above the middle of the picture.
+    const double z = 8.0 / 3.0, height = 1.2;
+    CHECK(wall.number("pixel.u") == Approx(1.0 / 3.0).margin(1e-6));
+    CHECK(wall.number("pixel.v") == Approx(0.5 - 10.0 / 200.0 * z / height).margin(1e-6));
+    CHECK(wall.number("pixel.texel.column") == 2); // of 8: 8/3
+    CHECK(wall.number("pixel.texel.row") == 3);    // 8 (0.5 - 1/9) = 3.11
+    CHECK(wall.number("pixel.texel.level") == 0);
+    CHECK(wall.number("pixel.texels") == 1);
+    // A pixel is 1/200 of a unit high per unit of depth; of the 8 texels there are 8 / 1.2 a unit.
+    CHECK(wall.number("pixel.footprint") < 0.12);
+    CHECK(wall.number("pixel.footprint") >= Approx(z / 200.0 * 8.0 / height));
+    CHECK(wall.number("pixel.level") == 0);
+    settings.texture_filter = TextureFilter::bilinear;
+    CHECK(wall.number("pixel.texels") == 4);
+    settings.interpolation = Interpolation::affine;
+    CHECK(wall.number("pixel.u") == Approx(0.5).margin(1e-6));
+    settings.texture = TextureUse::off;
+    CHECK_FALSE(wall.is_there("pixel.u"));
+    CHECK(wall.number("pixel.red") == 1);
+    settings.texture = TextureUse::on;
+    wall.session.selection.pixel = glm::ivec2(2, 2);
+    CHECK_FALSE(wall.is_there("pixel.u"));
+
+    wall.session = open_session(lessons_folder() + "/scenes/checkered-floor.toml");
+    wall.session.selection.pixel = glm::ivec2(120, 84);
+    wall.session.a.settings.texture_filter = TextureFilter::trilinear;
+    CHECK(wall.number("pixel.level") > 1);
+    CHECK(wall.number("pixel.texel.level") >= 1);
 }

@@ -179,8 +179,7 @@ void draw_made(const ClipPage& page, const CutCorner& corner) {
                    page.palette().text, clip_coordinate_help[static_cast<std::size_t>(i)]);
     }
     ImGui::PopFont();
-    const VaryingSet carried =
-        carried_varyings(page.frame.stages, shading_rule(page.frame.settings));
+    const VaryingSet carried = carried_varyings(page.frame);
     for (int v = 0; v < varying_count; ++v) {
         if (!carried.has(v)) continue;
         const VaryingInfo& info = varying_list[static_cast<std::size_t>(v)];

@@ -1,0 +1,360 @@
+#include "explain/texture_report.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "explain/fragment_report.h"
+#include "explain/light_formulas.h"
+#include "inspect/carried_row.h"
+#include "pipeline/surface.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// One of the two directions in a texture.
+struct TextureAxis {
+    int index;
+    const char* coordinate; ///< "u"
+    const char* place;      ///< "x": in texels
+    const char* count;      ///< "width"
+    const char* line;       ///< "column": of a texel
+};
+constexpr std::array texture_axes{TextureAxis{0, "u", "x", "width", "column"},
+                                  TextureAxis{1, "v", "y", "height", "row"}};
+
+int size_of(const TextureLevel& level, const TextureAxis& axis) {
+    return axis.index == 0 ? level.width : level.height;
+}
+
+int line_of(const TakenTexel& texel, const TextureAxis& axis) {
+    return axis.index == 0 ? texel.column : texel.row;
+}
+
+std::string level_id(int level, const std::string& what) {
+    return fmt::format("texture.level.{}.{}", level, what);
+}
+
+std::string texel_id(int number, const std::string& what) {
+    return fmt::format("texture.texel.{}.{}", number, what);
+}
+
+FormulaInput whole_input(std::string symbol, int value, const std::string& words) {
+    return {std::move(symbol), {static_cast<float>(value), true}, from_words(words)};
+}
+
+/// Makes the formulas of one fragment's texture, in order.
+class TextureFormulas {
+  public:
+    TextureFormulas(const TextureReport& report, const Frame& frame, int triangle,
+                    std::array<std::string, 2> coordinate_ids, std::vector<Formula>& formulas)
+        : report_(report), frame_(frame), triangle_(triangle),
+          coordinate_ids_(std::move(coordinate_ids)), formulas_(formulas) {}
+
+    void append() {
+        const TextureLevel& base = report_.surface.texture->base();
+        for (const TextureAxis& axis : texture_axes)
+            add_place(std::string("texture.") + axis.place, axis, base, "the texture");
+        add_side("right", "the next column", report_.place.footprint.right,
+                 report_.surface.texture_slope.texcoord_right,
+                 report_.surface.texture_slope.weight_right, report_.right);
+        add_side("down", "the next row", report_.place.footprint.down,
+                 report_.surface.texture_slope.texcoord_down,
+                 report_.surface.texture_slope.weight_down, report_.down);
+        add_level();
+        if (is_nearest())
+            add_nearest();
+        else
+            add_texels();
+        for (int channel = 0; channel < 3; ++channel)
+            add_colour(channel);
+    }
+
+  private:
+    bool is_nearest() const { return frame_.settings.texture_filter == TextureFilter::nearest; }
+
+    FormulaInput coordinate(const TextureAxis& axis) const {
+        return {axis.coordinate,
+                {report_.place.texcoord[axis.index]},
+                from_formula(coordinate_ids_[static_cast<std::size_t>(axis.index)])};
+    }
+
+    void add_place(const std::string& id, const TextureAxis& axis, const TextureLevel& level,
+                   const std::string& of) {
+        const int count = size_of(level, axis);
+        const float place = among_texels(report_.place.texcoord[axis.index], count);
+        Formula formula{
+            id,
+            axis.place,
+            fmt::format("The place in texels of {}: texel i goes from i to i + 1.", of),
+            fmt::format("{} · {}", axis.coordinate, axis.count),
+            {coordinate(axis),
+             whole_input(axis.count, count, fmt::format("{} of {}, texels", axis.count, of))},
+            {place}};
+        if (place != report_.place.texcoord[axis.index] * static_cast<float>(count)) {
+            formula.help = "The place is no number that can be counted in texels: 0 is taken.";
+            formula.expression = "0";
+            formula.inputs.clear();
+        }
+        formulas_.push_back(formula);
+    }
+
+    /// How far u and v move from a pixel to the next, and how far that is in texels.
+    void add_side(const std::string& name, const std::string& next, const glm::vec2& side,
+                  const glm::vec2& slope, float weight_slope, float length) {
+        const bool is_divided = frame_.settings.interpolation != Interpolation::affine;
+        const TextureLevel& base = report_.surface.texture->base();
+        for (const TextureAxis& axis : texture_axes) {
+            const std::string u = axis.coordinate;
+            formulas_.push_back(
+                {fmt::format("texture.{}.{}", name, u),
+                 fmt::format("d{}/d{}", u, name == "right" ? "x" : "y"),
+                 fmt::format("How far {} moves to {}: the derivative of a quotient.", u, next),
+                 fmt::format("(d − {} · e) / w", u),
+                 {{"d",
+                   {slope[axis.index]},
+                   from_words(
+                       fmt::format("what {} grows by to {}, the same over the whole triangle",
+                                   is_divided ? u + "/z" : u, next))},
+                  coordinate(axis),
+                  {"e",
+                   {weight_slope},
+                   from_words(is_divided ? "what 1/z grows by to " + next : "no weight changes")},
+                  {"w",
+                   {report_.weight},
+                   is_divided ? from_formula("zinv") : from_words("affine values have no weight")}},
+                 {side[axis.index]}});
+        }
+        formulas_.push_back(
+            {"texture." + name,
+             name,
+             fmt::format("How far a pixel reaches to {}, in texels of the texture.", next),
+             "sqrt(du · width · (du · width) + dv · height · (dv · height))",
+             {{"du", {side.x}, from_formula(fmt::format("texture.{}.u", name))},
+              whole_input("width", base.width, "width of the texture, texels"),
+              {"dv", {side.y}, from_formula(fmt::format("texture.{}.v", name))},
+              whole_input("height", base.height, "height of the texture, texels")},
+             {length}});
+    }
+
+    void add_level() {
+        formulas_.push_back(
+            {"texture.level",
+             "level",
+             "The level of the mip chain whose texels are as large as the pixel: each is half as "
+             "wide and high as the one before.",
+             "min(log2(max(1, max(right, down))), last)",
+             {{"right", {report_.right}, from_formula("texture.right")},
+              {"down", {report_.down}, from_formula("texture.down")},
+              whole_input("last", report_.surface.texture->last_level(),
+                          "the last level, of one texel")},
+             {report_.level}});
+    }
+
+    /// The number of a texel once it is wrapped, as an expression of `texel`.
+    std::string wrapped(const std::string& texel) const {
+        switch (frame_.settings.texture_wrap) {
+        case TextureWrap::repeat:
+            break;
+        case TextureWrap::clamp:
+            return fmt::format("clamp({}, 0, n − 1)", texel);
+        case TextureWrap::mirror:
+            return fmt::format("min(wrap({0}, 2 · n), 2 · n − 1 − wrap({0}, 2 · n))", texel);
+        }
+        return fmt::format("wrap({}, n)", texel);
+    }
+
+    /// @param offset from the texel before the place: 0 or 1; -1: the texel in which it lies
+    void add_line(int number, const TextureAxis& axis, int offset) {
+        const TakenTexel& texel = report_.taken.list[static_cast<std::size_t>(number)];
+        const TextureLevel& level =
+            report_.surface.texture->levels[static_cast<std::size_t>(texel.level)];
+        const int count = size_of(level, axis);
+        const std::string x = axis.place;
+        const std::string id = offset < 0 ? "texture." + x : level_id(texel.level, x);
+        const std::string place = offset < 0    ? fmt::format("floor({})", x)
+                                  : offset == 0 ? fmt::format("floor({} − 1/2)", x)
+                                                : fmt::format("(floor({} − 1/2) + 1)", x);
+        formulas_.push_back(
+            {texel_id(number, axis.line),
+             fmt::format("{} of texel {}", axis.line, number),
+             offset < 0 ? "The texel in which the place lies, wrapped at the borders."
+                        : "A texel whose centre stands next to the place, wrapped at the borders.",
+             wrapped(place),
+             {{x, {among_texels(report_.place.texcoord[axis.index], count)}, from_formula(id)},
+              whole_input("n", count, fmt::format("{} of the level, texels", axis.count))},
+             {static_cast<float>(line_of(texel, axis)), true}});
+    }
+
+    void add_nearest() {
+        for (const TextureAxis& axis : texture_axes)
+            add_line(0, axis, -1);
+        formulas_.push_back({texel_id(0, "weight"),
+                             "weight of texel 0",
+                             "One texel alone colours the pixel.",
+                             "1",
+                             {},
+                             {1.0f, true}});
+    }
+
+    /// How far the place lies beyond the centre of the texel before it.
+    float beyond_centre(int level, const TextureAxis& axis) const {
+        const TextureLevel& texels =
+            report_.surface.texture->levels[static_cast<std::size_t>(level)];
+        const float place =
+            among_texels(report_.place.texcoord[axis.index], size_of(texels, axis)) - 0.5f;
+        return place - std::floor(place);
+    }
+
+    void add_texels() {
+        int before = -1;
+        for (int k = 0; k < report_.taken.count; ++k) {
+            const TakenTexel& texel = report_.taken.list[static_cast<std::size_t>(k)];
+            if (texel.level != before) add_place_in_level(texel.level);
+            before = texel.level;
+            // From left to right, then the row below.
+            add_line(k, texture_axes[0], k % 2);
+            add_line(k, texture_axes[1], k / 2 % 2);
+            add_weight(k);
+        }
+    }
+
+    void add_place_in_level(int level) {
+        const TextureLevel& texels =
+            report_.surface.texture->levels[static_cast<std::size_t>(level)];
+        for (const TextureAxis& axis : texture_axes) {
+            const std::string x = axis.place;
+            add_place(level_id(level, x), axis, texels, fmt::format("level {}", level));
+            formulas_.push_back(
+                {level_id(level, "f" + x),
+                 "f" + x,
+                 "How far the place lies beyond the centre of the texel before it: 0 is that "
+                 "centre, 1 the next.",
+                 fmt::format("{0} − 1/2 − floor({0} − 1/2)", x),
+                 {{x,
+                   {among_texels(report_.place.texcoord[axis.index], size_of(texels, axis))},
+                   from_formula(level_id(level, x))}},
+                 {beyond_centre(level, axis)}});
+        }
+    }
+
+    void add_weight(int number) {
+        const TakenTexel& texel = report_.taken.list[static_cast<std::size_t>(number)];
+        const bool is_right = number % 2 == 1, is_below = number / 2 % 2 == 1;
+        Formula formula{
+            texel_id(number, "weight"),
+            fmt::format("weight of texel {}", number),
+            "How near the place is to the texel's centre, along both directions.",
+            fmt::format("{} · {}", is_right ? "fx" : "(1 − fx)", is_below ? "fy" : "(1 − fy)"),
+            {{"fx",
+              {beyond_centre(texel.level, texture_axes[0])},
+              from_formula(level_id(texel.level, "fx"))},
+             {"fy",
+              {beyond_centre(texel.level, texture_axes[1])},
+              from_formula(level_id(texel.level, "fy"))}},
+            {texel.weight}};
+        if (frame_.settings.texture_filter == TextureFilter::trilinear) {
+            formula.help += " Times the share of its level: how near that is to the level wanted.";
+            const bool is_first = number < 4;
+            formula.expression +=
+                is_first ? " · (1 − (level − floor(level)))" : " · (level − floor(level))";
+            formula.inputs.push_back({"level", {report_.level}, from_formula("texture.level")});
+        }
+        formulas_.push_back(formula);
+    }
+
+    void add_colour(int channel) {
+        const std::string name = channel_names[static_cast<std::size_t>(channel)];
+        Formula mean{"texture." + name,
+                     "texture's " + name,
+                     "The texels that were taken, each by its weight.",
+                     "",
+                     {},
+                     {report_.colour[channel]}};
+        for (int k = 0; k < report_.taken.count; ++k) {
+            const TakenTexel& texel = report_.taken.list[static_cast<std::size_t>(k)];
+            const std::string colour = fmt::format("c{}", k), weight = fmt::format("w{}", k);
+            mean.expression += fmt::format("{}{} · {}", k > 0 ? " + " : "", colour, weight);
+            mean.inputs.push_back(
+                {colour,
+                 {texel.colour[channel]},
+                 from_words(fmt::format("{} of the texel in column {}, row {} of level {}", name,
+                                        texel.column, texel.row, texel.level))});
+            mean.inputs.push_back({weight, {texel.weight}, from_formula(texel_id(k, "weight"))});
+        }
+        formulas_.push_back(mean);
+        const float reflectance = report_.reflectance[channel];
+        formulas_.push_back({"surface." + name,
+                             "surface's " + name,
+                             "The reflectance of the surface, painted by its texture.",
+                             "ρ · t",
+                             {{"ρ", {reflectance}, reflectance_source(channel, name)},
+                              {"t", {report_.colour[channel]}, from_formula("texture." + name)}},
+                             {reflectance * report_.colour[channel]}});
+    }
+
+    /// Where the colour of the surface itself comes from.
+    Source reflectance_source(int channel, const std::string& name) const {
+        if (!report_.surface.differences.colours)
+            return from_vertex(triangle_, 0, "reflectance." + name);
+        const std::string id =
+            formula_id(quantity_of(&Varyings::colour, channel), frame_.settings.interpolation);
+        return find_formula(formulas_, id) != nullptr
+                   ? from_formula(id)
+                   : from_words("the colours of the vertices, interpolated");
+    }
+
+    const TextureReport& report_;
+    const Frame& frame_;
+    int triangle_;
+    std::array<std::string, 2> coordinate_ids_;
+    std::vector<Formula>& formulas_;
+};
+
+} // namespace
+
+const TakenTexel& TextureReport::heaviest() const {
+    return *std::max_element(
+        taken.begin(), taken.end(),
+        [](const TakenTexel& a, const TakenTexel& b) { return a.weight < b.weight; });
+}
+
+std::optional<TextureReport> texture_report(const Frame& frame, int triangle,
+                                            const Fragment& fragment) {
+    TextureReport report;
+    report.surface = surface_of(frame, triangle);
+    if (report.surface.texture == nullptr) return std::nullopt;
+    const Texture& texture = *report.surface.texture;
+    report.weight = frame.stages.varying_weight(fragment.inv_w);
+    report.place = place_in_texture(fragment, report.surface, frame.stages);
+    report.reflectance = report.surface.differences.colours
+                             ? fragment.varyings.colour / report.weight
+                             : report.surface.reflectance;
+    report.right = side_in_texels(report.place.footprint.right, texture.base());
+    report.down = side_in_texels(report.place.footprint.down, texture.base());
+    report.level = texture_level(report.place.footprint, texture);
+    report.colour = frame.stages.sample_texture(texture, report.place, frame.stages, &report.taken);
+    return report;
+}
+
+std::optional<TextureReport> texture_report(const Frame& frame, const Cursor& cursor) {
+    const bool is_fragment = cursor.phase == Phase::rows && cursor.triangle >= 0 &&
+                             cursor.triangle < frame.triangle_count() &&
+                             frame.is_drawn(cursor.triangle);
+    if (!is_textured(frame) || !is_fragment) return std::nullopt;
+    const std::optional<CarriedRow> row = carried_row(frame, cursor.triangle, cursor.index);
+    if (!row || cursor.step < 0 || cursor.step >= row->count) return std::nullopt;
+    return texture_report(frame, cursor.triangle,
+                          row->at(frame.settings.interpolation, cursor.step));
+}
+
+void append_texture_formulas(const TextureReport& report, const Frame& frame, int triangle,
+                             const std::string& u_id, const std::string& v_id,
+                             std::vector<Formula>& formulas) {
+    TextureFormulas(report, frame, triangle, {u_id, v_id}, formulas).append();
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "base/toml_input.h"
+#include "scene/scene.h"
+
+namespace rasterwalk {
+
+/// The places of a triangle's corners in a texture, in the order of its corners.
+using CornerTexcoords = std::array<glm::vec2, triangle_corners>;
+
+/// Reads the textures that the parts of a scene name: each file once.
+class TextureReader {
+  public:
+    /// @param scene_path the scene's file, from whose folder the names count
+    /// @param textures   receives them, and must live as long
+    TextureReader(const std::string& scene_path, std::vector<Texture>& textures);
+
+    /// The index of the texture that a part names; -1 if it names none. Throws InputError at the
+    /// line of the name for a file that does not lie beside the scene or in a folder below, cannot
+    /// be read, is no PNG, or is too large.
+    int read(const TomlInput& part);
+
+  private:
+    std::string folder_;
+    std::vector<Texture>& textures_;
+    std::map<std::string, int> known_;
+    std::size_t texels_ = 0;
+};
+
+/// The list `texcoords` of a part: for each of its triangles u and v of every corner,
+/// [[0, 0], [1, 0], [1, 1]]. Empty where the part has no texture. Throws InputError if a part has
+/// only one of the two, or for another number of triangles.
+std::vector<CornerTexcoords> read_texcoords(const TomlInput& part, std::size_t triangle_count);
+
+} // namespace rasterwalk

@@ -1,0 +1,60 @@
+#pragma once
+
+// Textures: pictures that are laid on surfaces, each with its mip chain.
+//
+// In:  a picture, 8 bits a channel.
+// Out: its levels: the picture itself, the same at half the size, at a quarter, down to one texel.
+// Picture: the same photograph, printed smaller and smaller. Each texel of a print is the mean of
+//          what it covers of the print before.
+//
+// The classic mistake is to make a level by leaving out every second texel: a checkerboard of
+// single texels is then black all over, where its mean is grey.
+//
+// Source: L. Williams, "Pyramidal Parametrics", Computer Graphics 17(3), SIGGRAPH 1983. How large
+// the levels are: The OpenGL Graphics System, version 4.6 (core profile), section 8.14.3.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "base/image.h"
+
+namespace rasterwalk {
+
+/// A picture of texels, row by row from the top.
+struct TextureLevel {
+    int width = 0;                 ///< texels, at least 1
+    int height = 0;                ///< likewise
+    std::vector<glm::vec3> texels; ///< red green blue, 0..1
+
+    /// @param column 0 <= column < width
+    /// @param row    0 <= row < height
+    const glm::vec3& at(int column, int row) const {
+        return texels[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+                      static_cast<std::size_t>(column)];
+    }
+
+    friend bool operator==(const TextureLevel&, const TextureLevel&) = default;
+};
+
+/// A picture with its mip chain. u runs from its left side to the right, 0..1, and v from its top
+/// to its bottom, as rows do.
+struct Texture {
+    std::string name; ///< of the file, as the scene says it
+    /// The picture itself, and each level half as wide and high as the one before, rounded down
+    /// and at least 1; the last one has one texel. Never empty.
+    std::vector<TextureLevel> levels;
+
+    const TextureLevel& base() const { return levels.front(); }
+    int last_level() const { return static_cast<int>(levels.size()) - 1; }
+
+    friend bool operator==(const Texture&, const Texture&) = default;
+};
+
+/// The texture of a picture that has pixels. A byte b becomes b / 255, as bytes of the picture that
+/// is drawn come from 255 c; opacity is not looked at.
+Texture make_texture(std::string name, const Image& image);
+
+} // namespace rasterwalk

@@ -1,0 +1,117 @@
+#include "stages/texture_lookup.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stages/stage_table.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// What is left of a texel's number when whole lines are taken away, from 0 on.
+int rest_from_zero(int texel, int count) {
+    const int rest = texel % count;
+    return rest < 0 ? rest + count : rest;
+}
+
+/// Two texels side by side, and how much the second counts.
+struct TexelPair {
+    int first, second;
+    float share;
+};
+
+/// The two between whose centres a coordinate lies.
+TexelPair pair_round(float coordinate, int count, const Stages& stages) {
+    const float from_centre = among_texels(coordinate, count) - 0.5f;
+    const float before = std::floor(from_centre);
+    const int texel = static_cast<int>(before);
+    return {stages.wrap_texel(texel, count), stages.wrap_texel(texel + 1, count),
+            from_centre - before};
+}
+
+/// Adds the four texels of one level round a place to a colour.
+/// @param share of the level
+void add_four(const Texture& texture, int level, const glm::vec2& texcoord, float share,
+              const Stages& stages, glm::vec3& colour, TakenTexels* taken) {
+    const TextureLevel& texels = texture.levels[static_cast<std::size_t>(level)];
+    const TexelPair x = pair_round(texcoord.x, texels.width, stages);
+    const TexelPair y = pair_round(texcoord.y, texels.height, stages);
+    const auto add = [&](int column, int row, float weight) {
+        const glm::vec3& texel = texels.at(column, row);
+        colour += texel * weight;
+        if (taken != nullptr) taken->add({level, column, row, weight, texel});
+    };
+    add(x.first, y.first, (1.0f - x.share) * (1.0f - y.share) * share);
+    add(x.second, y.first, x.share * (1.0f - y.share) * share);
+    add(x.first, y.second, (1.0f - x.share) * y.share * share);
+    add(x.second, y.second, x.share * y.share * share);
+}
+
+} // namespace
+
+int wrap_repeat(int texel, int count) {
+    return rest_from_zero(texel, count);
+}
+
+int wrap_clamp(int texel, int count) {
+    return std::clamp(texel, 0, count - 1);
+}
+
+int wrap_mirror(int texel, int count) {
+    const int rest = rest_from_zero(texel, 2 * count);
+    return rest < count ? rest : 2 * count - 1 - rest;
+}
+
+float among_texels(float coordinate, int count) {
+    constexpr float largest = 0x1p30f;
+    const float place = coordinate * static_cast<float>(count);
+    return std::abs(place) < largest ? place : 0.0f;
+}
+
+glm::vec3 sample_nearest(const Texture& texture, const TexturePlace& place, const Stages& stages,
+                         TakenTexels* taken) {
+    const TextureLevel& texels = texture.base();
+    const auto texel_at = [&stages](float coordinate, int count) {
+        return stages.wrap_texel(static_cast<int>(std::floor(among_texels(coordinate, count))),
+                                 count);
+    };
+    const int column = texel_at(place.texcoord.x, texels.width);
+    const int row = texel_at(place.texcoord.y, texels.height);
+    const glm::vec3& colour = texels.at(column, row);
+    if (taken != nullptr) taken->add({0, column, row, 1.0f, colour});
+    return colour;
+}
+
+glm::vec3 sample_bilinear(const Texture& texture, const TexturePlace& place, const Stages& stages,
+                          TakenTexels* taken) {
+    glm::vec3 colour(0.0f);
+    add_four(texture, 0, place.texcoord, 1.0f, stages, colour, taken);
+    return colour;
+}
+
+glm::vec3 sample_mipmap(const Texture& texture, const TexturePlace& place, const Stages& stages,
+                        TakenTexels* taken) {
+    glm::vec3 colour(0.0f);
+    add_four(texture, nearest_level(texture_level(place.footprint, texture)), place.texcoord, 1.0f,
+             stages, colour, taken);
+    return colour;
+}
+
+glm::vec3 sample_trilinear(const Texture& texture, const TexturePlace& place, const Stages& stages,
+                           TakenTexels* taken) {
+    const float level = texture_level(place.footprint, texture);
+    const int first = static_cast<int>(level);
+    const float share = level - static_cast<float>(first);
+    glm::vec3 colour(0.0f);
+    add_four(texture, first, place.texcoord, 1.0f - share, stages, colour, taken);
+    if (first < texture.last_level())
+        add_four(texture, first + 1, place.texcoord, share, stages, colour, taken);
+    return colour;
+}
+
+int nearest_level(float level) {
+    return std::max(static_cast<int>(std::ceil(level + 0.5f)) - 1, 0);
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,111 @@
+#pragma once
+
+// Texture lookup: which texels colour a fragment, and how much each of them counts.
+//
+// In:  a place in a texture, u from the left and v from the top, and the footprint of the pixel.
+// Out: a colour: one texel, or the mean of four, or of eight, by their weights.
+// Picture: a texture of n texels is n squares side by side, and a texel is the colour in the middle
+//          of its square: its centre lies at (i + 1/2) / n.
+//
+// Nearest takes the texel in whose square the place lies. Bilinear takes the four whose centres
+// stand round it, each by how near it is along both axes; that is right while a pixel is not larger
+// than a texel. Where it is larger, most texels would be passed over and the picture glitters; so
+// the mip chain holds smaller pictures, and the level is taken whose texels are about as large as
+// the pixel. Mipmap takes the nearest level, which shows a seam where the next one begins;
+// trilinear mixes the two levels between which the footprint lies.
+//
+// Beyond the texture the wrap says which texel stands there: the texture again, its border on and
+// on, or its mirror image.
+//
+// The classic mistakes: centres at i / n, so that bilinear moves the texture by half a texel; v
+// from the bottom where the rows begin at the top; wrapping u instead of the texel's number, so
+// that the last texel does not mix with the first.
+//
+// Source: The OpenGL Graphics System, version 4.6 (core profile), sections 8.14.2, coordinate
+// wrapping and texel selection, and 8.14.3, mipmapping; L. Williams, "Pyramidal Parametrics",
+// Computer Graphics 17(3), SIGGRAPH 1983, on trilinear.
+
+#include <array>
+#include <cstdint>
+
+#include <glm/vec3.hpp>
+
+#include "base/enum_words.h"
+#include "stages/texture_level.h"
+
+namespace rasterwalk {
+
+/// Do surfaces show the textures that the scene gives them?
+enum class TextureUse : std::uint8_t { on, off };
+template <>
+inline constexpr auto enum_words<TextureUse> = word_list("on", "off");
+static_assert(words_match<TextureUse>);
+
+/// Which texels colour a fragment.
+enum class TextureFilter : std::uint8_t {
+    nearest,   ///< the one in which it lies
+    bilinear,  ///< the four round it
+    mipmap,    ///< the four round it, of the level nearest to its footprint
+    trilinear, ///< the four round it of each of the two levels next to its footprint
+};
+template <>
+inline constexpr auto enum_words<TextureFilter> = word_list("nearest", "bilinear", "mipmap",
+                                                            "trilinear");
+static_assert(words_match<TextureFilter>);
+
+/// What lies beyond the borders of a texture.
+enum class TextureWrap : std::uint8_t {
+    repeat, ///< the texture again
+    clamp,  ///< the texels of its border
+    mirror, ///< the texture again, every second time turned round
+};
+template <>
+inline constexpr auto enum_words<TextureWrap> = word_list("repeat", "clamp", "mirror");
+static_assert(words_match<TextureWrap>);
+
+/// A texel that a fragment took.
+struct TakenTexel {
+    int level = 0;
+    int column = 0, row = 0; ///< in the level
+    float weight = 0.0f;     ///< 0..1; those of all that a fragment takes add up to 1
+    glm::vec3 colour{0.0f};
+
+    friend bool operator==(const TakenTexel&, const TakenTexel&) = default;
+};
+
+/// The texels that a fragment took, in the order in which their colours were added.
+struct TakenTexels {
+    std::array<TakenTexel, 8> list;
+    int count = 0;
+
+    void add(const TakenTexel& texel) { list[static_cast<std::size_t>(count++)] = texel; }
+    const TakenTexel* begin() const { return list.data(); }
+    const TakenTexel* end() const { return list.data() + count; }
+};
+
+/// The number of the texel that stands in place `texel` of a line of `count` texels, count > 0:
+/// from 0 on for every texel, also below 0 and beyond the last.
+int wrap_repeat(int texel, int count);
+int wrap_clamp(int texel, int count);
+int wrap_mirror(int texel, int count);
+
+/// Where a texture coordinate lies among `count` texels: texel i goes from i to i + 1. What is no
+/// number, or too large to be counted, lies at 0.
+float among_texels(float coordinate, int count);
+
+/// The colour of a texture at a place.
+/// @param stages the table whose function wraps
+/// @param taken  receives the texels, or null
+glm::vec3 sample_nearest(const Texture& texture, const TexturePlace& place, const Stages& stages,
+                         TakenTexels* taken);
+glm::vec3 sample_bilinear(const Texture& texture, const TexturePlace& place, const Stages& stages,
+                          TakenTexels* taken);
+glm::vec3 sample_mipmap(const Texture& texture, const TexturePlace& place, const Stages& stages,
+                        TakenTexels* taken);
+glm::vec3 sample_trilinear(const Texture& texture, const TexturePlace& place, const Stages& stages,
+                           TakenTexels* taken);
+
+/// The level nearest to one between levels; half-way the larger picture, as OpenGL takes it.
+int nearest_level(float level);
+
+} // namespace rasterwalk

@@ -1,0 +1,90 @@
+// The textures that come with the program, made by number: no picture of anyone else's. With
+// RASTERWALK_BLESS=1 in the environment this test writes them into lessons/scenes/textures instead
+// of comparing.
+
+#include <catch2/catch.hpp>
+
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "base/image.h"
+#include "session/content.h"
+
+using namespace rasterwalk;
+
+namespace {
+
+struct Rgb {
+    int red, green, blue;
+};
+
+Image painted(int width, int height, const std::function<Rgb(int, int)>& colour_at) {
+    Image image{width, height, {}};
+    for (int row = 0; row < height; ++row) {
+        for (int column = 0; column < width; ++column) {
+            const Rgb colour = colour_at(column, row);
+            for (const int channel : {colour.red, colour.green, colour.blue, 255})
+                image.rgba.push_back(static_cast<std::uint8_t>(channel));
+        }
+    }
+    return image;
+}
+
+constexpr Rgb light{235, 232, 222}, dark{44, 66, 110};
+
+/// A square a texel; the top left one is light.
+Image checkerboard() {
+    return painted(8, 8, [](int x, int y) { return (x + y) % 2 == 0 ? light : dark; });
+}
+
+/// Nothing in it is the same turned or mirrored: an arrow up, and a corner of each colour.
+Image corners() {
+    return painted(16, 16, [](int x, int y) {
+        const bool is_left = x<5, is_right = x> 10, is_top = y<5, is_bottom = y> 10;
+        if (is_top && is_left) return Rgb{200, 60, 50};
+        if (is_top && is_right) return Rgb{230, 180, 40};
+        if (is_bottom && is_left) return Rgb{60, 150, 80};
+        if (is_bottom && is_right) return Rgb{60, 110, 190};
+        const int from_middle = x < 8 ? 7 - x : x - 8;
+        const bool is_head = y >= 2 && y < 7 && from_middle <= y - 2;
+        const bool is_shaft = y >= 7 && y < 14 && from_middle < 1;
+        return is_head || is_shaft ? dark : light;
+    });
+}
+
+/// Rows of bricks, each moved by half a brick against the row above, with mortar between them.
+Image bricks() {
+    return painted(32, 32, [](int x, int y) {
+        const int course = y / 8;
+        const int along = (x + (course % 2) * 8) % 32;
+        if (y % 8 == 7 || along % 16 == 15) return Rgb{196, 190, 178};
+        const int shade = (course * 5 + along / 16 * 3) % 4 * 9;    // of the whole brick
+        const int grain = (x * 13 + y * 7 + x * y % 5 * 3) % 5 * 4; // of the texel
+        return Rgb{150 + shade + grain, 66 + shade / 2 + grain, 50 + grain};
+    });
+}
+
+} // namespace
+
+TEST_CASE("The textures of the lessons are those that are made here") {
+    const std::filesystem::path folder =
+        std::filesystem::path(lessons_folder()) / "scenes/textures";
+    const std::vector<std::pair<std::string, Image>> made{
+        {"checkerboard.png", checkerboard()}, {"corners.png", corners()}, {"bricks.png", bricks()}};
+    const bool writes = std::getenv("RASTERWALK_BLESS") != nullptr;
+    if (writes) std::filesystem::create_directories(folder);
+    for (const auto& [name, image] : made) {
+        const std::string path = (folder / name).string();
+        if (writes) write_png(image, path);
+        INFO(path);
+        CHECK(read_image(path) == image);
+        CHECK(std::filesystem::file_size(path) < 4096);
+    }
+    std::size_t files = 0;
+    for (const auto& file : std::filesystem::directory_iterator(folder))
+        files += file.path().extension() == ".png" ? 1 : 0;
+    CHECK(files == made.size());
+}
