@@ -243,10 +243,37 @@ void place_in_world(const TomlInput& part, const toml::node& node, const glm::dm
                             "meet, or lie on one line.");
 }
 
-/// The triangle's corners, with its own normal.
+/// The places of points that are named one after the other.
+std::vector<glm::vec3> read_named_points(const TomlInput& part, const toml::node& node,
+                                         const std::vector<std::string>& names,
+                                         const PointSets::value_type& set) {
+    std::vector<glm::vec3> places;
+    for (const std::string& name : names) {
+        const auto found = set.second.find(name);
+        if (found == set.second.end()) {
+            part.fail(node,
+                      "there is no point '" + name + "' in the point set '" + set.first + "'.");
+        }
+        places.push_back(found->second);
+    }
+    return places;
+}
+
+/// The corners of a triangle, with its own normal.
+std::array<Vertex, triangle_corners> triangle_of(const glm::vec3& a, const glm::vec3& b,
+                                                 const glm::vec3& c) {
+    std::array<Vertex, triangle_corners> corners;
+    corners[0].position = a;
+    corners[1].position = b;
+    corners[2].position = c;
+    const glm::vec3 normal = face_normal(a, b, c);
+    for (Vertex& corner : corners)
+        corner.normal = normal;
+    return corners;
+}
+
 std::array<Vertex, triangle_corners> read_triangle(const TomlInput& part, const toml::node& node,
-                                                   const PointSet& points,
-                                                   const std::string& set_name) {
+                                                   const PointSets::value_type& set) {
     const auto* text = node.as_string();
     if (text == nullptr) part.fail(node, "a triangle is the names of three points: \"A B C\".");
     const std::vector<std::string> names = split_words(text->get());
@@ -254,24 +281,31 @@ std::array<Vertex, triangle_corners> read_triangle(const TomlInput& part, const 
         part.fail(node, "a triangle has three points, and '" + text->get() + "' names " +
                             std::to_string(names.size()) + ".");
     }
-    std::array<Vertex, triangle_corners> corners;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const auto found = points.find(names[i]);
-        if (found == points.end()) {
-            part.fail(node,
-                      "there is no point '" + names[i] + "' in the point set '" + set_name + "'.");
-        }
-        corners[i].position = found->second;
+    const std::vector<glm::vec3> places = read_named_points(part, node, names, set);
+    return triangle_of(places[0], places[1], places[2]);
+}
+
+/// The corners of a polygon, in order.
+std::vector<glm::vec3> read_polygon(const TomlInput& part, const toml::node& node,
+                                    const PointSets::value_type& set) {
+    const auto* text = node.as_string();
+    if (text == nullptr)
+        part.fail(node, "a polygon is the names of its points in order: \"A B C D E\".");
+    const std::vector<std::string> names = split_words(text->get());
+    if (names.size() <= triangle_corners || names.size() > most_scene_corners) {
+        part.fail(node, "a polygon has from four to " + std::to_string(most_scene_corners) +
+                            " points, and this one names " + std::to_string(names.size()) + ".");
     }
-    const glm::vec3 normal =
-        face_normal(corners[0].position, corners[1].position, corners[2].position);
-    for (Vertex& corner : corners)
-        corner.normal = normal;
-    return corners;
+    return read_named_points(part, node, names, set);
+}
+
+void check_triangle_count(const TomlInput& input, const toml::node& node, std::size_t count) {
+    if (count <= static_cast<std::size_t>(max_triangles)) return;
+    input.fail(node, "the scene has more than " + std::to_string(max_triangles) + " triangles.");
 }
 
 void read_part(const TomlInput& input, const PointSets& sets, VertexJoin& vertices, Scene& scene) {
-    input.allow_only({"name", "points", "reflectance", "triangles", "model"});
+    input.allow_only({"name", "points", "reflectance", "triangles", "polygons", "model"});
     const std::string set_name = input.text("points");
     const auto set = sets.find(set_name);
     if (set == sets.end()) {
@@ -279,23 +313,14 @@ void read_part(const TomlInput& input, const PointSets& sets, VertexJoin& vertic
     }
     glm::vec3 reflectance(1.0f);
     input.read_colour("reflectance", reflectance, 0.0f, 1.0f);
-    const toml::array& triangles = input.list("triangles");
-    if (triangles.empty()) input.fail(triangles, input.what() + " has no triangles.");
-    if (triangles.size() + scene.mesh.triangles().size() >
-        static_cast<std::size_t>(max_triangles)) {
-        input.fail(triangles,
-                   "the scene has more than " + std::to_string(max_triangles) + " triangles.");
-    }
     Model model{read_model(input, scene.space), {}};
     const glm::dmat4 matrix = model_matrix(model.steps);
     const bool is_turned_round = is_mirrored(matrix);
     const std::string name = input.text("name");
     const int first = scene.triangle_count();
-    for (const toml::node& node : triangles) {
+    const auto add = [&](const toml::node& node, std::array<Vertex, triangle_corners> corners) {
         TriangleIndices indices{};
         auto index = indices.begin();
-        std::array<Vertex, triangle_corners> corners =
-            read_triangle(input, node, set->second, set_name);
         // In a mirror clockwise is counterclockwise. The front of a triangle is where its corners
         // go round clockwise, for its normal and on the screen alike; so they change places here,
         // once, before anyone reads an order from them.
@@ -310,8 +335,30 @@ void read_part(const TomlInput& input, const PointSets& sets, VertexJoin& vertic
             *index++ = vertices.index_of(corner);
         }
         scene.mesh.add_triangle(indices);
+    };
+    const toml::node* const polygons = input.find("polygons");
+    if (polygons == nullptr || input.find("triangles") != nullptr) {
+        const toml::array& triangles = input.list("triangles");
+        if (triangles.empty()) input.fail(triangles, input.what() + " has no triangles.");
+        check_triangle_count(input, triangles, triangles.size() + scene.mesh.triangles().size());
+        for (const toml::node& node : triangles)
+            add(node, read_triangle(input, node, *set));
     }
-    scene.parts.push_back({name, first, static_cast<int>(triangles.size()), std::move(model)});
+    if (polygons != nullptr) {
+        const toml::array& list = input.list("polygons");
+        if (scene.space != SceneSpace::pixels)
+            input.fail(list, "polygons belong to a scene with space = \"pixels\".");
+        if (list.empty()) input.fail(list, input.what() + " has no polygons.");
+        for (const toml::node& node : list) {
+            const std::vector<glm::vec3> corners = read_polygon(input, node, *set);
+            const int count = static_cast<int>(corners.size()) - 2;
+            check_triangle_count(input, node, corners.size() - 2 + scene.mesh.triangles().size());
+            scene.polygons.push_back({scene.triangle_count(), count});
+            for (std::size_t last = 2; last < corners.size(); ++last)
+                add(node, triangle_of(corners[0], corners[last - 1], corners[last]));
+        }
+    }
+    scene.parts.push_back({name, first, scene.triangle_count() - first, std::move(model)});
 }
 
 void read_example(const TomlInput& input, Scene& scene) {
