@@ -13,6 +13,9 @@ inline constexpr int largest_viewport = 4096;
 /// The largest triangle count of a scene.
 inline constexpr int max_triangles = 1'000'000;
 
+/// The most corners of a polygon of a scene.
+inline constexpr std::size_t most_scene_corners = 100;
+
 /// The largest text file that is read, bytes.
 inline constexpr std::size_t largest_text_file = std::size_t{64} << 20;
 

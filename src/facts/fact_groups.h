@@ -24,6 +24,8 @@ void add_frame_facts(std::vector<Fact>& table);
 void add_side_facts(std::vector<Fact>& table);
 /// What clipping and culling do to it.
 void add_clip_facts(std::vector<Fact>& table);
+/// The polygon of the scene that it belongs to.
+void add_outline_facts(std::vector<Fact>& table);
 /// Its selected vertex.
 void add_vertex_facts(std::vector<Fact>& table);
 

@@ -21,6 +21,7 @@ std::span<const Fact> fact_table() {
         add_frame_facts(facts);
         add_pixel_facts(facts);
         add_clip_facts(facts);
+        add_outline_facts(facts);
         add_table_facts(facts);
         add_vertex_facts(facts);
         add_compare_facts(facts);

@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 
 #include "inspect/carried_row.h"
+#include "picture/pixel_facts.h"
 #include "pipeline/surface.h"
 #include "stages/pixel_shader.h"
 
@@ -81,10 +82,31 @@ const ClipHistory* Facts::clip() const {
     return &*known.clip;
 }
 
+const PolygonWays* Facts::outline() const {
+    const std::optional<int>& triangle = results_->a.triangle;
+    if (!triangle) return nullptr;
+    FactCache& known = cache();
+    if (known.outline_triangle != triangle) {
+        known.outline = polygon_ways(results_->a.frame, *triangle);
+        known.outline_triangle = triangle;
+    }
+    return known.outline ? &*known.outline : nullptr;
+}
+
 const EdgeEnds& Facts::edge_ends() const {
     FactCache& known = cache();
     if (!known.edge_ends) known.edge_ends = count_edge_ends(results_->a.frame);
     return *known.edge_ends;
+}
+
+std::int64_t Facts::drawn_twice() const {
+    FactCache& known = cache();
+    if (!known.drawn_twice) {
+        const PixelFacts pixels = pixel_facts(results_->a.frame, cursor_end, {.drawn_twice = true});
+        known.drawn_twice = std::count_if(pixels.drawn_twice.begin(), pixels.drawn_twice.end(),
+                                          [](const DrawnTwice& pair) { return bool(pair); });
+    }
+    return *known.drawn_twice;
 }
 
 /// Forgets what was counted with another frame of run B.

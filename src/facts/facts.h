@@ -15,6 +15,7 @@
 #include "inspect/clip_history.h"
 #include "inspect/edge_lines.h"
 #include "inspect/pixel_tests.h"
+#include "inspect/polygon_ways.h"
 #include "inspect/row_history.h"
 #include "inspect/stats.h"
 #include "session/results.h"
@@ -33,9 +34,12 @@ struct FactCache {
     std::uint64_t frame_number = 0;
     std::optional<FrameStats> frame;
     std::optional<ClipHistory> clip; ///< of the triangle that it names
+    std::optional<int> outline_triangle;
+    std::optional<PolygonWays> outline;
     std::optional<int> table_triangle;
     RowHistory table;
     std::optional<EdgeEnds> edge_ends;
+    std::optional<std::int64_t> drawn_twice;
     std::uint64_t samples_of = 0; ///< the frame of run B with which the next two were counted
     std::optional<std::int64_t> different_samples;
     std::optional<int> different_triangle;
@@ -66,8 +70,12 @@ class Facts {
     const FrameStats& frame_stats() const;
     /// What clipping and culling do to the triangle on show; null if there is none.
     const ClipHistory* clip() const;
+    /// The polygon of the scene that the triangle on show belongs to; null if there is none.
+    const PolygonWays* outline() const;
     /// Whether the edges of the frame arrive.
     const EdgeEnds& edge_ends() const;
+    /// Pixels that two neighbours of the frame have both drawn.
+    std::int64_t drawn_twice() const;
     /// Edge samples on another pixel in run B, of the whole frame and of an edge of the triangle on
     /// show; none without a second run, or without such an edge.
     std::optional<std::int64_t> different_samples() const;

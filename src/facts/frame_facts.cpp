@@ -195,6 +195,9 @@ void add_frame_facts(std::vector<Fact>& table) {
                    [](const FrameStats& s) { return number(s.fragments); });
     add_frame_fact(table, "frame.fragments_outside", "Fragments that fall beside the picture.",
                    [](const FrameStats& s) { return number(s.fragments_outside); });
+    add_frame_fact(table, "frame.pixels_tested",
+                   "Pixels of the picture that edge functions ask, one triangle after the other.",
+                   [](const FrameStats& s) { return number(s.pixels_tested); });
     add_frame_fact(table, "frame.shaded", "Fragments whose colour is worked out.",
                    [](const FrameStats& s) { return number(s.shaded); });
     add_frame_fact(table, "frame.clipped", "Triangles that clipping has cut.",
@@ -221,6 +224,10 @@ void add_frame_facts(std::vector<Fact>& table) {
                    [](const FrameStats& s) { return number(std::int64_t{s.max_overdraw}); });
     add_frame_fact(table, "frame.uncovered", "Pixels on which nothing falls.",
                    [](const FrameStats& s) { return number(s.uncovered); });
+    table.push_back({"frame.drawn_twice",
+                     "Pixels that two triangles with a common edge have both drawn, where neither "
+                     "is folded over the other.",
+                     natural(), [](const Facts& f, int) { return number(f.drawn_twice()); }});
     add_frame_fact(table, "frame.rows_outside",
                    "Edge samples that fall outside their triangle's row table.",
                    [](const FrameStats& s) { return number(s.rows_outside); });

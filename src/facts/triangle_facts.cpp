@@ -150,6 +150,31 @@ void add_clip_facts(std::vector<Fact>& table) {
                   [](const ClipHistory& c) { return number(c.cull.is_back ? 1 : 0); });
 }
 
+void add_outline_facts(std::vector<Fact>& table) {
+    const auto add = [&](const char* name, const char* help, ValueRange range, auto read) {
+        table.push_back({name, help, std::move(range), [](const Facts& f, int) {
+                             const PolygonWays* const ways = f.outline();
+                             return ways != nullptr ? decltype(read){}(*ways) : Value();
+                         }});
+    };
+    add("outline.corners", "Corners of the scene's polygon that the triangle on show belongs to.",
+        natural(), [](const PolygonWays& w) { return number(w.corners); });
+    add("outline.inside", "Pixels whose centres lie inside it, by the list of active edges.",
+        natural(), [](const PolygonWays& w) { return number(w.inside); });
+    add("outline.table", "Pixels of its row table, with one left and one right end a row.",
+        natural(), [](const PolygonWays& w) { return number(w.table); });
+    add("outline.wrong_rows", "Rows in which that table has pixels that lie outside.", natural(),
+        [](const PolygonWays& w) { return number(w.wrong_rows); });
+    add("outline.fan", "Pixels that a fan of triangles about its first corner covers.", natural(),
+        [](const PolygonWays& w) { return number(w.fan); });
+    add("outline.fan_laid", "The same, each as often as triangles of the fan cover it.", natural(),
+        [](const PolygonWays& w) { return number(w.fan_laid); });
+    add("outline.area", "Its area in square pixels.", real(0),
+        [](const PolygonWays& w) { return number(w.area); });
+    add("outline.fan_area", "The areas of the triangles of its fan, added up, in square pixels.",
+        real(0), [](const PolygonWays& w) { return number(w.fan_area); });
+}
+
 void add_vertex_facts(std::vector<Fact>& table) {
     const auto with_pixel = [](const Facts& f) {
         const ShadedVertex* const vertex = f.vertex();

@@ -21,7 +21,7 @@ struct CoverageRule {
     void (*apply)(Settings&);
 };
 
-constexpr std::array<CoverageRule, 17> coverage_rules{{
+constexpr std::array<CoverageRule, 18> coverage_rules{{
     {"rounding=truncate", [](Settings& s) { set_rounding(s, Rounding::truncate); }},
     {"rounding=floor", [](Settings& s) { set_rounding(s, Rounding::floor); }},
     {"rounding=round", [](Settings& s) { set_rounding(s, Rounding::round); }},
@@ -37,6 +37,7 @@ constexpr std::array<CoverageRule, 17> coverage_rules{{
     {"snap=subpixel", [](Settings& s) { s.snap = Snap::subpixel; }},
     // Of what can only be a mistake, the right way alone is worth a try.
     {"row_start=extreme", [](Settings& s) { s.row_start = RowStart::extreme; }},
+    {"pixel_sample=centre", [](Settings& s) { s.pixel_sample = PixelSample::centre; }},
     {"spans=inclusive", [](Settings& s) { s.spans = Spans::inclusive; }},
     {"outside_picture=kept", [](Settings& s) { s.outside_picture = OutsidePicture::kept; }},
     {"rotation=row_vector", [](Settings& s) { s.rotation = Rotation::row_vector; }},

@@ -55,4 +55,10 @@ int drawn_pixels_without_last(int pixel_count) {
     return pixel_count > 0 ? pixel_count - 1 : 0;
 }
 
+Weights weights_of_own_edges(const EdgeValues& e, std::int64_t area) {
+    const Weights right = barycentric_weights(e, area);
+    // Edge 0, which is opposite of corner 2, begins at corner 0.
+    return {right[2], right[0], right[1]};
+}
+
 } // namespace rasterwalk

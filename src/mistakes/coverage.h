@@ -1,8 +1,12 @@
 #pragma once
 
-// Mistakes in the slots of stages/edges.h, stages/polygon_rows.h and stages/spans.h.
+// Mistakes in the slots of stages/edges.h, stages/polygon_rows.h and stages/spans.h, and in those
+// of stages/fill_rule.h, stages/snap.h and stages/edge_functions.h.
 
+#include "stages/edge_functions.h"
+#include "stages/fill_rule.h"
 #include "stages/polygon_rows.h"
+#include "stages/snap.h"
 
 namespace rasterwalk {
 
@@ -39,5 +43,24 @@ int drawn_pixels_without_single(int pixel_count);
 
 /// B9, in the slot drawn_pixels: `<` for `<=`, all pixels of the row but the last.
 int drawn_pixels_without_last(int pixel_count);
+
+/// B40c, in the slot edge_owns_points: only left edges own their points. Level edges have no owner,
+/// so two polygons that share one leave a row between them where it runs through centres.
+constexpr bool owns_left_only(const EdgeDirection& edge) {
+    return edge.dy < 0;
+}
+
+/// B41, in the slot snap: pixels are asked at their upper left corner. It stands half a pixel to
+/// the left of the centre and above it; so the answer is that of the centre to a polygon that
+/// stands half a pixel further to the right and further down.
+template <GridPoint (*snap)(const ScreenVertex& vertex)>
+GridPoint snap_for_corners(const ScreenVertex& vertex) {
+    const GridPoint point = snap(vertex);
+    return {point.x + grid_parts / 2, point.y + grid_parts / 2};
+}
+
+/// B42, in the slot weights: each corner has the weight of the edge that begins at it, where it
+/// should have that of the opposite edge. The sum is 1 all the same.
+Weights weights_of_own_edges(const EdgeValues& e, std::int64_t area);
 
 } // namespace rasterwalk

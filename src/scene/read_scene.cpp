@@ -264,33 +264,101 @@ void place_in_world(const TomlInput& part, const toml::node& node, const glm::dm
                             "meet, or lie on one line.");
 }
 
-/// The triangle's corners, with its own normal.
-NamedCorners read_triangle(const TomlInput& part, const toml::node& node, const PointSet& points,
-                           const std::string& set_name) {
-    const auto* text = node.as_string();
-    if (text == nullptr) part.fail(node, "a triangle is the names of three points: \"A B C\".");
-    const std::vector<std::string> names = split_words(text->get());
-    if (names.size() != 3) {
-        part.fail(node, "a triangle has three points, and '" + text->get() + "' names " +
-                            std::to_string(names.size()) + ".");
+using NamedPoint = PointSet::value_type;
+
+/// The points that are named one after the other.
+std::vector<const NamedPoint*> read_named_points(const TomlInput& part, const toml::node& node,
+                                                 const std::vector<std::string>& names,
+                                                 const PointSets::value_type& set) {
+    std::vector<const NamedPoint*> points;
+    for (const std::string& name : names) {
+        const auto found = set.second.find(name);
+        if (found == set.second.end()) {
+            part.fail(node,
+                      "there is no point '" + name + "' in the point set '" + set.first + "'.");
+        }
+        points.push_back(&*found);
     }
+    return points;
+}
+
+/// A triangle's corners, with its own normal.
+NamedCorners triangle_of(const toml::node& written,
+                         const std::array<const NamedPoint*, triangle_corners>& points) {
     NamedCorners triangle;
+    triangle.written = &written;
     std::array<Vertex, triangle_corners>& corners = triangle.corners;
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        const auto found = points.find(names[i]);
-        if (found == points.end()) {
-            part.fail(node,
-                      "there is no point '" + names[i] + "' in the point set '" + set_name + "'.");
-        }
-        corners[i].position = found->second.place;
-        triangle.names[i] = &found->first;
-        triangle.numbers[i] = found->second.number;
+        corners[i].position = points[i]->second.place;
+        triangle.names[i] = &points[i]->first;
+        triangle.numbers[i] = points[i]->second.number;
     }
     const glm::vec3 normal =
         face_normal(corners[0].position, corners[1].position, corners[2].position);
     for (Vertex& corner : corners)
         corner.normal = normal;
     return triangle;
+}
+
+NamedCorners read_triangle(const TomlInput& part, const toml::node& node,
+                           const PointSets::value_type& set) {
+    const auto* text = node.as_string();
+    if (text == nullptr) part.fail(node, "a triangle is the names of three points: \"A B C\".");
+    const std::vector<std::string> names = split_words(text->get());
+    if (names.size() != triangle_corners) {
+        part.fail(node, "a triangle has three points, and '" + text->get() + "' names " +
+                            std::to_string(names.size()) + ".");
+    }
+    const std::vector<const NamedPoint*> points = read_named_points(part, node, names, set);
+    return triangle_of(node, {points[0], points[1], points[2]});
+}
+
+/// The corners of a polygon, in order.
+std::vector<const NamedPoint*> read_polygon(const TomlInput& part, const toml::node& node,
+                                            const PointSets::value_type& set) {
+    const auto* text = node.as_string();
+    if (text == nullptr)
+        part.fail(node, "a polygon is the names of its points in order: \"A B C D E\".");
+    const std::vector<std::string> names = split_words(text->get());
+    if (names.size() <= triangle_corners || names.size() > most_scene_corners) {
+        part.fail(node, "a polygon has from four to " + std::to_string(most_scene_corners) +
+                            " points, and this one names " + std::to_string(names.size()) + ".");
+    }
+    return read_named_points(part, node, names, set);
+}
+
+void check_triangle_count(const TomlInput& input, const toml::node& node, std::size_t count) {
+    if (count <= static_cast<std::size_t>(max_triangles)) return;
+    input.fail(node, "the scene has more than " + std::to_string(max_triangles) + " triangles.");
+}
+
+/// The triangles of a part: those that it names, then its polygons as fans.
+std::vector<NamedCorners> read_triangles(const TomlInput& input, const PointSets::value_type& set,
+                                         Scene& scene) {
+    std::vector<NamedCorners> result;
+    const std::size_t before = scene.mesh.triangles().size();
+    const toml::node* const polygons = input.find("polygons");
+    if (polygons == nullptr || input.find("triangles") != nullptr) {
+        const toml::array& triangles = input.list("triangles");
+        if (triangles.empty()) input.fail(triangles, input.what() + " has no triangles.");
+        check_triangle_count(input, triangles, triangles.size() + before);
+        for (const toml::node& node : triangles)
+            result.push_back(read_triangle(input, node, set));
+    }
+    if (polygons == nullptr) return result;
+    const toml::array& list = input.list("polygons");
+    if (scene.space != SceneSpace::pixels)
+        input.fail(list, "polygons belong to a scene with space = \"pixels\".");
+    if (list.empty()) input.fail(list, input.what() + " has no polygons.");
+    for (const toml::node& node : list) {
+        const std::vector<const NamedPoint*> corners = read_polygon(input, node, set);
+        check_triangle_count(input, node, corners.size() - 2 + result.size() + before);
+        scene.polygons.push_back(
+            {static_cast<int>(before + result.size()), static_cast<int>(corners.size()) - 2});
+        for (std::size_t last = 2; last < corners.size(); ++last)
+            result.push_back(triangle_of(node, {corners[0], corners[last - 1], corners[last]}));
+    }
+    return result;
 }
 
 /// The places of a triangle's corners.
@@ -304,20 +372,14 @@ std::array<glm::vec3, triangle_corners> places_of(const NamedCorners& triangle) 
 void read_part(const TomlInput& input, const PointSets& sets, SurfaceSections& sections,
                VertexJoin& vertices, TextureReader& textures, Scene& scene) {
     input.allow_only({"name", "points", "reflectance", "material", "colours", "normals",
-                      "triangles", "model", "texture", "texcoords"});
+                      "triangles", "polygons", "model", "texture", "texcoords"});
     const std::string set_name = input.text("points");
     const auto set = sets.find(set_name);
     if (set == sets.end()) {
         input.fail(*input.find("points"), "there is no point set '" + set_name + "'.");
     }
     PartSurface surface = read_part_surface(input, sections, set->second, set_name, scene.space);
-    const toml::array& triangles = input.list("triangles");
-    if (triangles.empty()) input.fail(triangles, input.what() + " has no triangles.");
-    if (triangles.size() + scene.mesh.triangles().size() >
-        static_cast<std::size_t>(max_triangles)) {
-        input.fail(triangles,
-                   "the scene has more than " + std::to_string(max_triangles) + " triangles.");
-    }
+    std::vector<NamedCorners> triangles = read_triangles(input, *set, scene);
     const std::vector<CornerTexcoords> texcoords = read_texcoords(input, triangles.size());
     const int texture = textures.read(input);
     Model model{read_model(input, scene.space), {}};
@@ -326,22 +388,14 @@ void read_part(const TomlInput& input, const PointSets& sets, SurfaceSections& s
     const std::string name = input.text("name");
     const int first = scene.triangle_count();
     if (surface.averaged) {
-        for (const toml::node& node : triangles) {
-            const NamedCorners triangle = read_triangle(input, node, set->second, set_name);
+        for (const NamedCorners& triangle : triangles)
             surface.averaged->add(triangle.numbers, places_of(triangle));
-        }
     }
-    for (const toml::node& node : triangles) {
-        TriangleIndices indices{};
-        auto index = indices.begin();
-        NamedCorners triangle = read_triangle(input, node, set->second, set_name);
-        surface.dress(triangle);
-        std::array<Vertex, triangle_corners>& corners = triangle.corners;
-        if (!texcoords.empty()) {
-            const auto number = scene.mesh.triangles().size() - static_cast<std::size_t>(first);
-            for (std::size_t i = 0; i < corners.size(); ++i)
-                corners[i].texcoord = texcoords[number][i];
-        }
+    for (std::size_t number = 0; number < triangles.size(); ++number) {
+        surface.dress(triangles[number]);
+        std::array<Vertex, triangle_corners>& corners = triangles[number].corners;
+        for (std::size_t i = 0; i < corners.size() && !texcoords.empty(); ++i)
+            corners[i].texcoord = texcoords[number][i];
         // In a mirror clockwise is counterclockwise. The front of a triangle is where its corners
         // go round clockwise, for its normal and on the screen alike; so they change places here,
         // once, before anyone reads an order from them.
@@ -349,14 +403,15 @@ void read_part(const TomlInput& input, const PointSets& sets, SurfaceSections& s
         if (!model.steps.empty()) {
             for (const Vertex& corner : corners)
                 model.positions.push_back(corner.position);
-            place_in_world(input, node, matrix, corners);
+            place_in_world(input, *triangles[number].written, matrix, corners);
         }
+        TriangleIndices indices{};
+        auto index = indices.begin();
         for (const Vertex& corner : corners)
             *index++ = vertices.index_of(corner);
         scene.mesh.add_triangle(indices);
     }
-    scene.parts.push_back(
-        {name, first, static_cast<int>(triangles.size()), std::move(model), texture});
+    scene.parts.push_back({name, first, scene.triangle_count() - first, std::move(model), texture});
 }
 
 void read_example(const TomlInput& input, Scene& scene) {

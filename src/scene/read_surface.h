@@ -49,6 +49,7 @@ struct NamedCorners {
     std::array<Vertex, triangle_corners> corners; ///< each with the triangle's own normal
     std::array<const std::string*, triangle_corners> names{}; ///< they live as long as the set
     TriangleIndices numbers{};                                ///< of the points in the set
+    const toml::node* written = nullptr;                      ///< where the scene names them
 };
 
 /// How the triangles of a part are coloured, and which normals their corners have.

@@ -99,6 +99,15 @@ enum class SceneSpace : std::uint8_t {
     pixels, ///< already columns and rows: the bench, where projection would only be in the way
 };
 
+/// A polygon of more than three corners. The mesh has it as a fan of triangles about its first
+/// corner; its outline is corner 0 and corner 1 of the first of them, and corner 2 of each.
+struct ScenePolygon {
+    int first_triangle = 0;
+    int triangle_count = 0; ///< two less than its corners
+
+    friend bool operator==(const ScenePolygon&, const ScenePolygon&) = default;
+};
+
 /// A further set of pixel-space triangles that a bench scene offers.
 struct BenchExample {
     std::string name;
@@ -116,6 +125,7 @@ struct Scene {
     Mesh mesh;
     std::vector<Part> parts;       ///< one after another: every triangle belongs to one of them
     std::vector<Texture> textures; ///< each once, however many parts show it
+    std::vector<ScenePolygon> polygons; ///< in the order of drawing; only of a scene in pixels
     std::vector<BenchExample> examples;
     Camera camera;
     Light light;

@@ -168,9 +168,11 @@ enum class FillRule : std::uint8_t {
     inclusive, ///< every polygon that has the edge
     exclusive, ///< none
     top_left,  ///< the one of which it is a top or a left edge: exactly one
+    left_only, ///< the one of which it is a left edge; top edges are forgotten: mistake B40c
 };
 template <>
-inline constexpr auto enum_words<FillRule> = word_list("inclusive", "exclusive", "top_left");
+inline constexpr auto enum_words<FillRule> = word_list("inclusive", "exclusive", "top_left",
+                                                       "left_only");
 static_assert(words_match<FillRule>);
 
 /// The grid on which the corners of a polygon stand.
@@ -182,6 +184,24 @@ enum class Snap : std::uint8_t {
 template <>
 inline constexpr auto enum_words<Snap> = word_list("pixel", "sixteenth", "subpixel");
 static_assert(words_match<Snap>);
+
+/// Where a pixel is asked whether it is covered.
+enum class PixelSample : std::uint8_t {
+    centre, ///< at its centre
+    corner, ///< at its upper left corner: mistake B41, the picture moves by half a pixel
+};
+template <>
+inline constexpr auto enum_words<PixelSample> = word_list("centre", "corner");
+static_assert(words_match<PixelSample>);
+
+/// Of which edge function the weight of a corner is made.
+enum class WeightEdge : std::uint8_t {
+    opposite, ///< of the edge that does not touch it
+    own,      ///< of the edge that begins at it: mistake B42
+};
+template <>
+inline constexpr auto enum_words<WeightEdge> = word_list("opposite", "own");
+static_assert(words_match<WeightEdge>);
 
 /// How the samples of an edge are found.
 enum class LineAlgorithm : std::uint8_t {

@@ -199,18 +199,23 @@ void choose(FillRule rule, Stages& stages) {
     case FillRule::top_left:
         stages.edge_owns_points = owns_top_left;
         break;
+    case FillRule::left_only:
+        stages.edge_owns_points = owns_left_only;
+        break;
     }
 }
 
-void choose(Snap snap, Stages& stages) {
+void choose(Snap snap, PixelSample sample, Stages& stages) {
+    const bool at_centre = sample == PixelSample::centre;
     switch (snap) {
     case Snap::pixel:
+        stages.snap = at_centre ? snap_to_centre : snap_for_corners<snap_to_centre>;
         break;
     case Snap::sixteenth:
-        stages.snap = snap_to_sixteenth;
+        stages.snap = at_centre ? snap_to_sixteenth : snap_for_corners<snap_to_sixteenth>;
         break;
     case Snap::subpixel:
-        stages.snap = snap_to_subpixel;
+        stages.snap = at_centre ? snap_to_subpixel : snap_for_corners<snap_to_subpixel>;
         break;
     }
 }
@@ -253,12 +258,14 @@ void choose_coverage(const Settings& settings, Stages& stages) {
         return;
     }
     choose(settings.fill_rule, stages);
-    choose(settings.snap, stages);
+    choose(settings.snap, settings.pixel_sample, stages);
     stages.polygon_box = snapped_box;
     stages.compute_polygon_rows = coverage == Coverage::edge_functions    ? rows_by_edge_functions
                                   : coverage == Coverage::scan_conversion ? rows_by_scan_conversion
                                                                           : rows_by_active_edges;
-    if (coverage == Coverage::edge_functions) stages.row_fragments = fragments_by_weights;
+    if (coverage != Coverage::edge_functions) return;
+    stages.row_fragments = fragments_by_weights;
+    if (settings.weight_edge == WeightEdge::own) stages.weights = weights_of_own_edges;
 }
 
 void choose(Interpolation interpolation, Stages& stages) {

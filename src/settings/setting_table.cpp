@@ -109,12 +109,21 @@ std::vector<Setting> make_table() {
          "Filled triangles", "", choice<&Settings::coverage>()},
         {"fill_rule", "Centres on an edge", "Rows and edges",
          "Whom a pixel belongs to whose centre lies exactly on an edge: every triangle there, "
-         "none, or the one of which it is a top or a left edge. Only where coverage is not rows.",
+         "none, or the one of which it is a top or a left edge; or, by mistake, a left edge only. "
+         "Only where coverage is not rows.",
          "Filled triangles", "", choice<&Settings::fill_rule>()},
         {"snap", "Corners stand on", "Rows and edges",
          "The grid on which the corners of a triangle stand: centres of whole pixels, 16ths or "
          "256ths of a pixel. Only where coverage is not rows.",
          "Filled triangles", "", choice<&Settings::snap>()},
+        {"pixel_sample", "Pixels asked at", "Rows and edges",
+         "Where a pixel is asked whether it is covered: at its centre, or by mistake at its upper "
+         "left corner. Only where coverage is not rows.",
+         "Filled triangles", "", choice<&Settings::pixel_sample>()},
+        {"weight_edge", "Weight of a corner from", "Rows and edges",
+         "Of which edge function the weight of a corner is made: of the opposite edge, or by "
+         "mistake of the one that begins at the corner. Only where coverage is edge_functions.",
+         "Filled triangles", "", choice<&Settings::weight_edge>()},
         {"line", "Line algorithm", "Rows and edges",
          "How the samples of an edge are found: by Interpolate, by Bresenham's whole numbers, by "
          "the midpoint, or by a float that is rounded to the nearest (DDA). Values along rows are "

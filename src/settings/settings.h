@@ -18,8 +18,10 @@ struct Settings {
     Shading shading = Shading::phong; ///< of stage `shade`
     VertexRounding vertex_rounding = VertexRounding::truncate;
     Coverage coverage = Coverage::rows;
-    FillRule fill_rule = FillRule::inclusive; ///< where coverage asks the centres of pixels
-    Snap snap = Snap::pixel;                  ///< likewise
+    FillRule fill_rule = FillRule::inclusive;       ///< where coverage asks the centres of pixels
+    Snap snap = Snap::pixel;                        ///< likewise
+    PixelSample pixel_sample = PixelSample::centre; ///< likewise
+    WeightEdge weight_edge = WeightEdge::opposite;  ///< of edge functions
     LineAlgorithm line = LineAlgorithm::interpolate;
     BresenhamRule bresenham_rule = BresenhamRule::right;
     Rounding line_rounding = Rounding::truncate; ///< of the samples of Interpolate along edges

@@ -243,6 +243,50 @@ TEST_CASE("A pixel scene takes columns and rows and refuses what no picture has"
           "s.toml:11: points in pixels take no transform.");
 }
 
+TEST_CASE("A polygon of a scene in pixels becomes a fan, and what is none is refused") {
+    const std::string head = "name = \"s\"\nspace = \"pixels\"\n[points.p]\nA = [2, 2]\n"
+                             "B = [10, 8]\nC = [18, 2]\nD = [18, 14]\nE = [2, 14]\n"
+                             "[[part]]\nname = \"q\"\npoints = \"p\"\n";
+    const Scene scene =
+        parse_scene(head + "triangles = [\"A C D\"]\npolygons = [\"A B C D E\", \"B C D E\"]\n" +
+                        "[[part]]\nname = \"r\"\npoints = \"p\"\npolygons = [\"E D C B\"]\n",
+                    "s.toml");
+    REQUIRE(scene.triangle_count() == 8);
+    CHECK(scene.polygons == std::vector<ScenePolygon>{{1, 3}, {4, 2}, {6, 2}});
+    CHECK(scene.parts.at(0).triangle_count == 6);
+    CHECK(scene.parts.at(1).first_triangle == 6);
+    CHECK(scene.parts.at(1).triangle_count == 2);
+    const auto corners = [&](int triangle) {
+        std::vector<glm::vec2> places;
+        for (int v = 0; v < 3; ++v)
+            places.emplace_back(scene.corner(triangle, v).position);
+        return places;
+    };
+    const glm::vec2 a(2, 2), b(10, 8), c(18, 2), d(18, 14), e(2, 14);
+    CHECK(corners(0) == std::vector{a, c, d}); // triangles first
+    CHECK(corners(1) == std::vector{a, b, c});
+    CHECK(corners(2) == std::vector{a, c, d});
+    CHECK(corners(3) == std::vector{a, d, e});
+    CHECK(corners(4) == std::vector{b, c, d});
+    CHECK(corners(5) == std::vector{b, d, e});
+
+    CHECK(refusal(head + "polygons = [\"A B C\"]\n") ==
+          "s.toml:12: a polygon has from four to 100 points, and this one names 3.");
+    std::string many = "A";
+    for (int i = 0; i < 100; ++i)
+        many += " B";
+    CHECK(refusal(head + "polygons = [\"" + many + "\"]\n") ==
+          "s.toml:12: a polygon has from four to 100 points, and this one names 101.");
+    CHECK(refusal(head + "polygons = [\"A B C X\"]\n") ==
+          "s.toml:12: there is no point 'X' in the point set 'p'.");
+    CHECK(refusal(head + "polygons = [3]\n") ==
+          "s.toml:12: a polygon is the names of its points in order: \"A B C D E\".");
+    CHECK(refusal(head + "polygons = []\n") == "s.toml:12: part 1 has no polygons.");
+    CHECK(refusal(head + "polygons = 3\n") == "s.toml:12: 'polygons' of part 1 must be a list.");
+    CHECK(refusal(start + with_line(part, 4, "polygons = [\"A B C A\"]")) ==
+          "s.toml:9: polygons belong to a scene with space = \"pixels\".");
+}
+
 TEST_CASE("A stage that does not exist is refused where the scene asks for it") {
     constexpr std::array<std::string_view, 2> stages{"rows", "fill"};
     const std::string scene = with_line(start, 1, "name = \"s\"\nstage = \"fil\"") + part;

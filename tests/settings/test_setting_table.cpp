@@ -42,6 +42,8 @@ TEST_CASE("The table holds exactly the settings that are promised, each with hel
                                                  "coverage",
                                                  "fill_rule",
                                                  "snap",
+                                                 "pixel_sample",
+                                                 "weight_edge",
                                                  "line",
                                                  "bresenham_rule",
                                                  "line_walk",
@@ -136,8 +138,10 @@ TEST_CASE("Every word of every choice is set and read back, and lands in its own
     CHECK(step_of(settings) == StripStep::pixel_light);
     CHECK(settings.vertex_rounding == VertexRounding::truncate_sum);
     CHECK(settings.coverage == Coverage::active_edges);
-    CHECK(settings.fill_rule == FillRule::top_left);
+    CHECK(settings.fill_rule == FillRule::left_only);
     CHECK(settings.snap == Snap::subpixel);
+    CHECK(settings.pixel_sample == PixelSample::corner);
+    CHECK(settings.weight_edge == WeightEdge::own);
     CHECK(settings.line == LineAlgorithm::dda);
     CHECK(settings.bresenham_rule == BresenhamRule::wrong_term);
     CHECK(settings.line_rounding == Rounding::round);

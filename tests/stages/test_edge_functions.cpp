@@ -16,6 +16,7 @@
 #include "stages/edge_functions.h"
 #include "stages/scan_conversion.h"
 #include "support/effort.h"
+#include "support/moved_point.h"
 #include "support/random.h"
 
 using namespace rasterwalk;
@@ -85,56 +86,6 @@ void compute(const std::vector<GridPoint>& points, const Stages& stages, Polygon
     EdgeRules edges;
     edges.carried = {};
     stages.compute_polygon_rows(vertices_of(points), edges, stages, rows, nullptr);
-}
-
-// --- the second implementation
-
-/// On which side of the line from a to b a point lies, by a determinant of three rows: 1, -1, or 0
-/// on it.
-int side(const GridPoint& a, const GridPoint& b, const GridPoint& p) {
-    const std::int64_t determinant =
-        a.x * b.y + b.x * p.y + p.x * a.y - a.y * b.x - b.y * p.x - p.y * a.x;
-    return determinant > 0 ? 1 : determinant < 0 ? -1 : 0;
-}
-
-/// The same of a point that is a hair to the right of p, and a much smaller hair below.
-int side_of_moved(const GridPoint& a, const GridPoint& b, const GridPoint& p) {
-    const int exact = side(a, b, p);
-    if (exact != 0) return exact;
-    if (a.y != b.y) return a.y > b.y ? 1 : -1;
-    return a.x < b.x ? 1 : a.x > b.x ? -1 : 0;
-}
-
-bool is_between(std::int64_t value, std::int64_t a, std::int64_t b) {
-    return std::min(a, b) <= value && value <= std::max(a, b);
-}
-
-bool is_on_outline(const std::vector<GridPoint>& polygon, const GridPoint& p) {
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const GridPoint &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-        if (side(a, b, p) == 0 && is_between(p.x, a.x, b.x) && is_between(p.y, a.y, b.y))
-            return true;
-    }
-    return false;
-}
-
-/// Even and odd: how many edges a ray to the right crosses from the moved point.
-bool is_moved_inside(const std::vector<GridPoint>& polygon, const GridPoint& p) {
-    bool inside = false;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const GridPoint &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-        // Moved down by a hair: an upper end counts, a lower end does not.
-        const bool down = a.y <= p.y && p.y < b.y, up = b.y <= p.y && p.y < a.y;
-        if (down && side_of_moved(a, b, p) > 0) inside = !inside;
-        if (up && side_of_moved(b, a, p) > 0) inside = !inside;
-    }
-    return inside;
-}
-
-bool is_covered(const std::vector<GridPoint>& polygon, const GridPoint& centre, FillRule rule) {
-    if (rule != FillRule::top_left && is_on_outline(polygon, centre))
-        return rule == FillRule::inclusive;
-    return is_moved_inside(polygon, centre);
 }
 
 /// Twice the area, with a sign.

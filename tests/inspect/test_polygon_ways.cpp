@@ -1,0 +1,178 @@
+// A polygon of a scene, covered by its row table, by its fan and by active edges: every number
+// against counting pixel by pixel.
+
+#include "inspect/polygon_ways.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "scene/read_scene.h"
+#include "session/content.h"
+#include "support/effort.h"
+#include "support/moved_point.h"
+#include "support/random.h"
+
+using namespace rasterwalk;
+using namespace rasterwalk::test;
+
+namespace {
+
+constexpr int polygon_field = 12; ///< pixels, along each side
+
+Scene polygon_scene(const std::vector<glm::ivec2>& corners) {
+    std::string points = "[points.p]\n", names;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const std::string name = "P" + std::to_string(i);
+        points += name + " = [" + std::to_string(corners[i].x) + ", " +
+                  std::to_string(corners[i].y) + "]\n";
+        names += (i == 0 ? "" : " ") + name;
+    }
+    return parse_scene("name = \"s\"\nspace = \"pixels\"\n[viewport]\nwidth = 12\nheight = 12\n" +
+                           points + "[[part]]\nname = \"q\"\npoints = \"p\"\npolygons = [\"" +
+                           names + "\"]\n",
+                       "s.toml");
+}
+
+Frame frame_of(const Scene& scene, FillRule rule) {
+    Settings settings = default_settings(scene);
+    settings.coverage = Coverage::edge_functions;
+    settings.fill_rule = rule;
+    settings.stage = Stage::fill;
+    return prepare_frame(scene, settings);
+}
+
+std::vector<GridPoint> centres_of(const std::vector<glm::ivec2>& corners) {
+    std::vector<GridPoint> points;
+    for (const glm::ivec2& corner : corners)
+        points.push_back({pixel_centre(corner.x), pixel_centre(corner.y)});
+    return points;
+}
+
+/// In square pixels, with a sign.
+double area_by_shoelace(const std::vector<glm::ivec2>& corners) {
+    int twice = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const glm::ivec2 &a = corners[i], &b = corners[(i + 1) % corners.size()];
+        twice += a.x * b.y - a.y * b.x;
+    }
+    return twice / 2.0;
+}
+
+PolygonWays counted_by_hand(const std::vector<glm::ivec2>& corners, FillRule rule) {
+    PolygonWays ways;
+    ways.corners = static_cast<int>(corners.size());
+    ways.area = std::abs(area_by_shoelace(corners));
+    std::vector<std::vector<GridPoint>> fan;
+    for (std::size_t last = 2; last < corners.size(); ++last) {
+        const std::vector<glm::ivec2> triangle{corners[0], corners[last - 1], corners[last]};
+        const double area = area_by_shoelace(triangle);
+        ways.fan_area += std::abs(area);
+        if (area != 0.0) fan.push_back(centres_of(triangle));
+    }
+    const std::vector<GridPoint> outline = centres_of(corners);
+    for (int row = 0; row < polygon_field; ++row) {
+        int first = polygon_field, last = -1, inside = 0;
+        for (int column = 0; column < polygon_field; ++column) {
+            const GridPoint centre{pixel_centre(column), pixel_centre(row)};
+            int laid = 0;
+            for (const std::vector<GridPoint>& triangle : fan)
+                laid += is_covered(triangle, centre, rule) ? 1 : 0;
+            ways.fan_laid += laid;
+            ways.fan += laid > 0 ? 1 : 0;
+            if (!is_covered(outline, centre, rule)) continue;
+            ++inside;
+            first = std::min(first, column);
+            last = std::max(last, column);
+        }
+        if (inside == 0) continue;
+        ways.inside += inside;
+        ways.table += last - first + 1;
+        ++ways.rows;
+        ways.wrong_rows += inside < last - first + 1 ? 1 : 0;
+    }
+    return ways;
+}
+
+/// Whole corners around the middle of the field, in the order of their angle.
+std::vector<glm::ivec2> any_star(Random& random) {
+    constexpr int middle = polygon_field / 2;
+    while (true) {
+        std::vector<glm::ivec2> corners;
+        const int count = random.integer(4, 8);
+        for (int i = 0; i < count; ++i)
+            corners.emplace_back(random.integer(0, 11), random.integer(0, 11));
+        std::sort(corners.begin(), corners.end(), [](const glm::ivec2& a, const glm::ivec2& b) {
+            return std::atan2(a.y - middle, a.x - middle) < std::atan2(b.y - middle, b.x - middle);
+        });
+        bool is_good = true;
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const glm::ivec2 a = corners[i] - middle,
+                             b = corners[(i + 1) % corners.size()] - middle;
+            is_good = is_good && a.x * b.y - a.y * b.x > 0;
+        }
+        if (is_good) return corners;
+    }
+}
+
+void require_same(const PolygonWays& ways, const PolygonWays& expected) {
+    CHECK(ways.corners == expected.corners);
+    CHECK(ways.inside == expected.inside);
+    CHECK(ways.table == expected.table);
+    CHECK(ways.rows == expected.rows);
+    CHECK(ways.wrong_rows == expected.wrong_rows);
+    CHECK(ways.fan == expected.fan);
+    CHECK(ways.fan_laid == expected.fan_laid);
+    CHECK(ways.area == expected.area);
+    CHECK(ways.fan_area == expected.fan_area);
+}
+
+} // namespace
+
+TEST_CASE("Row table, fan and active edges of random polygons against counting pixel by pixel") {
+    Random random(22);
+    int dented = 0;
+    for (int i = 0; i < rounds(300, 60); ++i) {
+        const std::vector<glm::ivec2> corners = any_star(random);
+        const FillRule rule =
+            std::array{FillRule::inclusive, FillRule::exclusive, FillRule::top_left}[i % 3];
+        const Scene scene = polygon_scene(corners);
+        const Frame frame = frame_of(scene, rule);
+        const std::optional<PolygonWays> ways = polygon_ways(frame, i % scene.triangle_count());
+        REQUIRE(ways);
+        CAPTURE(i, word_of(rule));
+        require_same(*ways, counted_by_hand(corners, rule));
+        CHECK(ways->fan_area >= ways->area);
+        dented += ways->fan_area > ways->area ? 1 : 0;
+        // The fan has the polygon's area where it covers what the polygon covers, each pixel once.
+        if (rule == FillRule::top_left && ways->fan_area == ways->area) {
+            CHECK(ways->fan == ways->inside);
+            CHECK(ways->fan_laid == ways->inside);
+        }
+    }
+    CHECK(dented > 5);
+}
+
+TEST_CASE("The dented pentagon has one outline, whatever corner its list begins with") {
+    const Scene scene = read_scene(lessons_folder() + "/scenes/dented.toml");
+    const Frame frame = frame_of(scene, FillRule::top_left);
+    for (int t = 0; t < 6; ++t) {
+        const std::optional<PolygonWays> ways = polygon_ways(frame, t);
+        REQUIRE(ways);
+        CHECK(ways->inside == 136);
+        CHECK(ways->table == 176);
+        CHECK(ways->fan == (t < 3 ? 192 : 136));
+        CHECK(outline_of(frame, t).size() == 5);
+    }
+}
+
+TEST_CASE("A triangle of no polygon, or of one that was moved apart, has no outline") {
+    const Scene triangle = read_scene(lessons_folder() + "/scenes/one-triangle.toml");
+    CHECK_FALSE(polygon_ways(frame_of(triangle, FillRule::top_left), 0));
+    Scene apart = read_scene(lessons_folder() + "/scenes/hexagon.toml");
+    apart.mesh.place_corner(2, 0, {3.0f, 5.0f, 1.0f});
+    CHECK_FALSE(polygon_ways(frame_of(apart, FillRule::top_left), 0));
+}
