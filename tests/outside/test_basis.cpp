@@ -99,7 +99,7 @@ TEST_CASE("A model's axes are the first columns of Tm, and its origin is the las
     const Frame frame = prepare_frame(scene, by_matrices(scene));
     const auto model_of = [&](const std::string& part) {
         const std::vector<Basis> bases = bases_of(frame, first_of_part(scene, part));
-        const Basis* const found = find_basis(bases, BasisOf::model);
+        const Basis* const found = find_basis(bases, BasisOf::object);
         REQUIRE(found);
         return *found;
     };
