@@ -292,9 +292,10 @@ Name name_of(const Pen& pen, const OutsidePoint& point) {
         return {point, pen.is_narrow ? "divided" : "dividing puts it here",
                 pen.meaning(Meaning::fail), 2};
     case OutsidePointKind::axis:
-        // Short names have room where long ones have none, if they come first.
+        // Before the vertices: an arrow without a name says nothing, and they have their numbers
+        // in the panel.
         return {point, axis_name(point.number, pen.is_narrow),
-                pen.meaning(axis_meaning(point.number)), pen.is_narrow ? 1 : 3};
+                pen.meaning(axis_meaning(point.number)), 1};
     case OutsidePointKind::origin:
         return {point, origin_name(point.number, pen.is_narrow), pen.text(), 2};
     case OutsidePointKind::crossing:
