@@ -159,7 +159,8 @@ SpacesOfVertex spaces_of_vertex(const Frame& frame, int triangle, int vertex, Ma
                                          glm::dmat3(drawn.rotation)));
     add_product(spaces,
                 {"clip",
-                 "Before the division: inside the view are −w ≤ x ≤ w, −w ≤ y ≤ w, 0 ≤ z ≤ w.",
+                 "Before the division: inside the view are −w ≤ x ≤ w, −w ≤ y ≤ w, 0 ≤ z ≤ w. The "
+                 "lab and the Clip tab count in pixels instead: x' = W/2 · x, y' = H/2 · y.",
                  "Tp",
                  {},
                  {},

@@ -169,8 +169,7 @@ std::string corner_name(const CutCorner& corner) {
 }
 
 std::string short_corner_name(const CutCorner& corner) {
-    return corner.is_new() ? "n" + std::to_string(corner.new_index)
-                           : short_vertex_name(corner.vertex_index);
+    return corner.is_new() ? corner_name(corner) : short_vertex_name(corner.vertex_index);
 }
 
 } // namespace rasterwalk

@@ -81,7 +81,7 @@ std::optional<CutCorner> corner_made(const ClipHistory& history, int plane, int 
 
 /// "vertices[0]", or "new 0".
 std::string corner_name(const CutCorner& corner);
-/// "v0", or "n0": where room is short.
+/// "v0", or "new 0": where room is short.
 std::string short_corner_name(const CutCorner& corner);
 
 } // namespace rasterwalk

@@ -25,7 +25,7 @@ std::vector<Basis> bases_of(const Frame& frame, std::optional<int> triangle) {
     const Model& model = scene.parts[static_cast<std::size_t>(part)].model;
     if (model.steps.empty()) return bases;
     const glm::dmat4 to_world = model_matrix(model.steps);
-    add(BasisOf::model, glm::dvec3(to_world[3]), glm::dmat3(to_world));
+    add(BasisOf::object, glm::dvec3(to_world[3]), glm::dmat3(to_world));
     return bases;
 }
 

@@ -16,9 +16,9 @@
 namespace rasterwalk {
 
 /// Whose axes they are.
-enum class BasisOf : std::uint8_t { world, camera, model };
+enum class BasisOf : std::uint8_t { world, camera, object };
 template <>
-inline constexpr auto enum_words<BasisOf> = word_list("world", "camera", "model");
+inline constexpr auto enum_words<BasisOf> = word_list("world", "camera", "object");
 static_assert(words_match<BasisOf>);
 
 inline constexpr int axis_count = 3;
@@ -27,8 +27,8 @@ inline constexpr int axis_count = 3;
 struct Basis {
     BasisOf of = BasisOf::world;
     glm::dvec3 origin{0.0};
-    /// From the origin, one unit of that space long, world units: x, y, z; of the camera u, v, w,
-    /// which point right, down and forward. Those of a model are the first columns of Tm, and its
+    /// From the origin, one unit of that space long, world units: x, y, z; those of the camera
+    /// point right, down and forward. Those of an object are the first columns of Tm, and its
     /// origin is the last; those of the camera are the rows of Tv.
     std::array<glm::dvec3, axis_count> axes{};
 };

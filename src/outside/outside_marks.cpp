@@ -17,7 +17,7 @@ namespace {
 constexpr double beside = 40.0;
 
 /// The far plane is drawn up to so far behind the middle of the scene, radii of it.
-constexpr double farthest_end = 2.0;
+constexpr double farthest_end = 3.0;
 
 /// Collects what the eye can see.
 struct Collector {
@@ -109,14 +109,17 @@ void add_ends(const OutsideThings& things, const glm::dvec2& ends, Collector& co
     const PicturePlane& plane = things.plane;
     const double reach = end_of_frustum(things) + farthest_end * things.box.radius();
     const std::array<glm::dvec3, 4> corners = plane.corners();
-    for (const double end : {ends.x, ends.y}) {
+    for (const ClipPlane which : {ClipPlane::near, ClipPlane::far}) {
+        const double end = which == ClipPlane::near ? ends.x : ends.y;
         if (!(end > 0.0) || end > reach) continue;
+        const int number = static_cast<int>(which);
         std::array<glm::dvec3, 4> places;
         for (std::size_t i = 0; i < 4; ++i)
             places[i] = plane.in_world(plane.on_ray(plane.in_camera(corners[i]), end));
         for (std::size_t i = 0; i < 4; ++i)
-            collector.line(OutsideLineKind::end, static_cast<int>(i), places[i],
-                           places[(i + 1) % 4]);
+            collector.line(OutsideLineKind::end, number, places[i], places[(i + 1) % 4]);
+        for (const glm::dvec3& place : places)
+            collector.point(OutsidePointKind::end, number, place);
     }
 }
 
@@ -220,6 +223,7 @@ void add_basis(const Basis& basis, Collector& collector) {
         collector.line(OutsideLineKind::axis, number, basis.origin, tip);
         collector.point(OutsidePointKind::axis, number, tip);
     }
+    collector.point(OutsidePointKind::origin, static_cast<int>(basis.of), basis.origin);
 }
 
 bool meet(const OutsideBox& a, const OutsideBox& b) {

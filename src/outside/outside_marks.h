@@ -27,7 +27,7 @@ enum class OutsideLineKind : std::uint8_t {
     cut,      ///< where a plane cuts the triangle
     fan,      ///< between the triangles that are drawn of what is left
     plane,    ///< around the part of a plane that is seen
-    end,      ///< around near and far plane within the view volume
+    end,      ///< around near and far plane within the view volume; number: of which ClipPlane
     ray,      ///< from a vertex of the triangle to the camera; number: which vertex
     behind,   ///< the same for a vertex that is not in front of the camera
     mirrored, ///< from there on to where the division puts such a vertex; number: which vertex
@@ -51,8 +51,10 @@ enum class OutsidePointKind : std::uint8_t {
     pixel,    ///< the middle of the picked pixel on the picture
     cut,      ///< a corner that a plane has made; number: of which ClipPlane
     plane,    ///< where the name of a plane may stand; number: of which ClipPlane
+    end,      ///< where the name of the near or far plane may stand; number: of which ClipPlane
     mirrored, ///< where the division puts a vertex behind the camera; number: which vertex
     axis,     ///< the tip of such an arrow, at which its name may stand; number: likewise
+    origin,   ///< where the arrows of a space begin; number: of which BasisOf
 };
 
 struct OutsidePoint {

@@ -30,7 +30,8 @@ struct SeenPlane {
 
 /// The clipping of the triangle on show.
 struct SeenClipping {
-    /// Near and far plane, world units in front of the camera; none where no plane cuts.
+    /// Near and far plane, world units in front of the camera; none where no plane cuts, and the
+    /// depth does not go from the one to the other.
     std::optional<glm::dvec2> ends;
     bool is_cut = false;             ///< a plane takes a part of the triangle away
     std::vector<SeenCorner> corners; ///< of what is left of it; may be none

@@ -31,7 +31,8 @@ int plane_on_show(const ClipHistory& history, const std::optional<ClipProgress>&
 SeenClipping clipping_outside(const Frame& frame, const ClipHistory& history,
                               const std::optional<Cursor>& done, std::optional<ClipPlane> chosen) {
     SeenClipping seen;
-    if (history.cuts) seen.ends = glm::dvec2(frame.settings.near, frame.settings.far);
+    if (history.cuts || depth_kind(frame) != ClipDepth::inv_z)
+        seen.ends = glm::dvec2(frame.settings.near, frame.settings.far);
     seen.is_cut = history.clipped.is_cut || !history.planes.empty();
     if (!seen.is_cut) return seen;
     const std::optional<ClipProgress> progress = clip_progress(history, done);

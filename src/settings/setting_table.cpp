@@ -102,15 +102,15 @@ std::vector<Setting> make_table() {
          "How a sample of an edge becomes a pixel. Only where the line algorithm is interpolate: "
          "the others take the nearest pixel.",
          "Drawing edges", "", choice<&Settings::line_rounding>(), "rounding"},
-        {"coverage", "Pixels found by", "Rows and edges",
+        {"coverage", "Fill algorithm", "Rows and edges",
          "How the pixels of a triangle are found: by the row table that the samples of its edges "
          "fill, by edge functions that ask every pixel of its box, by scan conversion row by row, "
          "or by a list of active edges. The last three ask the centres of pixels.",
          "Filled triangles", "", choice<&Settings::coverage>()},
-        {"fill_rule", "Centres on an edge", "Rows and edges",
-         "Whom a pixel belongs to whose centre lies exactly on an edge: every triangle there, "
-         "none, or the one of which it is a top or a left edge; or, by mistake, a left edge only. "
-         "Only where coverage is not rows.",
+        {"fill_rule", "Fill rule", "Rows and edges",
+         "Who draws a pixel whose centre lies exactly on an edge: every triangle there, none, or "
+         "the one of which it is a top or a left edge; or, by mistake, a left edge only. Only where "
+         "coverage is not rows.",
          "Filled triangles", "", choice<&Settings::fill_rule>()},
         {"snap", "Corners stand on", "Rows and edges",
          "The grid on which the corners of a triangle stand: centres of whole pixels, 16ths or "
@@ -233,9 +233,9 @@ std::vector<Setting> make_table() {
          "Drawing points", "pixels",
          NumberSetting{[](Settings& s) -> float& { return s.camera.focal_length; },
                        smallest_focal_length, largest_focal_length, 1.0f}},
-        {"camera.aim", "Direction said by", "Camera",
-         "How the direction of the camera is said: by turn and tilt, or by a point that it looks "
-         "at.",
+        {"camera.aim", "Camera aimed by", "Camera",
+         "What sets the direction in which the camera looks: turn and tilt, or a target, which is "
+         "the point that it looks at.",
          "Moving the camera", "",
          ChoiceSetting{
              enum_words<CameraAim>,
@@ -291,9 +291,9 @@ std::vector<Setting> make_table() {
          "Drawing points", "",
          NumberSetting{[](Settings& s) -> float& { return s.projection_mix; }, 0.0f, 1.0f, 0.005f},
          "projection"},
-        {"orthographic_depth", "Depth of equal size", "Spaces",
-         "How far away things keep their size on the way to orthographic; 0 takes the depth of the "
-         "world's origin.",
+        {"orthographic_depth", "Reference depth d", "Spaces",
+         "Orthographic projection divides x and y by this one depth, not by z: what stands there "
+         "keeps its size. 0 takes the depth of the world's origin.",
          "Drawing points", "world units",
          NumberSetting{[](Settings& s) -> float& { return s.orthographic_depth; }, 0.0f,
                        largest_place, 0.01f}},

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "explain/conventions.h"
+#include "inspect/clip_history.h"
 #include "scene/read_scene.h"
 #include "session/content.h"
 #include "settings/setting_table.h"
@@ -122,6 +123,27 @@ TEST_CASE("A formula of a space is its matrix times the place before, in either 
         for (int k = 0; k < 3; ++k) {
             CHECK(entry(*rows.places[i].matrix, MatrixOrder::row_vectors, 3, k) ==
                   entry(*columns.places[i].matrix, MatrixOrder::column_vectors, k, 3));
+        }
+    }
+}
+
+TEST_CASE("Clip space of the matrices is the Clip tab's in units of half a picture") {
+    const Scene scene = turned_block();
+    for (const char* projection : {"projection=perspective", "projection_mix=0.5"}) {
+        Settings settings = turned_settings(scene, projection);
+        settings.viewport = {240, 100}; // W/2 and H/2 are not the same
+        const Frame frame = prepare_frame(scene, settings);
+        for (int t = 0; t < scene.triangle_count(); ++t) {
+            const ClipHistory history = clip_history(frame, t);
+            for (int v = 0; v < 3; ++v) {
+                CAPTURE(projection, t, v);
+                const glm::dvec4 clip =
+                    place_in(spaces_of_vertex(frame, t, v, MatrixOrder::row_vectors), "clip").place;
+                const glm::dvec4 lab(history.corners[static_cast<std::size_t>(v)].position_clip);
+                CHECK(120.0 * clip.x == Approx(lab.x).margin(1e-3));
+                CHECK(50.0 * clip.y == Approx(lab.y).margin(1e-3));
+                CHECK(clip.w == Approx(lab.w).margin(1e-5));
+            }
         }
     }
 }

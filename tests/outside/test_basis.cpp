@@ -99,7 +99,7 @@ TEST_CASE("A model's axes are the first columns of Tm, and its origin is the las
     const Frame frame = prepare_frame(scene, by_matrices(scene));
     const auto model_of = [&](const std::string& part) {
         const std::vector<Basis> bases = bases_of(frame, first_of_part(scene, part));
-        const Basis* const found = find_basis(bases, BasisOf::model);
+        const Basis* const found = find_basis(bases, BasisOf::object);
         REQUIRE(found);
         return *found;
     };
@@ -146,6 +146,12 @@ TEST_CASE("An arrow goes from the origin of a space to the end of its axis, and 
     for (const Basis& basis : bases) {
         const auto from = eye.pixel_of(basis.origin);
         REQUIRE(from);
+        const auto origin =
+            std::find_if(marks.points.begin(), marks.points.end(), [&](const OutsidePoint& p) {
+                return p.kind == OutsidePointKind::origin && p.number == static_cast<int>(basis.of);
+            });
+        REQUIRE(origin != marks.points.end());
+        CHECK(glm::distance(origin->at, glm::vec2(*from)) < 0.01f);
         for (int i = 0; i < 3; ++i) {
             INFO(word_of(basis.of) << " axis " << i);
             const int number = axis_number(basis.of, i);

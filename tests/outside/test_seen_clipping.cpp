@@ -173,6 +173,53 @@ TEST_CASE("Under orthographic projection near and far plane and the frustum make
     }
 }
 
+TEST_CASE("Near and far plane are seen and named where the depth goes from one to the other") {
+    const Scene room = lab_room();
+    const auto ends_of = [&](const char* depth, const char* far) {
+        Settings settings = default_settings(room);
+        for (const char* const text : {depth, far, "near=1"})
+            set_from_text(settings, text);
+        const Frame frame = prepare_frame(room, settings);
+        OutsideThings things;
+        things.box = box_of(room);
+        things.plane = picture_plane(settings.camera, settings.viewport, things.box,
+                                     vertex_rules(settings, SceneSpace::world).projection);
+        const glm::ivec2 extent{900, 700};
+        // From so far away that all four corners of both are in sight.
+        OutsideView view;
+        view.distance = 20.0f;
+        const OutsideEye eye = eye_of(view, things, extent, 40.0);
+        const SeenClipping seen =
+            clipping_outside(frame, clip_history(frame, 8), std::nullopt, std::nullopt);
+        const OutsideMarks marks = outside_marks(room, things, eye, {8, seen}, {}, extent);
+        std::vector<int> named;
+        for (const OutsidePoint& point : marks.points) {
+            if (point.kind != OutsidePointKind::end) continue;
+            named.push_back(point.number);
+            // By the inverse way: how far in front of the camera the named place is.
+            const double z = point.number == static_cast<int>(ClipPlane::near) ? 1.0 : 7.0;
+            bool is_at_corner = false;
+            for (const glm::dvec2 corner :
+                 {glm::dvec2(0, 0), glm::dvec2(500, 0), glm::dvec2(500, 500), glm::dvec2(0, 500)}) {
+                const double w = settings.projection_mix == 1.0f ? 1.0 : z;
+                const glm::dvec2 across = (corner - 250.0) * (w / things.plane.scale());
+                const auto at = eye.pixel_of(glm::dvec3(across, z - 3.001));
+                is_at_corner =
+                    is_at_corner || (at && glm::distance(*at, glm::dvec2(point.at)) < 0.1);
+            }
+            CHECK(is_at_corner);
+        }
+        return named;
+    };
+    const int near = static_cast<int>(ClipPlane::near), far = static_cast<int>(ClipPlane::far);
+    const std::vector<int> both{near, near, near, near, far, far, far, far};
+    CHECK(ends_of("projection=orthographic", "far=7") == both);
+    CHECK(ends_of("depth_format=ndc_32", "far=7") == both);
+    // Far beyond the room; and where nobody asks how far away either is.
+    CHECK(ends_of("depth_format=reversed_16", "far=100") == std::vector<int>(4, near));
+    CHECK(ends_of("depth_format=inv_z", "far=7").empty());
+}
+
 TEST_CASE("From outside a cut triangle has what is left of it, and dashed what is taken") {
     int count = 0;
     for_each_cut([&](const Frame& frame, const ClipHistory& history, const PicturePlane& plane) {

@@ -195,7 +195,7 @@ std::vector<Action> stage_actions() {
     const std::vector<Action> switches{
         {"switch.perspective",
          "Stage",
-         "Perspective correction",
+         "Perspective-correct interpolation",
          "Interpolates q/z, or q/w where w is not z, and recovers q at the pixel; off, q itself is "
          "interpolated and the light skews.",
          {'P'},

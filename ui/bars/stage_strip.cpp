@@ -122,6 +122,14 @@ std::string word_of_depth_test(const Settings& settings, const Frame& frame) {
     }
 }
 
+/// What the word for the depth stands for, a line of the tooltip.
+std::string depth_help(const Frame& frame) {
+    const DepthWords& words = depth_words(frame);
+    std::string name(words.name);
+    if (words.short_name != words.name) name += ", \"" + std::string(words.short_name) + "\"";
+    return "\nThe depth buffer holds " + name + ": " + std::string(words.ends);
+}
+
 /// Do the switches change anything at a step of the strip?
 bool needs_switches(const StripStep& step) {
     return step.stage >= Stage::depth;
@@ -142,12 +150,13 @@ std::vector<StripWord> strip_words(const Ui& ui, const Form& form, bool has_swit
                              .is_unusual = !is_hidden && !is_usual,
                              .widest = widest});
         };
-        add("switch.perspective", form.is_short ? "Persp." : "Perspective",
+        add("switch.perspective", form.is_short ? "P-corr." : "Perspective-correct",
             word_of_perspective(settings), settings.interpolation == Interpolation::perspective,
             "off");
         add("switch.depth_test", form.is_short ? "Depth" : "Depth test",
             word_of_depth_test(settings, ui.results.a.frame),
             settings.depth_test == DepthTest::inverse_z, "1/z");
+        if (!is_hidden) words.back().help += depth_help(ui.results.a.frame);
     }
     words.push_back({.name = "switch.compare",
                      .quiet = "",

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -171,7 +172,9 @@ void draw_point(const Pen& pen, const OutsidePoint& point) {
         break;
     case OutsidePointKind::picture:
     case OutsidePointKind::plane:
+    case OutsidePointKind::end:
     case OutsidePointKind::axis:
+    case OutsidePointKind::origin:
         break; // only its name stands there
     case OutsidePointKind::cut:
         draw_dot(pen, at, 4.5f * u, pen.meaning(Meaning::left_end));
@@ -217,7 +220,9 @@ float reach_of(OutsidePointKind kind) {
         return 4.5f;
     case OutsidePointKind::picture:
     case OutsidePointKind::plane:
+    case OutsidePointKind::end:
     case OutsidePointKind::axis:
+    case OutsidePointKind::origin:
         break; // nothing is drawn there
     }
     return 0.0f;
@@ -237,22 +242,32 @@ struct Name {
     LabelSide side = LabelSide::right;
 };
 
-/// "world x", "u, right", "model z"; shorter in a narrow view.
+/// "world x", "right", "object z". In a narrow view "x": there the space is named at its origin.
 std::string axis_name(int number, bool is_narrow) {
     constexpr std::array<const char*, axis_count> plain{"x", "y", "z"},
-        short_of_camera{"u", "v", "w"}, of_camera{"u, right", "v, down", "w, forward"};
+        of_camera{"right", "down", "forward"};
     const auto axis = static_cast<std::size_t>(number % axis_count);
     const auto of = static_cast<BasisOf>(number / axis_count);
-    if (of == BasisOf::camera) return is_narrow ? short_of_camera[axis] : of_camera[axis];
+    if (of == BasisOf::camera) return of_camera[axis];
     return (is_narrow ? "" : std::string(word_of(of)) + " ") + plain[axis];
+}
+
+/// The camera is named anyway.
+std::string origin_name(int number, bool is_narrow) {
+    const auto of = static_cast<BasisOf>(number);
+    return is_narrow && of != BasisOf::camera ? std::string(word_of(of)) : "";
+}
+
+/// Of a plane, which is named at one of its corners.
+bool is_plane(OutsidePointKind kind) {
+    return kind == OutsidePointKind::plane || kind == OutsidePointKind::end;
 }
 
 /// Empty for a point without one.
 Name name_of(const Pen& pen, const OutsidePoint& point) {
     const std::string vertex =
         (pen.is_narrow ? "[" : "vertices[") + std::to_string(point.number) + "]";
-    const bool is_of_plane =
-        point.kind == OutsidePointKind::cut || point.kind == OutsidePointKind::plane;
+    const bool is_of_plane = point.kind == OutsidePointKind::cut || is_plane(point.kind);
     const auto which = is_of_plane ? static_cast<ClipPlane>(point.number) : ClipPlane::near;
     const std::string_view plane = word_of(which);
     switch (point.kind) {
@@ -270,14 +285,19 @@ Name name_of(const Pen& pen, const OutsidePoint& point) {
     case OutsidePointKind::cut:
         return {point, std::string(plane), pen.meaning(Meaning::left_end), 3};
     case OutsidePointKind::plane:
+    case OutsidePointKind::end:
         return {point, pen.is_narrow ? std::string(plane) : std::string(plane) + " plane",
                 pen.meaning(Meaning::left_end), 4, LabelSide::above_right};
     case OutsidePointKind::mirrored:
         return {point, pen.is_narrow ? "divided" : "dividing puts it here",
                 pen.meaning(Meaning::fail), 2};
     case OutsidePointKind::axis:
+        // Before the vertices: an arrow without a name says nothing, and they have their numbers
+        // in the panel.
         return {point, axis_name(point.number, pen.is_narrow),
-                pen.meaning(axis_meaning(point.number)), 3};
+                pen.meaning(axis_meaning(point.number)), 1};
+    case OutsidePointKind::origin:
+        return {point, origin_name(point.number, pen.is_narrow), pen.text(), 2};
     case OutsidePointKind::crossing:
     case OutsidePointKind::pixel:
         break;
@@ -312,20 +332,22 @@ void draw_name(const Pen& pen, const Name& name, ImVec2 low) {
     pen.list->AddText(font, font->FontSize, low, name.colour, name.text.c_str());
 }
 
-/// The plane's name comes last, once for each of its corners: one of them has room for it.
+/// The planes' names come last, once for each of their corners: one of them has room for it.
 std::vector<Name> names_of(const Pen& pen, const OutsideMarks& marks) {
     const auto picture = named_corners(marks, OutsidePointKind::picture);
     std::vector<Name> names;
     for (const OutsidePoint& point : marks.points) {
-        if (point.kind == OutsidePointKind::plane) continue;
+        if (is_plane(point.kind)) continue;
         if (point.kind == OutsidePointKind::picture && &point != picture.front()) continue;
         Name name = name_of(pen, point);
         if (!name.text.empty()) names.push_back(std::move(name));
     }
     std::stable_sort(names.begin(), names.end(),
                      [](const Name& a, const Name& b) { return a.rank < b.rank; });
-    for (const OutsidePoint* const point : named_corners(marks, OutsidePointKind::plane))
-        names.push_back(name_of(pen, *point));
+    for (const OutsidePointKind kind : {OutsidePointKind::plane, OutsidePointKind::end}) {
+        for (const OutsidePoint* const point : named_corners(marks, kind))
+            names.push_back(name_of(pen, *point));
+    }
     return names;
 }
 
@@ -353,12 +375,11 @@ void draw_names(const Pen& pen, const OutsideMarks& marks, std::vector<OutsideBo
     }
     const ImVec2 room = pen.pane.room();
     const auto places = label_places(labels, std::move(taken), lines, {room.x, room.y});
-    bool has_plane = false;
+    std::set<int> planes; // that have their name
     for (std::size_t i = 0; i < names.size(); ++i) {
         if (!places[i]) continue;
-        const bool is_plane = names[i].point.kind == OutsidePointKind::plane;
-        if (is_plane && has_plane) continue;
-        has_plane = has_plane || is_plane;
+        const OutsidePoint& point = names[i].point;
+        if (is_plane(point.kind) && !planes.insert(point.number).second) continue;
         const ImVec2 low = pen.at(*places[i] + halo);
         draw_name(pen, names[i], {std::round(low.x), std::round(low.y)});
     }

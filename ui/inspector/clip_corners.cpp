@@ -8,6 +8,7 @@
 #include "ui/inspector/clip_table.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -60,6 +61,15 @@ void draw_clip_corners(const ClipPage& page) {
         ImGui::PopFont();
     }
     end_clip_table();
+    if (page.frame.settings.transform != Transform::matrices) return;
+    // The same space stands in the Vertices tab by another scale.
+    ImGui::PushStyleColor(ImGuiCol_Text, page.palette().dim);
+    wrapped_text("x and y count pixels here: they are W/2 and H/2 times those that Tp gives. So "
+                 "the left plane, x + w = 0 behind Tp, is x + W/2 · w = 0.");
+    keep_text_whole(page.ui);
+    ImGui::PopStyleColor();
+    name_widget(page.ui, "clip.scale",
+                "The division by w gives the same place: W/2 · (x / w) = (W/2 · x) / w.");
 }
 
 void draw_clip_codes(const ClipPage& page) {

@@ -226,37 +226,44 @@ OutsideLine label_line(const ClipField& field, ImVec2 from, ImVec2 to) {
             .to = {to.x - field.low.x, to.y - field.low.y}};
 }
 
-/// A text of the diagram, beside the place that it names. What can stand at several places is
-/// written at the first that has room.
+/// A text of the diagram, beside the place that it names. What can be said at several places, or in
+/// several lengths, is written where it first has room.
 struct DiagramName {
     ImVec2 at;
     std::string text;
     ImU32 ink;
+    std::string line{}; ///< which line it names, where it is no corner's: that line has one name
 };
 
 /// The names, where there is room, beside what is drawn.
 void draw_diagram_names(const ClipField& field, const std::vector<DiagramName>& names,
                         const std::vector<OutsideLine>& lines) {
     const float u = field.u, distance = 6.0f * u;
-    std::vector<OutsideLabel> labels;
+    const auto within = [&](ImVec2 at) {
+        return glm::vec2(at.x - field.low.x, at.y - field.low.y);
+    };
     std::vector<OutsideBox> taken;
     for (const DiagramName& name : names) {
-        const glm::vec2 at(name.at.x - field.low.x, name.at.y - field.low.y);
-        labels.push_back(
-            {.point = at,
-             .size = {text_width(name.text) + 4.0f * u, ImGui::GetFontSize() + 2.0f * u},
-             .distance = distance,
-             .line_distance = 2.0f * u});
-        taken.push_back({at - distance, at + distance});
+        if (name.line.empty())
+            taken.push_back({within(name.at) - distance, within(name.at) + distance});
     }
-    const auto places = label_places(labels, std::move(taken), lines,
-                                     {field.high.x - field.low.x, field.high.y - field.low.y});
     std::set<std::string> written;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        if (!places[i] || !written.insert(names[i].text).second) continue;
-        field.list->AddText({std::round(field.low.x + places[i]->x + 2.0f * u),
-                             std::round(field.low.y + places[i]->y + u)},
-                            names[i].ink, names[i].text.c_str());
+    for (const DiagramName& name : names) {
+        const bool is_of_line = !name.line.empty();
+        if (is_of_line && written.count(name.line) > 0) continue;
+        const OutsideLabel label{
+            .point = within(name.at),
+            .size = {text_width(name.text) + 4.0f * u, ImGui::GetFontSize() + 2.0f * u},
+            .distance = distance,
+            .line_distance = 2.0f * u,
+            .needs_distance = is_of_line}; // over a line it would be that line's
+        const auto place = label_places({&label, 1}, taken, lines, within(field.high)).front();
+        if (!place) continue;
+        written.insert(name.line);
+        taken.push_back({*place, *place + label.size});
+        field.list->AddText(
+            {std::round(field.low.x + place->x + 2.0f * u), std::round(field.low.y + place->y + u)},
+            name.ink, name.text.c_str());
     }
 }
 
@@ -280,19 +287,24 @@ void draw_field(const ClipField& field, const std::vector<CornerMark>& marks, fl
         field.list->AddLine(a, b, field.colour(plane_meaning), 2.0f * field.u);
         lines.push_back(label_line(field, a, b));
         const ImVec2 upper = a.y < b.y ? a : b, lower = a.y < b.y ? b : a;
-        for (const float share : {0.12f, 0.88f}) {
+        for (const float share : {0.12f, 0.88f, 0.5f, 0.3f, 0.7f}) {
             names.push_back(
                 {{upper.x + share * (lower.x - upper.x), upper.y + share * (lower.y - upper.y)},
                  plane_name(diagram.plane),
-                 field.colour(plane_meaning)});
+                 field.colour(plane_meaning),
+                 "plane"});
         }
     }
     if (diagram.w_range.low < 0.0 && diagram.w_range.high > 0.0) {
         const float y = std::floor(field.at({diagram.side_range.low, 0.0}).y) + 0.5f;
         field.list->AddLine({field.low.x, y}, {field.high.x, y}, packed(p.dim), field.u);
         lines.push_back(label_line(field, {field.low.x, y}, {field.high.x, y}));
-        for (const float x : {field.low.x, 0.5f * (field.low.x + field.high.x)})
-            names.push_back({{x, y}, "w = 0: the eye's plane", packed(p.dim)});
+        for (const char* const name : {"w = 0: the eye's plane", "w = 0"}) {
+            for (const float share : {0.0f, 0.5f, 1.0f, 0.25f, 0.75f}) {
+                const float x = field.low.x + share * (field.high.x - field.low.x);
+                names.push_back({{x, y}, name, packed(p.dim), "w = 0"});
+            }
+        }
     }
     for (const CornerMark& mark : marks)
         draw_corner_mark(field, mark);
@@ -332,7 +344,8 @@ void draw_caption(const ClipPage& page, const ClipDiagram& diagram) {
                 "Before the division the plane is a straight line in every two coordinates, and so "
                 "is every edge, also where w is negative: each edge meets the plane once at most, "
                 "and a straight cut is enough. On the screen an edge through the eye's plane would "
-                "come back from the other side.");
+                "come back from the other side.\nx and y count pixels: at the border of the "
+                "picture x is W/2 · w, and y is H/2 · w.");
 }
 
 } // namespace

@@ -13,9 +13,10 @@ namespace rasterwalk {
 
 inline constexpr std::array<const char*, 4> clip_coordinates{"x", "y", "z", "w"};
 inline constexpr std::array<const char*, 4> clip_coordinate_help{
-    "x of clip space: pixels from the middle of the picture, times w. Divided by w it is on the "
-    "screen.",
-    "y of clip space: pixels from the middle of the picture, times w; points down.",
+    "x of clip space, x' = f x of the lab: pixels from the middle of the picture, times w. Divided "
+    "by w it is on the screen. The matrix Tp gives it in units of W/2.",
+    "y of clip space, y' = f y of the lab: pixels from the middle of the picture, times w; points "
+    "down. The matrix Tp gives it in units of H/2.",
     "z of clip space, of which the depth is made: it is divided by w too.",
     "What x, y and z are divided by: how far in front of the camera. 0 or less is behind it."};
 

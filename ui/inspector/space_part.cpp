@@ -77,9 +77,12 @@ void draw_place(Ui& ui, const SpacePlace& place, MatrixOrder order) {
     name_widget(ui, std::string("vertices.space.").append(place.space), place.about);
     dim_text(ui, place.about);
     if (place.matrix) {
+        ImGui::BeginGroup();
         ImGui::TextUnformatted((std::string(place.matrix_name) + " =").c_str());
         keep_item_whole(ui);
         draw_matrix(ui, place, order);
+        ImGui::EndGroup();
+        name_widget(ui, std::string("vertices.matrix.").append(place.matrix_name), place.about);
     }
     ImGui::PushFont(ui.fonts.mono_small);
     for (int i = 0; i < 4; ++i) {

@@ -144,6 +144,8 @@ class Tour {
             follow_link(driver.ui, std::string("set:clip=") + clip);
             look(driver);
         }
+        follow_link(driver.ui, "set:transform=matrices"); // whose clip space has another scale
+        look(driver);
     }
 
     void small_window() {

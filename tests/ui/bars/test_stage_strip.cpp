@@ -101,6 +101,13 @@ TEST_CASE("The test that lets the farther one win is not called like a depth for
     Settings& settings = driver.ui.session.a.settings;
     settings.depth_format = DepthFormat::reversed_32;
     CHECK(strip_says("rev z"));
+    driver.hand.hover("switch.depth_test");
+    driver.hand.frames(frames_to_rest);
+    const auto explained = screen_text();
+    CHECK(std::any_of(explained.begin(), explained.end(), [](const ScreenText& text) {
+        return text.words.find("reversed z, \"rev z\"") != std::string::npos;
+    }));
+    driver.hand.leave();
     settings.depth_test = DepthTest::reversed;
     CHECK(strip_says("farther wins"));
     CHECK_FALSE(strip_says("rev"));

@@ -13,6 +13,7 @@
 #include "tests/ui/shown_number.h"
 #include "ui/actions/keys.h"
 #include "ui/actions/lesson_links.h"
+#include "ui/actions/open_lesson.h"
 #include "ui/app/app.h"
 #include "ui/canvas/outside_view.h"
 #include "ui/ui.h"
@@ -149,6 +150,54 @@ TEST_CASE("Names do not lie on each other from outside; camera and lamp are alwa
                 vertices += has_text(texts, name) ? 1 : 0;
         }
         CHECK(vertices > 45);
+    }
+}
+
+TEST_CASE("The axes of all spaces are named, in a narrow view each space at its origin") {
+    for (const ImVec2 window : {ImVec2(1600, 1000), ImVec2(1366, 768)}) {
+        for (const CanvasShows shows : {CanvasShows::outside, CanvasShows::both}) {
+            Driver driver("turned-block.toml", window);
+            follow_link(driver.ui, "set:transform=matrices");
+            follow_link(driver.ui, "triangle:28");
+            driver.ui.session.canvas.shows = shows;
+            driver.ui.session.canvas.outside.yaw = -0.6f;
+            driver.ui.session.canvas.outside.pitch = -0.45f;
+            driver.hand.leave();
+            CAPTURE(window.x, static_cast<int>(shows));
+            const std::vector<ScreenText> texts = outside_texts(driver);
+            CHECK(crowded_texts(texts, driver.hand.find("canvas.outside")) == "");
+            for (const char* const name : {"camera", "right", "down", "forward"}) {
+                CAPTURE(name);
+                CHECK(has_text(texts, name));
+            }
+            const bool is_narrow = has_text(texts, "world");
+            int axes = 0;
+            for (const std::string space : {"world ", "object "}) {
+                for (const char* const axis : {"x", "y", "z"})
+                    axes += has_text(texts, space + axis) ? 1 : 0;
+            }
+            if (is_narrow) {
+                CHECK(has_text(texts, "object"));
+                axes += static_cast<int>(
+                    std::count_if(texts.begin(), texts.end(), [](const ScreenText& text) {
+                        return text.words == "x" || text.words == "y" || text.words == "z";
+                    }));
+            }
+            CHECK(axes >= 5);
+        }
+    }
+}
+
+TEST_CASE("The step about near and far shows both with their names") {
+    for (const ImVec2 window : {ImVec2(1600, 1000), ImVec2(1366, 768)}) {
+        Driver driver("lab-room.toml", window);
+        open_lesson(driver.ui, "16-orthographic", 4);
+        driver.hand.leave();
+        const std::vector<ScreenText> texts = outside_texts(driver);
+        for (const std::string plane : {"near", "far"}) {
+            CAPTURE(window.x, plane);
+            CHECK((has_text(texts, plane) || has_text(texts, plane + " plane")));
+        }
     }
 }
 

@@ -141,6 +141,48 @@ TEST_CASE("A plane that is opened has the diagram") {
           driver.ui.widgets.at("clip.edge.2.0").top_left.y);
 }
 
+TEST_CASE(
+    "No name of a line in the diagram lies over an edge, also where near plane and eye meet") {
+    int named = 0;
+    for (const int triangle : {0, 1, 5, 9}) {
+        CutWall wall(triangle);
+        Driver& driver = wall.driver;
+        for (const char* near : {"near=0.01", "near=0.1", "near=1"}) {
+            follow_link(driver.ui, std::string("set:") + near);
+            driver.hand.leave();
+            driver.hand.frames(frames_to_rest);
+            if (driver.ui.widgets.count("clip.diagram") == 0) continue;
+            const WidgetPlace area = driver.ui.widgets.at("clip.diagram");
+            std::vector<ImVec2> corners;
+            for (int i = 0; driver.ui.widgets.count(fmt::format("clip.diagram.corner.{}", i)) > 0;
+                 ++i)
+                corners.push_back(
+                    middle_of(driver.ui.widgets.at(fmt::format("clip.diagram.corner.{}", i))));
+            for (const ScreenText& text : screen_text()) {
+                const bool is_of_line =
+                    text.words.starts_with("w = 0") || text.words.ends_with(" plane");
+                if (!is_of_line || text.low.y < area.top_left.y ||
+                    text.high.y > area.bottom_right.y || text.low.x < area.top_left.x)
+                    continue;
+                ++named;
+                CAPTURE(triangle, near, text.words);
+                // Corners in one place have one mark, and then not all edges are known here.
+                for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
+                    for (int k = 0; k <= 400; ++k) {
+                        const float s = static_cast<float>(k) / 400.0f;
+                        const ImVec2 &a = corners[i], &b = corners[i + 1];
+                        const ImVec2 at{a.x + s * (b.x - a.x), a.y + s * (b.y - a.y)};
+                        const bool is_over = at.x > text.low.x && at.x < text.high.x &&
+                                             at.y > text.low.y && at.y < text.high.y;
+                        if (is_over) FAIL("an edge runs through it");
+                    }
+                }
+            }
+        }
+    }
+    CHECK(named > 6);
+}
+
 TEST_CASE("In a small window the diagram of the Clip tab is whole, or is not there") {
     std::vector<SmallWindow> windows(small_windows.begin(), small_windows.end());
     windows.push_back({{1280, 720}, 1.0f});
