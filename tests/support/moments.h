@@ -19,11 +19,14 @@ inline void add_tests(const Frame& frame, int t, std::vector<Cursor>& moments) {
     const Settings& settings = frame.settings;
     const int first = settings.bounds == Bounds::excludes_zero ? 1 : 0;
     const std::span<const ScreenVertex> v = frame.triangle_vertices(t);
-    // In pixels, on the grid that is set; whole pixels stand at their centres.
+    // In pixels, on the grid that is set; whole pixels stand at their centres. Who asks pixels at
+    // their corners asks as if everything stood half a pixel further on.
+    const double moved = settings.pixel_sample == PixelSample::corner ? 0.5 : 0.0;
     const auto place = [&](const ScreenVertex& vertex, int axis) {
         const double parts = settings.snap == Snap::sixteenth ? 16.0 : 256.0;
-        if (settings.snap == Snap::pixel) return (axis == 0 ? vertex.column : vertex.row) + 0.5;
-        return std::floor(static_cast<double>(vertex.position[axis]) * parts + 0.5) / parts;
+        if (settings.snap == Snap::pixel)
+            return (axis == 0 ? vertex.column : vertex.row) + 0.5 + moved;
+        return std::floor(static_cast<double>(vertex.position[axis]) * parts + 0.5) / parts + moved;
     };
     int index = 0;
     for (std::size_t i = 2; i < v.size(); ++i) {
