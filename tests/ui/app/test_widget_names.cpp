@@ -38,6 +38,7 @@ class Tour {
         small_window();
         from_outside();
         clipped();
+        textured();
         groups();
         large_frame();
     }
@@ -142,6 +143,18 @@ class Tour {
         follow_link(driver.ui, "tab:clip");
         for (const char* clip : {"none", "all"}) {
             follow_link(driver.ui, std::string("set:clip=") + clip);
+            look(driver);
+        }
+    }
+
+    void textured() {
+        Driver driver("checkered-floor.toml");
+        follow_link(driver.ui, "tab:texture");
+        follow_link(driver.ui, "pixel:120,84");
+        for (const char* filter : {"nearest", "bilinear", "trilinear"}) {
+            follow_link(driver.ui, std::string("set:texture_filter=") + filter);
+            look(driver);
+            driver.hand.click("texture.texel.0");
             look(driver);
         }
     }
