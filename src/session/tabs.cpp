@@ -26,6 +26,10 @@ constexpr std::array tabs{
             TabGroup::triangle},
     TabInfo{"fragment", "Fragment",
             "Every number on a fragment's way to its colour, with its formula.", TabGroup::pixel},
+    TabInfo{"texture", "Texture",
+            "The texels that colour the pixel: where it lies in the texture, how far it reaches "
+            "there, and how much each texel counts.",
+            TabGroup::pixel, false, true},
     TabInfo{"history", "History",
             "Everything that falls on the picked pixel, in the order of drawing.", TabGroup::pixel},
     TabInfo{"graph", "Graph",
@@ -206,6 +210,8 @@ bool is_offered(const Session& session, const TabInfo& tab) {
     if (tab.name == tab_below(session)) return true;
     const bool has_camera = session.scene && session.scene->space == SceneSpace::world;
     if (tab.needs_camera && !has_camera) return false;
+    const bool has_texture = session.scene && !session.scene->textures.empty();
+    if (tab.needs_texture && !has_texture) return false;
     if (!hides_tabs(session)) return true;
     return contains(session.tab_guide.panels, tab.name);
 }

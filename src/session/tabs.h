@@ -32,7 +32,8 @@ struct TabInfo {
     std::string_view title;
     std::string_view help; ///< one sentence
     TabGroup group = TabGroup::triangle;
-    bool needs_camera = false; ///< of no use to a scene in pixels, which has no view volume
+    bool needs_camera = false;  ///< of no use to a scene in pixels, which has no view volume
+    bool needs_texture = false; ///< likewise, to a scene without textures
 };
 
 /// The tabs in their order, group by group.

@@ -31,6 +31,7 @@ std::string tab_of(std::string_view widget) {
                                        {"vertices.", "vertices"},
                                        {"clip.", "clip"},
                                        {"fragment.", "fragment"},
+                                       {"texture.", "texture"},
                                        {"microscope.", "microscope"},
                                        {"history.", "history"},
                                        {"graph.", "graph"},

@@ -96,7 +96,13 @@ void draw_vertex_light(Ui& ui) {
                            "R " + std::string(channel_names[static_cast<std::size_t>(channel)]),
                            report.light_per_vertex[channel] > 1.0f);
     }
-    draw_clamped(ui, report.light_per_vertex);
+    if (!report.texture) {
+        draw_clamped(ui, report.light_per_vertex);
+        return;
+    }
+    for (const char* channel : channel_names)
+        draw_fragment_line(ui, std::string("vertex_light.painted.") + channel);
+    draw_clamped(ui, report.light_per_vertex * report.texture->colour);
 }
 
 } // namespace

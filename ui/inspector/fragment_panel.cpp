@@ -120,7 +120,8 @@ void draw_title(Ui& ui) {
                           : "Column and row of the picture on which the fragment drawn last fell.");
     ImGui::SameLine();
     ImGui::BeginGroup();
-    draw_swatch(ui, scene.corner(triangle, 0).reflectance);
+    const glm::vec3 reflectance = scene.corner(triangle, 0).reflectance;
+    draw_swatch(ui, report.texture ? reflectance * report.texture->colour : reflectance);
     ImGui::SameLine(0.0f, style.ItemInnerSpacing.x);
     const std::string shown = first_fitting(parts, ImGui::GetContentRegionAvail().x);
     text_in(p.dim, shown);

@@ -24,6 +24,7 @@ void draw_vertices_panel(Ui& ui);
 void draw_clip_panel(Ui& ui);
 void draw_rows_panel(Ui& ui);
 void draw_fragment_panel(Ui& ui);
+void draw_texture_panel(Ui& ui);
 void draw_graph_panel(Ui& ui);
 void draw_microscope_panel(Ui& ui);
 void draw_history_panel(Ui& ui);

@@ -38,6 +38,7 @@ class Tour {
         small_window();
         from_outside();
         clipped();
+        textured();
         groups();
         large_frame();
     }
@@ -146,6 +147,18 @@ class Tour {
         }
         follow_link(driver.ui, "set:transform=matrices"); // whose clip space has another scale
         look(driver);
+    }
+
+    void textured() {
+        Driver driver("checkered-floor.toml");
+        follow_link(driver.ui, "tab:texture");
+        follow_link(driver.ui, "pixel:120,84");
+        for (const char* filter : {"nearest", "bilinear", "trilinear"}) {
+            follow_link(driver.ui, std::string("set:texture_filter=") + filter);
+            look(driver);
+            driver.hand.click("texture.texel.0");
+            look(driver);
+        }
     }
 
     void small_window() {

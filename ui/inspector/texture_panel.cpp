@@ -1,0 +1,271 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "explain/light_formulas.h"
+#include "picture/view_image.h"
+#include "ui/inspector/fragment_parts.h"
+#include "ui/inspector/panels.h"
+#include "ui/ui.h"
+#include "ui/widgets/formula_view.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// The texture is drawn texel by texel; a larger one by the level of its mip chain that is not.
+constexpr int most_map_texels = 64;
+
+/// Sides of the two drawings, design pixels.
+constexpr float map_side = 132.0f, texel_side = 56.0f;
+
+const TextureReport& texture_on_show(const Ui& ui) {
+    return *report_of(ui).texture;
+}
+
+ImU32 texel_colour(const Ui& ui, const glm::vec3& colour) {
+    const glm::vec3 cut = shown_colour(colour, ui.results.a.frame.stages.visible_channel);
+    return packed({cut.r, cut.g, cut.b, 1.0f});
+}
+
+/// Black or white, whichever stands out; the weights of the channels are those of Rec. 709.
+ImU32 readable_on(const glm::vec3& colour) {
+    const float light = 0.2126f * colour.r + 0.7152f * colour.g + 0.0722f * colour.b;
+    return light > 0.4f ? IM_COL32(0, 0, 0, 255) : IM_COL32(255, 255, 255, 255);
+}
+
+void choose_texture_number(Ui& ui, const std::string& id) {
+    ui.inspector.chosen.fragment_number = id;
+}
+
+/// A formula on one line; a number that is clicked is the one asked about.
+void draw_texture_line(Ui& ui, const std::string& id) {
+    const Formula* const formula = find_formula(report_of(ui).formulas, id);
+    if (formula != nullptr) follow_source(ui, draw_formula_line(ui, *formula, id));
+}
+
+void draw_texture_title(Ui& ui) {
+    const FragmentReport& report = report_of(ui);
+    const Texture& texture = *texture_on_show(ui).surface.texture;
+    ImGui::PushFont(ui.fonts.bold);
+    ImGui::TextUnformatted(fmt::format("Pixel ({}, {})", report.pixel.x, report.pixel.y).c_str());
+    keep_item_whole(ui);
+    ImGui::PopFont();
+    name_widget(ui, "texture.pixel", "Column and row of the picture on which the fragment fell.");
+    text_in(palette(ui.options.theme).dim,
+            shortened(fmt::format("{}, {} × {} texels", texture.name, texture.base().width,
+                                  texture.base().height),
+                      ImGui::GetContentRegionAvail().x));
+    keep_item_whole(ui);
+    name_widget(ui, "texture.name", "The picture on the surface.");
+}
+
+/// A coordinate brought into the texture, and -1 where the texture runs backwards there.
+struct InTexture {
+    float coordinate, sign;
+};
+
+InTexture in_texture(float coordinate, TextureWrap wrap) {
+    const float part = coordinate - std::floor(coordinate);
+    const bool is_odd = std::fmod(std::floor(coordinate), 2.0f) != 0.0f;
+    switch (wrap) {
+    case TextureWrap::repeat:
+        break;
+    case TextureWrap::clamp:
+        return {std::clamp(coordinate, 0.0f, 1.0f), 1.0f};
+    case TextureWrap::mirror:
+        return is_odd ? InTexture{1.0f - part, -1.0f} : InTexture{part, 1.0f};
+    }
+    return {part, 1.0f};
+}
+
+/// The texture, and the footprint of the pixel on it.
+void draw_texture_map(Ui& ui) {
+    const TextureReport& report = texture_on_show(ui);
+    const Texture& texture = *report.surface.texture;
+    std::size_t number = 0;
+    while (std::max(texture.levels[number].width, texture.levels[number].height) > most_map_texels)
+        ++number;
+    const TextureLevel& level = texture.levels[number];
+    const float side = map_side * ui.options.text_scale;
+    const float width = static_cast<float>(texture.base().width);
+    const float height = static_cast<float>(texture.base().height);
+    const ImVec2 size{side * std::min(1.0f, width / height), side * std::min(1.0f, height / width)};
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    const auto at = [&](const glm::vec2& uv) {
+        return ImVec2{low.x + uv.x * size.x, low.y + uv.y * size.y};
+    };
+    const auto corner = [&](int column, int row) {
+        return at({static_cast<float>(column) / static_cast<float>(level.width),
+                   static_cast<float>(row) / static_cast<float>(level.height)});
+    };
+    for (int row = 0; row < level.height; ++row) {
+        for (int column = 0; column < level.width; ++column) {
+            list->AddRectFilled(corner(column, row), corner(column + 1, row + 1),
+                                texel_colour(ui, level.at(column, row)));
+        }
+    }
+    const TextureWrap wrap = ui.results.a.frame.settings.texture_wrap;
+    const InTexture u = in_texture(report.place.texcoord.x, wrap),
+                    v = in_texture(report.place.texcoord.y, wrap);
+    const glm::vec2 place{u.coordinate, v.coordinate}, half{0.5f * u.sign, 0.5f * v.sign};
+    const glm::vec2 right = half * report.place.footprint.right,
+                    down = half * report.place.footprint.down;
+    list->PushClipRect(low, {low.x + size.x, low.y + size.y}, true);
+    const ImU32 mark = packed(palette(ui.options.theme).changed);
+    list->AddQuad(at(place - right - down), at(place + right - down), at(place + right + down),
+                  at(place - right + down), mark, 2.0f * ui.options.text_scale);
+    list->AddCircle(at(place), 5.0f * ui.options.text_scale, mark, 0, 2.0f * ui.options.text_scale);
+    list->PopClipRect();
+    ImGui::Dummy(size);
+    keep_item_whole(ui);
+    name_widget(ui, "texture.map",
+                "The whole texture. The ring is where the pixel lies, and the box round it how far "
+                "the pixel reaches.");
+}
+
+/// The texels that were taken, as they stand side by side, each with its weight.
+void draw_taken_texels(Ui& ui) {
+    const TextureReport& report = texture_on_show(ui);
+    const float u = ui.options.text_scale, side = texel_side * u;
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    ImGui::PushFont(ui.fonts.small);
+    for (int k = 0; k < report.taken.count; ++k) {
+        const TakenTexel& texel = report.taken.list[static_cast<std::size_t>(k)];
+        // Each level has a square of four.
+        const float x = static_cast<float>(k % 2) * side;
+        const float y = static_cast<float>(k / 2) * side + (k < 4 ? 0.0f : 6.0f * u);
+        const ImVec2 from{low.x + x, low.y + y}, to{from.x + side - u, from.y + side - u};
+        const std::string id = fmt::format("texture.texel.{}.weight", k);
+        ImGui::SetCursorScreenPos(from);
+        if (ImGui::InvisibleButton(id.c_str(), {side - u, side - u})) choose_texture_number(ui, id);
+        keep_item_whole(ui);
+        name_widget(ui, fmt::format("texture.texel.{}", k),
+                    fmt::format("Column {}, row {} of level {}; it counts {}.\nClick: how that "
+                                "came to be.",
+                                texel.column, texel.row, texel.level, shown({texel.weight})));
+        list->AddRectFilled(from, to, texel_colour(ui, texel.colour));
+        const bool is_chosen = ui.inspector.chosen.fragment_number == id;
+        list->AddRect(
+            from, to,
+            packed(is_chosen ? palette(ui.options.theme).changed : palette(ui.options.theme).line),
+            0.0f, 0, is_chosen ? 2.0f * u : 1.0f * u);
+        const ImU32 ink = readable_on(texel.colour);
+        const float line = ImGui::GetTextLineHeight();
+        list->AddText({from.x + 4.0f * u, from.y + 4.0f * u}, ink, shown({texel.weight}).c_str());
+        list->AddText({from.x + 4.0f * u, to.y - line - 3.0f * u}, ink,
+                      fmt::format("{}, {}", texel.column, texel.row).c_str());
+    }
+    ImGui::PopFont();
+}
+
+/// How many texels stand below each other, with the gap between two levels, screen pixels.
+float height_of_taken(const Ui& ui) {
+    const int count = texture_on_show(ui).taken.count;
+    const float rows = static_cast<float>((count + 1) / 2);
+    return (rows * texel_side + (count > 4 ? 6.0f : 0.0f)) * ui.options.text_scale;
+}
+
+void draw_mixed_colour(Ui& ui) {
+    const TextureReport& report = texture_on_show(ui);
+    const Palette& p = palette(ui.options.theme);
+    const float size = ImGui::GetTextLineHeight();
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    ImGui::GetWindowDrawList()->AddRectFilled(from, {from.x + 2.0f * size, from.y + size},
+                                              texel_colour(ui, report.colour));
+    ImGui::Dummy({2.0f * size, size});
+    ImGui::SameLine();
+    FormulaLine line(ui, 0.0f);
+    for (int i = 0; i < 3; ++i) {
+        const std::string channel = channel_names[static_cast<std::size_t>(i)];
+        const std::string id = "texture." + channel;
+        if (line.link(shown({report.colour[i]}), id,
+                      channel + " of the texture here.\nClick: how it was mixed.", p.text))
+            choose_texture_number(ui, id);
+        line.text("  ", p.text);
+    }
+}
+
+void draw_texture_page(Ui& ui) {
+    draw_texture_title(ui);
+    ImGui::Spacing();
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    const float gap = 12.0f * ui.options.text_scale;
+    const float map = map_side * ui.options.text_scale;
+    const float texels = 2.0f * texel_side * ui.options.text_scale;
+    const bool fits = map + gap + texels <= ImGui::GetContentRegionAvail().x;
+    draw_texture_map(ui);
+    const ImVec2 second{fits ? start.x + map + gap : start.x,
+                        fits ? start.y : ImGui::GetCursorScreenPos().y + gap};
+    ImGui::SetCursorScreenPos(second);
+    draw_taken_texels(ui);
+    const float bottom = std::max(fits ? start.y + map : second.y, second.y + height_of_taken(ui));
+    ImGui::SetCursorScreenPos({start.x, bottom + gap});
+    draw_mixed_colour(ui);
+    ImGui::Spacing();
+    for (const char* id :
+         {"texture.x", "texture.y", "texture.right", "texture.down", "texture.level"})
+        draw_texture_line(ui, id);
+}
+
+void draw_texture_formula(Ui& ui) {
+    const std::vector<Formula>& formulas = report_of(ui).formulas;
+    const Formula* formula = find_formula(formulas, ui.inspector.chosen.fragment_number);
+    if (formula == nullptr) formula = find_formula(formulas, "texture.level");
+    begin_card(ui);
+    if (!ui.inspector.is_low) {
+        ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
+        wrapped_text(formula->help);
+        keep_text_whole(ui);
+        ImGui::PopStyleColor();
+    }
+    const std::optional<Source> clicked = draw_formula(ui, *formula, "texture.formula");
+    end_card(ui);
+    follow_source(ui, clicked);
+}
+
+void draw_no_texture(Ui& ui) {
+    const Frame& frame = ui.results.a.frame;
+    std::string words = "Click a pixel of the picture, or step to a fragment.";
+    if (frame.scene->textures.empty())
+        words = "This scene has no textures.";
+    else if (frame.settings.texture == TextureUse::off)
+        words = "Textures are off.";
+    else if (!has_fragments(frame.settings.stage))
+        words = "This stage has no fragments: they come with the filling of triangles.";
+    else if (ui.results.a.inspected.fragment)
+        words = "This surface has no texture.";
+    else if (ui.session.selection.pixel)
+        words = "No fragment ever falls on this pixel. The History tab says why.";
+    ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
+    wrapped_text(words);
+    ImGui::PopStyleColor();
+    name_widget(ui, "texture.none");
+}
+
+} // namespace
+
+void draw_texture_panel(Ui& ui) {
+    const std::optional<FragmentReport>& fragment = ui.results.a.inspected.fragment;
+    if (!fragment || !fragment->texture) {
+        draw_no_texture(ui);
+        return;
+    }
+    if (!ui.inspector.has_card) {
+        draw_texture_page(ui);
+        draw_texture_formula(ui);
+        return;
+    }
+    draw_with_card(
+        ui, "texture", [&] { draw_texture_page(ui); }, [&] { draw_texture_formula(ui); });
+}
+
+} // namespace rasterwalk
