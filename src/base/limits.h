@@ -59,6 +59,32 @@ inline constexpr float largest_indirect = 100.0f;
 inline constexpr float smallest_exponent = 0.0f;
 inline constexpr float largest_exponent = 10000.0f;
 
+/// The largest model file (.obj), and the largest file of its materials (.mtl), bytes.
+inline constexpr std::size_t largest_model_file = std::size_t{256} << 20;
+inline constexpr std::size_t largest_material_file = std::size_t{4} << 20;
+
+/// The most points of a model, and as many texture coordinates and normals.
+inline constexpr std::size_t most_model_points = 4'000'000;
+
+/// The largest coordinate in a model file, either sign.
+inline constexpr double largest_model_coordinate = 1e9;
+
+/// The most parts, materials and files of materials of a model.
+inline constexpr std::size_t most_model_parts = 4096;
+inline constexpr std::size_t most_materials = 4096;
+inline constexpr std::size_t most_material_files = 64;
+
+/// The most corners of a face that a fan cannot cut into triangles, and the most questions about
+/// such corners that a whole model may cost.
+inline constexpr std::size_t most_ear_corners = 4096;
+inline constexpr long long most_ear_tests = 200'000'000;
+
+/// The most faces round a point over which its normal is smoothed.
+inline constexpr int most_smoothed_faces = 256;
+
+/// The most kinds of statement that the report on a model tells apart.
+inline constexpr std::size_t most_skipped_kinds = 64;
+
 /// The number of the last step that a lesson can have.
 inline constexpr int most_lesson_steps = 64;
 

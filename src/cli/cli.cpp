@@ -61,7 +61,8 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
     line.app.require_subcommand(0, 1);
     line.app
         .add_option("FILE", line.view.file,
-                    "Scene (.toml), lesson (.md) or saved view (.walk.toml) to open in the window")
+                    "Scene (.toml), model (.obj), lesson (.md) or saved view (.walk.toml) to open "
+                    "in the window")
         ->type_name("");
     add_view_options(line.app, line.view);
     add_look_options(line.app, line.view);
@@ -76,6 +77,8 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
 
     CLI::App& stats = add_command(line, "stats", "Count triangles, fragments, overdraw ...",
                                   [&] { stats_command(line.stats, clock, out, err); });
+    stats.add_option("FILE", line.stats.view.file, "Scene, model, lesson or saved view")
+        ->type_name("");
     add_json(stats, line.stats.json);
     stats.add_flag("--time", line.stats.time,
                    "Measure, too, what each way of culling saves on this machine");
@@ -164,7 +167,9 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
 
     CLI::App& check = add_command(line, "check", "Look for faults in lessons, scenes and presets",
                                   [&] { line.exit_code = check_command(line.check, out, err); });
-    check.add_option("PATH", line.check.paths, "Folders, lessons (.md) and scenes (.toml)")
+    check
+        .add_option("PATH", line.check.paths,
+                    "Folders, lessons (.md), scenes (.toml) and models (.obj)")
         ->type_name("")
         ->required();
 

@@ -14,6 +14,7 @@
 #include "laboratory/bug.h"
 #include "lessons/lesson.h"
 #include "lessons/lesson_check.h"
+#include "scene/read_obj.h"
 #include "session/content.h"
 #include "session/scene_file.h"
 #include "settings/setting_table.h"
@@ -39,13 +40,16 @@ std::vector<std::string> files_in(const fs::path& folder) {
         const bool is_data =
             name == "presets.toml" || name == "glossary.toml" || name == "bugs.toml";
         const bool is_scene = folder.filename() == "scenes" && name.ends_with(".toml");
-        if (is_lesson_name(name) || is_data || is_scene) files.push_back(entry->path().string());
+        const bool is_model = folder.filename() == "models" && is_model_file(name);
+        if (is_lesson_name(name) || is_data || is_scene || is_model)
+            files.push_back(entry->path().string());
     }
     if (fault) throw AccessError("cannot read '" + folder.string() + "': " + fault.message() + ".");
     std::sort(files.begin(), files.end());
-    std::error_code ignored;
-    if (fs::is_directory(folder / "scenes", ignored)) {
-        for (std::string& file : files_in(folder / "scenes"))
+    for (const char* const below : {"models", "scenes"}) {
+        std::error_code ignored;
+        if (!fs::is_directory(folder / below, ignored)) continue;
+        for (std::string& file : files_in(folder / below))
             files.push_back(std::move(file));
     }
     return files;
@@ -88,6 +92,16 @@ int check_file(const std::string& path, const Session& session, std::ostream& ou
         return read([&] { open_view(options); });
     }
     if (name.ends_with(".toml")) return read([&] { read_scene_file(path); });
+    if (is_model_file(name)) {
+        int faults = 0;
+        const int refused = read([&] {
+            const ObjReport report = read_obj(path).report;
+            for (const std::string& line : fault_lines(report))
+                out << line << '\n';
+            faults = static_cast<int>(report.counts.faults);
+        });
+        return faults + refused;
+    }
     const Lesson lesson = read_lesson(path);
     const std::vector<Fault> faults = check_lesson(lesson, session);
     for (const Fault& fault : faults)

@@ -20,6 +20,10 @@ namespace rasterwalk {
 namespace {
 
 void report_troubles(const Frame& frame, const LeftOut& left_out, std::ostream& err) {
+    if (frame.scene->model_report) {
+        for (const std::string& line : fault_lines(*frame.scene->model_report))
+            err << "rasterwalk: " << line << '\n';
+    }
     for (const SettingFault& fault : setting_faults(frame.settings, frame.scene->space))
         err << "rasterwalk: " << fault.sentence << ".\n";
     for (const RejectionWords& reason : rejection_list) {
@@ -91,6 +95,14 @@ Json to_json(const FrameStats& stats) {
     return json;
 }
 
+Json to_json(const ObjReport& report) {
+    std::map<std::string_view, std::int64_t> counts; // by name
+    for (const ObjCountInfo& info : obj_count_list)
+        counts[info.name] = report.counts.*info.count;
+    return {
+        {"counts", counts}, {"faults", fault_lines(report)}, {"skipped", skipped_lines(report)}};
+}
+
 std::int64_t culled_count(const CullingCost& cost) {
     return cost.stats.left_out.of(Rejection::back_facing);
 }
@@ -118,6 +130,13 @@ void print_costs(const CullingCosts& costs, std::ostream& out) {
     }
 }
 
+void print_model(const ObjReport& report, std::ostream& out, std::ostream& err) {
+    for (const ObjCountInfo& info : obj_count_list)
+        out << fmt::format("model.{:<18}{}\n", info.name, report.counts.*info.count);
+    for (const std::string& line : skipped_lines(report))
+        err << "rasterwalk: " << line << '\n';
+}
+
 } // namespace
 
 void render_command(const RenderOptions& options, std::ostream& err) {
@@ -134,10 +153,13 @@ std::string stats_footer() {
     std::string text = "What is counted:";
     for (const StatInfo& info : stat_list)
         text += fmt::format("\n  {:<24}{}", info.name, info.help);
-    return text +
-           "\n  left_out                with --json: triangles that are not drawn, by reason\n"
-           "With --time, for each way of culling: the median time of a frame in milliseconds,\n"
-           "and its share of the time without culling; with --json as culling_times.";
+    text += "\n  left_out                with --json: triangles that are not drawn, by reason\n"
+            "With --time, for each way of culling: the median time of a frame in milliseconds,\n"
+            "and its share of the time without culling; with --json as culling_times.";
+    text += "\nOf a model (.obj), with --json as model:";
+    for (const ObjCountInfo& info : obj_count_list)
+        text += fmt::format("\n  model.{:<18}{}", info.name, info.help);
+    return text;
 }
 
 void stats_command(const StatsOptions& options, const Clock& clock, std::ostream& out,
@@ -148,15 +170,18 @@ void stats_command(const StatsOptions& options, const Clock& clock, std::ostream
     const Frame frame = prepare_frame(*session.scene, settings);
     Framebuffer framebuffer;
     const FrameStats stats = frame_stats(frame, session.cursor, framebuffer);
+    const std::optional<ObjReport>& model = session.scene->model_report;
     std::optional<CullingCosts> costs;
     if (options.time) costs = culling_costs(*session.scene, settings, session.cursor, clock);
     if (options.json) {
         Json json = to_json(stats);
         if (costs) json["culling_times"] = to_json(*costs);
+        if (model) json["model"] = to_json(*model);
         print_json(json, out);
     } else {
         for (const StatInfo& info : stat_list)
             out << fmt::format("{:<24}{}\n", info.name, info.read(stats));
+        if (model) print_model(*model, out, err);
         if (costs) print_costs(*costs, out);
     }
     report_troubles(frame, stats.left_out, err);

@@ -289,6 +289,8 @@ Session open_view(const ViewOptions& given) {
         compare_with(session, *correct);
         session.replaced = replaced; // the laboratory turns it off again
     }
+    if (session.notice.empty() && session.scene->model_report)
+        session.notice = fault_notice(*session.scene->model_report);
     session.jumps = 0;
     return std::move(start.session);
 }

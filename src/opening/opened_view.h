@@ -19,7 +19,7 @@ struct ViewField;
 /// What a command line says about the view, as it was written. What is empty was not said. Where a
 /// lesson or a saved view sets something, `none` takes it away again.
 struct ViewOptions {
-    std::string file;   ///< a scene (.toml), a lesson (.md) or a saved view (.walk.toml)
+    std::string file;   ///< a scene (.toml, .obj), a lesson (.md) or a saved view (.walk.toml)
     std::string scene;  ///< path, from here or from lessons_folder(); the lab's room if not given
     std::string lesson; ///< id, or path of a lesson
     std::string step;   ///< of the lesson; 0 is its opening
@@ -39,7 +39,8 @@ struct ViewOptions {
 /// saved view; then take effect size, bug, presets, stage, assignments, in this order, so that what
 /// is more exact wins, and then all others. With a bug the correct run is run B unless `b` says
 /// otherwise. Throws Error: what a file says wrongly is an InputError with file:line. A lesson that
-/// is wrong elsewhere than in what this step shows opens, and session.notice says so.
+/// is wrong elsewhere than in what this step shows opens, and session.notice says so; the same of a
+/// model with faults.
 Session open_view(const ViewOptions& given);
 
 /// The option of a field as it is written: "--compare-view".

@@ -56,7 +56,8 @@ void add_part(CLI::App& command, ViewOptions& o, ViewPart part) {
 
 void add_view_options(CLI::App& command, ViewOptions& o) {
     add_text(command, "--scene", o.scene,
-             "Scene file (.toml), or one of the program's own as scenes/fence.toml; the lab's room "
+             "Scene (.toml) or model (.obj), or one of the program's own as scenes/fence.toml; the "
+             "lab's room "
              "if not given",
              "FILE");
     add_text(command, "--lesson", o.lesson,

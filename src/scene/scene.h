@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "base/enum_words.h"
 #include "scene/mesh.h"
 #include "scene/model.h"
+#include "scene/obj_report.h"
 #include "scene/texture.h"
 
 namespace rasterwalk {
@@ -130,7 +132,8 @@ struct Scene {
     Camera camera;
     Light light;
     Viewport viewport;
-    std::string stage; ///< name of the stage the scene asks for; empty: no wish
+    std::string stage;                     ///< name of the stage the scene asks for; empty: no wish
+    std::optional<ObjReport> model_report; ///< of a scene that was read from a model file
 
     int triangle_count() const { return mesh.triangle_count(); }
     /// A corner of a triangle: 0, 1 or 2.

@@ -6,8 +6,9 @@
 
 namespace rasterwalk {
 
-/// Reads a scene; a stage that it asks for must be one of the pipeline's. "-" is the standard
-/// input. Throws AccessError, or InputError with file:line.
+/// Reads a scene, or a model (.obj) with a camera and a lamp that fit it; a stage that it asks for
+/// must be one of the pipeline's. "-" is the standard input. Throws AccessError, or InputError with
+/// file:line.
 Scene read_scene_file(const std::string& path);
 
 } // namespace rasterwalk

@@ -100,7 +100,8 @@ void handle_keys(Ui& ui) {
 
 void open_scene(Ui& ui, const std::string& path) {
     set_scene(ui.session, read_scene_file(path));
-    ui.session.notice.clear();
+    const std::optional<ObjReport>& model = ui.session.scene->model_report;
+    ui.session.notice = model ? fault_notice(*model) : "";
     close_lesson(ui);
 }
 

@@ -45,7 +45,8 @@ std::string chord_text(const Chord& chord);
 void handle_keys(Ui& ui);
 
 /// Opens a scene file in place of what is on show; the lesson, which speaks of another, is closed.
-/// Throws Error; everything is then as it was.
+/// Of a model with faults session.notice names the first. Throws Error; everything is then as it
+/// was.
 void open_scene(Ui& ui, const std::string& path);
 
 } // namespace rasterwalk

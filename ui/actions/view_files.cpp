@@ -14,6 +14,7 @@
 #include "lessons/lesson_list.h"
 #include "opening/command_line_text.h"
 #include "opening/opened_view.h"
+#include "scene/read_obj.h"
 #include "session/content.h"
 #include "session/scene_file.h"
 #include "ui/actions/actions.h"
@@ -50,7 +51,8 @@ bool is_listed(FileSheet::Kind kind, const std::string& name) {
     if (std::find(std::begin(other_data), std::end(other_data), name) != std::end(other_data)) {
         return false;
     }
-    return name.ends_with(".toml") || is_lesson_file(name) || has_result_ending(name);
+    return name.ends_with(".toml") || is_model_file(name) || is_lesson_file(name) ||
+           has_result_ending(name);
 }
 
 bool comes_before(const FileEntry& a, const FileEntry& b) {

@@ -41,7 +41,7 @@ ActionOptions describe(CLI::App& app, Arguments& a) {
         "--click, --hover, --pick and --press are carried out in the order in which they "
         "stand.\nExit codes: 0 done, 2 wrong usage, 3 bad input, 4 could not read or write.");
     app.add_option("FILE", a.view.file,
-                   "Scene (.toml), lesson (.md) or saved view (.walk.toml) to open");
+                   "Scene (.toml), model (.obj), lesson (.md) or saved view (.walk.toml) to open");
     app.add_option("-o,--output", a.output, "PNG file to write")->type_name("FILE")->required();
     add_view_options(app, a.view);
     add_look_options(app, a.view);

@@ -39,10 +39,11 @@ SheetWords words_of(FileSheet::Kind kind) {
                 "No pictures and no texts here.", "Check",
                 "Looks for what may be wrong with it. Key: Enter"};
     default:
-        return {"Open",
-                "A saved view (.walk.toml), a scene (.toml) or a lesson (.md). Your own picture or "
-                "printed rows are diagnosed.",
-                "No views, scenes or lessons here.", "Open", "Opens the file. Key: Enter"};
+        return {
+            "Open",
+            "A saved view (.walk.toml), a scene (.toml), a model (.obj) or a lesson (.md). Your "
+            "own picture or printed rows are diagnosed.",
+            "No views, scenes or lessons here.", "Open", "Opens the file. Key: Enter"};
     }
 }
 

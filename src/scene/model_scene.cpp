@@ -1,0 +1,119 @@
+#include "scene/model_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "base/quoted.h"
+#include "scene/look_at.h"
+
+namespace rasterwalk {
+
+namespace {
+
+struct Box {
+    glm::vec3 least{0.0f}, most{0.0f};
+};
+
+template <class Places>
+Box box_of(const Places& places, std::size_t count) {
+    Box box{places(0), places(0)};
+    for (std::size_t i = 1; i < count; ++i) {
+        box.least = glm::min(box.least, places(i));
+        box.most = glm::max(box.most, places(i));
+    }
+    return box;
+}
+
+Box box_of(const Mesh& mesh) {
+    return box_of([&](std::size_t i) { return mesh.vertices()[i].position; },
+                  mesh.vertices().size());
+}
+
+/// What puts a box into the middle of the world.
+std::vector<ModelStep> fitting_steps(const Box& box) {
+    const glm::vec3 middle = box.least + (box.most - box.least) * 0.5f;
+    const glm::vec3 half = (box.most - box.least) * 0.5f;
+    const float longest = std::max({half.x, half.y, half.z});
+    // What is smaller is a point: there is nothing to be seen larger.
+    constexpr float smallest = 1e-9f;
+    const float scale = longest > smallest ? 1.0f / longest : 1.0f;
+    return {{ModelStepKind::translate, -middle}, {ModelStepKind::scale, {scale, -scale, -scale}}};
+}
+
+Camera fitting_camera(const Box& box, const Viewport& viewport) {
+    Camera camera;
+    camera.yaw = 0.5f;
+    camera.pitch = -0.35f;
+    const glm::vec3 forward(std::cos(camera.pitch) * std::sin(camera.yaw), -std::sin(camera.pitch),
+                            std::cos(camera.pitch) * std::cos(camera.yaw));
+    const glm::mat3 axes = look_at_rotation(-forward, glm::vec3(0.0f), camera.up);
+    constexpr float filled = 0.9f; // of the picture
+    constexpr float nearest = 0.5f;
+    const float half_width = 0.5f * filled * static_cast<float>(viewport.width);
+    const float half_height = 0.5f * filled * static_cast<float>(viewport.height);
+    float distance = 0.0f;
+    for (int i = 0; i < 8; ++i) {
+        const glm::vec3 corner((i & 1) != 0 ? box.most.x : box.least.x,
+                               (i & 2) != 0 ? box.most.y : box.least.y,
+                               (i & 4) != 0 ? box.most.z : box.least.z);
+        const float right = std::abs(glm::dot(axes[0], corner));
+        const float down = std::abs(glm::dot(axes[1], corner));
+        const float depth = std::max({camera.focal_length * right / half_width,
+                                      camera.focal_length * down / half_height, nearest});
+        distance = std::max(distance, depth - glm::dot(axes[2], corner));
+    }
+    camera.position = -distance * axes[2];
+    return camera;
+}
+
+/// Above the camera and to its left. Where the box has its middle, a surface across the way to the
+/// lamp gives back three quarters of the light that white can.
+Light fitting_light(const Camera& camera) {
+    const glm::mat3 axes = look_at_rotation(camera.position, glm::vec3(0.0f), camera.up);
+    Light light;
+    light.position = camera.position - 1.2f * axes[0] - 1.5f * axes[1];
+    constexpr float direct = 0.6f, pi = 3.14159265f;
+    light.power = glm::vec3(direct * 4.0f * pi * glm::dot(light.position, light.position));
+    light.indirect = glm::vec3(0.15f);
+    return light;
+}
+
+} // namespace
+
+Scene scene_of_model(const ObjModel& model) {
+    Scene scene;
+    scene.path = model.path;
+    scene.name = visible_line(std::filesystem::path(model.path).stem().string());
+    scene.model_report = model.report;
+    const std::vector<ModelStep> steps = fitting_steps(box_of(model.mesh));
+    const glm::dmat4 matrix = model_matrix(steps);
+    for (Vertex vertex : model.mesh.vertices()) {
+        vertex.position = glm::vec3(transform_point(matrix, glm::dvec3(vertex.position)));
+        vertex.normal = {vertex.normal.x, -vertex.normal.y, -vertex.normal.z};
+        // In a model file v runs up, in a texture down.
+        vertex.texcoord.y = 1.0f - vertex.texcoord.y;
+        scene.mesh.add_vertex(vertex);
+    }
+    for (const TriangleIndices& corners : model.mesh.triangles())
+        scene.mesh.add_triangle({corners[0], corners[2], corners[1]});
+    for (const ObjPart& part : model.parts) {
+        Part placed{part.name, part.first_triangle, part.triangle_count, {steps, {}}};
+        placed.model.positions.reserve(3 * static_cast<std::size_t>(part.triangle_count));
+        for (int i = 0; i < part.triangle_count; ++i) {
+            for (const int corner : {0, 2, 1}) {
+                placed.model.positions.push_back(
+                    model.mesh.corner(part.first_triangle + i, corner).position);
+            }
+        }
+        scene.parts.push_back(std::move(placed));
+    }
+    scene.camera = fitting_camera(box_of(scene.mesh), scene.viewport);
+    scene.light = fitting_light(scene.camera);
+    return scene;
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,83 @@
+#include "scene/obj_report.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/faults.h"
+#include "base/limits.h"
+#include "base/numbers.h"
+#include "base/quoted.h"
+
+namespace rasterwalk {
+
+namespace {
+
+constexpr std::size_t longest_kind = 24;
+constexpr std::string_view further_kinds = "others";
+
+} // namespace
+
+bool ObjReporter::has_room() const {
+    return report_.faults.size() < static_cast<std::size_t>(most_faults);
+}
+
+void ObjReporter::keep(std::string_view path, int line, std::string sentence) {
+    report_.faults.push_back({visible_line(path), line, std::move(sentence)});
+}
+
+void ObjReporter::skip(std::string_view path, int line, std::string_view statement,
+                       std::string_view why) {
+    statement = statement.substr(0, longest_kind);
+    std::vector<ObjSkipped>& skipped = report_.skipped;
+    const auto known = kinds_.find(statement);
+    if (known != kinds_.end()) {
+        ++skipped[known->second].count;
+    } else if (kinds_.size() < most_skipped_kinds) {
+        kinds_.emplace(statement, skipped.size());
+        skipped.push_back({visible_line(statement), std::string(why), visible_line(path), line, 1});
+    } else if (skipped.size() == most_skipped_kinds) {
+        skipped.push_back(
+            {std::string(further_kinds), "of too many kinds to list", visible_line(path), line, 1});
+    } else {
+        ++skipped.back().count;
+    }
+}
+
+std::string fault_line(const ObjFault& fault) {
+    return fmt::format("{}:{}: {}", fault.path, fault.line, fault.sentence);
+}
+
+std::vector<std::string> fault_lines(const ObjReport& report) {
+    std::vector<std::string> lines;
+    for (const ObjFault& fault : report.faults)
+        lines.push_back(fault_line(fault));
+    const std::int64_t kept = static_cast<std::int64_t>(report.faults.size());
+    if (report.counts.faults > kept) {
+        lines.push_back(counted(report.counts.faults - kept, "more fault", "more faults") +
+                        " after these.");
+    }
+    return lines;
+}
+
+std::vector<std::string> skipped_lines(const ObjReport& report) {
+    std::vector<std::string> lines;
+    for (const ObjSkipped& skipped : report.skipped) {
+        lines.push_back(fmt::format("{}:{}: {} '{}' {} skipped: {}.", skipped.path, skipped.line,
+                                    counted(skipped.count, "statement", "statements"),
+                                    skipped.statement, skipped.count == 1 ? "is" : "are",
+                                    skipped.why));
+    }
+    return lines;
+}
+
+std::string fault_notice(const ObjReport& report) {
+    if (report.faults.empty()) return {};
+    const std::string first = fault_line(report.faults.front());
+    const std::int64_t more = report.counts.faults - 1;
+    if (more == 0) return first;
+    return fmt::format("{} {}: 'rasterwalk stats' lists them.", first,
+                       counted(more, "more fault", "more faults"));
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,127 @@
+#pragma once
+
+// What was found in a model file, and what of it is not in the model.
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rasterwalk {
+
+/// How much a model file holds. In 64 bits: no file can make a count run over.
+struct ObjCounts {
+    std::int64_t lines = 0;            ///< of the model file, without those of its materials
+    std::int64_t positions = 0;        ///< statements v
+    std::int64_t texcoords = 0;        ///< statements vt
+    std::int64_t normals = 0;          ///< statements vn
+    std::int64_t faces = 0;            ///< statements f that are drawn
+    std::int64_t corners = 0;          ///< of these faces
+    std::int64_t triangles = 0;        ///< into which they are cut
+    std::int64_t vertices = 0;         ///< of the mesh: corners that differ
+    std::int64_t computed_normals = 0; ///< corners whose normal the file does not give
+    std::int64_t parts = 0;            ///< runs of faces of one object, group and material
+    std::int64_t materials = 0;        ///< statements newmtl
+    std::int64_t faults = 0;           ///< statements that are wrong
+
+    friend bool operator==(const ObjCounts&, const ObjCounts&) = default;
+};
+
+/// A count as the report names it.
+struct ObjCountInfo {
+    std::string_view name, help;
+    std::int64_t ObjCounts::*count;
+};
+
+/// All of them, in the order in which they are told.
+inline constexpr std::array obj_count_list{
+    ObjCountInfo{"lines", "of the model file", &ObjCounts::lines},
+    ObjCountInfo{"positions", "points in space: v", &ObjCounts::positions},
+    ObjCountInfo{"texcoords", "points in a texture: vt", &ObjCounts::texcoords},
+    ObjCountInfo{"normals", "given in the file: vn", &ObjCounts::normals},
+    ObjCountInfo{"faces", "polygons that are drawn: f", &ObjCounts::faces},
+    ObjCountInfo{"corners", "of these faces", &ObjCounts::corners},
+    ObjCountInfo{"triangles", "into which they are cut", &ObjCounts::triangles},
+    ObjCountInfo{"vertices", "corners that differ in a number: each is shaded once",
+                 &ObjCounts::vertices},
+    ObjCountInfo{"computed_normals", "corners whose normal is computed, since none is given",
+                 &ObjCounts::computed_normals},
+    ObjCountInfo{"parts", "runs of faces of one object, group and material", &ObjCounts::parts},
+    ObjCountInfo{"materials", "newmtl, in the files that mtllib names", &ObjCounts::materials},
+    ObjCountInfo{"faults", "statements that are wrong; they are left out", &ObjCounts::faults},
+};
+static_assert(sizeof(ObjCounts) == obj_count_list.size() * sizeof(std::int64_t),
+              "every count has its row");
+
+/// A statement that is wrong. It is left out, and what stands after it is read.
+struct ObjFault {
+    std::string path;     ///< of the model or of its materials, as messages show it
+    int line = 0;         ///< from 1
+    std::string sentence; ///< what is wrong and what is done instead; ends with a full stop
+
+    friend bool operator==(const ObjFault&, const ObjFault&) = default;
+};
+
+/// Statements of one kind that are right, or unknown, and have no effect.
+struct ObjSkipped {
+    std::string statement; ///< its first word, as it can be shown
+    std::string why;       ///< "curves and curved surfaces are not drawn"
+    std::string path;      ///< of the first one
+    int line = 0;          ///< of the first one, from 1
+    std::int64_t count = 0;
+
+    friend bool operator==(const ObjSkipped&, const ObjSkipped&) = default;
+};
+
+struct ObjReport {
+    ObjCounts counts;
+    std::vector<ObjFault> faults;    ///< the first `most_faults` of them, in the order of reading
+    std::vector<ObjSkipped> skipped; ///< in the order in which the kinds were met
+
+    friend bool operator==(const ObjReport&, const ObjReport&) = default;
+};
+
+/// Fills a report while a model and its materials are read.
+class ObjReporter {
+  public:
+    /// Adds to this report, which must live as long.
+    explicit ObjReporter(ObjReport& report) : report_(report) {}
+
+    /// Counts a fault, and keeps it if there is room.
+    /// @param say makes the sentence; called only if it is kept
+    template <class Say>
+    void fault(std::string_view path, int line, Say say) {
+        ++report_.counts.faults;
+        if (has_room()) keep(path, line, say());
+    }
+
+    /// Counts a statement that has no effect. Beyond `most_skipped_kinds` kinds all are one.
+    /// @param statement its first word
+    void skip(std::string_view path, int line, std::string_view statement, std::string_view why);
+
+    ObjReport& report() { return report_; }
+
+  private:
+    bool has_room() const;
+    void keep(std::string_view path, int line, std::string sentence);
+
+    ObjReport& report_;
+    std::map<std::string, std::size_t, std::less<>> kinds_; ///< the index in `skipped` by the word
+};
+
+/// "m.obj:7: 'f' has 2 corners, and a face has at least three; it is left out."
+std::string fault_line(const ObjFault& fault);
+
+/// The faults as sentences with file:line; those that were not kept are counted in a last one.
+std::vector<std::string> fault_lines(const ObjReport& report);
+
+/// The same of what was skipped: "m.obj:3: 4 statements 's' are skipped: ..."
+std::vector<std::string> skipped_lines(const ObjReport& report);
+
+/// The first fault, and how many more there are, as one notice; empty if there is none.
+std::string fault_notice(const ObjReport& report);
+
+} // namespace rasterwalk

@@ -1,0 +1,112 @@
+#include "scene/obj_words.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <system_error>
+
+#include "base/limits.h"
+#include "base/quoted.h"
+
+namespace rasterwalk {
+
+namespace {
+
+constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+
+bool is_blank(char c) {
+    return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+}
+
+bool is_comment(std::string_view line) {
+    const auto first = std::find_if_not(line.begin(), line.end(), is_blank);
+    return first != line.end() && *first == '#';
+}
+
+/// Takes the backslash from the end of a line; blanks may stand behind it.
+bool take_backslash(std::string_view& line) {
+    std::string_view text = line;
+    while (!text.empty() && is_blank(text.back()))
+        text.remove_suffix(1);
+    if (!text.ends_with('\\')) return false;
+    line = text.substr(0, text.size() - 1);
+    return true;
+}
+
+} // namespace
+
+ObjLines::ObjLines(std::string_view text) : rest_(text) {
+    if (rest_.starts_with(byte_order_mark)) rest_.remove_prefix(byte_order_mark.size());
+}
+
+std::string_view ObjLines::take_line() {
+    ++line_count_;
+    std::size_t end = 0;
+    while (end < rest_.size() && rest_[end] != '\n' && rest_[end] != '\r')
+        ++end;
+    const std::string_view line = rest_.substr(0, end);
+    if (end < rest_.size())
+        end += rest_[end] == '\r' && end + 1 < rest_.size() && rest_[end + 1] == '\n' ? 2 : 1;
+    rest_.remove_prefix(end);
+    return line;
+}
+
+bool ObjLines::next() {
+    if (rest_.empty()) return false;
+    statement_ = take_line();
+    line_ = line_count_;
+    if (is_comment(statement_) || !take_backslash(statement_)) return true;
+    joined_ = statement_;
+    bool goes_on = true;
+    while (goes_on && !rest_.empty()) {
+        std::string_view line = take_line();
+        goes_on = take_backslash(line);
+        joined_.append(" ").append(line);
+    }
+    statement_ = joined_;
+    return true;
+}
+
+std::string_view take_word(std::string_view& text) {
+    std::size_t begin = 0;
+    while (begin < text.size() && is_blank(text[begin]))
+        ++begin;
+    std::size_t end = begin;
+    while (end < text.size() && !is_blank(text[end]))
+        ++end;
+    const std::string_view word = text.substr(begin, end - begin);
+    text.remove_prefix(end);
+    return word;
+}
+
+std::string_view take_number_word(std::string_view& text) {
+    std::string_view word = take_word(text);
+    const std::size_t comment = word.find('#');
+    if (comment == word.npos) return word;
+    text = {};
+    return word.substr(0, comment);
+}
+
+std::optional<double> parse_model_number(std::string_view word) {
+    if (word.starts_with('+')) {
+        word.remove_prefix(1);
+        if (word.starts_with('-')) return std::nullopt;
+    }
+    double number = 0.0;
+    const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), number);
+    if (word.empty() || end != word.data() + word.size()) return std::nullopt;
+    if (fault == std::errc::result_out_of_range) {
+        // What is too small is told by its exponent, or by having nothing before the point but 0.
+        const std::size_t exponent = word.find_first_of("eE");
+        const bool is_small = exponent != word.npos
+                                  ? word.substr(exponent + 1).starts_with('-')
+                                  : word.find_first_of("123456789") > word.find('.');
+        if (is_small) return 0.0;
+        return std::nullopt;
+    }
+    if (fault != std::errc{} || !std::isfinite(number)) return std::nullopt;
+    if (std::abs(number) > largest_model_coordinate) return std::nullopt;
+    return number;
+}
+
+} // namespace rasterwalk

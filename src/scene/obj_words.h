@@ -1,0 +1,49 @@
+#pragma once
+
+// Lines, words and numbers of model and material files (OBJ, MTL).
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace rasterwalk {
+
+/// The statements of a text one after another. A line ends with LF, CR or CR LF; a backslash at its
+/// end joins the next one to it, but not from a comment. A byte order mark at the beginning is
+/// passed over.
+class ObjLines {
+  public:
+    explicit ObjLines(std::string_view text);
+
+    /// Goes to the next statement; false at the end of the text.
+    bool next();
+
+    /// The statement, without the end of its line. Valid until next() is called again.
+    std::string_view text() const { return statement_; }
+    /// The line in which it begins, from 1.
+    int line() const { return line_; }
+    /// Lines read so far, those that were joined among them.
+    int line_count() const { return line_count_; }
+
+  private:
+    std::string_view take_line();
+
+    std::string_view rest_;
+    std::string_view statement_;
+    std::string joined_;
+    int line_ = 0;
+    int line_count_ = 0;
+};
+
+/// Takes the first word from a text; empty if there is none.
+std::string_view take_word(std::string_view& text);
+
+/// Takes the first word from the text of a statement that consists of numbers: "#" begins a
+/// comment.
+std::string_view take_number_word(std::string_view& text);
+
+/// A number as models write it: 1, -1.5, +.5, 1e-3; too small for double is 0. Nothing for what is
+/// no number, for nan and inf, and beyond `largest_model_coordinate`.
+std::optional<double> parse_model_number(std::string_view word);
+
+} // namespace rasterwalk

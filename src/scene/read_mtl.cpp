@@ -1,0 +1,215 @@
+#include "scene/read_mtl.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "base/limits.h"
+#include "base/quoted.h"
+#include "scene/obj_words.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// An option of an image: "-bm 0.5".
+struct MapOption {
+    std::string_view name;
+    int fewest, most; ///< words after it; more than the fewest only where they are numbers
+};
+
+constexpr MapOption map_options[] = {
+    {"-blendu", 1, 1}, {"-blendv", 1, 1}, {"-bm", 1, 1},      {"-boost", 1, 1}, {"-cc", 1, 1},
+    {"-clamp", 1, 1},  {"-mm", 2, 2},     {"-imfchan", 1, 1}, {"-o", 1, 3},     {"-s", 1, 3},
+    {"-t", 1, 3},      {"-texres", 1, 1}, {"-type", 1, 1},
+};
+
+/// Images of one file that are looked for on the disk.
+constexpr std::size_t most_lookups = 2 * most_materials;
+
+constexpr std::string_view skipped_option = "of an image's options only -bm is used";
+constexpr std::string_view skipped_material = "this property of a material is not used";
+
+std::string lower_case(std::string_view word) {
+    std::string lower(word);
+    std::transform(lower.begin(), lower.end(), lower.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return lower;
+}
+
+class MtlReader {
+  public:
+    MtlReader(std::string_view text, const std::string& path, ObjReporter& reporter,
+              std::vector<ObjMaterial>& materials)
+        : lines_(text), path_(path), reporter_(reporter), materials_(materials) {}
+
+    void read() {
+        while (lines_.next()) {
+            std::string_view rest = lines_.text();
+            const std::string_view word = take_word(rest);
+            if (!word.empty() && word.front() != '#') read_statement(word, rest);
+        }
+    }
+
+  private:
+    template <class Say>
+    void fault(Say say) {
+        reporter_.fault(path_, lines_.line(), say);
+    }
+    void skip(std::string_view word, std::string_view why) {
+        reporter_.skip(path_, lines_.line(), word, why);
+    }
+
+    void read_statement(std::string_view word, std::string_view rest) {
+        if (word == "newmtl") return begin_material(rest);
+        const std::string key = lower_case(word.substr(0, 16));
+        const bool is_bump = key == "bump" || key == "map_bump" || key == "norm";
+        const bool is_used =
+            is_bump || key == "map_kd" || key == "kd" || key == "ks" || key == "ns";
+        if (!is_used) return skip(word, skipped_material);
+        if (is_left_out_) return;
+        if (!is_begun_) {
+            return fault([&] {
+                return fmt::format("{} stands before the first newmtl; it is left out.",
+                                   in_quotes(word));
+            });
+        }
+        ObjMaterial& material = materials_.back();
+        if (key == "kd") return read_colour(word, rest, material.diffuse);
+        if (key == "ks") return read_colour(word, rest, material.specular);
+        if (key == "ns") return read_shininess(rest, material);
+        if (key == "map_kd") return read_map(word, rest, material.diffuse_map, nullptr);
+        read_map(word, rest, material.bump_map, &material.bump_strength);
+        material.bump_is_normal = key == "norm";
+    }
+
+    void begin_material(std::string_view rest) {
+        const std::string_view name = trimmed(rest);
+        is_left_out_ = true;
+        if (name.empty()) return fault([] { return "'newmtl' has no name; it is left out."; });
+        if (materials_.size() >= most_materials) {
+            return fault([] {
+                return fmt::format("there are more than {} materials; this one is left out.",
+                                   most_materials);
+            });
+        }
+        is_left_out_ = false;
+        is_begun_ = true;
+        materials_.push_back({});
+        materials_.back().name = name;
+        ++reporter_.report().counts.materials;
+    }
+
+    void read_colour(std::string_view word, std::string_view rest, glm::vec3& colour) {
+        std::array<std::string_view, 3> words;
+        std::size_t count = 0;
+        while (count < words.size() && !(words[count] = take_number_word(rest)).empty())
+            ++count;
+        if (count == 1) {
+            words[1] = words[2] = words[0];
+            count = words.size();
+        }
+        glm::vec3 read(0.0f);
+        for (std::size_t i = 0; i < words.size(); ++i) {
+            const std::optional<double> number = parse_model_number(words[i]);
+            if (count < words.size() || !number || *number < 0.0 || *number > 1.0) {
+                return fault([&] {
+                    return fmt::format("{} takes one or three numbers from 0 to 1; it is left out.",
+                                       in_quotes(word));
+                });
+            }
+            read[static_cast<int>(i)] = static_cast<float>(*number);
+        }
+        colour = read;
+    }
+
+    void read_shininess(std::string_view rest, ObjMaterial& material) {
+        const std::optional<double> number = parse_model_number(take_number_word(rest));
+        if (!number || *number < 0.0)
+            return fault([] { return "'Ns' takes a number from 0; it is left out."; });
+        material.shininess = static_cast<float>(*number);
+    }
+
+    /// Takes the options from in front of an image's name.
+    void read_options(std::string_view& rest, float* strength) {
+        while (true) {
+            std::string_view behind = rest;
+            const std::string_view option = take_word(behind);
+            const auto known = std::find_if(std::begin(map_options), std::end(map_options),
+                                            [&](const MapOption& o) { return o.name == option; });
+            if (known == std::end(map_options)) return;
+            for (int i = 0; i < known->most; ++i) {
+                std::string_view after = behind;
+                const std::string_view word = take_word(after);
+                const std::optional<double> number = parse_model_number(word);
+                // The name follows: it may look like a number, but there is always one.
+                if (i >= known->fewest && (!number || trimmed(after).empty())) break;
+                if (option == "-bm" && strength != nullptr && number)
+                    *strength = static_cast<float>(*number);
+                behind = after;
+            }
+            if (option != "-bm" || strength == nullptr) skip(option, skipped_option);
+            rest = behind;
+        }
+    }
+
+    void read_map(std::string_view word, std::string_view rest, std::string& map, float* strength) {
+        read_options(rest, strength);
+        if (++looked_for_ > most_lookups) {
+            return fault([&] {
+                return fmt::format("{}: more than {} images are named; the image is left out.",
+                                   in_quotes(word), most_lookups);
+            });
+        }
+        const BesideFile file = find_beside(path_, trimmed(rest));
+        if (file.trouble.empty()) {
+            map = file.path;
+            return;
+        }
+        fault([&] {
+            return fmt::format("{}: {}; the image is left out.", in_quotes(word), file.trouble);
+        });
+    }
+
+    ObjLines lines_;
+    const std::string& path_;
+    ObjReporter& reporter_;
+    std::vector<ObjMaterial>& materials_;
+    std::size_t looked_for_ = 0; ///< images, whether they are there or not
+    bool is_begun_ = false;
+    bool is_left_out_ = false; ///< the material to which the statements belong
+};
+
+} // namespace
+
+BesideFile find_beside(const std::string& model_path, std::string_view name) {
+    namespace fs = std::filesystem;
+    constexpr std::size_t longest_name = 4096;
+    if (name.empty()) return {"", "no file is named"};
+    const auto no_file = [&] { return BesideFile{"", "there is no file " + in_quotes(name)}; };
+    if (name.size() > longest_name || name.find('\0') != name.npos) return no_file();
+    const fs::path folder = fs::path(model_path).parent_path();
+    std::string slashed(name);
+    std::replace(slashed.begin(), slashed.end(), '\\', '/');
+    for (const fs::path& place :
+         {folder / name, folder / slashed, folder / fs::path(slashed).filename()}) {
+        std::error_code fault;
+        const fs::file_status status = fs::status(place, fault);
+        if (!fs::exists(status)) continue;
+        if (fs::is_regular_file(status)) return {place.string(), ""};
+        return {"", in_quotes(name) +
+                        (fs::is_directory(status) ? " is a folder" : " is a pipe or a device")};
+    }
+    return no_file();
+}
+
+void parse_mtl(std::string_view text, const std::string& path, ObjReporter& reporter,
+               std::vector<ObjMaterial>& materials) {
+    MtlReader(text, path, reporter, materials).read();
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,47 @@
+#pragma once
+
+// Materials of models (MTL).
+//
+// Source: Wavefront Technologies, Advanced Visualizer manual, appendix B2, MTL material format.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "scene/obj_report.h"
+
+namespace rasterwalk {
+
+/// A material as its file says it.
+struct ObjMaterial {
+    std::string name;            ///< the bytes of the file, which need not be UTF-8
+    glm::vec3 diffuse{1.0f};     ///< Kd: share of light given back in all directions, 0..1
+    glm::vec3 specular{0.0f};    ///< Ks: share of light mirrored, 0..1
+    float shininess = 0.0f;      ///< Ns: exponent of the highlight, from 0
+    std::string diffuse_map;     ///< map_Kd: path of an image that is there; empty: none
+    std::string bump_map;        ///< bump, map_Bump or norm: the same
+    float bump_strength = 1.0f;  ///< -bm of that map
+    bool bump_is_normal = false; ///< said by norm: a map of normals, not of heights
+
+    friend bool operator==(const ObjMaterial&, const ObjMaterial&) = default;
+};
+
+/// A file that a model names.
+struct BesideFile {
+    std::string path;    ///< empty: it is not to be read
+    std::string trouble; ///< why not: "there is no file 'x.mtl'"; empty if it is there
+};
+
+/// Looks for a file that a model names: in the folder of the model under its whole name, with the
+/// backslashes of another system as slashes, and by its last name alone. Nothing is opened; what is
+/// no plain file, as a folder, a pipe or a device, is refused.
+BesideFile find_beside(const std::string& model_path, std::string_view name);
+
+/// Adds the materials of a text to a list. What is wrong in it is told as a fault, and left out.
+/// @param path of the text, for messages and to find images beside it
+void parse_mtl(std::string_view text, const std::string& path, ObjReporter& reporter,
+               std::vector<ObjMaterial>& materials);
+
+} // namespace rasterwalk
