@@ -194,7 +194,7 @@ bool shows_minus(const std::string& text) {
 } // namespace
 
 std::string function_help(std::string_view expression) {
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 6> helps{{
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 7> helps{{
         {"int(", "int(x): x without what stands behind the point, so it goes toward 0."},
         {"clamp(", "clamp(x, low, high): x, or the bound that it lies beyond."},
         {"wrap(", "wrap(x, n): what x leaves when it is divided by n."},
