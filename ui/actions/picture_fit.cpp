@@ -73,7 +73,7 @@ PicturePlace place_in(const Ui& ui, const PicturePart& part, ImVec2 low, ImVec2 
     return place;
 }
 
-/// What the triangles cover of the picture, and a pixel around it; all of it if they cover nothing.
+/// What the triangles cover of the picture; all of it if they cover nothing.
 PicturePart drawn_part(const Frame& frame) {
     const Viewport size = frame.settings.viewport;
     const auto width = static_cast<float>(size.width), height = static_cast<float>(size.height);
@@ -84,14 +84,22 @@ PicturePart drawn_part(const Frame& frame) {
         for (const ScreenVertex& vertex : frame.triangle_vertices(t)) {
             const auto column = static_cast<float>(vertex.column);
             const auto row = static_cast<float>(vertex.row);
-            part = {std::min(part.left, column - 1.0f), std::min(part.top, row - 1.0f),
-                    std::max(part.right, column + 2.0f), std::max(part.bottom, row + 2.0f)};
+            part = {std::min(part.left, column), std::min(part.top, row),
+                    std::max(part.right, column + 1.0f), std::max(part.bottom, row + 1.0f)};
         }
     }
     part = {std::max(part.left, 0.0f), std::max(part.top, 0.0f), std::min(part.right, width),
             std::min(part.bottom, height)};
     const bool is_empty = !(part.left < part.right && part.top < part.bottom);
     return is_empty ? PicturePart{0.0f, 0.0f, width, height} : part;
+}
+
+/// With so many columns and rows around it, as far as the picture has them.
+PicturePart with_border(const PicturePart& part, const PicturePart& whole, float columns,
+                        float rows) {
+    return {std::max(part.left - columns, whole.left), std::max(part.top - rows, whole.top),
+            std::min(part.right + columns, whole.right),
+            std::min(part.bottom + rows, whole.bottom)};
 }
 
 } // namespace
@@ -132,12 +140,20 @@ PicturePart part_that_fits(Ui& ui, ImVec2 low, ImVec2 high) {
     const PicturePart whole{0.0f, 0.0f, static_cast<float>(size.width),
                             static_cast<float>(size.height)};
     if (std::max(size.width, size.height) > longest_small_side || is_comparing(ui)) return whole;
-    const float scale = scale_in(whole, room_within(numbered_margins(ui), low, high));
-    if (scale >= readable_pixel * ui.options.text_scale) return whole;
+    const ImVec2 room = room_within(numbered_margins(ui), low, high);
+    const bool has_table = has_row_table_for_inspector(ui);
+    const float readable = readable_pixel * ui.options.text_scale;
+    const float least = has_table ? std::max(readable, large_row_table_zoom(ui)) : readable;
+    if (scale_in(whole, room) >= least) return whole;
     DrawnPart& drawn = ui.canvas.drawn;
     if (drawn.frame_number != ui.results.a.frame_number)
         drawn = {ui.results.a.frame_number, drawn_part(frame)};
-    return drawn.part;
+    const PicturePart part = with_border(drawn.part, whole, 1.0f, 1.0f);
+    if (!has_table) return part;
+    // The row above and the row below are given up where only then the table has room.
+    const PicturePart rows = with_border(drawn.part, whole, 1.0f, 0.0f);
+    const float line = large_row_table_zoom(ui);
+    return scale_in(part, room) < line && scale_in(rows, room) >= line ? rows : part;
 }
 
 } // namespace rasterwalk

@@ -23,7 +23,8 @@ struct PictureFit {
 PictureFit fit_part(const Ui& ui, const PicturePart& part, ImVec2 low, ImVec2 high);
 
 /// What a picture that fits shows: all of it. Of a very small one, where its pixels would be too
-/// small to be looked at, the triangles alone.
+/// small to be looked at, the triangles alone, with a pixel around them; above and below them
+/// without one if only so the row table of a lecture has room for its lines.
 PicturePart part_that_fits(Ui& ui, ImVec2 low, ImVec2 high);
 
 /// What the numbers need: at the left of the picture and above it, screen pixels.

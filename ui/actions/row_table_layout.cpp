@@ -32,12 +32,23 @@ struct Widest {
     float number = 0.0f, writer = 0.0f, entry = 0.0f;
 };
 
+/// What of a table is shown, and its letters.
+struct TableForm {
+    bool has_writers, has_depths, is_large;
+    ImFont* numbers;
+};
+
 /// The letters of entries, and of ends that no sample has reached.
-const ImFont* quiet_font(const Ui& ui, bool is_large) {
-    return is_large ? ui.fonts.mono : ui.fonts.mono_small;
+const ImFont* quiet_font(const Ui& ui, const TableForm& form) {
+    return form.is_large ? form.numbers : ui.fonts.mono_small;
 }
 
-Widest widest_texts(const Ui& ui, bool is_large) {
+/// The height of a line that is read from afar.
+float large_line_height(const ImFont* numbers) {
+    return std::ceil(large_line * numbers->FontSize);
+}
+
+Widest widest_texts(const Ui& ui, const TableForm& form) {
     const RowHistory& history = ui.results.a.rows;
     int low = INT_MAX, high = INT_MIN;
     for (const ScreenVertex& vertex :
@@ -47,13 +58,13 @@ Widest widest_texts(const Ui& ui, bool is_large) {
     }
     Widest widest;
     for (const int column : {low, high, 100})
-        widest.number = std::max(widest.number, text_width(ui.fonts.mono, std::to_string(column)));
+        widest.number = std::max(widest.number, text_width(form.numbers, std::to_string(column)));
     const auto longest = std::max_element(history.edge_samples.begin(), history.edge_samples.end());
     const int samples = longest != history.edge_samples.end() ? *longest : 1;
     widest.writer = text_width(ui.fonts.mono_small, sample_text(0, std::max(samples - 1, 10)));
     widest.entry = std::max(
         text_width(ui.fonts.small, "entry"),
-        text_width(quiet_font(ui, is_large), "[" + std::to_string(history.rows.size() - 1) + "]"));
+        text_width(quiet_font(ui, form), "[" + std::to_string(history.rows.size() - 1) + "]"));
     return widest;
 }
 
@@ -66,19 +77,16 @@ bool has_one_depth(const Ui& ui) {
     });
 }
 
-/// What of a table is shown.
-struct TableForm {
-    bool has_writers, has_depths, is_large;
-};
-
-RowTableLayout layout_of(const Ui& ui, const Widest& widest, const TableForm& form) {
-    const auto [has_writers, has_depths, is_large] = form;
+RowTableLayout layout_of(const Ui& ui, const TableForm& form) {
+    const auto [has_writers, has_depths, is_large, numbers] = form;
+    const Widest widest = widest_texts(ui, form);
     const float u = ui.options.text_scale;
     const float gap = 9.0f * u, edge = 10.0f * u;
     RowTableLayout layout;
     layout.has_writers = has_writers;
     layout.has_depths = has_depths;
     layout.is_large = is_large;
+    layout.numbers = numbers;
     layout.is_flat = has_one_depth(ui);
     layout.entry = edge + widest.entry;
     const std::array titles{has_writers ? "leftPixels" : "left",
@@ -87,7 +95,7 @@ RowTableLayout layout_of(const Ui& ui, const Widest& widest, const TableForm& fo
     for (int i = 0; i < 2; ++i) {
         RowTableLayout::End& end = layout.ends[i];
         const float texts = widest.number + (has_writers ? widest.writer + gap : 0.0f);
-        const float extreme = text_width(quiet_font(ui, is_large), "+INT_MAX");
+        const float extreme = text_width(quiet_font(ui, form), "+INT_MAX");
         const float title = text_width(ui.fonts.small, titles[static_cast<std::size_t>(i)]);
         end.left = x + 1.6f * gap;
         end.number = end.left + std::max({texts, extreme, title});
@@ -138,13 +146,20 @@ bool has_row_table_for_inspector(const Ui& ui) {
            !ui.lesson.pointed_at.starts_with("rows.");
 }
 
+float large_row_table_zoom(const Ui& ui) {
+    return large_line_height(ui.fonts.mono_small);
+}
+
 std::optional<RowTableLayout> large_row_table(const Ui& ui, float width) {
-    if (ui.canvas.place.scale < std::ceil(large_line * ui.fonts.mono->FontSize)) return {};
-    const Widest widest = widest_texts(ui, true);
-    for (const TableForm& form : {TableForm{true, true, true}, TableForm{true, false, true},
-                                  TableForm{false, false, true}}) {
+    const float line = ui.canvas.place.scale;
+    if (line < large_row_table_zoom(ui)) return {};
+    ImFont* const numbers =
+        line < large_line_height(ui.fonts.mono) ? ui.fonts.mono_small : ui.fonts.mono;
+    for (const TableForm& form :
+         {TableForm{true, true, true, numbers}, TableForm{true, false, true, numbers},
+          TableForm{false, false, true, numbers}}) {
         if (form.has_depths && has_one_depth(ui)) continue;
-        RowTableLayout layout = layout_of(ui, widest, form);
+        RowTableLayout layout = layout_of(ui, form);
         if (layout.width > width) continue;
         spread(layout, width);
         return layout;
@@ -155,9 +170,8 @@ std::optional<RowTableLayout> large_row_table(const Ui& ui, float width) {
 std::vector<RowTableLayout> row_table_layouts(const Ui& ui, float canvas_width) {
     std::vector<RowTableLayout> layouts;
     if (!wants_row_table(ui) || is_lecture_of_rows(ui)) return layouts;
-    const Widest widest = widest_texts(ui, false);
     const auto offer = [&](bool has_writers, bool has_depths, float largest) {
-        RowTableLayout layout = layout_of(ui, widest, {has_writers, has_depths, false});
+        RowTableLayout layout = layout_of(ui, {has_writers, has_depths, false, ui.fonts.mono});
         if (layout.width <= largest * canvas_width) layouts.push_back(layout);
     };
     if (!has_one_depth(ui)) offer(true, true, 0.75f * largest_part);

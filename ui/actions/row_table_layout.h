@@ -3,6 +3,8 @@
 #include <optional>
 #include <vector>
 
+struct ImFont;
+
 namespace rasterwalk {
 
 struct Ui;
@@ -24,6 +26,7 @@ struct RowTableLayout {
     bool has_depths = false; ///< beside the numbers; or else below them, where a row is high enough
     bool is_flat = false;    ///< 1/z is the same everywhere, and not said at all
     bool is_large = false;   ///< to be read from afar: no small letters for what is asked for
+    ImFont* numbers = nullptr; ///< the letters of the columns
 };
 
 /// Is there a row table to show beside the picture, if the zoom gives room for it?
@@ -33,8 +36,12 @@ bool wants_row_table(const Ui& ui);
 /// place: large, and once.
 bool has_row_table_for_inspector(const Ui& ui);
 
-/// That table over this width, screen pixels; none where its texts or its lines have no room.
+/// That table over this width, screen pixels; none where its texts or its lines have no room. Where
+/// the rows of the picture are low its numbers are as large as the smallest letters of a lecture.
 std::optional<RowTableLayout> large_row_table(const Ui& ui, float width);
+
+/// The smallest zoom at which its lines are as high as the rows of the picture.
+float large_row_table_zoom(const Ui& ui);
 
 /// The smallest zoom at which the lines of the table are as high as the rows of the picture.
 float row_table_zoom(const Ui& ui);

@@ -32,7 +32,7 @@ struct Table {
     float y_of(int row) const { return ui.canvas.place.origin.y + scale * static_cast<float>(row); }
     /// Is a line high enough for two lines of text?
     bool is_high() const {
-        return scale >= ui.fonts.mono->FontSize + 1.1f * ui.fonts.mono_small->FontSize + 2.0f * u;
+        return scale >= layout.numbers->FontSize + 1.1f * ui.fonts.mono_small->FontSize + 2.0f * u;
     }
 };
 
@@ -75,15 +75,15 @@ void draw_end(const Table& t, int index, bool is_left) {
     const bool has_second = t.is_high() && has_more && (t.layout.has_writers ? has_values : is_set);
     const float second = 1.1f * fonts.mono_small->FontSize;
     const float middle = top + 0.5f * (t.scale - (has_second ? second : 0.0f));
-    const float below = middle + 0.5f * (fonts.mono->FontSize + second);
+    const float below = middle + 0.5f * (t.layout.numbers->FontSize + second);
     const float number = t.left + place.number;
     const std::string text = end_text(end, is_left);
-    ImFont* const font = is_extreme && !t.layout.is_large ? fonts.mono_small : fonts.mono;
+    ImFont* const font = is_extreme && !t.layout.is_large ? fonts.mono_small : t.layout.numbers;
     const std::string by = is_set ? sample_text(writer.edge, writer.sample) : std::string();
     const std::string depth =
         has_values ? fixed(static_cast<double>(end.inv_w), 4) : std::string("—");
     // Half a line would be read as another one.
-    const float half = 0.5f * fonts.mono->FontSize;
+    const float half = 0.5f * t.layout.numbers->FontSize;
     const float last = has_second ? below + 0.5f * fonts.mono_small->FontSize : middle + half;
     if (middle - half >= t.top && last <= t.bottom) {
         write(t, font, text, number, middle,
@@ -102,8 +102,11 @@ void draw_end(const Table& t, int index, bool is_left) {
     const float low_y = std::max(top, t.top), high_y = std::min(top + t.scale, t.bottom);
     const RowWrite write_now = just_written(t.ui, row);
     if (is_left ? write_now.left : write_now.right) {
-        draw_changed_box(t.ui, t.list, {t.left + place.left, top + 3.0f * t.u},
-                         {t.left + place.right, top + t.scale - 3.0f * t.u});
+        // On a low line the box is closer to the border, so that it strikes nothing out.
+        const float inset =
+            std::clamp(0.5f * (t.scale - t.layout.numbers->FontSize), t.u, 3.0f * t.u);
+        draw_changed_box(t.ui, t.list, {t.left + place.left, top + inset},
+                         {t.left + place.right, top + t.scale - inset});
     }
     if (high_y - low_y < 1.0f) return;
     const float around = 4.0f * t.u; // the box around it lies within
@@ -153,7 +156,7 @@ void draw_line(const Table& t, int index, std::optional<int> at_work, bool is_ov
                     " of leftPixels and rightPixels.");
     const std::string entry = "[" + std::to_string(index) + "]";
     note_text(t.ui, name, entry);
-    ImFont* const font = t.layout.is_large ? t.ui.fonts.mono : t.ui.fonts.mono_small;
+    ImFont* const font = t.layout.is_large ? t.layout.numbers : t.ui.fonts.mono_small;
     const float middle = 0.5f * (top + bottom), half = 0.5f * font->FontSize;
     if (middle - half >= t.top && middle + half <= t.bottom)
         write(t, font, entry, t.left + t.layout.entry, middle, at_work == row ? p.text : p.dim);

@@ -154,11 +154,11 @@ TEST_CASE("What fits of a small picture follows a vertex that is moved, and is l
     Driver driver("one-triangle.toml", {800, 600});
     const PicturePart before = driver.ui.canvas.drawn.part;
     REQUIRE(driver.ui.canvas.drawn.frame_number == driver.ui.results.a.frame_number);
-    CHECK(before.left == 4.0f);
-    CHECK(before.bottom == 17.0f);
+    CHECK(before.left == 5.0f);
+    CHECK(before.bottom == 16.0f);
     driver.hand.drag_picture(5, 10, 7, 10);
     CHECK(driver.ui.canvas.drawn.frame_number == driver.ui.results.a.frame_number);
-    CHECK(driver.ui.canvas.drawn.part.left == 6.0f);
+    CHECK(driver.ui.canvas.drawn.part.left == 7.0f);
 }
 
 } // namespace rasterwalk

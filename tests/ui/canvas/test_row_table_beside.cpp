@@ -524,11 +524,13 @@ TEST_CASE("In a lecture about rows the table stands in the inspector's place, la
         ImVec2 window;
         float text;
         bool is_beside;
+        bool is_low = false; ///< has its picture low rows, and the table small letters for them?
     };
     // Where the rows of the picture are too low for letters that are read from afar, the Rows tab
     // has the table.
     for (const Case& c : {Case{{1600, 1000}, 1.0f, true}, Case{{1024, 640}, 1.0f, true},
-                          Case{{1920, 1080}, 1.0f, true}, Case{{1024, 640}, 1.5f, false}}) {
+                          Case{{1920, 1080}, 1.0f, true}, Case{{1024, 640}, 1.5f, true, true},
+                          Case{{800, 600}, 1.0f, true}, Case{{1024, 600}, 1.5f, false}}) {
         INFO(c.window.x << " x " << c.window.y << ", text " << c.text);
         Driver driver("lab-room.toml", c.window, c.text);
         open_lesson(driver.ui, "05-row-table", 4);
@@ -551,14 +553,22 @@ TEST_CASE("In a lecture about rows the table stands in the inspector's place, la
             CHECK(driver.ui.widgets.at(line_name(row)).is_whole);
         }
         // As large as all that is written in numbers, on lines that keep it apart.
+        const Fonts& fonts = driver.ui.fonts;
+        const float letters = c.is_low ? fonts.mono_small->FontSize : fonts.mono->FontSize;
         int numbers = 0;
         for (const ScreenText& text : screen_text()) {
             if (text.window.find("row table") == std::string::npos) continue;
             CHECK(text.size >= least_lecture_letters(c.window) - 0.5f);
-            numbers += text.size >= driver.ui.fonts.mono->FontSize - 0.5f ? 1 : 0;
+            numbers += text.size >= letters - 0.5f ? 1 : 0;
         }
         CHECK(numbers >= rows.size());
-        CHECK(driver.ui.canvas.place.scale >= 1.1f * driver.ui.fonts.mono->FontSize);
+        CHECK(driver.ui.canvas.place.scale >= 1.1f * letters);
+        // All of the triangle is beside its table.
+        const WidgetPlace& seen = driver.ui.widgets.at("canvas");
+        CHECK(driver.ui.canvas.place.origin.y + driver.ui.canvas.place.scale * 5.0f >=
+              seen.top_left.y - 0.01f);
+        CHECK(driver.ui.canvas.place.origin.y + driver.ui.canvas.place.scale * 16.0f <=
+              seen.bottom_right.y + 0.01f);
         // A click leads to the sample, as everywhere.
         driver.hand.click(line_name(7) + ".left");
         REQUIRE(driver.ui.results.a.done);
