@@ -164,7 +164,7 @@ std::optional<CutCorner> corner_made(const ClipHistory& history, int plane, int 
 }
 
 std::string corner_name(const CutCorner& corner) {
-    return corner.is_new() ? "new " + std::to_string(corner.new_index)
+    return corner.is_new() ? "n" + std::to_string(corner.new_index)
                            : vertex_name(corner.vertex_index);
 }
 

@@ -79,9 +79,9 @@ std::vector<CutCorner> corners_passed(const ClipHistory& history, const ClipProg
 /// @param plane in history.planes
 std::optional<CutCorner> corner_made(const ClipHistory& history, int plane, int edge);
 
-/// "vertices[0]", or "new 0".
+/// "vertices[0]", or "n0" of a new one.
 std::string corner_name(const CutCorner& corner);
-/// "v0", or "new 0": where room is short.
+/// "v0", or "n0": where room is short.
 std::string short_corner_name(const CutCorner& corner);
 
 } // namespace rasterwalk

@@ -118,7 +118,7 @@ std::optional<VertexLabel> find_label(const Surroundings& s, std::size_t vertex,
 }
 
 /// What the corners are called; those of a triangle that is cut by where they come from.
-/// @param is_full "vertices[0]" and "new 0, left", or else "v0" and "new 0"
+/// @param is_full "vertices[0]" and "n0, left", or else "v0" and "n0"
 std::vector<std::string> corner_names(const Surroundings& s, bool is_full) {
     std::vector<std::string> names;
     const ClipHistory* const clip = s.m.run.clip;

@@ -65,7 +65,7 @@ void draw_clip_corners(const ClipPage& page) {
     // The same space stands in the Vertices tab by another scale.
     ImGui::PushStyleColor(ImGuiCol_Text, page.palette().dim);
     wrapped_text("x and y count pixels here: they are W/2 and H/2 times those that Tp gives. So "
-                 "the left plane, x + w = 0 behind Tp, is x + W/2 · w = 0.");
+                 "the left plane, x + w = 0 after Tp, is x + W/2 · w = 0.");
     keep_text_whole(page.ui);
     ImGui::PopStyleColor();
     name_widget(page.ui, "clip.scale",

@@ -214,6 +214,9 @@ void draw_made_corners(const ClipPage& page, ClipPlane plane) {
     if (!begin_clip_table(page, "made" + number_of(plane), {1.1f, 1.1f, 1.1f, 0.9f, 0.9f})) return;
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
+    ImGui::PushFont(page.ui.fonts.small);
+    put_text(page, page.palette().dim, "new");
+    ImGui::PopFont();
     for (std::size_t i = 0; i < clip_coordinates.size(); ++i)
         draw_column_title(page, std::string("clip.made.") + clip_coordinates[i],
                           clip_coordinates[i], clip_coordinate_help[i]);

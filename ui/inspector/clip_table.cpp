@@ -108,7 +108,7 @@ void end_clip_table() {
 }
 
 std::string corner_help(const CutCorner& corner) {
-    return corner.is_new() ? "Made by the " + plane_name(corner.plane) + "."
+    return corner.is_new() ? "A new corner, made by the " + plane_name(corner.plane) + "."
                            : vertex_name(corner.vertex_index) + " of the scene's triangle.";
 }
 

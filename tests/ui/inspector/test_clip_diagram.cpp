@@ -150,9 +150,8 @@ TEST_CASE(
         for (const char* near : {"near=0.01", "near=0.1", "near=1"}) {
             follow_link(driver.ui, std::string("set:") + near);
             driver.hand.leave();
-            driver.hand.frames(frames_to_rest);
-            if (driver.ui.widgets.count("clip.diagram") == 0) continue;
-            const WidgetPlace area = driver.ui.widgets.at("clip.diagram");
+            if (wall.history().planes.empty()) continue;
+            const WidgetPlace area = driver.hand.find("clip.diagram");
             std::vector<ImVec2> corners;
             for (int i = 0; driver.ui.widgets.count(fmt::format("clip.diagram.corner.{}", i)) > 0;
                  ++i)
