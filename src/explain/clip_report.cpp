@@ -8,14 +8,13 @@
 
 #include "base/element_names.h"
 #include "base/numbers.h"
-#include "explain/light_formulas.h"
+#include "explain/clip_maker.h"
+#include "explain/cull_formulas.h"
 #include "explain/vertex_report.h"
 
 namespace rasterwalk {
 
 namespace {
-
-constexpr std::array<const char*, 4> clip_coordinate_names{"x", "y", "z", "w"};
 
 /// The parts of an id: "d.2.0" has three.
 std::vector<std::string_view> parts_of(std::string_view id) {
@@ -42,68 +41,16 @@ int coordinate_of(std::string_view part) {
                : static_cast<int>(found - clip_coordinate_names.begin());
 }
 
-float coordinate(const ClipVertex& vertex, int i) {
-    return vertex.position_clip[i];
-}
-
 /// What makes formulas of one triangle.
-struct Maker {
-    const Frame& frame;
-    const ClipHistory& history;
-
-    VertexRules rules() const { return vertex_rules(frame.settings, frame.scene->space); }
-    SightRays rays() const { return sight_rays(rules()); }
-
-    /// The formula, or where other functions stand in the slots the bare number.
-    Formula checked(Formula formula, const Source& source) const {
-        const float value = evaluate(formula);
-        const bool is_same = value == formula.result.value ||
-                             (std::isnan(value) && std::isnan(formula.result.value));
-        if (is_same) return formula;
-        formula.expression = "v";
-        formula.inputs = {{"v", formula.result, source}};
-        return formula;
-    }
-
-    FormulaInput input(std::string symbol, const CutCorner& corner, int i) const {
-        return {std::move(symbol),
-                {coordinate(corner.vertex, i)},
-                from_formula(corner_formula_id(corner, i))};
-    }
-
-    /// A component of a corner's varying.
-    FormulaInput varying(std::string symbol, const CutCorner& corner, int index, int part) const {
-        const VaryingInfo& info = varying_list[static_cast<std::size_t>(index)];
-        const Number number{info.component(corner.vertex.varyings, part)};
-        if (corner.is_new()) {
-            return {std::move(symbol), number,
-                    from_formula(fmt::format("new.{}.{}.{}", corner.new_index, index, part))};
-        }
-        // Named as in the Vertices tab.
-        std::string id;
-        const auto axis = static_cast<std::size_t>(part);
-        if (info.name == "position_world") id = std::string("world.") + axis_names[axis];
-        if (info.name == "normal") id = std::string("normal.") + axis_names[axis];
-        if (info.name == "colour") id = std::string("reflectance.") + channel_names[axis];
-        if (info.name == "illumination") id = std::string("light.R.") + channel_names[axis];
-        return {std::move(symbol), number,
-                id.empty() ? from_words("given by the scene")
-                           : from_vertex(history.triangle, corner.vertex_index, id)};
-    }
-
+struct Maker : ClipMaker {
     std::optional<Formula> corner(int vertex, int i) const;
-    std::optional<Formula> changed(int vertex, int i) const;
-    std::optional<Formula> handed_on(int number, int i) const;
+    std::optional<Formula> moved(CornerPlace place, int number, int i) const;
     Formula distance(const CutCorner& corner, ClipPlane plane, std::string id) const;
     std::optional<Formula> distance_before(ClipPlane plane, std::string_view corner) const;
     std::optional<Formula> cut(ClipPlane plane, std::string_view edge) const;
     std::optional<Formula> made(std::string_view number,
                                 const std::vector<std::string_view>& parts) const;
     std::optional<Formula> pixel(std::string_view corner, std::string_view part) const;
-    Formula away(const CutCorner& corner, std::string id) const;
-    Formula away_as_one(CutCorner first) const;
-    Formula area_of(int triangle) const;
-    Formula area() const;
 
     /// Where a new corner comes from.
     struct Origin {
@@ -147,42 +94,33 @@ std::optional<Formula> Maker::corner(int vertex, int i) const {
     return formula;
 }
 
-/// A corner that was divided before the planes saw it.
-std::optional<Formula> Maker::changed(int vertex, int i) const {
-    const auto at = static_cast<std::size_t>(vertex);
-    const CutCorner given = given_corners(history)[at], corner = corners_before(history, 0)[at];
-    if (corner.place != CornerPlace::changed) return std::nullopt;
+/// A corner that was divided before the planes saw it, or multiplied again behind them.
+/// @param place  which of the two; none if the corner's is another
+/// @param number of the corner: of the triangle's, or of those that are left
+std::optional<Formula> Maker::moved(CornerPlace place, int number, int i) const {
+    const auto at = static_cast<std::size_t>(number);
+    const bool is_before = place == CornerPlace::changed;
+    const CutCorner corner = (is_before ? corners_before(history, 0) : corners_before(history))[at];
+    if (corner.place != place) return std::nullopt;
+    const CutCorner given =
+        is_before ? given_corners(history)[at]
+                  : corners_before(history, static_cast<int>(history.planes.size()))[at];
+    // Before the planes by w; behind them by 1/w, which then stands in z.
+    const int by = is_before ? 3 : 2;
     const std::string name = clip_coordinate_names[static_cast<std::size_t>(i)];
+    const std::string divisor = clip_coordinate_names[static_cast<std::size_t>(by)];
     Formula formula{corner_formula_id(corner, i),
                     name,
-                    "Divided by w before the planes cut, which is a mistake.",
-                    i < 2    ? name + " · (1 / w)"
-                    : i == 2 ? "1 / w"
-                             : "1",
+                    is_before ? "Divided by w before the planes cut, which is a mistake."
+                              : "Multiplied by w again behind the planes, so that it can be "
+                                "divided.",
+                    i < 2     ? name + " · (1 / " + divisor + ")"
+                    : i == by ? "1"
+                              : "1 / " + divisor,
                     {},
                     {coordinate(corner.vertex, i)}};
     if (i < 2) formula.inputs.push_back(input(name, given, i));
-    if (i < 3) formula.inputs.push_back(input("w", given, 3));
-    return checked(formula, from_words("the function that cuts"));
-}
-
-/// A corner that was multiplied again behind the planes.
-std::optional<Formula> Maker::handed_on(int number, int i) const {
-    const auto at = static_cast<std::size_t>(number);
-    const CutCorner corner = corners_before(history)[at];
-    if (corner.place != CornerPlace::handed_on) return std::nullopt;
-    const CutCorner before = corners_before(history, static_cast<int>(history.planes.size()))[at];
-    const std::string name = clip_coordinate_names[static_cast<std::size_t>(i)];
-    Formula formula{corner_formula_id(corner, i),
-                    name,
-                    "Multiplied by w again behind the planes, so that it can be divided.",
-                    i < 2    ? name + " · (1 / z)"
-                    : i == 2 ? "1"
-                             : "1 / z",
-                    {},
-                    {coordinate(corner.vertex, i)}};
-    if (i < 2) formula.inputs.push_back(input(name, before, i));
-    if (i != 2) formula.inputs.push_back(input("z", before, 2));
+    if (i != by) formula.inputs.push_back(input(divisor, given, by));
     return checked(formula, from_words("the function that cuts"));
 }
 
@@ -353,112 +291,7 @@ std::optional<Formula> Maker::pixel(std::string_view corner, std::string_view pa
     return checked(formula, from_words("the viewport transform"));
 }
 
-Formula Maker::away(const CutCorner& corner, std::string id) const {
-    const SightRays sight = rays();
-    const bool has_way = sight.mix<1.0f, has_forward = sight.mix> 0.0f;
-    Formula formula{std::move(id),
-                    std::string(sight_name(frame)),
-                    "Greater than 0: the normal n points ",
-                    "",
-                    {},
-                    {away_from_camera(corner.vertex.varyings, sight)}};
-    formula.help += !has_forward ? "the way from the camera C to the corner p"
-                    : !has_way   ? "the way all rays run, forward"
-                                 : "the way between that from the camera C to the corner p and "
-                                   "forward";
-    formula.help += ", so one sees the back.";
-    const int place = varying_index(&Varyings::position_world);
-    const int normal = varying_index(&Varyings::normal);
-    for (int i = 0; i < 3; ++i) {
-        const std::string axis = axis_names[static_cast<std::size_t>(i)];
-        const std::string way = "(p." + axis + " − C." + axis + ")", forward = "forward." + axis;
-        formula.expression += (i == 0 ? "n." : " + n.") + axis + " · ";
-        formula.expression += !has_forward ? way
-                              : !has_way   ? forward
-                                         : "((1 − mix) · " + way + " + mix · " + forward + ")";
-        formula.inputs.push_back(varying("n." + axis, corner, normal, i));
-        if (has_way) {
-            formula.inputs.push_back(varying("p." + axis, corner, place, i));
-            formula.inputs.push_back(
-                {"C." + axis, {sight.camera[i]}, from_setting("camera.position")});
-        }
-        if (has_forward) {
-            formula.inputs.push_back({forward,
-                                      {sight.forward[i]},
-                                      from_vertex(history.triangle, 0, fmt::format("R.{}.2", i))});
-        }
-    }
-    if (has_way && has_forward)
-        formula.inputs.push_back({"mix", {sight.mix}, from_setting("projection_mix")});
-    return checked(formula, from_words("the function that culls"));
-}
-
-/// The same for the polygon as one face, whose normal may be none of its corners'.
-Formula Maker::away_as_one(CutCorner first) const {
-    const glm::vec3 own = first.vertex.varyings.normal;
-    first.vertex.varyings = as_one_face(history.polygon);
-    Formula formula = away(first, "cull.normal");
-    if (first.vertex.varyings.normal == own) return formula;
-    for (FormulaInput& input : formula.inputs) {
-        if (input.symbol.starts_with("n."))
-            input.source = from_words("across the places of the corners, whose normals differ");
-    }
-    return formula;
-}
-
-Formula Maker::area_of(int triangle) const {
-    const std::vector<CutCorner> corners = corners_before(history);
-    const std::array<int, 3>& fan = history.fan[static_cast<std::size_t>(triangle)];
-    std::array<ClipVertex, 3> places;
-    Formula formula{
-        fmt::format("cull.area.{}", triangle),
-        fmt::format("A{}", triangle),
-        "Twice the area on the screen of a triangle of the fan, times the w of its "
-        "corners: less than 0 where they go round counterclockwise.",
-        "x0 · (y1 · w2 − y2 · w1) + y0 · (w1 · x2 − w2 · x1) + w0 · (x1 · y2 − x2 · y1)",
-        {},
-        {}};
-    for (std::size_t k = 0; k < fan.size(); ++k) {
-        const CutCorner& corner = corners[static_cast<std::size_t>(fan[k])];
-        places[k] = corner.vertex;
-        for (const int i : {0, 1, 3}) {
-            formula.inputs.push_back(input(
-                clip_coordinate_names[static_cast<std::size_t>(i)] + std::to_string(k), corner, i));
-        }
-    }
-    formula.result.value = screen_area_sign(places, rules());
-    return checked(formula, from_words("the function that culls"));
-}
-
-Formula Maker::area() const {
-    Formula formula{"cull.area",
-                    "area",
-                    "Greater than 0: on the screen the corners go round clockwise, as those of a "
-                    "front do.",
-                    "",
-                    {},
-                    {screen_area_sign(history.polygon, rules())}};
-    if (history.fan.size() == 1) {
-        const Formula only = area_of(0);
-        formula.expression = only.expression;
-        formula.inputs = only.inputs;
-        return formula;
-    }
-    for (std::size_t i = 0; i < history.fan.size(); ++i) {
-        const Formula part = area_of(static_cast<int>(i));
-        formula.expression += (i == 0 ? "" : " + ") + part.name;
-        formula.inputs.push_back({part.name, part.result, from_formula(part.id)});
-    }
-    return checked(formula, from_words("the function that culls"));
-}
-
 } // namespace
-
-std::string_view sight_name(const Frame& frame) {
-    const float mix = vertex_rules(frame.settings, frame.scene->space).projection.mix;
-    if (mix == 0.0f) return "n · (p − C)";
-    return mix == 1.0f ? "n · forward" : "n · ((1 − mix) (p − C) + mix forward)";
-}
 
 std::string plane_name(ClipPlane plane) {
     return plane_name(static_cast<int>(plane));
@@ -476,7 +309,7 @@ std::string corner_formula_id(const CutCorner& corner, int coordinate) {
 
 std::optional<Formula> clip_formula(const Frame& frame, const ClipHistory& history,
                                     std::string_view id) {
-    const Maker maker{frame, history};
+    const Maker maker{{frame, history}};
     const std::vector<std::string_view> parts = parts_of(id);
     const std::string_view kind = parts[0];
     const auto index = [&](std::size_t part, std::size_t end) {
@@ -485,14 +318,15 @@ std::optional<Formula> clip_formula(const Frame& frame, const ClipHistory& histo
     if (kind == "cull") {
         if (history.polygon.empty() || parts.size() < 2) return std::nullopt;
         const std::vector<CutCorner> corners = corners_before(history);
-        if (parts[1] == "area" && parts.size() == 2) return maker.area();
+        if (parts[1] == "area" && parts.size() == 2) return cull_area_formula(maker);
         if (parts[1] == "area" && index(2, history.fan.size()) >= 0)
-            return maker.area_of(index(2, history.fan.size()));
+            return cull_area_formula(maker, index(2, history.fan.size()));
         if (parts[1] != "normal") return std::nullopt;
-        if (parts.size() == 2) return maker.away_as_one(corners.front());
+        if (parts.size() == 2) return cull_normal_formula(maker, corners.front());
         const int corner = index(2, corners.size());
         if (corner < 0) return std::nullopt;
-        return maker.away(corners[static_cast<std::size_t>(corner)], std::string(id));
+        return cull_normal_formula(maker, corners[static_cast<std::size_t>(corner)],
+                                   std::string(id));
     }
     if (parts.size() == 3 && kind == "corner") {
         const int vertex = index(1, triangle_corners), i = coordinate_of(parts[2]);
@@ -500,11 +334,11 @@ std::optional<Formula> clip_formula(const Frame& frame, const ClipHistory& histo
     }
     if (parts.size() == 3 && kind == "changed") {
         const int vertex = index(1, triangle_corners), i = coordinate_of(parts[2]);
-        if (vertex >= 0 && i >= 0) return maker.changed(vertex, i);
+        if (vertex >= 0 && i >= 0) return maker.moved(CornerPlace::changed, vertex, i);
     }
     if (parts.size() == 3 && kind == "left") {
         const int number = index(1, history.polygon.size()), i = coordinate_of(parts[2]);
-        if (number >= 0 && i >= 0) return maker.handed_on(number, i);
+        if (number >= 0 && i >= 0) return maker.moved(CornerPlace::handed_on, number, i);
     }
     if (parts.size() == 3 && kind == "code") {
         const int plane = index(1, history.codes.plane_count), vertex = index(2, triangle_corners);
@@ -522,33 +356,6 @@ std::optional<Formula> clip_formula(const Frame& frame, const ClipHistory& histo
     if ((parts.size() == 3 || parts.size() == 4) && kind == "new")
         return maker.made(parts[1], {parts.begin() + 2, parts.end()});
     return std::nullopt;
-}
-
-std::vector<CullAnswer> cull_answers(const Frame& frame, const ClipHistory& history) {
-    if (history.polygon.empty()) return {};
-    const VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
-    const std::vector<ClipVertex>& polygon = history.polygon;
-    const auto is_back = [](Rejection rejection) { return rejection != Rejection::none; };
-    const SightRays rays = sight_rays(rules);
-    const auto away = [&](std::size_t i) { return away_from_camera(polygon[i].varyings, rays); };
-    CullAnswer normal{Cull::face_normal, is_back(cull_by_face_normal(polygon, rules, rays)),
-                      away_from_camera(as_one_face(polygon), rays), "cull.normal"};
-    CullAnswer area{Cull::screen_area, is_back(cull_by_screen_area(polygon, rules, rays)),
-                    screen_area_sign(polygon, rules), "cull.area"};
-    area.is_open = !std::all_of(polygon.begin(), polygon.end(),
-                                [](const ClipVertex& v) { return v.position_clip.w > 0.0f; });
-    std::size_t least = 0, most = 0;
-    for (std::size_t i = 1; i < polygon.size(); ++i) {
-        least = away(i) < away(least) ? i : least;
-        most = away(i) > away(most) ? i : most;
-    }
-    const std::string least_formula = "cull.normal." + std::to_string(least);
-    const CullAnswer normals{Cull::vertex_normals,
-                             is_back(cull_by_vertex_normals(polygon, rules, rays)), away(least),
-                             least_formula};
-    CullAnswer fragments{Cull::fragment_normal, away(least) > 0.0f, away(least), least_formula};
-    fragments.is_in_parts = !fragments.is_back && away(most) > 0.0f;
-    return {normal, area, normals, fragments};
 }
 
 } // namespace rasterwalk

@@ -1,17 +1,14 @@
 #pragma once
 
-// The numbers of rejecting, clipping and culling, each with its formula; and what each way of
-// culling takes the triangle for.
+// The numbers of rejecting, clipping and culling, each with its formula.
 
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "explain/formula.h"
 #include "inspect/clip_history.h"
 #include "inspect/cut_corners.h"
-#include "settings/choices.h"
 
 namespace rasterwalk {
 
@@ -31,25 +28,6 @@ std::optional<Formula> clip_formula(const Frame& frame, const ClipHistory& histo
 /// The id of a coordinate of a corner.
 /// @param coordinate 0..3: x y z w
 std::string corner_formula_id(const CutCorner& corner, int coordinate);
-
-/// What away_from_camera() works out in a frame, with the signs of formulas: "n · (p − C)".
-std::string_view sight_name(const Frame& frame);
-
-/// What a way of culling takes the triangle for.
-struct CullAnswer {
-    Cull way = Cull::none;
-    bool is_back = false;
-    /// What it looks at: of the first corner, of the polygon, or of the corner that points least
-    /// away.
-    float measure = 0.0f;
-    std::string formula;      ///< id of the measure's
-    bool is_open = false;     ///< it does not look: a corner lies behind the camera
-    bool is_in_parts = false; ///< it takes some corners for a back, and others not
-};
-
-/// That of each way that is no mistake, for what clipping has left; none where nothing is left. Of
-/// fragments, which have their own normals, it tells what the corners say.
-std::vector<CullAnswer> cull_answers(const Frame& frame, const ClipHistory& history);
 
 /// "near plane".
 std::string plane_name(ClipPlane plane);

@@ -1,15 +1,15 @@
 #include "explain/fragment_report.h"
 
 #include <cmath>
-#include <functional>
 
 #include <fmt/format.h>
 
 #include "base/element_names.h"
+#include "explain/along_row.h"
+#include "explain/depth_formulas.h"
 #include "explain/highlight_formulas.h"
 #include "explain/light_formulas.h"
 #include "explain/vertex_report.h"
-#include "inspect/pixel_tests.h"
 #include "pipeline/draw.h"
 #include "pipeline/surface.h"
 #include "stages/orthographic.h"
@@ -22,11 +22,6 @@ constexpr std::array<Interpolation, interpolation_count> ways{
     Interpolation::perspective, Interpolation::affine, Interpolation::zinv_twice};
 
 using Carried = std::array<Fragment, interpolation_count>; ///< indexed by Interpolation
-
-/// Which fragment of its row it is.
-std::string column_words(int step) {
-    return element_name(fragment_form, step) + " of the row, from its left end";
-}
 
 /// Keeps the event of one fragment, and who wrote on its pixel before.
 class Watcher : public Observer {
@@ -47,152 +42,6 @@ class Watcher : public Observer {
   private:
     Cursor wanted;
 };
-
-/// One value of an end of a row, or of a corner.
-using Part = std::function<float(const RowEnd&)>;
-
-Part part_of_ends(Quantity quantity) {
-    return [quantity](const RowEnd& end) { return part_of(end.varyings, quantity); };
-}
-
-/// Where edge functions find the pixels: what weighs the fragment.
-struct WeighedCorners {
-    const TestedPolygon& polygon;
-    const TestedTriangle& triangle;
-
-    WeighedCorners(const FragmentReport& report, Interpolation way)
-        : polygon(report.row.tested[static_cast<std::size_t>(way)]),
-          triangle(triangle_of_pixel(polygon, report.pixel.x, report.pixel.y)) {}
-
-    /// The number of a corner of what is drawn, and its values.
-    int number(std::size_t i) const { return triangle.corners[i]; }
-    const RowEnd& corner(std::size_t i) const {
-        return polygon.corners[static_cast<std::size_t>(number(i))];
-    }
-    EdgeValues values(const FragmentReport& report) const {
-        return triangle.values_at({pixel_centre(report.pixel.x), pixel_centre(report.pixel.y)});
-    }
-    Source source(std::size_t i) const {
-        return from_words(fmt::format("corner {} of what is drawn", number(i)));
-    }
-};
-
-std::string weight_id(std::size_t i) {
-    return fmt::format("weight.{}", i);
-}
-
-/// The weights of the three corners.
-void add_weights(FragmentReport& report) {
-    if (!report.row.is_weighted()) return;
-    const WeighedCorners corners(report, Interpolation::perspective);
-    const EdgeValues e = corners.values(report);
-    const Stages& stages = report.row.stages.front();
-    const Weights weights = stages.weights(e, corners.triangle.area);
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-        const std::size_t opposite = (i + 1) % weights.size();
-        report.formulas.push_back(
-            {weight_id(i),
-             fmt::format("b{}", i),
-             fmt::format("The weight of corner {}: the edge function of the edge opposite of it, "
-                         "as a part of all three.",
-                         corners.number(i)),
-             "E / A",
-             {{"E",
-               {static_cast<float>(in_square_pixels(e[opposite]))},
-               from_words(fmt::format("edge function of {} at the pixel's centre, in square pixels",
-                                      tested_edge_name(corners.triangle.edges[opposite].number)))},
-              {"A",
-               {static_cast<float>(in_square_pixels(corners.triangle.area))},
-               from_words("the sum of all three, twice the area")}},
-             {weights[i]}});
-    }
-}
-
-constexpr std::array<const char*, edge_function_count> corner_symbols{"p", "q", "r"};
-
-/// How a value is mixed from those of the corners.
-/// @param is_twice the corners' values are multiplied by their 1/z once more
-Formula by_weights(const FragmentReport& report, Formula formula, Interpolation way,
-                   const Part& part, bool is_twice) {
-    const WeighedCorners corners(report, way);
-    formula.inputs.clear();
-    formula.expression.clear();
-    for (std::size_t i = 0; i < corner_symbols.size(); ++i) {
-        const std::string symbol = corner_symbols[i], weight = fmt::format("b{}", i);
-        formula.expression += i > 0 ? " + " : "";
-        formula.expression += symbol;
-        formula.inputs.push_back({symbol, {part(corners.corner(i))}, corners.source(i)});
-        if (is_twice) {
-            formula.expression += " · z" + symbol;
-            formula.inputs.push_back({"z" + symbol, {corners.corner(i).inv_w}, corners.source(i)});
-        }
-        formula.expression += " · " + weight;
-        formula.inputs.push_back({weight,
-                                  {find_formula(report.formulas, weight_id(i))->result.value},
-                                  from_formula(weight_id(i))});
-    }
-    return formula;
-}
-
-/// How a value gets along a row: by the walk that is in force, as one formula of both ends; or,
-/// where edge functions find the pixels, by the weights of the corners.
-Formula along_row(const FragmentReport& report, std::string id, std::string name, std::string help,
-                  Interpolation way, const Part& part, float result) {
-    const CarriedRow& row = report.row;
-    const RowEnds& ends = row.under(way);
-    Formula formula{
-        std::move(id),
-        std::move(name),
-        std::move(help),
-        "",
-        {{"left", {part(ends.left)}, from_row_end(row.triangle, row.row, false)},
-         {"right", {part(ends.right)}, from_row_end(row.triangle, row.row, true)},
-         {"n",
-          {static_cast<float>(row.count), true},
-          from_words("pixels of the row, both ends included")},
-         {"i", {static_cast<float>(report.step), true}, from_words(column_words(report.step))}},
-        {result}};
-    if (row.is_weighted()) return by_weights(report, std::move(formula), way, part, false);
-    switch (row.walk) {
-    case LineWalk::accumulate:
-    case LineWalk::integer_step: // only the place's step is cut, and along a row it is 1
-        formula.expression = "accumulate(left, (right − left) / (n − 1), i)";
-        break;
-    case LineWalk::multiply:
-        formula.expression = "left + i · ((right − left) / (n − 1))";
-        break;
-    case LineWalk::exact:
-        formula.expression = "left · (1 − i / (n − 1)) + right · (i / (n − 1))";
-        break;
-    }
-    // The first sample is the left end itself, whichever way the row is walked.
-    if (report.step == 0) {
-        formula.expression = "left";
-        formula.inputs.resize(1);
-    }
-    return formula;
-}
-
-/// The same where the row's ends are multiplied by 1/z once more.
-Formula along_row_twice(const FragmentReport& report, Formula formula, const Part& part) {
-    const CarriedRow& row = report.row;
-    constexpr Interpolation way = Interpolation::zinv_twice;
-    if (row.is_weighted()) return by_weights(report, std::move(formula), way, part, true);
-    const RowEnds& ends = row.under(way);
-    formula.inputs.push_back({"zl", {ends.left.inv_w}, from_row_end(row.triangle, row.row, false)});
-    if (report.step > 0) {
-        formula.inputs.push_back(
-            {"zr", {ends.right.inv_w}, from_row_end(row.triangle, row.row, true)});
-    }
-    const auto put = [&](std::string_view word, std::string_view by) {
-        for (std::size_t at = 0; (at = formula.expression.find(word, at)) != std::string::npos;
-             at += by.size())
-            formula.expression.replace(at, word.size(), by);
-    };
-    put("left", "left · zl");
-    put("right", "right · zr");
-    return formula;
-}
 
 /// z as it is, from what the row carries.
 Formula true_depth(const Fragment& fragment, float mix) {
@@ -266,7 +115,7 @@ void add_twice(FragmentReport& report, const QuantityInfo& info, const Carried& 
     const Quantity quantity = info.quantity;
     const auto way = static_cast<std::size_t>(Interpolation::zinv_twice);
     const float value = part_of(carried[way].varyings, quantity);
-    const Part part = part_of_ends(quantity);
+    const EndPart part = part_of_ends(quantity);
     report.formulas.push_back(along_row_twice(
         report,
         along_row(report, id + ".carried_twice", carried_name + "²",
@@ -500,91 +349,6 @@ void add_light(const Frame& frame, FragmentReport& report) {
         flat.help = "The surface's own colour: this stage computes no light. " + flat.help;
         report.formulas.push_back(flat);
     }
-}
-
-/// The depth rounded to one of the values that the buffer has.
-/// @param whole the depth before
-void round_depth(Formula& depth, float whole, const DepthRules& rules) {
-    const ClipDepth kind = rules.projection.clip_depth;
-    const int largest = (1 << rules.bits) - 1;
-    // 1/z reaches up to 1/near.
-    const bool is_scaled = kind == ClipDepth::inv_z;
-    depth.expression = is_scaled ? "k / n / near" : "k / n";
-    depth.inputs = {{"k",
-                     {static_cast<float>(held_step(whole, rules)), true},
-                     from_words(fmt::format("{} {} times {}, to the nearest whole number",
-                                            depth_words(kind).name, shown({whole}),
-                                            is_scaled ? "near times n" : "n"))},
-                    {"n",
-                     {static_cast<float>(largest), true},
-                     from_words(fmt::format("2^{} − 1", rules.bits))}};
-    if (is_scaled) depth.inputs.push_back({"near", {rules.near}, from_setting("near")});
-}
-
-/// The depth of a z that was interpolated as if it changed in equal steps.
-void add_linear_depth(Formula& depth, float z, const DepthRules& rules) {
-    depth.help += " Made from z that was interpolated as if it changed in equal steps.";
-    depth.inputs = {{"z", {z}, from_formula("z.affine")}};
-    depth.result = {depth_at(z, rules)};
-    const float mix = rules.projection.mix;
-    if (rules.projection.clip_depth == ClipDepth::inv_z) {
-        depth.expression = "1 / z";
-        return;
-    }
-    const bool is_ndc = rules.projection.clip_depth == ClipDepth::ndc;
-    const std::string plane = is_ndc ? "far" : "near";
-    const std::string scale = mix == 0.0f ? plane : "((1 − mix) · " + plane + " + mix)";
-    const std::string w = mix == 0.0f ? "z" : "((1 − mix) · z + mix)";
-    depth.expression =
-        scale + " · (" + (is_ndc ? "(z − near)" : "(far − z)") + " / (far − near)) / " + w;
-    depth.inputs.push_back({"near", {rules.near}, from_setting("near")});
-    depth.inputs.push_back({"far", {rules.far}, from_setting("far")});
-    if (mix != 0.0f) depth.inputs.push_back({"mix", {mix}, from_setting("projection_mix")});
-}
-
-void add_depth_test(FragmentReport& report, const Frame& frame) {
-    const DepthRules rules = depth_rules(frame.settings, frame.scene->space);
-    const ClipDepth kind = rules.projection.clip_depth;
-    const DepthWords& words = depth_words(kind);
-    const std::string name(words.name);
-    Formula depth{"depth",
-                  "new",
-                  fmt::format("The fragment's value for the depth buffer, {}: {} is nearer.", name,
-                              words.nearer),
-                  "(1/z)",
-                  {{"(1/z)", {report.fragment.depth}, from_formula("zinv")}},
-                  {report.depth}};
-    // What is culled never came to the test.
-    const bool is_tested = report.fate != Fate::back_facing;
-    if (is_tested && report.depth_test == DepthTest::linear_z) {
-        add_linear_depth(depth, report.fragment.z, rules);
-    } else if (kind != ClipDepth::inv_z) {
-        report.formulas.push_back(along_row(
-            report, "depth.carried", name,
-            "Interpolated in equal steps. " + std::string(words.ends), report.interpolation,
-            [](const RowEnd& end) { return end.depth; }, report.fragment.depth));
-        depth.expression = "depth";
-        depth.inputs = {{"depth", {report.fragment.depth}, from_formula("depth.carried")}};
-    }
-    if (is_tested && rules.bits > 0) round_depth(depth, depth.result.value, rules);
-    depth.result = {report.depth};
-    report.formulas.push_back(depth);
-    Source stored = report.stored_by
-                        ? from_moment(*report.stored_by)
-                        : from_words("the depth buffer's start: nothing drawn here yet");
-    if (!report.stored_by && report.stored != farthest_depth(kind))
-        stored = from_setting("depth_clear");
-    if (!report.has_cell) stored = from_words("this pixel has no cell in the depth buffer");
-    report.formulas.push_back(
-        {"margin",
-         "margin",
-         report.depth_test == DepthTest::reversed
-             ? "How much nearer than what is stored; the test is the wrong way round, and below 0 "
-               "the fragment is drawn."
-             : "How much nearer than what is stored; above 0 the fragment is drawn.",
-         is_smaller_nearer(kind) ? "stored − new" : "new − stored",
-         {{"new", {report.depth}, from_formula("depth")}, {"stored", {report.stored}, stored}},
-         {depth_ahead(report.depth, report.stored, kind)}});
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
+#include "explain/cull_formulas.h"
 #include "explain/vertex_report.h"
 #include "support/clipped_room.h"
 #include "support/effort.h"

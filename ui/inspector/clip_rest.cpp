@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/numbers.h"
+#include "explain/cull_formulas.h"
 #include "inspect/stats.h"
 #include "settings/value_words.h"
 #include "ui/inspector/clip_parts.h"

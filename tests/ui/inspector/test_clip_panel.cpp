@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "explain/clip_report.h"
+#include "explain/cull_formulas.h"
 #include "inspect/stats.h"
 #include "tests/ui/screen_text.h"
 #include "tests/ui/shown_number.h"

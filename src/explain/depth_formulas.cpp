@@ -1,0 +1,99 @@
+#include "explain/depth_formulas.h"
+
+#include <fmt/format.h>
+
+#include "explain/along_row.h"
+#include "stages/orthographic.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// The depth rounded to one of the values that the buffer has.
+/// @param whole the depth before
+void round_depth(Formula& depth, float whole, const DepthRules& rules) {
+    const ClipDepth kind = rules.projection.clip_depth;
+    const int largest = (1 << rules.bits) - 1;
+    // 1/z reaches up to 1/near.
+    const bool is_scaled = kind == ClipDepth::inv_z;
+    depth.expression = is_scaled ? "k / n / near" : "k / n";
+    depth.inputs = {{"k",
+                     {static_cast<float>(held_step(whole, rules)), true},
+                     from_words(fmt::format("{} {} times {}, to the nearest whole number",
+                                            depth_words(kind).name, shown({whole}),
+                                            is_scaled ? "near times n" : "n"))},
+                    {"n",
+                     {static_cast<float>(largest), true},
+                     from_words(fmt::format("2^{} − 1", rules.bits))}};
+    if (is_scaled) depth.inputs.push_back({"near", {rules.near}, from_setting("near")});
+}
+
+/// The depth of a z that was interpolated as if it changed in equal steps.
+void add_linear_depth(Formula& depth, float z, const DepthRules& rules) {
+    depth.help += " Made from z that was interpolated as if it changed in equal steps.";
+    depth.inputs = {{"z", {z}, from_formula("z.affine")}};
+    depth.result = {depth_at(z, rules)};
+    const float mix = rules.projection.mix;
+    if (rules.projection.clip_depth == ClipDepth::inv_z) {
+        depth.expression = "1 / z";
+        return;
+    }
+    const bool is_ndc = rules.projection.clip_depth == ClipDepth::ndc;
+    const std::string plane = is_ndc ? "far" : "near";
+    const std::string scale = mix == 0.0f ? plane : "((1 − mix) · " + plane + " + mix)";
+    const std::string w = mix == 0.0f ? "z" : "((1 − mix) · z + mix)";
+    depth.expression =
+        scale + " · (" + (is_ndc ? "(z − near)" : "(far − z)") + " / (far − near)) / " + w;
+    depth.inputs.push_back({"near", {rules.near}, from_setting("near")});
+    depth.inputs.push_back({"far", {rules.far}, from_setting("far")});
+    if (mix != 0.0f) depth.inputs.push_back({"mix", {mix}, from_setting("projection_mix")});
+}
+
+} // namespace
+
+void add_depth_test(FragmentReport& report, const Frame& frame) {
+    const DepthRules rules = depth_rules(frame.settings, frame.scene->space);
+    const ClipDepth kind = rules.projection.clip_depth;
+    const DepthWords& words = depth_words(kind);
+    const std::string name(words.name);
+    Formula depth{"depth",
+                  "new",
+                  fmt::format("The fragment's value for the depth buffer, {}: {} is nearer.", name,
+                              words.nearer),
+                  "(1/z)",
+                  {{"(1/z)", {report.fragment.depth}, from_formula("zinv")}},
+                  {report.depth}};
+    // What is culled never came to the test.
+    const bool is_tested = report.fate != Fate::back_facing;
+    if (is_tested && report.depth_test == DepthTest::linear_z) {
+        add_linear_depth(depth, report.fragment.z, rules);
+    } else if (kind != ClipDepth::inv_z) {
+        report.formulas.push_back(along_row(
+            report, "depth.carried", name,
+            "Interpolated in equal steps. " + std::string(words.ends), report.interpolation,
+            [](const RowEnd& end) { return end.depth; }, report.fragment.depth));
+        depth.expression = "depth";
+        depth.inputs = {{"depth", {report.fragment.depth}, from_formula("depth.carried")}};
+    }
+    if (is_tested && rules.bits > 0) round_depth(depth, depth.result.value, rules);
+    depth.result = {report.depth};
+    report.formulas.push_back(depth);
+    Source stored = report.stored_by
+                        ? from_moment(*report.stored_by)
+                        : from_words("the depth buffer's start: nothing drawn here yet");
+    if (!report.stored_by && report.stored != farthest_depth(kind))
+        stored = from_setting("depth_clear");
+    if (!report.has_cell) stored = from_words("this pixel has no cell in the depth buffer");
+    report.formulas.push_back(
+        {"margin",
+         "margin",
+         report.depth_test == DepthTest::reversed
+             ? "How much nearer than what is stored; the test is the wrong way round, and below 0 "
+               "the fragment is drawn."
+             : "How much nearer than what is stored; above 0 the fragment is drawn.",
+         is_smaller_nearer(kind) ? "stored − new" : "new − stored",
+         {{"new", {report.depth}, from_formula("depth")}, {"stored", {report.stored}, stored}},
+         {depth_ahead(report.depth, report.stored, kind)}});
+}
+
+} // namespace rasterwalk
