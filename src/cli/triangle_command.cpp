@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <optional>
 #include <ostream>
 
 #include <fmt/format.h>
@@ -13,6 +14,7 @@
 #include "cli/json.h"
 #include "cli/row_json.h"
 #include "cli/spaces_report.h"
+#include "inspect/polygon_ways.h"
 #include "inspect/triangle_report.h"
 #include "session/moments.h"
 
@@ -135,6 +137,13 @@ Json cull_to_json(const ClipHistory& clip) {
             {"values", clip.cull.values}};
 }
 
+Json to_json(const PolygonWays& ways) {
+    return {
+        {"area", ways.area},         {"corners", ways.corners},   {"fan", ways.fan},
+        {"fan_area", ways.fan_area}, {"fan_laid", ways.fan_laid}, {"inside", ways.inside},
+        {"rows", ways.rows},         {"table", ways.table},       {"wrong_rows", ways.wrong_rows}};
+}
+
 /// The spaces have matrices only where matrices do the work.
 bool has_spaces(const Frame& frame) {
     return frame.settings.transform == Transform::matrices &&
@@ -157,6 +166,7 @@ Json to_json(const TriangleReport& report, const Frame& frame) {
     object["left_out"] = words(report.rejection).name;
     object["name"] = part_name(*frame.scene, report.triangle);
     object["outside"] = outside_json(report.rows);
+    if (const auto ways = polygon_ways(frame, report.triangle)) object["polygon"] = to_json(*ways);
     object["rows"] = rows_json(report.rows);
     if (has_spaces(frame)) object["spaces"] = spaces_json(frame, report.triangle);
     object["triangle"] = report.triangle;
@@ -276,6 +286,18 @@ void print_rows(std::ostream& out, const RowHistory& history) {
     }
 }
 
+/// Nothing where the triangle belongs to no polygon of the scene.
+void print_polygon(std::ostream& out, const std::optional<PolygonWays>& ways) {
+    if (!ways) return;
+    const auto pixels = [](std::int64_t count) { return counted(count, "pixel", "pixels"); };
+    out << fmt::format("\nPolygon of {} corners, {} square pixels\n", ways->corners, ways->area)
+        << fmt::format("  inside, by active edges: {}\n", pixels(ways->inside))
+        << fmt::format("  row table: {}; {} of {} reach outside\n", pixels(ways->table),
+                       ways->wrong_rows, counted(ways->rows, "row", "rows"))
+        << fmt::format("  fan: {}, laid {} times; {} square pixels\n", pixels(ways->fan),
+                       ways->fan_laid, ways->fan_area);
+}
+
 void print_text(std::ostream& out, const TriangleReport& report, const Frame& frame) {
     const Scene& scene = *frame.scene;
     out << element_name_of(triangle_form, report.triangle, scene.triangle_count()) << " ("
@@ -288,6 +310,7 @@ void print_text(std::ostream& out, const TriangleReport& report, const Frame& fr
     }
     print_edges(out, report);
     print_rows(out, report.rows);
+    print_polygon(out, polygon_ways(frame, report.triangle));
 }
 
 } // namespace

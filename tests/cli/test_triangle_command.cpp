@@ -255,3 +255,22 @@ TEST_CASE("A line that decides has its decisions in the JSON, another has none")
     CHECK_THAT(lines, Contains("{\"column\":5,\"decision\":0.0,\"row\":10,\"sample\":0,"
                                "\"step\":\"diagonal\""));
 }
+
+TEST_CASE("triangle tells what a row table and a fan make of the polygon it belongs to") {
+    const std::string dented = lessons_folder() + "/scenes/dented.toml";
+    const std::vector<std::string> rules{"--set", "coverage=edge_functions", "--set",
+                                         "fill_rule=top_left"};
+    std::vector<std::string> left{"triangle", "1", "--scene", dented};
+    left.insert(left.end(), rules.begin(), rules.end());
+    CHECK_THAT(run(left).out, Contains("\nPolygon of 5 corners, 144 square pixels\n"
+                                       "  inside, by active edges: 136 pixels\n"
+                                       "  row table: 176 pixels; 5 of 11 rows reach outside\n"
+                                       "  fan: 192 pixels, laid 248 times; 240 square pixels\n"));
+    std::vector<std::string> right{"4", "--scene", dented};
+    right.insert(right.end(), rules.begin(), rules.end());
+    CHECK_THAT(json_of(right),
+               Contains("\"polygon\":{\"area\":144.0,\"corners\":5,\"fan\":136,\"fan_area\":144.0,"
+                        "\"fan_laid\":136,\"inside\":136,\"rows\":11,\"table\":176,"
+                        "\"wrong_rows\":5}"));
+    CHECK_THAT(run({"triangle", "0", "--scene", bench_file}).out, !Contains("Polygon"));
+}

@@ -3,8 +3,11 @@
 
 #include "inspect/polygon_ways.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,7 +40,7 @@ Scene polygon_scene(const std::vector<glm::ivec2>& corners) {
                        "s.toml");
 }
 
-Frame frame_of(const Scene& scene, FillRule rule) {
+Frame ruled_frame(const Scene& scene, FillRule rule) {
     Settings settings = default_settings(scene);
     settings.coverage = Coverage::edge_functions;
     settings.fill_rule = rule;
@@ -140,7 +143,7 @@ TEST_CASE("Row table, fan and active edges of random polygons against counting p
         const FillRule rule =
             std::array{FillRule::inclusive, FillRule::exclusive, FillRule::top_left}[i % 3];
         const Scene scene = polygon_scene(corners);
-        const Frame frame = frame_of(scene, rule);
+        const Frame frame = ruled_frame(scene, rule);
         const std::optional<PolygonWays> ways = polygon_ways(frame, i % scene.triangle_count());
         REQUIRE(ways);
         CAPTURE(i, word_of(rule));
@@ -158,7 +161,7 @@ TEST_CASE("Row table, fan and active edges of random polygons against counting p
 
 TEST_CASE("The dented pentagon has one outline, whatever corner its list begins with") {
     const Scene scene = read_scene(lessons_folder() + "/scenes/dented.toml");
-    const Frame frame = frame_of(scene, FillRule::top_left);
+    const Frame frame = ruled_frame(scene, FillRule::top_left);
     for (int t = 0; t < 6; ++t) {
         const std::optional<PolygonWays> ways = polygon_ways(frame, t);
         REQUIRE(ways);
@@ -171,8 +174,8 @@ TEST_CASE("The dented pentagon has one outline, whatever corner its list begins 
 
 TEST_CASE("A triangle of no polygon, or of one that was moved apart, has no outline") {
     const Scene triangle = read_scene(lessons_folder() + "/scenes/one-triangle.toml");
-    CHECK_FALSE(polygon_ways(frame_of(triangle, FillRule::top_left), 0));
+    CHECK_FALSE(polygon_ways(ruled_frame(triangle, FillRule::top_left), 0));
     Scene apart = read_scene(lessons_folder() + "/scenes/hexagon.toml");
     apart.mesh.place_corner(2, 0, {3.0f, 5.0f, 1.0f});
-    CHECK_FALSE(polygon_ways(frame_of(apart, FillRule::top_left), 0));
+    CHECK_FALSE(polygon_ways(ruled_frame(apart, FillRule::top_left), 0));
 }
