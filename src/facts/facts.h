@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "explain/fragment_report.h"
 #include "facts/value.h"
 #include "inspect/clip_history.h"
 #include "inspect/edge_lines.h"
@@ -43,6 +44,8 @@ struct FactCache {
     std::optional<LineDecision> decision;
     std::optional<Cursor> error_at;
     std::optional<InterpolationError> error;
+    std::optional<Cursor> light_at;
+    std::optional<FragmentReport> light;
 };
 
 /// Answers questions about a session and its results; both must live as long, and the results be up
@@ -82,6 +85,8 @@ class Facts {
     const PixelEntry* winner() const;
     /// Of that fragment; none if it belongs to no row.
     std::optional<InterpolationError> interpolation_error() const;
+    /// The light of that fragment, term by term; null if there is none, or no light is computed.
+    const FragmentReport* light() const;
     /// The selected vertex of the triangle on show; null if none is selected.
     const ShadedVertex* vertex() const;
 
