@@ -219,7 +219,7 @@ TEST_CASE("The light's facts are the terms of the fragment that stays") {
     CHECK(length >= std::cos(3.14159265 / 12.0) - 1e-3);
     CHECK(length < 1.0);
     CHECK(shine == Approx(std::pow(n_dot_h, 50.0)).epsilon(1e-3));
-    CHECK(red == Approx(0.7 * 60.0 * shine / (4.0 * 3.14159265 * distance * distance)));
+    CHECK(red == Approx(0.7 * 45.0 * shine / (4.0 * 3.14159265 * distance * distance)));
     CHECK(red > 0.0);
     // What the highlight adds to the picture.
     round.session.a.settings.light.model = LightModel::lambert;
