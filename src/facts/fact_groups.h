@@ -29,6 +29,10 @@ void add_outline_facts(std::vector<Fact>& table);
 /// Its selected vertex.
 void add_vertex_facts(std::vector<Fact>& table);
 
+// In light_facts.cpp:
+/// The light of the picked pixel, term by term.
+void add_light_facts(std::vector<Fact>& table);
+
 // In fragment_facts.cpp:
 /// The picked pixel.
 void add_pixel_facts(std::vector<Fact>& table);

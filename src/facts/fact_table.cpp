@@ -20,6 +20,7 @@ std::span<const Fact> fact_table() {
         add_side_facts(facts);
         add_frame_facts(facts);
         add_pixel_facts(facts);
+        add_light_facts(facts);
         add_clip_facts(facts);
         add_outline_facts(facts);
         add_table_facts(facts);

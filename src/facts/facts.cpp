@@ -215,6 +215,18 @@ const TextureReport* Facts::texture() const {
     return known.texture ? &*known.texture : nullptr;
 }
 
+const FragmentReport* Facts::light() const {
+    const Frame& frame = results_->a.frame;
+    const PixelEntry* const entry = winner();
+    if (entry == nullptr || shading_rule(frame.settings) == Shading::unlit) return nullptr;
+    FactCache& known = cache();
+    if (known.light_at != entry->cursor) {
+        known.light = fragment_report(frame, entry->cursor);
+        known.light_at = entry->cursor;
+    }
+    return known.light ? &*known.light : nullptr;
+}
+
 const ShadedVertex* Facts::vertex() const {
     const std::optional<int>& vertex = session_->selection.vertex;
     const std::vector<VertexReport>& reports = results_->a.inspected.vertices;

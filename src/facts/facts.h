@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "explain/fragment_report.h"
 #include "explain/texture_report.h"
 #include "facts/value.h"
 #include "inspect/clip_history.h"
@@ -48,6 +49,8 @@ struct FactCache {
     std::optional<LineDecision> decision;
     std::optional<Cursor> error_at;
     std::optional<InterpolationError> error;
+    std::optional<Cursor> light_at;
+    std::optional<FragmentReport> light;
     std::optional<Cursor> texture_at;
     std::optional<TextureReport> texture;
 };
@@ -93,6 +96,8 @@ class Facts {
     const PixelEntry* winner() const;
     /// Of that fragment; none if it belongs to no row.
     std::optional<InterpolationError> interpolation_error() const;
+    /// The light of that fragment, term by term; null if there is none, or no light is computed.
+    const FragmentReport* light() const;
     /// What it took of its texture; null if it shows none.
     const TextureReport* texture() const;
     /// The selected vertex of the triangle on show; null if none is selected.

@@ -144,6 +144,7 @@ TEST_CASE("A vertex tells its highlight, and light per vertex brings it along") 
     const Scene scene = coloured_cylinder();
     Settings settings = default_settings(scene);
     set_from_text(settings, "shading=gouraud");
+    set_from_text(settings, "light.position=0.9,-1.5,-3"); // the highlight near a corner
     const Frame frame = prepare_frame(scene, settings);
     float brightest = 0.0f;
     for (int t = 0; t < scene.triangle_count(); ++t) {

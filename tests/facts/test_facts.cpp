@@ -1,5 +1,7 @@
 #include "facts/facts.h"
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 
 #include <catch2/catch.hpp>
@@ -191,6 +193,51 @@ TEST_CASE("The light error is the difference of the two pictures") {
     const double expected = static_cast<double>(std::max({apart.x, apart.y, apart.z}));
     CHECK(expected > 0.0);
     CHECK(room.number("pixel.light_error") == expected);
+}
+
+TEST_CASE("The light's facts are the terms of the fragment that stays") {
+    Asked room;
+    room.session.selection.pixel = glm::ivec2(250, 400);
+    CHECK(room.number("pixel.cosine") > 0.0);
+    CHECK(room.number("pixel.highlight.red") == 0.0);
+    CHECK_FALSE(room.is_there("pixel.normal_length")); // a flat wall has nothing to interpolate
+    room.session.a.settings.stage = Stage::depth;
+    CHECK_FALSE(room.is_there("pixel.cosine"));
+
+    Asked round;
+    round.session = open_session(lessons_folder() + "/scenes/cylinder.toml");
+    const glm::ivec2 pixel(123, 110); // near the middle of a side, in the highlight
+    round.session.selection.pixel = pixel;
+    update(round.session, round.results);
+    const std::size_t at = round.results.a.framebuffer->at(pixel.x, pixel.y);
+    const glm::vec3 shining = round.results.a.framebuffer->colour[at];
+    const double length = round.number("pixel.normal_length");
+    const double n_dot_h = round.number("pixel.n_dot_h");
+    const double shine = round.number("pixel.shine");
+    const double red = round.number("pixel.highlight.red");
+    const double distance = round.number("pixel.lamp_distance");
+    // Normals 30 degrees apart are cos 15 degrees long in the middle.
+    CHECK(length >= std::cos(3.14159265 / 12.0) - 1e-3);
+    CHECK(length < 1.0);
+    CHECK(shine == Approx(std::pow(n_dot_h, 50.0)).epsilon(1e-3));
+    CHECK(red == Approx(0.7 * 45.0 * shine / (4.0 * 3.14159265 * distance * distance)));
+    CHECK(red > 0.0);
+    // What the highlight adds to the picture.
+    round.session.a.settings.light.model = LightModel::lambert;
+    update(round.session, round.results);
+    CHECK(static_cast<double>(shining.r - round.results.a.framebuffer->colour[at].r) ==
+          Approx(red).margin(1e-5));
+    CHECK(round.number("pixel.n_dot_h") == 0.0);
+    // Affine interpolation of normals changes the light as the picture does.
+    const auto colour = [&](Interpolation way) {
+        round.session.a.settings.interpolation = way;
+        update(round.session, round.results);
+        return round.results.a.framebuffer->colour[at];
+    };
+    const glm::vec3 apart =
+        glm::abs(colour(Interpolation::affine) - colour(Interpolation::perspective));
+    CHECK(round.number("pixel.light_error") ==
+          static_cast<double>(std::max({apart.x, apart.y, apart.z})));
 }
 
 TEST_CASE("The table's facts are of the finished table of the triangle on show") {

@@ -1,0 +1,74 @@
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "facts/fact_groups.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// The light of the picked pixel, as if it were worked out there: under flat shading in the middle
+/// of its triangle.
+const SurfaceLight* light_there(const Facts& facts) {
+    const FragmentReport* const report = facts.light();
+    if (report == nullptr) return nullptr;
+    return report->shading == Shading::flat ? &report->light_per_triangle : &report->light;
+}
+
+/// A number of the light; none where no light is computed.
+template <auto read>
+Value light_number(const Facts& facts, int part) {
+    const SurfaceLight* const light = light_there(facts);
+    return light != nullptr ? number(read(*light, part)) : Value();
+}
+
+/// The number that a formula of the fragment shows; none where it has no such formula.
+Value formula_number(const Facts& facts, std::string_view id) {
+    const FragmentReport* const report = facts.light();
+    if (report == nullptr) return {};
+    const Formula* const formula = find_formula(report->formulas, id);
+    return formula != nullptr ? number(formula->result.value) : Value();
+}
+
+} // namespace
+
+void add_light_facts(std::vector<Fact>& table) {
+    table.push_back({"pixel.lamp_distance", "How far the lamp is from there, world units.", real(0),
+                     light_number<[](const SurfaceLight& light, int) {
+                         return std::sqrt(light.diffuse.distance2);
+                     }>});
+    table.push_back(
+        {"pixel.cosine",
+         "n · l there, from 0 up: how slanted the lamp's light falls on the picked "
+         "pixel's surface.",
+         real(0),
+         light_number<[](const SurfaceLight& light, int) { return light.diffuse.cosine; }>});
+    table.push_back({"pixel.normal_length",
+                     "How long the interpolated normal is there, before it is made unit length; "
+                     "none where the normals of the corners are the same.",
+                     real(0), [](const Facts& facts, int) {
+                         return formula_number(facts, "pixel_light.n_length");
+                     }});
+    table.push_back(
+        {"pixel.n_dot_h",
+         "n · h there, from 0 up: how near the normal is to half-way between lamp and "
+         "eye.",
+         real(0),
+         light_number<[](const SurfaceLight& light, int) { return light.highlight.n_dot_h; }>});
+    table.push_back(
+        {"pixel.shine", "n · h there to the power of the exponent.", real(0),
+         light_number<[](const SurfaceLight& light, int) { return light.highlight.power; }>});
+    constexpr std::array<std::string_view, 3> channels{"red", "green", "blue"};
+    for (int i = 0; i < 3; ++i) {
+        const std::string channel(channels[static_cast<std::size_t>(i)]);
+        table.push_back({"pixel.highlight." + channel,
+                         "The " + channel + " of the highlight there, not cut at 1.", real(0),
+                         light_number<[](const SurfaceLight& light, int part) {
+                             return light.highlight.reflected[part];
+                         }>,
+                         i});
+    }
+}
+
+} // namespace rasterwalk
