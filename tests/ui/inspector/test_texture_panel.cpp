@@ -54,7 +54,7 @@ TEST_CASE("The Texture tab shows as many texels as were taken, and a click asks 
         }
         const std::string last = fmt::format("texture.texel.{}", count - 1);
         driver.hand.click(last);
-        CHECK(driver.ui.inspector.chosen.fragment_number == last + ".weight");
+        CHECK(driver.ui.inspector.chosen.texture_number == last + ".weight");
     }
 }
 
