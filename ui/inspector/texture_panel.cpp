@@ -7,6 +7,7 @@
 
 #include "explain/light_formulas.h"
 #include "picture/view_image.h"
+#include "ui/actions/go_to_source.h"
 #include "ui/inspector/fragment_parts.h"
 #include "ui/inspector/panels.h"
 #include "ui/ui.h"
@@ -41,13 +42,20 @@ ImU32 readable_on(const glm::vec3& colour) {
 }
 
 void choose_texture_number(Ui& ui, const std::string& id) {
-    ui.inspector.chosen.fragment_number = id;
+    ui.inspector.chosen.texture_number = id;
+}
+
+/// A number that is clicked is the one asked about, or leads to where it comes from.
+void follow_texture_source(Ui& ui, const std::optional<Source>& source) {
+    if (!source) return;
+    if (source->kind == SourceKind::formula) choose_texture_number(ui, source->name);
+    go_to_source(ui, *source);
 }
 
 /// A formula on one line; a number that is clicked is the one asked about.
 void draw_texture_line(Ui& ui, const std::string& id) {
     const Formula* const formula = find_formula(report_of(ui).formulas, id);
-    if (formula != nullptr) follow_source(ui, draw_formula_line(ui, *formula, id));
+    if (formula != nullptr) follow_texture_source(ui, draw_formula_line(ui, *formula, id));
 }
 
 void draw_texture_title(Ui& ui) {
@@ -153,14 +161,15 @@ void draw_taken_texels(Ui& ui) {
                                 "came to be.",
                                 texel.column, texel.row, texel.level, shown({texel.weight})));
         list->AddRectFilled(from, to, texel_colour(ui, texel.colour));
-        const bool is_chosen = ui.inspector.chosen.fragment_number == id;
+        const bool is_chosen = ui.inspector.chosen.texture_number == id;
         list->AddRect(
             from, to,
             packed(is_chosen ? palette(ui.options.theme).changed : palette(ui.options.theme).line),
             0.0f, 0, is_chosen ? 2.0f * u : 1.0f * u);
         const ImU32 ink = readable_on(texel.colour);
         const float line = ImGui::GetTextLineHeight();
-        list->AddText({from.x + 4.0f * u, from.y + 4.0f * u}, ink, shown({texel.weight}).c_str());
+        list->AddText({from.x + 4.0f * u, from.y + 4.0f * u}, ink,
+                      fixed(static_cast<double>(texel.weight), 3).c_str());
         list->AddText({from.x + 4.0f * u, to.y - line - 3.0f * u}, ink,
                       fmt::format("{}, {}", texel.column, texel.row).c_str());
     }
@@ -218,7 +227,7 @@ void draw_texture_page(Ui& ui) {
 
 void draw_texture_formula(Ui& ui) {
     const std::vector<Formula>& formulas = report_of(ui).formulas;
-    const Formula* formula = find_formula(formulas, ui.inspector.chosen.fragment_number);
+    const Formula* formula = find_formula(formulas, ui.inspector.chosen.texture_number);
     if (formula == nullptr) formula = find_formula(formulas, "texture.level");
     begin_card(ui);
     if (!ui.inspector.is_low) {
@@ -229,7 +238,7 @@ void draw_texture_formula(Ui& ui) {
     }
     const std::optional<Source> clicked = draw_formula(ui, *formula, "texture.formula");
     end_card(ui);
-    follow_source(ui, clicked);
+    follow_texture_source(ui, clicked);
 }
 
 void draw_no_texture(Ui& ui) {

@@ -152,7 +152,7 @@ class Tour {
     void textured() {
         Driver driver("checkered-floor.toml");
         follow_link(driver.ui, "tab:texture");
-        follow_link(driver.ui, "pixel:120,84");
+        follow_link(driver.ui, "pixel:120,92");
         for (const char* filter : {"nearest", "bilinear", "trilinear"}) {
             follow_link(driver.ui, std::string("set:texture_filter=") + filter);
             look(driver);

@@ -12,15 +12,19 @@
 namespace rasterwalk {
 
 TEST_CASE("The Texture tab is there only where the scene has a texture") {
-    Driver room;
-    room.hand.click("group.pixel");
-    room.hand.leave();
-    CHECK_FALSE(is_offered(room.ui.session, *find_tab("texture")));
-    CHECK(room.ui.widgets.count("tab.texture") == 0);
-    CHECK(room.ui.widgets.count("tab.fragment") == 1);
+    {
+        Driver room;
+        room.hand.click("group.pixel");
+        room.hand.leave();
+        CHECK_FALSE(is_offered(room.ui.session, *find_tab("texture")));
+        CHECK(room.ui.widgets.count("tab.texture") == 0);
+        CHECK(room.ui.widgets.count("tab.fragment") == 1);
+    }
     Driver wall("receding-wall.toml");
     wall.hand.click("group.pixel");
     wall.hand.click("tab.texture");
+    follow_link(wall.ui, "pixel:2,2"); // beside the wall
+    wall.hand.frames(frames_to_rest);
     CHECK(wall.hand.is_visible("texture.none"));
     follow_link(wall.ui, "pixel:100,70");
     wall.hand.frames(frames_to_rest);
@@ -33,7 +37,7 @@ TEST_CASE("The Texture tab is there only where the scene has a texture") {
 TEST_CASE("The Texture tab shows as many texels as were taken, and a click asks for a weight") {
     Driver driver("checkered-floor.toml");
     follow_link(driver.ui, "tab:texture");
-    follow_link(driver.ui, "pixel:120,84");
+    follow_link(driver.ui, "pixel:120,92");
     for (const auto& [filter, count] :
          {std::pair{"nearest", 1}, {"bilinear", 4}, {"mipmap", 4}, {"trilinear", 8}}) {
         follow_link(driver.ui, std::string("set:texture_filter=") + filter);
@@ -50,7 +54,7 @@ TEST_CASE("The Texture tab shows as many texels as were taken, and a click asks 
         }
         const std::string last = fmt::format("texture.texel.{}", count - 1);
         driver.hand.click(last);
-        CHECK(driver.ui.inspector.chosen.fragment_number == last + ".weight");
+        CHECK(driver.ui.inspector.chosen.texture_number == last + ".weight");
     }
 }
 
