@@ -20,7 +20,7 @@ using namespace rasterwalk;
 
 namespace {
 
-const std::vector<std::string> seeds{
+const std::vector<std::string> model_seeds{
     "# a\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 1\nvn 0 0 1\ng a\nf 1/1/1 2/2/1 3/1/1 "
     "4/2/1\n",
     "\xef\xbb\xbfo caf\xe9\r\nv +.5 -1e-3 2\r\nv 1 2 3 \\\r\n\r\nv -1 0 1\r\nv .1 .2 .3\r\nv 9 8 "
@@ -32,7 +32,7 @@ const std::vector<std::string> seeds{
 };
 
 /// Words at which readers stumble.
-const std::vector<std::string> words{
+const std::vector<std::string> stumbling_words{
     "nan",     "-inf",    "1e999", "0",    "-1", "4294967297", "9223372036854775808",
     "/",       "//",      "\\",    "\\\n", "#",  "f ",         "v ",
     "mtllib ", "usemtl ", "\n",    "\r",   "g ", "1/1/1",      "\x80",
@@ -42,7 +42,7 @@ std::string changed_text(test::Random& random) {
     const auto pick = [&](const std::vector<std::string>& list) {
         return list[static_cast<std::size_t>(random.integer(0, static_cast<int>(list.size()) - 1))];
     };
-    std::string text = pick(seeds);
+    std::string text = pick(model_seeds);
     for (int n = random.integer(1, 6); n > 0 && !text.empty(); --n) {
         const auto place =
             static_cast<std::size_t>(random.integer(0, static_cast<int>(text.size()) - 1));
@@ -51,7 +51,7 @@ std::string changed_text(test::Random& random) {
             text[place] = static_cast<char>(random.integer(0, 255));
             break;
         case 1:
-            text.insert(place, pick(words));
+            text.insert(place, pick(stumbling_words));
             break;
         case 2:
             text.erase(place, static_cast<std::size_t>(random.integer(1, 9)));
@@ -63,7 +63,7 @@ std::string changed_text(test::Random& random) {
             text.resize(place);
             break;
         default:
-            text += pick(seeds);
+            text += pick(model_seeds);
         }
     }
     return text;
@@ -115,7 +115,7 @@ bool has_line(const std::string& sentence) {
 TEST_CASE("Models changed at random are read or refused, and what is read is sound") {
     test::Random random(303);
     int read = 0, refused = 0;
-    const int count = test::rounds(3000, 100);
+    const int count = test::rounds(2000, 100);
     for (int i = 0; i < count; ++i) {
         const std::string text = changed_text(random);
         INFO("round " << i << ":\n" << text);
@@ -132,7 +132,7 @@ TEST_CASE("Models changed at random are read or refused, and what is read is sou
 }
 
 TEST_CASE("A model cut off at any byte is read or refused") {
-    for (const std::string& seed : seeds) {
+    for (const std::string& seed : model_seeds) {
         for (std::size_t length = 0; length < seed.size(); ++length) {
             INFO(length);
             try {

@@ -28,7 +28,7 @@ std::vector<std::string> faults_of(const std::string& text) {
 }
 
 /// The sentence with which the reader refuses a whole text.
-std::string refusal_of_model(const std::string& text) {
+std::string refusal_of_obj(const std::string& text) {
     try {
         parse_obj(text, "m.obj");
     } catch (const InputError& error) {
@@ -198,13 +198,13 @@ TEST_CASE("Statements that have no effect are counted by kind, with the line of 
 }
 
 TEST_CASE("A file without a face is refused, and says why") {
-    CHECK(refusal_of_model("") == "m.obj:1: there is no face in it that can be drawn.");
-    CHECK(refusal_of_model("hello\nworld") == "m.obj:1: there is no face in it that can be drawn.");
-    CHECK(refusal_of_model(three_points + "f 1 2") ==
+    CHECK(refusal_of_obj("") == "m.obj:1: there is no face in it that can be drawn.");
+    CHECK(refusal_of_obj("hello\nworld") == "m.obj:1: there is no face in it that can be drawn.");
+    CHECK(refusal_of_obj(three_points + "f 1 2") ==
           "m.obj:4: 'f' has 2 corners, and a face has at least three; the face is left out. In the "
           "whole file there is no face in it that can be drawn.");
-    CHECK(refusal_of_model("\xff\xfe"
-                           "f") == "m.obj:1: the file is UTF-16; a model is plain text.");
+    CHECK(refusal_of_obj("\xff\xfe"
+                         "f") == "m.obj:1: the file is UTF-16; a model is plain text.");
     CHECK_THROWS_AS(read_obj("/nowhere/m.obj"), AccessError);
     CHECK_THROWS_WITH(read_obj("/"), "cannot read '/': Is a directory.");
 }
@@ -237,7 +237,7 @@ TEST_CASE("A model with more triangles than the limit is refused where it passes
     std::string face = "f";
     for (int i = 0; i < max_triangles + 3; ++i)
         face += " 1";
-    CHECK(refusal_of_model(text + face) == "m.obj:2: the model has more than 1000000 triangles.");
+    CHECK(refusal_of_obj(text + face) == "m.obj:2: the model has more than 1000000 triangles.");
 }
 
 TEST_CASE("A face of 100000 corners is cut if a fan can, and left out in a sentence if not") {
