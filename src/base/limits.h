@@ -76,8 +76,8 @@ inline constexpr std::size_t most_material_files = 64;
 
 /// The most corners of a face that a fan cannot cut into triangles, and the most questions about
 /// such corners that a whole model may cost.
-inline constexpr std::size_t most_ear_corners = 4096;
-inline constexpr long long most_ear_tests = 200'000'000;
+inline constexpr std::size_t most_ear_corners = 2048;
+inline constexpr long long most_ear_tests = 24'000'000;
 
 /// The most faces round a point over which its normal is smoothed.
 inline constexpr int most_smoothed_faces = 256;

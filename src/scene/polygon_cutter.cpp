@@ -50,10 +50,18 @@ PolygonCut PolygonCutter::cut(std::span<const glm::vec3> corners) {
     return how;
 }
 
-/// Leaves out the axis along which the polygon shows the largest area.
+/// Leaves out the axis along which the polygon shows the largest area. Where it has none, since its
+/// edges cross or lie on one line, it is the axis along which it is shortest.
 void PolygonCutter::flatten(std::span<const glm::vec3> corners) {
+    glm::dvec3 least(corners.front()), most(least);
+    for (const glm::vec3& corner : corners) {
+        least = glm::min(least, glm::dvec3(corner));
+        most = glm::max(most, glm::dvec3(corner));
+    }
     const glm::dvec3 normal = newell_normal(corners);
-    const glm::dvec3 size = glm::abs(normal);
+    constexpr double nothing = 1e-9;
+    const bool has_area = glm::length(normal) > nothing * glm::dot(most - least, most - least);
+    const glm::dvec3 size = has_area ? glm::abs(normal) : least - most;
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     const int first = (axis + 1) % 3, second = (axis + 2) % 3;
     const double side = normal[axis] < 0.0 ? -1.0 : 1.0;
@@ -170,9 +178,11 @@ PolygonCut PolygonCutter::cut_ears() {
         // The corner after next: or else the ears of a round polygon would become a fan.
         at = behind_[static_cast<std::size_t>(behind_[static_cast<std::size_t>(ear)])];
     }
+    const auto last = static_cast<std::size_t>(at);
+    const bool is_turned = turn(before_[last], at, behind_[last]) < -fuzz_;
     triangles_.push_back(
         {before_[static_cast<std::size_t>(at)], at, behind_[static_cast<std::size_t>(at)]});
-    return PolygonCut::ears;
+    return is_turned ? PolygonCut::crossed : PolygonCut::ears;
 }
 
 } // namespace rasterwalk
