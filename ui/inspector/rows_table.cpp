@@ -35,7 +35,7 @@ void draw_end_cell(Ui& ui, const std::string& name, const RowEnd& end, const End
         draw_changed_box(ui, ImGui::GetWindowDrawList(), low,
                          {low.x + width, low.y + ImGui::GetTextLineHeight()});
     }
-    name_widget(ui, name, end_tooltip(end, writer));
+    name_widget(ui, name, end_tooltip(ui, end, writer));
     if (writer.is_set() && ImGui::IsItemClicked()) go_to_sample(ui, writer.edge, writer.sample);
 }
 
@@ -107,13 +107,20 @@ void draw_values(Ui& ui, const RowEnd& end, bool is_set) {
     }
 }
 
-/// Columns of the table without the values of the ends.
+/// Columns of the table without the values of the ends: all of them, and those of a table whose
+/// ends no samples have written.
 constexpr int all_columns = 6;
+constexpr int columns_without_writers = 4;
 
 /// Has the table that is drawn now the numbers of pixels? Without room they make way for who wrote
 /// the ends: they can be counted from these.
 bool has_counts() {
-    return ImGui::TableGetColumnCount() >= all_columns;
+    return ImGui::TableGetColumnCount() != all_columns - 1;
+}
+
+/// Do samples write the ends of the rows, so that there is somebody to name?
+bool has_writers(const Ui& ui) {
+    return walks_edges(ui.results.a.frame.stages);
 }
 
 void draw_row(Ui& ui, int index) {
@@ -167,6 +174,7 @@ void draw_row(Ui& ui, int index) {
         const int count = history.rows.pixel_count(index);
         right_aligned(count > 0 ? std::to_string(count) : "—", count > 0 ? p.text : p.dim);
     }
+    if (!has_writers(ui)) return;
     ImGui::TableNextColumn();
     draw_writer_cell(ui, name + ".left_by", left);
     ImGui::TableNextColumn();
@@ -273,7 +281,10 @@ bool begin_row_table(Ui& ui, const char* name, ImGuiTableFlags flags, ImVec2 siz
     const float writer_width = roomy[4] / all_roomy * width - 2.0f * cell_padding.x;
     const bool counts =
         !is_narrow && writer_width >= widest_writer(ui) + sign_gap * u + width_of_sign(ui);
-    const int columns = has_values ? 11 : counts ? all_columns : all_columns - 1;
+    const int columns = has_values         ? 11
+                        : !has_writers(ui) ? columns_without_writers
+                        : counts           ? all_columns
+                                           : all_columns - 1;
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, cell_padding);
     const bool open =
         ImGui::BeginTable(name, columns,
@@ -284,7 +295,7 @@ bool begin_row_table(Ui& ui, const char* name, ImGuiTableFlags flags, ImVec2 siz
     ImGui::PopStyleVar();
     if (!open) return false;
     static constexpr float narrow[] = {28, 42, 42, 90, 90};
-    const float* const widths = counts ? roomy : narrow;
+    const float* const widths = counts || !has_writers(ui) ? roomy : narrow;
     for (int i = 0; i < columns; ++i) {
         // Of the ends' values those of the left end are in sight at once.
         const float value_width = i == 0 ? 40.0f : i == 1 || i == 6 ? 46.0f : 70.0f;
