@@ -123,6 +123,31 @@ bool has_writers(const Ui& ui) {
     return walks_edges(ui.results.a.frame.stages);
 }
 
+/// How many pixels the row has. Of a row in several stretches each is counted by itself: what lies
+/// between them is outside.
+void draw_count(const Ui& ui, int index) {
+    const Palette& p = palette(ui.options.theme);
+    const RowHistory& history = ui.results.a.rows;
+    const int count = history.rows.pixel_count(index);
+    const std::span<const InsideSpan> spans = spans_of_row(history, history.rows.first_row + index);
+    if (count == 0 || spans.size() < 2) {
+        right_aligned(count > 0 ? std::to_string(count) : "—", count > 0 ? p.text : p.dim);
+        return;
+    }
+    std::string counts, columns;
+    for (const InsideSpan& span : spans) {
+        const int first = span.left.column, last = span.right.column;
+        counts.append(counts.empty() ? "" : " + ").append(whole_text(last - first + 1));
+        columns.append(columns.empty() ? "" : " and ")
+            .append(whole_text(first) + " to " + whole_text(last));
+    }
+    right_aligned(counts, colour_of(Meaning::fail, ui.options.theme));
+    if (ImGui::IsItemHovered())
+        draw_tooltip(ui, "Inside are the columns " + columns +
+                             ": the polygon has a dent. The table has one left and one right end, "
+                             "so the row is drawn from the first to the last.");
+}
+
 void draw_row(Ui& ui, int index) {
     const Palette& p = palette(ui.options.theme);
     const RowHistory& history = ui.results.a.rows;
@@ -171,8 +196,7 @@ void draw_row(Ui& ui, int index) {
     }
     if (has_counts()) {
         ImGui::TableNextColumn();
-        const int count = history.rows.pixel_count(index);
-        right_aligned(count > 0 ? std::to_string(count) : "—", count > 0 ? p.text : p.dim);
+        draw_count(ui, index);
     }
     if (!has_writers(ui)) return;
     ImGui::TableNextColumn();

@@ -38,6 +38,7 @@ class Tour {
         small_window();
         from_outside();
         clipped();
+        tested();
         groups();
         large_frame();
     }
@@ -144,6 +145,19 @@ class Tour {
             follow_link(driver.ui, std::string("set:clip=") + clip);
             look(driver);
         }
+    }
+
+    /// A pixel that edge functions test.
+    void tested() {
+        Driver driver("one-triangle.toml");
+        follow_link(driver.ui, "set:coverage=edge_functions");
+        follow_link(driver.ui, "set:stage=fill");
+        driver.hand.frames(1); // the moment is one of the frame that is drawn with them
+        follow_link(driver.ui, "cursor:t0/b4/c7");
+        follow_link(driver.ui, "tab:rows");
+        driver.hand.frames(1);
+        driver.hand.click("inside.e.1");
+        look(driver);
     }
 
     void small_window() {
