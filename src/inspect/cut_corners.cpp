@@ -172,4 +172,19 @@ std::string short_corner_name(const CutCorner& corner) {
     return corner.is_new() ? corner_name(corner) : short_vertex_name(corner.vertex_index);
 }
 
+std::vector<std::string> drawn_corner_names(const ClipHistory* history, int count, bool is_full) {
+    std::vector<std::string> names;
+    if (history != nullptr && history->clipped.is_cut) {
+        for (const CutCorner& corner : corners_before(*history)) {
+            names.push_back(is_full ? corner_name(corner) : short_corner_name(corner));
+            if (is_full && corner.is_new()) names.back().append(", ").append(word_of(corner.plane));
+        }
+    }
+    if (std::ssize(names) == count) return names;
+    names.clear();
+    for (int v = 0; v < count; ++v)
+        names.push_back(is_full ? vertex_name(v) : short_vertex_name(v));
+    return names;
+}
+
 } // namespace rasterwalk

@@ -84,4 +84,11 @@ std::string corner_name(const CutCorner& corner);
 /// "v0", or "n0": where room is short.
 std::string short_corner_name(const CutCorner& corner);
 
+/// What the corners of a polygon that is drawn are called; those of a triangle that is cut by where
+/// they come from.
+/// @param history of the triangle, or null
+/// @param count   of the corners
+/// @param is_full "vertices[0]" and "new 0, left", or else "v0" and "n0"
+std::vector<std::string> drawn_corner_names(const ClipHistory* history, int count, bool is_full);
+
 } // namespace rasterwalk

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "inspect/pixel_tests.h"
+
 namespace rasterwalk {
 
 namespace {
@@ -87,14 +89,6 @@ HistoryMaker::Wanted comes_before(int triangle, const Cursor& to) {
     };
 }
 
-/// How many pixels of a row of the box have been asked at a moment.
-int tested_before(const Cursor& to, const Cursor& row, int width) {
-    if (to.phase != Phase::tests || to.triangle != row.triangle || to.pass != row.pass)
-        return row < to ? width : 0;
-    if (to.index != row.index) return row.index < to.index ? width : 0;
-    return std::clamp(to.step, 0, width);
-}
-
 /// Before its rows begin, of a table without samples: leaves the rows as far as the pixels that
 /// have been asked show that they go. Where none are asked the table is empty until then.
 void keep_tested(const Frame& frame, int triangle, const Cursor& to, PolygonRows& rows) {
@@ -105,7 +99,7 @@ void keep_tested(const Frame& frame, int triangle, const Cursor& to, PolygonRows
     for (int i = 0; i < tested_row_count(tested); ++i) {
         const TestedRow box = tested_row(tested, i);
         const TestedTriangle& of = tested.triangles[static_cast<std::size_t>(box.triangle)];
-        const int asked = tested_before(to, {triangle, Phase::tests, i, 0}, box.right - box.left);
+        const int asked = tests_done(box, triangle, i, to);
         const CoveredColumns covered = covered_columns(of, box.row);
         const int last = std::min(covered.last, box.left + asked - 1);
         if (covered.first > last) continue;
@@ -118,7 +112,21 @@ void keep_tested(const Frame& frame, int triangle, const Cursor& to, PolygonRows
     }
 }
 
+std::vector<InsideSpan> inside_spans(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
+                                     const Stages& stages) {
+    if (stages.compute_polygon_rows != rows_by_active_edges) return {};
+    return active_edge_spans(vertices, rules, stages);
+}
+
 } // namespace
+
+std::span<const InsideSpan> spans_of_row(const RowHistory& history, int row) {
+    const auto first = std::find_if(history.spans.begin(), history.spans.end(),
+                                    [&](const InsideSpan& span) { return span.row == row; });
+    const auto behind = std::find_if(first, history.spans.end(),
+                                     [&](const InsideSpan& span) { return span.row != row; });
+    return {first, behind};
+}
 
 RowHistory row_history(const Frame& frame, int triangle, const Cursor& to) {
     RowHistory history;
@@ -126,6 +134,8 @@ RowHistory row_history(const Frame& frame, int triangle, const Cursor& to) {
     PolygonRows rows;
     compute_rows(frame, triangle, rows, &maker);
     keep_tested(frame, triangle, to, history.rows);
+    history.spans = inside_spans(frame.triangle_vertices(triangle),
+                                 edge_rules(frame.settings, VaryingSet::all()), frame.stages);
     history.edge_samples.resize(frame.triangle_vertices(triangle).size());
     return history;
 }
@@ -136,6 +146,7 @@ RowHistory row_history(std::span<const ScreenVertex> vertices, const EdgeRules& 
     HistoryMaker maker(history, [&](const EdgeSample&) { return history.samples < samples; });
     PolygonRows table;
     stages.compute_polygon_rows(vertices, rules, stages, table, &maker);
+    history.spans = inside_spans(vertices, rules, stages);
     history.edge_samples.resize(vertices.size());
     return history;
 }

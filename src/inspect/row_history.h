@@ -11,6 +11,7 @@
 
 #include "pipeline/cursor.h"
 #include "pipeline/frame.h"
+#include "stages/active_edges.h"
 #include "stages/polygon_rows.h"
 
 namespace rasterwalk {
@@ -46,7 +47,13 @@ struct RowHistory {
     int samples = 0;                ///< entered so far
     int sample_count = 0;           ///< of all edges
     std::optional<EdgeSample> last; ///< the sample entered last
+    /// Where active edges made the table: all stretches that lie inside, from the top and from the
+    /// left. A row of the table reaches from the first of its row to the last. Else empty.
+    std::vector<InsideSpan> spans;
 };
+
+/// The stretches of a row of the picture; none where coverage knows of none.
+std::span<const InsideSpan> spans_of_row(const RowHistory& history, int row);
 
 /// The table of a drawn triangle, as far as it is made at `to`.
 RowHistory row_history(const Frame& frame, int triangle, const Cursor& to = cursor_end);

@@ -36,6 +36,15 @@ const std::array<CellNumbersInfo, cell_numbers_count>& cell_numbers_list() {
         CellNumbersInfo{CellNumbers::overdraw, "overdraw",
                         "How many fragments fell on the pixel, drawn or not.",
                         "fragments on the pixel"},
+        CellNumbersInfo{CellNumbers::edge_values, "edge functions",
+                        "The three edge functions at the pixel's centre, of the triangle on show; "
+                        "where it lies outside only those that keep it out.",
+                        "edge functions; filled 0: kept, framed 0: given away"},
+        CellNumbersInfo{
+            CellNumbers::weights, "weights",
+            "The weights of the corners at the pixel's centre, of the triangle on show; "
+            "where it lies outside only those below 0.",
+            "weights of the corners v0, v1, v2"},
     };
     static_assert(is_indexed_by(list, &CellNumbersInfo::numbers));
     return list;

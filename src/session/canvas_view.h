@@ -41,17 +41,24 @@ const std::array<CanvasShowsInfo, canvas_shows_count>& canvas_shows_list();
 /// The number that stands in every cell of the picture, where the zoom gives room for it.
 enum class CellNumbers : std::uint8_t {
     none,
-    ends,     ///< the column of a row's left and right end, of the triangle on show
-    depth,    ///< what the depth buffer holds
-    owner,    ///< the triangle that the pixel shows
-    overdraw, ///< how many fragments fell on it
+    ends,        ///< the column of a row's left and right end, of the triangle on show
+    depth,       ///< what the depth buffer holds
+    owner,       ///< the triangle that the pixel shows
+    overdraw,    ///< how many fragments fell on it
+    edge_values, ///< of edge functions, of the triangle on show
+    weights,     ///< of its corners
 };
 template <>
 inline constexpr auto enum_words<CellNumbers> = word_list("none", "ends", "depth", "owner",
-                                                          "overdraw");
+                                                          "overdraw", "edge_values", "weights");
 static_assert(words_match<CellNumbers>);
 
 inline constexpr int cell_numbers_count = static_cast<int>(enum_words<CellNumbers>.size());
+
+/// Are they of the tests that edge functions make? Then a cell holds three of them.
+constexpr bool is_of_tests(CellNumbers numbers) {
+    return numbers == CellNumbers::edge_values || numbers == CellNumbers::weights;
+}
 
 /// What the interface says of them.
 struct CellNumbersInfo {

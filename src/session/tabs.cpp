@@ -20,7 +20,8 @@ constexpr std::array tabs{
             "whether it shows its front.",
             TabGroup::triangle, true},
     TabInfo{"rows", "Rows", "The triangle's row table: leftPixels and rightPixels.",
-            TabGroup::triangle},
+            TabGroup::triangle, false, "Inside",
+            "Which pixels lie inside the triangle: the edge functions of each, and its weights."},
     TabInfo{"microscope", "Floats",
             "An edge's samples in float beside the exact fractions: what the additions lose.",
             TabGroup::triangle},
@@ -75,6 +76,12 @@ void open_settings(Session& session) {
 
 std::span<const TabInfo> tab_list() {
     return tabs;
+}
+
+TabWords tab_words(const TabInfo& tab, const Settings& settings) {
+    const bool is_testing = coverage_rule(settings) == Coverage::edge_functions;
+    if (!is_testing || tab.tests_title.empty()) return {tab.title, tab.help};
+    return {tab.tests_title, tab.tests_help};
 }
 
 const TabInfo* find_tab(std::string_view name) {

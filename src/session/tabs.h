@@ -17,6 +17,7 @@
 namespace rasterwalk {
 
 struct Session;
+struct Settings;
 
 /// What the tabs of the inspector speak of.
 enum class TabGroup : std::uint8_t { triangle, pixel, runs };
@@ -32,9 +33,20 @@ struct TabInfo {
     std::string_view title;
     std::string_view help; ///< one sentence
     TabGroup group = TabGroup::triangle;
-    bool needs_camera = false;  ///< of no use to a scene in pixels, which has no view volume
-    bool needs_texture = false; ///< likewise, to a scene without textures
+    bool needs_camera = false;      ///< of no use to a scene in pixels, which has no view volume
+    bool needs_texture = false;     ///< likewise, to a scene without textures
+    std::string_view tests_title{}; ///< where edge functions test every pixel; empty: the same
+    std::string_view tests_help{};  ///< likewise
 };
+
+/// What the interface calls a tab and says of it.
+struct TabWords {
+    std::string_view title, help;
+};
+
+/// The words of a tab under the settings of the run on show: where pixels are tested one by one,
+/// the tab of the rows is about what lies inside.
+TabWords tab_words(const TabInfo& tab, const Settings& settings);
 
 /// The tabs in their order, group by group.
 std::span<const TabInfo> tab_list();

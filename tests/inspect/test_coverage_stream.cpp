@@ -349,6 +349,60 @@ TEST_CASE("What the fan's corner gives away is said to be given away") {
     CHECK_FALSE(test_pixel(polygon, 1, 8, 8, stages).is_given_corner);
 }
 
+TEST_CASE("What is known of each pixel at a moment is what the tests before it have found") {
+    // The second way: the tests that drawing tells of, added up one by one.
+    Scene cut = cut_scene();
+    int in_fans = 0, moments = 0;
+    for (const FillRule rule : {FillRule::inclusive, FillRule::exclusive, FillRule::top_left}) {
+        Settings settings =
+            settings_of(cut, {Stage::fill}, {Coverage::edge_functions, rule, Snap::subpixel});
+        settings.clip = Clip::all;
+        const Frame frame = prepare_frame(cut, settings);
+        const Viewport size = settings.viewport;
+        for (int t = 0; t < frame.triangle_count(); ++t) {
+            if (!frame.is_drawn(t)) continue;
+            TestedPolygon polygon;
+            set_up_tests(frame.triangle_vertices(t), frame.stages, polygon);
+            in_fans += polygon.triangles.size() > 1 ? 1 : 0;
+            std::map<std::pair<int, int>, bool> inside; // by row and column
+            const std::vector<TestEvent> told = told_of(frame).events.tests;
+            int number = 0;
+            for (std::size_t k = 0; k < told.size(); ++k) {
+                if (told[k].cursor.triangle != t) continue;
+                bool& is_inside = inside[{told[k].test.row, told[k].test.column}];
+                is_inside = is_inside || told[k].test.is_inside;
+                const bool is_last = k + 1 == told.size() || told[k + 1].cursor.triangle != t;
+                if (number++ % 97 != 0 && !is_last) continue;
+                const Cursor to = is_last ? Cursor{t, Phase::rows, 0, 0} : told[k + 1].cursor;
+                ++moments;
+                for (int row = 0; row < size.height; ++row) {
+                    std::map<int, bool> known;
+                    for (const TestedRun& run : tested_runs(polygon, t, row, to)) {
+                        for (int c = run.first; c <= run.last; ++c)
+                            REQUIRE(known.emplace(c, run.is_inside).second);
+                    }
+                    for (int column = 0; column < size.width; ++column) {
+                        const auto expected = inside.find({row, column});
+                        const auto found = known.find(column);
+                        const auto test = test_of_pixel(polygon, t, column, row, to, frame.stages);
+                        const bool is_right = expected == inside.end()
+                                                  ? found == known.end() && !test
+                                                  : found != known.end() &&
+                                                        found->second == expected->second && test &&
+                                                        test->is_inside == expected->second;
+                        if (!is_right) {
+                            CAPTURE(to_text(to), column, row, std::string(word_of(rule)));
+                            FAIL("another answer than the tests before it gave");
+                        }
+                    }
+                }
+            }
+        }
+    }
+    CHECK(in_fans > 3);
+    CHECK(moments > 30);
+}
+
 TEST_CASE("Of the tests those in the scissor are told, in order") {
     const Scene scene = pixel_scene({{{{-20, -30, 1}, {40, 5, 1}, {5, 50, 1}}}}, {16, 12});
     const Frame frame = prepare_frame(

@@ -84,6 +84,40 @@ TEST_CASE("The row table of (10,20) (30,10) (20,40) that is built with its histo
     CHECK(row_history(Triangle3{at(10, 20), at(30, 10), at(20, 40)}, {}).rows.size() == 31);
 }
 
+TEST_CASE("Of a polygon with a dent all stretches of a row are known, and the table joins them") {
+    // A V: corners in the middle of their pixels, the dent at (8, 6).
+    std::vector<ScreenVertex> corners;
+    for (const glm::ivec2 place : {glm::ivec2(0, 0), {8, 6}, {16, 0}, {16, 12}, {0, 12}}) {
+        ScreenVertex& corner = corners.emplace_back();
+        corner.column = place.x;
+        corner.row = place.y;
+        corner.inv_w = 1.0f;
+    }
+    Settings settings;
+    settings.coverage = Coverage::active_edges;
+    settings.fill_rule = FillRule::inclusive;
+    const RowHistory history = row_history(corners, edge_rules(settings), choose_stages(settings));
+    for (int row = 0; row <= 12; ++row) {
+        CAPTURE(row);
+        const std::span<const InsideSpan> spans = spans_of_row(history, row);
+        // By hand: 6 columns of the slopes are 8 wide, so row y reaches to 4 y / 3 from the left.
+        const int reach = 4 * row / 3;
+        const bool is_split = row < 6;
+        REQUIRE(spans.size() == (is_split ? 2 : 1));
+        CHECK(spans.front().left.column == 0);
+        CHECK(spans.back().right.column == 16);
+        if (is_split) {
+            CHECK(spans[0].right.column == reach);
+            CHECK(spans[1].left.column == 16 - reach);
+        }
+        CHECK(history.rows.left[static_cast<std::size_t>(row)].column == 0);
+        CHECK(history.rows.right[static_cast<std::size_t>(row)].column == 16);
+    }
+    CHECK(spans_of_row(history, 13).empty());
+    settings.coverage = Coverage::edge_functions;
+    CHECK(row_history(corners, edge_rules(settings), choose_stages(settings)).spans.empty());
+}
+
 TEST_CASE("The table that is built with its history equals the one built in one go") {
     std::mt19937 random(1);
     const std::vector<WalkRules> rules = all_rules();

@@ -31,9 +31,14 @@ struct Margins {
     float left, top, right, bottom;
 };
 
+/// Do edge functions tint the pixels that they have tested? That is explained at every zoom.
+bool has_tints(const Ui& ui) {
+    return !is_comparing(ui) && tests_pixels(ui.results.a.frame.stages);
+}
+
 Margins plain_margins(const Ui& ui) {
     const float border = picture_border * ui.options.text_scale;
-    return {border, border, border, border};
+    return {border, border, border, border + (has_tints(ui) ? cell_key_height(ui) : 0.0f)};
 }
 
 Margins numbered_margins(const Ui& ui) {
@@ -117,7 +122,7 @@ bool wants_cell_key(const Ui& ui) {
     const bool has_tests = has_fragments(settings.stage) && depth_rule(settings) != DepthTest::off;
     const CanvasView& canvas = ui.session.canvas;
     return !is_comparing(ui) &&
-           (canvas.numbers != CellNumbers::none || (canvas.fates && has_tests));
+           (canvas.numbers != CellNumbers::none || (canvas.fates && has_tests) || has_tints(ui));
 }
 
 float cell_key_height(const Ui& ui) {

@@ -80,6 +80,7 @@ struct Piece {
     std::string name;         ///< "edge 1"; may be empty
     std::string brief;        ///< where the name is too long; may be empty
     int count = 0;            ///< said behind the name; 0: not
+    std::string_view unit{};  ///< of the count, where the name does not say it
     std::vector<int> between; ///< moments of it before each of its parts but the first
     int moments = 1;          ///< that it has; evenly long
 };
@@ -121,9 +122,10 @@ void add_pieces(const TimeLines& s, int triangle, std::vector<Piece>& pieces) {
         piece.count =
             static_cast<int>(std::count_if(phase.pieces.begin(), phase.pieces.end(),
                                            [](const auto& part) { return part.count > 0; }));
-        const bool is_rows = info.phase == Phase::rows;
+        const bool is_rows = info.phase == Phase::rows, is_tests = info.phase == Phase::tests;
         piece.colour = is_rows ? s.colours().accent : s.colours().dim;
-        if (is_rows) piece.between = begins_of_rows(phase);
+        if (is_rows || is_tests) piece.between = begins_of_rows(phase);
+        if (is_tests) piece.unit = " rows"; // of the box; each test is a pixel of one of them
     }
 }
 
@@ -135,16 +137,17 @@ std::vector<Piece> pieces_in_window(const TimeLines& s) {
     const double end = window.begin + window.width;
     const float each = s.width / static_cast<float>(window.width);
     std::vector<Piece> pieces;
-    if (each < 3.0f * s.unit()) return {{window.begin, end, p.accent, "", "", 0, {}, 1}};
+    if (each < 3.0f * s.unit()) return {{window.begin, end, p.accent, "", "", 0, {}, {}, 1}};
     const int last = std::min(static_cast<int>(std::ceil(end)), frame.triangle_count());
     for (int t = static_cast<int>(window.begin); t < last; ++t) {
         const double first = t;
         const std::string index = fmt::format("[{}]", t);
         const bool is_divided = each >= divided_triangle * s.unit();
         if (!frame.has_moments(t) || (!is_divided && !frame.is_drawn(t))) {
-            pieces.push_back({first, first + 1.0, p.line, "left out", index, 0, {}, 1});
+            pieces.push_back({first, first + 1.0, p.line, "left out", index, 0, {}, {}, 1});
         } else if (!is_divided) {
-            pieces.push_back({first, first + 1.0, p.accent, "triangles" + index, index, 0, {}, 1});
+            pieces.push_back(
+                {first, first + 1.0, p.accent, "triangles" + index, index, 0, {}, {}, 1});
         } else {
             add_pieces(s, t, pieces);
         }
@@ -157,8 +160,9 @@ std::string fitting_label(const Piece& piece, float room) {
     const auto fits = [&](const std::string& text) {
         return ImGui::CalcTextSize(text.c_str()).x <= room;
     };
-    const std::string whole =
-        piece.count > 0 ? fmt::format("{} · {}", piece.name, piece.count) : piece.name;
+    const std::string whole = piece.count > 0 ? fmt::format("{} · {}{}", piece.name, piece.count,
+                                                            piece.count > 1 ? piece.unit : "")
+                                              : piece.name;
     for (const std::string& text : {whole, piece.name, piece.brief}) {
         if (fits(text)) return text;
     }

@@ -9,6 +9,7 @@
 #include "session/bench.h"
 #include "ui/canvas/clip_marks.h"
 #include "ui/canvas/marks.h"
+#include "ui/canvas/test_marks.h"
 
 namespace rasterwalk {
 
@@ -270,6 +271,7 @@ std::vector<VertexLabel> draw_canvas_marks(const Ui& ui, const ShownRun& run, Im
     const Marks m{ui, run, list, low, high, ui.options.text_scale, run.place.scale};
     const Frame& frame = run.frame;
     std::vector<VertexLabel> labels;
+    draw_tested_pixels(m);
     if (m.is_large()) draw_grid(m);
     draw_point_rings(m);
     const bool has_triangle = ui.results.a.triangle && frame.is_drawn(*ui.results.a.triangle);
@@ -284,6 +286,7 @@ std::vector<VertexLabel> draw_canvas_marks(const Ui& ui, const ShownRun& run, Im
     if (has_edges) {
         vertices = frame.triangle_vertices(*ui.results.a.triangle);
         if (m.is_large() && frame.settings.stage >= Stage::edges) draw_row_ends(m);
+        draw_tested_box(m);
         draw_true_edges(m, vertices);
     }
     if (has_clip) draw_made_corners(m, *run.clip);

@@ -6,6 +6,8 @@
 #include "base/numbers.h"
 #include "ui/actions/picture_fit.h"
 #include "ui/canvas/cells.h"
+#include "ui/canvas/marks.h"
+#include "ui/canvas/test_marks.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -44,10 +46,40 @@ std::string picked_text(const Ui& ui) {
     return text;
 }
 
+/// The colours of tested pixels, each before its word.
+/// @return where the next words can begin, screen pixels
+float draw_test_colours(const Ui& ui, ImDrawList* list, ImVec2 at) {
+    const Palette& p = palette(ui.options.theme);
+    const float u = ui.options.text_scale;
+    const float side = std::round(0.75f * ui.fonts.small->FontSize);
+    float x = at.x;
+    struct Answer {
+        Meaning meaning;
+        const char* word;
+    };
+    for (const Answer& answer : {Answer{Meaning::pass, "inside"}, {Meaning::fail, "outside"}}) {
+        const ImVec2 low{x, at.y + 0.5f * (ui.fonts.small->FontSize - side)};
+        const ImVec2 high{low.x + side, low.y + side};
+        // As on the picture, which is dark in both themes.
+        list->AddRectFilled(low, high, dark_casing);
+        list->AddRectFilled(low, high, packed(colour_of(answer.meaning, Theme::dark), 0.4f));
+        list->AddRect(low, high, packed(colour_of(answer.meaning, Theme::dark)));
+        x += side + 5.0f * u;
+        list->AddText({x, at.y}, packed(p.text), answer.word);
+        x += text_width(answer.word) + 12.0f * u;
+    }
+    return x;
+}
+
+/// What the colours say, for whoever cannot see them.
+constexpr const char* test_colours_text =
+    "Tested pixels: blue inside, orange outside. Framed is the box that is tested; along each edge "
+    "a band lies on its inner side.";
+
 } // namespace
 
 bool shows_cell_key(const Ui& ui) {
-    return wants_cell_key(ui) && (shows_numbers(ui) || shows_fates(ui));
+    return wants_cell_key(ui) && (shows_numbers(ui) || shows_fates(ui) || shows_tests(ui));
 }
 
 std::vector<std::string> cell_key_forms(const Ui& ui) {
@@ -58,7 +90,7 @@ std::vector<std::string> cell_key_forms(const Ui& ui) {
             forms[i] += parts[i];
         }
     };
-    if (shows_numbers(ui)) {
+    if (shows_numbers(ui) && (!is_of_tests(ui.session.canvas.numbers) || shows_tests(ui))) {
         const CellNumbersWords words =
             cell_numbers_words(ui.session.canvas.numbers, depth_words(ui.results.a.frame));
         const std::string& title = words.title;
@@ -89,15 +121,20 @@ void draw_cell_key(Ui& ui, const Pane& place) {
     const std::string& text = forms.front();
     ImGui::PushFont(ui.fonts.small);
     const float inset = 8.0f * u;
-    list->AddText({place.low.x + inset, std::round(place.low.y + 4.0f * u)}, packed(p.text),
-                  first_fitting(forms, place.room().x - 2.0f * inset).c_str());
+    ImVec2 at{place.low.x + inset, std::round(place.low.y + 4.0f * u)};
+    list->PushClipRect(place.low, place.high, true);
+    const bool has_tests = shows_tests(ui);
+    if (has_tests) at.x = draw_test_colours(ui, list, at);
+    list->AddText(at, packed(p.text), first_fitting(forms, place.high.x - inset - at.x).c_str());
+    list->PopClipRect();
     ImGui::PopFont();
     ImGui::SetCursorScreenPos(place.low);
     ImGui::Dummy({std::max(place.room().x, 1.0f), std::max(place.room().y, 1.0f)});
     name_widget(ui, "canvas.cells",
-                text + "\n\nThe signs in a cell are those of the triangle on show. In the picked "
-                       "pixel there is one for each fragment, in the order of drawing; '…' stands "
-                       "for earlier ones.");
+                (has_tests ? std::string(test_colours_text) + "\n\n" : std::string()) + text +
+                    "\n\nThe signs in a cell are those of the triangle on show. In the picked "
+                    "pixel there is one for each fragment, in the order of drawing; '…' stands "
+                    "for earlier ones.");
     note_text(ui, "canvas.cells", text);
 }
 

@@ -10,7 +10,9 @@
 #include "base/numbers.h"
 #include "picture/view_image.h"
 #include "settings/settings.h"
+#include "ui/actions/compare.h"
 #include "ui/canvas/marks.h"
+#include "ui/canvas/test_marks.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -198,6 +200,15 @@ void draw_number(const Cells& cells, glm::ivec2 pixel) {
                     text.c_str());
 }
 
+/// What edge functions say of a pixel, where nothing else stands.
+void draw_tests(const Cells& cells, glm::ivec2 pixel) {
+    const Marks& m = cells.marks;
+    const ImVec2 low = cells.corner(pixel.x, pixel.y);
+    const ImVec2 high{low.x + m.scale, low.y + m.scale};
+    if (cells.is_cut(low, high) || cells.is_under_label(low, high)) return;
+    draw_test_numbers(m, pixel, low, cells.lines);
+}
+
 /// The sign of a fate in the upper left corner of a cell.
 void draw_fate(const Cells& cells, const CellFate& of) {
     const Marks& m = cells.marks;
@@ -259,14 +270,24 @@ std::string cell_number(const Ui& ui, glm::ivec2 pixel, float room) {
     case CellNumbers::overdraw:
         if (framebuffer.overdraw[at] > 0) text = std::to_string(framebuffer.overdraw[at]);
         break;
+    case CellNumbers::edge_values:
+    case CellNumbers::weights:
+        break; // three of them: draw_test_numbers()
     }
     return letter * static_cast<float>(text.size()) <= inner ? text : std::string();
 }
 
 bool shows_fates(const Ui& ui) {
     const Settings& settings = ui.results.a.frame.settings;
-    return ui.session.canvas.fates && has_fragments(settings.stage) &&
+    // Three numbers leave no room for a sign.
+    return ui.session.canvas.fates && !shows_test_numbers(ui) && has_fragments(settings.stage) &&
            depth_rule(settings) != DepthTest::off && ui.canvas.place.scale >= fates_zoom(ui);
+}
+
+bool shows_test_numbers(const Ui& ui) {
+    const CellNumbers numbers = ui.session.canvas.numbers;
+    return is_of_tests(numbers) && !is_comparing(ui) && tests_pixels(ui.results.a.frame.stages) &&
+           ui.canvas.place.scale >= numbers_zoom(ui, numbers);
 }
 
 float fates_zoom(const Ui& ui) {
@@ -295,6 +316,10 @@ float numbers_zoom(const Ui& ui, CellNumbers numbers) {
         break;
     case CellNumbers::overdraw:
         break;
+    case CellNumbers::edge_values:
+    case CellNumbers::weights:
+        needed = test_numbers_zoom(ui);
+        break;
     }
     return std::max(cell_zoom, needed);
 }
@@ -322,7 +347,8 @@ void draw_cells(Ui& ui, const Pane& seen, const std::vector<VertexLabel>& labels
     find_lines(cells);
 
     // So many rows at once that their corners fit in a draw list, whatever stands in the cells.
-    constexpr int most_cells = 1200;
+    const bool has_tests = shows_test_numbers(ui);
+    const int most_cells = has_tests ? 400 : 1200;
     const int step = std::max(most_cells / (columns.last - columns.first), 1);
     auto next_fate = fates.begin();
     int band = 0;
@@ -340,8 +366,12 @@ void draw_cells(Ui& ui, const Pane& seen, const std::vector<VertexLabel>& labels
         for (; next_fate != fates.end() && next_fate->pixel.y < last; ++next_fate)
             draw_fate(cells, *next_fate);
         for (int row = first; row < last && canvas.numbers != CellNumbers::none; ++row) {
-            for (int column = columns.first; column < columns.last; ++column)
-                draw_number(cells, {column, row});
+            for (int column = columns.first; column < columns.last; ++column) {
+                if (has_tests)
+                    draw_tests(cells, {column, row});
+                else
+                    draw_number(cells, {column, row});
+            }
         }
         ImGui::EndChild();
     }

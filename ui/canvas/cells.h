@@ -25,6 +25,9 @@ std::string cell_number(const Ui& ui, glm::ivec2 pixel, float room);
 /// Do the signs of pass and fail stand in the cells at this zoom?
 bool shows_fates(const Ui& ui);
 
+/// Do edge functions or weights stand in the cells at this zoom?
+bool shows_test_numbers(const Ui& ui);
+
 /// The zoom from which on there is room for the signs of pass and fail.
 float fates_zoom(const Ui& ui);
 

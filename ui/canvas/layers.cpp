@@ -75,7 +75,9 @@ void draw_cell_list(Ui& ui) {
                 "What the depth test said of each fragment of the triangle on show, and of all "
                 "that fell on the picked pixel.");
     text_in(palette(ui.options.theme).dim, "in the cells");
+    const bool has_tests = tests_pixels(ui.results.a.frame.stages);
     for (const CellNumbersInfo& info : cell_numbers_list()) {
+        if (is_of_tests(info.numbers) && !has_tests && canvas.numbers != info.numbers) continue;
         const CellNumbersWords words =
             cell_numbers_words(info.numbers, depth_words(ui.results.a.frame));
         const std::string label = words.title + "###numbers." + std::string(info.name);

@@ -121,7 +121,7 @@ void draw_end(const Table& t, int index, bool is_left) {
                                                           nine_digits_shown(end.inv_w)) +
                                   ". "
                             : std::string()) +
-                    end_tooltip(end, writer));
+                    end_tooltip(t.ui, end, writer));
     note_text(t.ui, name, text);
     if (!pressed) return;
     t.ui.session.selection.row = row;

@@ -117,29 +117,12 @@ std::optional<VertexLabel> find_label(const Surroundings& s, std::size_t vertex,
     return std::nullopt;
 }
 
-/// What the corners are called; those of a triangle that is cut by where they come from.
-/// @param is_full "vertices[0]" and "n0, left", or else "v0" and "n0"
-std::vector<std::string> corner_names(const Surroundings& s, bool is_full) {
-    std::vector<std::string> names;
-    const ClipHistory* const clip = s.m.run.clip;
-    if (clip != nullptr && clip->clipped.is_cut) {
-        for (const CutCorner& corner : corners_before(*clip)) {
-            names.push_back(is_full ? corner_name(corner) : short_corner_name(corner));
-            if (is_full && corner.is_new()) names.back().append(", ").append(word_of(corner.plane));
-        }
-    }
-    if (names.size() == s.vertices.size()) return names;
-    names.clear();
-    for (int v = 0; v < static_cast<int>(s.vertices.size()); ++v)
-        names.push_back(is_full ? vertex_name(v) : short_vertex_name(v));
-    return names;
-}
-
 /// @param is_full "vertices[0]", or else "v0"
 /// @return none if one has no room that is free
 std::optional<std::vector<VertexLabel>> find_labels(const Surroundings& s, bool is_full) {
     std::vector<VertexLabel> labels;
-    const std::vector<std::string> names = corner_names(s, is_full);
+    const std::vector<std::string> names =
+        drawn_corner_names(s.m.run.clip, static_cast<int>(s.vertices.size()), is_full);
     for (std::size_t v = 0; v < s.vertices.size(); ++v) {
         const ImVec2 at = s.vertices[v];
         if (at.x < s.low.x || at.x > s.high.x || at.y < s.low.y || at.y > s.high.y) continue;

@@ -42,13 +42,14 @@ struct RowsPlace {
     friend bool operator==(const RowsPlace&, const RowsPlace&) = default;
 };
 
-/// What is asked about in the Vertices, Fragment, Texture and Graph tabs.
+/// What is asked about in the Vertices, Inside, Fragment, Texture and Graph tabs.
 struct InspectView {
     std::string vertex_number = "pixel.column";   ///< id of a formula, see vertex_report.h
     std::string fragment_number = "zinv";         ///< id of a formula, see fragment_report.h
     std::string texture_number = "texture.level"; ///< likewise, in the Texture tab
     bool shows_other_light = false;               ///< per vertex where it is per pixel, and back
     std::string graph_quantity = "z";             ///< id of a quantity, see carried_row.h
+    std::string test_number; ///< id of a formula, see test_formulas.h; empty: none
 };
 
 /// What the sheet of settings was opened for, and what was changed then.

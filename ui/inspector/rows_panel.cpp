@@ -5,7 +5,6 @@
 
 #include "base/element_names.h"
 #include "base/numbers.h"
-#include "inspect/pixel_tests.h"
 #include "ui/inspector/panels.h"
 #include "ui/inspector/rows_parts.h"
 #include "ui/ui.h"
@@ -36,39 +35,6 @@ void draw_row_in_work(Ui& ui, const Cursor& done) {
                                : "its two ends are drawn");
 }
 
-/// On which side of a triangle an edge lies.
-const char* side_of(const EdgeFunction& edge) {
-    if (edge.way.dy == 0) return edge.way.dx > 0 ? "top" : "bottom";
-    return edge.way.dy < 0 ? "left" : "right";
-}
-
-/// A pixel that edge functions have asked: each edge with its value and what it asks for, and the
-/// weights of the corners.
-void draw_pixel_test(Ui& ui, const PixelTest& test, const TestedPolygon& polygon) {
-    const TestedTriangle& triangle = polygon.triangles[static_cast<std::size_t>(test.triangle)];
-    ImGui::TextUnformatted(fmt::format("pixel ({}, {}): {}", test.column, test.row,
-                                       test.is_inside ? "inside" : "outside")
-                               .c_str());
-    ImGui::PushFont(ui.fonts.mono);
-    for (std::size_t i = 0; i < test.e.size(); ++i) {
-        const EdgeFunction& edge = triangle.edges[i];
-        const bool is_inner = edge.number < 0;
-        text_in(is_inner ? palette(ui.options.theme).dim
-                         : colour_of(edge_meaning(edge.number), ui.options.theme),
-                fmt::format("{:<7}{:<7}{:>12} {} 0 {}", is_inner ? "inner" : edge_name(edge.number),
-                            side_of(edge), significant(in_square_pixels(test.e[i]), 7),
-                            edge.owns_points ? "≥" : ">", test.passes[i] ? "passes" : "fails"));
-    }
-    ImGui::TextUnformatted(
-        fmt::format("twice the area{:>12}", significant(in_square_pixels(triangle.area), 7))
-            .c_str());
-    std::string weights = "weights";
-    for (const float weight : test.weights)
-        weights += fmt::format(" {}", decimals(static_cast<double>(weight), 4));
-    ImGui::TextUnformatted(weights.c_str());
-    ImGui::PopFont();
-}
-
 /// What the moment did, in words and numbers: the sample that was entered last, or the row.
 void draw_moment(Ui& ui) {
     const RowHistory& history = ui.results.a.rows;
@@ -83,10 +49,11 @@ void draw_moment(Ui& ui) {
     }
     const RunResults& a = ui.results.a;
     if (a.triangle && a.frame.is_drawn(*a.triangle) && !walks_edges(a.frame.stages)) {
-        text_in(p.dim, "No samples: a row holds the pixels whose centres lie inside.");
-        if (const auto test = is_of_triangle ? test_at(a.frame, *done) : std::nullopt) {
-            draw_pixel_test(ui, *test, a.rows.rows.tested);
-        }
+        ImGui::PushStyleColor(ImGuiCol_Text, p.dim);
+        wrapped_text("No samples: a row holds the pixels whose centres lie inside.");
+        if (tests_pixels(a.frame.stages))
+            wrapped_text("Step, or pick a pixel that has been tested: it is explained here.");
+        ImGui::PopStyleColor();
         end_card(ui);
         return;
     }
@@ -167,12 +134,28 @@ void draw_table_buttons(Ui& ui, bool is_one_line) {
                    " and the varyings of both ends in further columns.")) {
         ui.inspector.shows_end_values = !ui.inspector.shows_end_values;
     }
+    // Without samples none is outside.
+    if (!walks_edges(ui.results.a.frame.stages)) return;
     if (is_one_line && !has_room) return;
     if (has_room) ImGui::SameLine();
     text_in(history.outside.empty() ? p.dim : colour_of(Meaning::fail, ui.options.theme),
             words_of_outside(history));
     name_widget(ui, "rows.outside",
                 "Samples of this triangle, up to this moment, that fell in no row of the table.");
+}
+
+/// The tested pixel first, and below it the rows as far as they are found. What has no room is
+/// scrolled to.
+/// @param needed the height of the whole table
+void draw_inside(Ui& ui, const PixelTest& test, float needed) {
+    draw_pixel_test(ui, test);
+    const float room = ImGui::GetContentRegionAvail().y - ImGui::GetFrameHeightWithSpacing();
+    // One scroll is enough where lines are few.
+    const float least = ui.inspector.is_low
+                            ? needed
+                            : std::min(needed, 6.0f * ImGui::GetTextLineHeightWithSpacing());
+    draw_row_table(ui, std::max(std::min(needed, room), least));
+    draw_table_buttons(ui, false);
 }
 
 } // namespace
@@ -188,6 +171,10 @@ void draw_rows_panel(Ui& ui) {
                          static_cast<float>(history.rows.size() + history.outside.size() + 1) *
                              (ui.fonts.mono->FontSize + 2.0f * ImGui::GetStyle().CellPadding.y) +
                          (ui.inspector.shows_end_values ? ImGui::GetStyle().ScrollbarSize : 0.0f);
+    if (const std::optional<PixelTest> test = shown_test(ui)) {
+        draw_inside(ui, *test, needed);
+        return;
+    }
     const float buttons = ImGui::GetFrameHeightWithSpacing();
     const float all = ImGui::GetContentRegionAvail().y;
     const float room = all - 6.2f * line - buttons;

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+
+#include "stages/edge_functions.h"
 
 namespace rasterwalk {
 
@@ -15,6 +18,14 @@ void draw_row_table(Ui& ui, float height);
 /// The same where there are few lines, in all that is left of the panel: the headers stay, the rows
 /// scroll together with what is drawn below them.
 void draw_row_table_with(Ui& ui, const std::function<void()>& below);
+
+/// The tested pixel of the triangle on show that is explained: the one of the moment, or else the
+/// picked one if it has been tested by then.
+std::optional<PixelTest> shown_test(const Ui& ui);
+
+/// That pixel: each edge with the value of its function and what it asks for, the weights of the
+/// corners, and how the number came to be that was clicked.
+void draw_pixel_test(Ui& ui, const PixelTest& test);
 
 /// Scrolls to the row just drawn. A table that has only just come knows its height a frame later:
 /// what is wanted stays wanted until it is seen.

@@ -35,7 +35,7 @@ void draw_end_cell(Ui& ui, const std::string& name, const RowEnd& end, const End
         draw_changed_box(ui, ImGui::GetWindowDrawList(), low,
                          {low.x + width, low.y + ImGui::GetTextLineHeight()});
     }
-    name_widget(ui, name, end_tooltip(end, writer));
+    name_widget(ui, name, end_tooltip(ui, end, writer));
     if (writer.is_set() && ImGui::IsItemClicked()) go_to_sample(ui, writer.edge, writer.sample);
 }
 
@@ -107,13 +107,45 @@ void draw_values(Ui& ui, const RowEnd& end, bool is_set) {
     }
 }
 
-/// Columns of the table without the values of the ends.
+/// Columns of the table without the values of the ends: all of them, and those of a table whose
+/// ends no samples have written.
 constexpr int all_columns = 6;
+constexpr int columns_without_writers = 4;
 
 /// Has the table that is drawn now the numbers of pixels? Without room they make way for who wrote
 /// the ends: they can be counted from these.
 bool has_counts() {
-    return ImGui::TableGetColumnCount() >= all_columns;
+    return ImGui::TableGetColumnCount() != all_columns - 1;
+}
+
+/// Do samples write the ends of the rows, so that there is somebody to name?
+bool has_writers(const Ui& ui) {
+    return walks_edges(ui.results.a.frame.stages);
+}
+
+/// How many pixels the row has. Of a row in several stretches each is counted by itself: what lies
+/// between them is outside.
+void draw_count(const Ui& ui, int index) {
+    const Palette& p = palette(ui.options.theme);
+    const RowHistory& history = ui.results.a.rows;
+    const int count = history.rows.pixel_count(index);
+    const std::span<const InsideSpan> spans = spans_of_row(history, history.rows.first_row + index);
+    if (count == 0 || spans.size() < 2) {
+        right_aligned(count > 0 ? std::to_string(count) : "—", count > 0 ? p.text : p.dim);
+        return;
+    }
+    std::string counts, columns;
+    for (const InsideSpan& span : spans) {
+        const int first = span.left.column, last = span.right.column;
+        counts.append(counts.empty() ? "" : " + ").append(whole_text(last - first + 1));
+        columns.append(columns.empty() ? "" : " and ")
+            .append(whole_text(first) + " to " + whole_text(last));
+    }
+    right_aligned(counts, colour_of(Meaning::fail, ui.options.theme));
+    if (ImGui::IsItemHovered())
+        draw_tooltip(ui, "Inside are the columns " + columns +
+                             ": the polygon has a dent. The table has one left and one right end, "
+                             "so the row is drawn from the first to the last.");
 }
 
 void draw_row(Ui& ui, int index) {
@@ -164,9 +196,9 @@ void draw_row(Ui& ui, int index) {
     }
     if (has_counts()) {
         ImGui::TableNextColumn();
-        const int count = history.rows.pixel_count(index);
-        right_aligned(count > 0 ? std::to_string(count) : "—", count > 0 ? p.text : p.dim);
+        draw_count(ui, index);
     }
+    if (!has_writers(ui)) return;
     ImGui::TableNextColumn();
     draw_writer_cell(ui, name + ".left_by", left);
     ImGui::TableNextColumn();
@@ -273,7 +305,10 @@ bool begin_row_table(Ui& ui, const char* name, ImGuiTableFlags flags, ImVec2 siz
     const float writer_width = roomy[4] / all_roomy * width - 2.0f * cell_padding.x;
     const bool counts =
         !is_narrow && writer_width >= widest_writer(ui) + sign_gap * u + width_of_sign(ui);
-    const int columns = has_values ? 11 : counts ? all_columns : all_columns - 1;
+    const int columns = has_values         ? 11
+                        : !has_writers(ui) ? columns_without_writers
+                        : counts           ? all_columns
+                                           : all_columns - 1;
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, cell_padding);
     const bool open =
         ImGui::BeginTable(name, columns,
@@ -284,7 +319,7 @@ bool begin_row_table(Ui& ui, const char* name, ImGuiTableFlags flags, ImVec2 siz
     ImGui::PopStyleVar();
     if (!open) return false;
     static constexpr float narrow[] = {28, 42, 42, 90, 90};
-    const float* const widths = counts ? roomy : narrow;
+    const float* const widths = counts || !has_writers(ui) ? roomy : narrow;
     for (int i = 0; i < columns; ++i) {
         // Of the ends' values those of the left end are in sight at once.
         const float value_width = i == 0 ? 40.0f : i == 1 || i == 6 ? 46.0f : 70.0f;

@@ -6,6 +6,7 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include "settings/idle_setting.h"
 #include "settings/setting_table.h"
 #include "settings/value_words.h"
 #include "ui/actions/open_tab.h"
@@ -60,16 +61,23 @@ SheetColumns sheet_columns(const Ui& ui) {
     return {std::min(0.46f * width, 215.0f * u), reset, width};
 }
 
-std::string tooltip_of_setting(const Setting& setting) {
+/// What is said of settings that do nothing.
+std::string idle_text(const std::string& reason) {
+    return "without effect: " + reason;
+}
+
+std::string tooltip_of_setting(const Setting& setting, const std::string& idle) {
     std::string about = std::string(setting.name).append("\n").append(setting.help);
+    if (!idle.empty()) about.append("\nJust now ").append(idle_text(idle)).append(".");
     about.append("\nLab: ").append(setting.section);
     if (!setting.unit.empty()) about.append("\nUnit: ").append(setting.unit);
     return about;
 }
 
 /// Name, field, and a button that sets it back, on one line; on two where the field needs it.
+/// @param idle why it does nothing; empty: it acts
 void draw_setting(Ui& ui, const Setting& setting, const Settings& usual,
-                  const SheetColumns& columns) {
+                  const SheetColumns& columns, const std::string& idle) {
     const Palette& p = palette(ui.options.theme);
     const float u = ui.options.text_scale;
     const std::string name(setting.name);
@@ -85,12 +93,15 @@ void draw_setting(Ui& ui, const Setting& setting, const Settings& usual,
     ImGui::PushID(name.c_str());
     ImGui::AlignTextToFramePadding();
     ImGui::SetCursorPosX(begin + indent);
-    text_in(differs ? p.changed : p.text, shortened(title, room));
-    name_widget(ui, "setting_name." + name, tooltip_of_setting(setting));
+    text_in(!idle.empty() ? p.dim : differs ? p.changed : p.text, shortened(title, room));
+    name_widget(ui, "setting_name." + name, tooltip_of_setting(setting, idle));
     if (fits) ImGui::SameLine();
     ImGui::SetCursorPosX(begin + (fits ? columns.name : indent));
     ImGui::SetNextItemWidth(columns.reset - (fits ? columns.name : indent) - 4.0f * u);
+    // It can be set all the same: for when it will act.
+    if (!idle.empty()) ImGui::PushStyleColor(ImGuiCol_Text, p.dim);
     edit_setting(ui, ui.session.a.settings, setting, "setting." + name);
+    if (!idle.empty()) ImGui::PopStyleColor();
     keep_whole(ui, top, ImGui::GetItemRectMax().y);
     if (differs) {
         ImGui::SameLine();
@@ -142,6 +153,19 @@ void draw_heading(Ui& ui, std::string_view text) {
     text_in(palette(ui.options.theme).dim, text);
     keep_item_whole(ui);
     ImGui::PopFont();
+}
+
+/// Before settings that do nothing.
+void draw_idle_reason(Ui& ui, const Setting& first, const std::string& reason) {
+    ImGui::PushFont(ui.fonts.small);
+    ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
+    wrapped_text(idle_text(reason) + ":");
+    keep_text_whole(ui);
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+    name_widget(ui, "setting_idle." + std::string(first.name),
+                "The settings below can be changed, but change nothing in the picture before the "
+                "pixels of a triangle are found in another way.");
 }
 
 /// The beginning of what a preset says of itself: all that has room beside its button.
@@ -205,10 +229,18 @@ void draw_all_settings(Ui& ui) {
     const SheetColumns columns = sheet_columns(ui);
     std::string_view heading;
     bool any = false;
+    std::string idle_before;
     const auto draw = [&](const Setting& setting, std::string_view under) {
         any = true;
-        if (under != heading) draw_heading(ui, heading = under);
-        draw_setting(ui, setting, usual, columns);
+        if (under != heading) {
+            draw_heading(ui, heading = under);
+            idle_before.clear();
+        }
+        // Of several in a row the reason is said once, before the first.
+        const std::string idle = idle_reason(setting, ui.session.a.settings);
+        if (!idle.empty() && idle != idle_before) draw_idle_reason(ui, setting, idle);
+        idle_before = idle;
+        draw_setting(ui, setting, usual, columns, idle);
     };
     for (const bool changed : {true, false}) {
         for (const Setting& setting : setting_table()) {

@@ -109,11 +109,13 @@ float draw_tab_line(Ui& ui, const InspectorLook& look) {
     for (const TabInfo* tab : tabs) {
         const bool chosen = tab->name == tab_below(ui.session);
         const std::string name = std::string("tab.").append(tab->name);
-        const float width = text_width(tab->title);
-        if (draw_word(ui, name, tab->title, tab->help, {x, start.y}, height,
+        const TabWords words = tab_words(*tab, ui.session.a.settings);
+        const float width = text_width(words.title);
+        if (draw_word(ui, name, words.title, words.help, {x, start.y}, height,
                       chosen ? p.text : p.dim, p.text)) {
             open_tab(ui, tab->name);
         }
+        note_text(ui, name, words.title);
         if (chosen) {
             ImGui::GetWindowDrawList()->AddRectFilled(
                 {x, start.y + height - 2.0f * u}, {x + width, start.y + height}, packed(p.link));
@@ -132,17 +134,20 @@ float draw_tab_list(Ui& ui) {
     const Tabs tabs = offered_tabs(ui, std::nullopt);
     const auto shown = std::find_if(tabs.begin(), tabs.end(),
                                     [&](const TabInfo* tab) { return tab->name == below; });
-    const std::string title = shown != tabs.end() ? std::string((*shown)->title) : std::string();
+    const auto words_of = [&](const TabInfo& tab) { return tab_words(tab, ui.session.a.settings); };
+    const std::string title(shown != tabs.end() ? words_of(**shown).title : std::string_view());
     ImGui::SetNextItemWidth(-1.0f);
     const bool open = ImGui::BeginCombo("##tabs", title.c_str(), ImGuiComboFlags_HeightLargest);
     name_widget(ui, "tabs", "What the inspector shows.");
+    note_text(ui, "tabs", title);
     const float bottom = ImGui::GetItemRectMax().y + ImGui::GetStyle().ItemSpacing.y;
     if (!open) return bottom;
     for (std::size_t i = 0; i < tabs.size(); ++i) {
         if (i > 0 && tabs[i]->group != tabs[i - 1]->group) ImGui::Separator();
         const bool chosen = tabs[i]->name == below;
-        if (list_entry(ui, std::string("tab.").append(tabs[i]->name), tabs[i]->title, chosen,
-                       tabs[i]->help)) {
+        const TabWords words = words_of(*tabs[i]);
+        if (list_entry(ui, std::string("tab.").append(tabs[i]->name), words.title, chosen,
+                       words.help)) {
             open_tab(ui, tabs[i]->name);
         }
     }

@@ -30,9 +30,13 @@ std::string writer_tooltip(const EndWriter& writer) {
            "\nClick: to the moment in which it was written.";
 }
 
-std::string end_tooltip(const RowEnd& end, const EndWriter& writer) {
+std::string end_tooltip(const Ui& ui, const RowEnd& end, const EndWriter& writer) {
     if (writer.is_set()) return writer_tooltip(writer);
     const bool is_extreme = end.column == empty_left || end.column == empty_right;
+    if (!walks_edges(ui.results.a.frame.stages)) {
+        return is_extreme ? "INT_MAX with its sign: so far no pixel of this row is inside."
+                          : "The pixel of this row that is inside and lies farthest out.";
+    }
     return is_extreme
                ? "INT_MAX with its sign: no sample has reached this row yet, so any column is "
                  "an improvement."
@@ -50,6 +54,7 @@ std::optional<int> row_at_work(const Ui& ui) {
     const std::optional<Cursor>& done = ui.results.a.done;
     if (!done || done->triangle != ui.results.a.triangle) return std::nullopt;
     if (done->phase == Phase::rows) return history.rows.first_row + done->index;
+    if (done->phase == Phase::tests) return tested_row(history.rows.tested, done->index).row;
     if (done->phase == Phase::edges && history.last && history.last->write.inside)
         return history.last->fragment.row;
     return std::nullopt;

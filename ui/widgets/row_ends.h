@@ -24,15 +24,16 @@ std::string writer_tooltip(const EndWriter& writer);
 /// "↻: an earlier sample stood here and was replaced, 2 times so far."
 std::string replaced_tooltip(const EndWriter& writer);
 
-/// The same for either kind of end: one that nobody has written says so.
-std::string end_tooltip(const RowEnd& end, const EndWriter& writer);
+/// The same for any kind of end: one that nobody has written says so, and one that was found
+/// without samples.
+std::string end_tooltip(const Ui& ui, const RowEnd& end, const EndWriter& writer);
 
 /// To the moment just after a sample of the triangle on show was entered, so that its cell is the
 /// one that lights up.
 void go_to_sample(Ui& ui, int edge, int sample);
 
-/// The row of the picture at which the work on the triangle on show stands: that of the fragments,
-/// or the sample, just done; none where the moment belongs to another triangle.
+/// The row of the picture at which the work on the triangle on show stands: that of the fragment,
+/// the sample or the tested pixel just done; none where the moment belongs to another triangle.
 std::optional<int> row_at_work(const Ui& ui);
 
 /// Which ends of this row of the picture the moment has just written.

@@ -79,6 +79,8 @@ TEST_CASE("A number and a sign in every cell and a line for every row are not to
     driver.ui.session.canvas.centre = {250.0f, 420.0f};
     for (const CellNumbersInfo& info : cell_numbers_list()) {
         driver.ui.session.canvas.numbers = info.numbers;
+        if (is_of_tests(info.numbers))
+            driver.ui.session.a.settings.coverage = Coverage::edge_functions;
         for (const float zoom : {24.0f, 44.0f}) {
             driver.ui.session.canvas.zoom = zoom;
             driver.hand.frames(2);

@@ -39,6 +39,7 @@ class Tour {
         from_outside();
         clipped();
         textured();
+        tested();
         groups();
         large_frame();
     }
@@ -159,6 +160,19 @@ class Tour {
             driver.hand.click("texture.texel.0");
             look(driver);
         }
+    }
+
+    /// A pixel that edge functions test.
+    void tested() {
+        Driver driver("one-triangle.toml");
+        follow_link(driver.ui, "set:coverage=edge_functions");
+        follow_link(driver.ui, "set:stage=fill");
+        driver.hand.frames(1); // the moment is one of the frame that is drawn with them
+        follow_link(driver.ui, "cursor:t0/b4/c7");
+        follow_link(driver.ui, "tab:rows");
+        driver.hand.frames(1);
+        driver.hand.click("inside.e.1");
+        look(driver);
     }
 
     void small_window() {

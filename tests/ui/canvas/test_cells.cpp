@@ -371,6 +371,7 @@ TEST_CASE("The ink of a number has enough contrast on every ground") {
 
 TEST_CASE("Numbers are chosen in the list of layers, one kind at a time") {
     Driver driver("one-triangle.toml");
+    driver.ui.session.a.settings.coverage = Coverage::edge_functions; // so that all are offered
     for (const CellNumbersInfo& info : cell_numbers_list()) {
         driver.hand.click("canvas.overlays");
         driver.hand.click("layers.numbers." + std::string(info.name));

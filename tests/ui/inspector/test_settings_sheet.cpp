@@ -86,6 +86,29 @@ TEST_CASE("Every setting can be reached in the panel, and the search leaves only
     CHECK(driver.hand.is_visible("setting.texture_wrap"));
 }
 
+TEST_CASE("Settings that do nothing say why, once for several, and can be set all the same") {
+    Driver driver("one-triangle.toml");
+    driver.ui.session.a.settings.stage = Stage::fill;
+    driver.hand.click("tab.settings");
+    const auto is_idle = [&](const char* first) {
+        driver.hand.find("setting.spans");
+        driver.hand.find("setting.coverage");
+        driver.hand.leave();
+        return driver.ui.widgets.count(std::string("setting_idle.") + first) > 0;
+    };
+    CHECK(is_idle("fill_rule"));
+    CHECK_FALSE(is_idle("snap")); // it stands below the other
+    CHECK_FALSE(is_idle("line"));
+    driver.hand.click("setting.fill_rule");
+    driver.hand.click("setting.fill_rule=top_left");
+    CHECK(driver.ui.session.a.settings.fill_rule == FillRule::top_left);
+    driver.hand.click("setting.coverage");
+    driver.hand.click("setting.coverage=edge_functions");
+    CHECK_FALSE(is_idle("fill_rule"));
+    CHECK(is_idle("line"));
+    CHECK(is_idle("line_rounding"));
+}
+
 TEST_CASE("The settings lie on a sheet that the gear, Escape and the cross close") {
     Driver driver;
     driver.open("rows");

@@ -1,0 +1,101 @@
+#include "explain/test_formulas.h"
+
+#include <fmt/format.h>
+
+#include "inspect/pixel_tests.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// A coordinate of the grid in pixels.
+Number in_pixels(std::int64_t coordinate) {
+    return {static_cast<float>(coordinate) / static_cast<float>(grid_parts)};
+}
+
+Number in_square_pixels_shown(std::int64_t e) {
+    return {static_cast<float>(in_square_pixels(e))};
+}
+
+std::string e_id(std::size_t i) {
+    return fmt::format("e.{}", i);
+}
+std::string e_symbol(std::size_t i) {
+    return fmt::format("E{}", i);
+}
+
+/// The corners between which an edge goes, in the order in which its function has them.
+struct EdgeEnds {
+    std::string from, to;
+};
+
+EdgeEnds ends_of_edge(const TestedTriangle& triangle, std::size_t i,
+                      const std::array<std::string, edge_function_count>& corners) {
+    const std::size_t next = (i + 1) % edge_function_count;
+    // Where the corners go round counterclockwise each edge is turned: then the next edge ends
+    // where this one begins.
+    const EdgeFunction &edge = triangle.edges[i], &other = triangle.edges[next];
+    const GridPoint to{edge.from.x + edge.way.dx, edge.from.y + edge.way.dy};
+    if (to == other.from) return {corners[i], corners[next]};
+    return {corners[next], corners[i]};
+}
+
+Formula edge_formula(const TestedTriangle& triangle, const PixelTest& test, std::size_t i,
+                     const std::array<std::string, edge_function_count>& corners) {
+    const EdgeFunction& edge = triangle.edges[i];
+    const auto [from, to] = ends_of_edge(triangle, i, corners);
+    const Source begin = from_words(from + ", where the edge begins");
+    const Source way = from_words("the edge's way from " + from + " to " + to);
+    const Source centre = from_words("the centre of the pixel: its number + 1/2");
+    return {e_id(i),
+            e_symbol(i),
+            fmt::format("The edge function of {} at the pixel's centre, in square pixels: above 0 "
+                        "on the inner side. Also twice the area of the triangle of edge and point.",
+                        tested_edge_name(edge.number)),
+            "dx · (y − ay) − dy · (x − ax)",
+            {{"dx", in_pixels(edge.way.dx), way},
+             {"y", in_pixels(pixel_centre(test.row)), centre},
+             {"ay", in_pixels(edge.from.y), begin},
+             {"dy", in_pixels(edge.way.dy), way},
+             {"x", in_pixels(pixel_centre(test.column)), centre},
+             {"ax", in_pixels(edge.from.x), begin}},
+            in_square_pixels_shown(test.e[i])};
+}
+
+} // namespace
+
+std::vector<Formula> test_formulas(const TestedTriangle& triangle, const PixelTest& test,
+                                   const std::array<std::string, edge_function_count>& corners) {
+    std::vector<Formula> formulas;
+    for (std::size_t i = 0; i < edge_function_count; ++i)
+        formulas.push_back(edge_formula(triangle, test, i, corners));
+    const auto e_input = [&](std::size_t i) {
+        return FormulaInput{e_symbol(i), in_square_pixels_shown(test.e[i]), from_formula(e_id(i))};
+    };
+    formulas.push_back({"area",
+                        "sum",
+                        "The sum of the three edge functions, the same at every pixel: twice the "
+                        "area of the triangle.",
+                        "E0 + E1 + E2",
+                        {e_input(0), e_input(1), e_input(2)},
+                        in_square_pixels_shown(triangle.area)});
+    if (triangle.area == 0) return formulas; // no corner has a weight
+    for (std::size_t i = 0; i < edge_function_count; ++i) {
+        // Edge 0 runs from corner 0 to 1 and lies opposite of corner 2.
+        const std::size_t opposite = (i + 1) % edge_function_count;
+        formulas.push_back(
+            {fmt::format("weight.{}", i),
+             "weight of " + corners[i],
+             fmt::format(
+                 "How much {} counts at this pixel: the share that the edge function of the "
+                 "opposite edge has in the sum.",
+                 corners[i]),
+             e_symbol(opposite) + " / sum",
+             {e_input(opposite),
+              {"sum", in_square_pixels_shown(triangle.area), from_formula("area")}},
+             {test.weights[i]}});
+    }
+    return formulas;
+}
+
+} // namespace rasterwalk

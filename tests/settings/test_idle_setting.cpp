@@ -1,0 +1,83 @@
+#include "settings/idle_setting.h"
+
+#include <set>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "pipeline/draw.h"
+#include "settings/choose_stages.h"
+#include "support/samples.h"
+
+using namespace rasterwalk;
+using namespace rasterwalk::test;
+
+namespace {
+
+constexpr std::array all_coverages{Coverage::rows, Coverage::edge_functions,
+                                   Coverage::scan_conversion, Coverage::active_edges};
+
+/// Do all words of a choice give the same functions, and the same picture?
+bool is_without_effect(const Scene& scene, Settings settings, const ChoiceSetting& choice) {
+    choice.write(settings, 0);
+    const Framebuffer usual = draw_frame(prepare_frame(scene, settings));
+    for (int i = 1; i < static_cast<int>(choice.words.size()); ++i) {
+        choice.write(settings, i);
+        if (!(draw_frame(prepare_frame(scene, settings)) == usual)) return false;
+    }
+    return true;
+}
+
+} // namespace
+
+TEST_CASE("A setting that is said to be idle changes no picture, and one that acts is not") {
+    const Scene scene = small_scene();
+    std::set<std::string> idle_somewhere;
+    for (const Coverage coverage : all_coverages) {
+        for (const Stage stage : {Stage::edges, Stage::rows, Stage::fill, Stage::depth}) {
+            Settings settings = default_settings(scene);
+            settings.coverage = coverage;
+            settings.stage = stage;
+            for (const Setting& setting : setting_table()) {
+                const auto* const choice = std::get_if<ChoiceSetting>(&setting.kind);
+                if (choice == nullptr || setting.group != "Rows and edges") continue;
+                const std::string reason = idle_reason(setting, settings);
+                if (reason.empty()) continue;
+                idle_somewhere.insert(std::string(setting.name));
+                CAPTURE(std::string(setting.name), std::string(word_of(coverage)),
+                        static_cast<int>(stage), reason);
+                CHECK(is_without_effect(scene, settings, *choice));
+            }
+        }
+    }
+    CHECK(idle_somewhere == std::set<std::string>{"line_rounding", "fill_rule", "snap", "line",
+                                                  "bresenham_rule", "line_walk", "edge_samples",
+                                                  "row_start", "row_search", "empty_rows",
+                                                  "spans"});
+    // Each of the rules that shows on the tiny picture acts where it is not said to be idle.
+    for (const char* const name : {"fill_rule", "line", "edge_samples", "spans"}) {
+        const Setting& setting = *find_setting(name);
+        for (const Coverage coverage : all_coverages) {
+            Settings settings = default_settings(scene);
+            settings.coverage = coverage;
+            settings.stage = Stage::fill;
+            CAPTURE(name, std::string(word_of(coverage)));
+            CHECK(is_without_effect(scene, settings, std::get<ChoiceSetting>(setting.kind)) ==
+                  !idle_reason(setting, settings).empty());
+        }
+    }
+}
+
+TEST_CASE("An idle setting says what makes it idle") {
+    Settings settings;
+    settings.stage = Stage::fill;
+    CHECK(idle_reason(*find_setting("fill_rule"), settings) == "pixels are found by the row table");
+    CHECK(idle_reason(*find_setting("spans"), settings).empty());
+    settings.coverage = Coverage::edge_functions;
+    CHECK(idle_reason(*find_setting("spans"), settings) == "pixels are found by edge functions");
+    CHECK(idle_reason(*find_setting("fill_rule"), settings).empty());
+    settings.stage = Stage::edges;
+    CHECK(idle_reason(*find_setting("fill_rule"), settings) ==
+          "the stages before Rows walk the edges");
+    CHECK(idle_reason(*find_setting("line"), settings).empty());
+}

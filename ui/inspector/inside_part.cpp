@@ -1,0 +1,204 @@
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/numbers.h"
+#include "explain/test_formulas.h"
+#include "inspect/cut_corners.h"
+#include "inspect/pixel_tests.h"
+#include "ui/actions/go_to_source.h"
+#include "ui/inspector/rows_parts.h"
+#include "ui/ui.h"
+#include "ui/widgets/formula_view.h"
+#include "ui/widgets/number_text.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// On which side of a triangle an edge lies.
+const char* side_of(const EdgeFunction& edge) {
+    if (edge.way.dy == 0) return edge.way.dx > 0 ? "top" : "bottom";
+    return edge.way.dy < 0 ? "left" : "right";
+}
+
+std::string e_text(std::int64_t e) {
+    return with_minus_signs(significant(in_square_pixels(e), 7));
+}
+
+/// The names of a fan triangle's corners.
+std::array<std::string, edge_function_count>
+corner_names_of(const Ui& ui, const TestedPolygon& polygon, const TestedTriangle& triangle) {
+    const std::optional<ClipHistory>& clip = ui.results.a.inspected.clip;
+    const std::vector<std::string> all = drawn_corner_names(
+        clip ? &*clip : nullptr, static_cast<int>(polygon.corners.size()), false);
+    std::array<std::string, edge_function_count> names;
+    std::transform(triangle.corners.begin(), triangle.corners.end(), names.begin(),
+                   [&](int corner) { return all[static_cast<std::size_t>(corner)]; });
+    return names;
+}
+
+/// A number that says how it came to be when it is clicked, and no more when it is clicked again.
+void draw_number_of_test(Ui& ui, const Formula& formula, const std::string& text,
+                         const ImVec4& colour) {
+    std::string& chosen = ui.inspector.chosen.test_number;
+    const bool is_chosen = chosen == formula.id;
+    if (number_cell(ui, "inside." + formula.id, text, colour, is_chosen,
+                    formula.help + "\nClick: how it came to be."))
+        chosen = is_chosen ? std::string() : formula.id;
+}
+
+void draw_dim_headers(Ui& ui, std::initializer_list<const char*> titles, int right_aligned_from) {
+    ImGui::PushFont(ui.fonts.small);
+    ImGui::TableNextRow();
+    int column = 0;
+    for (const char* const title : titles) {
+        if (column >= ImGui::TableGetColumnCount()) break;
+        ImGui::TableNextColumn();
+        if (column++ < right_aligned_from)
+            text_in(palette(ui.options.theme).dim, title);
+        else
+            right_aligned(title, palette(ui.options.theme).dim);
+        keep_item_whole(ui);
+    }
+    ImGui::PopFont();
+}
+
+/// Each edge with its value and what it asks for; below them their sum.
+void draw_edges_of_test(Ui& ui, const PixelTest& test, const TestedTriangle& triangle,
+                        const std::vector<Formula>& formulas) {
+    const Palette& p = palette(ui.options.theme);
+    const Theme theme = ui.options.theme;
+    const bool has_steps = !ui.inspector.is_narrow;
+    if (!ImGui::BeginTable("inside.edges", has_steps ? 6 : 4,
+                           ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingStretchProp,
+                           {ImGui::CalcItemWidth(), 0.0f}))
+        return;
+    static constexpr float widths[] = {62, 60, 88, 70, 82, 82};
+    for (int i = 0; i < ImGui::TableGetColumnCount(); ++i)
+        ImGui::TableSetupColumn("", 0, widths[i]);
+    draw_dim_headers(ui, {"edge", "side", "E", "asks", "one right", "one down"}, 2);
+    ImGui::PushFont(ui.fonts.mono);
+    for (std::size_t i = 0; i < edge_function_count; ++i) {
+        const EdgeFunction& edge = triangle.edges[i];
+        const bool is_inner = edge.number < 0;
+        const ImVec4 colour = is_inner ? p.dim : colour_of(edge_meaning(edge.number), theme);
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        text_in(colour, is_inner ? "inner" : tested_edge_name(edge.number));
+        keep_item_whole(ui);
+        ImGui::TableNextColumn();
+        text_in(p.dim, side_of(edge));
+        ImGui::TableNextColumn();
+        draw_number_of_test(ui, formulas[i], e_text(test.e[i]), colour);
+        ImGui::TableNextColumn();
+        right_aligned(fmt::format("{} 0 {}", edge.owns_points ? "≥" : ">",
+                                  test.passes[i] ? passed_sign : failed_sign),
+                      colour_of(test.passes[i] ? Meaning::pass : Meaning::fail, theme));
+        name_widget(ui, fmt::format("inside.asks.{}", i),
+                    edge.owns_points
+                        ? "A centre exactly on this edge belongs to the triangle: the fill rule "
+                          "keeps it."
+                        : "A centre exactly on this edge does not belong to the triangle: the fill "
+                          "rule gives it away.");
+        if (!has_steps) continue;
+        ImGui::TableNextColumn();
+        right_aligned(e_text(edge.one_right()), p.dim);
+        ImGui::TableNextColumn();
+        right_aligned(e_text(edge.one_down()), p.dim);
+    }
+    const Formula& area = formulas[edge_function_count];
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    text_in(p.dim, area.name);
+    keep_item_whole(ui);
+    ImGui::TableNextColumn();
+    ImGui::TableNextColumn();
+    draw_number_of_test(ui, area, e_text(triangle.area), p.text);
+    ImGui::TableNextColumn();
+    ImGui::PushFont(ui.fonts.small);
+    right_aligned("2 · area", p.dim);
+    ImGui::PopFont();
+    ImGui::PopFont();
+    ImGui::EndTable();
+}
+
+/// The weights of the corners, below their names, and what they add up to.
+void draw_weights(Ui& ui, const PixelTest& test,
+                  const std::array<std::string, edge_function_count>& corners,
+                  const std::vector<Formula>& formulas) {
+    const Palette& p = palette(ui.options.theme);
+    if (!ImGui::BeginTable("inside.weights", 5, ImGuiTableFlags_SizingStretchProp,
+                           {ImGui::CalcItemWidth(), 0.0f}))
+        return;
+    for (const float width : {60.0f, 80.0f, 80.0f, 80.0f, 80.0f})
+        ImGui::TableSetupColumn("", 0, width);
+    draw_dim_headers(ui, {"", corners[0].c_str(), corners[1].c_str(), corners[2].c_str(), "sum"},
+                     1);
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::PushFont(ui.fonts.small);
+    text_in(p.dim, "weight");
+    keep_item_whole(ui);
+    ImGui::PopFont();
+    ImGui::PushFont(ui.fonts.mono);
+    float sum = 0.0f;
+    for (std::size_t i = 0; i < edge_function_count; ++i) {
+        ImGui::TableNextColumn();
+        sum += test.weights[i];
+        draw_number_of_test(ui, formulas[edge_function_count + 1 + i], fixed(test.weights[i], 4),
+                            p.text);
+    }
+    ImGui::TableNextColumn();
+    right_aligned(fixed(sum, 4), p.dim);
+    ImGui::PopFont();
+    ImGui::EndTable();
+}
+
+} // namespace
+
+std::optional<PixelTest> shown_test(const Ui& ui) {
+    const RunResults& a = ui.results.a;
+    if (!a.triangle || !a.frame.is_drawn(*a.triangle) || !tests_pixels(a.frame.stages)) return {};
+    const TestedPolygon& tested = a.rows.rows.tested;
+    const bool is_at_test =
+        a.done && a.done->triangle == *a.triangle && a.done->phase == Phase::tests;
+    if (is_at_test) return test_at_step(tested, a.done->index, a.done->step, a.frame.stages);
+    const std::optional<glm::ivec2>& pixel = ui.session.selection.pixel;
+    if (!pixel) return {};
+    return test_of_pixel(tested, *a.triangle, pixel->x, pixel->y, a.cursor, a.frame.stages);
+}
+
+void draw_pixel_test(Ui& ui, const PixelTest& test) {
+    const Palette& p = palette(ui.options.theme);
+    const TestedPolygon& polygon = ui.results.a.rows.rows.tested;
+    const TestedTriangle& triangle = polygon.triangles[static_cast<std::size_t>(test.triangle)];
+    const auto corners = corner_names_of(ui, polygon, triangle);
+    const std::vector<Formula> formulas = test_formulas(triangle, test, corners);
+    begin_card(ui);
+    const Meaning answer = test.is_inside ? Meaning::pass : Meaning::fail;
+    text_in(colour_of(answer, ui.options.theme),
+            fmt::format("pixel ({}, {}): {}", test.column, test.row,
+                        test.is_inside ? "inside" : "outside"));
+    name_widget(ui, "inside.pixel",
+                with_minus_signs(pixel_test_text(test)) +
+                    "\nA pixel lies inside where all three edges have what they ask for.");
+    ImGui::SameLine();
+    text_in(p.dim, fmt::format("asked at its centre ({}.5, {}.5)", test.column, test.row));
+    keep_item_whole(ui);
+    draw_edges_of_test(ui, test, triangle, formulas);
+    if (triangle.area != 0) draw_weights(ui, test, corners, formulas);
+    if (const Formula* const formula = find_formula(formulas, ui.inspector.chosen.test_number)) {
+        const std::optional<Source> clicked = draw_formula(ui, *formula, "inside.formula");
+        if (clicked && clicked->kind == SourceKind::formula)
+            ui.inspector.chosen.test_number = clicked->name;
+    }
+    end_card(ui);
+}
+
+} // namespace rasterwalk
