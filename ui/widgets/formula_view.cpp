@@ -203,14 +203,18 @@ void draw_with_card(Ui& ui, const char* name, const std::function<void()>& page,
     ImGuiStorage* const sizes = ImGui::GetStateStorage();
     const ImGuiID page_id = ImGui::GetID((std::string(name) + ".page").c_str());
     const ImGuiID card_id = ImGui::GetID((std::string(name) + ".card").c_str());
+    const ImGuiID whole_id = ImGui::GetID((std::string(name) + ".whole").c_str());
     const float room = ImGui::GetContentRegionAvail().y;
     const float spacing = ImGui::GetStyle().ItemSpacing.y;
     const float card_height = sizes->GetFloat(card_id, 8.0f * ImGui::GetTextLineHeight());
     const float left = std::max(room - card_height - spacing, 0.42f * room);
-    ImGui::BeginChild(page_id, {0, std::min(sizes->GetFloat(page_id, room), left)}, false,
+    // The card follows the last line that is whole; what is left of the room is below the card.
+    const float whole = std::min(sizes->GetFloat(whole_id, left), left);
+    ImGui::BeginChild(page_id, {0, std::min(sizes->GetFloat(page_id, room), whole)}, false,
                       ImGuiWindowFlags_NoNav);
-    begin_whole_lines(ui);
+    begin_whole_lines(ui, left);
     page();
+    sizes->SetFloat(whole_id, std::max(whole_height(ui), 0.5f * left));
     end_whole_lines(ui);
     const float page_height = ImGui::GetCursorPosY();
     ImGui::EndChild();
