@@ -208,13 +208,16 @@ void draw_with_card(Ui& ui, const char* name, const std::function<void()>& page,
     const float spacing = ImGui::GetStyle().ItemSpacing.y;
     const float card_height = sizes->GetFloat(card_id, 8.0f * ImGui::GetTextLineHeight());
     const float left = std::max(room - card_height - spacing, 0.42f * room);
-    // The card follows the last line that is whole; what is left of the room is below the card.
+    // The card follows the last line that is whole; a strip that is left of the room is below it.
     const float whole = std::min(sizes->GetFloat(whole_id, left), left);
     ImGui::BeginChild(page_id, {0, std::min(sizes->GetFloat(page_id, room), whole)}, false,
                       ImGuiWindowFlags_NoNav);
     begin_whole_lines(ui, left);
     page();
-    sizes->SetFloat(whole_id, std::max(whole_height(ui), 0.5f * left));
+    // What is lower than a line is a gap like others, and the page keeps it.
+    const float blank = left - whole_height(ui);
+    sizes->SetFloat(
+        whole_id, blank < ImGui::GetTextLineHeight() ? left : std::max(left - blank, 0.5f * left));
     end_whole_lines(ui);
     const float page_height = ImGui::GetCursorPosY();
     ImGui::EndChild();
