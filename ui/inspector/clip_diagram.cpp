@@ -328,7 +328,7 @@ std::optional<float> fitting_height(const ClipPage& page, float caption) {
     const float u = page.ui.options.text_scale;
     if (ImGui::GetContentRegionAvail().x < least_diagram_width * u) return std::nullopt;
     for (const float height : diagram_heights) {
-        if (height * u + caption <= 0.5f * ImGui::GetWindowHeight()) return height * u;
+        if (height * u + caption <= 0.5f * page_room(page.ui)) return height * u;
     }
     return std::nullopt;
 }

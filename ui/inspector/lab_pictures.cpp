@@ -32,7 +32,7 @@ struct PairLayout {
 /// How high a picture may be, screen pixels: both are seen whole at once, with what is said below
 /// them if they so stay large enough. Where they would get too small, one scrolls to them.
 float picture_room(const Ui& ui) {
-    const float u = ui.options.text_scale, page = ImGui::GetWindowHeight();
+    const float u = ui.options.text_scale, page = page_room(ui);
     const float below = page - ImGui::GetCursorPosY() - pair_border * u;
     const float words = 4.0f * ui.fonts.small->FontSize;
     if (below - words >= good_side * u) return below - words;

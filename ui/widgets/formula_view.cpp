@@ -203,14 +203,21 @@ void draw_with_card(Ui& ui, const char* name, const std::function<void()>& page,
     ImGuiStorage* const sizes = ImGui::GetStateStorage();
     const ImGuiID page_id = ImGui::GetID((std::string(name) + ".page").c_str());
     const ImGuiID card_id = ImGui::GetID((std::string(name) + ".card").c_str());
+    const ImGuiID whole_id = ImGui::GetID((std::string(name) + ".whole").c_str());
     const float room = ImGui::GetContentRegionAvail().y;
     const float spacing = ImGui::GetStyle().ItemSpacing.y;
     const float card_height = sizes->GetFloat(card_id, 8.0f * ImGui::GetTextLineHeight());
     const float left = std::max(room - card_height - spacing, 0.42f * room);
-    ImGui::BeginChild(page_id, {0, std::min(sizes->GetFloat(page_id, room), left)}, false,
+    // The card follows the last line that is whole; a strip that is left of the room is below it.
+    const float whole = std::min(sizes->GetFloat(whole_id, left), left);
+    ImGui::BeginChild(page_id, {0, std::min(sizes->GetFloat(page_id, room), whole)}, false,
                       ImGuiWindowFlags_NoNav);
-    begin_whole_lines(ui);
+    begin_whole_lines(ui, left);
     page();
+    // What is lower than a line is a gap like others, and the page keeps it.
+    const float blank = left - whole_height(ui);
+    sizes->SetFloat(
+        whole_id, blank < ImGui::GetTextLineHeight() ? left : std::max(left - blank, 0.5f * left));
     end_whole_lines(ui);
     const float page_height = ImGui::GetCursorPosY();
     ImGui::EndChild();

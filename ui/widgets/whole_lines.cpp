@@ -14,38 +14,49 @@ namespace {
 /// Windows end at whole pixels.
 constexpr float rounding = 1.0f;
 
+/// Does the window that is drawn into end with whole lines?
+bool has_lines(const Ui& ui) {
+    return !ui.whole_lines.empty() && ui.whole_lines.back().window == ImGui::GetCurrentWindow()->ID;
+}
+
 /// Of the window that is drawn into; null where it does not end with whole lines.
 WholeLines* lines_of_window(Ui& ui) {
-    const bool is_this =
-        !ui.whole_lines.empty() && ui.whole_lines.back().window == ImGui::GetCurrentWindow()->ID;
-    return is_this ? &ui.whole_lines.back() : nullptr;
+    return has_lines(ui) ? &ui.whole_lines.back() : nullptr;
 }
 
 /// Of what fills the window a part must do, but for a few lines that it can hold.
-bool fills_window(float height) {
+bool fills_window(const Ui& ui, float height) {
     constexpr float few_lines = 5.0f;
-    const float window = ImGui::GetWindowHeight();
+    const float window = page_room(ui);
     return height > std::max(0.5f * window, std::min(window, few_lines * ImGui::GetFontSize()));
 }
 
 } // namespace
 
-void begin_whole_lines(Ui& ui) {
+void begin_whole_lines(Ui& ui, float room) {
     const ImGuiWindow* const window = ImGui::GetCurrentWindow();
     // What is drawn from here on is clipped when it is known where it ends.
     ImDrawList* const list = window->DrawList;
     if (list->CmdBuffer.back().ElemCount > 0) list->AddDrawCmd();
     const float top = window->ClipRect.Min.y, bottom = window->ClipRect.Max.y;
-    ui.whole_lines.push_back({window->ID, list->CmdBuffer.Size - 1, top, bottom, top, bottom, top});
+    if (room <= 0.0f) room = window->Size.y;
+    ui.whole_lines.push_back(
+        {window->ID, list->CmdBuffer.Size - 1, top, bottom, top, bottom, top, room, top + room});
 }
 
 void keep_beginning(Ui& ui, float top, float bottom) {
     WholeLines* const lines = lines_of_window(ui);
     if (lines == nullptr) return;
     lines->lowest = std::max(lines->lowest, bottom);
-    const bool is_cut = top < lines->bottom && bottom > lines->bottom + rounding;
-    const bool is_tall = fills_window(bottom - top) || top < lines->top;
-    if (is_cut && !is_tall) lines->end = std::min(lines->end, std::floor(top));
+    if (fills_window(ui, bottom - top)) return;
+    const auto begin_of_cut = [&](float begin, float end, float edge, float otherwise) {
+        const bool is_cut = begin < edge && end > edge + rounding && begin >= lines->top;
+        return is_cut ? std::min(otherwise, std::floor(begin)) : otherwise;
+    };
+    const float scrolled = ImGui::GetScrollY();
+    lines->end = begin_of_cut(top, bottom, lines->bottom, lines->end);
+    lines->rest_end =
+        begin_of_cut(top + scrolled, bottom + scrolled, lines->top + lines->room, lines->rest_end);
 }
 
 void keep_whole(Ui& ui, float top, float bottom) {
@@ -53,7 +64,7 @@ void keep_whole(Ui& ui, float top, float bottom) {
     WholeLines* const lines = lines_of_window(ui);
     if (lines == nullptr) return;
     const bool is_cut = top < lines->top - rounding && bottom > lines->top;
-    if (is_cut && !fills_window(bottom - top))
+    if (is_cut && !fills_window(ui, bottom - top))
         lines->begin = std::max(lines->begin, std::ceil(bottom));
 }
 
@@ -71,6 +82,15 @@ ShownLines shown_lines(const Ui& ui) {
     if (ui.whole_lines.empty()) return {};
     const WholeLines& lines = ui.whole_lines.back();
     return {lines.begin, lines.end};
+}
+
+float whole_height(const Ui& ui) {
+    const WholeLines& lines = ui.whole_lines.back();
+    return lines.rest_end - lines.top;
+}
+
+float page_room(const Ui& ui) {
+    return has_lines(ui) ? ui.whole_lines.back().room : ImGui::GetWindowHeight();
 }
 
 bool is_cut_off(const Ui& ui) {

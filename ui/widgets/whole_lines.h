@@ -6,7 +6,8 @@ struct Ui;
 
 /// At the upper and lower edge of a window that scrolls, what keep_whole() names is shown whole or
 /// not at all. Around the drawing of what scrolls, in its window; a window in it may do the same.
-void begin_whole_lines(Ui& ui);
+/// @param room the height that the window may have, screen pixels, if that is not the one it has
+void begin_whole_lines(Ui& ui, float room = 0.0f);
 void end_whole_lines(Ui& ui);
 
 /// A line of text or a widget lies between these heights, screen pixels. Does nothing where the
@@ -25,6 +26,14 @@ struct ShownLines {
     float top = 0.0f, bottom = 0.0f;
 };
 ShownLines shown_lines(const Ui& ui);
+
+/// How high the window has to be to end with whole lines while it is not scrolled, so far: no
+/// higher than its room. Screen pixels.
+float whole_height(const Ui& ui);
+
+/// The room of the window that is drawn into: what is fitted to its page is to ask for this one,
+/// which does not follow from what stands in the page. Screen pixels.
+float page_room(const Ui& ui);
 
 /// Lies anything that was to be kept whole below the edge, so far?
 bool is_cut_off(const Ui& ui);

@@ -55,6 +55,8 @@ struct WholeLines {
     float top = 0.0f, bottom = 0.0f; ///< the window's edges
     float begin = 0.0f, end = 0.0f; ///< beyond these nothing is shown, because an edge would cut it
     float lowest = 0.0f;            ///< end of all that was to be kept whole
+    float room = 0.0f;              ///< the height that the window may have
+    float rest_end = 0.0f;          ///< what `end` is in such a window while it is not scrolled
 };
 
 /// Fonts in the sizes that the interface uses.

@@ -180,4 +180,47 @@ TEST_CASE("A title of the Clip tab stands above a row of its table, or is not se
     CHECK(looked > 20);
 }
 
+TEST_CASE("Below a page that scrolls its card follows the last whole line, and both keep still") {
+    int looked = 0;
+    for (float height = 860.0f; height <= 1020.0f; height += 20.0f) {
+        for (const bool is_closed : {false, true}) {
+            INFO("window 1600 x " << height << (is_closed ? ", no plane is open" : ""));
+            Driver driver("corridor.toml", {1600, height});
+            driver.ui.session.a.settings.clip = Clip::all;
+            driver.ui.session.selection.triangle = 5;
+            driver.ui.session.tab = "clip";
+            driver.hand.frames(frames_to_rest);
+            if (is_closed) {
+                for (const char* const plane : {"near", "left", "top"})
+                    driver.hand.click(std::string("clip.plane.") + plane);
+            }
+            driver.hand.frames(frames_to_rest + 2);
+            if (scrolling_windows().size() != 1) continue;
+            ImGuiWindow* const page = scrolling_windows().front();
+            ImGui::SetScrollY(page, 0.0f);
+            driver.hand.frames(frames_to_rest + 2);
+            const float end = page->Pos.y + page->Size.y;
+            float last = 0.0f;
+            for (const ScreenText& line : screen_text()) {
+                if (line.window == page->DrawList->_OwnerName && line.high.y <= end + 1.5f)
+                    last = std::max(last, line.high.y);
+            }
+            // Between the two is a gap, and no blank strip.
+            const float card = driver.ui.widgets.at("clip.formula").top_left.y;
+            CHECK(card > last);
+            CHECK(card - last < 60.0f);
+            // Whatever is scrolled, and in whichever frame.
+            for (const float part : {0.0f, 0.4f, 1.0f, 0.0f}) {
+                ImGui::SetScrollY(page, part * page->ScrollMax.y);
+                for (int frame = 0; frame < 4; ++frame) {
+                    driver.hand.frames(1);
+                    CHECK(driver.ui.widgets.at("clip.formula").top_left.y == card);
+                }
+            }
+            ++looked;
+        }
+    }
+    CHECK(looked > 10);
+}
+
 } // namespace rasterwalk
