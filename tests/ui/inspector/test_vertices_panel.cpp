@@ -292,4 +292,20 @@ TEST_CASE("In a small window the names of the vertices stay while their numbers 
     }
 }
 
+TEST_CASE("Lesson 15 shows the matrix of which a step speaks, whole") {
+    for (const ImVec2 window : {ImVec2(1600, 1000), ImVec2(1366, 768)}) {
+        Driver driver("lab-room.toml", window);
+        for (const auto& [step, matrix] : {std::pair{4, "Tm"}, {6, "Tp"}, {8, "Tv"}}) {
+            open_lesson(driver.ui, "15-matrices", step);
+            driver.hand.leave();
+            driver.hand.frames(frames_to_rest);
+            CAPTURE(window.x, step, matrix);
+            const WidgetPlace& place =
+                driver.ui.widgets.at(std::string("vertices.matrix.") + matrix);
+            CHECK(place.visible);
+            CHECK(place.is_whole);
+        }
+    }
+}
+
 } // namespace rasterwalk
