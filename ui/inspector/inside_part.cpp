@@ -151,11 +151,11 @@ void draw_weights(Ui& ui, const PixelTest& test,
     for (std::size_t i = 0; i < edge_function_count; ++i) {
         ImGui::TableNextColumn();
         sum += test.weights[i];
-        draw_number_of_test(ui, formulas[edge_function_count + 1 + i], fixed(test.weights[i], 4),
-                            p.text);
+        draw_number_of_test(ui, formulas[edge_function_count + 1 + i],
+                            fixed(static_cast<double>(test.weights[i]), 4), p.text);
     }
     ImGui::TableNextColumn();
-    right_aligned(fixed(sum, 4), p.dim);
+    right_aligned(fixed(static_cast<double>(sum), 4), p.dim);
     ImGui::PopFont();
     ImGui::EndTable();
 }

@@ -26,7 +26,7 @@ struct HalfPoint {
 int e_by_halves(HalfPoint a, HalfPoint b, HalfPoint p) {
     return ((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)) / 4;
 }
-HalfPoint middle(int column, int row) {
+HalfPoint middle_of_cell(int column, int row) {
     return {2 * column + 1, 2 * row + 1};
 }
 
@@ -35,7 +35,8 @@ constexpr int corners_of_sketch[3][2] = {{2, 1}, {14, 1}, {5, 10}};
 int e_of(int edge, int column, int row) {
     const auto& a = corners_of_sketch[edge];
     const auto& b = corners_of_sketch[(edge + 1) % 3];
-    return e_by_halves(middle(a[0], a[1]), middle(b[0], b[1]), middle(column, row));
+    return e_by_halves(middle_of_cell(a[0], a[1]), middle_of_cell(b[0], b[1]),
+                       middle_of_cell(column, row));
 }
 
 void show_sketch(Driver& driver, const char* moment, FillRule rule = FillRule::top_left) {
