@@ -336,6 +336,10 @@ class ObjReader {
 
     /// The names may have blanks in them, or there may be several.
     void read_libraries(std::string_view names) {
+        // Some programs say the same before each object.
+        if (library_lists_.contains(names)) return;
+        if (library_lists_.size() >= most_material_files) return refuse_library();
+        library_lists_.emplace(names);
         std::string_view rest = names;
         const std::string_view first = take_word(rest);
         if (trimmed(rest).empty() || find_beside(model_.path, names).trouble.empty())
@@ -344,16 +348,16 @@ class ObjReader {
             read_library(name);
     }
 
+    void refuse_library() {
+        fault([] {
+            return fmt::format("more than {} files of materials are named; this one is left out.",
+                               most_material_files);
+        });
+    }
+
     void read_library(std::string_view name) {
-        // Some programs name the same file before each object.
         if (libraries_.contains(name)) return;
-        if (libraries_.size() >= most_material_files) {
-            return fault([] {
-                return fmt::format("more than {} files of materials are named; this one is left "
-                                   "out.",
-                                   most_material_files);
-            });
-        }
+        if (libraries_.size() >= most_material_files) return refuse_library();
         libraries_.emplace(name);
         const BesideFile file = find_beside(model_.path, name);
         if (!file.trouble.empty()) {
@@ -542,8 +546,9 @@ class ObjReader {
     std::vector<ObjCorner> corners_;
     std::vector<ObjFace> faces_;
     std::vector<NamedPart> parts_;
-    std::vector<int> material_of_;                 ///< each of `parts_`: index, or -1
-    std::set<std::string, std::less<>> libraries_; ///< names that were looked for
+    std::vector<int> material_of_;                     ///< each of `parts_`: index, or -1
+    std::set<std::string, std::less<>> library_lists_; ///< what mtllib has said so far
+    std::set<std::string, std::less<>> libraries_;     ///< names that were looked for
     std::int64_t triangles_so_far_ = 0;
 
     std::string name_, material_; ///< of the faces to come

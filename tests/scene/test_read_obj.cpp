@@ -222,6 +222,17 @@ TEST_CASE("More faults than are kept are counted") {
           "faults: 'rasterwalk stats' lists them.");
 }
 
+TEST_CASE("Only so many files of materials are looked for, and the same one only once") {
+    std::string text = one_face;
+    for (std::size_t i = 0; i < most_material_files + 2; ++i)
+        text += "mtllib " + std::to_string(i) + ".mtl\n";
+    const std::vector<std::string> faults = faults_of(text + "mtllib 0.mtl\nmtllib 1.mtl\n");
+    REQUIRE(faults.size() == most_material_files + 2);
+    CHECK(faults[0] == "m.obj:5: 'mtllib': there is no file '0.mtl'; it is left out.");
+    CHECK(faults.back() ==
+          "m.obj:70: more than 64 files of materials are named; this one is left out.");
+}
+
 TEST_CASE("More kinds of statement than are told apart are one kind") {
     std::string text = one_face;
     for (std::size_t i = 0; i < most_skipped_kinds + 5; ++i)
