@@ -11,12 +11,11 @@ namespace {
 /// A sum of unit normals that is shorter is what rounding leaves where they cancel.
 constexpr double shortest_sum = 1e-9;
 
-/// Between two directions, radians. By the arc tangent, which is right for small angles too.
+} // namespace
+
 double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
     return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
-
-} // namespace
 
 void AveragedNormals::add(const TriangleIndices& points,
                           const std::array<glm::vec3, triangle_corners>& positions) {

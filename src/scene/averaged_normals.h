@@ -25,6 +25,10 @@
 
 namespace rasterwalk {
 
+/// The angle between two directions, radians; 0 if one has no length. By the arc tangent, which is
+/// right for small angles too.
+double angle_between(const glm::dvec3& a, const glm::dvec3& b);
+
 /// Takes up triangles one by one, and then answers.
 class AveragedNormals {
   public:

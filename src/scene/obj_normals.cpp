@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/limits.h"
+#include "scene/averaged_normals.h"
 #include "scene/polygon_cutter.h"
 
 namespace rasterwalk {
@@ -15,11 +16,6 @@ namespace {
 glm::vec3 unit_or_zero(const glm::dvec3& way) {
     const double length = glm::length(way);
     return length > 0.0 ? glm::vec3(way / length) : glm::vec3(0.0f);
-}
-
-/// The angle between two directions, radians; 0 if one has no length.
-double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
-    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
 /// Normals of faces, and the angle of each corner.

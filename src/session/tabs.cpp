@@ -20,7 +20,7 @@ constexpr std::array tabs{
             "whether it shows its front.",
             TabGroup::triangle, true},
     TabInfo{"rows", "Rows", "The triangle's row table: leftPixels and rightPixels.",
-            TabGroup::triangle, false, "Inside",
+            TabGroup::triangle, false, false, "Inside",
             "Which pixels lie inside the triangle: the edge functions of each, and its weights."},
     TabInfo{"microscope", "Floats",
             "An edge's samples in float beside the exact fractions: what the additions lose.",

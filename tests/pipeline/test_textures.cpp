@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/draw.h"
+#include "pipeline/surface.h"
 #include "settings/setting_table.h"
 #include "support/bits.h"
 #include "support/recorder.h"
@@ -86,9 +87,9 @@ TEST_CASE("Every filter and wrap paints each pixel as a second implementation in
                 const Frame frame = prepare_frame(scene, settings);
                 for (const FragmentEvent& event : fragments_of(frame)) {
                     const int triangle = event.cursor.triangle;
-                    const OraclePlane plane(places_of(scene, triangle),
-                                            texcoords_of(scene, triangle),
-                                            interpolation == "perspective");
+                    const TexturedPlane plane(places_of(scene, triangle),
+                                              texcoords_of(scene, triangle),
+                                              interpolation == "perspective");
                     const double x = event.fragment.column + 0.5, y = event.fragment.row + 0.5;
                     const glm::dvec2 right = plane.change(x, y, 1, 0),
                                      down = plane.change(x, y, 0, 1);

@@ -155,12 +155,12 @@ inline OracleColour oracle_sample(const std::vector<OracleLevel>& chain, const g
 }
 
 /// A place in a texture over the plane of a triangle on the screen.
-class OraclePlane {
+class TexturedPlane {
   public:
     /// @param corners columns and rows of their centres, and depths z
     /// @param is_perspective u/z, v/z and 1/z are linear on the screen; else u and v
-    OraclePlane(const std::array<glm::dvec3, 3>& corners, const std::array<glm::dvec2, 3>& uv,
-                bool is_perspective) {
+    TexturedPlane(const std::array<glm::dvec3, 3>& corners, const std::array<glm::dvec2, 3>& uv,
+                  bool is_perspective) {
         const glm::dmat3 places(glm::dvec3(corners[0].x, corners[1].x, corners[2].x),
                                 glm::dvec3(corners[0].y, corners[1].y, corners[2].y),
                                 glm::dvec3(1.0));
