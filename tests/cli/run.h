@@ -17,15 +17,15 @@ struct CliRun {
     CliRequest request;
 };
 
-/// Runs `rasterwalk` with these arguments.
-inline CliRun run(const std::vector<std::string>& arguments) {
+/// Runs `rasterwalk` with these arguments, and with a clock if there is one.
+inline CliRun run(const std::vector<std::string>& arguments, const Clock& clock = {}) {
     std::vector<const char*> argv{"rasterwalk"};
     for (const std::string& argument : arguments)
         argv.push_back(argument.c_str());
     std::ostringstream out, err;
     CliRun result;
     result.exit_code =
-        run_cli(static_cast<int>(argv.size()), argv.data(), out, err, result.request);
+        run_cli(static_cast<int>(argv.size()), argv.data(), out, err, result.request, clock);
     result.out = out.str();
     result.err = err.str();
     return result;

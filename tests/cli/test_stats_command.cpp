@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -107,20 +106,6 @@ Clock steady_clock(double step) {
     return [now = 0.0, step]() mutable { return now += step; };
 }
 
-/// `rasterwalk` with these arguments and a clock.
-CliRun run_timed(const std::vector<std::string>& arguments, const Clock& clock) {
-    std::vector<const char*> argv{"rasterwalk"};
-    for (const std::string& argument : arguments)
-        argv.push_back(argument.c_str());
-    std::ostringstream out, err;
-    CliRun result;
-    result.exit_code =
-        run_cli(static_cast<int>(argv.size()), argv.data(), out, err, result.request, clock);
-    result.out = out.str();
-    result.err = err.str();
-    return result;
-}
-
 } // namespace
 
 TEST_CASE("stats counts what is rejected, clipped, culled and outside, as a second count does") {
@@ -192,7 +177,7 @@ TEST_CASE("stats --time tells for each way of culling what it saves") {
         "stats", "--time", "--set", "viewport.size=100x100", "--set", "camera.focal_length=100"};
     std::vector<std::string> as_json = arguments;
     as_json.emplace_back("--json");
-    const auto json = nlohmann::json::parse(run_timed(as_json, steady_clock(2.5)).out);
+    const auto json = nlohmann::json::parse(run(as_json, steady_clock(2.5)).out);
     const auto& times = json["culling_times"];
     const auto& ways = times["ways"];
     constexpr const char* names[] = {"none", "face_normal", "screen_area", "vertex_normals",
@@ -213,7 +198,7 @@ TEST_CASE("stats --time tells for each way of culling what it saves") {
             CHECK(ways[i][count] == told[count]);
     }
     CHECK(ways[1]["culled"] == 10);
-    const CliRun text = run_timed(arguments, steady_clock(200.0));
+    const CliRun text = run(arguments, steady_clock(200.0));
     CHECK(text.exit_code == 0);
     for (const char* name : names)
         CHECK_THAT(text.out, Contains("\n" + std::string(name) + " "));

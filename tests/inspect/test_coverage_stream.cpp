@@ -77,21 +77,6 @@ void for_each_covered_frame(Function function) {
     }
 }
 
-std::vector<Cursor> told_moments(const Recorder& told) {
-    std::set<Cursor> moments;
-    for (const auto& event : told.vertices)
-        moments.insert(event.cursor);
-    for (const auto& event : told.clip_steps)
-        moments.insert(event.cursor);
-    for (const auto& event : told.culls)
-        moments.insert(event.cursor);
-    for (const auto& event : told.tests)
-        moments.insert(event.cursor);
-    for (const auto& event : told.fragments)
-        moments.insert(event.cursor);
-    return {moments.begin(), moments.end()};
-}
-
 /// The first moment that only one of two lists has, as text.
 std::string first_odd_one(const std::vector<Cursor>& a, const std::vector<Cursor>& b) {
     const auto [p, q] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
@@ -200,6 +185,19 @@ void check_pixels(const Frame& frame, const Told& told) {
     }
 }
 
+/// A polygon of five corners, in clockwise order; of its fan the triangle in the middle has no edge
+/// of the polygon at (0, 8).
+std::vector<ScreenVertex> five_corners() {
+    std::vector<ScreenVertex> corners;
+    for (const glm::ivec2 at : {glm::ivec2(0, 8), {4, 0}, {12, 2}, {12, 14}, {4, 16}}) {
+        ScreenVertex& corner = corners.emplace_back();
+        corner.column = at.x;
+        corner.row = at.y;
+        corner.inv_w = 1.0f;
+    }
+    return corners;
+}
+
 } // namespace
 
 TEST_CASE("However the pixels are found, all that is shown tells the same story") {
@@ -212,12 +210,11 @@ TEST_CASE("However the pixels are found, all that is shown tells the same story"
             if (frame.is_drawn(t)) check_triangle(frame, told, t);
         }
         const std::vector<Cursor> expected = all_moments(frame);
-        std::vector<Cursor> moments = expected, heard = told_moments(told.events);
-        // Of a row whose ends both lie beside the picture no mark is told.
-        for (std::vector<Cursor>* const list : {&moments, &heard}) {
-            if (frame.settings.stage == Stage::rows)
-                std::erase_if(*list, [](const Cursor& at) { return at.phase == Phase::rows; });
-        }
+        const std::vector<Cursor> heard = told_moments(told.events, frame.settings.stage);
+        std::vector<Cursor> moments = expected;
+        // A row without fragments is no moment that is told.
+        if (frame.settings.stage == Stage::rows)
+            std::erase_if(moments, [](const Cursor& at) { return at.phase == Phase::rows; });
         CHECK(first_odd_one(heard, moments) == "none");
         const Timeline timeline(frame);
         std::vector<Cursor> walked;
@@ -336,14 +333,7 @@ TEST_CASE("A vertex that is moved into the picture is moved under every snap") {
 }
 
 TEST_CASE("What the fan's corner gives away is said to be given away") {
-    // Corners in clockwise order; the triangle in the middle has no edge of the polygon at (0, 8).
-    std::vector<ScreenVertex> corners;
-    for (const glm::ivec2 at : {glm::ivec2(0, 8), {4, 0}, {12, 2}, {12, 14}, {4, 16}}) {
-        ScreenVertex& corner = corners.emplace_back();
-        corner.column = at.x;
-        corner.row = at.y;
-        corner.inv_w = 1.0f;
-    }
+    const std::vector<ScreenVertex> corners = five_corners();
     const Scene scene = pixel_scene({{{{2, 1, 1}, {14, 1, 1}, {5, 10, 1}}}}, {16, 12});
     const Settings settings = settings_of(
         scene, {Stage::fill}, {Coverage::edge_functions, FillRule::exclusive, Snap::pixel});
@@ -382,13 +372,7 @@ TEST_CASE("Of the tests those in the scissor are told, in order") {
 }
 
 TEST_CASE("The edges of a fan's triangles are named as the polygon's, or as inner ones") {
-    std::vector<ScreenVertex> corners;
-    for (const glm::ivec2 at : {glm::ivec2(0, 8), {4, 0}, {12, 2}, {12, 14}, {4, 16}}) {
-        ScreenVertex& corner = corners.emplace_back();
-        corner.column = at.x;
-        corner.row = at.y;
-        corner.inv_w = 1.0f;
-    }
+    const std::vector<ScreenVertex> corners = five_corners();
     Stages stages;
     stages.snap = snap_to_centre;
     TestedPolygon polygon;

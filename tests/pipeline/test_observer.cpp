@@ -29,29 +29,15 @@ TEST_CASE("An observer is told every moment in order, and changes no bit") {
         CHECK(draw(frame, {}, unwatched) == tally);
         require_same(unwatched, watched);
         CHECK(tally.fragments == static_cast<std::int64_t>(recorder.fragments.size()));
-        // Vertices, clip steps, culling, samples, tests and fragments together are the moments;
-        // from stage `edges` on.
-        std::vector<Cursor> told;
-        for (const auto& event : recorder.vertices)
-            told.push_back(event.cursor);
-        for (const ClipEvent& event : recorder.clip_steps)
-            told.push_back(event.cursor);
-        for (const CullEvent& event : recorder.culls)
-            told.push_back(event.cursor);
-        for (const SampleEvent& event : recorder.samples)
-            told.push_back(event.cursor);
-        for (const TestEvent& event : recorder.tests)
-            told.push_back(event.cursor);
+        const auto is_earlier = [](const auto& a, const auto& b) { return a.cursor < b.cursor; };
         const Stage stage = frame.settings.stage;
         if (has_fragments(stage)) {
-            for (const FragmentEvent& event : recorder.fragments)
-                told.push_back(event.cursor);
-            CHECK(std::is_sorted(recorder.fragments.begin(), recorder.fragments.end(),
-                                 [](const auto& a, const auto& b) { return a.cursor < b.cursor; }));
+            CHECK(std::is_sorted(recorder.fragments.begin(), recorder.fragments.end(), is_earlier));
         }
-        CHECK(std::is_sorted(recorder.samples.begin(), recorder.samples.end(),
-                             [](const auto& a, const auto& b) { return a.cursor < b.cursor; }));
-        std::sort(told.begin(), told.end());
+        CHECK(std::is_sorted(recorder.samples.begin(), recorder.samples.end(), is_earlier));
+        // Vertices, clip steps, culling, samples, tests and fragments together are the moments;
+        // from stage `edges` on.
+        const std::vector<Cursor> told = told_moments(recorder, stage);
         std::vector<Cursor> expected = all_moments(frame);
         if (stage == Stage::rows) {
             std::erase_if(expected, [](const Cursor& c) { return c.phase == Phase::rows; });

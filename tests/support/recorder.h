@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "pipeline/observer.h"
@@ -36,5 +37,24 @@ struct Recorder : Observer {
     void fragment(const FragmentEvent& event) override { fragments.push_back(event); }
     bool wants_edge_samples() const override { return with_samples; }
 };
+
+/// The moments that a recorder was told, sorted; one told twice stands there twice.
+/// @param stage of the frame; before fragments are drawn, what is told of them are marks of other
+///              moments
+inline std::vector<Cursor> told_moments(const Recorder& told, Stage stage) {
+    std::vector<Cursor> moments;
+    const auto add = [&](const auto& events) {
+        for (const auto& event : events)
+            moments.push_back(event.cursor);
+    };
+    add(told.vertices);
+    add(told.clip_steps);
+    add(told.culls);
+    add(told.samples);
+    add(told.tests);
+    if (has_fragments(stage)) add(told.fragments);
+    std::sort(moments.begin(), moments.end());
+    return moments;
+}
 
 } // namespace rasterwalk::test
