@@ -6,6 +6,7 @@
 
 #include "base/element_names.h"
 #include "base/numbers.h"
+#include "stages/fan.h"
 
 namespace rasterwalk {
 
@@ -45,8 +46,9 @@ class ClipWriter : public ClipSink {
 
 std::vector<std::array<int, triangle_corners>> fan_of(std::size_t corners) {
     std::vector<std::array<int, triangle_corners>> fan;
-    for (std::size_t i = least_corners; i <= corners; ++i)
-        fan.push_back({0, static_cast<int>(i) - 2, static_cast<int>(i) - 1});
+    for_each_fan_corners(corners, [&](std::size_t a, std::size_t b, std::size_t c) {
+        fan.push_back({static_cast<int>(a), static_cast<int>(b), static_cast<int>(c)});
+    });
     return fan;
 }
 

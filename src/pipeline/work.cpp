@@ -5,6 +5,8 @@
 
 #include <glm/vec2.hpp>
 
+#include "stages/fan.h"
+
 namespace rasterwalk {
 
 namespace {
@@ -45,11 +47,11 @@ Box in_picture(const Box& box, Viewport picture) {
 /// Of a polygon without dents, as a fan of triangles about its first corner.
 double twice_the_area(std::span<const ScreenVertex> v) {
     double area = 0.0;
-    for (std::size_t i = 2; i < v.size(); ++i) {
-        const glm::dvec2 p(v[i - 1].column - v[0].column, v[i - 1].row - v[0].row);
-        const glm::dvec2 q(v[i].column - v[0].column, v[i].row - v[0].row);
+    for_each_fan_corners(v.size(), [&](std::size_t a, std::size_t b, std::size_t c) {
+        const glm::dvec2 p(v[b].column - v[a].column, v[b].row - v[a].row);
+        const glm::dvec2 q(v[c].column - v[a].column, v[c].row - v[a].row);
         area += std::abs(p.x * q.y - p.y * q.x);
-    }
+    });
     return area;
 }
 

@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "stages/fan.h"
 #include "stages/stage_table.h"
 
 namespace rasterwalk {
@@ -62,10 +63,10 @@ float screen_area_sign(std::span<const ClipVertex> corners, const VertexRules& r
         const glm::vec4& clip = v.position_clip;
         return glm::vec3(clip.x, clip.y, is_divided ? 1.0f : clip.w);
     };
-    const glm::vec3 first = row(corners[0]);
     float sum = 0.0f;
-    for (std::size_t i = 2; i < corners.size(); ++i)
-        sum += glm::dot(first, glm::cross(row(corners[i - 1]), row(corners[i])));
+    for_each_fan_corners(corners.size(), [&](std::size_t a, std::size_t b, std::size_t c) {
+        sum += glm::dot(row(corners[a]), glm::cross(row(corners[b]), row(corners[c])));
+    });
     return sum;
 }
 

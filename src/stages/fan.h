@@ -11,11 +11,21 @@
 // top-left rule: it must neither leave a hole in the polygon nor be laid twice.
 
 #include <array>
+#include <cstddef>
 #include <span>
 
 #include "stages/snap.h"
 
 namespace rasterwalk {
+
+/// Calls the function with the corners of every triangle of the fan, in order, as places in the
+/// polygon: the first one, and two neighbours.
+/// @param count of the polygon's corners
+template <class Use>
+constexpr void for_each_fan_corners(std::size_t count, Use use) {
+    for (std::size_t last = 2; last < count; ++last)
+        use(std::size_t{0}, last - 1, last);
+}
 
 /// A triangle of the fan. Edge i goes from corner i to the next.
 struct FanTriangle {
