@@ -104,7 +104,7 @@ TEST_CASE("What is said beside a lesson wins") {
 }
 
 TEST_CASE("What stands after an option of the view is the file") {
-    const std::string room = own_scene("lab-room.toml");
+    const std::string room = lessons_folder() + "/scenes/lab-room.toml";
     CHECK(opened({"--tab", "rows", room}).tab == "rows");
     CHECK(opened({"--view", "depth", room}).view == View::depth);
     CHECK(opened({"--overlay", "owner", room}).overlays.has(Overlay::owner));
@@ -174,7 +174,7 @@ TEST_CASE("Selection, canvas, overlays and comparison on the command line") {
     CHECK(s.b->settings.stage == Stage::fill);
     CHECK(s.compare_view == CompareView::wipe);
     CHECK(s.wipe == 0.25f);
-    CHECK(s.depth_range == DepthRange{0.2f, 0.8f});
+    CHECK(s.depth_range == DepthInterval{0.2f, 0.8f});
 }
 
 TEST_CASE("A second run is what the command line says, or the lesson, or the bug") {
