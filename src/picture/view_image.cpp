@@ -19,6 +19,12 @@ Rgb depth_colour(float depth, ClipDepth kind, const DepthRange& range) {
     return viridis(place > 0.0f ? place : 0.0f);
 }
 
+/// The farther end first.
+DepthRange range_of(ClipDepth kind, const DepthInterval& values) {
+    return is_smaller_nearer(kind) ? DepthRange{values.largest, values.smallest}
+                                   : DepthRange{values.smallest, values.largest};
+}
+
 /// From what to what the colours go, over the whole picture.
 struct Scales {
     DepthRange depths;
@@ -87,9 +93,8 @@ glm::vec3 shown_colour(const glm::vec3& colour, float (*visible_channel)(float))
     return {visible_channel(colour.r), visible_channel(colour.g), visible_channel(colour.b)};
 }
 
-DepthRange turned_to(ClipDepth kind, const DepthRange& range) {
-    const auto [low, high] = std::minmax(range.far, range.near);
-    return is_smaller_nearer(kind) ? DepthRange{high, low} : DepthRange{low, high};
+DepthInterval values_of(const DepthRange& range) {
+    return {std::min(range.far, range.near), std::max(range.far, range.near)};
 }
 
 std::optional<DepthRange> present_depths(const Framebuffer& framebuffer) {
@@ -100,7 +105,13 @@ std::optional<DepthRange> present_depths(const Framebuffer& framebuffer) {
         smallest = std::min(smallest, depth);
     }
     if (!(largest >= smallest)) return std::nullopt;
-    return turned_to(framebuffer.rules.depth_kind, {smallest, largest});
+    return range_of(framebuffer.rules.depth_kind, {smallest, largest});
+}
+
+DepthRange shown_depths(ClipDepth kind, const std::optional<DepthInterval>& chosen,
+                        const std::optional<DepthRange>& present) {
+    if (chosen) return range_of(kind, *chosen);
+    return present ? *present : range_of(kind, {0.0f, 1.0f});
 }
 
 OverdrawCounts overdraw_counts(const Framebuffer& framebuffer) {
@@ -123,14 +134,13 @@ glm::vec<3, std::uint8_t> overdraw_colour(std::uint32_t fragments, std::uint32_t
 }
 
 Image view_image(const Framebuffer& framebuffer, View view,
-                 const std::optional<DepthRange>& depths) {
+                 const std::optional<DepthInterval>& depths) {
     Image image{framebuffer.size.width, framebuffer.size.height, {}};
     image.rgba.resize(4 * framebuffer.colour.size());
     Scales scales;
     if (view == View::depth) {
-        scales.depths = turned_to(
-            framebuffer.rules.depth_kind,
-            depths ? *depths : present_depths(framebuffer).value_or(DepthRange{0.0f, 1.0f}));
+        scales.depths = shown_depths(framebuffer.rules.depth_kind, depths,
+                                     depths ? std::nullopt : present_depths(framebuffer));
     }
     if (view == View::overdraw) {
         for (const std::uint32_t overdraw : framebuffer.overdraw)

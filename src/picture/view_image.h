@@ -38,10 +38,17 @@ struct ViewInfo {
 /// All views, indexed by View.
 const std::array<ViewInfo, view_count>& view_list();
 
-/// A range of the depth buffer's values. A range on show has the end that is farther away as `far`,
-/// which of ndc z is the larger value. A chosen range, as a session keeps it and as it is written
-/// down, has the smaller value as `far`, whatever the buffer holds, so that it lasts when that
-/// changes; turned_to() makes the one that is shown of it.
+/// Values of the depth buffer from one to another, as they are chosen and written down: it lasts
+/// when the buffer comes to hold another kind.
+struct DepthInterval {
+    float smallest = 0.0f;
+    float largest = 1.0f;
+
+    friend bool operator==(const DepthInterval&, const DepthInterval&) = default;
+};
+
+/// A range of depths on show, from its farther end to its nearer one; of ndc z the farther end is
+/// the larger value.
 struct DepthRange {
     float far = 0.0f;
     float near = 0.0f;
@@ -53,11 +60,17 @@ struct DepthRange {
     friend bool operator==(const DepthRange&, const DepthRange&) = default;
 };
 
-/// The range as it is shown of a buffer of this kind: its farther end as `far`.
-DepthRange turned_to(ClipDepth kind, const DepthRange& range);
+/// The values of a range, whichever end is nearer.
+DepthInterval values_of(const DepthRange& range);
 
 /// From the farthest to the nearest depth present; none where nothing has one.
 std::optional<DepthRange> present_depths(const Framebuffer& framebuffer);
+
+/// The range that is shown of a buffer of this kind.
+/// @param chosen  none: what is present
+/// @param present see present_depths(); none: from 0 to 1
+DepthRange shown_depths(ClipDepth kind, const std::optional<DepthInterval>& chosen,
+                        const std::optional<DepthRange>& present);
 
 /// How many pixels have how many fragments.
 struct OverdrawCounts {
@@ -84,7 +97,7 @@ glm::vec3 shown_colour(const glm::vec3& colour, float (*visible_channel)(float))
 /// largest count; triangles get colours that neighbours tell apart.
 /// @param depths range for View::depth; none: from the farthest to the nearest present
 Image view_image(const Framebuffer& framebuffer, View view,
-                 const std::optional<DepthRange>& depths = std::nullopt);
+                 const std::optional<DepthInterval>& depths = std::nullopt);
 
 /// Does each pixel of the view follow from the same pixel of the planes alone?
 bool is_by_pixel(View view);

@@ -25,7 +25,7 @@ constexpr double largest_bar = 1.5;
 constexpr float smallest_range = 0.01f;
 
 DepthRange axis_around(const DepthRange& present, ClipDepth kind) {
-    const auto [low, high] = std::minmax(present.far, present.near);
+    const auto [low, high] = values_of(present);
     // A single value needs some width as well.
     const float least = is_smaller_nearer(kind) ? 1e-3f : 1e-3f * high;
     const float margin = axis_margin * std::max(high - low, least);
@@ -55,17 +55,17 @@ std::int64_t full_height(std::vector<std::int64_t> bins) {
 /// @param bottom the smallest value that the end may have
 void set_low(Session& session, const DepthView& view, float bottom, float value) {
     const DepthRange& axis = view.histogram.axis;
-    const float high = std::max(view.range.far, view.range.near);
+    const float high = values_of(view.range).largest;
     const float largest = std::max(high - smallest_distance(axis), bottom);
-    const float smallest = std::min({axis.far, axis.near, largest});
-    session.depth_range = DepthRange{std::clamp(value, smallest, largest), high};
+    const float smallest = std::min(values_of(axis).smallest, largest);
+    session.depth_range = DepthInterval{std::clamp(value, smallest, largest), high};
 }
 void set_high(Session& session, const DepthView& view, float value) {
     const DepthRange& axis = view.histogram.axis;
-    const float low = std::min(view.range.far, view.range.near);
+    const float low = values_of(view.range).smallest;
     const float smallest = low + smallest_distance(axis);
-    const float largest = std::max({axis.far, axis.near, smallest});
-    session.depth_range = DepthRange{low, std::clamp(value, smallest, largest)};
+    const float largest = std::max(values_of(axis).largest, smallest);
+    session.depth_range = DepthInterval{low, std::clamp(value, smallest, largest)};
 }
 
 } // namespace
@@ -74,11 +74,11 @@ double z_of_stored_depth(const Frame& frame, float depth) {
     return z_of_depth(depth, depth_rules(frame.settings, frame.scene->space));
 }
 
-DepthView depth_view(const Framebuffer& framebuffer, const std::optional<DepthRange>& chosen) {
+DepthView depth_view(const Framebuffer& framebuffer, const std::optional<DepthInterval>& chosen) {
     DepthView view;
     const ClipDepth kind = view.kind = framebuffer.rules.depth_kind;
     view.present = present_depths(framebuffer);
-    view.range = turned_to(kind, chosen ? *chosen : view.present.value_or(DepthRange{0.0f, 1.0f}));
+    view.range = shown_depths(kind, chosen, view.present);
     view.histogram.axis = axis_around(view.present.value_or(view.range), kind);
     view.histogram.bins.assign(depth_bins, 0);
     for (const float depth : framebuffer.depth) {
@@ -109,14 +109,14 @@ void set_near(Session& session, const DepthView& view, float value) {
         set_high(session, view, value);
 }
 
-std::string to_text(const DepthRange& range) {
-    return number_text(range.far) + "," + number_text(range.near);
+std::string to_text(const DepthInterval& range) {
+    return number_text(range.smallest) + "," + number_text(range.largest);
 }
 
-std::optional<DepthRange> parse_depth_range(std::string_view text) {
+std::optional<DepthInterval> parse_depth_range(std::string_view text) {
     const std::optional<glm::vec2> ends = parse_place(text);
     if (!ends || ends->x > ends->y) return std::nullopt;
-    return DepthRange{ends->x, ends->y};
+    return DepthInterval{ends->x, ends->y};
 }
 
 } // namespace rasterwalk

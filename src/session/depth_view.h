@@ -31,7 +31,7 @@ struct DepthHistogram {
 struct DepthView {
     ClipDepth kind = ClipDepth::inv_z; ///< of the depths
     std::optional<DepthRange> present; ///< farthest and nearest stored; none: nothing has one
-    DepthRange range;                  ///< the colours are spread over it; its far end is farther
+    DepthRange range;                  ///< the colours are spread over it
     DepthHistogram histogram;
     std::int64_t drawn = 0;   ///< pixels that have a depth
     std::int64_t farther = 0; ///< of them below the range
@@ -39,7 +39,7 @@ struct DepthView {
 };
 
 /// @param chosen the range that was set; none: that which is present
-DepthView depth_view(const Framebuffer& framebuffer, const std::optional<DepthRange>& chosen);
+DepthView depth_view(const Framebuffer& framebuffer, const std::optional<DepthInterval>& chosen);
 
 /// Sets the far or the near end of the range, from the range that is in force. The end keeps a
 /// small distance from the other one.
@@ -47,8 +47,8 @@ void set_far(Session& session, const DepthView& view, float value);
 void set_near(Session& session, const DepthView& view, float value);
 
 /// A range as text, the smaller end first: "0.2,0.8"; none if it is not one.
-std::string to_text(const DepthRange& range);
-std::optional<DepthRange> parse_depth_range(std::string_view text);
+std::string to_text(const DepthInterval& range);
+std::optional<DepthInterval> parse_depth_range(std::string_view text);
 
 inline constexpr int depth_bins = 96;
 

@@ -92,7 +92,7 @@ PolygonRows whole_rows(const Frame& frame, int triangle) {
 
 /// Makes the picture anew, or only what the replay has just changed of it.
 /// @param is_same_view it shows the same of the framebuffer as before
-void update_picture(View view, const std::optional<DepthRange>& depths, bool is_same_view,
+void update_picture(View view, const std::optional<DepthInterval>& depths, bool is_same_view,
                     RunResults& results) {
     if (is_same_view && is_by_pixel(view)) {
         results.picture_before = results.picture_number;
@@ -179,7 +179,7 @@ RunChanges update_run(const Session& session, const Run& run, const SharedView* 
     changes.moment = update_cursor(session.cursor, changes.frame, results);
     results.is_held = results.replay.is_held(results.cursor, limit);
     const bool draws_on = changes.moment || !(results.is_drawn() || results.is_held);
-    const std::optional<DepthRange> depths =
+    const std::optional<DepthInterval> depths =
         shared != nullptr ? shared->depths : session.depth_range;
     const bool is_same_view =
         !changes.frame && results.view == session.view && results.depth_range == depths;

@@ -59,9 +59,9 @@ struct RunResults {
     std::shared_ptr<const Scene> scene; ///< keeps the frame's scene alive; null before the first
                                         ///< update
     std::optional<Run> run;
-    Frame spare_frame;                     ///< of the run before: its memory is for the next frame
-    std::optional<View> view;              ///< that `picture` shows
-    std::optional<DepthRange> depth_range; ///< that it colours
+    Frame spare_frame;        ///< of the run before: its memory is for the next frame
+    std::optional<View> view; ///< that `picture` shows
+    std::optional<DepthInterval> depth_range; ///< that it colours
     Replay replay;
 
     /// Is everything before the cursor drawn? What is too much work for one update is not.
@@ -86,8 +86,8 @@ RowHistory rows_at_cursor(const Frame& frame, int triangle, const Cursor& cursor
 
 /// What run A prescribes for run B, so that the same thing is seen of both.
 struct SharedView {
-    std::optional<int> triangle;      ///< on show
-    std::optional<DepthRange> depths; ///< that the depth view colours
+    std::optional<int> triangle;         ///< on show
+    std::optional<DepthInterval> depths; ///< that the depth view colours
 };
 
 /// Brings the results of one run up to date; does nothing where they are what is asked for already.

@@ -23,7 +23,7 @@ struct Choices {
     std::optional<ReplacedRun> replaced; ///< while a pair or a mistake is compared
     View view = View::colour;
     OverlaySet overlays; ///< laid over the view
-    std::optional<DepthRange>
+    std::optional<DepthInterval>
         depth_range; ///< that the depth view colours; none: from the smallest to the largest
 
     friend bool operator==(const Choices&, const Choices&) = default;

@@ -144,18 +144,18 @@ ViewField overlays_field() {
 }
 
 ViewField depth_range_field() {
-    ViewForm<DepthRange> form{&ViewState::depth_range};
+    ViewForm<DepthInterval> form{&ViewState::depth_range};
     form.read = [](const TomlBlock& block, const toml::node& node) {
-        const std::optional<DepthRange> range = parse_depth_range(block.text(node));
+        const std::optional<DepthInterval> range = parse_depth_range(block.text(node));
         if (!range) {
             block.input().fail(node,
                                "a range of depths is needed here, the smaller first: \"0.2,0.8\".");
         }
         return *range;
     };
-    form.toml = [](const DepthRange& range) { return toml_text(to_text(range)); };
+    form.toml = [](const DepthInterval& range) { return toml_text(to_text(range)); };
     form.parse = [](const GivenOption& given, const std::string& word) {
-        const std::optional<DepthRange> range = parse_depth_range(word);
+        const std::optional<DepthInterval> range = parse_depth_range(word);
         if (!range && word != no_value) {
             refuse_option(given, "a range of depths, the smaller first, as 0.2,0.8 or none", word);
         }
@@ -163,8 +163,8 @@ ViewField depth_range_field() {
     };
     form.word = [](const auto& range) { return range ? to_text(*range) : std::string(no_value); };
     form.tell = [](const Session& session) {
-        const std::optional<DepthRange>& range = session.depth_range;
-        return range && range->far <= range->near ? range : std::nullopt;
+        const std::optional<DepthInterval>& range = session.depth_range;
+        return range && range->smallest <= range->largest ? range : std::nullopt;
     };
     form.show = [](const auto& range, Session& session) { session.depth_range = range; };
     const ViewOption option{"depth-range", "SMALLER,LARGER",

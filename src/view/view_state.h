@@ -45,7 +45,7 @@ struct ViewState {
     std::optional<std::vector<std::string>> compare; ///< run B: A, and these; none: no second run
     std::optional<CompareView> compare_view;         ///< of two runs; none: as it was
     std::optional<float> wipe;                       ///< place of the divider; none: as it was
-    std::optional<DepthRange> depth_range;           ///< of the depth view; none: all that is there
+    std::optional<DepthInterval> depth_range;        ///< of the depth view; none: all that is there
     std::optional<std::string> point_at;             ///< widget that is outlined
 
     int line = 0;                                  ///< of the block that says so

@@ -310,7 +310,7 @@ TEST_CASE("Undo takes back overlays and the range of the depth view") {
     note_choices(session);
     session.overlays.set(Overlay::uncovered, true);
     note_choices(session);
-    session.depth_range = DepthRange{0.3f, 0.4f};
+    session.depth_range = DepthInterval{0.3f, 0.4f};
     note_choices(session);
     REQUIRE(undo(session));
     CHECK_FALSE(session.depth_range);
@@ -320,7 +320,7 @@ TEST_CASE("Undo takes back overlays and the range of the depth view") {
     REQUIRE(redo(session));
     REQUIRE(redo(session));
     CHECK(session.overlays.has(Overlay::uncovered));
-    CHECK(session.depth_range == DepthRange{0.3f, 0.4f});
+    CHECK(session.depth_range == DepthInterval{0.3f, 0.4f});
 }
 
 TEST_CASE("Below overlays the picture is grey, keeps its order of brightness, and is darker") {

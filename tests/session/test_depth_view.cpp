@@ -52,7 +52,7 @@ TEST_CASE("Without a range of its own the depth view goes from the smallest to t
 
 TEST_CASE("What lies outside the range takes the colour of its end") {
     Session session = depth_session();
-    session.depth_range = DepthRange{0.28f, 0.36f};
+    session.depth_range = DepthInterval{0.28f, 0.36f};
     Results results;
     update(session, results);
     std::int64_t nearer = 0, farther = 0;
@@ -118,7 +118,7 @@ TEST_CASE("One large wall does not press all other bars of the histogram flat") 
 
 TEST_CASE("A range stays as it was set while the picture changes") {
     Session session = depth_session();
-    session.depth_range = DepthRange{0.3f, 0.4f};
+    session.depth_range = DepthInterval{0.3f, 0.4f};
     Results results;
     update(session, results);
     const std::uint64_t number = results.a.picture_number;
@@ -141,14 +141,14 @@ TEST_CASE("The ends of the range never cross, wherever they are dragged") {
             (is_near ? set_near : set_far)(session, *results.depth, value);
             INFO((is_near ? "near to " : "far to ") << value);
             REQUIRE(session.depth_range);
-            CHECK(session.depth_range->far >= 0.0f);
-            CHECK(session.depth_range->near > session.depth_range->far);
+            CHECK(session.depth_range->smallest >= 0.0f);
+            CHECK(session.depth_range->largest > session.depth_range->smallest);
         }
     }
     session.depth_range = std::nullopt;
     update(session, results);
     set_far(session, *results.depth, 0.3f);
-    CHECK(session.depth_range == DepthRange{0.3f, results.depth->present->near});
+    CHECK(session.depth_range == DepthInterval{0.3f, results.depth->present->near});
 }
 
 TEST_CASE("Before anything has a depth the view is empty and still has an axis") {
@@ -161,7 +161,7 @@ TEST_CASE("Before anything has a depth the view is empty and still has an axis")
     CHECK(results.depth->histogram.full == 1);
     CHECK(results.depth->histogram.axis.near > results.depth->histogram.axis.far);
     set_near(session, *results.depth, 0.5f);
-    CHECK(session.depth_range->near > session.depth_range->far);
+    CHECK(session.depth_range->largest > session.depth_range->smallest);
 }
 
 TEST_CASE("Other views have no depth view beside them") {
@@ -236,7 +236,7 @@ TEST_CASE(
     // The ends are dragged the way they are drawn, and written down with the smaller one first.
     set_far(session, view, view.range.far - 0.001f);
     REQUIRE(session.depth_range);
-    CHECK(session.depth_range->far < session.depth_range->near);
+    CHECK(session.depth_range->smallest < session.depth_range->largest);
     update(session, results);
     CHECK(results.depth->range.far == Approx(view.range.far - 0.001f));
     CHECK(results.depth->range.near == view.range.near);

@@ -98,8 +98,8 @@ void look_somehow(Random& random, Session& session) {
     if (random.integer(0, 2) == 0) session.wipe = random.number(0, 1);
     session.depth_range = std::nullopt;
     if (random.integer(0, 1) == 0) {
-        const float far = random.number(0, 2);
-        session.depth_range = DepthRange{far, far + random.number(0, 2)};
+        const float smallest = random.number(0, 2);
+        session.depth_range = DepthInterval{smallest, smallest + random.number(0, 2)};
     }
     session.canvas = {};
     session.canvas.grid = random.integer(0, 3) > 0;

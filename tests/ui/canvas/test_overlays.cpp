@@ -159,16 +159,16 @@ TEST_CASE("The ends of the depth range are dragged, undone as one step, and fitt
     const Image automatic = driver.ui.results.a.picture;
     driver.hand.drag("depth.far", 120.0f, 0.0f);
     REQUIRE(driver.ui.session.depth_range);
-    const DepthRange dragged = *driver.ui.session.depth_range;
-    CHECK(dragged.near == present.near);
+    const DepthInterval dragged = *driver.ui.session.depth_range;
+    CHECK(dragged.largest == present.near);
     const WidgetPlace plot = driver.hand.find("depth.histogram");
     const DepthRange& axis = driver.ui.results.depth->histogram.axis;
     const float a_pixel = (axis.near - axis.far) / (plot.bottom_right.x - plot.top_left.x);
-    CHECK(dragged.far == Approx(present.far + 120.0f * a_pixel).margin(1.01f * a_pixel));
+    CHECK(dragged.smallest == Approx(present.far + 120.0f * a_pixel).margin(1.01f * a_pixel));
     CHECK_FALSE(driver.ui.results.a.picture == automatic);
     driver.hand.drag("depth.near", -80.0f, 0.0f);
-    CHECK(driver.ui.session.depth_range->near < present.near);
-    CHECK(driver.ui.session.depth_range->far == dragged.far);
+    CHECK(driver.ui.session.depth_range->largest < present.near);
+    CHECK(driver.ui.session.depth_range->smallest == dragged.smallest);
     driver.hand.press('Z', {.ctrl = true});
     CHECK(driver.ui.session.depth_range == dragged);
     driver.hand.click("depth.autofit");
@@ -185,13 +185,14 @@ TEST_CASE(
     driver.hand.click("canvas.view");
     driver.hand.click("canvas.view.depth 1/z");
     driver.hand.drag("depth.far", 5000.0f, 0.0f);
-    const DepthRange range = *driver.ui.session.depth_range;
-    CHECK(range.far < range.near);
-    CHECK(range.near - range.far < 0.02f * (range.near - driver.ui.results.depth->present->far));
+    const DepthInterval range = *driver.ui.session.depth_range;
+    CHECK(range.smallest < range.largest);
+    CHECK(range.largest - range.smallest <
+          0.02f * (range.largest - driver.ui.results.depth->present->far));
     // Both can still be taken hold of.
     driver.hand.drag("depth.far", -100.0f, 0.0f);
-    CHECK(driver.ui.session.depth_range->far < range.far);
-    CHECK(driver.ui.session.depth_range->near == range.near);
+    CHECK(driver.ui.session.depth_range->smallest < range.smallest);
+    CHECK(driver.ui.session.depth_range->largest == range.largest);
 }
 
 TEST_CASE("The depth legend is whole in small windows") {
