@@ -14,6 +14,7 @@
 #include "pipeline/draw.h"
 #include "settings/setting_table.h"
 #include "support/effort.h"
+#include "tests/support/handout_rows.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/lit_room.h"
 #include "tests/ui/shown_number.h"
@@ -373,12 +374,7 @@ TEST_CASE("What cannot be read is said in the laboratory, and rows of the lab ar
     CHECK(driver.ui.session.tab == "lab");
     CHECK(driver.hand.is_visible("lab.result.fault"));
     const std::string path = folder.file("rows.txt");
-    std::ofstream(path) << "Start: (10,5). End: (10,5).\nStart: (9,6). End: (10,6).\n"
-                           "Start: (8,7). End: (11,7).\nStart: (7,8). End: (11,8).\n"
-                           "Start: (6,9). End: (12,9).\nStart: (5,10). End: (12,10).\n"
-                           "Start: (7,11). End: (13,11).\nStart: (9,12). End: (13,12).\n"
-                           "Start: (11,13). End: (14,13).\nStart: (13,14). End: (14,14).\n"
-                           "Start: (15,15). End: (15,15).\n";
+    std::ofstream(path) << test::handout_rows;
     open_dropped(driver.ui, path);
     driver.hand.frames(2);
     REQUIRE(driver.ui.lab.diagnosis);
