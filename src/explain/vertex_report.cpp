@@ -4,44 +4,20 @@
 
 #include "base/element_names.h"
 #include "explain/light_formulas.h"
+#include "explain/projection_formulas.h"
+#include "explain/vertex_maker.h"
 
 namespace rasterwalk {
 
 namespace {
 
-/// What the formulas of a vertex are made from.
-struct Made {
-    const Frame& frame;
-    const Vertex& vertex;
-    const glm::mat3& rotation;
-    VertexReport& report;
-
-    void add(Formula formula) { report.formulas.push_back(std::move(formula)); }
-    bool is_bench() const { return frame.scene->space == SceneSpace::pixels; }
-    bool is_by_matrices() const {
-        return !is_bench() && frame.settings.transform == Transform::matrices;
-    }
-    /// Is the projection another than perspective?
-    bool is_mixed() const { return !is_bench() && frame.settings.projection_mix > 0.0f; }
-    /// Does the depth buffer hold something else than 1/w?
-    bool has_own_depth() const {
-        return clip_depth_rule(frame.settings, frame.scene->space) != ClipDepth::inv_z;
-    }
-};
-
-/// What a matrix has worked out in double is shown as it came out; the way there stands with the
-/// spaces.
-FormulaInput by_matrix(const std::string& symbol, float value, const std::string& product) {
-    return {symbol, {value}, from_words(product + ", in double: see the vertex's spaces")};
-}
-
-std::string given_text(const Made& made) {
+std::string given_text(const VertexMaker& made) {
     return fmt::format("given by the scene: {} of {}, {}", vertex_name(made.report.vertex),
                        triangle_name(made.report.triangle),
                        part_name(*made.frame.scene, made.report.triangle));
 }
 
-void add_given(Made& made, const std::string& space, const std::array<const char*, 3>& names,
+void add_given(VertexMaker& made, const std::string& space, const std::array<const char*, 3>& names,
                const glm::vec3& value, const std::string& help) {
     for (int i = 0; i < 3; ++i) {
         made.add({space + "." + names[i],
@@ -53,7 +29,7 @@ void add_given(Made& made, const std::string& space, const std::array<const char
     }
 }
 
-void add_camera_space(Made& made) {
+void add_camera_space(VertexMaker& made) {
     const ShadedVertex& shaded = made.report.shaded;
     const glm::vec3& camera = made.frame.settings.camera.position;
     for (int i = 0; i < 3; ++i) {
@@ -83,7 +59,7 @@ std::string rotation_symbol(int row, int column) {
 }
 
 /// R of the camera for row vectors: row and column from 0, each a product of sines and cosines.
-void add_rotation(Made& made) {
+void add_rotation(VertexMaker& made) {
     static constexpr const char* expressions[3][3] = {
         {"cos(yaw)", "sin(pitch) · sin(yaw)", "cos(pitch) · sin(yaw)"},
         {"0", "cos(pitch)", "−sin(pitch)"},
@@ -121,7 +97,7 @@ void add_rotation(Made& made) {
 constexpr const char* transposed_help =
     "Turned by R d, with d = P − C: the same turn as d R, but the other way round";
 
-void add_rotated(Made& made) {
+void add_rotated(VertexMaker& made) {
     const ShadedVertex& shaded = made.report.shaded;
     for (int i = 0; i < 3; ++i) {
         const std::string axis = axis_names[i];
@@ -163,157 +139,8 @@ void add_rotated(Made& made) {
     }
 }
 
-constexpr const char* minus_sign = "−";
-
-FormulaInput mix_of(const Settings& settings) {
-    return {"mix", {settings.projection_mix}, from_setting("projection_mix")};
-}
-
-/// w of clip space and 1/w, where w is not z.
-void add_mixed_w(Made& made) {
-    const ShadedVertex& shaded = made.report.shaded;
-    Formula w{
-        "clip.w",
-        "w",
-        "What x and y are divided by: z under perspective, 1 under orthographic projection.",
-        "(1 − mix) · z + mix",
-        {mix_of(made.frame.settings), {"z", {shaded.in("rotated").z}, from_formula("rotated.z")}},
-        {shaded.position_clip.w}};
-    if (made.is_by_matrices()) {
-        w.expression = "w";
-        w.inputs = {by_matrix("w", shaded.position_clip.w, "Tp · Tv · P")};
-    }
-    made.add(w);
-    if (!shaded.has_pixel) return;
-    made.add({"zinv",
-              "1/w",
-              "By this values are weighed; the same at all vertices where rays are parallel.",
-              "1 / w",
-              {{"w", {shaded.position_clip.w}, from_formula("clip.w")}},
-              {shaded.pixel.inv_w}});
-}
-
-/// The depth where it is not 1/w.
-void add_depth(Made& made) {
-    const ShadedVertex& shaded = made.report.shaded;
-    const Settings& settings = made.frame.settings;
-    const DepthWords& words = depth_words(made.frame);
-    const bool is_ndc = words.kind == ClipDepth::ndc;
-    const std::string name(words.name);
-    Formula clip{"clip.z",
-                 "z'",
-                 "What becomes " + name + " when it is divided by w. " + std::string(words.ends),
-                 is_ndc ? "far · ((z − near) / (far − near))" : "near · ((far − z) / (far − near))",
-                 {{"near", {settings.near}, from_setting("near")},
-                  {"far", {settings.far}, from_setting("far")},
-                  {"z", {shaded.in("rotated").z}, from_formula("rotated.z")}},
-                 {shaded.position_clip.z}};
-    if (made.is_mixed()) {
-        clip.expression = is_ndc ? "((1 − mix) · far + mix) · ((z − near) / (far − near))"
-                                 : "((1 − mix) · near + mix) · ((far − z) / (far − near))";
-        clip.inputs.push_back(mix_of(settings));
-    }
-    if (made.is_by_matrices()) {
-        clip.expression = "z'";
-        clip.inputs = {by_matrix("z'", shaded.position_clip.z, "Tp · Tv · P")};
-    }
-    made.add(clip);
-    if (!shaded.has_pixel) return;
-    made.add({"depth",
-              name,
-              fmt::format("What the depth buffer holds, {}: {} is nearer.", name, words.nearer),
-              "z' · (1/w)",
-              {{"z'", {shaded.position_clip.z}, from_formula("clip.z")},
-               {"(1/w)", {shaded.pixel.inv_w}, from_formula("zinv")}},
-              {shaded.pixel.depth}});
-}
-
-/// x or y of clip space, where they are not just f times x and y.
-void add_clip_place(Made& made, int i) {
-    const ShadedVertex& shaded = made.report.shaded;
-    const Settings& settings = made.frame.settings;
-    const std::string axis = axis_names[i];
-    Formula formula{
-        "clip." + axis,
-        axis + "'",
-        "Pixels from the middle of the picture, times w: in clip space.",
-        "f · ((1 − mix) · d + mix) / d · " + axis,
-        {{"f", {settings.camera.focal_length}, from_setting("camera.focal_length")},
-         mix_of(settings),
-         {"d",
-          {orthographic_depth_rule(settings)},
-          settings.orthographic_depth > 0.0f ? from_setting("orthographic_depth")
-                                             : from_words("the depth of the world's origin")},
-         {axis, {shaded.in("rotated")[i]}, from_formula("rotated." + axis)}},
-        {shaded.position_clip[i]}};
-    if (settings.image_axes == ImageAxes::mirrored) formula.expression.insert(0, minus_sign);
-    if (made.is_by_matrices()) {
-        formula.expression = axis + "'";
-        formula.inputs = {by_matrix(axis + "'", shaded.position_clip[i], "Ts · Tp · Tv · P")};
-    }
-    made.add(formula);
-}
-
-/// Column or row: the projected number, and the whole pixel that becomes of it.
-void add_projected(Made& made, int i) {
-    const ShadedVertex& shaded = made.report.shaded;
-    const Settings& settings = made.frame.settings;
-    const std::string axis = axis_names[i];
-    const std::string word(rounding_function(settings.vertex_rounding));
-    const bool is_bench = made.is_bench();
-    Formula projected{
-        "projected." + axis,
-        axis,
-        "Pixels from the middle of the picture, before rounding. The program multiplies by 1/z.",
-        "f · " + axis + " · 1/z",
-        {{"f", {settings.camera.focal_length}, from_setting("camera.focal_length")},
-         {axis, {shaded.in("rotated")[i]}, from_formula("rotated." + axis)},
-         {"1/z", {shaded.pixel.inv_w}, from_formula("zinv")}},
-        {i == 0 ? shaded.in("projected").x : shaded.in("projected").y}};
-    if (settings.image_axes == ImageAxes::mirrored) projected.expression.insert(0, minus_sign);
-    if (made.is_by_matrices() || made.is_mixed()) {
-        projected.help = "Pixels from the middle of the picture, before rounding.";
-        projected.expression = axis + "' · (1/w)";
-        projected.inputs = {{axis + "'", {shaded.position_clip[i]}, from_formula("clip." + axis)},
-                            {"(1/w)", {shaded.pixel.inv_w}, from_formula("zinv")}};
-    }
-    if (is_bench) {
-        projected.help = "The bench gives its vertices in pixels.";
-        projected.expression = axis;
-        projected.inputs = {{axis, {shaded.in("rotated")[i]}, from_formula("rotated." + axis)}};
-    }
-    Formula pixel{i == 0 ? "pixel.column" : "pixel.row",
-                  i == 0 ? "column" : "row",
-                  how_made_whole(settings, made.frame.scene->space),
-                  word + "(" + projected.expression + ")",
-                  projected.inputs,
-                  {static_cast<float>(i == 0 ? shaded.pixel.column : shaded.pixel.row), true}};
-    if (!is_bench) {
-        const int side = i == 0 ? settings.viewport.width : settings.viewport.height;
-        const int middle = side / 2;
-        const std::string half = i == 0 ? "W/2" : "H/2";
-        if (settings.vertex_rounding == VertexRounding::truncate_sum) {
-            pixel.expression.insert(pixel.expression.size() - 1, " + " + half);
-        } else {
-            pixel.expression += " + " + half;
-        }
-        pixel.inputs.push_back(
-            {half, {static_cast<float>(middle), true}, from_setting("viewport.size")});
-    }
-    if (settings.outside_picture == OutsidePicture::clamped) {
-        const Viewport& size = settings.viewport;
-        const std::string side = i == 0 ? "W" : "H";
-        pixel.expression = "clamp(" + pixel.expression + ", 0, " + side + " − 1)";
-        pixel.inputs.push_back({side,
-                                {static_cast<float>(i == 0 ? size.width : size.height), true},
-                                from_setting("viewport.size")});
-    }
-    made.add(projected);
-    made.add(pixel);
-}
-
 /// The normal as the light has it, if it was taken to the camera as a place.
-void add_moved_normal(Made& made, const glm::vec3& normal) {
+void add_moved_normal(VertexMaker& made, const glm::vec3& normal) {
     for (int i = 0; i < 3; ++i) {
         const std::string axis = axis_names[i];
         made.add(
@@ -327,7 +154,7 @@ void add_moved_normal(Made& made, const glm::vec3& normal) {
     }
 }
 
-void add_light(Made& made, const glm::vec3& normal) {
+void add_light(VertexMaker& made, const glm::vec3& normal) {
     VertexReport& report = made.report;
     LitPoint point;
     point.prefix = "light.";
@@ -364,7 +191,7 @@ VertexReport vertex_report(const Frame& frame, int triangle, int vertex) {
     const glm::vec3 normal = frame.stages.light_normal(given.normal, rules.camera);
     report.light = light_at_vertex(given, rules, frame.stages);
 
-    Made made{frame, given, rotation, report};
+    VertexMaker made{frame, given, rotation, report};
     add_given(made, "world", axis_names, report.shaded.in("world"),
               "The vertex where the scene has it.");
     add_camera_space(made);
@@ -387,7 +214,7 @@ VertexReport vertex_report(const Frame& frame, int triangle, int vertex) {
         add_projected(made, 0);
         add_projected(made, 1);
     }
-    if (made.has_own_depth()) add_depth(made);
+    if (made.has_own_depth()) add_clip_depth(made);
     add_given(made, "normal", axis_names, given.normal, "Across the surface, of unit length.");
     if (frame.settings.normal_w == NormalW::one) add_moved_normal(made, normal);
     add_given(made, "reflectance", channel_names, given.reflectance,

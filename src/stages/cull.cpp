@@ -76,10 +76,10 @@ Varyings as_one_face(std::span<const ClipVertex> corners) {
     if (!is_bent) return face;
     // Newell's sum, so that three corners in a line, as clipping leaves them, do no harm.
     glm::vec3 across(0.0f);
-    for (std::size_t i = 2; i < corners.size(); ++i) {
-        across += glm::cross(corners[i].varyings.position_world - face.position_world,
-                             corners[i - 1].varyings.position_world - face.position_world);
-    }
+    for_each_fan_corners(corners.size(), [&](std::size_t, std::size_t last, std::size_t next) {
+        across += glm::cross(corners[next].varyings.position_world - face.position_world,
+                             corners[last].varyings.position_world - face.position_world);
+    });
     face.normal = across;
     return face;
 }

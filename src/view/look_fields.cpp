@@ -335,25 +335,9 @@ namespace {
 template <class Enum>
 ViewField choice_field(std::string_view key, const ViewOption& option, const char* what,
                        std::optional<Enum> ViewState::*member, Enum CanvasView::*shown) {
-    ViewForm<Enum> form{member};
-    form.read = [what](const TomlBlock& block, const toml::node& node) {
-        return *value_of_word<Enum>(block.word(node, what, enum_words<Enum>));
-    };
-    form.toml = [](Enum value) { return toml_text(word_of(value)); };
-    form.parse = [](const GivenOption& given, const std::string& word) {
-        return static_cast<Enum>(option_index(given, enum_words<Enum>, word));
-    };
-    form.word = [shown](const auto& value) {
-        return std::string(word_of(value.value_or(CanvasView().*shown)));
-    };
-    form.tell = [shown](const Session& session) {
-        const Enum value = session.canvas.*shown;
-        return value != CanvasView().*shown ? std::optional(value) : std::nullopt;
-    };
-    form.show = [shown](const auto& value, Session& session) {
-        session.canvas.*shown = value.value_or(CanvasView().*shown);
-    };
-    return make_field(key, ViewPart::canvas, option, form);
+    return word_field(
+        key, ViewPart::canvas, option, what,
+        member, [shown](auto& session) -> auto& { return session.canvas.*shown; }, false);
 }
 
 } // namespace

@@ -106,12 +106,17 @@ ViewField make_field(std::string_view key, ViewPart part, ViewOption option, Vie
 
 /// One of several that have a word each.
 /// @param what it is, in messages
-/// @param keeps_last not said, it stays as it was
-template <class Enum>
-ViewField enum_field(std::string_view key, ViewPart part, const ViewOption& option,
-                     const char* what, std::optional<Enum> ViewState::*member,
-                     std::type_identity_t<Enum> Session::*shown, bool keeps_last) {
+/// @param shown the function that finds it in a session
+/// @param keeps_last not said, it stays as it was; otherwise it is the usual one then
+template <class Enum, class Shown>
+ViewField word_field(std::string_view key, ViewPart part, const ViewOption& option,
+                     const char* what, std::optional<Enum> ViewState::*member, Shown shown,
+                     bool keeps_last) {
     ViewForm<Enum> form{member};
+    const auto usual = [shown] {
+        const Session session{};
+        return Enum{shown(session)};
+    };
     form.read = [what](const TomlBlock& block, const toml::node& node) {
         return *value_of_word<Enum>(block.word(node, what, enum_words<Enum>));
     };
@@ -119,17 +124,27 @@ ViewField enum_field(std::string_view key, ViewPart part, const ViewOption& opti
     form.parse = [](const GivenOption& given, const std::string& word) {
         return static_cast<Enum>(option_index(given, enum_words<Enum>, word));
     };
-    form.word = [shown](const auto& value) {
-        return std::string(word_of(value.value_or(Session().*shown)));
+    form.word = [usual](const auto& value) {
+        return std::string(word_of(value.value_or(usual())));
     };
-    form.tell = [shown](const Session& session) {
-        const Enum value = session.*shown;
-        return value != Session().*shown ? std::optional(value) : std::nullopt;
+    form.tell = [shown, usual](const Session& session) {
+        const Enum value = shown(session);
+        return value != usual() ? std::optional(value) : std::nullopt;
     };
-    form.show = [shown, keeps_last](const auto& value, Session& session) {
-        session.*shown = value.value_or(keeps_last ? session.*shown : Session().*shown);
+    form.show = [shown, usual, keeps_last](const auto& value, Session& session) {
+        shown(session) = value.value_or(keeps_last ? shown(session) : usual());
     };
     return make_field(key, part, option, form);
+}
+
+/// The same of a member of the session.
+template <class Enum>
+ViewField enum_field(std::string_view key, ViewPart part, const ViewOption& option,
+                     const char* what, std::optional<Enum> ViewState::*member,
+                     std::type_identity_t<Enum> Session::*shown, bool keeps_last) {
+    return word_field(
+        key, part, option, what, member, [shown](auto& session) -> auto& { return session.*shown; },
+        keeps_last);
 }
 
 } // namespace rasterwalk

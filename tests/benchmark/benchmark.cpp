@@ -14,6 +14,7 @@
 
 #include <imgui.h>
 
+#include "bare_interface.h"
 #include "base/error.h"
 #include "camera_benchmark.h"
 #include "compare/compare.h"
@@ -134,31 +135,15 @@ void measure_comparison(Measurements& measurements, const std::string& scene_pat
     });
 }
 
-/// The interface without a graphics system: textures are numbers, and nobody shows what is drawn.
-class NoTextures : public TextureHost {
-  public:
-    ImTextureID upload(ImTextureID old, const Image&) override {
-        return old != nullptr ? old : static_cast<ImTextureID>(this);
-    }
-};
-
 void measure_interface(Measurements& measurements, const std::string& scene_path) {
-    NoTextures textures;
-    Ui ui;
-    ui.session = open_session(scene_path);
-    open_ui(ui, textures);
-    ImGuiIO& io = ImGui::GetIO();
-    io.DisplaySize = {1600.0f, 1000.0f};
-    io.DeltaTime = 1.0f / 60.0f;
-    const auto frame = [&] {
-        if (ui.host.fonts_changed || !io.Fonts->IsBuilt()) io.Fonts->Build();
-        ui.host.fonts_changed = false;
-        build_ui(ui);
-    };
+    BareInterface interface(open_session(scene_path));
+    Ui& ui = interface.ui;
+    const auto frame = [&] { interface.frame(); };
     for (int i = 0; i < 4; ++i)
         frame(); // sizes of windows and columns settle
     std::printf("interface: %d vertices at %.0f x %.0f\n\n", ImGui::GetDrawData()->TotalVtxCount,
-                static_cast<double>(io.DisplaySize.x), static_cast<double>(io.DisplaySize.y));
+                static_cast<double>(ImGui::GetIO().DisplaySize.x),
+                static_cast<double>(ImGui::GetIO().DisplaySize.y));
     measure(measurements, "interface at rest", frame);
     ui.session.canvas.shows = CanvasShows::both;
     for (int i = 0; i < 4; ++i)
@@ -182,7 +167,6 @@ void measure_interface(Measurements& measurements, const std::string& scene_path
         ui.session.a.settings.camera.yaw = yaw;
         frame();
     });
-    close_ui(ui);
 }
 
 void print_table(const Measurements& measurements) {

@@ -12,6 +12,7 @@
 
 #include <imgui.h>
 
+#include "bare_interface.h"
 #include "base/error.h"
 #include "base/files.h"
 #include "pipeline/timeline.h"
@@ -138,14 +139,6 @@ void take_session_figures(const Figures& figures, const std::string& scene, Sess
     }
 }
 
-/// The interface without a graphics system: textures are numbers, and nobody shows what is drawn.
-class NoTextures : public TextureHost {
-  public:
-    ImTextureID upload(ImTextureID old, const Image&) override {
-        return old != nullptr ? old : static_cast<ImTextureID>(this);
-    }
-};
-
 /// Whole frames of the window: at rest, while the camera turns, and one moment after another;
 /// beside it the scene from outside, at rest, while it is turned, and one moment after another.
 void take_frame_figures(const Figures& figures, const std::string& scene, Session (*open)()) {
@@ -160,18 +153,9 @@ void take_frame_figures(const Figures& figures, const std::string& scene, Sessio
                      [&](const std::string& name) { return figures.is_wanted(name); })) {
         return;
     }
-    NoTextures textures;
-    Ui ui;
-    ui.session = open();
-    open_ui(ui, textures);
-    ImGuiIO& io = ImGui::GetIO();
-    io.DisplaySize = {1600.0f, 1000.0f};
-    io.DeltaTime = 1.0f / 60.0f;
-    const auto frame = [&] {
-        if (ui.host.fonts_changed || !io.Fonts->IsBuilt()) io.Fonts->Build();
-        ui.host.fonts_changed = false;
-        build_ui(ui);
-    };
+    BareInterface interface(open());
+    Ui& ui = interface.ui;
+    const auto frame = [&] { interface.frame(); };
     for (int i = 0; i < 4 || !ui.results.a.is_drawn(); ++i)
         frame(); // sizes of windows and columns settle, and all is drawn
     const auto walk = [&](Granularity granularity) {
@@ -205,7 +189,6 @@ void take_frame_figures(const Figures& figures, const std::string& scene, Sessio
         ui.session.canvas.outside.yaw += turn;
         frame();
     });
-    close_ui(ui);
 }
 
 constexpr const char* figure_names[] = {

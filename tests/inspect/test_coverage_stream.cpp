@@ -210,12 +210,11 @@ TEST_CASE("However the pixels are found, all that is shown tells the same story"
             if (frame.is_drawn(t)) check_triangle(frame, told, t);
         }
         const std::vector<Cursor> expected = all_moments(frame);
-        std::vector<Cursor> moments = expected, heard = told_moments(told.events);
-        // Of a row whose ends both lie beside the picture no mark is told.
-        for (std::vector<Cursor>* const list : {&moments, &heard}) {
-            if (frame.settings.stage == Stage::rows)
-                std::erase_if(*list, [](const Cursor& at) { return at.phase == Phase::rows; });
-        }
+        const std::vector<Cursor> heard = told_moments(told.events, frame.settings.stage);
+        std::vector<Cursor> moments = expected;
+        // A row without fragments is no moment that is told.
+        if (frame.settings.stage == Stage::rows)
+            std::erase_if(moments, [](const Cursor& at) { return at.phase == Phase::rows; });
         CHECK(first_odd_one(heard, moments) == "none");
         const Timeline timeline(frame);
         std::vector<Cursor> walked;

@@ -37,10 +37,10 @@ TEST_CASE("An observer is told every moment in order, and changes no bit") {
         CHECK(std::is_sorted(recorder.samples.begin(), recorder.samples.end(), is_earlier));
         // Vertices, clip steps, culling, samples, tests and fragments together are the moments;
         // from stage `edges` on.
-        std::vector<Cursor> told = told_moments(recorder), expected = all_moments(frame);
-        for (std::vector<Cursor>* const list : {&told, &expected}) {
-            if (stage == Stage::rows)
-                std::erase_if(*list, [](const Cursor& at) { return at.phase == Phase::rows; });
+        const std::vector<Cursor> told = told_moments(recorder, stage);
+        std::vector<Cursor> expected = all_moments(frame);
+        if (stage == Stage::rows) {
+            std::erase_if(expected, [](const Cursor& c) { return c.phase == Phase::rows; });
         }
         REQUIRE(told.size() == expected.size());
         for (std::size_t i = 0; i < told.size(); ++i) {

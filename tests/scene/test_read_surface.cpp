@@ -33,7 +33,7 @@ const std::string sections = "[materials.m]\n"
                              "C = [1, 0, 0.5]\n";
 
 /// A part of the roof with these keys; its name stands in line 16.
-std::string part(const std::string& keys) {
+std::string written_part(const std::string& keys) {
     return "[[part]]\nname = \"q\"\npoints = \"p\"\n"
            "triangles = [\"A D B\", \"D C B\", \"B C E\", \"C F E\"]\n" +
            keys;
@@ -67,15 +67,15 @@ constexpr glm::vec3 a{-1, 0, 0}, b{0, -1, 0}, c{0, -1, 1};
 
 TEST_CASE("A part has its triangles' normals, averaged ones, or those of a set") {
     const double half = std::sqrt(0.5);
-    const Scene faces = read(roof + part(""));
+    const Scene faces = read(roof + written_part(""));
     CHECK(faces.mesh.differences() == CornerDifferences{});
-    CHECK(read(roof + part("normals = \"face\"\n")) == faces);
+    CHECK(read(roof + written_part("normals = \"face\"\n")) == faces);
     const glm::vec3 left = faces.corner(0, 0).normal;
     CHECK(std::abs(left.x) == Approx(half));
 
     // In the ridge both slopes count alike, although one has two triangles at B and one at C. At
     // the eaves there is only one slope.
-    const Scene smooth = read(roof + part("normals = \"averaged\"\n"));
+    const Scene smooth = read(roof + written_part("normals = \"averaged\"\n"));
     CHECK(smooth.mesh.differences() == CornerDifferences{true, false});
     for (int t = 0; t < 2; ++t) {
         CAPTURE(t);
@@ -85,7 +85,7 @@ TEST_CASE("A part has its triangles' normals, averaged ones, or those of a set")
     CHECK(glm::distance(corner_at(smooth, 0, a).normal, left) < 1e-6f);
 
     // A given one is made unit length; who is not named keeps the triangle's.
-    const Scene given = read(roof + sections + part("normals = \"n\"\n"));
+    const Scene given = read(roof + sections + written_part("normals = \"n\"\n"));
     CHECK(corner_at(given, 0, a).normal == glm::vec3(0, -1, 0));
     CHECK(corner_at(given, 0, b).normal == left);
 }
@@ -93,8 +93,8 @@ TEST_CASE("A part has its triangles' normals, averaged ones, or those of a set")
 TEST_CASE("Given and averaged normals go with the object that is mirrored, turned and scaled") {
     // Flattened to half its height the roof's slopes fall by 1 in 2.
     const std::string model = "model = [{ scale = [1, 0.5, 1] }, { rotate_y = 1.5707964 }]\n";
-    const Scene plain = read(roof + part("normals = \"averaged\"\n"));
-    const Scene turned = read(roof + part("normals = \"averaged\"\n" + model));
+    const Scene plain = read(roof + written_part("normals = \"averaged\"\n"));
+    const Scene turned = read(roof + written_part("normals = \"averaged\"\n" + model));
     const glm::vec3 eave = turned.corner(0, 0).normal; // of A
     const float up = corner_at(plain, 0, b).normal.y;
     CHECK(glm::length(eave) == Approx(1.0));
@@ -104,8 +104,8 @@ TEST_CASE("Given and averaged normals go with the object that is mirrored, turne
     CHECK(turned.corner(0, 2).normal.y == Approx(up));
 
     // Where the scene turns an axis round, a given normal is turned with the points.
-    const std::string mirrored =
-        roof + sections + part("normals = \"n\"\n") + "[transform]\nedge = 2\nmirror = [\"y\"]\n";
+    const std::string mirrored = roof + sections + written_part("normals = \"n\"\n") +
+                                 "[transform]\nedge = 2\nmirror = [\"y\"]\n";
     const Scene scene = read(mirrored);
     CHECK(scene.corner(0, 0).normal == glm::vec3(0, 1, 0));
 }
@@ -114,7 +114,7 @@ TEST_CASE("Materials and colours reach the corners") {
     const std::string paint = "[materials.paint]\ndiffuse = [0.1, 0.2, 0.3]\nspecular = 0.5\n"
                               "exponent = 20\n";
     const Scene scene =
-        read(roof + sections + paint + part("material = \"paint\"\ncolours = \"c\"\n"));
+        read(roof + sections + paint + written_part("material = \"paint\"\ncolours = \"c\"\n"));
     for (int t = 0; t < scene.triangle_count(); ++t) {
         for (int i = 0; i < triangle_corners; ++i) {
             const Vertex& corner = scene.corner(t, i);
@@ -125,9 +125,9 @@ TEST_CASE("Materials and colours reach the corners") {
     }
     CHECK(scene.mesh.differences() == CornerDifferences{false, true});
     // Without a material a surface is white and does not shine.
-    CHECK(read(roof + part("")).corner(0, 0).reflectance == glm::vec3(1.0f));
-    CHECK(read(roof + part("")).corner(0, 0).shine == Shine{});
-    const Scene lit = read(roof + part("") +
+    CHECK(read(roof + written_part("")).corner(0, 0).reflectance == glm::vec3(1.0f));
+    CHECK(read(roof + written_part("")).corner(0, 0).shine == Shine{});
+    const Scene lit = read(roof + written_part("") +
                            "[light]\nmodel = \"blinn_phong\"\n"
                            "place = \"camera\"\n");
     CHECK(lit.light.model == LightModel::blinn_phong);
@@ -156,7 +156,7 @@ TEST_CASE("A broken surface is refused with its file, line and what is wrong") {
     struct Case {
         std::string text, begins;
     };
-    const std::string in_part = roof + sections + part(""); // 18 lines
+    const std::string in_part = roof + sections + written_part(""); // 18 lines
     const std::vector<Case> cases{
         {"materials = 3\n" + roof, "s.toml:1: 'materials' must be a table."},
         {roof + "[materials]\nm = 3\n", "s.toml:10: the material 'm' must be a table."},
@@ -185,9 +185,9 @@ TEST_CASE("A broken surface is refused with its file, line and what is wrong") {
         {in_part + "normals = \"round\"\n", "s.toml:19: 'normals' is \"face\", \"averaged\" or a "
                                             "set in [normals], and there is no set "
                                             "'round' in [normals]."},
-        {roof + "[normals.n]\nZ = [0, 1, 0]\n" + part("normals = \"n\"\n"),
+        {roof + "[normals.n]\nZ = [0, 1, 0]\n" + written_part("normals = \"n\"\n"),
          "s.toml:15: the set 'n' in [normals] names 'Z', which is no point of 'p'."},
-        {roof + "[colours.c]\nZ = 1\n" + part("colours = \"c\"\n"),
+        {roof + "[colours.c]\nZ = 1\n" + written_part("colours = \"c\"\n"),
          "s.toml:15: the set 'c' in [colours] names 'Z', which is no point of 'p'."},
         {in_part + "[light]\nmodel = \"toon\"\n",
          "s.toml:20: 'model' of the light is lambert or blinn_phong, not 'toon'."},
@@ -207,7 +207,7 @@ TEST_CASE("A broken surface is refused with its file, line and what is wrong") {
 
 TEST_CASE("A surface that is cut off anywhere is read or refused, but never crashes") {
     const std::string whole =
-        roof + sections + part("material = \"m\"\ncolours = \"c\"\nnormals = \"n\"\n");
+        roof + sections + written_part("material = \"m\"\ncolours = \"c\"\nnormals = \"n\"\n");
     int read_whole = 0;
     for (std::size_t length = roof.size(); length <= whole.size(); ++length)
         read_whole += refusal_of(whole.substr(0, length)) == "accepted" ? 1 : 0;

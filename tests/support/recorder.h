@@ -39,7 +39,9 @@ struct Recorder : Observer {
 };
 
 /// The moments that a recorder was told, sorted; one told twice stands there twice.
-inline std::vector<Cursor> told_moments(const Recorder& told) {
+/// @param stage of the frame; before fragments are drawn, what is told of them are marks of other
+///              moments
+inline std::vector<Cursor> told_moments(const Recorder& told, Stage stage) {
     std::vector<Cursor> moments;
     const auto add = [&](const auto& events) {
         for (const auto& event : events)
@@ -50,7 +52,7 @@ inline std::vector<Cursor> told_moments(const Recorder& told) {
     add(told.culls);
     add(told.samples);
     add(told.tests);
-    add(told.fragments);
+    if (has_fragments(stage)) add(told.fragments);
     std::sort(moments.begin(), moments.end());
     return moments;
 }

@@ -10,7 +10,7 @@
 #include "session/second_run.h"
 #include "settings/setting_table.h"
 #include "support/effort.h"
-#include "support/project_root.h"
+#include "tests/ui/lit_room.h"
 #include "tests/ui/shown_colours.h"
 #include "tests/ui/shown_number.h"
 #include "ui/actions/compare.h"
@@ -21,22 +21,6 @@
 #include "ui/widgets/style.h"
 
 namespace rasterwalk {
-
-namespace {
-
-/// The room with a lamp that can be seen, at stage pixel_light.
-/// @param side of the picture, pixels
-Session lit_room(int side = 500) {
-    Session session = open_session(project_root() + "/lessons/scenes/lab-room.toml");
-    Settings& settings = session.a.settings;
-    set_step(settings, StripStep::pixel_light);
-    settings.light.power = glm::vec3(14.0f);
-    settings.viewport = {side, side};
-    settings.camera.focal_length = static_cast<float>(side);
-    return session;
-}
-
-} // namespace
 
 TEST_CASE("One click compares the picture as it is with affine, and one ends it as it was before") {
     Driver driver(lit_room());

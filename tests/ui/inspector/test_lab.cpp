@@ -14,8 +14,9 @@
 #include "pipeline/draw.h"
 #include "settings/setting_table.h"
 #include "support/effort.h"
-#include "support/project_root.h"
+#include "tests/support/handout_rows.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/ui/lit_room.h"
 #include "tests/ui/shown_number.h"
 #include "ui/actions/compare.h"
 #include "ui/actions/keys.h"
@@ -28,17 +29,6 @@ namespace rasterwalk {
 
 namespace {
 
-/// @param side of the picture: most of these tests draw it many times
-Session lit_room(int side = 200) {
-    Session session = open_session(project_root() + "/lessons/scenes/lab-room.toml");
-    Settings& settings = session.a.settings;
-    set_step(settings, StripStep::pixel_light);
-    settings.light.power = glm::vec3(14.0f);
-    settings.viewport = {side, side};
-    settings.camera.focal_length = static_cast<float>(side);
-    return session;
-}
-
 Image picture_with(const Bug& bug, const Session& session) {
     const Settings settings = wrong_run(bug, with_handout_rules(session.a.settings));
     const Frame frame = prepare_frame(*session.scene, settings);
@@ -48,7 +38,7 @@ Image picture_with(const Bug& bug, const Session& session) {
 } // namespace
 
 TEST_CASE("A mistake is turned on and compared with the correct run at once, and turned off") {
-    Driver driver(lit_room());
+    Driver driver(lit_room(200));
     const Settings before = driver.ui.session.a.settings;
     driver.open("lab");
     driver.hand.click("lab.B9");
@@ -99,7 +89,7 @@ TEST_CASE("What the lab does by itself is said to be on already, and compared wi
 }
 
 TEST_CASE("Every mistake is described and shows on its own scene, from which one comes back") {
-    Driver driver(lit_room());
+    Driver driver(lit_room(200));
     const std::shared_ptr<const Scene> room = driver.ui.session.scene;
     driver.open("lab");
     const std::vector<Bug> bugs = lab_bugs(driver.ui);
@@ -116,7 +106,7 @@ TEST_CASE("Every mistake is described and shows on its own scene, from which one
 }
 
 TEST_CASE("A round of the quiz is won: hint, wrong guess, right guess, and all is as before") {
-    Driver driver(lit_room());
+    Driver driver(lit_room(200));
     const Settings before = driver.ui.session.a.settings;
     driver.open("lab");
     driver.hand.click("lab.mode.quiz");
@@ -378,18 +368,13 @@ TEST_CASE("The diagnosis says sizes and settings in words") {
 
 TEST_CASE("What cannot be read is said in the laboratory, and rows of the lab are accepted") {
     test::TemporaryFolder folder;
-    Driver driver(lit_room());
+    Driver driver(lit_room(200));
     open_dropped(driver.ui, folder.file("nothing.png"));
     driver.hand.frames(2);
     CHECK(driver.ui.session.tab == "lab");
     CHECK(driver.hand.is_visible("lab.result.fault"));
     const std::string path = folder.file("rows.txt");
-    std::ofstream(path) << "Start: (10,5). End: (10,5).\nStart: (9,6). End: (10,6).\n"
-                           "Start: (8,7). End: (11,7).\nStart: (7,8). End: (11,8).\n"
-                           "Start: (6,9). End: (12,9).\nStart: (5,10). End: (12,10).\n"
-                           "Start: (7,11). End: (13,11).\nStart: (9,12). End: (13,12).\n"
-                           "Start: (11,13). End: (14,13).\nStart: (13,14). End: (14,14).\n"
-                           "Start: (15,15). End: (15,15).\n";
+    std::ofstream(path) << test::handout_rows;
     open_dropped(driver.ui, path);
     driver.hand.frames(2);
     REQUIRE(driver.ui.lab.diagnosis);
@@ -427,7 +412,7 @@ TEST_CASE("Below what is said of a picture the way to another one stays whole") 
 }
 
 TEST_CASE("While a quiz hides the settings nothing can set them, and nothing tells them") {
-    Driver driver(lit_room());
+    Driver driver(lit_room(200));
     driver.open("lab");
     driver.hand.click("lab.mode.quiz");
     driver.hand.enter("lab.seed", "7");
@@ -455,7 +440,7 @@ TEST_CASE("While a quiz hides the settings nothing can set them, and nothing tel
 }
 
 TEST_CASE("The key C ends a mistake as the button does") {
-    Driver driver(lit_room());
+    Driver driver(lit_room(200));
     const Settings before = driver.ui.session.a.settings;
     driver.open("lab");
     driver.hand.click("lab.B5");
@@ -469,7 +454,7 @@ TEST_CASE("The key C ends a mistake as the button does") {
 
 TEST_CASE("The Scene menu survives that the scenes are gone") {
     const test::TemporaryFolder folder;
-    Driver driver(lit_room());
+    Driver driver(lit_room(200));
     setenv("RASTERWALK_LESSONS", folder.file("nowhere").c_str(), 1);
     driver.hand.click("menu.Scene");
     unsetenv("RASTERWALK_LESSONS");
@@ -479,7 +464,7 @@ TEST_CASE("The Scene menu survives that the scenes are gone") {
 TEST_CASE("In a small window the laboratory's buttons can be reached") {
     for (const SmallWindow& window : test::some_of(small_windows, 2)) {
         INFO(window.size.x << " x " << window.size.y << ", text " << window.text_scale);
-        Driver driver(lit_room(), window.size, window.text_scale);
+        Driver driver(lit_room(200), window.size, window.text_scale);
         driver.ui.session.tab = "lab";
         driver.hand.frames(4);
         for (const char* name : {"lab.B9", "lab.on", "lab.scene", "lab.mode.bugs", "lab.mode.quiz",

@@ -1,0 +1,158 @@
+#include "explain/projection_formulas.h"
+
+#include <fmt/format.h>
+
+#include "explain/light_formulas.h"
+
+namespace rasterwalk {
+
+namespace {
+
+constexpr const char* minus_sign = "−";
+
+FormulaInput mix_of(const Settings& settings) {
+    return {"mix", {settings.projection_mix}, from_setting("projection_mix")};
+}
+
+} // namespace
+
+void add_mixed_w(VertexMaker& made) {
+    const ShadedVertex& shaded = made.report.shaded;
+    Formula w{
+        "clip.w",
+        "w",
+        "What x and y are divided by: z under perspective, 1 under orthographic projection.",
+        "(1 − mix) · z + mix",
+        {mix_of(made.frame.settings), {"z", {shaded.in("rotated").z}, from_formula("rotated.z")}},
+        {shaded.position_clip.w}};
+    if (made.is_by_matrices()) {
+        w.expression = "w";
+        w.inputs = {by_matrix("w", shaded.position_clip.w, "Tp · Tv · P")};
+    }
+    made.add(w);
+    if (!shaded.has_pixel) return;
+    made.add({"zinv",
+              "1/w",
+              "By this values are weighed; the same at all vertices where rays are parallel.",
+              "1 / w",
+              {{"w", {shaded.position_clip.w}, from_formula("clip.w")}},
+              {shaded.pixel.inv_w}});
+}
+
+void add_clip_depth(VertexMaker& made) {
+    const ShadedVertex& shaded = made.report.shaded;
+    const Settings& settings = made.frame.settings;
+    const DepthWords& words = depth_words(made.frame);
+    const bool is_ndc = words.kind == ClipDepth::ndc;
+    const std::string name(words.name);
+    Formula clip{"clip.z",
+                 "z'",
+                 "What becomes " + name + " when it is divided by w. " + std::string(words.ends),
+                 is_ndc ? "far · ((z − near) / (far − near))" : "near · ((far − z) / (far − near))",
+                 {{"near", {settings.near}, from_setting("near")},
+                  {"far", {settings.far}, from_setting("far")},
+                  {"z", {shaded.in("rotated").z}, from_formula("rotated.z")}},
+                 {shaded.position_clip.z}};
+    if (made.is_mixed()) {
+        clip.expression = is_ndc ? "((1 − mix) · far + mix) · ((z − near) / (far − near))"
+                                 : "((1 − mix) · near + mix) · ((far − z) / (far − near))";
+        clip.inputs.push_back(mix_of(settings));
+    }
+    if (made.is_by_matrices()) {
+        clip.expression = "z'";
+        clip.inputs = {by_matrix("z'", shaded.position_clip.z, "Tp · Tv · P")};
+    }
+    made.add(clip);
+    if (!shaded.has_pixel) return;
+    made.add({"depth",
+              name,
+              fmt::format("What the depth buffer holds, {}: {} is nearer.", name, words.nearer),
+              "z' · (1/w)",
+              {{"z'", {shaded.position_clip.z}, from_formula("clip.z")},
+               {"(1/w)", {shaded.pixel.inv_w}, from_formula("zinv")}},
+              {shaded.pixel.depth}});
+}
+
+void add_clip_place(VertexMaker& made, int i) {
+    const ShadedVertex& shaded = made.report.shaded;
+    const Settings& settings = made.frame.settings;
+    const std::string axis = axis_names[i];
+    Formula formula{
+        "clip." + axis,
+        axis + "'",
+        "Pixels from the middle of the picture, times w: in clip space.",
+        "f · ((1 − mix) · d + mix) / d · " + axis,
+        {{"f", {settings.camera.focal_length}, from_setting("camera.focal_length")},
+         mix_of(settings),
+         {"d",
+          {orthographic_depth_rule(settings)},
+          settings.orthographic_depth > 0.0f ? from_setting("orthographic_depth")
+                                             : from_words("the depth of the world's origin")},
+         {axis, {shaded.in("rotated")[i]}, from_formula("rotated." + axis)}},
+        {shaded.position_clip[i]}};
+    if (settings.image_axes == ImageAxes::mirrored) formula.expression.insert(0, minus_sign);
+    if (made.is_by_matrices()) {
+        formula.expression = axis + "'";
+        formula.inputs = {by_matrix(axis + "'", shaded.position_clip[i], "Ts · Tp · Tv · P")};
+    }
+    made.add(formula);
+}
+
+void add_projected(VertexMaker& made, int i) {
+    const ShadedVertex& shaded = made.report.shaded;
+    const Settings& settings = made.frame.settings;
+    const std::string axis = axis_names[i];
+    const std::string word(rounding_function(settings.vertex_rounding));
+    const bool is_bench = made.is_bench();
+    Formula projected{
+        "projected." + axis,
+        axis,
+        "Pixels from the middle of the picture, before rounding. The program multiplies by 1/z.",
+        "f · " + axis + " · 1/z",
+        {{"f", {settings.camera.focal_length}, from_setting("camera.focal_length")},
+         {axis, {shaded.in("rotated")[i]}, from_formula("rotated." + axis)},
+         {"1/z", {shaded.pixel.inv_w}, from_formula("zinv")}},
+        {i == 0 ? shaded.in("projected").x : shaded.in("projected").y}};
+    if (settings.image_axes == ImageAxes::mirrored) projected.expression.insert(0, minus_sign);
+    if (made.is_by_matrices() || made.is_mixed()) {
+        projected.help = "Pixels from the middle of the picture, before rounding.";
+        projected.expression = axis + "' · (1/w)";
+        projected.inputs = {{axis + "'", {shaded.position_clip[i]}, from_formula("clip." + axis)},
+                            {"(1/w)", {shaded.pixel.inv_w}, from_formula("zinv")}};
+    }
+    if (is_bench) {
+        projected.help = "The bench gives its vertices in pixels.";
+        projected.expression = axis;
+        projected.inputs = {{axis, {shaded.in("rotated")[i]}, from_formula("rotated." + axis)}};
+    }
+    Formula pixel{i == 0 ? "pixel.column" : "pixel.row",
+                  i == 0 ? "column" : "row",
+                  how_made_whole(settings, made.frame.scene->space),
+                  word + "(" + projected.expression + ")",
+                  projected.inputs,
+                  {static_cast<float>(i == 0 ? shaded.pixel.column : shaded.pixel.row), true}};
+    if (!is_bench) {
+        const int side = i == 0 ? settings.viewport.width : settings.viewport.height;
+        const int middle = side / 2;
+        const std::string half = i == 0 ? "W/2" : "H/2";
+        if (settings.vertex_rounding == VertexRounding::truncate_sum) {
+            pixel.expression.insert(pixel.expression.size() - 1, " + " + half);
+        } else {
+            pixel.expression += " + " + half;
+        }
+        pixel.inputs.push_back(
+            {half, {static_cast<float>(middle), true}, from_setting("viewport.size")});
+    }
+    if (settings.outside_picture == OutsidePicture::clamped) {
+        const Viewport& size = settings.viewport;
+        const std::string side = i == 0 ? "W" : "H";
+        pixel.expression = "clamp(" + pixel.expression + ", 0, " + side + " − 1)";
+        pixel.inputs.push_back({side,
+                                {static_cast<float>(i == 0 ? size.width : size.height), true},
+                                from_setting("viewport.size")});
+    }
+    made.add(projected);
+    made.add(pixel);
+}
+
+} // namespace rasterwalk

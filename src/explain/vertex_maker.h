@@ -1,0 +1,40 @@
+#pragma once
+
+// What the formulas of a vertex are made with.
+
+#include <string>
+#include <utility>
+
+#include "explain/formula.h"
+#include "explain/vertex_report.h"
+#include "pipeline/frame.h"
+
+namespace rasterwalk {
+
+/// What the formulas of a vertex are made from.
+struct VertexMaker {
+    const Frame& frame;
+    const Vertex& vertex;
+    const glm::mat3& rotation; ///< the camera's
+    VertexReport& report;
+
+    void add(Formula formula) { report.formulas.push_back(std::move(formula)); }
+    bool is_bench() const { return frame.scene->space == SceneSpace::pixels; }
+    bool is_by_matrices() const {
+        return !is_bench() && frame.settings.transform == Transform::matrices;
+    }
+    /// Is the projection another than perspective?
+    bool is_mixed() const { return !is_bench() && frame.settings.projection_mix > 0.0f; }
+    /// Does the depth buffer hold something else than 1/w?
+    bool has_own_depth() const {
+        return clip_depth_rule(frame.settings, frame.scene->space) != ClipDepth::inv_z;
+    }
+};
+
+/// What a matrix has worked out in double is shown as it came out; the way there stands with the
+/// spaces.
+inline FormulaInput by_matrix(const std::string& symbol, float value, const std::string& product) {
+    return {symbol, {value}, from_words(product + ", in double: see the vertex's spaces")};
+}
+
+} // namespace rasterwalk
