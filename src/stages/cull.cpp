@@ -80,7 +80,8 @@ Varyings as_one_face(std::span<const ClipVertex> corners) {
         across += glm::cross(corners[next].varyings.position_world - face.position_world,
                              corners[last].varyings.position_world - face.position_world);
     });
-    face.normal = across;
+    const float length = glm::length(across);
+    face.normal = length > 0.0f ? across / length : across;
     return face;
 }
 

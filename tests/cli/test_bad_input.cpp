@@ -239,6 +239,6 @@ TEST_CASE("Words that the command line does not know end with exit code 2") {
     expect({room_file, "--scene", room_file}, 2,
            "the scene is named twice: as FILE and by --scene.");
     CHECK(run({"rows"}).exit_code == 2);
-    CHECK(run({"stats", "render"}).exit_code == 2);
+    CHECK(run({"stats", "render"}).exit_code == 4); // as FILE, and there is none
     CHECK(run({"stats", "--set"}).exit_code == 2);
 }

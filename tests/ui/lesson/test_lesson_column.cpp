@@ -453,18 +453,24 @@ TEST_CASE("The main button of the question whether to forget all is the one that
 TEST_CASE("The buttons to the next and the last step stay where they are, whatever they say") {
     Driver driver;
     const std::vector<Lesson> lessons = driver.ui.lesson.lessons.all();
-    std::map<std::string, std::set<std::pair<float, float>>> ends;
+    using Ends = std::pair<float, float>;
+    std::map<std::string, std::map<Ends, std::string>> ends; // and a step that has them
     for (const Lesson& lesson : test::some_of(lessons, 4)) {
         for (int step = 0; step < static_cast<int>(lesson.steps.size()); ++step) {
             open_lesson(driver.ui, lesson.id, step);
             driver.hand.frames(2);
+            if (driver.ui.lesson.is_strip) continue; // where canvas and view from outside need room
             for (const char* name : {"lesson.next", "lesson.previous"}) {
                 const auto found = driver.ui.widgets.find(name);
                 if (found == driver.ui.widgets.end()) continue;
-                ends[name].insert({found->second.top_left.x, found->second.bottom_right.x});
+                const Ends both{found->second.top_left.x, found->second.bottom_right.x};
+                ends[name][both] = lesson.id + ", step " + std::to_string(step + 1);
             }
         }
     }
+    for (const auto& [name, all] : ends)
+        for (const auto& [both, step] : all)
+            UNSCOPED_INFO(name << " from " << both.first << " to " << both.second << ": " << step);
     CHECK(ends["lesson.next"].size() == 1);
     CHECK(ends["lesson.previous"].size() == 1);
 }
