@@ -226,9 +226,11 @@ class ObjReader {
     std::optional<int> read_index(std::string_view word, std::size_t kind, std::size_t count) {
         if (word.empty()) return -1;
         std::int64_t number = 0;
-        const auto [end, trouble] = std::from_chars(word.data(), word.data() + word.size(), number);
-        const bool is_number = end == word.data() + word.size();
-        if (!is_number || trouble == std::errc::invalid_argument) {
+        const std::from_chars_result read =
+            std::from_chars(word.data(), word.data() + word.size(), number);
+        const bool is_number = read.ptr == word.data() + word.size();
+        const bool is_in_range = read.ec == std::errc{};
+        if (!is_number || read.ec == std::errc::invalid_argument) {
             fault([&] {
                 return fmt::format("{} is no number of a {}; {}", in_quotes(word),
                                    indexed_kinds[kind].one, face_left_out);
@@ -236,13 +238,11 @@ class ObjReader {
             return std::nullopt;
         }
         const auto known = static_cast<std::int64_t>(count);
-        if (trouble == std::errc{} && number > 0 &&
-            number <= static_cast<std::int64_t>(most_model_points))
+        if (is_in_range && number > 0 && number <= static_cast<std::int64_t>(most_model_points))
             return static_cast<int>(number - 1);
-        if (trouble == std::errc{} && number < 0 && -known <= number)
-            return static_cast<int>(known + number);
+        if (is_in_range && number < 0 && -known <= number) return static_cast<int>(known + number);
         fault([&] {
-            if (trouble == std::errc{} && number == 0) {
+            if (is_in_range && number == 0) {
                 return fmt::format("{} are counted from 1, and 'f' names 0; {}",
                                    indexed_kinds[kind].many, face_left_out);
             }

@@ -109,7 +109,8 @@ std::vector<Setting> make_table() {
          "Filled triangles", "", choice<&Settings::coverage>()},
         {"fill_rule", "Fill rule", "Rows and edges",
          "Who draws a pixel whose centre lies exactly on an edge: every triangle there, none, or "
-         "the one of which it is a top or a left edge; or, by mistake, a left edge only. Only where "
+         "the one of which it is a top or a left edge; or, by mistake, a left edge only. Only "
+         "where "
          "coverage is not rows.",
          "Filled triangles", "", choice<&Settings::fill_rule>()},
         {"snap", "Corners stand on", "Rows and edges",

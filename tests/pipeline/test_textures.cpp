@@ -249,8 +249,8 @@ TEST_CASE(
         const Frame frame =
             prepare_frame(scene, settings_for(scene, std::string("stage=pixel_light ") + other));
         CHECK(first_difference(whole, draw_frame(frame)).empty());
-        CHECK(carried_varyings(frame) == (VaryingSet::of(&Varyings::position_world) |
-                                          VaryingSet::of(&Varyings::colour)));
+        CHECK(carried_varyings(frame) ==
+              (VaryingSet::of(&Varyings::position_world) | VaryingSet::of(&Varyings::colour)));
     }
     const Scene wall = receding_wall(many_colours(4, 4));
     const auto carries = [&](const char* text) {

@@ -149,8 +149,9 @@ void draw_taken_texels(Ui& ui) {
     for (int k = 0; k < report.taken.count; ++k) {
         const TakenTexel& texel = report.taken.list[static_cast<std::size_t>(k)];
         // Each level has a square of four.
-        const float x = static_cast<float>(k % 2) * side;
-        const float y = static_cast<float>(k / 2) * side + (k < 4 ? 0.0f : 6.0f * u);
+        const int column = k % 2, row = k / 2;
+        const float x = static_cast<float>(column) * side;
+        const float y = static_cast<float>(row) * side + (k < 4 ? 0.0f : 6.0f * u);
         const ImVec2 from{low.x + x, low.y + y}, to{from.x + side - u, from.y + side - u};
         const std::string id = fmt::format("texture.texel.{}.weight", k);
         ImGui::SetCursorScreenPos(from);
@@ -179,8 +180,9 @@ void draw_taken_texels(Ui& ui) {
 /// How many texels stand below each other, with the gap between two levels, screen pixels.
 float height_of_taken(const Ui& ui) {
     const int count = texture_on_show(ui).taken.count;
-    const float rows = static_cast<float>((count + 1) / 2);
-    return (rows * texel_side + (count > 4 ? 6.0f : 0.0f)) * ui.options.text_scale;
+    const int rows = (count + 1) / 2;
+    return (static_cast<float>(rows) * texel_side + (count > 4 ? 6.0f : 0.0f)) *
+           ui.options.text_scale;
 }
 
 void draw_mixed_colour(Ui& ui) {
