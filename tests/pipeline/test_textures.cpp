@@ -164,7 +164,7 @@ TEST_CASE("A footprint is the difference between neighbours, also where the near
     }
     int compared = 0;
     for (const auto& [where, place] : places) {
-        const auto [triangle, column, row] = where;
+        const int triangle = where[0], column = where[1], row = where[2];
         const auto compare = [&](int dx, int dy, const glm::vec2& side) {
             const auto before = places.find({triangle, column - dx, row - dy});
             const auto after = places.find({triangle, column + dx, row + dy});
