@@ -65,7 +65,7 @@ Formula true_depth(const Fragment& fragment, float mix) {
 }
 
 void add_depths(FragmentReport& report, const Frame& frame, const Carried& carried) {
-    add_weights(report);
+    add_weights(report, frame.settings.weight_edge);
     const RowEnds& ends = report.row.under(Interpolation::perspective);
     const Fragment& fragment = carried[0];
     report.formulas.push_back(

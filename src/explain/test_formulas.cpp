@@ -64,8 +64,14 @@ Formula edge_formula(const TestedTriangle& triangle, const PixelTest& test, std:
 
 } // namespace
 
+std::size_t edge_of_weight(std::size_t corner, WeightEdge made_of) {
+    // Edge 0 runs from corner 0 to 1 and lies opposite of corner 2.
+    return made_of == WeightEdge::own ? corner : (corner + 1) % edge_function_count;
+}
+
 std::vector<Formula> test_formulas(const TestedTriangle& triangle, const PixelTest& test,
-                                   const std::array<std::string, edge_function_count>& corners) {
+                                   const std::array<std::string, edge_function_count>& corners,
+                                   WeightEdge made_of) {
     std::vector<Formula> formulas;
     for (std::size_t i = 0; i < edge_function_count; ++i)
         formulas.push_back(edge_formula(triangle, test, i, corners));
@@ -81,18 +87,18 @@ std::vector<Formula> test_formulas(const TestedTriangle& triangle, const PixelTe
                         in_square_pixels_shown(triangle.area)});
     if (triangle.area == 0) return formulas; // no corner has a weight
     for (std::size_t i = 0; i < edge_function_count; ++i) {
-        // Edge 0 runs from corner 0 to 1 and lies opposite of corner 2.
-        const std::size_t opposite = (i + 1) % edge_function_count;
+        const std::size_t edge = edge_of_weight(i, made_of);
         formulas.push_back(
             {fmt::format("weight.{}", i),
              "weight of " + corners[i],
              fmt::format(
-                 "How much {} counts at this pixel: the share that the edge function of the "
-                 "opposite edge has in the sum.",
-                 corners[i]),
-             e_symbol(opposite) + " / sum",
-             {e_input(opposite),
-              {"sum", in_square_pixels_shown(triangle.area), from_formula("area")}},
+                 "How much {} counts at this pixel: the share that the edge function of {} has in "
+                 "the sum.",
+                 corners[i],
+                 made_of == WeightEdge::own ? "the edge that begins at it, by mistake,"
+                                            : "the opposite edge"),
+             e_symbol(edge) + " / sum",
+             {e_input(edge), {"sum", in_square_pixels_shown(triangle.area), from_formula("area")}},
              {test.weights[i]}});
     }
     return formulas;

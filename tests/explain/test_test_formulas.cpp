@@ -36,6 +36,7 @@ TEST_CASE("The formulas of a tested pixel come to the numbers of the stage") {
         Settings settings;
         settings.stage = Stage::fill;
         settings.coverage = Coverage::edge_functions;
+        settings.weight_edge = i % 3 == 0 ? WeightEdge::own : WeightEdge::opposite;
         settings.snap = i % 2 == 0 ? Snap::pixel : Snap::subpixel;
         const Stages stages = choose_stages(settings);
         std::vector<ScreenVertex> corners;
@@ -46,7 +47,8 @@ TEST_CASE("The formulas of a tested pixel come to the numbers of the stage") {
         const TestedTriangle& triangle = polygon.triangles.front();
         const int column = random.integer(0, 39), row = random.integer(0, 39);
         const PixelTest test = test_pixel(polygon, 0, column, row, stages);
-        const std::vector<Formula> formulas = test_formulas(triangle, test, {"v0", "v1", "v2"});
+        const std::vector<Formula> formulas =
+            test_formulas(triangle, test, {"v0", "v1", "v2"}, settings.weight_edge);
         CAPTURE(i, column, row);
         float sum = 0.0f;
         for (int e = 0; e < 3; ++e) {

@@ -179,7 +179,8 @@ void draw_pixel_test(Ui& ui, const PixelTest& test) {
     const TestedPolygon& polygon = ui.results.a.rows.rows.tested;
     const TestedTriangle& triangle = polygon.triangles[static_cast<std::size_t>(test.triangle)];
     const auto corners = corner_names_of(ui, polygon, triangle);
-    const std::vector<Formula> formulas = test_formulas(triangle, test, corners);
+    const std::vector<Formula> formulas =
+        test_formulas(triangle, test, corners, ui.results.a.frame.settings.weight_edge);
     begin_card(ui);
     const Meaning answer = test.is_inside ? Meaning::pass : Meaning::fail;
     text_in(colour_of(answer, ui.options.theme),
