@@ -198,24 +198,6 @@ std::array<std::string, 3> reflectance_ids() {
     return ids;
 }
 
-/// Where the surface has a texture: the light of the vertices, which is that of its reflectance,
-/// times the texture.
-/// @param carried the light as it was carried
-FormulaInput painted_light(FragmentReport& report, int channel, const FormulaInput& carried) {
-    const std::string name = channel_names[static_cast<std::size_t>(channel)];
-    const float texture = report.texture->colour[channel];
-    const Number result{carried.number.value * texture};
-    const std::string id = "vertex_light.painted." + name;
-    report.formulas.push_back({id,
-                               "R " + name,
-                               "The light of the vertices, interpolated, and painted by the "
-                               "texture.",
-                               "R · t",
-                               {carried, {"t", {texture}, from_formula("texture." + name)}},
-                               result});
-    return {carried.symbol, result, from_formula(id)};
-}
-
 /// What the fragment took of its texture.
 void add_texture(const Frame& frame, FragmentReport& report) {
     report.texture = texture_report(frame, report.cursor.triangle, report.fragment);
@@ -317,6 +299,7 @@ void add_triangle_light(const Frame& frame, FragmentReport& report) {
     point.normal = of_first_vertex(triangle, place.normal, light_normal_ids(frame));
     if (differs.normals)
         point.normal.sources.fill(from_words("across the places of the triangle's corners"));
+    if (report.texture) point.paint = report.texture->colour;
     append_light_formulas(point, frame, report.formulas);
 }
 
@@ -339,7 +322,12 @@ void add_light(const Frame& frame, FragmentReport& report) {
         FormulaInput carried{"R",
                              {report.light_per_vertex[i]},
                              from_formula(formula_id(colour[part], report.interpolation))};
-        if (report.texture) carried = painted_light(report, i, carried);
+        if (report.texture) {
+            carried = append_painted(
+                "vertex_light.",
+                "The light of the vertices, interpolated, and painted by the texture.", i, carried,
+                report.texture->colour[i], report.formulas);
+        }
         Formula by_vertex = shown_channel("vertex_light.colour." + name, name, carried, frame);
         by_vertex.help = "The light of the vertices, interpolated. " + by_vertex.help;
         report.formulas.push_back(by_vertex);
