@@ -47,7 +47,8 @@ int TextureReader::read(const TomlInput& part) {
     const toml::node* const node = part.find("texture");
     if (node == nullptr) return -1;
     const std::string name = part.text("texture");
-    if (const auto known = known_.find(name); known != known_.end()) return known->second;
+    const std::string file = std::filesystem::path(name).lexically_normal().string();
+    if (const auto known = known_.find(file); known != known_.end()) return known->second;
     if (!lies_beside_or_below(name)) {
         part.fail(*node,
                   "the texture '" + name + "' must lie beside the scene, or in a folder below it.");
@@ -67,7 +68,7 @@ int TextureReader::read(const TomlInput& part) {
     }
     textures_.push_back(make_texture(name, image));
     const int index = static_cast<int>(textures_.size()) - 1;
-    known_.emplace(name, index);
+    known_.emplace(file, index);
     return index;
 }
 

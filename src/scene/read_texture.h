@@ -31,7 +31,7 @@ class TextureReader {
   private:
     std::string folder_;
     std::vector<Texture>& textures_;
-    std::map<std::string, int> known_;
+    std::map<std::string, int> known_; ///< by the name without "./"
     std::size_t texels_ = 0;
 };
 

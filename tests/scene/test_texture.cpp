@@ -94,12 +94,13 @@ TEST_CASE("A scene names a texture beside it, and where the corners of its trian
     write_png(image, folder.file("painted.png"));
     const std::string painted = "texture = \"painted.png\"\n" + two_texcoords;
     const std::string path = folder.write(
-        "s.toml", scene_with_lines(painted + "model = [{ scale = [-1, 1, 1] }]\n"
-                                             "[[part]]\nname = \"bare\"\npoints = \"p\"\n"
-                                             "triangles = [\"A B C\"]\n"
-                                             "[[part]]\nname = \"again\"\npoints = \"p\"\n"
-                                             "triangles = [\"A B C\"]\ntexture = \"painted.png\"\n"
-                                             "texcoords = [[[0, 0], [1, 0], [1, 1]]]\n"));
+        "s.toml",
+        scene_with_lines(painted + "model = [{ scale = [-1, 1, 1] }]\n"
+                                   "[[part]]\nname = \"bare\"\npoints = \"p\"\n"
+                                   "triangles = [\"A B C\"]\n"
+                                   "[[part]]\nname = \"again\"\npoints = \"p\"\n"
+                                   "triangles = [\"A B C\"]\ntexture = \"./painted.png\"\n"
+                                   "texcoords = [[[0, 0], [1, 0], [1, 1]]]\n"));
     const Scene scene = read_scene(path);
     REQUIRE(scene.textures.size() == 1); // once for two parts
     CHECK(scene.textures.front() == make_texture("painted.png", image));
