@@ -40,7 +40,7 @@ CornerTexcoords read_corners(const TomlInput& part, const toml::node& node,
 
 } // namespace
 
-TextureReader::TextureReader(const std::string& scene_path, std::vector<Texture>& textures)
+TextureReader::TextureReader(const std::string& scene_path, std::vector<SharedTexture>& textures)
     : folder_(std::filesystem::path(scene_path).parent_path().string()), textures_(textures) {}
 
 int TextureReader::read(const TomlInput& part) {
@@ -66,7 +66,7 @@ int TextureReader::read(const TomlInput& part) {
         part.fail(*node,
                   fmt::format("the textures of the scene have more than {} texels.", most_texels));
     }
-    textures_.push_back(make_texture(name, image));
+    textures_.emplace_back(make_texture(name, image));
     const int index = static_cast<int>(textures_.size()) - 1;
     known_.emplace(file, index);
     return index;

@@ -102,7 +102,7 @@ TEST_CASE("Every filter and wrap paints each pixel as a second implementation in
                     }
                     ++compared;
                     ++levels[static_cast<int>(std::lround(texture_level(
-                        {glm::vec2(right), glm::vec2(down)}, scene.textures.front())))];
+                        {glm::vec2(right), glm::vec2(down)}, *scene.textures.front())))];
                     const glm::dvec3 off = glm::abs(glm::dvec3(event.after) - wanted.colour);
                     if (std::max({off.x, off.y, off.z}) > 1.0 / 255.0) {
                         FAIL(name << " pixel " << event.fragment.column << "," << event.fragment.row
@@ -249,8 +249,8 @@ TEST_CASE(
         const Frame frame =
             prepare_frame(scene, settings_for(scene, std::string("stage=pixel_light ") + other));
         CHECK(first_difference(whole, draw_frame(frame)).empty());
-        CHECK(carried_varyings(frame) == (VaryingSet::of(&Varyings::position_world) |
-                                          VaryingSet::of(&Varyings::colour)));
+        CHECK(carried_varyings(frame) ==
+              (VaryingSet::of(&Varyings::position_world) | VaryingSet::of(&Varyings::colour)));
     }
     const Scene wall = receding_wall(many_colours(4, 4));
     const auto carries = [&](const char* text) {
