@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "explain/formula.h"
-#include "settings/choices.h"
+#include "settings/settings.h"
 #include "stages/edge_functions.h"
 
 namespace rasterwalk {
@@ -28,9 +28,9 @@ std::size_t edge_of_weight(std::size_t corner, WeightEdge made_of);
 /// for a triangle of many pixels it can be off in its last digits; the weights have the same bits.
 /// @param triangle of the fan, which the pixel was tested for
 /// @param corners  what its corners are called: "v0"
-/// @param made_of  of which edge the weights are made
+/// @param settings those by which it was tested
 std::vector<Formula> test_formulas(const TestedTriangle& triangle, const PixelTest& test,
                                    const std::array<std::string, edge_function_count>& corners,
-                                   WeightEdge made_of);
+                                   const Settings& settings);
 
 } // namespace rasterwalk
