@@ -215,7 +215,7 @@ SourcedVector add_pixel_light(const Frame& frame, FragmentReport& report) {
     Surface surface = surface_of(frame, triangle);
     surface.shine = frame.scene->corner(triangle, 0).shine;
     surface.differences = frame.scene->mesh.differences(triangle);
-    const PixelRules rules = pixel_rules(frame.settings);
+    const PixelRules rules = pixel_rules(frame.settings, frame.scene->space);
     SurfacePoint place =
         surface_point(report.under(report.interpolation), surface, rules.camera, frame.stages);
     if (report.texture) place.reflectance *= report.texture->colour;
@@ -269,7 +269,7 @@ Source add_mean(const FragmentReport& report, const std::string& id, const std::
 void add_triangle_light(const Frame& frame, FragmentReport& report) {
     const int triangle = report.cursor.triangle;
     const CornerDifferences differs = frame.scene->mesh.differences(triangle);
-    const PixelRules rules = pixel_rules(frame.settings);
+    const PixelRules rules = pixel_rules(frame.settings, frame.scene->space);
     const SurfacePoint place = flat_point(frame, triangle);
     LitPoint point;
     point.prefix = "triangle_light.";
@@ -404,7 +404,7 @@ std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& 
     report.before = event.before;
     report.after = event.after;
 
-    const PixelRules rules = pixel_rules(frame.settings);
+    const PixelRules rules = pixel_rules(frame.settings, frame.scene->space);
     report.interpolation = frame.settings.interpolation;
     report.shading = rules.shading;
     report.depth_test = depth_rule(frame.settings);

@@ -25,7 +25,7 @@ class HighlightMaker {
   public:
     HighlightMaker(const LitPoint& point, const Frame& frame, std::vector<Formula>& formulas)
         : point_(point), frame_(frame), formulas_(formulas),
-          rays_(pixel_rules(frame.settings).rays) {}
+          rays_(pixel_rules(frame.settings, frame.scene->space).rays) {}
 
     void add_all() {
         const bool is_there = !(terms().to_eye == glm::vec3(0.0f));
