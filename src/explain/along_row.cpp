@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/element_names.h"
+#include "explain/test_formulas.h"
 #include "inspect/pixel_tests.h"
 
 namespace rasterwalk {
@@ -47,25 +48,27 @@ std::string weight_id(std::size_t i) {
 
 } // namespace
 
-void add_weights(FragmentReport& report) {
+void add_weights(FragmentReport& report, WeightEdge made_of) {
     if (!report.row.is_weighted()) return;
     const WeighedCorners corners(report, Interpolation::perspective);
     const EdgeValues e = corners.values(report);
     const Stages& stages = report.row.stages.front();
     const Weights weights = stages.weights(e, corners.triangle.area);
     for (std::size_t i = 0; i < weights.size(); ++i) {
-        const std::size_t opposite = (i + 1) % weights.size();
+        const std::size_t edge = edge_of_weight(i, made_of);
         report.formulas.push_back(
             {weight_id(i),
              fmt::format("b{}", i),
-             fmt::format("The weight of corner {}: the edge function of the edge opposite of it, "
-                         "as a part of all three.",
-                         corners.number(i)),
+             fmt::format(
+                 "The weight of corner {}: the edge function of {}, as a part of all three.",
+                 corners.number(i),
+                 made_of == WeightEdge::own ? "the edge that begins at it, by mistake"
+                                            : "the edge opposite of it"),
              "E / A",
              {{"E",
-               {static_cast<float>(in_square_pixels(e[opposite]))},
+               {static_cast<float>(in_square_pixels(e[edge]))},
                from_words(fmt::format("edge function of {} at the pixel's centre, in square pixels",
-                                      tested_edge_name(corners.triangle.edges[opposite].number)))},
+                                      tested_edge_name(corners.triangle.edges[edge].number)))},
               {"A",
                {static_cast<float>(in_square_pixels(corners.triangle.area))},
                from_words("the sum of all three, twice the area")}},

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "explain/fragment_report.h"
+#include "settings/choices.h"
 
 namespace rasterwalk {
 
@@ -22,7 +23,8 @@ EndPart part_of_ends(Quantity quantity);
 
 /// Appends the weights of the three corners; nothing where pixels are not found by edge functions.
 /// It comes before along_row(), whose formulas refer to them.
-void add_weights(FragmentReport& report);
+/// @param made_of of which edge the weights are made
+void add_weights(FragmentReport& report, WeightEdge made_of);
 
 /// How a value gets along a row: by the walk that is in force, as one formula of both ends; or,
 /// where edge functions find the pixels, by the weights of the corners.

@@ -65,7 +65,7 @@ Formula true_depth(const Fragment& fragment, float mix) {
 }
 
 void add_depths(FragmentReport& report, const Frame& frame, const Carried& carried) {
-    add_weights(report);
+    add_weights(report, frame.settings.weight_edge);
     const RowEnds& ends = report.row.under(Interpolation::perspective);
     const Fragment& fragment = carried[0];
     report.formulas.push_back(
@@ -198,24 +198,6 @@ std::array<std::string, 3> reflectance_ids() {
     return ids;
 }
 
-/// Where the surface has a texture: the light of the vertices, which is that of its reflectance,
-/// times the texture.
-/// @param carried the light as it was carried
-FormulaInput painted_light(FragmentReport& report, int channel, const FormulaInput& carried) {
-    const std::string name = channel_names[static_cast<std::size_t>(channel)];
-    const float texture = report.texture->colour[channel];
-    const Number result{carried.number.value * texture};
-    const std::string id = "vertex_light.painted." + name;
-    report.formulas.push_back({id,
-                               "R " + name,
-                               "The light of the vertices, interpolated, and painted by the "
-                               "texture.",
-                               "R · t",
-                               {carried, {"t", {texture}, from_formula("texture." + name)}},
-                               result});
-    return {carried.symbol, result, from_formula(id)};
-}
-
 /// What the fragment took of its texture.
 void add_texture(const Frame& frame, FragmentReport& report) {
     report.texture = texture_report(frame, report.cursor.triangle, report.fragment);
@@ -233,7 +215,7 @@ SourcedVector add_pixel_light(const Frame& frame, FragmentReport& report) {
     Surface surface = surface_of(frame, triangle);
     surface.shine = frame.scene->corner(triangle, 0).shine;
     surface.differences = frame.scene->mesh.differences(triangle);
-    const PixelRules rules = pixel_rules(frame.settings);
+    const PixelRules rules = pixel_rules(frame.settings, frame.scene->space);
     SurfacePoint place =
         surface_point(report.under(report.interpolation), surface, rules.camera, frame.stages);
     if (report.texture) place.reflectance *= report.texture->colour;
@@ -287,7 +269,7 @@ Source add_mean(const FragmentReport& report, const std::string& id, const std::
 void add_triangle_light(const Frame& frame, FragmentReport& report) {
     const int triangle = report.cursor.triangle;
     const CornerDifferences differs = frame.scene->mesh.differences(triangle);
-    const PixelRules rules = pixel_rules(frame.settings);
+    const PixelRules rules = pixel_rules(frame.settings, frame.scene->space);
     const SurfacePoint place = flat_point(frame, triangle);
     LitPoint point;
     point.prefix = "triangle_light.";
@@ -317,6 +299,7 @@ void add_triangle_light(const Frame& frame, FragmentReport& report) {
     point.normal = of_first_vertex(triangle, place.normal, light_normal_ids(frame));
     if (differs.normals)
         point.normal.sources.fill(from_words("across the places of the triangle's corners"));
+    if (report.texture) point.paint = report.texture->colour;
     append_light_formulas(point, frame, report.formulas);
 }
 
@@ -339,7 +322,12 @@ void add_light(const Frame& frame, FragmentReport& report) {
         FormulaInput carried{"R",
                              {report.light_per_vertex[i]},
                              from_formula(formula_id(colour[part], report.interpolation))};
-        if (report.texture) carried = painted_light(report, i, carried);
+        if (report.texture) {
+            carried = append_painted(
+                "vertex_light.",
+                "The light of the vertices, interpolated, and painted by the texture.", i, carried,
+                report.texture->colour[i], report.formulas);
+        }
         Formula by_vertex = shown_channel("vertex_light.colour." + name, name, carried, frame);
         by_vertex.help = "The light of the vertices, interpolated. " + by_vertex.help;
         report.formulas.push_back(by_vertex);
@@ -416,7 +404,7 @@ std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& 
     report.before = event.before;
     report.after = event.after;
 
-    const PixelRules rules = pixel_rules(frame.settings);
+    const PixelRules rules = pixel_rules(frame.settings, frame.scene->space);
     report.interpolation = frame.settings.interpolation;
     report.shading = rules.shading;
     report.depth_test = depth_rule(frame.settings);

@@ -37,7 +37,8 @@ namespace rasterwalk {
 ///     flat.colour.red ... the reflectance, as shown; the colour where there is no light
 ///     texture.* surface.red ...     where the surface has a texture: what it took of it, and the
 ///                         colour that stands for its reflectance; see texture_report.h
-///     vertex_light.painted.red ...  likewise: the light of the vertices, times the texture
+///     vertex_light.painted.red ...  likewise: the light of the vertices, times the texture; and
+///                         triangle_light.painted.red ... under flat shading
 ///     depth margin        value for the depth buffer, and how much nearer it is than the stored
 ///     one
 struct FragmentReport {

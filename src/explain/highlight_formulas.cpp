@@ -25,7 +25,7 @@ class HighlightMaker {
   public:
     HighlightMaker(const LitPoint& point, const Frame& frame, std::vector<Formula>& formulas)
         : point_(point), frame_(frame), formulas_(formulas),
-          rays_(pixel_rules(frame.settings).rays) {}
+          rays_(pixel_rules(frame.settings, frame.scene->space).rays) {}
 
     void add_all() {
         const bool is_there = !(terms().to_eye == glm::vec3(0.0f));
@@ -63,7 +63,8 @@ class HighlightMaker {
     void add_way_to_eye(int i, const glm::vec3& to_eye) {
         const std::string axis = axis_names[static_cast<std::size_t>(i)];
         const std::string camera = "C." + axis, place = "p." + axis;
-        std::string expression = camera + " − " + place;
+        // In this order, as the shader has it: C − p would be 0 where this is −0.
+        std::string expression = "−(" + place + " − " + camera + ")";
         std::vector<FormulaInput> inputs{
             {camera, {rays_.camera[i]}, from_setting("camera.position")},
             {place,

@@ -111,6 +111,21 @@ std::vector<FormulaInput> parts_of_vector(const std::string& symbol, const Sourc
     return inputs;
 }
 
+FormulaInput append_painted(const std::string& prefix, const std::string& help, int channel,
+                            const FormulaInput& light, float texture,
+                            std::vector<Formula>& formulas) {
+    const std::string name = channel_names[static_cast<std::size_t>(channel)];
+    const std::string id = prefix + "painted." + name;
+    const Number result{light.number.value * texture};
+    formulas.push_back({id,
+                        "R " + name,
+                        help,
+                        "R · t",
+                        {light, {"t", {texture}, from_formula("texture." + name)}},
+                        result});
+    return {light.symbol, result, from_formula(id)};
+}
+
 Formula shown_channel(std::string id, std::string name, const FormulaInput& channel,
                       const Frame& frame) {
     const float shown = frame.stages.visible_channel(channel.number.value);
@@ -192,9 +207,13 @@ void append_light_formulas(const LitPoint& point, const Frame& frame,
     }
     for (int i = 0; i < 3; ++i) {
         const std::string name = channel_names[i];
-        formulas.push_back(shown_channel(
-            point.prefix + "colour." + name, name,
-            {"R", {point.light.reflected[i]}, from_formula(point.prefix + "R." + name)}, frame));
+        FormulaInput channel{
+            "R", {point.light.reflected[i]}, from_formula(point.prefix + "R." + name)};
+        if (point.paint) {
+            channel = append_painted(point.prefix, "The reflected light, painted by the texture.",
+                                     i, channel, (*point.paint)[i], formulas);
+        }
+        formulas.push_back(shown_channel(point.prefix + "colour." + name, name, channel, frame));
     }
 }
 

@@ -3,6 +3,7 @@
 // The light at a point as formulas, term by term.
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,9 @@ struct LitPoint {
     SourcedVector reflectance;
     Shine shine{};
     SurfaceLight light; ///< as the functions of the table gave it
+    /// The colour of a texture that the light as a whole is multiplied by, where that is done after
+    /// it is worked out; none: it is not.
+    std::optional<glm::vec3> paint{};
 };
 
 /// The names of the parts: x y z, and red green blue.
@@ -37,9 +41,16 @@ std::vector<FormulaInput> parts_of_vector(const std::string& symbol, const Sourc
 
 /// Appends, in this order and with these ids after the prefix: r.x r.y r.z, r2, cosine, area,
 /// D.red D.green D.blue, those of highlight_formulas.h where the model has highlights, R.red ...,
-/// which has the highlight in it, colour.red ... (as the screen shows it).
+/// which has the highlight in it, colour.red ... (as the screen shows it). Where the point has
+/// paint, painted.red stands before colour.red, and so on; that is then what the screen shows.
 void append_light_formulas(const LitPoint& point, const Frame& frame,
                            std::vector<Formula>& formulas);
+
+/// Appends a channel of light times that of a texture, with the id `prefix` and painted.red ...
+/// @return the same as an input
+FormulaInput append_painted(const std::string& prefix, const std::string& help, int channel,
+                            const FormulaInput& light, float texture,
+                            std::vector<Formula>& formulas);
 
 /// A channel as the screen shows it: cut to 0..1, or wrapped. The formula's one input, and its
 /// symbol in the expression, is the channel as it was worked out.

@@ -41,34 +41,50 @@ EdgeEnds ends_of_edge(const TestedTriangle& triangle, std::size_t i,
 }
 
 Formula edge_formula(const TestedTriangle& triangle, const PixelTest& test, std::size_t i,
-                     const std::array<std::string, edge_function_count>& corners) {
+                     const std::array<std::string, edge_function_count>& corners,
+                     PixelSample sample) {
     const EdgeFunction& edge = triangle.edges[i];
+    const bool is_at_corner = sample == PixelSample::corner;
     const auto [from, to] = ends_of_edge(triangle, i, corners);
-    const Source begin = from_words(from + ", where the edge begins");
+    const Source begin =
+        from_words(from + (is_at_corner ? ", where the edge begins, half a pixel right and down"
+                                        : ", where the edge begins"));
     const Source way = from_words("the edge's way from " + from + " to " + to);
     const Source centre = from_words("the centre of the pixel: its number + 1/2");
-    return {e_id(i),
-            e_symbol(i),
-            fmt::format("The edge function of {} at the pixel's centre, in square pixels: above 0 "
-                        "on the inner side. Also twice the area of the triangle of edge and point.",
-                        tested_edge_name(edge.number)),
-            "dx · (y − ay) − dy · (x − ax)",
-            {{"dx", in_pixels(edge.way.dx), way},
-             {"y", in_pixels(pixel_centre(test.row)), centre},
-             {"ay", in_pixels(edge.from.y), begin},
-             {"dy", in_pixels(edge.way.dy), way},
-             {"x", in_pixels(pixel_centre(test.column)), centre},
-             {"ax", in_pixels(edge.from.x), begin}},
-            in_square_pixels_shown(test.e[i])};
+    return {
+        e_id(i),
+        e_symbol(i),
+        fmt::format("The edge function of {} at the pixel's centre, in square pixels: above 0 "
+                    "on the inner side. Also twice the area of the triangle of edge and point.{}",
+                    tested_edge_name(edge.number),
+                    is_at_corner ? " By mistake the pixel is asked at its upper left corner: to "
+                                   "its centre the triangle then stands half a pixel too far "
+                                   "right and down."
+                                 : ""),
+        "dx · (y − ay) − dy · (x − ax)",
+        {{"dx", in_pixels(edge.way.dx), way},
+         {"y", in_pixels(pixel_centre(test.row)), centre},
+         {"ay", in_pixels(edge.from.y), begin},
+         {"dy", in_pixels(edge.way.dy), way},
+         {"x", in_pixels(pixel_centre(test.column)), centre},
+         {"ax", in_pixels(edge.from.x), begin}},
+        in_square_pixels_shown(test.e[i])};
 }
 
 } // namespace
 
+std::size_t edge_of_weight(std::size_t corner, WeightEdge made_of) {
+    // Edge 0 runs from corner 0 to 1 and lies opposite of corner 2.
+    return made_of == WeightEdge::own ? corner : (corner + 1) % edge_function_count;
+}
+
 std::vector<Formula> test_formulas(const TestedTriangle& triangle, const PixelTest& test,
-                                   const std::array<std::string, edge_function_count>& corners) {
+                                   const std::array<std::string, edge_function_count>& corners,
+                                   const Settings& settings) {
+    const WeightEdge made_of = settings.weight_edge;
     std::vector<Formula> formulas;
     for (std::size_t i = 0; i < edge_function_count; ++i)
-        formulas.push_back(edge_formula(triangle, test, i, corners));
+        formulas.push_back(edge_formula(triangle, test, i, corners, settings.pixel_sample));
     const auto e_input = [&](std::size_t i) {
         return FormulaInput{e_symbol(i), in_square_pixels_shown(test.e[i]), from_formula(e_id(i))};
     };
@@ -81,18 +97,18 @@ std::vector<Formula> test_formulas(const TestedTriangle& triangle, const PixelTe
                         in_square_pixels_shown(triangle.area)});
     if (triangle.area == 0) return formulas; // no corner has a weight
     for (std::size_t i = 0; i < edge_function_count; ++i) {
-        // Edge 0 runs from corner 0 to 1 and lies opposite of corner 2.
-        const std::size_t opposite = (i + 1) % edge_function_count;
+        const std::size_t edge = edge_of_weight(i, made_of);
         formulas.push_back(
             {fmt::format("weight.{}", i),
              "weight of " + corners[i],
              fmt::format(
-                 "How much {} counts at this pixel: the share that the edge function of the "
-                 "opposite edge has in the sum.",
-                 corners[i]),
-             e_symbol(opposite) + " / sum",
-             {e_input(opposite),
-              {"sum", in_square_pixels_shown(triangle.area), from_formula("area")}},
+                 "How much {} counts at this pixel: the share that the edge function of {} has in "
+                 "the sum.",
+                 corners[i],
+                 made_of == WeightEdge::own ? "the edge that begins at it, by mistake,"
+                                            : "the opposite edge"),
+             e_symbol(edge) + " / sum",
+             {e_input(edge), {"sum", in_square_pixels_shown(triangle.area), from_formula("area")}},
              {test.weights[i]}});
     }
     return formulas;

@@ -4,13 +4,20 @@
 // and the weights of the corners.
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "explain/formula.h"
+#include "settings/settings.h"
 #include "stages/edge_functions.h"
 
 namespace rasterwalk {
+
+/// The edge of whose function a corner's weight is made: the one opposite of it, or by mistake the
+/// one that begins at it.
+/// @param corner 0, 1 or 2
+std::size_t edge_of_weight(std::size_t corner, WeightEdge made_of);
 
 /// "e.0", "e.1", "e.2": the edge functions at the pixel's centre. In square pixels; the corners are
 /// those on the grid of the snap, in pixels from the left and from the top of the picture.
@@ -21,7 +28,9 @@ namespace rasterwalk {
 /// for a triangle of many pixels it can be off in its last digits; the weights have the same bits.
 /// @param triangle of the fan, which the pixel was tested for
 /// @param corners  what its corners are called: "v0"
+/// @param settings those by which it was tested
 std::vector<Formula> test_formulas(const TestedTriangle& triangle, const PixelTest& test,
-                                   const std::array<std::string, edge_function_count>& corners);
+                                   const std::array<std::string, edge_function_count>& corners,
+                                   const Settings& settings);
 
 } // namespace rasterwalk

@@ -328,6 +328,8 @@ std::optional<TextureReport> texture_report(const Frame& frame, int triangle,
     report.surface = surface_of(frame, triangle);
     if (report.surface.texture == nullptr) return std::nullopt;
     const Texture& texture = *report.surface.texture;
+    // The lab's shader does not ask for them, and yet the report tells the colour at this place.
+    report.surface.differences = frame.scene->mesh.differences(triangle);
     report.weight = frame.stages.varying_weight(fragment.inv_w);
     report.place = place_in_texture(fragment, report.surface, frame.stages);
     report.reflectance = report.surface.differences.colours

@@ -26,7 +26,7 @@ glm::vec3 light_of(const Frame& frame, const Varyings& varyings, int triangle) {
     if (frame.stages.pixel_shader == surface_shader) {
         const Surface surface = surface_of(frame, triangle);
         if (shading == Shading::flat) return surface.flat_light;
-        const PixelRules rules = pixel_rules(frame.settings);
+        const PixelRules rules = pixel_rules(frame.settings, frame.scene->space);
         return surface_light(surface_point(varyings, surface, rules.camera, frame.stages),
                              rules.light, rules.rays, frame.stages)
             .reflected;

@@ -32,6 +32,7 @@ constexpr MapOption map_options[] = {
 constexpr std::size_t most_lookups = 2 * most_materials;
 
 constexpr std::string_view skipped_option = "of an image's options only -bm is used";
+constexpr std::string_view skipped_image = "images of materials are not drawn";
 constexpr std::string_view skipped_material = "this property of a material is not used";
 
 std::string lower_case(std::string_view word) {
@@ -100,7 +101,7 @@ class MtlReader {
         is_left_out_ = false;
         is_begun_ = true;
         materials_.push_back({});
-        materials_.back().name = name;
+        materials_.back().name = name.substr(0, longest_material_name);
         ++reporter_.report().counts.materials;
     }
 
@@ -158,6 +159,7 @@ class MtlReader {
     }
 
     void read_map(std::string_view word, std::string_view rest, std::string& map, float* strength) {
+        skip(word, skipped_image);
         read_options(rest, strength);
         if (++looked_for_ > most_lookups) {
             return fault([&] {

@@ -16,7 +16,7 @@ namespace rasterwalk {
 
 /// A material as its file says it.
 struct ObjMaterial {
-    std::string name;            ///< the bytes of the file, which need not be UTF-8
+    std::string name; ///< the bytes of the file, which need not be UTF-8; cut if it is too long
     glm::vec3 diffuse{1.0f};     ///< Kd: share of light given back in all directions, 0..1
     glm::vec3 specular{0.0f};    ///< Ks: share of light mirrored, 0..1
     float shininess = 0.0f;      ///< Ns: exponent of the highlight, from 0

@@ -313,7 +313,8 @@ class ObjReader {
     }
 
     void use_material(std::string_view rest) {
-        material_ = trimmed(rest);
+        // Each part keeps it: a name of megabytes would fill the memory.
+        material_ = trimmed(rest).substr(0, longest_material_name);
         material_line_ = lines_.line();
         is_part_over_ = true;
     }
@@ -472,16 +473,25 @@ class ObjReader {
         return true;
     }
 
+    /// White and dull where there is no material.
+    Vertex look_of(int material) const {
+        Vertex look;
+        if (material < 0) return look;
+        const ObjMaterial& of = model_.materials[static_cast<std::size_t>(material)];
+        look.reflectance = of.diffuse;
+        look.shine = {of.specular, std::min(of.shininess, largest_exponent)};
+        return look;
+    }
+
     /// Puts the face into the mesh.
-    void add_face(const ObjFace& face, const glm::vec3& reflectance,
-                  const std::vector<glm::vec3>& computed, std::size_t first_computed,
-                  VertexJoin& join) {
+    /// @param look a corner with the colours of the face's material, and nothing else
+    void add_face(const ObjFace& face, const Vertex& look, const std::vector<glm::vec3>& computed,
+                  std::size_t first_computed, VertexJoin& join) {
         indices_.clear();
         for (int i = 0; i < face.corner_count; ++i) {
             const ObjCorner& corner = corners_[static_cast<std::size_t>(face.first_corner + i)];
-            Vertex vertex;
+            Vertex vertex = look;
             vertex.position = places_[static_cast<std::size_t>(i)];
-            vertex.reflectance = reflectance;
             if (corner.texcoord >= 0)
                 vertex.texcoord = texcoords_[static_cast<std::size_t>(corner.texcoord)];
             if (needs_normal(corner)) {
@@ -516,10 +526,7 @@ class ObjReader {
                 model_.parts.push_back({parts_[static_cast<std::size_t>(part)].name,
                                         model_.mesh.triangle_count(), 0, material});
             }
-            const glm::vec3 reflectance =
-                material < 0 ? glm::vec3(1.0f)
-                             : model_.materials[static_cast<std::size_t>(material)].diffuse;
-            add_face(face, reflectance, computed, first, join);
+            add_face(face, look_of(material), computed, first, join);
             ObjPart& made = model_.parts.back();
             made.triangle_count = model_.mesh.triangle_count() - made.first_triangle;
         }

@@ -39,7 +39,7 @@ struct ObjPart {
 /// running up.
 struct ObjModel {
     std::string path;
-    Mesh mesh;                  ///< reflectance is the material's Kd
+    Mesh mesh;                  ///< reflectance and shine are the material's: Kd; Ks and Ns
     std::vector<ObjPart> parts; ///< every triangle belongs to one of them, in order
     std::vector<ObjMaterial> materials;
     ObjReport report;

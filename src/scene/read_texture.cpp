@@ -40,14 +40,15 @@ CornerTexcoords read_corners(const TomlInput& part, const toml::node& node,
 
 } // namespace
 
-TextureReader::TextureReader(const std::string& scene_path, std::vector<Texture>& textures)
+TextureReader::TextureReader(const std::string& scene_path, std::vector<SharedTexture>& textures)
     : folder_(std::filesystem::path(scene_path).parent_path().string()), textures_(textures) {}
 
 int TextureReader::read(const TomlInput& part) {
     const toml::node* const node = part.find("texture");
     if (node == nullptr) return -1;
     const std::string name = part.text("texture");
-    if (const auto known = known_.find(name); known != known_.end()) return known->second;
+    const std::string file = std::filesystem::path(name).lexically_normal().string();
+    if (const auto known = known_.find(file); known != known_.end()) return known->second;
     if (!lies_beside_or_below(name)) {
         part.fail(*node,
                   "the texture '" + name + "' must lie beside the scene, or in a folder below it.");
@@ -65,9 +66,9 @@ int TextureReader::read(const TomlInput& part) {
         part.fail(*node,
                   fmt::format("the textures of the scene have more than {} texels.", most_texels));
     }
-    textures_.push_back(make_texture(name, image));
+    textures_.emplace_back(make_texture(name, image));
     const int index = static_cast<int>(textures_.size()) - 1;
-    known_.emplace(name, index);
+    known_.emplace(file, index);
     return index;
 }
 

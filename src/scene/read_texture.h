@@ -21,7 +21,7 @@ class TextureReader {
   public:
     /// @param scene_path the scene's file, from whose folder the names count
     /// @param textures   receives them, and must live as long
-    TextureReader(const std::string& scene_path, std::vector<Texture>& textures);
+    TextureReader(const std::string& scene_path, std::vector<SharedTexture>& textures);
 
     /// The index of the texture that a part names; -1 if it names none. Throws InputError at the
     /// line of the name for a file that does not lie beside the scene or in a folder below, cannot
@@ -30,8 +30,8 @@ class TextureReader {
 
   private:
     std::string folder_;
-    std::vector<Texture>& textures_;
-    std::map<std::string, int> known_;
+    std::vector<SharedTexture>& textures_;
+    std::map<std::string, int> known_; ///< by the name without "./"
     std::size_t texels_ = 0;
 };
 

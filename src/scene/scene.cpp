@@ -27,7 +27,7 @@ const Texture* texture_of(const Scene& scene, int triangle) {
     if (scene.textures.empty()) return nullptr;
     const int part = part_of(scene, triangle);
     const int texture = part < 0 ? -1 : scene.parts[static_cast<std::size_t>(part)].texture;
-    return texture < 0 ? nullptr : &scene.textures[static_cast<std::size_t>(texture)];
+    return texture < 0 ? nullptr : &*scene.textures[static_cast<std::size_t>(texture)];
 }
 
 const std::string& part_name(const Scene& scene, int triangle) {

@@ -125,9 +125,9 @@ struct Scene {
     std::string path; ///< the file it came from; empty for a scene made in memory
     SceneSpace space = SceneSpace::world;
     Mesh mesh;
-    std::vector<Part> parts;       ///< one after another: every triangle belongs to one of them
-    std::vector<Texture> textures; ///< each once, however many parts show it
-    std::vector<ScenePolygon> polygons; ///< in the order of drawing; only of a scene in pixels
+    std::vector<Part> parts; ///< one after another: every triangle belongs to one of them
+    std::vector<SharedTexture> textures; ///< each once, however many parts show it
+    std::vector<ScenePolygon> polygons;  ///< in the order of drawing; only of a scene in pixels
     std::vector<BenchExample> examples;
     Camera camera;
     Light light;

@@ -58,6 +58,9 @@ TextureLevel half_of(const TextureLevel& before) {
 
 } // namespace
 
+SharedTexture::SharedTexture(Texture texture)
+    : texture_(std::make_shared<const Texture>(std::move(texture))) {}
+
 Texture make_texture(std::string name, const Image& image) {
     TextureLevel base{image.width, image.height, {}};
     base.texels.reserve(image.rgba.size() / 4);

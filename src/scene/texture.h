@@ -14,6 +14,7 @@
 // the levels are: The OpenGL Graphics System, version 4.6 (core profile), section 8.14.3.
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,22 @@ struct Texture {
     int last_level() const { return static_cast<int>(levels.size()) - 1; }
 
     friend bool operator==(const Texture&, const Texture&) = default;
+};
+
+/// A texture of a scene. Copies of the scene share it: undo keeps many of them.
+class SharedTexture {
+  public:
+    explicit SharedTexture(Texture texture);
+
+    const Texture& operator*() const { return *texture_; }
+
+    /// Of the same texels, whether or not they are shared.
+    friend bool operator==(const SharedTexture& a, const SharedTexture& b) {
+        return a.texture_ == b.texture_ || *a.texture_ == *b.texture_;
+    }
+
+  private:
+    std::shared_ptr<const Texture> texture_; ///< never null
 };
 
 /// The texture of a picture that has pixels. A byte b becomes b / 255, as bytes of the picture that

@@ -19,6 +19,8 @@ constexpr CoverageSetting coverage_settings[] = {
     {"line_rounding", true, false, false},
     {"fill_rule", false, true, true},
     {"snap", false, true, true},
+    {"pixel_sample", false, true, true},
+    {"weight_edge", false, true, false},
     {"line", true, false, false},
     {"bresenham_rule", true, false, false},
     {"line_walk", true, false, true}, // values along a row too; edge functions mix the corners'

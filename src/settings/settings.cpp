@@ -140,11 +140,11 @@ EdgeRules edge_rules(const Settings& settings, VaryingSet carried) {
             .carried = carried};
 }
 
-PixelRules pixel_rules(const Settings& settings) {
+PixelRules pixel_rules(const Settings& settings, SceneSpace space) {
     return {.light = light_rule(settings),
             .shading = shading_rule(settings),
             .camera = settings.camera,
-            .rays = sight_rays(vertex_rules(settings, SceneSpace::world))};
+            .rays = sight_rays(vertex_rules(settings, space))};
 }
 
 Coverage coverage_rule(const Settings& settings) {

@@ -101,7 +101,7 @@ Light light_rule(const Settings& settings);
 VertexRules vertex_rules(const Settings& settings, SceneSpace space);
 /// @param carried the varyings that are wanted; where only places count, none
 EdgeRules edge_rules(const Settings& settings, VaryingSet carried = VaryingSet::all());
-PixelRules pixel_rules(const Settings& settings);
+PixelRules pixel_rules(const Settings& settings, SceneSpace space);
 
 /// The coverage in force: before stage `rows` only the samples of edges are drawn, whatever the
 /// setting says.

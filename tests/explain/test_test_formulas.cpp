@@ -36,6 +36,8 @@ TEST_CASE("The formulas of a tested pixel come to the numbers of the stage") {
         Settings settings;
         settings.stage = Stage::fill;
         settings.coverage = Coverage::edge_functions;
+        settings.weight_edge = i % 3 == 0 ? WeightEdge::own : WeightEdge::opposite;
+        settings.pixel_sample = i % 5 == 0 ? PixelSample::corner : PixelSample::centre;
         settings.snap = i % 2 == 0 ? Snap::pixel : Snap::subpixel;
         const Stages stages = choose_stages(settings);
         std::vector<ScreenVertex> corners;
@@ -46,7 +48,8 @@ TEST_CASE("The formulas of a tested pixel come to the numbers of the stage") {
         const TestedTriangle& triangle = polygon.triangles.front();
         const int column = random.integer(0, 39), row = random.integer(0, 39);
         const PixelTest test = test_pixel(polygon, 0, column, row, stages);
-        const std::vector<Formula> formulas = test_formulas(triangle, test, {"v0", "v1", "v2"});
+        const std::vector<Formula> formulas =
+            test_formulas(triangle, test, {"v0", "v1", "v2"}, settings);
         CAPTURE(i, column, row);
         float sum = 0.0f;
         for (int e = 0; e < 3; ++e) {
@@ -66,6 +69,8 @@ TEST_CASE("The formulas of a tested pixel come to the numbers of the stage") {
             sum += formula.result.value;
             // The names say from where to where, the way that the numbers go.
             const std::string way = formula.inputs[0].source.name;
+            CHECK((formula.inputs[2].source.name.find("half a pixel") != std::string::npos) ==
+                  (settings.pixel_sample == PixelSample::corner));
             const std::string from = "v" + std::to_string(e),
                               to = "v" + std::to_string((e + 1) % 3);
             const bool is_turned = !(triangle.edges[static_cast<std::size_t>(e)].from == a);

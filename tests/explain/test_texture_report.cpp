@@ -113,6 +113,65 @@ TEST_CASE("Every number of a textured fragment follows from its formula to the b
     CHECK(levels.size() >= 2);
 }
 
+TEST_CASE(
+    "Whatever the shading, a painted surface of many colours tells the colour that is drawn") {
+    const Scene plain = test::receding_wall(test::many_colours(5, 4), 2.3f);
+    Scene scene = plain;
+    scene.mesh = {};
+    for (int t = 0; t < plain.triangle_count(); ++t) {
+        std::array<Vertex, triangle_corners> corners = corners_of(plain, t);
+        for (Vertex& corner : corners) {
+            const float part = corner.texcoord.x / 2.3f;
+            corner.reflectance = {0.9f - 0.5f * part, 0.4f, 0.2f + 0.6f * part};
+        }
+        scene.mesh.add_triangle_of(corners);
+    }
+    struct Shown {
+        std::string_view shading, colour;
+    };
+    test::Random random(8);
+    for (const Shown& one : {Shown{"shading=unlit", "flat.colour."},
+                             {"shading=flat", "triangle_light.colour."},
+                             {"shading=gouraud", "vertex_light.colour."},
+                             {"shading=phong", "pixel_light.colour."}}) {
+        for (const char* const coverage :
+             {"coverage=rows", "weight_edge=opposite", "weight_edge=own"}) {
+            for (const char* const model : {"light.model=lambert", "light.model=blinn_phong"}) {
+                Settings settings =
+                    settings_of_texture(scene, "pixel_light", "perspective", "bilinear", "repeat");
+                set_from_text(settings, "coverage=edge_functions");
+                for (const std::string_view assignment : {one.shading, {coverage}, {model}})
+                    set_from_text(settings, std::string(assignment));
+                const Frame frame = prepare_frame(scene, settings);
+                Framebuffer picture;
+                clear(picture, frame);
+                test::Recorder recorder;
+                draw(frame, {}, picture, &recorder);
+                REQUIRE_FALSE(recorder.fragments.empty());
+                for (int i = 0; i < 5; ++i) {
+                    const FragmentEvent& event = recorder.fragments[static_cast<std::size_t>(
+                        random.integer(0, static_cast<int>(recorder.fragments.size()) - 1))];
+                    const auto report = fragment_report(frame, event.cursor);
+                    REQUIRE(report);
+                    const std::string where = fmt::format("{} {} {} {}: ", one.shading, coverage,
+                                                          model, to_text(event.cursor));
+                    check_formulas(*report, where);
+                    INFO(where);
+                    const std::array<const char*, 3> names{"red", "green", "blue"};
+                    for (int c = 0; c < 3; ++c) {
+                        const Formula* const shown =
+                            find_formula(report->formulas, std::string(one.colour) +
+                                                               names[static_cast<std::size_t>(c)]);
+                        REQUIRE(shown != nullptr);
+                        CHECK(test::same_bits(shown->result.value,
+                                              frame.stages.visible_channel(report->colour[c])));
+                    }
+                }
+            }
+        }
+    }
+}
+
 TEST_CASE("A fragment without a texture has no such story") {
     Scene scene = test::receding_wall(test::many_colours(4, 4));
     Settings settings = default_settings(scene);

@@ -107,7 +107,7 @@ TEST_CASE("There is no depth test before stage depth, and light only in its two 
                                  : info.step == StripStep::pixel_light ? Shading::phong
                                                                        : Shading::unlit;
         CHECK(vertex_rules(settings, SceneSpace::world).shading == expected);
-        CHECK(pixel_rules(settings).shading == expected);
+        CHECK(pixel_rules(settings, SceneSpace::world).shading == expected);
     }
 }
 

@@ -305,3 +305,43 @@ TEST_CASE("A smooth body is culled by its triangles, not by the normals of their
     }
     CHECK(backs > 20);
 }
+
+TEST_CASE("What is given in pixels is projected already: its highlights keep their eye") {
+    const Scene scene = parse_scene(R"(
+name = "A shining triangle"
+space = "pixels"
+stage = "pixel_light"
+[viewport]
+width = 24
+height = 20
+[camera]
+position = [10, 8, -6]
+[light]
+position = [14, 5, -9]
+power = 900
+model = "blinn_phong"
+[points.p]
+A = [2, 2, 1]
+B = [20, 4, 2]
+C = [7, 17, 1]
+[materials.m]
+diffuse = 0.2
+specular = 0.8
+exponent = 9
+[[part]]
+name = "t"
+points = "p"
+material = "m"
+triangles = ["A B C"]
+)",
+                                    "pixels.toml");
+    for (const char* const shading : {"shading=flat", "shading=gouraud", "shading=phong"}) {
+        INFO(shading);
+        const auto drawn = [&](const char* model, const char* mix) {
+            return draw_frame(prepare_frame(scene, settings_of(scene, {shading, model, mix})));
+        };
+        const Framebuffer shining = drawn("light.model=blinn_phong", "projection_mix=0");
+        CHECK(drawn("light.model=blinn_phong", "projection_mix=0.7") == shining);
+        CHECK_FALSE(drawn("light.model=lambert", "projection_mix=0") == shining);
+    }
+}

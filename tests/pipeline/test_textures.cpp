@@ -102,7 +102,7 @@ TEST_CASE("Every filter and wrap paints each pixel as a second implementation in
                     }
                     ++compared;
                     ++levels[static_cast<int>(std::lround(texture_level(
-                        {glm::vec2(right), glm::vec2(down)}, scene.textures.front())))];
+                        {glm::vec2(right), glm::vec2(down)}, *scene.textures.front())))];
                     const glm::dvec3 off = glm::abs(glm::dvec3(event.after) - wanted.colour);
                     if (std::max({off.x, off.y, off.z}) > 1.0 / 255.0) {
                         FAIL(name << " pixel " << event.fragment.column << "," << event.fragment.row

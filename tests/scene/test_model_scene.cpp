@@ -117,6 +117,7 @@ TEST_CASE("A model is opened where a scene is, by its ending") {
     REQUIRE(scene.parts.size() == 4);
     CHECK(scene.parts[0].name == "body");
     CHECK(scene.corner(0, 0).reflectance == glm::vec3(0.75f, 0.35f, 0.2f));
+    CHECK(scene.corner(0, 0).shine == Shine{glm::vec3(0.5f), 40.0f});
     CHECK(scene.corner(scene.parts[1].first_triangle, 0).reflectance ==
           glm::vec3(0.2f, 0.45f, 0.55f));
     CHECK_THROWS_AS(read_scene_file("/nowhere/at/all.obj"), AccessError);

@@ -318,14 +318,34 @@ TEST_CASE("Materials stand beside the model, and give its faces their colour") {
     CHECK(model.mesh.corner(0, 0).reflectance == glm::vec3(0.8f, 0.1f, 0.1f));
     CHECK(model.mesh.corner(1, 0).reflectance == glm::vec3(0, 0, 1));
     CHECK(model.mesh.corner(2, 0).reflectance == glm::vec3(1));
+    CHECK(model.mesh.corner(0, 2).shine == Shine{glm::vec3(0.5f), 32.0f});
+    CHECK(model.mesh.corner(1, 0).shine.specular == glm::vec3(0));
+    CHECK(model.mesh.corner(2, 0).shine == Shine{});
     const std::string mtl = folder.file("two parts.mtl");
     CHECK(skipped_lines(model.report) ==
           std::vector<std::string>{
+              mtl + ":6: 1 statement 'map_Kd' is skipped: images of materials are not drawn.",
               mtl + ":6: 1 statement '-s' is skipped: of an image's options only -bm is used.",
               mtl + ":6: 1 statement '-o' is skipped: of an image's options only -bm is used.",
               mtl + ":6: 1 statement '-clamp' is skipped: of an image's options only -bm is used.",
+              mtl + ":7: 1 statement 'norm' is skipped: images of materials are not drawn.",
               mtl + ":8: 1 statement 'illum' is skipped: this property of a material is not "
-                    "used."});
+                    "used.",
+              mtl + ":11: 1 statement 'bump' is skipped: images of materials are not drawn."});
+}
+
+TEST_CASE("A long name of a material is cut in both files, and an exponent at its limit") {
+    const test::TemporaryFolder folder;
+    const std::string name(5 * longest_material_name, 'x');
+    folder.write("m.mtl", "newmtl " + name + "\nKd 0.5\nKs 1\nNs 1e8\n");
+    const ObjModel model =
+        read_obj(folder.write("m.obj", "mtllib m.mtl\nusemtl " + name + "\n" + one_face));
+    CHECK(model.report.counts.faults == 0);
+    REQUIRE(model.materials.size() == 1);
+    CHECK(model.materials[0].name.size() == longest_material_name);
+    CHECK(model.parts[0].material == 0);
+    CHECK(model.mesh.corner(0, 0).reflectance == glm::vec3(0.5f));
+    CHECK(model.mesh.corner(0, 0).shine == Shine{glm::vec3(1.0f), largest_exponent});
 }
 
 TEST_CASE("What is wrong in a file of materials is told with its own line") {

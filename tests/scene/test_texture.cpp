@@ -94,19 +94,23 @@ TEST_CASE("A scene names a texture beside it, and where the corners of its trian
     write_png(image, folder.file("painted.png"));
     const std::string painted = "texture = \"painted.png\"\n" + two_texcoords;
     const std::string path = folder.write(
-        "s.toml", scene_with_lines(painted + "model = [{ scale = [-1, 1, 1] }]\n"
-                                             "[[part]]\nname = \"bare\"\npoints = \"p\"\n"
-                                             "triangles = [\"A B C\"]\n"
-                                             "[[part]]\nname = \"again\"\npoints = \"p\"\n"
-                                             "triangles = [\"A B C\"]\ntexture = \"painted.png\"\n"
-                                             "texcoords = [[[0, 0], [1, 0], [1, 1]]]\n"));
+        "s.toml",
+        scene_with_lines(painted + "model = [{ scale = [-1, 1, 1] }]\n"
+                                   "[[part]]\nname = \"bare\"\npoints = \"p\"\n"
+                                   "triangles = [\"A B C\"]\n"
+                                   "[[part]]\nname = \"again\"\npoints = \"p\"\n"
+                                   "triangles = [\"A B C\"]\ntexture = \"./painted.png\"\n"
+                                   "texcoords = [[[0, 0], [1, 0], [1, 1]]]\n"));
     const Scene scene = read_scene(path);
     REQUIRE(scene.textures.size() == 1); // once for two parts
-    CHECK(scene.textures.front() == make_texture("painted.png", image));
-    CHECK(texture_of(scene, 0) == &scene.textures.front());
-    CHECK(texture_of(scene, 1) == &scene.textures.front());
+    CHECK(*scene.textures.front() == make_texture("painted.png", image));
+    CHECK(texture_of(scene, 0) == &*scene.textures.front());
+    CHECK(texture_of(scene, 1) == &*scene.textures.front());
     CHECK(texture_of(scene, 2) == nullptr);
-    CHECK(texture_of(scene, 3) == &scene.textures.front());
+    const Scene copy = scene;
+    CHECK(texture_of(copy, 0) == texture_of(scene, 0)); // shared
+    CHECK(read_scene(path) == scene);                   // and compared by its texels
+    CHECK(texture_of(scene, 3) == &*scene.textures.front());
     // In the mirror the corners of a triangle change places, and their texcoords with them.
     CHECK(scene.corner(0, 1).position == glm::vec3(-1, 1, 2));
     CHECK(scene.corner(0, 1).texcoord == glm::vec2(1, 1));

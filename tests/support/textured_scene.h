@@ -38,7 +38,7 @@ inline void add_textured(Scene& scene, const std::array<PixelCorner, 3>& corners
 
 inline Scene textured_scene(const Image& image, Viewport viewport) {
     Scene scene = pixel_scene({}, viewport);
-    scene.textures.push_back(make_texture("painted.png", image));
+    scene.textures.emplace_back(make_texture("painted.png", image));
     return scene;
 }
 

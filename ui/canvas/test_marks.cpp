@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/numbers.h"
+#include "explain/test_formulas.h"
 #include "inspect/pixel_tests.h"
 #include "ui/actions/compare.h"
 #include "ui/canvas/cells.h"
@@ -117,8 +118,7 @@ std::array<CellTest, edge_function_count> numbers_of(const Marks& m, const Pixel
     ImFont* const font = m.ui.fonts.mono_small;
     std::array<CellTest, edge_function_count> numbers;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-        // A corner's weight is that of the opposite edge.
-        const std::size_t e = has_weights ? (i + 1) % numbers.size() : i;
+        const std::size_t e = has_weights ? edge_of_weight(i, m.run.frame.settings.weight_edge) : i;
         CellTest& number = numbers[i];
         number.edge = test.edges[e];
         number.is_zero = test.e[e] == 0 && !has_weights;

@@ -46,6 +46,19 @@ void draw_highlight(Ui& ui, const std::string& prefix, const SurfaceLight& light
         draw_fragment_line(ui, prefix + "S." + channel);
 }
 
+/// What becomes of light that the texture paints after it is worked out, and of all light on the
+/// screen.
+void draw_painted(Ui& ui, const std::string& prefix, const glm::vec3& light) {
+    const FragmentReport& report = report_of(ui);
+    if (find_formula(report.formulas, prefix + "painted.red") == nullptr) {
+        draw_clamped(ui, light);
+        return;
+    }
+    for (const char* channel : channel_names)
+        draw_fragment_line(ui, prefix + "painted." + channel);
+    draw_clamped(ui, light * report.texture->colour);
+}
+
 /// The light at one point, term by term.
 void draw_light_terms(Ui& ui, const std::string& prefix, const SurfaceLight& light) {
     const FragmentReport& report = report_of(ui);
@@ -65,7 +78,7 @@ void draw_light_terms(Ui& ui, const std::string& prefix, const SurfaceLight& lig
         draw_fragment_line(ui, prefix + "R." + channel_names[static_cast<std::size_t>(i)], {},
                            light.reflected[i] > 1.0f);
     }
-    draw_clamped(ui, light.reflected);
+    draw_painted(ui, prefix, light.reflected);
 }
 
 void draw_vertex_light(Ui& ui) {
@@ -96,13 +109,7 @@ void draw_vertex_light(Ui& ui) {
                            "R " + std::string(channel_names[static_cast<std::size_t>(channel)]),
                            report.light_per_vertex[channel] > 1.0f);
     }
-    if (!report.texture) {
-        draw_clamped(ui, report.light_per_vertex);
-        return;
-    }
-    for (const char* channel : channel_names)
-        draw_fragment_line(ui, std::string("vertex_light.painted.") + channel);
-    draw_clamped(ui, report.light_per_vertex * report.texture->colour);
+    draw_painted(ui, "vertex_light.", report.light_per_vertex);
 }
 
 } // namespace

@@ -179,7 +179,8 @@ void draw_pixel_test(Ui& ui, const PixelTest& test) {
     const TestedPolygon& polygon = ui.results.a.rows.rows.tested;
     const TestedTriangle& triangle = polygon.triangles[static_cast<std::size_t>(test.triangle)];
     const auto corners = corner_names_of(ui, polygon, triangle);
-    const std::vector<Formula> formulas = test_formulas(triangle, test, corners);
+    const Settings& settings = ui.results.a.frame.settings;
+    const std::vector<Formula> formulas = test_formulas(triangle, test, corners, settings);
     begin_card(ui);
     const Meaning answer = test.is_inside ? Meaning::pass : Meaning::fail;
     text_in(colour_of(answer, ui.options.theme),
@@ -189,7 +190,9 @@ void draw_pixel_test(Ui& ui, const PixelTest& test) {
                 with_minus_signs(pixel_test_text(test)) +
                     "\nA pixel lies inside where all three edges have what they ask for.");
     ImGui::SameLine();
-    text_in(p.dim, fmt::format("asked at its centre ({}.5, {}.5)", test.column, test.row));
+    text_in(p.dim, settings.pixel_sample == PixelSample::corner
+                       ? fmt::format("asked at its corner ({}, {})", test.column, test.row)
+                       : fmt::format("asked at its centre ({}.5, {}.5)", test.column, test.row));
     keep_item_whole(ui);
     draw_edges_of_test(ui, test, triangle, formulas);
     if (triangle.area != 0) draw_weights(ui, test, corners, formulas);
