@@ -262,8 +262,8 @@ TEST_CASE("A picture that was clipped or culled in another way is told by that, 
     in_corridor.camera.yaw = 0.3f;
     behind_room.viewport = {50, 50};
     behind_room.camera.focal_length = 50.0f;
-    behind_room.camera.position = {0.4f, -0.2f, 2.8f};
-    behind_room.camera.yaw = 2.9f;
+    behind_room.camera.position = {0.0f, -0.2f, 3.2f};
+    behind_room.camera.yaw = 3.0f;
     struct Way {
         const char* setting;
         const char* id;

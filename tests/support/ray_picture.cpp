@@ -118,11 +118,11 @@ int first_met(const Picture& picture, const std::vector<SeenTriangle>& triangles
 
 } // namespace
 
-void cast_rays(const Scene& scene, const Camera& camera, Viewport size, SeenDepths depths,
-               double margin, std::vector<int>& met) {
+std::vector<int> cast_rays(const Scene& scene, const Camera& camera, Viewport size,
+                           SeenDepths depths, double margin) {
     Picture picture{size, camera.focal_length, margin};
     picture.middle = {size.width / 2, size.height / 2}; // whole pixels, as in the lab
-    met.assign(picture.at(0, size.height), ray_meets_nothing);
+    std::vector<int> met(picture.at(0, size.height), ray_meets_nothing);
     const CameraAxes axes = camera_axes(camera);
     std::vector<SeenTriangle> triangles;
     std::vector<glm::dvec3> seen;
@@ -154,6 +154,7 @@ void cast_rays(const Scene& scene, const Camera& camera, Viewport size, SeenDept
             of_pixel = first_met(picture, triangles, depths, {column + 0.5, row + 0.5});
         }
     }
+    return met;
 }
 
 } // namespace rasterwalk::test

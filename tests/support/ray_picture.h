@@ -22,8 +22,8 @@ inline constexpr int ray_meets_nothing = -1, ray_near_outline = -2;
 /// @param margin pixels whose centres lie no farther from an outline of any triangle, hidden ones
 ///               too, are not told: ray_near_outline. Where a triangle is cut by one of the two
 ///               depths, its outline runs along the cut
-/// @param met    receives the triangle that is met first, row by row; its memory is used again
-void cast_rays(const Scene& scene, const Camera& camera, Viewport size, SeenDepths depths,
-               double margin, std::vector<int>& met);
+/// @return for each pixel, row by row, the triangle that is met first
+std::vector<int> cast_rays(const Scene& scene, const Camera& camera, Viewport size,
+                           SeenDepths depths, double margin);
 
 } // namespace rasterwalk::test
