@@ -6,6 +6,8 @@
 #include "laboratory/diagnose.h"
 #include "picture/view_image.h"
 #include "pipeline/draw.h"
+#include "scene/read_scene.h"
+#include "session/content.h"
 #include "settings/setting_table.h"
 #include "support/effort.h"
 #include "support/samples.h"
@@ -247,6 +249,51 @@ TEST_CASE("Mistakes of matrices are told, and nobody else is accused of them") {
     Settings wrong = matrices;
     wrong.translation = Translation::bottom_row;
     CHECK(diagnose_picture(picture_of(scene, wrong), scene, matrices, bugs).is_same());
+}
+
+TEST_CASE("A picture that was clipped or culled in another way is told by that, mistaken or not") {
+    // In the corridor triangles reach behind the camera; behind the room all its walls show backs.
+    const Scene corridor = read_scene(lessons_folder() + "/scenes/corridor.toml");
+    const Scene room = lab_room();
+    const std::vector<Bug> bugs = read_bugs();
+    Settings in_corridor = default_settings(corridor), behind_room = default_settings(room);
+    in_corridor.viewport = {50, 40};
+    in_corridor.camera.focal_length = 40.0f;
+    in_corridor.camera.yaw = 0.3f;
+    behind_room.viewport = {50, 50};
+    behind_room.camera.focal_length = 50.0f;
+    behind_room.camera.position = {0.0f, -0.2f, 3.2f};
+    behind_room.camera.yaw = 3.0f;
+    struct Way {
+        const char* setting;
+        const char* id;
+    };
+    const std::vector<Way> ways = {{"clip=all", "clip=all"},
+                                   {"clip=none", "B13"},
+                                   {"clip=near", "clip=near"},
+                                   {"clip=guard_band", "clip=guard_band"},
+                                   {"clip=wrong_t", "B31"},
+                                   {"clip=after_division", "B32"},
+                                   {"clip=clamped", "B33"},
+                                   {"cull=face_normal", "cull=face_normal"},
+                                   {"cull=view_axis", "B34"},
+                                   {"cull=screen_area", "cull=screen_area"},
+                                   {"clip=whole_only", "B16"},
+                                   {"cull=vertex_normals", "cull=vertex_normals"},
+                                   {"cull=fragment_normal", "cull=fragment_normal"}};
+    for (const Way& way : some_of(ways, 3)) {
+        const bool is_clip = std::string(way.setting).starts_with("clip");
+        const Scene& scene = is_clip ? corridor : room;
+        const Settings& reference = is_clip ? in_corridor : behind_room;
+        Settings other = reference;
+        set_from_text(other, way.setting);
+        const Diagnosis diagnosis =
+            diagnose_picture(picture_of(scene, other), scene, reference, bugs);
+        INFO(way.setting << ": " << diagnosis.verdict);
+        REQUIRE_FALSE(diagnosis.is_same());
+        CHECK(place_of(diagnosis, way.id) == 0);
+        CHECK(diagnosis.candidates.front().distance == 0.0);
+    }
 }
 
 TEST_CASE("The picture of a bug with some noise is still told") {

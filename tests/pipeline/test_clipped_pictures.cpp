@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <cstdint>
+#include <cstdio>
+#include <string>
 #include <vector>
 
 #include "inspect/stats.h"
@@ -16,7 +18,7 @@
 #include "support/effort.h"
 #include "support/frames.h"
 #include "support/random.h"
-#include "support/ray_caster.h"
+#include "support/ray_picture.h"
 #include "support/samples.h"
 
 using namespace rasterwalk;
@@ -26,106 +28,153 @@ namespace {
 
 constexpr Viewport small_picture{64, 48};
 
-/// What a ray meets first beyond the near plane, and how near that and the next surface are.
-struct Met {
-    int triangle = -1; ///< or -1: nothing
-    double zinv = 0.0, zinv_behind = 0.0;
+/// A scene, and the box in the world in which the camera walks through it.
+struct Walk {
+    Scene scene;
+    glm::vec3 low, high;
+    std::uint32_t seed;
 };
 
-Met met_at(const RayCaster& rays, glm::dvec2 place, const Settings& settings) {
-    Met met;
-    for (const RayHit& hit : rays.hits(place)) {
-        if (!(hit.zinv > 1.0 / settings.far && hit.zinv < 1.0 / settings.near)) continue;
-        if (met.triangle >= 0) {
-            met.zinv_behind = hit.zinv;
-            break;
-        }
-        met.triangle = hit.triangle;
-        met.zinv = hit.zinv;
-    }
-    return met;
+/// A camera anywhere on the walk that looks anywhere, through any lens.
+Settings somewhere_on(const Walk& walk, Random& random) {
+    Settings settings = default_settings(walk.scene);
+    set_step(settings, {Stage::depth, Shading::unlit});
+    settings.viewport = small_picture;
+    settings.camera.position = {random.number(walk.low.x, walk.high.x),
+                                random.number(walk.low.y, walk.high.y),
+                                random.number(walk.low.z, walk.high.z)};
+    settings.camera.yaw = random.number(-3.2, 3.2);
+    settings.camera.pitch = random.number(-1.2, 1.2);
+    settings.camera.focal_length = random.number(20, 80);
+    settings.near = random.integer(0, 1) == 0 ? 0.1f : 0.02f;
+    return settings;
 }
 
-/// The triangle that all rays within three pixels meet, if none of them meets another one that is
-/// as near as it is anywhere there; -1: all meet nothing. The lab's rows are whole pixels, whose
-/// outlines may lie two pixels beside the true ones.
-std::optional<int> met_about(const RayCaster& rays, glm::dvec2 place, const Settings& settings) {
-    const int triangle = met_at(rays, place, settings).triangle;
-    double farthest = INFINITY, behind = 0.0;
-    constexpr int side = 7; // a ray each pixel, so that no sliver is missed
-    for (int i = 0; i < side * side; ++i) {
-        const glm::dvec2 aside(i % side - side / 2, i / side - side / 2);
-        const Met met = met_at(rays, place + aside, settings);
-        if (met.triangle != triangle) return std::nullopt;
-        farthest = std::min(farthest, met.zinv);
-        behind = std::max(behind, met.zinv_behind);
-    }
-    if (triangle >= 0 && behind >= farthest) return std::nullopt;
-    return triangle;
-}
+/// How many pixels were held against rays.
+struct PixelCount {
+    std::int64_t compared = 0, wrong = 0;
+    std::string first_wrong;
+};
 
-/// Draws from a camera and holds each pixel against rays; counts those that can be told.
-int check_picture(const Scene& scene, const Settings& settings) {
-    const Frame frame = prepare_frame(scene, settings);
-    const Framebuffer drawn = draw_frame(frame);
-    const RayCaster rays(scene, settings.camera, settings.light);
-    int compared = 0;
-    for (int row = 1; row < small_picture.height; row += 4) {
-        for (int column = 1; column < small_picture.width; column += 4) {
-            const glm::dvec2 place(column - small_picture.width / 2,
-                                   row - small_picture.height / 2);
-            const std::optional<int> met = met_about(rays, place, settings);
-            if (!met) continue;
-            ++compared;
-            const int owner = drawn.owner[drawn.at(column, row)];
-            if (owner != *met)
-                FAIL("column " << column << ", row " << row << ": drawn " << owner << ", rays "
-                               << *met);
+/// Holds a picture against what rays meet.
+/// @param border so many pixels at each side are left out
+PixelCount compare_pixels(const Framebuffer& drawn, const std::vector<int>& met, int border) {
+    PixelCount count;
+    for (int row = border; row < drawn.size.height - border; ++row) {
+        for (int column = border; column < drawn.size.width - border; ++column) {
+            const std::size_t pixel = drawn.at(column, row);
+            if (met[pixel] == ray_near_outline) continue;
+            ++count.compared;
+            if (drawn.owner[pixel] == met[pixel] || ++count.wrong > 1) continue;
+            count.first_wrong =
+                "column " + std::to_string(column) + ", row " + std::to_string(row) + ": drawn " +
+                std::to_string(drawn.owner[pixel]) + ", ray " + std::to_string(met[pixel]);
         }
     }
-    return compared;
+    return count;
 }
 
-void check_walk(const Scene& scene, const glm::vec3& low, const glm::vec3& high, int seed) {
-    Random random(static_cast<std::uint32_t>(seed));
-    int compared = 0, cut = 0, told = 0;
-    const int cameras = rounds(1000, 100); // ten thousand were walked with effort 10
+/// @param margin how far a pixel must be from an outline to be compared
+PixelCount compare_with_rays(const Frame& frame, double margin, int border) {
+    const Settings& settings = frame.settings;
+    const std::vector<int> met = cast_rays(*frame.scene, settings.camera, settings.viewport,
+                                           {settings.near, settings.far}, margin);
+    return compare_pixels(draw_frame(frame), met, border);
+}
+
+/// From where the picture is not what rays find, and where first.
+std::string fault_words(const Settings& settings, const PixelCount& count) {
+    const Camera& camera = settings.camera;
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  "camera %.9g,%.9g,%.9g yaw %.9g pitch %.9g focal_length %.9g near %g",
+                  camera.position.x, camera.position.y, camera.position.z, camera.yaw, camera.pitch,
+                  camera.focal_length, settings.near);
+    return "clip " + std::string(word_of(settings.clip)) + ", reject " +
+           std::string(word_of(settings.reject)) + ", " + text + ": " +
+           std::to_string(count.wrong) + " pixels, the first at " + count.first_wrong;
+}
+
+/// The walk with the lab's rows, and every way to clip that leaves no hole. Corners are whole
+/// pixels there, and so are the samples of edges: outlines may lie two pixels beside the true ones.
+void check_walk_by_rows(const Walk& walk) {
+    constexpr double margin = 3.0;
+    Random random(walk.seed);
+    std::int64_t compared = 0, pixels = 0;
+    int cut = 0, told = 0;
+    const int cameras = rounds(400, 40);
     for (int i = 0; i < cameras; ++i) {
-        Settings settings = default_settings(scene);
-        set_step(settings, {Stage::depth, Shading::unlit});
-        settings.viewport = small_picture;
-        settings.camera.position = {random.number(low.x, high.x), random.number(low.y, high.y),
-                                    random.number(low.z, high.z)};
-        settings.camera.yaw = random.number(-3.2, 3.2);
-        settings.camera.pitch = random.number(-1.2, 1.2);
-        settings.camera.focal_length = random.number(20, 80);
-        settings.near = random.integer(0, 1) == 0 ? 0.1f : 0.02f;
+        Settings settings = somewhere_on(walk, random);
         constexpr Clip ways[] = {Clip::all, Clip::near, Clip::guard_band};
         settings.clip = ways[i % 3];
         constexpr Reject rejections[] = {Reject::outcodes, Reject::none, Reject::cheap,
                                          Reject::none};
         settings.reject = rejections[i % 4];
-        CAPTURE(i, static_cast<int>(settings.clip), settings.camera.position.x,
-                settings.camera.position.y, settings.camera.position.z, settings.camera.yaw,
-                settings.camera.pitch, settings.camera.focal_length);
-        const FrameStats stats = frame_stats(prepare_frame(scene, settings));
-        cut += stats.clipped;
-        const bool is_told = stats.left_out.of(Rejection::too_far_out) > 0;
+        const Frame frame = prepare_frame(walk.scene, settings);
+        cut += count_clipping(frame).clipped;
+        const bool is_told = count_left_out(frame).of(Rejection::too_far_out) > 0;
         if (is_told && settings.clip == Clip::near) {
             // The near plane alone leaves corners too far out for the arithmetic; that is said.
             ++told;
             continue;
         }
         REQUIRE_FALSE(is_told);
-        compared += check_picture(scene, settings);
+        // Cut at the very border, a corner is rounded to a whole pixel on either side of it.
+        const int border = settings.clip == Clip::all ? 1 : 0;
+        const PixelCount count = compare_with_rays(frame, margin, border);
+        if (count.wrong > 0) FAIL("camera " << i << ", " << fault_words(settings, count));
+        compared += count.compared;
+        pixels += small_picture.width * small_picture.height;
     }
-    CHECK(compared > 40 * cameras);
+    CAPTURE(cameras, compared, pixels, cut, told);
+    CHECK(2 * compared > pixels);
     CHECK(cut > cameras);
-    CHECK(told <= cameras / 20);
+    CHECK(told <= 1 + cameras / 20);
+}
+
+/// Where coverage asks the centres of pixels, and corners are snapped to 256ths of one, an outline
+/// is drawn where it is: whatever is farther from all outlines than this shows what its ray meets.
+constexpr double centre_margin = 1.0 / 16.0;
+
+void ask_centres(Settings& settings) {
+    settings.coverage = Coverage::edge_functions;
+    settings.snap = Snap::subpixel;
+}
+
+/// The walk with every pixel compared, but those that an outline runs through.
+void check_walk_by_centres(const Walk& walk) {
+    Random random(walk.seed + 100);
+    std::int64_t compared = 0, pixels = 0;
+    int cut = 0;
+    Frame frame;
+    const int cameras = rounds(1000, 100); // effort 10 walks ten thousand
+    for (int i = 0; i < cameras; ++i) {
+        Settings settings = somewhere_on(walk, random);
+        ask_centres(settings);
+        settings.clip = Clip::all;
+        constexpr Reject rejections[] = {Reject::none, Reject::outcodes, Reject::cheap};
+        settings.reject = rejections[i % 3];
+        prepare_frame(walk.scene, settings, nullptr, frame);
+        const PixelCount count = compare_with_rays(frame, centre_margin, 0);
+        if (count.wrong > 0) FAIL("camera " << i << ", " << fault_words(settings, count));
+        cut += count_clipping(frame).clipped;
+        compared += count.compared;
+        pixels += small_picture.width * small_picture.height;
+    }
+    CAPTURE(cameras, compared, pixels, cut);
+    CHECK(10 * compared > 9 * pixels);
+    CHECK(cut > cameras);
 }
 
 Scene scene_of_lessons(const std::string& name) {
     return read_scene(lessons_folder() + "/scenes/" + name + ".toml");
+}
+
+Walk walk_in_room() {
+    return {lab_room(), {-0.8f, -0.8f, -1.6f}, {0.8f, 0.8f, 0.8f}, 76};
+}
+Walk walk_in_corridor() {
+    return {scene_of_lessons("corridor"), {-0.8f, -0.8f, -1.8f}, {0.8f, 0.8f, 7.0f}, 78};
 }
 
 /// Is a triangle drawn that the view volume does not reach: all of it nearer than the near plane,
@@ -158,11 +207,39 @@ Camera camera_about(const Camera& own, Random& random) {
 } // namespace
 
 TEST_CASE("From any camera in the room the clipped picture is what rays find") {
-    check_walk(lab_room(), {-0.8f, -0.8f, -1.6f}, {0.8f, 0.8f, 0.8f}, 76);
+    check_walk_by_rows(walk_in_room());
 }
 
 TEST_CASE("From any camera in the corridor, which runs on behind it, the picture has no hole") {
-    check_walk(scene_of_lessons("corridor"), {-0.8f, -0.8f, -1.8f}, {0.8f, 0.8f, 7.0f}, 78);
+    check_walk_by_rows(walk_in_corridor());
+}
+
+TEST_CASE("In the room all pixels beside the outlines are what their ray meets, without a hole") {
+    check_walk_by_centres(walk_in_room());
+}
+
+TEST_CASE(
+    "In the corridor all pixels beside the outlines are what their ray meets, without a hole") {
+    check_walk_by_centres(walk_in_corridor());
+}
+
+TEST_CASE("Rays see the holes that are left where nothing is clipped, or clipped wrongly") {
+    const Walk walk = walk_in_corridor();
+    for (const Clip clip : {Clip::none, Clip::leave_out, Clip::whole_only, Clip::wrong_t,
+                            Clip::after_division, Clip::clamped}) {
+        Random random(80);
+        int wrong = 0;
+        const int cameras = rounds(40, 8);
+        for (int i = 0; i < cameras; ++i) {
+            Settings settings = somewhere_on(walk, random);
+            ask_centres(settings);
+            settings.clip = clip;
+            const Frame frame = prepare_frame(walk.scene, settings);
+            wrong += compare_with_rays(frame, centre_margin, 0).wrong > 0 ? 1 : 0;
+        }
+        CAPTURE(word_of(clip), cameras);
+        CHECK(wrong > cameras / 2);
+    }
 }
 
 TEST_CASE("Cheap clipping gives the same picture, and walks nothing beside it") {

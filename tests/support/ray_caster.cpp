@@ -21,6 +21,15 @@ glm::dvec3 turn_upwards(const glm::dvec3& v, double angle) {
     return {v.x, c * v.y - s * v.z, c * v.z + s * v.y};
 }
 
+} // namespace
+
+CameraAxes camera_axes(const Camera& camera) {
+    const auto turned = [&](const glm::dvec3& in_camera) {
+        return turn_sideways(turn_upwards(in_camera, camera.pitch), camera.yaw);
+    };
+    return {turned({1.0, 0.0, 0.0}), turned({0.0, 1.0, 0.0}), turned({0.0, 0.0, 1.0})};
+}
+
 double distance_to_segment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
     const glm::dvec2 along = b - a;
     const double length2 = glm::dot(along, along);
@@ -28,10 +37,8 @@ double distance_to_segment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
     return glm::distance(p, a + t * along);
 }
 
-} // namespace
-
 RayCaster::RayCaster(const Scene& scene, const Camera& camera, const Light& light)
-    : scene_(scene), eye_(camera.position), yaw_(camera.yaw), pitch_(camera.pitch),
+    : scene_(scene), eye_(camera.position), axes_(camera_axes(camera)),
       focal_length_(camera.focal_length), lamp_(light.position), power_(light.power),
       indirect_(light.indirect) {
     for (int t = 0; t < scene.triangle_count(); ++t) {
@@ -50,18 +57,14 @@ RayCaster::RayCaster(const Scene& scene, const Camera& camera, const Light& ligh
 
 glm::dvec3 RayCaster::direction(glm::dvec2 place) const {
     // One unit forward, so that what a ray travels is z.
-    const glm::dvec3 in_camera(place.x / focal_length_, place.y / focal_length_, 1.0);
-    return turn_sideways(turn_upwards(in_camera, pitch_), yaw_);
+    return axes_.forward + (place.x * axes_.right + place.y * axes_.down) / focal_length_;
 }
 
 glm::dvec2 RayCaster::seen_at(const glm::dvec3& position_world) const {
     // By the three directions of the camera rather than by turning the world.
     const glm::dvec3 way = position_world - eye_;
-    const glm::dvec3 forward = direction({0.0, 0.0});
-    const glm::dvec3 right = direction({focal_length_, 0.0}) - forward;
-    const glm::dvec3 down = direction({0.0, focal_length_}) - forward;
-    const double z = glm::dot(way, forward);
-    return focal_length_ / z * glm::dvec2(glm::dot(way, right), glm::dot(way, down));
+    const double z = glm::dot(way, axes_.forward);
+    return focal_length_ / z * glm::dvec2(glm::dot(way, axes_.right), glm::dot(way, axes_.down));
 }
 
 RayHit RayCaster::on_plane(int triangle, glm::dvec2 place) const {

@@ -21,10 +21,20 @@ struct RayHit {
     glm::dvec3 weights{0};        ///< of the three vertices in the world; all positive inside
 };
 
+/// The directions of a camera in the world, each of length 1.
+struct CameraAxes {
+    glm::dvec3 right{0}, down{0}, forward{0};
+};
+/// @param camera aimed by its angles
+CameraAxes camera_axes(const Camera& camera);
+
+/// How far a place lies from the nearest point of a line from a to b.
+double distance_to_segment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b);
+
 /// Casts rays from a camera. Places on the picture are in pixels from its middle, x right, y down.
 class RayCaster {
   public:
-    /// Every vertex must lie in front of the camera.
+    /// Where distance_to_edges() is asked every vertex must lie in front of the camera.
     RayCaster(const Scene& scene, const Camera& camera, const Light& light);
 
     /// The triangles that the ray through the place meets, the nearest first.
@@ -56,7 +66,8 @@ class RayCaster {
 
     const Scene& scene_;
     glm::dvec3 eye_;
-    double yaw_, pitch_, focal_length_;
+    CameraAxes axes_;
+    double focal_length_;
     glm::dvec3 lamp_, power_, indirect_;
     std::vector<Corners> triangles_;
     std::vector<Edge> edges_;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include <catch2/catch.hpp>
 
@@ -107,6 +108,39 @@ TEST_CASE("Settings that do nothing say why, once for several, and can be set al
     CHECK_FALSE(is_idle("fill_rule"));
     CHECK(is_idle("line"));
     CHECK(is_idle("line_rounding"));
+}
+
+TEST_CASE("The wireframe is drawn by each of the four lines, as soon as it is chosen") {
+    Driver driver("one-triangle.toml");
+    driver.hand.click("stage.edges");
+    driver.hand.click("tab.settings");
+    // From (5,10) to (15,15) and from there to (10,5) every other sample lies half-way between two
+    // pixels. Bresenham takes the further one, midpoint the nearer one, as seen from the start; DDA
+    // rounds up, and the lab cuts down.
+    struct Line {
+        const char* word;
+        int down, right; // which of the two rows on the first edge, of the two columns on the other
+    };
+    for (const Line& line : {Line{"bresenham", 1, 0}, Line{"midpoint", 0, 1}, Line{"dda", 1, 1},
+                             Line{"interpolate", 0, 0}}) {
+        INFO(line.word);
+        driver.hand.click("setting.line");
+        driver.hand.click(std::string("setting.line=") + line.word);
+        std::set<std::pair<int, int>> expected, drawn;
+        for (int i = 0; i <= 5; ++i)
+            expected.emplace(10 - i, 5 + i);
+        for (int i = 0; i <= 10; ++i) {
+            expected.emplace(5 + i, 10 + (i + line.down) / 2);
+            expected.emplace(10 + (i + line.right) / 2, 5 + i);
+        }
+        const Framebuffer& picture = *driver.ui.results.a.framebuffer;
+        for (int row = 0; row < picture.size.height; ++row) {
+            for (int column = 0; column < picture.size.width; ++column) {
+                if (picture.owner[picture.at(column, row)] >= 0) drawn.emplace(column, row);
+            }
+        }
+        CHECK(drawn == expected);
+    }
 }
 
 TEST_CASE("The settings lie on a sheet that the gear, Escape and the cross close") {
