@@ -71,7 +71,8 @@ void draw_texture_title(Ui& ui) {
                                   texture.base().height),
                       ImGui::GetContentRegionAvail().x));
     keep_item_whole(ui);
-    name_widget(ui, "texture.name", "The picture on the surface.");
+    name_widget(ui, "texture.name",
+                "The texture: the picture on the surface. Its pixels are called texels.");
 }
 
 /// A coordinate brought into the texture, and -1 where the texture runs backwards there.
@@ -134,9 +135,10 @@ void draw_texture_map(Ui& ui) {
     list->PopClipRect();
     ImGui::Dummy(size);
     keep_item_whole(ui);
-    name_widget(ui, "texture.map",
-                "The whole texture. The ring is where the pixel lies, and the box round it how far "
-                "the pixel reaches.");
+    name_widget(
+        ui, "texture.map",
+        "The whole texture. The ring is where the pixel lies, and the box around it is what the "
+        "pixel covers.");
 }
 
 /// The texels that were taken, as they stand side by side, each with its weight.
@@ -157,7 +159,7 @@ void draw_taken_texels(Ui& ui) {
         if (ImGui::InvisibleButton(id.c_str(), {side - u, side - u})) choose_texture_number(ui, id);
         keep_item_whole(ui);
         name_widget(ui, fmt::format("texture.texel.{}", k),
-                    fmt::format("Column {}, row {} of level {}; it counts {}.\nClick: how that "
+                    fmt::format("Column {}, row {} of level {}; its weight is {}.\nClick: how that "
                                 "came to be.",
                                 texel.column, texel.row, texel.level, shown({texel.weight})));
         list->AddRectFilled(from, to, texel_colour(ui, texel.colour));
