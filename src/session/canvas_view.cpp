@@ -39,7 +39,7 @@ const std::array<CellNumbersInfo, cell_numbers_count>& cell_numbers_list() {
         CellNumbersInfo{CellNumbers::edge_values, "edge functions",
                         "The three edge functions at the pixel's centre, of the triangle on show; "
                         "where it lies outside only those that keep it out.",
-                        "edge functions; filled 0: kept, framed 0: given away"},
+                        "edge functions; filled 0: inside, framed 0: outside"},
         CellNumbersInfo{
             CellNumbers::weights, "weights",
             "The weights of the corners at the pixel's centre, of the triangle on show; "

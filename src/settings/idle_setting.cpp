@@ -52,8 +52,8 @@ std::string idle_reason(const Setting& setting, const Settings& settings) {
                      [&](const CoverageSetting& one) { return one.name == setting.name; });
     const Coverage coverage = coverage_rule(settings);
     if (found == std::end(coverage_settings) || is_asked(*found, coverage)) return {};
-    if (coverage != settings.coverage) return "the stages before Rows walk the edges";
-    return "pixels are found by " + said_value(*find_setting("coverage"), settings);
+    if (coverage != settings.coverage) return "before the stage Rows";
+    return "while pixels are found by " + said_value(*find_setting("coverage"), settings);
 }
 
 } // namespace rasterwalk

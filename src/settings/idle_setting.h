@@ -8,8 +8,8 @@
 
 namespace rasterwalk {
 
-/// Why a setting has no effect on the picture under these settings, whatever its value: "pixels are
-/// found by edge functions"; empty where coverage gives no such reason.
+/// When a setting has no effect on the picture, if these settings are such a case: "while pixels
+/// are found by edge functions", whatever its value; empty where coverage gives no such reason.
 std::string idle_reason(const Setting& setting, const Settings& settings);
 
 } // namespace rasterwalk

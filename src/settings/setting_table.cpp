@@ -110,20 +110,19 @@ std::vector<Setting> make_table() {
         {"fill_rule", "Fill rule", "Rows and edges",
          "Who draws a pixel whose centre lies exactly on an edge: every triangle there, none, or "
          "the one of which it is a top or a left edge; or, by mistake, a left edge only. Only "
-         "where "
-         "coverage is not rows.",
+         "where coverage is not rows.",
          "Filled triangles", "", choice<&Settings::fill_rule>()},
         {"snap", "Corners stand on", "Rows and edges",
          "The grid on which the corners of a triangle stand: centres of whole pixels, 16ths or "
          "256ths of a pixel. Only where coverage is not rows.",
          "Filled triangles", "", choice<&Settings::snap>()},
-        {"pixel_sample", "Pixels asked at", "Rows and edges",
-         "Where a pixel is asked whether it is covered: at its centre, or by mistake at its upper "
+        {"pixel_sample", "Pixels tested at", "Rows and edges",
+         "Where a pixel is tested whether it is covered: at its centre, or by mistake at its upper "
          "left corner. Only where coverage is not rows.",
          "Filled triangles", "", choice<&Settings::pixel_sample>()},
         {"weight_edge", "Weight of a corner from", "Rows and edges",
-         "Of which edge function the weight of a corner is made: of the opposite edge, or by "
-         "mistake of the one that begins at the corner. Only where coverage is edge_functions.",
+         "Which edge function gives the weight of a corner: that of the opposite edge, or by "
+         "mistake that of the edge that begins at it. Only where coverage is edge_functions.",
          "Filled triangles", "", choice<&Settings::weight_edge>()},
         {"line", "Line algorithm", "Rows and edges",
          "How the samples of an edge are found: by Interpolate, by Bresenham's whole numbers, by "
@@ -185,10 +184,10 @@ std::vector<Setting> make_table() {
          "picture, or divided by z twice and multiplied once.",
          "Light per pixel", "", choice<&Settings::interpolation>()},
         {"texture",
-         "Textures shown",
+         "Textures",
          "Texture",
-         "Do surfaces show the textures that the scene gives them? Without one a surface has its "
-         "own colour.",
+         "Whether surfaces show the textures that the scene gives them. Without one a surface has "
+         "its own colour.",
          "Light per pixel",
          "",
          choice<&Settings::texture>(),
@@ -196,10 +195,11 @@ std::vector<Setting> make_table() {
          {},
          true},
         {"texture_filter",
-         "Texels mixed",
+         "Texture filter",
          "Texture",
-         "Which texels colour a pixel: the one in which it lies; the four round it; those four of "
-         "the level of the mip chain that suits its size; or of the two levels next to that.",
+         "Which texels, the pixels of a texture, colour a pixel: the one in which it lies; the "
+         "four around it; those four in a smaller copy of the texture that suits the size of the "
+         "pixel (mipmap); or those of the two copies nearest to that size (trilinear).",
          "Light per pixel",
          "",
          choice<&Settings::texture_filter>(),
@@ -207,10 +207,10 @@ std::vector<Setting> make_table() {
          {},
          true},
         {"texture_wrap",
-         "Beyond the texture",
+         "Texture wrapping",
          "Texture",
          "What lies beyond the borders of a texture: the texture again, the texels of its border, "
-         "or the texture turned round every second time.",
+         "or the texture mirrored every second time.",
          "Light per pixel",
          "",
          choice<&Settings::texture_wrap>(),
@@ -339,9 +339,9 @@ std::vector<Setting> make_table() {
         {"light.place", "Lamp stands", "Light",
          "Where the lamp stands: at its position, or where the camera is, like a flashlight.",
          "Illumination", "", lamp_choice<&Light::place>()},
-        {"light.model", "Given back", "Light",
-         "What a surface gives back: the same to all sides (Lambert), or also a highlight, where "
-         "its material has one (Blinn and Phong).",
+        {"light.model", "Reflection model", "Light",
+         "How a surface reflects light: the same in all directions (Lambert), or also with a "
+         "highlight, if its material has one (Blinn-Phong).",
          "Illumination", "", lamp_choice<&Light::model>()},
         {"light.direction", "Direction of the light", "Light",
          "The vector whose slant counts: to the lamp at unit length, from the lamp, or as long as "
@@ -359,7 +359,7 @@ std::vector<Setting> make_table() {
          "Light per pixel", "", light_choice<&LightRules::renormalize>()},
         {"light.highlight", "Highlight", "Light",
          "How the highlight is worked out: rightly, or by mistake on backs too, or with a half "
-         "vector that is not made unit length. Only where highlights are given back.",
+         "vector that is not made unit length. Only where light.model is blinn_phong.",
          "Illumination", "", light_choice<&LightRules::highlight>()},
         {"viewport.size", "Picture size", "Picture", "Width and height of the picture.",
          "Drawing points", "pixels",

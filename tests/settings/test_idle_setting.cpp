@@ -71,13 +71,14 @@ TEST_CASE("A setting that is said to be idle changes no picture, and one that ac
 TEST_CASE("An idle setting says what makes it idle") {
     Settings settings;
     settings.stage = Stage::fill;
-    CHECK(idle_reason(*find_setting("fill_rule"), settings) == "pixels are found by the row table");
+    CHECK(idle_reason(*find_setting("fill_rule"), settings) ==
+          "while pixels are found by the row table");
     CHECK(idle_reason(*find_setting("spans"), settings).empty());
     settings.coverage = Coverage::edge_functions;
-    CHECK(idle_reason(*find_setting("spans"), settings) == "pixels are found by edge functions");
+    CHECK(idle_reason(*find_setting("spans"), settings) ==
+          "while pixels are found by edge functions");
     CHECK(idle_reason(*find_setting("fill_rule"), settings).empty());
     settings.stage = Stage::edges;
-    CHECK(idle_reason(*find_setting("fill_rule"), settings) ==
-          "the stages before Rows walk the edges");
+    CHECK(idle_reason(*find_setting("fill_rule"), settings) == "before the stage Rows");
     CHECK(idle_reason(*find_setting("line"), settings).empty());
 }

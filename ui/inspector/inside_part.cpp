@@ -82,7 +82,7 @@ void draw_edges_of_test(Ui& ui, const PixelTest& test, const TestedTriangle& tri
     static constexpr float widths[] = {62, 60, 88, 70, 82, 82};
     for (int i = 0; i < ImGui::TableGetColumnCount(); ++i)
         ImGui::TableSetupColumn("", 0, widths[i]);
-    draw_dim_headers(ui, {"edge", "side", "E", "asks", "one right", "one down"}, 2);
+    draw_dim_headers(ui, {"edge", "side", "E", "needs", "one right", "one down"}, 2);
     ImGui::PushFont(ui.fonts.mono);
     for (std::size_t i = 0; i < edge_function_count; ++i) {
         const EdgeFunction& edge = triangle.edges[i];
@@ -100,12 +100,12 @@ void draw_edges_of_test(Ui& ui, const PixelTest& test, const TestedTriangle& tri
         right_aligned(fmt::format("{} 0 {}", edge.owns_points ? "≥" : ">",
                                   test.passes[i] ? passed_sign : failed_sign),
                       colour_of(test.passes[i] ? Meaning::pass : Meaning::fail, theme));
-        name_widget(ui, fmt::format("inside.asks.{}", i),
-                    edge.owns_points
-                        ? "A centre exactly on this edge belongs to the triangle: the fill rule "
-                          "keeps it."
-                        : "A centre exactly on this edge does not belong to the triangle: the fill "
-                          "rule gives it away.");
+        name_widget(
+            ui, fmt::format("inside.asks.{}", i),
+            edge.owns_points
+                ? "A point exactly on this edge belongs to the triangle, by the fill rule."
+                : "A point exactly on this edge does not belong to the triangle, by the fill "
+                  "rule.");
         if (!has_steps) continue;
         ImGui::TableNextColumn();
         right_aligned(e_text(edge.one_right()), p.dim);
@@ -188,11 +188,11 @@ void draw_pixel_test(Ui& ui, const PixelTest& test) {
                         test.is_inside ? "inside" : "outside"));
     name_widget(ui, "inside.pixel",
                 with_minus_signs(pixel_test_text(test)) +
-                    "\nA pixel lies inside where all three edges have what they ask for.");
+                    "\nA pixel lies inside if E is what it needs to be at all three edges.");
     ImGui::SameLine();
-    text_in(p.dim, settings.pixel_sample == PixelSample::corner
-                       ? fmt::format("asked at its corner ({}, {})", test.column, test.row)
-                       : fmt::format("asked at its centre ({}.5, {}.5)", test.column, test.row));
+    text_in(p.dim, settings.pixel_sample == PixelSample::centre
+                       ? fmt::format("tested at its centre ({}.5, {}.5)", test.column, test.row)
+                       : fmt::format("tested at its corner ({}, {})", test.column, test.row));
     keep_item_whole(ui);
     draw_edges_of_test(ui, test, triangle, formulas);
     if (triangle.area != 0) draw_weights(ui, test, corners, formulas);

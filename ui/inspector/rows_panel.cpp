@@ -149,12 +149,16 @@ void draw_table_buttons(Ui& ui, bool is_one_line) {
 /// @param needed the height of the whole table
 void draw_inside(Ui& ui, const PixelTest& test, float needed) {
     draw_pixel_test(ui, test);
-    const float room = ImGui::GetContentRegionAvail().y - ImGui::GetFrameHeightWithSpacing();
-    // One scroll is enough where lines are few.
-    const float least = ui.inspector.is_low
-                            ? needed
-                            : std::min(needed, 6.0f * ImGui::GetTextLineHeightWithSpacing());
-    draw_row_table(ui, std::max(std::min(needed, room), least));
+    // One scroll is enough where lines are few; the ends' values need one of their own.
+    if (ui.inspector.is_low && !ui.inspector.shows_end_values) {
+        draw_row_table_in_page(ui);
+    } else {
+        const float room = ImGui::GetContentRegionAvail().y - ImGui::GetFrameHeightWithSpacing();
+        const float least = ui.inspector.is_low
+                                ? needed
+                                : std::min(needed, 6.0f * ImGui::GetTextLineHeightWithSpacing());
+        draw_row_table(ui, std::max(std::min(needed, room), least));
+    }
     draw_table_buttons(ui, false);
 }
 

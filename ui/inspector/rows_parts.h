@@ -15,6 +15,10 @@ struct Ui;
 /// @param height screen pixels
 void draw_row_table(Ui& ui, float height);
 
+/// The same as a part of a page that scrolls: the whole table, whose rows are lines of that page.
+/// It scrolls to no row, so what stands above it stays in sight.
+void draw_row_table_in_page(Ui& ui);
+
 /// The same where there are few lines, in all that is left of the panel: the headers stay, the rows
 /// scroll together with what is drawn below them.
 void draw_row_table_with(Ui& ui, const std::function<void()>& below);

@@ -328,8 +328,8 @@ bool begin_row_table(Ui& ui, const char* name, ImGuiTableFlags flags, ImVec2 siz
     return true;
 }
 
-/// @param height of what scrolls
-void draw_all_rows(Ui& ui, float height) {
+/// @param height of what scrolls to the row at work or to a wanted one; none: nothing does
+void draw_all_rows(Ui& ui, std::optional<float> height) {
     const RowHistory& history = ui.results.a.rows;
     ImGui::PushFont(ui.fonts.mono);
     const auto is_above = [&](const OutsideSample& s) { return s.row < history.rows.first_row; };
@@ -342,11 +342,12 @@ void draw_all_rows(Ui& ui, float height) {
     ImGuiListClipper clipper;
     clipper.Begin(history.rows.size(), line);
     const std::optional<int> at_work = row_at_work(ui);
-    if (ui.follow_cursor && at_work && history.rows.size() > 0) {
+    const bool follows = ui.follow_cursor && height;
+    if (follows && at_work && history.rows.size() > 0) {
         const int index = std::clamp(*at_work - history.rows.first_row, 0, history.rows.size() - 1);
         clipper.ForceDisplayRangeByIndices(index, index + 1);
     }
-    const int wanted = wanted_row(ui, height);
+    const int wanted = height ? wanted_row(ui, *height) : -1;
     if (wanted < 0 || wanted >= history.rows.size()) {
         ui.inspector.scroll_to_row = false;
     } else {
@@ -356,8 +357,7 @@ void draw_all_rows(Ui& ui, float height) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             draw_row(ui, i);
             const bool is_at_work = at_work == history.rows.first_row + i;
-            if (ui.follow_cursor && is_at_work && !ImGui::IsItemVisible())
-                scroll_to_line(above + i, line);
+            if (follows && is_at_work && !ImGui::IsItemVisible()) scroll_to_line(above + i, line);
             if (i == wanted) bring_into_view(ui, above + i, line, i + 1 == history.rows.size());
         }
     }
@@ -385,6 +385,13 @@ void draw_row_table(Ui& ui, float height) {
     ImGui::TableSetupScrollFreeze(1, 1);
     draw_row_headers(ui);
     draw_all_rows(ui, height);
+    ImGui::EndTable();
+}
+
+void draw_row_table_in_page(Ui& ui) {
+    if (!begin_row_table(ui, "rows", 0, {0, 0})) return;
+    draw_row_headers(ui);
+    draw_all_rows(ui, {});
     ImGui::EndTable();
 }
 

@@ -63,12 +63,12 @@ SheetColumns sheet_columns(const Ui& ui) {
 
 /// What is said of settings that do nothing.
 std::string idle_text(const std::string& reason) {
-    return "without effect: " + reason;
+    return "without effect " + reason;
 }
 
 std::string tooltip_of_setting(const Setting& setting, const std::string& idle) {
     std::string about = std::string(setting.name).append("\n").append(setting.help);
-    if (!idle.empty()) about.append("\nJust now ").append(idle_text(idle)).append(".");
+    if (!idle.empty()) about.append("\nIt is ").append(idle_text(idle)).append(".");
     about.append("\nLab: ").append(setting.section);
     if (!setting.unit.empty()) about.append("\nUnit: ").append(setting.unit);
     return about;
@@ -163,9 +163,9 @@ void draw_idle_reason(Ui& ui, const Setting& first, const std::string& reason) {
     keep_text_whole(ui);
     ImGui::PopStyleColor();
     ImGui::PopFont();
-    name_widget(ui, "setting_idle." + std::string(first.name),
-                "The settings below can be changed, but change nothing in the picture before the "
-                "pixels of a triangle are found in another way.");
+    name_widget(
+        ui, "setting_idle." + std::string(first.name),
+        "The grey settings below can be chosen, but for now they change nothing in the picture.");
 }
 
 /// The beginning of what a preset says of itself: all that has room beside its button.

@@ -71,7 +71,8 @@ void draw_texture_title(Ui& ui) {
                                   texture.base().height),
                       ImGui::GetContentRegionAvail().x));
     keep_item_whole(ui);
-    name_widget(ui, "texture.name", "The picture on the surface.");
+    name_widget(ui, "texture.name",
+                "The texture: the picture on the surface. Its pixels are called texels.");
 }
 
 /// A coordinate brought into the texture, and -1 where the texture runs backwards there.
@@ -134,9 +135,30 @@ void draw_texture_map(Ui& ui) {
     list->PopClipRect();
     ImGui::Dummy(size);
     keep_item_whole(ui);
-    name_widget(ui, "texture.map",
-                "The whole texture. The ring is where the pixel lies, and the box round it how far "
-                "the pixel reaches.");
+    name_widget(
+        ui, "texture.map",
+        "The whole texture. The ring is where the pixel lies, and the box around it is what the "
+        "pixel covers.");
+}
+
+/// What stands in the texels that were taken, and of which level they are, at their right: beside
+/// the first row of each level, where there is room.
+void draw_names_of_taken(Ui& ui, ImVec2 low) {
+    const TakenTexels& taken = texture_on_show(ui).taken;
+    const float u = ui.options.text_scale, side = texel_side * u;
+    const float line = ImGui::GetTextLineHeight();
+    const float x = low.x + (taken.count > 1 ? 2.0f : 1.0f) * side + 6.0f * u;
+    if (x + text_width("column, row") > low.x + ImGui::GetContentRegionAvail().x) return;
+    const ImU32 ink = packed(palette(ui.options.theme).dim);
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    for (int first = 0; first < taken.count; first += 4) {
+        const float top = low.y + static_cast<float>(first / 2) * side + (first > 0 ? 6.0f * u : 0);
+        const int level = taken.list[static_cast<std::size_t>(first)].level;
+        list->AddText({x, top + 4.0f * u}, ink, "weight");
+        list->AddText({x, top + side - u - line - 3.0f * u}, ink, "column, row");
+        if (first + 1 < taken.count)
+            list->AddText({x, top + side + 4.0f * u}, ink, fmt::format("level {}", level).c_str());
+    }
 }
 
 /// The texels that were taken, as they stand side by side, each with its weight.
@@ -158,7 +180,7 @@ void draw_taken_texels(Ui& ui) {
         if (ImGui::InvisibleButton(id.c_str(), {side - u, side - u})) choose_texture_number(ui, id);
         keep_item_whole(ui);
         name_widget(ui, fmt::format("texture.texel.{}", k),
-                    fmt::format("Column {}, row {} of level {}; it counts {}.\nClick: how that "
+                    fmt::format("Column {}, row {} of level {}; its weight is {}.\nClick: how that "
                                 "came to be.",
                                 texel.column, texel.row, texel.level, shown({texel.weight})));
         list->AddRectFilled(from, to, texel_colour(ui, texel.colour));
@@ -174,6 +196,7 @@ void draw_taken_texels(Ui& ui) {
         list->AddText({from.x + 4.0f * u, to.y - line - 3.0f * u}, ink,
                       fmt::format("{}, {}", texel.column, texel.row).c_str());
     }
+    draw_names_of_taken(ui, low);
     ImGui::PopFont();
 }
 
