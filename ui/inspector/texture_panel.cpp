@@ -152,7 +152,8 @@ void draw_names_of_taken(Ui& ui, ImVec2 low) {
     const ImU32 ink = packed(palette(ui.options.theme).dim);
     ImDrawList* const list = ImGui::GetWindowDrawList();
     for (int first = 0; first < taken.count; first += 4) {
-        const float top = low.y + static_cast<float>(first / 2) * side + (first > 0 ? 6.0f * u : 0);
+        const int row = first / 2;
+        const float top = low.y + static_cast<float>(row) * side + (first > 0 ? 6.0f * u : 0);
         const int level = taken.list[static_cast<std::size_t>(first)].level;
         list->AddText({x, top + 4.0f * u}, ink, "weight");
         list->AddText({x, top + side - u - line - 3.0f * u}, ink, "column, row");
