@@ -272,8 +272,8 @@ class RayCaster {
 
 TEST_CASE("Fragments of the room report what draw used, and follow from it") {
     const Scene room = test::lab_room();
-    const int of_each = test::rounds(40, 12);
-    const std::vector<Case> cases = test::some_of(cases_of(room), 12);
+    const int of_each = test::rounds(40, 6);
+    const std::vector<Case> cases = test::some_of(cases_of(room), 8);
     int fragments = 0, written = 0, failed = 0, stored_by_someone = 0;
     for (const Case& c : cases) {
         const Frame frame = prepare_frame(room, c.settings);

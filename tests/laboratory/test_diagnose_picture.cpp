@@ -78,7 +78,7 @@ TEST_CASE("The picture of every single bug is told, from three camera positions"
         for (const Bug& bug : bugs)
             places.emplace_back(pose, bug);
     }
-    for (const auto& [of_pose, of_bug] : some_of(places, 8)) {
+    for (const auto& [of_pose, of_bug] : some_of(places, 5)) {
         const Pose& pose = room_poses()[of_pose];
         const Bug& bug = of_bug;
         Settings view = default_settings(scene);

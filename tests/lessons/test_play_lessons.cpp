@@ -154,7 +154,7 @@ TEST_CASE("Each step of every lesson can be opened, and each link be followed") 
             if (step.state.cursor && *step.state.cursor != cursor_end) {
                 CHECK(student.session.cursor.triangle == step.state.cursor->triangle);
             }
-            for (const LinkPlace& link : step.links) {
+            for (const LinkPlace& link : test::some_of(step.links, 1)) {
                 if (link.is_picture) continue;
                 INFO(link.line << ": " << link.target);
                 student.follow(link.target);

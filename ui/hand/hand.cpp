@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
@@ -68,6 +69,18 @@ std::vector<Scrollable> scrollable_windows() {
     return found;
 }
 
+/// Of all corners of the last frame: where, in which colour, with which piece of a texture.
+std::uint32_t hash_drawn() {
+    std::uint32_t hash = 0;
+    const ImDrawData* const drawn = ImGui::GetDrawData();
+    if (drawn == nullptr) return hash;
+    for (int i = 0; i < drawn->CmdListsCount; ++i) {
+        const ImVector<ImDrawVert>& corners = drawn->CmdLists[i]->VtxBuffer;
+        hash = ImHashData(corners.Data, static_cast<std::size_t>(corners.size_in_bytes()), hash);
+    }
+    return hash;
+}
+
 } // namespace
 
 Hand::Hand(Ui& with, std::function<void()> build) : ui_(with), build_frame_(std::move(build)) {}
@@ -78,6 +91,14 @@ void Hand::frames(int count, float seconds) {
         build_frame_();
         ImGui::GetIO().MouseWheel = 0.0f;
     }
+}
+
+void Hand::rest() {
+    constexpr int least = frames_to_rest - 1;
+    frames(least - 1);
+    const std::uint32_t before = hash_drawn();
+    frames(1);
+    if (hash_drawn() != before) frames(frames_to_rest - least);
 }
 
 void Hand::move_to(ImVec2 place) {
@@ -98,7 +119,7 @@ void Hand::press_mouse(int mouse_button, Held held, int times) {
         frames(1);
     }
     set_held({});
-    frames(frames_to_rest);
+    rest();
 }
 
 void Hand::drag_to(ImVec2 from, ImVec2 to, Held held, int mouse_button) {
@@ -117,12 +138,12 @@ void Hand::drag_to(ImVec2 from, ImVec2 to, Held held, int mouse_button) {
     io.MouseDown[mouse_button] = false;
     frames(1);
     set_held({});
-    frames(frames_to_rest);
+    rest();
 }
 
 void Hand::hover(std::string_view name) {
     move_to(middle_of(name));
-    frames(frames_to_rest);
+    rest();
 }
 
 void Hand::click(std::string_view name, Held held, int mouse_button) {
@@ -146,12 +167,12 @@ void Hand::wheel(std::string_view name, float steps, Held held) {
     ImGui::GetIO().MouseWheel = steps;
     frames(1);
     set_held({});
-    frames(frames_to_rest);
+    rest();
 }
 
 void Hand::leave() {
     ImGui::GetIO().MousePos = nowhere;
-    frames(frames_to_rest);
+    rest();
 }
 
 void Hand::press(int key, Held held) {
@@ -167,12 +188,12 @@ void Hand::hold(int key, int count, Held held) {
     frames(count);
     io.KeysDown[key] = false;
     set_held({});
-    frames(frames_to_rest);
+    rest();
 }
 
 void Hand::type_text(std::string_view text) {
     ImGui::GetIO().AddInputCharactersUTF8(std::string(text).c_str());
-    frames(frames_to_rest);
+    rest();
 }
 
 void Hand::enter(std::string_view name, std::string_view text) {
@@ -206,7 +227,7 @@ ImVec2 Hand::pixel_middle(int column, int row) {
 
 void Hand::hover_picture(int column, int row) {
     move_to(pixel_middle(column, row));
-    frames(frames_to_rest);
+    rest();
 }
 
 void Hand::click_picture(int column, int row, Held held) {
@@ -228,7 +249,7 @@ void Hand::wheel_picture(int column, int row, float steps) {
     move_to(pixel_middle(column, row));
     ImGui::GetIO().MouseWheel = steps;
     frames(1);
-    frames(frames_to_rest);
+    rest();
 }
 
 bool Hand::is_visible(std::string_view name) const {

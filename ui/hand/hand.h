@@ -34,6 +34,8 @@ class Hand {
 
     /// Builds frames, `seconds` of time each.
     void frames(int count = 1, float seconds = 1.0f / 60.0f);
+    /// Builds frames_to_rest frames; the last is left out if the two before it draw the same.
+    void rest();
 
     /// Moves the pointer onto the widget and leaves it there.
     void hover(std::string_view name);

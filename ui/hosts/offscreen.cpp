@@ -122,12 +122,12 @@ Image draw_offscreen(Session session, const OffscreenOptions& options) {
     const auto settle = [&] {
         if (is_working(screen.ui.results)) {
             finish(screen.ui.session, screen.ui.results);
-            hand.frames(frames_to_rest);
+            hand.rest();
         }
         for (int i = 0; i < most_frames_of_work && is_outside_working(screen.ui); ++i)
             hand.frames(1);
     };
-    hand.frames(frames_to_rest);
+    hand.rest();
     settle();
     for (const HandAction& action : options.actions) {
         carry_out(action, hand);

@@ -71,7 +71,7 @@ class Looker {
 };
 
 void rest(Driver& driver) {
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
 }
 
 /// The beginnings of the pieces of this size, and the end.

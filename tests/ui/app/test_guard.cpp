@@ -98,7 +98,7 @@ TEST_CASE("The folder of the lessons disappears: the window goes on, and nothing
     const BorrowedLessons lessons;
     Driver driver;
     open_lesson(driver.ui, "05-row-table", 3);
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     lessons.take_away();
 
     driver.hand.press('S', {.ctrl = true});

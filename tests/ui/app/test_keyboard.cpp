@@ -52,7 +52,7 @@ TEST_CASE("By keys alone: from the start page through a lesson to the mistakes")
     Ui& ui = driver.ui;
     driver.hand.leave();
     begin_at_start(ui);
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     driver.hand.press(key::enter);
     REQUIRE(ui.session.lesson == "01-pinhole-camera");
     CHECK_FALSE(ui.start.is_open);
@@ -138,7 +138,7 @@ TEST_CASE("An answer of several is reached by Tab, and given by Enter as by Spac
         const std::string id = asked->id;
         const std::string second = "lesson.prediction." + id + ".choice.1";
         open_lesson(ui, with->id, 0);
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         for (int step = 0; step < 12 && ui.widgets.count(second) == 0; ++step) {
             REQUIRE(driver.tab_to("lesson.next"));
             driver.hand.press(key::enter);
@@ -150,7 +150,7 @@ TEST_CASE("An answer of several is reached by Tab, and given by Enter as by Spac
         CHECK_FALSE(driver.hand.is_visible(second));
         CHECK_FALSE(ui.session.play.running);
         // The frame stays with what the program says to it.
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         CHECK(ui.focus.is_shown);
         CHECK(ui.focus.name == "lesson.prediction." + id + ".again");
         CHECK(driver.hand.is_visible("lesson.prediction." + id + ".verdict"));
@@ -248,7 +248,7 @@ TEST_CASE("A list that keys open begins at the entry that holds") {
     driver.hand.press(key::comma, {.ctrl = true});
     REQUIRE(driver.tab_to("setting.rounding"));
     driver.hand.press(key::enter);
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     CHECK(driver.ui.focus.name == "setting.rounding=truncate");
     driver.hand.press(key::enter);
     CHECK(driver.ui.session.a.settings.vertex_rounding == VertexRounding::truncate);
@@ -316,7 +316,7 @@ TEST_CASE("What can be dragged is moved by arrows") {
     driver.hand.press(key::left);
     CHECK(ui.widgets.at("canvas").bottom_right.x < right);
     open_tab(ui, "settings");
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     frame("setting.camera.position.y");
 }
 
@@ -379,7 +379,7 @@ TEST_CASE("What is too long is scrolled by keys: the sheet of keys, and a lesson
 
     open_lesson(driver.ui, "04-edges", 2);
     driver.ui.lesson.drawer_is_open = true;
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     REQUIRE(driver.tab_to("lesson.next"));
     const float unread = scroll_of();
     driver.hand.press(key::down, {.ctrl = true});
@@ -433,7 +433,7 @@ TEST_CASE("A sheet takes the keyboard from what it covers, and gives it back") {
     Ui& ui = driver.ui;
     driver.hand.leave();
     ui.sheets.show(Sheet::keys);
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     const ImRect sheet = ImGui::FindWindowByName("keys")->Rect();
     std::string below;
     for (const auto& [name, place] : ui.widgets) {
@@ -446,7 +446,7 @@ TEST_CASE("A sheet takes the keyboard from what it covers, and gives it back") {
     driver.hand.press(key::tab);
     REQUIRE(ui.focus.name == below);
     ui.sheets.show(Sheet::keys);
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     CHECK(ui.focus.name == "keys.close");
     driver.hand.press(key::escape);
     CHECK(ui.focus.name == below);

@@ -26,7 +26,7 @@ constexpr const char* number_field = "lesson.prediction.back-wall-width.number";
 void open_at(Driver& driver, const char* lesson, int step) {
     driver.hand.leave();
     open_lesson(driver.ui, lesson, step);
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
 }
 
 const std::string& typed(Driver& driver) {
@@ -69,7 +69,7 @@ TEST_CASE("What is typed while the field opens is not lost, and comes in its ord
         ImGui::GetIO().AddInputCharactersUTF8(digit);
         driver.hand.frames();
     }
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     CHECK(typed(driver) == "1234");
 }
 
@@ -150,7 +150,7 @@ TEST_CASE("Whoever leaves the sheet for files that the start page opened chooses
         Driver driver("lab-room.toml", window);
         driver.hand.leave();
         begin_at_start(driver.ui);
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         for (int i = 0; i < 3; ++i)
             driver.hand.press(key::tab);
         REQUIRE(driver.ui.focus.name == "start.picture");
@@ -175,11 +175,11 @@ TEST_CASE("A link that shows something gives it the frame where a key has presse
         Driver driver;
         open_at(driver, lesson_1, 4);
         follow_link(driver.ui, link);
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         CHECK_FALSE(driver.ui.focus.is_shown);
         REQUIRE(driver.tab_to("lesson.next"));
         follow_link(driver.ui, link);
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         CHECK(driver.ui.focus.is_shown);
         CHECK(driver.ui.focus.name == widget);
         CHECK(driver.hand.is_visible(widget));
@@ -223,7 +223,7 @@ TEST_CASE("The first prediction comes with the opening of the first lesson, and 
         Ui& ui = driver.ui;
         driver.hand.leave();
         begin_at_start(ui);
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         driver.hand.press(key::enter);
         constexpr const char* last_choice = "lesson.prediction.twice-as-far.choice.2";
         int turned = 0;

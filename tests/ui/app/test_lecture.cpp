@@ -104,7 +104,7 @@ TEST_CASE("Leaving a lecture restores everything") {
         driver.hand.leave();
         const auto places = [&] {
             driver.hand.leave();
-            driver.hand.frames(frames_to_rest);
+            driver.hand.rest();
             std::vector<std::string> all;
             for (const auto& [name, place] : driver.ui.widgets) {
                 all.push_back(name + " " + std::to_string(place.top_left.x) + " " +
@@ -157,9 +157,9 @@ TEST_CASE("On the largest screen a lecture leads to another tab by the list of t
     Driver driver("lab-room.toml", {2560, 1440});
     open_lesson(driver.ui, "06-filling", 2);
     driver.hand.press(key::f5);
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     point_at_widget(driver.ui, "tab.microscope", true);
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     INFO(driver.ui.session.notice);
     CHECK(driver.ui.lesson.pointed_at == "tabs");
     CHECK(driver.ui.session.notice.empty());

@@ -33,7 +33,7 @@ TEST_CASE("The groups of the View menu are set apart, and all of it is in sight"
         Driver driver("lab-room.toml", window.size, window.text_scale);
         if (driver.hand.is_visible("menu")) driver.hand.click("menu");
         driver.hand.click("menu.View");
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         float gap_in_group = 0.0f, gap_of_groups = 0.0f;
         const WidgetPlace* above = nullptr;
         for (const Action& action : action_table()) {

@@ -207,7 +207,7 @@ TEST_CASE("No window is too small, and none ends the program") {
                               key::page_down, key::f5}) {
             open_lesson(driver.ui, "05-row-table", 3);
             driver.hand.press(key);
-            driver.hand.frames(frames_to_rest);
+            driver.hand.rest();
             CHECK(driver.ui.session.notice.empty());
         }
         driver.ui.options.is_lecture = false;

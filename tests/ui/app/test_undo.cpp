@@ -64,12 +64,12 @@ TEST_CASE("An arrow that is held on a number is one step to undo") {
 TEST_CASE("Undoing a change of scene shows the scene before as a whole, from outside too") {
     Driver driver;
     driver.ui.session.canvas.shows = CanvasShows::both;
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     driver.hand.click("menu.Scene");
     driver.hand.click("scene.corridor");
     driver.ui.session.canvas.outside.distance = 1000.0f;
     driver.ui.session.canvas.zoom = 16.0f;
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     driver.hand.press('Z', {.ctrl = true});
     REQUIRE(driver.ui.session.scene->path.ends_with("lab-room.toml"));
     CHECK(driver.ui.session.canvas.outside.distance == 0.0f);

@@ -46,7 +46,7 @@ class Tour {
 
   private:
     void look(Driver& driver) {
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         for (const auto& [name, place] : driver.ui.widgets)
             seen.insert(name);
     }

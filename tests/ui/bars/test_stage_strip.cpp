@@ -90,7 +90,7 @@ TEST_CASE("The test that lets the farther one win is not called like a depth for
     Driver driver;
     driver.hand.click("stage.depth");
     const auto strip_says = [&](std::string_view words) {
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         const auto texts = screen_text();
         return std::any_of(texts.begin(), texts.end(), [&](const ScreenText& text) {
             const WidgetPlace& chip = driver.hand.find("switch.depth_test");
@@ -102,7 +102,7 @@ TEST_CASE("The test that lets the farther one win is not called like a depth for
     settings.depth_format = DepthFormat::reversed_32;
     CHECK(strip_says("rev z"));
     driver.hand.hover("switch.depth_test");
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     const auto explained = screen_text();
     CHECK(std::any_of(explained.begin(), explained.end(), [](const ScreenText& text) {
         return text.words.find("reversed z, \"rev z\"") != std::string::npos;

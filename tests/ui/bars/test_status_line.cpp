@@ -21,7 +21,7 @@ using Catch::Matchers::Contains;
 TEST_CASE("Of row tables nothing is told before they are a subject") {
     Driver driver;
     const auto tells = [&] {
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         return driver.hand.is_visible("status.trouble");
     };
     REQUIRE(driver.ui.results.a.troubles.size() == 1);
@@ -45,7 +45,7 @@ TEST_CASE("Of row tables nothing is told before they are a subject") {
 TEST_CASE("The status line names the lesson that tells of the trouble there is, or none") {
     Driver driver;
     const auto says = [&] {
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         driver.hand.hover("status.trouble");
         std::string all;
         for (const ScreenText& line : screen_text())
@@ -69,7 +69,7 @@ TEST_CASE("Samples outside their row table are shown by a click on the status li
     CHECK(driver.ui.session.tab == "rows");
     REQUIRE(driver.ui.session.selection.triangle);
     driver.ui.session.cursor = cursor_end;
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     CHECK(driver.hand.find("rows.outside.0").visible);
     // Nothing is offered where there is none.
     driver.hand.click("stage.edges");
@@ -81,7 +81,7 @@ TEST_CASE(
     for (const float scale : {1.0f, 1.5f}) {
         Driver driver("lab-room.toml", {800, 600}, scale);
         driver.ui.session.selection.pixel = glm::ivec2(250, 400);
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         INFO(scale);
         for (const char* name : {"status.pixel", "status.trouble", "status.show_outside"}) {
             INFO(name);
@@ -111,7 +111,7 @@ TEST_CASE("Where there is no status line the pixel under the pointer is told all
         driver.hand.leave();
         CHECK(driver.ui.widgets.contains("walk.words"));
         driver.hand.hover("canvas");
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         REQUIRE(driver.ui.canvas.hovered_pixel);
         REQUIRE(driver.ui.widgets.contains("status.pixel"));
         CHECK(driver.ui.widgets.at("status.pixel").is_whole);

@@ -150,7 +150,7 @@ TEST_CASE("In a narrow canvas the ends of the depth range say both the same, and
         Driver driver("lab-room.toml", window, window.x < 1600.0f ? 1.5f : 1.0f);
         driver.hand.press('5');
         driver.ui.session.view = View::depth;
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         driver.hand.leave();
         const WidgetPlace far = driver.ui.widgets.at("depth.far_text");
         const WidgetPlace near = driver.ui.widgets.at("depth.near_text");

@@ -81,7 +81,7 @@ std::vector<glm::ivec2> whole_cells(const Driver& driver) {
 void look_close(Driver& driver, float zoom, glm::vec2 centre) {
     driver.ui.session.canvas.zoom = zoom;
     driver.ui.session.canvas.centre = centre;
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     driver.hand.leave();
 }
 
@@ -104,7 +104,7 @@ TEST_CASE("The numbers seen in the cells are those of the frame, each in its own
     const Framebuffer picture = draw_frame(driver.ui.results.a.frame);
     for (const CellNumbers numbers : {CellNumbers::owner, CellNumbers::overdraw}) {
         driver.ui.session.canvas.numbers = numbers;
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         std::map<std::pair<int, int>, std::string> seen;
         for (const ScreenText& text : cell_texts()) {
             const glm::ivec2 cell = cell_of(driver, text);
@@ -233,7 +233,7 @@ TEST_CASE("The signs in the cells say what the depth test said of the triangle's
     CHECK(passed > 100);
     CHECK(failed > 100);
     driver.ui.session.canvas.fates = false;
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     for (const ScreenText& text : cell_texts())
         CHECK_FALSE(is_sign(text));
 }
@@ -249,13 +249,13 @@ TEST_CASE("Signs stand for what is drawn at the cursor, and without a depth test
     const auto all = count_signs();
     CHECK(all > 20);
     driver.ui.session.cursor = *parse_cursor("t0/r5/c1");
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     const auto some = count_signs();
     CHECK(some > 0);
     CHECK(some < all);
     driver.ui.session.cursor = cursor_end;
     driver.ui.session.a.settings.stage = Stage::fill;
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     CHECK(count_signs() == 0);
 }
 
@@ -270,7 +270,7 @@ TEST_CASE("The picked pixel shows the fates of all its fragments so far") {
     for (std::size_t drawn = 0; drawn <= history.entries.size(); ++drawn) {
         driver.ui.session.cursor =
             drawn < history.entries.size() ? history.entries[drawn].cursor : cursor_end;
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         std::string expected, seen;
         for (std::size_t i = 0; i < drawn; ++i)
             expected += history.entries[i].fate == Fate::written ? "✓" : "✗";
@@ -385,7 +385,7 @@ TEST_CASE("The button of the layers says how many are on, and which") {
     driver.hand.click("stage.depth");
     driver.ui.session.overlays.set(Overlay::wireframe, true);
     driver.ui.session.canvas.numbers = CellNumbers::depth;
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     driver.hand.hover("canvas.overlays");
     driver.hand.frames(90);
     std::string all;

@@ -24,7 +24,7 @@ constexpr const char* wall = "triangle:5";
 Driver& with_clip(Driver& driver, const std::string& clip) {
     follow_link(driver.ui, "set:clip=" + clip);
     follow_link(driver.ui, wall);
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     return driver;
 }
 
@@ -75,7 +75,7 @@ TEST_CASE("New corners stand on the picture with the names of their planes") {
     CHECK(made >= 2);
     // Without a selection nothing of it is marked.
     follow_link(driver.ui, "triangle:none");
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     for (const CutCorner& corner : corners)
         CHECK((!corner.is_new() || count_on_canvas(std::string(word_of(corner.plane))) == 0));
 }
@@ -147,7 +147,7 @@ TEST_CASE("The outline before the cut reaches beyond the picture's border") {
 TEST_CASE("The default picture has no mark of clipping") {
     Driver driver;
     follow_link(driver.ui, "triangle:12");
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     const std::size_t with = clip_marks(driver).size();
     ShownRun run = run_a(driver.ui);
     REQUIRE(run.clip != nullptr);
@@ -171,7 +171,7 @@ TEST_CASE("While planes are at work no edge of the polygon is drawn yet") {
         const std::string moment = "cursor:t5/p" + std::to_string(first) + "/s" + std::to_string(s);
         CAPTURE(moment);
         follow_link(driver.ui, moment);
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         const std::optional<ClipProgress> progress =
             clip_progress(history, driver.ui.results.a.done);
         CHECK((s == 0 || progress));
@@ -185,13 +185,13 @@ TEST_CASE("While planes are at work no edge of the polygon is drawn yet") {
 TEST_CASE(
     "While it is clipped the picture shows where dividing would put a corner behind the camera") {
     Driver driver;
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     Settings& settings = driver.ui.session.a.settings;
     settings.clip = Clip::near;
     settings.camera.position.z = -0.5f;
     follow_link(driver.ui, "triangle:1");
     driver.ui.session.canvas.zoom = 0.25f; // what lies far beside the picture is seen, too
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     const ClipHistory history = *driver.ui.results.a.inspected.clip;
     REQUIRE(history.planes.size() == 1);
     const std::vector<CutCorner> behind = corners_behind(history);
@@ -214,11 +214,11 @@ TEST_CASE(
     };
     CHECK_FALSE(says());
     follow_link(driver.ui, "cursor:t1/p0/s1");
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     REQUIRE(clip_progress(history, driver.ui.results.a.done));
     CHECK(says());
     follow_link(driver.ui, "cursor:end");
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     CHECK_FALSE(says());
 }
 
@@ -226,10 +226,10 @@ TEST_CASE("The cull step says on the picture which side it takes the triangle fo
     Driver driver("corridor.toml");
     with_clip(driver, "all");
     follow_link(driver.ui, "set:cull=screen_area");
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     CHECK(count_on_canvas("front") + count_on_canvas("back") == 0);
     follow_link(driver.ui, "cursor:t5/k");
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     driver.hand.press('.');
     const bool is_back = driver.ui.results.a.inspected.clip->cull.is_back;
     CHECK(count_on_canvas(is_back ? "back" : "front") == 1);

@@ -51,7 +51,7 @@ TEST_CASE("In a low canvas no title lies over a picture, and each picture has on
         for (const CompareViewInfo& info : compare_view_list()) {
             INFO(info.name);
             driver.ui.session.compare_view = info.view;
-            driver.hand.frames(frames_to_rest);
+            driver.hand.rest();
             const Viewport picture = driver.ui.results.a.frame.settings.viewport;
             int titles = 0;
             for (const char* name : {"compare.title_a", "compare.title_b"}) {
@@ -150,7 +150,7 @@ TEST_CASE("A comparison's tab is seen where the lesson's whole text stood") {
     driver.hand.press('C');
     REQUIRE(is_settings_open(driver.ui));
     close_settings_sheet(driver.ui);
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     CHECK(driver.ui.widgets.count("compare.end") == 1);
     driver.hand.press('C');
     // Settings that the text has hidden stay behind.
@@ -495,7 +495,7 @@ TEST_CASE("A difference names both runs in the same form") {
             Driver driver(lit_room(), window, window.x < 1600.0f ? 1.5f : 1.0f);
             driver.hand.press('C');
             driver.ui.session.compare_view = view;
-            driver.hand.frames(frames_to_rest);
+            driver.hand.rest();
             driver.hand.leave();
             REQUIRE(driver.ui.widgets.count("compare.title_a") == 1);
             REQUIRE(driver.ui.widgets.count("compare.title_b") == 1);

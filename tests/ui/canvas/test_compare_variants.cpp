@@ -244,7 +244,7 @@ TEST_CASE("Two pictures stand above each other where that leaves them larger") {
     Driver driver(lit_room_of({500, 500}), {1200, 1600});
     driver.hand.click("switch.compare");
     driver.ui.session.compare_view = CompareView::side_by_side;
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     REQUIRE(driver.ui.compare.place_of_b);
     CHECK(driver.ui.canvas.place.scale >= 1.0f);
     const PicturePlace a = driver.ui.canvas.place, b = *driver.ui.compare.place_of_b;
@@ -274,7 +274,7 @@ TEST_CASE("In every window the row lies below the picture and inside the canvas"
             INFO(info.name << " at " << window.size.x << " x " << window.size.y << ", text "
                            << window.text_scale);
             driver.ui.session.compare_view = info.view;
-            driver.hand.frames(frames_to_rest);
+            driver.hand.rest();
             const WidgetPlace canvas = driver.hand.find("canvas");
             float right = canvas.top_left.x;
             for (const char* name : small_names) {
@@ -295,7 +295,7 @@ TEST_CASE("In every window the row lies below the picture and inside the canvas"
         toggle_compare(driver.ui);
         for (const CompareViewInfo& info : compare_view_list()) {
             driver.ui.session.compare_view = info.view;
-            CHECK_NOTHROW(driver.hand.frames(frames_to_rest));
+            CHECK_NOTHROW(driver.hand.rest());
             CHECK(driver.ui.canvas.place.scale > 0.0f);
         }
     }

@@ -29,7 +29,7 @@ float least_scale(const Driver& driver) {
 }
 
 void check_fit(Driver& driver) {
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     const float scale = driver.ui.canvas.place.scale, least = least_scale(driver);
     const WidgetPlace& canvas = driver.ui.widgets.at("canvas");
     const Viewport size = driver.ui.results.a.frame.settings.viewport;
@@ -98,7 +98,7 @@ TEST_CASE("Where the pixels of a very small picture would be tiny its triangles 
         for (const float text_scale : {1.0f, 1.5f}) {
             CAPTURE(window.x, window.y, text_scale);
             Driver driver("one-triangle.toml", window, text_scale);
-            driver.hand.frames(frames_to_rest);
+            driver.hand.rest();
             REQUIRE(least_scale(driver) < 16.0f * text_scale);
             CHECK(driver.ui.canvas.place.scale > 1.15f * least_scale(driver));
             CHECK(is_triangle_seen(driver));
@@ -135,7 +135,7 @@ TEST_CASE("Where the row table has no room the triangle is as large as without i
             CAPTURE(is_zoomed);
             const auto scale_with = [&](bool row_table) {
                 driver.ui.session.canvas.row_table = row_table;
-                driver.hand.frames(frames_to_rest);
+                driver.hand.rest();
                 if (is_zoomed) driver.hand.press('X');
                 driver.hand.leave();
                 return driver.ui.canvas.place.scale;

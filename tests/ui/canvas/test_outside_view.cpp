@@ -42,7 +42,7 @@ void click_at(Driver& driver, const glm::dvec3& world) {
     io.MouseDown[0] = true;
     driver.hand.frames(1);
     io.MouseDown[0] = false;
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
 }
 
 /// What is written over the view from outside; a name with its halo, which is the same name a
@@ -210,7 +210,7 @@ TEST_CASE("A scene in pixels has no outside") {
     CHECK(driver.ui.session.notice.find("no camera") != std::string::npos);
     // Nor if a view says so.
     driver.ui.session.canvas.shows = CanvasShows::both;
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     CHECK(driver.hand.is_visible("canvas"));
     CHECK_FALSE(driver.hand.is_visible("canvas.outside"));
 }

@@ -264,7 +264,7 @@ TEST_CASE("The legend says whole words, however many layers are on") {
             driver.ui.session.overlays.set(info.overlay, true);
         for (const bool is_picked : {false, true}) {
             if (is_picked) driver.ui.session.selection.pixel = glm::ivec2(250, 400);
-            driver.hand.frames(frames_to_rest);
+            driver.hand.rest();
             driver.hand.leave();
             int texts = 0;
             for (const ScreenText& text : screen_text()) {

@@ -67,7 +67,7 @@ TEST_CASE("After every moment the picture shown is that of the frame, resampled"
         driver.ui.session.canvas.zoom = zoom;
         driver.ui.session.canvas.centre = {250.0f, 300.0f};
         driver.ui.session.cursor = *parse_cursor("t24/r90");
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         for (int i = 0; i < 12; ++i) {
             const int uploads = driver.textures.uploads;
             driver.hand.press('.');
@@ -83,7 +83,7 @@ TEST_CASE("Of a picture larger than the canvas the texture holds what is in view
     for (const float zoom : {1.0f, 1.3f, 6.0f}) {
         Driver driver;
         set_from_text(driver.ui.session.a.settings, "viewport.size=2400x2400");
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         const WidgetPlace canvas = driver.ui.widgets.at("canvas");
         const float room = (canvas.bottom_right.x - canvas.top_left.x) *
                            (canvas.bottom_right.y - canvas.top_left.y);
@@ -91,7 +91,7 @@ TEST_CASE("Of a picture larger than the canvas the texture holds what is in view
                                        glm::vec2(300, 2300), glm::vec2(2380, 0)}) {
             driver.ui.session.canvas.zoom = zoom;
             driver.ui.session.canvas.centre = centre;
-            driver.hand.frames(frames_to_rest);
+            driver.hand.rest();
             CAPTURE(zoom, centre.x, centre.y);
             const PictureTexture& texture = driver.ui.canvas.picture;
             CHECK(static_cast<float>(driver.textures.last.width) *

@@ -65,7 +65,7 @@ bool is_shown(const Driver& driver) {
 void look_at(Driver& driver, float zoom, glm::vec2 centre) {
     driver.ui.session.canvas.zoom = zoom;
     driver.ui.session.canvas.centre = centre;
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
 }
 
 void switch_layer(Driver& driver, const std::string& name) {
@@ -142,7 +142,7 @@ TEST_CASE("Every line of the table stands beside its row of pixels, at every zoo
         Driver driver(scene);
         driver.ui.session.a.settings.stage = Stage::depth;
         driver.ui.session.selection.triangle = std::string(scene) == "lab-room.toml" ? 22 : 0;
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         const PolygonRows& rows = driver.ui.results.a.rows.rows;
         REQUIRE(rows.size() > 5);
         const int middle_row = rows.first_row + rows.size() / 2;
@@ -243,7 +243,7 @@ TEST_CASE("What no sample has reached is grey and says what the arrays begin wit
 TEST_CASE("The moment's row has a white bar, and a box is around what the moment wrote") {
     Driver driver("one-triangle.toml");
     driver.ui.session.cursor = *parse_cursor("t0/e1/s5"); // edge 1, line[4] is just entered
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     driver.hand.leave();
     REQUIRE(is_shown(driver));
     const ImU32 white = packed(colour_of(Meaning::current, Theme::dark));
@@ -353,7 +353,7 @@ TEST_CASE(
 TEST_CASE("There is no table where there are no rows: of points, of a triangle left out") {
     Driver driver("one-triangle.toml");
     driver.ui.session.a.settings.stage = Stage::points;
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     CHECK_FALSE(is_shown(driver));
 }
 
@@ -385,7 +385,7 @@ TEST_CASE("However the picture is zoomed and moved by hand, the table covers not
         for (const bool is_lesson : {false, true}) {
             Driver driver("one-triangle.toml", window.size, window.text_scale);
             if (is_lesson) open_lesson(driver.ui, "05-row-table", 3);
-            driver.hand.frames(frames_to_rest);
+            driver.hand.rest();
             for (int i = 0; i < 14; ++i) {
                 if (i % 2 == 0) {
                     driver.hand.wheel("canvas", i < 6 ? 1.0f : -1.0f);
@@ -451,7 +451,7 @@ TEST_CASE("1/z stands in the table of a triangle of the room") {
     Driver room;
     room.hand.click("stage.depth");
     room.ui.session.selection.triangle = 22;
-    room.hand.frames(frames_to_rest);
+    room.hand.rest();
     const PolygonRows& rows = room.ui.results.a.rows.rows;
     const RowEnd& left = rows.left[static_cast<std::size_t>(rows.size() / 2)];
     look_at(room, 46.0f, {left.column - 1, rows.first_row + rows.size() / 2});
@@ -466,7 +466,7 @@ TEST_CASE("1/z stands in the table too where no samples have written the ends") 
     room.hand.click("stage.depth");
     room.ui.session.a.settings.coverage = Coverage::edge_functions;
     room.ui.session.selection.triangle = 22;
-    room.hand.frames(frames_to_rest);
+    room.hand.rest();
     const PolygonRows& rows = room.ui.results.a.rows.rows;
     const RowEnd& left = rows.left[static_cast<std::size_t>(rows.size() / 2)];
     REQUIRE(left.column != empty_left);
@@ -578,7 +578,7 @@ TEST_CASE("In a lecture about rows the table stands in the inspector's place, la
         driver.hand.leave();
         driver.ui.session.canvas.zoom = 10.0f;
         driver.ui.session.canvas.centre = {10.0f, 10.0f};
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         CHECK_FALSE(is_shown(driver));
         CHECK(driver.ui.widgets.count("rows.7") > 0);
     }
@@ -591,7 +591,7 @@ TEST_CASE("A lesson that points at what stands below the row table has the Rows 
     driver.hand.leave();
     REQUIRE(is_shown(driver));
     point_at_widget(driver.ui, "rows.values", true);
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     CHECK_FALSE(is_shown(driver));
     CHECK(driver.hand.is_visible("rows.values"));
 }

@@ -50,7 +50,7 @@ void show_sketch(Driver& driver, const char* moment, FillRule rule = FillRule::t
     session.canvas.zoom = 40.0f;
     session.canvas.centre = {8.0f, 6.0f};
     driver.hand.leave();
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
 }
 
 /// The words in each cell, one behind the other.

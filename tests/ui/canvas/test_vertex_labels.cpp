@@ -80,7 +80,7 @@ TEST_CASE("Where a vertex is at the border its name turns to where there is room
         driver.ui.session.canvas.row_table = false;
         driver.ui.session.canvas.zoom = 60.0f;
         driver.ui.session.canvas.centre = centre;
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         driver.hand.leave();
         CAPTURE(centre.x, centre.y);
         const WidgetPlace& canvas = driver.ui.widgets.at("canvas");

@@ -26,7 +26,7 @@ struct CutWall {
         : driver("corridor.toml", window, text_scale) {
         follow_link(driver.ui, "set:clip=all");
         follow_link(driver.ui, "triangle:" + std::to_string(triangle));
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         driver.open("clip");
     }
     const ClipHistory& history() const { return *driver.ui.results.a.inspected.clip; }
@@ -83,7 +83,7 @@ TEST_CASE("A corner of the diagram tells its coordinates, and a click explains i
     CHECK(driver.ui.inspector.clip.number == "d.0.0");
     driver.hand.find("clip.diagram");
     driver.hand.hover("clip.diagram.corner.0");
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     // -160, 160, 1, -2: behind the camera, 2.1 beyond the near plane.
     const std::string words = words_on_screen();
     CHECK_THAT(words, Catch::Contains("w = −2.000"));
@@ -116,7 +116,7 @@ TEST_CASE("The diagram follows the plane at work, with t at the edge that it has
             driver.hand.click(fmt::format("clip.edge.{}.{}", plane, step.from));
             driver.hand.find("clip.diagram");
             driver.hand.leave();
-            driver.hand.frames(frames_to_rest);
+            driver.hand.rest();
             CAPTURE(plane, step.from);
             CHECK(plane_above() == plane);
             CHECK_THAT(words_on_screen(),

@@ -26,7 +26,7 @@ struct Corridor {
     explicit Corridor(const std::string& clip = "all", int triangle = 0) {
         follow_link(driver.ui, "set:clip=" + clip);
         follow_link(driver.ui, "triangle:" + std::to_string(triangle));
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         driver.open("clip");
     }
     const ClipHistory& history() const { return *driver.ui.results.a.inspected.clip; }
@@ -54,7 +54,7 @@ TEST_CASE("The Clip tab is offered where there is a camera") {
         driver.hand.click("group.triangle");
         CHECK_FALSE(driver.hand.is_visible("tab.clip"));
         driver.ui.session.tab = "clip"; // as a file of the student's may say
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         CHECK_THAT(inspector_words(), Catch::Contains("no camera"));
     }
     Driver driver;
@@ -122,7 +122,7 @@ TEST_CASE("The new corners lie on the edges, with all that they carry") {
     Corridor corridor("near");
     Driver& driver = corridor.driver;
     follow_link(driver.ui, "set:stage=pixel_light"); // there the place in the world is carried
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     for (const CutCorner& corner : corners_before(corridor.history())) {
         if (!corner.is_new()) continue;
         const std::string name = "clip.new." + std::to_string(corner.new_index);
@@ -225,7 +225,7 @@ TEST_CASE("Each way of culling says what it takes the triangle for, and which is
     Driver& driver = corridor.driver;
     for (const Cull way : {Cull::face_normal, Cull::screen_area, Cull::vertex_normals}) {
         follow_link(driver.ui, "set:cull=" + std::string(word_of(way)));
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         const std::string name = "clip.cull." + std::string(word_of(way));
         CAPTURE(name);
         driver.hand.click(name);
@@ -249,7 +249,7 @@ TEST_CASE("The counters of clipping are those of the frame") {
         Driver& driver = corridor.driver;
         driver.ui.session.a.settings.camera.yaw = 0.6f;
         follow_link(driver.ui, std::string("set:") + set);
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         const FrameStats stats = frame_stats(driver.ui.results.a.frame);
         const auto count = [&](const char* name) {
             return number_in(shown_text(driver, std::string("clip.count.") + name));
@@ -308,17 +308,17 @@ TEST_CASE("The Clip tab scrolls to the step at the cursor, forwards and backward
             CHECK(found->second.is_whole);
         };
         follow_link(driver.ui, fmt::format("cursor:t1/p{}/s0", steps.front().index));
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         for (const Cursor& step : steps) {
             driver.hand.press(key::period);
-            driver.hand.frames(frames_to_rest);
+            driver.hand.rest();
             check_seen(step);
         }
         // Not because all of them have room at once.
         CHECK_FALSE(driver.hand.is_visible(edge_of(steps.front())));
         for (std::size_t i = steps.size() - 1; i-- > 0;) {
             driver.hand.press(key::comma);
-            driver.hand.frames(frames_to_rest);
+            driver.hand.rest();
             check_seen(steps[i]);
         }
         CHECK_FALSE(driver.hand.is_visible(edge_of(steps.back())));
@@ -329,13 +329,13 @@ TEST_CASE("Cheap clipping cuts nothing, and the Clip tab says what it leaves out
     Corridor corridor("leave_out", 2);
     Driver& driver = corridor.driver;
     driver.ui.session.a.settings.camera.position = {0.9f, 0.0f, 2.0f};
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     const auto outside = [&] {
         return number_in(shown_text(driver, "clip.count.fragments_outside"));
     };
     CHECK(outside() > 0.0);
     follow_link(driver.ui, "set:reject=cheap");
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     CHECK(outside() == 0.0);
     driver.hand.find("clip.verdict");
     CHECK_THAT(inspector_words(), Catch::Contains("cheap clipping"));

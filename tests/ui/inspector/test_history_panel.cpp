@@ -157,7 +157,7 @@ TEST_CASE("Without a picked pixel the history offers two to begin with") {
 
     driver.ui.session.selection = {};
     driver.ui.session.cursor = *parse_cursor("t22/r40/c5");
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     driver.hand.click("history.pick_last");
     REQUIRE(driver.ui.results.history);
     const std::vector<PixelEntry>& entries = driver.ui.results.history->entries;

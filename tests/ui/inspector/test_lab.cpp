@@ -300,7 +300,7 @@ TEST_CASE("What is wrong with a picture is in sight at once, and scrolled by key
         Driver driver("lab-room.toml", window.size, window.text_scale);
         driver.ui.session.tab = "lab";
         driver.ui.lab.mode = LabMode::result;
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         CHECK(driver.ui.widgets.contains("lab.intro"));
         Settings wrong = pixel_light(driver);
         wrong.interpolation = Interpolation::affine;
@@ -336,7 +336,7 @@ TEST_CASE(
     CHECK(driver.ui.session.scene == room);
     CHECK(driver.ui.session.a.settings == wrong);
     CHECK(driver.ui.session.b->settings == reference);
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     CHECK(driver.ui.results.comparison.whole().pixels.shown == driver.ui.lab.diagnosis->different);
     driver.hand.press('C');
     CHECK_FALSE(driver.ui.session.b);
@@ -488,7 +488,7 @@ TEST_CASE("The mistake that is on when the laboratory opens is the one described
         options.bug = id;
         options.given["tab"] = {"lab"};
         Driver driver(open_view(options));
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         CHECK(is_on(driver.ui.session, id));
         CHECK(driver.ui.lab.chosen == id);
         CHECK(driver.hand.find("lab.off").visible); // the box has the button to turn it off

@@ -82,7 +82,7 @@ TEST_CASE("What is chosen of a sample says what it decides, and which of both dr
     Driver driver("one-triangle.toml");
     open_outside_example(driver);
     const auto says = [&](const std::string& words) {
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         const std::vector<ScreenText> texts = screen_text();
         return std::any_of(texts.begin(), texts.end(), [&](const ScreenText& text) {
             return text.words.find(words) != std::string::npos;
@@ -103,7 +103,7 @@ TEST_CASE("A line that decides shows its decision variable, its steps and its ru
     driver.hand.frames();
     driver.open("microscope");
     driver.hand.click("microscope.edge.1"); // (1,8) to (13,5): l = 12, s = 3, d begins at -6
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     const auto says = [&](const std::string& words) {
         const std::vector<ScreenText> texts = screen_text();
         return std::any_of(texts.begin(), texts.end(), [&](const ScreenText& text) {
@@ -118,13 +118,13 @@ TEST_CASE("A line that decides shows its decision variable, its steps and its ru
     CHECK(says("d < 0: straight, d + 2 s = d + 6"));
     CHECK(says("d ≥ 0: diagonal, d + 2 s − 2 l = d − 18"));
     driver.hand.click("microscope.sample.1");
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     CHECK(says("line[1]: d = 0 ≥ 0: diagonal, then d = 0 − 18 = −18"));
     driver.hand.drag("microscope.curve", 5000.0f, 0.0f);
     CHECK(driver.ui.results.a.done == sample(0, 1, 12));
     // The DDA decides by its float.
     driver.ui.session.a.settings.line = LineAlgorithm::dda;
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     CHECK(driver.hand.is_visible("microscope.header.1"));
     CHECK(driver.hand.is_visible("microscope.header.7"));
     CHECK_FALSE(driver.hand.is_visible("microscope.header.6"));
@@ -171,7 +171,7 @@ TEST_CASE("The samples around the one at work begin with a whole line") {
         INFO(small.size.x << " x " << small.size.y << ", text " << small.text_scale);
         Driver driver("lab-room.toml", small.size, small.text_scale);
         open_lesson(driver.ui, "12-float-traps", 2);
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         const int current = driver.ui.results.a.done->step;
         REQUIRE(current > 20);
         const auto& widgets = driver.ui.widgets;

@@ -66,7 +66,7 @@ TEST_CASE("A vertex of the bench is shown and typed with its minus sign too") {
     // Whatever follows from it is written with the same sign.
     driver.hand.enter("bench.vertex.0.y", "-3");
     driver.ui.session.cursor = {0, Phase::edges, 0, 1};
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     REQUIRE(driver.ui.results.a.rows.last);
     REQUIRE(driver.ui.results.a.rows.last->y == -3.0f);
     int numbers = 0;

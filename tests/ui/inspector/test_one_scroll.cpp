@@ -109,27 +109,27 @@ TEST_CASE("Where a page has no card of its own, a number that is clicked brings 
     driver.ui.session.selection.pixel = {398, 121};
     driver.ui.session.selection.triangle = 7;
     driver.ui.session.tab = "vertices";
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     driver.hand.click("vertices.light.R.blue.v1");
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     CHECK(driver.ui.inspector.chosen.vertex_number == "light.R.blue");
     CHECK(driver.ui.widgets.at("vertices.formula.expression").is_whole);
     driver.ui.session.tab = "fragment";
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     driver.hand.click("fragment.z.perspective");
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     CHECK(driver.ui.widgets.at("fragment.formula.expression").is_whole);
 }
 
 TEST_CASE("In a low panel the wheel goes from the samples on to what stands below them") {
     Driver driver("lab-room.toml", {1024, 640}, 1.5f);
     driver.ui.session.tab = "microscope";
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     const int last = driver.ui.inspector.microscope.shown.count - 1;
     const std::string name = "microscope.sample." + std::to_string(last);
     driver.hand.find(name);
     driver.hand.wheel(name, -50.0f);
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     CHECK_FALSE(driver.hand.is_visible(name));
     CHECK(driver.ui.widgets.at("microscope.header.0").is_whole);
 }
@@ -140,13 +140,13 @@ TEST_CASE("In a low panel the card of a mistake opens below its line") {
         INFO(window.size.x << " x " << window.size.y);
         Driver driver("lab-room.toml", window.size, window.text_scale);
         driver.ui.session.tab = "lab";
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         CHECK(count_of_scrolls() == 1);
         for (const char* id : {"B9", "B20a", "B3"}) {
             INFO(id);
             const std::string line = std::string("lab.") + id;
             driver.hand.click(line);
-            driver.hand.frames(frames_to_rest);
+            driver.hand.rest();
             const WidgetPlace& at = driver.ui.widgets.at(line);
             const WidgetPlace& on = driver.ui.widgets.at("lab.on");
             CHECK(at.is_whole);
@@ -156,10 +156,10 @@ TEST_CASE("In a low panel the card of a mistake opens below its line") {
         }
         driver.hand.click("lab.mode.quiz");
         driver.hand.click("lab.quiz.start");
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         CHECK(count_of_scrolls() == 1);
         driver.hand.click("lab.choice.B3");
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         CHECK(driver.ui.widgets.at("lab.choice.B3").is_whole);
         CHECK(driver.ui.widgets.at("lab.guess").is_whole);
     }

@@ -234,7 +234,7 @@ TEST_CASE("A setting that is set back stays in its place until the settings are 
 TEST_CASE("A setting that a lesson asks for stays where it is until its next step") {
     Driver driver("lab-room.toml", {1600, 1800}); // all settings are in sight
     open_lesson(driver.ui, "02-moving-the-camera", 4);
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     const auto top = [&](const char* name) {
         return driver.ui.widgets.at(std::string("setting.") + name).top_left.y;
     };

@@ -24,13 +24,13 @@ TEST_CASE("The Texture tab is there only where the scene has a texture") {
     wall.hand.click("group.pixel");
     wall.hand.click("tab.texture");
     follow_link(wall.ui, "pixel:2,2"); // beside the wall
-    wall.hand.frames(frames_to_rest);
+    wall.hand.rest();
     CHECK(wall.hand.is_visible("texture.none"));
     follow_link(wall.ui, "pixel:100,70");
-    wall.hand.frames(frames_to_rest);
+    wall.hand.rest();
     CHECK(wall.hand.is_visible("texture.map"));
     follow_link(wall.ui, "set:texture=off");
-    wall.hand.frames(frames_to_rest);
+    wall.hand.rest();
     CHECK(wall.hand.is_visible("texture.none"));
 }
 
@@ -41,7 +41,7 @@ TEST_CASE("The Texture tab shows as many texels as were taken, and a click asks 
     for (const auto& [filter, count] :
          {std::pair{"nearest", 1}, {"bilinear", 4}, {"mipmap", 4}, {"trilinear", 8}}) {
         follow_link(driver.ui, std::string("set:texture_filter=") + filter);
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         INFO(filter);
         const std::optional<FragmentReport>& report = driver.ui.results.a.inspected.fragment;
         REQUIRE(report);

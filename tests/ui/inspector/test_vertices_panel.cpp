@@ -139,7 +139,7 @@ TEST_CASE("R is not spoken of before the camera is turned") {
 TEST_CASE("The first lessons show the numbers that they speak of, and all of them on request") {
     Driver driver;
     open_lesson(driver.ui, "01-pinhole-camera", 0);
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     REQUIRE(shading_rule(driver.ui.session.a.settings) != Shading::unlit);
     const auto shows = [&](const char* line) { return driver.hand.is_visible(cell(line, 0)); };
     for (const char* line : {"world.x", "minus_camera.z", "projected.y", "pixel.column", "zinv"}) {
@@ -189,14 +189,14 @@ TEST_CASE("A number that was clicked before another tab came does not scroll the
     Driver driver("lab-room.toml", {800, 600}, 1.5f);
     driver.ui.session.selection.triangle = 7;
     driver.ui.session.tab = "vertices";
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     driver.hand.click(cell("pixel.column", 1));
     // Another number of the same vertex: one frame is all that the click takes.
     const WidgetPlace number = driver.hand.find(cell("pixel.row", 1));
     ImGuiIO& io = ImGui::GetIO();
     io.MousePos = {0.5f * (number.top_left.x + number.bottom_right.x),
                    0.5f * (number.top_left.y + number.bottom_right.y)};
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     io.MouseDown[0] = true;
     driver.hand.frames(1);
     io.MouseDown[0] = false;
@@ -214,7 +214,7 @@ TEST_CASE("A number that was clicked before another tab came does not scroll the
     };
     driver.hand.frames(1);
     const std::map<std::string, float> before = tops();
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     CHECK(tops() == before);
 }
 
@@ -223,7 +223,7 @@ TEST_CASE("The names of the vertices stand apart in every window, short where ro
         INFO(window.x << " x " << window.y);
         Driver driver("lab-room.toml", window);
         driver.ui.session.tab = "vertices";
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         const std::vector<ScreenText> texts = screen_text();
         for (int v = 0; v < triangle_corners; ++v) {
             INFO(v);
@@ -266,7 +266,7 @@ TEST_CASE("In a small window the table shows what the step speaks of, in all its
     Driver driver("lab-room.toml", {1024, 640}, 1.5f);
     driver.open("vertices");
     driver.ui.session.a.settings.camera.yaw = 0.3f;
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     CHECK(driver.ui.widgets.contains("vertices.rotated.z"));
 }
 
@@ -298,7 +298,7 @@ TEST_CASE("Lesson 15 shows the matrix of which a step speaks, whole") {
         for (const auto& [step, matrix] : {std::pair{4, "Tm"}, {6, "Tp"}, {8, "Tv"}}) {
             open_lesson(driver.ui, "15-matrices", step);
             driver.hand.leave();
-            driver.hand.frames(frames_to_rest);
+            driver.hand.rest();
             CAPTURE(window.x, step, matrix);
             const WidgetPlace& place =
                 driver.ui.widgets.at(std::string("vertices.matrix.") + matrix);

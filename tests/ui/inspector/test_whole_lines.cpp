@@ -97,7 +97,7 @@ TEST_CASE("What scrolls in the inspector begins and ends with whole lines") {
             looked += look_at_edges(driver);
         }
         driver.ui.session.tab = "lab";
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         for (const char* const mistake : {"lab.B2", "lab.B17a", "lab.B22"}) {
             INFO(mistake);
             driver.hand.click(mistake);
@@ -189,7 +189,7 @@ TEST_CASE("Below a page that scrolls its card follows the last whole line, and b
             driver.ui.session.a.settings.clip = Clip::all;
             driver.ui.session.selection.triangle = 5;
             driver.ui.session.tab = "clip";
-            driver.hand.frames(frames_to_rest);
+            driver.hand.rest();
             if (is_closed) {
                 for (const char* const plane : {"near", "left", "top"})
                     driver.hand.click(std::string("clip.plane.") + plane);

@@ -29,7 +29,7 @@ struct HostileClassroom {
     void open_good() {
         ui.lesson.lessons.read_folder(folder.file(""));
         open_lesson(ui, "01-good", 1);
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         REQUIRE(ui.session.lesson == "01-good");
         REQUIRE(ui.session.notice.empty());
     }
@@ -66,7 +66,7 @@ TEST_CASE("Of every hostile lesson the column tells the fault, and the open less
             CHECK(ui.session.lesson == id);
             CHECK(room.shows_faults() == !sentence.empty());
             open_lesson(ui, "01-good", 1);
-            room.driver.hand.frames(frames_to_rest);
+            room.driver.hand.rest();
         } else {
             CHECK(sentence.find(all[i].sentence) != std::string::npos);
             CHECK(ui.session.notice == sentence);
@@ -84,7 +84,7 @@ TEST_CASE("A good lesson that is made hostile while it is open stays, with the f
         HostileClassroom room;
         room.open_good();
         room.folder.write("01-good.md", hostile.text);
-        room.driver.hand.frames(frames_to_rest);
+        room.driver.hand.rest();
         const Lesson* const lesson = open_lesson_of(room.ui);
         REQUIRE(lesson != nullptr);
         CHECK(lesson->steps.size() == 2);
@@ -92,7 +92,7 @@ TEST_CASE("A good lesson that is made hostile while it is open stays, with the f
         CHECK(lesson->faults.front().sentence == hostile.sentence);
         CHECK(room.shows_faults());
         room.folder.write("01-good.md", good_text);
-        room.driver.hand.frames(frames_to_rest);
+        room.driver.hand.rest();
         CHECK_FALSE(room.shows_faults());
     }
 }
@@ -115,7 +115,7 @@ TEST_CASE("A folder in the place of a lesson is told in the status line") {
     std::filesystem::create_directory(room.folder.file("02-folder.md"));
     room.open_good();
     open_lesson(room.ui, "02-folder", 0);
-    room.driver.hand.frames(frames_to_rest);
+    room.driver.hand.rest();
     CHECK(room.ui.session.notice ==
           room.folder.file("02-folder.md") + ": the file cannot be read: Is a directory.");
     CHECK(room.ui.session.lesson == "01-good");
@@ -131,7 +131,7 @@ TEST_CASE("Links of a hostile lesson do nothing but say so") {
                                          "[i](javascript:alert) [j](preset:no) [k](bug:B0)\n");
     room.open_good();
     open_lesson(room.ui, "02-links", 0);
-    room.driver.hand.frames(frames_to_rest);
+    room.driver.hand.rest();
     const Settings settings = room.ui.session.a.settings;
     for (int link = 0; link < 11; ++link) {
         INFO(link);

@@ -209,7 +209,7 @@ TEST_CASE("A lesson that is edited is read again, and keeps its place") {
     CHECK_FALSE(lesson_was_edited(ui));
     room.write(text);
     CHECK(lesson_was_edited(ui));
-    room.driver.hand.frames(frames_to_rest);
+    room.driver.hand.rest();
     CHECK(ui.session.step == 1);
     CHECK(open_lesson_of(ui)->steps[1].heading == "See the rows of it");
 }
@@ -223,7 +223,7 @@ TEST_CASE("Progress is kept in a file, taken up again, and forgotten on request"
         room.open();
         room.driver.hand.click("lesson.next");
         room.driver.hand.click("lesson.prediction.who.choice.0");
-        room.driver.hand.frames(frames_to_rest);
+        room.driver.hand.rest();
     }
     Classroom room;
     keep_progress(room.driver.ui, file);
@@ -233,7 +233,7 @@ TEST_CASE("Progress is kept in a file, taken up again, and forgotten on request"
     CHECK(own.answers.at("who") == FirstAnswer{"the floor", false});
     open_lesson_to_go_on(room.driver.ui);
     CHECK(room.driver.ui.session.step == 1);
-    room.driver.hand.frames(frames_to_rest);
+    room.driver.hand.rest();
     room.driver.hand.click("lesson.list");
     room.driver.hand.click("lesson.reset");
     room.driver.hand.click("lesson.reset.yes");
@@ -244,7 +244,7 @@ TEST_CASE("Progress that cannot be kept is said once, and nothing is lost") {
     Classroom room;
     keep_progress(room.driver.ui, "/proc/nowhere/progress.toml");
     room.open();
-    room.driver.hand.frames(frames_to_rest);
+    room.driver.hand.rest();
     CHECK(room.driver.ui.session.notice.find("will not be kept") != std::string::npos);
     CHECK(room.driver.ui.lesson.progress.is_step_seen("01-tiny", 0));
     // It is tried again, but not said again.
@@ -294,7 +294,7 @@ TEST_CASE("Every widget that a lesson points at is in the window at that step, o
                     if (!link.target.starts_with("show:")) continue;
                     INFO(lesson.path << ":" << link.line << ": " << link.target);
                     open_lesson(driver.ui, lesson.id, static_cast<int>(i));
-                    driver.hand.frames(frames_to_rest);
+                    driver.hand.rest();
                     follow_link(driver.ui, link.target);
                     driver.hand.frames(2 * frames_to_rest);
                     CHECK(is_shown(link.target.substr(5)));
@@ -335,7 +335,7 @@ TEST_CASE("Answers that were given before are shown again with what the program 
     Ui& ui = room.driver.ui;
     keep_progress(ui, file);
     open_lesson_to_go_on(ui);
-    room.driver.hand.frames(frames_to_rest);
+    room.driver.hand.rest();
     CHECK(ui.session.tab == "vertices"); // the step's own, not the reveal's
     for (const char* id : ids) {
         INFO(id);
@@ -395,7 +395,7 @@ TEST_CASE("The first page of a lesson says what the next one is about") {
     Driver driver;
     for (const Lesson& lesson : std::vector<Lesson>(driver.ui.lesson.lessons.all())) {
         open_lesson(driver.ui, lesson.id, 0);
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         INFO(lesson.id);
         // Beside two views it is a strip, whose last card says so.
         if (driver.ui.lesson.is_strip) continue;
@@ -487,7 +487,7 @@ TEST_CASE("What a lesson is about is broken between words, never within a number
         // Where there is room for a line each only, it is told beside the pointer.
         if (driver.ui.lesson.is_strip) {
             driver.hand.hover("lesson.item.01-pinhole-camera");
-            driver.hand.frames(frames_to_rest);
+            driver.hand.rest();
         } else {
             ++with_lists;
         }

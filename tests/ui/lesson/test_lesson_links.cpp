@@ -19,7 +19,7 @@ TEST_CASE("Each kind of link does what it says") {
         follow_link(ui, target);
         INFO(target);
         CHECK(ui.session.notice.empty());
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
     };
     follow("set:stage=depth&interpolation=affine");
     CHECK(ui.session.a.settings.stage == Stage::depth);
@@ -59,7 +59,7 @@ TEST_CASE("Each kind of link does what it says") {
     CHECK(ui.sheets.is_open(Sheet::glossary));
     CHECK(ui.sheets.search_of(Sheet::glossary) == "1/z");
     ui.sheets.show(Sheet::glossary, false);
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     follow("bug:B3");
     CHECK(is_on(ui.session, "B3"));
     follow("10-light-per-pixel.md");
@@ -98,7 +98,7 @@ TEST_CASE("What a link points at is outlined until the next click or key, its ta
     CHECK(ui.lesson.pointed_at.empty());
 
     follow_link(ui, "show:switch.perspective");
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     CHECK(ui.lesson.pointed_at == "switch.perspective");
     driver.hand.click("switch.perspective");
     CHECK(ui.lesson.pointed_at.empty());

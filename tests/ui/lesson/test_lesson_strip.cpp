@@ -534,7 +534,7 @@ TEST_CASE("The strip has the way on at the same place in every step, 86 wide") {
     for (const Lesson& lesson : test::some_of(lessons, 2)) {
         for (int step = 0; step < static_cast<int>(lesson.steps.size()); ++step) {
             open_lesson(driver.ui, lesson.id, step);
-            driver.hand.frames(frames_to_rest);
+            driver.hand.rest();
             const bool is_end = step + 1 == static_cast<int>(lesson.steps.size());
             if (is_end && !is_there(driver, "lesson.next")) continue; // of the last lesson
             const WidgetPlace& next = driver.ui.widgets.at("lesson.next");
@@ -563,7 +563,7 @@ TEST_CASE("A task is said in the strip, ticked off there, and its hint can be as
     CHECK(driver.ui.lesson.open_hints.count(task.id) == 1);
     CHECK_FALSE(driver.ui.lesson.progress.is_task_done("05-row-table", task.id));
     driver.ui.session.cursor = {0, Phase::edges, 2, 6};
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     CHECK(driver.ui.lesson.progress.is_task_done("05-row-table", task.id));
 }
 

@@ -17,7 +17,7 @@ Session at_step(const char* lesson, int step) {
 }
 
 std::vector<std::string> names_at(Driver& driver) {
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     return driver.hand.names();
 }
 

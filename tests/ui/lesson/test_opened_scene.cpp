@@ -15,7 +15,7 @@ namespace rasterwalk {
 TEST_CASE("A scene from the menu closes the lesson that speaks of another, and its tab") {
     Driver driver;
     open_lesson(driver.ui, "12-float-traps", 2);
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     REQUIRE(driver.ui.session.tab != Session().tab);
     REQUIRE(driver.ui.lesson.shown == "12-float-traps/2");
     driver.hand.click("menu.Scene");
@@ -34,10 +34,10 @@ TEST_CASE("A scene from the menu closes the lesson that speaks of another, and i
 TEST_CASE("A scene that cannot be opened leaves the lesson as it is") {
     Driver driver;
     open_lesson(driver.ui, "12-float-traps", 2);
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     const std::string tab = driver.ui.session.tab;
     CHECK_THROWS(open_file(driver.ui, "/nowhere/at/all.toml"));
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     CHECK(driver.ui.session.lesson == "12-float-traps");
     CHECK(driver.ui.session.tab == tab);
 }

@@ -35,7 +35,7 @@ TEST_CASE("A step outlines what it points at, whatever is pressed, until it is u
         ++tried;
         const std::string widget = *lesson.steps[static_cast<std::size_t>(step)].state.point_at;
         open_lesson(driver.ui, lesson.id, step - 1);
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         // As a person does, for several frames each. Cards of the step before, or a task of it
         // below the fold, come first.
         for (int i = 0; i < 8 && driver.ui.session.step < step; ++i)
@@ -77,7 +77,7 @@ TEST_CASE("What a step points at is outlined again when a link's pointing ends")
     driver.hand.leave();
     REQUIRE(view.pointed_at == "setting.camera.position");
     follow_link(driver.ui, "show:walk.play");
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     CHECK(view.pointed_at == "walk.play");
     driver.hand.press('G');
     CHECK(view.pointed_at == "setting.camera.position");
@@ -122,7 +122,7 @@ TEST_CASE("What a step points at stays whole when a question makes the strip hig
         CHECK(number.visible);
         CHECK(number.bottom_right.y - number.top_left.y >= driver.ui.fonts.mono->FontSize);
         driver.hand.press(key::page_down);
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
     }
     CHECK(driver.ui.session.step == 2);
 }
@@ -133,7 +133,7 @@ TEST_CASE("A setting behind the gear is outlined when the gear is clicked, in ev
         Driver driver("lab-room.toml", window);
         const LessonView& view = driver.ui.lesson;
         point_at_widget(driver.ui, "setting.camera.focal_length", true);
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         CHECK(view.pointed_at == "tab.settings");
         driver.hand.click("tab.settings");
         driver.hand.leave();
@@ -146,7 +146,7 @@ TEST_CASE("A setting behind the gear is outlined when the gear is clicked, in ev
         driver.hand.press(key::escape);
         driver.hand.press(key::escape);
         point_at_widget(driver.ui, "setting.light.power", true);
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         CHECK(view.pointed_at == "tab.settings");
         driver.hand.press(key::comma, {.ctrl = true});
         driver.hand.leave();
@@ -158,7 +158,7 @@ TEST_CASE("A setting behind the gear is outlined when the gear is clicked, in ev
 TEST_CASE("A click elsewhere than on the way to what is pointed at ends the pointing") {
     Driver driver("lab-room.toml", {800, 600});
     point_at_widget(driver.ui, "setting.camera.focal_length", true);
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     driver.hand.click("walk.step");
     CHECK(driver.ui.lesson.pointed_at.empty());
     driver.hand.click("tab.settings");
@@ -190,7 +190,7 @@ TEST_CASE("A menu behind its button is outlined step by step") {
     Driver driver("lab-room.toml", {1024, 640});
     const LessonView& view = driver.ui.lesson;
     follow_link(driver.ui, "show:menu.Scene");
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     CHECK(view.pointed_at == "menu");
     driver.hand.click("menu");
     driver.hand.leave();

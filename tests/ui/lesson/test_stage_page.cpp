@@ -90,7 +90,7 @@ void follow_all(const Session& start, ImVec2 window) {
         } else {
             open_tab(driver.ui, "vertices");
         }
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         driver.hand.click("lesson.link." + std::to_string(i));
         CHECK(driver.ui.session.notice == "");
         const LessonLink link = parse_lesson_link(links[i]);
@@ -190,7 +190,7 @@ TEST_CASE("The buttons of the lesson are whole in small windows and at large tex
           Window{{1600, 1000}, 2.0f}, Window{{800, 600}, 1.0f}, Window{{800, 600}, 2.0f}}) {
         INFO(window.size.x << "x" << window.size.y << " at " << window.scale);
         Driver driver(room_at({Stage::rows}), window.size, window.scale);
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         for (const char* name : {"lesson.previous", "lesson.next", "lesson.bar.rows"}) {
             INFO(name);
             CHECK(driver.hand.find(name).is_whole);
@@ -206,11 +206,11 @@ TEST_CASE(
     driver.hand.hover("lesson.link.0");
     CHECK(driver.ui.lesson.pointed_at == "group.pixel"); // behind which the tab is
     driver.hand.leave();
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     CHECK(driver.ui.lesson.pointed_at.empty());
     driver.hand.click("lesson.link.0");
     driver.hand.leave();
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     CHECK(driver.ui.lesson.pointed_at == "tab.history");
     CHECK(driver.ui.session.tab == "history");
     driver.hand.press(key::period);
@@ -283,7 +283,7 @@ TEST_CASE("The page about the depth buffer speaks of the picked pixel, in every 
         CHECK_FALSE(said(driver, "in all, of which"));
         const glm::ivec2 pixel{90, 120};
         driver.ui.session.selection.pixel = pixel;
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         REQUIRE(driver.ui.results.history);
         CHECK(said(driver, "120)"));
         CHECK_FALSE(said(driver, "{"));

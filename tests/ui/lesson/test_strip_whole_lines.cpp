@@ -97,7 +97,7 @@ void check_card(Driver& driver) {
         CHECK_FALSE(letters.whole.empty());
         if (!driver.ui.lesson.has_more_below) break;
         driver.hand.press(key::page_down);
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         REQUIRE(strip.card == card);
         REQUIRE(driver.ui.session.step == step);
         CHECK(strip_letters().scrolled > letters.scrolled);

@@ -172,7 +172,7 @@ TEST_CASE("A lesson of one's own shows the pictures beside it") {
                                                          "![Mine](images/own.png)\n");
     Driver driver;
     open_file(driver.ui, lesson);
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     REQUIRE(driver.ui.pictures);
     const PictureName name{driver.ui.session.lesson_folder, "images/own.png"};
     REQUIRE(driver.ui.pictures->pictures.count(name) == 1);

@@ -15,7 +15,7 @@ namespace {
 /// The bench at stage rows with the list open.
 void open_events(Driver& driver) {
     find_action("walk.events").run(driver.ui);
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     REQUIRE(driver.hand.is_visible("events.search"));
 }
 

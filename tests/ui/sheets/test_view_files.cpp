@@ -145,7 +145,7 @@ TEST_CASE("A name that is typed at once after the keys arrives whole") {
         io.KeysDown[key::enter] = true;
         driver.hand.frames(1);
         io.KeysDown[key::enter] = false;
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         CHECK_FALSE(is_up(driver));
         CHECK(driver.ui.session.notice == "Saved as " + name + ".walk.toml.");
         CHECK(std::filesystem::exists(name + ".walk.toml"));
@@ -404,7 +404,7 @@ TEST_CASE("A result of one's own is chosen from a list of pictures and texts") {
     CHECK_FALSE(driver.ui.sheets.files.fault.empty());
     driver.hand.double_click("files.entry.mine.png");
     CHECK_FALSE(is_up(driver));
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     CHECK(driver.ui.lab.result_path == folder.file("mine.png"));
     CHECK((driver.ui.lab.diagnosis || !driver.ui.lab.result_fault.empty()));
 

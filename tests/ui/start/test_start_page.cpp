@@ -26,7 +26,7 @@ namespace {
 
 void begin(Driver& driver) {
     begin_at_start(driver.ui);
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
 }
 
 bool is_open(Driver& driver) {
@@ -97,7 +97,7 @@ TEST_CASE("From the start page it is three clicks to what is wrong with a pictur
     CHECK(driver.ui.options.way == Way::picture);
     driver.hand.click("files.entry.mine.txt");
     driver.hand.click("files.do");
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     CHECK((driver.hand.is_visible("lab.diagnosis") || driver.hand.is_visible("lab.result.fault")));
 }
 
@@ -115,7 +115,7 @@ TEST_CASE("A click on a stage shows the scene at that stage") {
     for (const StageInfo& info : stage_list()) {
         INFO(info.name);
         driver.ui.start.is_open = true;
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         driver.hand.click(std::string("start.stage.").append(info.name));
         CHECK_FALSE(is_open(driver));
         CHECK(step_of(driver.ui.session.a.settings) == info.step);
@@ -193,9 +193,9 @@ TEST_CASE("Who goes another way than the lessons leaves the lesson that was open
         Driver driver;
         open_lesson(driver.ui, "05-row-table", 0);
         driver.ui.start.is_open = true;
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         driver.hand.click(std::string("start.").append(word_of(way)));
-        driver.hand.frames(frames_to_rest);
+        driver.hand.rest();
         CHECK(driver.ui.session.lesson.empty());
         CHECK(driver.ui.options.way == way);
     }
@@ -311,7 +311,7 @@ TEST_CASE("The stages are drawn once, and each is another picture") {
     // more shades than the room has colours.
     driver.resize({1024, 640});
     driver.ui.start.is_open = true;
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     const Image& lit = driver.textures.last;
     REQUIRE(lit.width > 50);
     CHECK(std::abs(lit.width - lit.height) <= 1);
@@ -372,9 +372,9 @@ TEST_CASE("A scene that takes long to draw leaves the pictures out, and the ways
     for (int i = 0; i < 3000; ++i)
         scene->mesh.add_triangle({0, 1, 2});
     driver.ui.session.scene = scene;
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     driver.ui.start.is_open = true;
-    driver.hand.frames(frames_to_rest);
+    driver.hand.rest();
     CHECK_FALSE(driver.ui.start.pictures.is_drawn);
     CHECK(driver.hand.is_visible("start.stages"));
 }
