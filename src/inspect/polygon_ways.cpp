@@ -186,7 +186,7 @@ std::optional<PolygonWays> polygon_ways(const Frame& frame, int triangle) {
 
 std::optional<PolygonPicture> polygon_picture(const Frame& frame, int triangle) {
     const std::vector<ScreenVertex> corners = outline_of(frame, triangle);
-    if (corners.size() <= triangle_corners) return {};
+    if (corners.empty()) return {};
     PolygonPicture picture;
     for (const ScreenVertex& corner : corners)
         picture.outline.push_back(frame.stages.snap(corner));

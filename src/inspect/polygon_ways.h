@@ -71,7 +71,7 @@ struct PolygonPicture {
 /// The window of a PolygonPicture has at most so many columns, and so many rows, about its middle.
 inline constexpr int polygon_window_side = 128;
 
-/// None where there is no outline of more than three corners.
+/// None where there is no outline; polygons of a scene have four corners or more.
 std::optional<PolygonPicture> polygon_picture(const Frame& frame, int triangle);
 
 } // namespace rasterwalk

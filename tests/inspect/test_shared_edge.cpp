@@ -172,7 +172,7 @@ TEST_CASE("Of a long edge the part at a pixel is shown, but all of it is counted
     CHECK(count_by_rules(frame, shared)[1].holes == 0);
     std::vector<Rectangle> windows;
     for (int row = 6; row < 150; ++row) {
-        const int column = 120 - (row - 5) * 117 / 145;
+        const int column = static_cast<int>(120.5 - (row - 5) * 117 / 145.0);
         const Rectangle window = edge_window(frame, shared, glm::ivec2(column, row));
         INFO("pixel (" << column << ", " << row << ")");
         CHECK(window.right - window.left == edge_window_side);
