@@ -15,6 +15,7 @@
 #include "cli/row_json.h"
 #include "cli/spaces_report.h"
 #include "inspect/polygon_ways.h"
+#include "inspect/shared_edge.h"
 #include "inspect/triangle_report.h"
 #include "session/moments.h"
 
@@ -144,6 +145,23 @@ Json to_json(const PolygonWays& ways) {
         {"rows", ways.rows},         {"table", ways.table},       {"wrong_rows", ways.wrong_rows}};
 }
 
+/// Nothing where the triangle shares no edge, or no fill rule is asked.
+Json shared_edges_to_json(const Frame& frame, int triangle) {
+    Json edges = Json::array();
+    for (const SharedEdge& shared : shared_edges(frame, triangle)) {
+        Json rules = Json::array();
+        for (const EdgeByRule& by_rule : count_by_rules(frame, shared))
+            rules.push_back({{"holes", by_rule.holes},
+                             {"rule", word_of(by_rule.rule)},
+                             {"twice", by_rule.twice}});
+        edges.push_back({{"edge", shared.edge},
+                         {"neighbour", shared.neighbour},
+                         {"neighbour_edge", shared.neighbour_edge},
+                         {"rules", std::move(rules)}});
+    }
+    return edges;
+}
+
 /// The spaces have matrices only where matrices do the work.
 bool has_spaces(const Frame& frame) {
     return frame.settings.transform == Transform::matrices &&
@@ -168,6 +186,8 @@ Json to_json(const TriangleReport& report, const Frame& frame) {
     object["outside"] = outside_json(report.rows);
     if (const auto ways = polygon_ways(frame, report.triangle)) object["polygon"] = to_json(*ways);
     object["rows"] = rows_json(report.rows);
+    if (Json shared = shared_edges_to_json(frame, report.triangle); !shared.empty())
+        object["shared_edges"] = std::move(shared);
     if (has_spaces(frame)) object["spaces"] = spaces_json(frame, report.triangle);
     object["triangle"] = report.triangle;
     object["vertices"] = std::move(vertices);
@@ -298,6 +318,22 @@ void print_polygon(std::ostream& out, const std::optional<PolygonWays>& ways) {
                        ways->fan_laid, ways->fan_area);
 }
 
+/// Nothing where the triangle shares no edge, or no fill rule is asked.
+void print_shared_edges(std::ostream& out, const Frame& frame, int triangle) {
+    const std::vector<SharedEdge> all = shared_edges(frame, triangle);
+    if (all.empty()) return;
+    out << "\nShared edges\n";
+    for (const SharedEdge& shared : all) {
+        out << fmt::format("  {}, {} of {}\n", edge_name(shared.edge),
+                           edge_name(shared.neighbour_edge), triangle_name(shared.neighbour));
+        for (const EdgeByRule& by_rule : count_by_rules(frame, shared)) {
+            out << fmt::format(
+                "    {:<10} {} drawn twice, {}\n", fmt::format("{}:", word_of(by_rule.rule)),
+                counted(by_rule.twice, "pixel", "pixels"), counted(by_rule.holes, "hole", "holes"));
+        }
+    }
+}
+
 void print_text(std::ostream& out, const TriangleReport& report, const Frame& frame) {
     const Scene& scene = *frame.scene;
     out << element_name_of(triangle_form, report.triangle, scene.triangle_count()) << " ("
@@ -311,6 +347,7 @@ void print_text(std::ostream& out, const TriangleReport& report, const Frame& fr
     print_edges(out, report);
     print_rows(out, report.rows);
     print_polygon(out, polygon_ways(frame, report.triangle));
+    print_shared_edges(out, frame, report.triangle);
 }
 
 } // namespace

@@ -26,6 +26,8 @@ void add_side_facts(std::vector<Fact>& table);
 void add_clip_facts(std::vector<Fact>& table);
 /// The polygon of the scene that it belongs to.
 void add_outline_facts(std::vector<Fact>& table);
+/// The edge that it shares with a neighbour.
+void add_shared_edge_facts(std::vector<Fact>& table);
 /// Its selected vertex.
 void add_vertex_facts(std::vector<Fact>& table);
 

@@ -23,6 +23,7 @@ std::span<const Fact> fact_table() {
         add_light_facts(facts);
         add_clip_facts(facts);
         add_outline_facts(facts);
+        add_shared_edge_facts(facts);
         add_table_facts(facts);
         add_vertex_facts(facts);
         add_compare_facts(facts);

@@ -93,6 +93,22 @@ const PolygonWays* Facts::outline() const {
     return known.outline ? &*known.outline : nullptr;
 }
 
+const CountedEdge* Facts::shared_edge() const {
+    const std::optional<int>& triangle = results_->a.triangle;
+    const std::optional<glm::ivec2>& pixel = session_->selection.pixel;
+    if (!triangle) return nullptr;
+    FactCache& known = cache();
+    if (known.shared_triangle != triangle || known.shared_pixel != pixel) {
+        const Frame& frame = results_->a.frame;
+        const std::optional<SharedEdge> shared = shared_edge_at(frame, *triangle, pixel);
+        known.shared.reset();
+        if (shared) known.shared = {*shared, count_by_rules(frame, *shared)};
+        known.shared_triangle = triangle;
+        known.shared_pixel = pixel;
+    }
+    return known.shared ? &*known.shared : nullptr;
+}
+
 const EdgeEnds& Facts::edge_ends() const {
     FactCache& known = cache();
     if (!known.edge_ends) known.edge_ends = count_edge_ends(results_->a.frame);

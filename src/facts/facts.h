@@ -18,6 +18,7 @@
 #include "inspect/pixel_tests.h"
 #include "inspect/polygon_ways.h"
 #include "inspect/row_history.h"
+#include "inspect/shared_edge.h"
 #include "inspect/stats.h"
 #include "session/results.h"
 #include "session/session.h"
@@ -30,6 +31,12 @@ struct InterpolationError {
     double position = 0.0; ///< world units
 };
 
+/// An edge that two triangles share, and what each fill rule makes of it.
+struct CountedEdge {
+    SharedEdge shared;
+    EdgeByRules rules;
+};
+
 /// Facts that cost more than a look; kept as long as the frame stays.
 struct FactCache {
     std::uint64_t frame_number = 0;
@@ -37,6 +44,9 @@ struct FactCache {
     std::optional<ClipHistory> clip; ///< of the triangle that it names
     std::optional<int> outline_triangle;
     std::optional<PolygonWays> outline;
+    std::optional<int> shared_triangle;
+    std::optional<glm::ivec2> shared_pixel;
+    std::optional<CountedEdge> shared;
     std::optional<int> table_triangle;
     RowHistory table;
     std::optional<EdgeEnds> edge_ends;
@@ -75,6 +85,9 @@ class Facts {
     const ClipHistory* clip() const;
     /// The polygon of the scene that the triangle on show belongs to; null if there is none.
     const PolygonWays* outline() const;
+    /// The edge that the triangle on show shares with a neighbour, the nearest to the picked pixel;
+    /// null if it shares none, or no fill rule is asked.
+    const CountedEdge* shared_edge() const;
     /// Whether the edges of the frame arrive.
     const EdgeEnds& edge_ends() const;
     /// Pixels that two neighbours of the frame have both drawn.

@@ -175,6 +175,46 @@ void add_outline_facts(std::vector<Fact>& table) {
         real(0), [](const PolygonWays& w) { return number(w.fan_area); });
 }
 
+void add_shared_edge_facts(std::vector<Fact>& table) {
+    const auto add = [&](std::string name, std::string help, Value (*read)(const Facts&, int),
+                         int number = 0) {
+        table.push_back({std::move(name), std::move(help), natural(), read, number});
+    };
+    add("shared.edge",
+        "Edge of the triangle on show that a neighbour shares, the nearest to the picked pixel; "
+        "where coverage is not rows.",
+        [](const Facts& f, int) {
+            const CountedEdge* const counted = f.shared_edge();
+            return counted != nullptr ? number(counted->shared.edge) : Value();
+        });
+    add("shared.neighbour", "That neighbour, from 0.", [](const Facts& f, int) {
+        const CountedEdge* const counted = f.shared_edge();
+        return counted != nullptr ? number(counted->shared.neighbour) : Value();
+    });
+    for (std::size_t i = 0; i < compared_fill_rules.size(); ++i) {
+        const std::string rule(word_of(compared_fill_rules[i]));
+        add(
+            "shared.twice_" + rule,
+            "Pixels that both triangles draw with fill_rule " + rule + ", at that edge.",
+            [](const Facts& f, int which) {
+                const CountedEdge* const counted = f.shared_edge();
+                if (counted == nullptr) return Value();
+                return number(counted->rules[static_cast<std::size_t>(which)].twice);
+            },
+            static_cast<int>(i));
+        add(
+            "shared.holes_" + rule,
+            "Pixels on that edge, without its ends, that neither draws with fill_rule " + rule +
+                ".",
+            [](const Facts& f, int which) {
+                const CountedEdge* const counted = f.shared_edge();
+                if (counted == nullptr) return Value();
+                return number(counted->rules[static_cast<std::size_t>(which)].holes);
+            },
+            static_cast<int>(i));
+    }
+}
+
 void add_vertex_facts(std::vector<Fact>& table) {
     const auto with_pixel = [](const Facts& f) {
         const ShadedVertex* const vertex = f.vertex();

@@ -1,6 +1,7 @@
 #include "inspect/polygon_ways.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <span>
 #include <utility>
@@ -27,35 +28,110 @@ void add_stretches(const Frame& frame, std::span<const ScreenVertex> corners,
         all.push_back({span.row, span.left.column, span.right.column});
 }
 
-void count_inside(const std::vector<Stretch>& inside, PolygonWays& ways) {
-    for (auto row = inside.begin(); row != inside.end();) {
-        const auto next = std::find_if(
-            row, inside.end(), [&](const Stretch& stretch) { return stretch.row != row->row; });
-        std::int64_t pixels = 0;
-        for (auto stretch = row; stretch != next; ++stretch)
-            pixels += stretch->count();
-        const std::int64_t from_end_to_end = Stretch{0, row->first, (next - 1)->last}.count();
-        ways.inside += pixels;
-        ways.table += from_end_to_end;
-        ++ways.rows;
-        ways.wrong_rows += from_end_to_end != pixels ? 1 : 0;
-        row = next;
-    }
-}
-
-void count_fan(std::vector<Stretch> laid, PolygonWays& ways) {
+/// The same pixels, each in one stretch only; from top to bottom and from left to right.
+std::vector<Stretch> each_once(std::vector<Stretch> laid) {
     std::sort(laid.begin(), laid.end(), [](const Stretch& a, const Stretch& b) {
         return a.row != b.row ? a.row < b.row : a.first < b.first;
     });
-    int row = 0, covered_to = 0; // of that row, up to this column
-    for (const Stretch& stretch : laid) {
-        ways.fan_laid += stretch.count();
-        const bool begins_row = &stretch == laid.data() || stretch.row != row;
-        row = stretch.row;
-        const int first = begins_row ? stretch.first : std::max(stretch.first, covered_to + 1);
-        ways.fan += std::max<std::int64_t>(Stretch{row, first, stretch.last}.count(), 0);
-        covered_to = begins_row ? stretch.last : std::max(covered_to, stretch.last);
+    std::vector<Stretch> all;
+    for (Stretch stretch : laid) {
+        if (!all.empty() && all.back().row == stretch.row)
+            stretch.first = std::max(stretch.first, all.back().last + 1);
+        if (stretch.count() > 0) all.push_back(stretch);
     }
+    return all;
+}
+
+std::int64_t pixels_of(const std::vector<Stretch>& stretches) {
+    std::int64_t pixels = 0;
+    for (const Stretch& stretch : stretches)
+        pixels += stretch.count();
+    return pixels;
+}
+
+/// The pixels that two lists have in common, each of which has a pixel once, in order.
+std::int64_t pixels_in_both(const std::vector<Stretch>& a, const std::vector<Stretch>& b) {
+    std::int64_t pixels = 0;
+    for (auto p = a.begin(), q = b.begin(); p != a.end() && q != b.end();) {
+        if (p->row == q->row) {
+            const Stretch both{p->row, std::max(p->first, q->first), std::min(p->last, q->last)};
+            pixels += std::max<std::int64_t>(both.count(), 0);
+        }
+        const bool ends_first = p->row != q->row ? p->row < q->row : p->last < q->last;
+        ++(ends_first ? p : q);
+    }
+    return pixels;
+}
+
+/// Of every row all from its first to its last pixel: what a table with two ends a row holds.
+std::vector<Stretch> from_end_to_end(const std::vector<Stretch>& inside) {
+    std::vector<Stretch> rows;
+    for (const Stretch& stretch : inside) {
+        if (rows.empty() || rows.back().row != stretch.row)
+            rows.push_back(stretch);
+        else
+            rows.back().last = stretch.last;
+    }
+    return rows;
+}
+
+/// What the triangles of the polygon's fan cover, one after the other.
+std::vector<Stretch> laid_by_fan(const Frame& frame, const std::vector<ScreenVertex>& outline) {
+    std::vector<Stretch> laid;
+    for_each_fan_corners(outline.size(), [&](std::size_t a, std::size_t b, std::size_t c) {
+        add_stretches(frame, std::array{outline[a], outline[b], outline[c]}, laid);
+    });
+    return laid;
+}
+
+void count_inside(const std::vector<Stretch>& inside, PolygonWays& ways) {
+    const std::vector<Stretch> table = from_end_to_end(inside);
+    ways.inside = pixels_of(inside);
+    ways.table = pixels_of(table);
+    ways.rows = static_cast<int>(table.size());
+    auto stretch = inside.begin();
+    for (const Stretch& row : table) {
+        std::int64_t pixels = 0;
+        for (; stretch != inside.end() && stretch->row == row.row; ++stretch)
+            pixels += stretch->count();
+        ways.wrong_rows += pixels != row.count() ? 1 : 0;
+    }
+}
+
+/// Of one side of a box: all of it, or its middle.
+std::pair<int, int> shown_side(int low, int high) {
+    const int shown = std::min(high - low, polygon_window_side);
+    const int first = low + (high - low - shown) / 2;
+    return {first, first + shown};
+}
+
+/// Writes a value over the pixels of the window on which a way covers.
+template <class Change>
+void for_pixels(const std::vector<Stretch>& stretches, const Rectangle& window, Change change) {
+    const int width = window.right - window.left;
+    for (const Stretch& stretch : stretches) {
+        if (stretch.row < window.top || stretch.row >= window.bottom) continue;
+        const int first = std::max(stretch.first, window.left);
+        const int last = std::min(stretch.last, window.right - 1);
+        for (int column = first; column <= last; ++column)
+            change(static_cast<std::size_t>((stretch.row - window.top) * width + column -
+                                            window.left));
+    }
+}
+
+PolygonByWay by_way(const std::vector<Stretch>& covered, const std::vector<Stretch>& inside,
+                    const Rectangle& window) {
+    PolygonByWay way;
+    way.covered = pixels_of(covered);
+    way.wrong = way.covered + pixels_of(inside) - 2 * pixels_in_both(covered, inside);
+    way.pixels.resize(static_cast<std::size_t>(window.right - window.left) *
+                      static_cast<std::size_t>(window.bottom - window.top));
+    for_pixels(inside, window, [&](std::size_t at) { way.pixels[at] = PolygonPixel::missed; });
+    for_pixels(covered, window, [&](std::size_t at) {
+        PolygonPixel& pixel = way.pixels[at];
+        pixel = pixel == PolygonPixel::missed ? PolygonPixel::inside : PolygonPixel::filled;
+    });
+    return way;
 }
 
 /// Is the triangle drawn, with the corners of the fan?
@@ -92,22 +168,41 @@ std::optional<PolygonWays> polygon_ways(const Frame& frame, int triangle) {
     if (outline.empty()) return {};
     PolygonWays ways;
     ways.corners = static_cast<int>(outline.size());
-    std::vector<Stretch> inside, laid;
+    std::vector<Stretch> inside;
     add_stretches(frame, outline, inside);
     count_inside(inside, ways);
+    const std::vector<Stretch> laid = laid_by_fan(frame, outline);
+    ways.fan_laid = pixels_of(laid);
+    ways.fan = pixels_of(each_once(laid));
     std::int64_t area = 0, fan_area = 0; // twice
     for_each_fan_triangle(outline, frame.stages.snap, [&](const FanTriangle& fan) {
-        std::vector<ScreenVertex> corners;
-        for (const int corner : fan.corners)
-            corners.push_back(outline[static_cast<std::size_t>(corner)]);
-        add_stretches(frame, corners, laid);
         area += fan.area;
         fan_area += std::abs(fan.area);
     });
-    count_fan(std::move(laid), ways);
     ways.area = in_square_pixels(std::abs(area)) / 2.0;
     ways.fan_area = in_square_pixels(fan_area) / 2.0;
     return ways;
+}
+
+std::optional<PolygonPicture> polygon_picture(const Frame& frame, int triangle) {
+    const std::vector<ScreenVertex> corners = outline_of(frame, triangle);
+    if (corners.empty()) return {};
+    PolygonPicture picture;
+    for (const ScreenVertex& corner : corners)
+        picture.outline.push_back(frame.stages.snap(corner));
+    const Rectangle box = touched_pixels(picture.outline);
+    const auto [left, right] = shown_side(box.left - 1, box.right + 1);
+    const auto [top, bottom] = shown_side(box.top - 1, box.bottom + 1);
+    picture.window = {left, top, right, bottom};
+    std::vector<Stretch> inside;
+    add_stretches(frame, corners, inside);
+    const auto show = [&](PolygonWay way, const std::vector<Stretch>& covered) {
+        picture.ways[static_cast<std::size_t>(way)] = by_way(covered, inside, picture.window);
+    };
+    show(PolygonWay::table, from_end_to_end(inside));
+    show(PolygonWay::fan, each_once(laid_by_fan(frame, corners)));
+    show(PolygonWay::active_edges, inside);
+    return picture;
 }
 
 } // namespace rasterwalk

@@ -3,11 +3,15 @@
 // A polygon of a scene, covered in three ways: what a row table and a fan of triangles make of it,
 // beside the pixels that lie inside. Without dents all three are the same.
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
+#include "base/enum_words.h"
 #include "pipeline/frame.h"
+#include "stages/rectangle.h"
+#include "stages/snap.h"
 
 namespace rasterwalk {
 
@@ -31,5 +35,43 @@ std::vector<ScreenVertex> outline_of(const Frame& frame, int triangle);
 
 /// The same polygon in numbers; none where there is no outline.
 std::optional<PolygonWays> polygon_ways(const Frame& frame, int triangle);
+
+/// The ways in which a polygon is covered.
+enum class PolygonWay : std::uint8_t { table, fan, active_edges };
+template <>
+inline constexpr auto enum_words<PolygonWay> = word_list("table", "fan", "active_edges");
+static_assert(words_match<PolygonWay>);
+
+inline constexpr std::size_t polygon_way_count = enum_words<PolygonWay>.size();
+
+/// A pixel by one of the ways, against what lies inside.
+enum class PolygonPixel : std::uint8_t {
+    outside, ///< and not covered
+    inside,  ///< and covered
+    filled,  ///< covered, though it lies outside: wrong
+    missed,  ///< inside, but not covered: wrong
+};
+
+/// What one way covers.
+struct PolygonByWay {
+    std::int64_t covered = 0;         ///< pixels, each once
+    std::int64_t wrong = 0;           ///< pixels that are filled or missed
+    std::vector<PolygonPixel> pixels; ///< of the window, row by row
+};
+
+/// The polygon by each of the ways. Inside is what the list of active edges finds: the rule of even
+/// and odd, and on the outline the fill rule.
+struct PolygonPicture {
+    Rectangle window;                                 ///< pixels of the picture
+    std::vector<GridPoint> outline;                   ///< the corners, as they are snapped
+    std::array<PolygonByWay, polygon_way_count> ways; ///< indexed by PolygonWay; the numbers are of
+                                                      ///< the whole polygon
+};
+
+/// The window of a PolygonPicture has at most so many columns, and so many rows, about its middle.
+inline constexpr int polygon_window_side = 128;
+
+/// None where there is no outline; polygons of a scene have four corners or more.
+std::optional<PolygonPicture> polygon_picture(const Frame& frame, int triangle);
 
 } // namespace rasterwalk

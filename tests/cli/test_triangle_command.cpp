@@ -274,3 +274,21 @@ TEST_CASE("triangle tells what a row table and a fan make of the polygon it belo
                         "\"wrong_rows\":5}"));
     CHECK_THAT(run({"triangle", "0", "--scene", bench_file}).out, !Contains("Polygon"));
 }
+
+TEST_CASE("triangle tells what each fill rule makes of the edges that a neighbour shares") {
+    const std::string square = lessons_folder() + "/scenes/shared-edge.toml";
+    CHECK_THAT(run({"triangle", "0", "--scene", square, "--set", "coverage=scan_conversion"}).out,
+               Contains("\nShared edges\n"
+                        "  edge 2, edge 0 of triangles[1]\n"
+                        "    inclusive: 9 pixels drawn twice, 0 holes\n"
+                        "    exclusive: 0 pixels drawn twice, 7 holes\n"
+                        "    top_left:  0 pixels drawn twice, 0 holes\n"));
+    CHECK_THAT(json_of({"1", "--scene", square, "--set", "coverage=edge_functions"}),
+               Contains("\"shared_edges\":[{\"edge\":0,\"neighbour\":0,\"neighbour_edge\":2,"
+                        "\"rules\":[{\"holes\":0,\"rule\":\"inclusive\",\"twice\":9},"
+                        "{\"holes\":7,\"rule\":\"exclusive\",\"twice\":0},"
+                        "{\"holes\":0,\"rule\":\"top_left\",\"twice\":0}]}]"));
+    // The lab's rows ask for no rule.
+    CHECK_THAT(run({"triangle", "0", "--scene", square}).out, !Contains("Shared"));
+    CHECK_THAT(json_of({"0", "--scene", square}), !Contains("shared_edges"));
+}

@@ -265,6 +265,31 @@ TEST_CASE("The table's facts are of the finished table of the triangle on show")
     CHECK_FALSE(bench.is_there("table.count"));
 }
 
+TEST_CASE(
+    "What each fill rule makes of a shared edge are facts, of the edge nearest to the pixel") {
+    Asked square;
+    square.session = open_session(lessons_folder() + "/scenes/shared-edge.toml");
+    square.session.selection.triangle = 0;
+    CHECK_FALSE(square.is_there("shared.edge")); // by the lab's rows
+    square.session.a.settings.coverage = Coverage::edge_functions;
+    CHECK(square.number("shared.edge") == 2);
+    CHECK(square.number("shared.neighbour") == 1);
+    CHECK(square.number("shared.twice_inclusive") == 9);
+    CHECK(square.number("shared.holes_inclusive") == 0);
+    CHECK(square.number("shared.twice_exclusive") == 0);
+    CHECK(square.number("shared.holes_exclusive") == 7);
+    CHECK(square.number("shared.twice_top_left") + square.number("shared.holes_top_left") == 0);
+    Asked hexagon;
+    hexagon.session = open_session(lessons_folder() + "/scenes/hexagon.toml");
+    hexagon.session.a.settings.coverage = Coverage::edge_functions;
+    hexagon.session.selection.triangle = 1;
+    hexagon.session.selection.pixel = {10, 4};
+    CHECK(hexagon.number("shared.edge") == 0);
+    hexagon.session.selection.pixel = {16, 6};
+    CHECK(hexagon.number("shared.edge") == 2);
+    CHECK(hexagon.number("shared.holes_exclusive") == 15); // of 17 pixels the ends are no holes
+}
+
 TEST_CASE("The cursor's facts tell what comes next") {
     Asked room;
     room.session.cursor = {4, Phase::edges, 1, 7};

@@ -159,6 +159,79 @@ TEST_CASE("Row table, fan and active edges of random polygons against counting p
     CHECK(dented > 5);
 }
 
+TEST_CASE("The pictures of random polygons, by each way, against counting pixel by pixel") {
+    Random random(23);
+    constexpr std::array names{"outside", "inside", "filled", "missed"};
+    for (int i = 0; i < rounds(120, 30); ++i) {
+        const std::vector<glm::ivec2> corners = any_star(random);
+        const FillRule rule =
+            std::array{FillRule::inclusive, FillRule::exclusive, FillRule::top_left}[i % 3];
+        const Scene scene = polygon_scene(corners);
+        const Frame frame = ruled_frame(scene, rule);
+        const std::optional<PolygonPicture> picture = polygon_picture(frame, 0);
+        REQUIRE(picture);
+        const std::vector<GridPoint> outline = centres_of(corners);
+        CHECK(picture->outline == outline);
+        const Rectangle& window = picture->window;
+        for (std::size_t w = 0; w < polygon_way_count; ++w) {
+            const auto way = static_cast<PolygonWay>(w);
+            const PolygonByWay& by_way = picture->ways[w];
+            CAPTURE(i, word_of(rule), word_of(way));
+            std::int64_t covered = 0, wrong = 0;
+            std::size_t at = 0;
+            for (int row = window.top; row < window.bottom; ++row) {
+                std::vector<bool> inside;
+                for (int column = window.left; column < window.right; ++column)
+                    inside.push_back(
+                        is_covered(outline, {pixel_centre(column), pixel_centre(row)}, rule));
+                const auto first = std::find(inside.begin(), inside.end(), true);
+                const auto last = std::find(inside.rbegin(), inside.rend(), true).base();
+                for (int column = window.left; column < window.right; ++column, ++at) {
+                    const GridPoint centre{pixel_centre(column), pixel_centre(row)};
+                    const auto here = inside.begin() + (column - window.left);
+                    bool is_laid = *here;
+                    if (way == PolygonWay::table) is_laid = here >= first && here < last;
+                    if (way == PolygonWay::fan) {
+                        is_laid = false;
+                        for (std::size_t c = 2; c < corners.size(); ++c) {
+                            const std::vector<glm::ivec2> triangle{corners[0], corners[c - 1],
+                                                                   corners[c]};
+                            is_laid = is_laid || (area_by_shoelace(triangle) != 0.0 &&
+                                                  is_covered(centres_of(triangle), centre, rule));
+                        }
+                    }
+                    covered += is_laid ? 1 : 0;
+                    wrong += is_laid != *here ? 1 : 0;
+                    const PolygonPixel expected = is_laid && *here ? PolygonPixel::inside
+                                                  : is_laid        ? PolygonPixel::filled
+                                                  : *here          ? PolygonPixel::missed
+                                                                   : PolygonPixel::outside;
+                    const PolygonPixel found = by_way.pixels.at(at);
+                    if (found != expected)
+                        FAIL("pixel (" << column << ", " << row << "): "
+                                       << names.at(static_cast<std::size_t>(found)) << " and not "
+                                       << names.at(static_cast<std::size_t>(expected)));
+                }
+            }
+            CHECK(by_way.covered == covered);
+            CHECK(by_way.wrong == wrong);
+        }
+    }
+}
+
+TEST_CASE("Of a large polygon the picture has its middle, and the numbers are of all of it") {
+    Scene scene = polygon_scene({{0, 0}, {300, 0}, {300, 20}, {0, 20}});
+    const Frame frame = ruled_frame(scene, FillRule::top_left);
+    const std::optional<PolygonPicture> picture = polygon_picture(frame, 1);
+    REQUIRE(picture);
+    CHECK(picture->window == Rectangle{86, -1, 86 + polygon_window_side, 22});
+    for (const PolygonByWay& way : picture->ways) {
+        CHECK(way.covered == 300 * 20);
+        CHECK(way.wrong == 0);
+        CHECK(way.pixels.size() == static_cast<std::size_t>(polygon_window_side) * 23);
+    }
+}
+
 TEST_CASE("The dented pentagon has one outline, whatever corner its list begins with") {
     const Scene scene = read_scene(lessons_folder() + "/scenes/dented.toml");
     const Frame frame = ruled_frame(scene, FillRule::top_left);
@@ -169,12 +242,19 @@ TEST_CASE("The dented pentagon has one outline, whatever corner its list begins 
         CHECK(ways->table == 176);
         CHECK(ways->fan == (t < 3 ? 192 : 136));
         CHECK(outline_of(frame, t).size() == 5);
+        const std::optional<PolygonPicture> picture = polygon_picture(frame, t);
+        REQUIRE(picture);
+        CHECK(picture->ways[static_cast<std::size_t>(PolygonWay::table)].wrong == 176 - 136);
+        CHECK(picture->ways[static_cast<std::size_t>(PolygonWay::fan)].wrong ==
+              (t < 3 ? 192 - 136 : 0));
+        CHECK(picture->ways[static_cast<std::size_t>(PolygonWay::active_edges)].wrong == 0);
     }
 }
 
 TEST_CASE("A triangle of no polygon, or of one that was moved apart, has no outline") {
     const Scene triangle = read_scene(lessons_folder() + "/scenes/one-triangle.toml");
     CHECK_FALSE(polygon_ways(ruled_frame(triangle, FillRule::top_left), 0));
+    CHECK_FALSE(polygon_picture(ruled_frame(triangle, FillRule::top_left), 0));
     Scene apart = read_scene(lessons_folder() + "/scenes/hexagon.toml");
     apart.mesh.place_corner(2, 0, {3.0f, 5.0f, 1.0f});
     CHECK_FALSE(polygon_ways(ruled_frame(apart, FillRule::top_left), 0));

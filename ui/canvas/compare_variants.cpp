@@ -8,10 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "picture/resample.h"
 #include "ui/actions/compare.h"
 #include "ui/ui.h"
-#include "ui/widgets/picture_texture.h"
+#include "ui/widgets/small_pictures.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -57,51 +56,6 @@ std::array<Variant, 3> variants_of(const Ui& ui) {
               {differ, grouped(count)},
               &comparison.difference,
               comparison.difference_number}}};
-}
-
-/// The image without most of its columns and rows, if it is so large that looking at all of them
-/// would take too long; and by how much it is smaller.
-struct Thinned {
-    Image image;
-    int step = 1;
-};
-Thinned thinned(const Image& image) {
-    Thinned thin;
-    const auto pixels_at = [&](int step) {
-        return static_cast<std::int64_t>(image.width / step) * (image.height / step);
-    };
-    while (pixels_at(thin.step) > largest_looked_through)
-        ++thin.step;
-    if (thin.step == 1) return thin;
-    thin.image.width = std::max(image.width / thin.step, 1);
-    thin.image.height = std::max(image.height / thin.step, 1);
-    thin.image.rgba.reserve(4 * static_cast<std::size_t>(thin.image.width) *
-                            static_cast<std::size_t>(thin.image.height));
-    for (int row = 0; row < thin.image.height; ++row) {
-        for (int column = 0; column < thin.image.width; ++column) {
-            // The middle of the square that it stands for.
-            const auto at = [&](int place, int side) {
-                return static_cast<std::size_t>(
-                    std::min(place * thin.step + thin.step / 2, side - 1));
-            };
-            const std::size_t from =
-                4 * (at(row, image.height) * static_cast<std::size_t>(image.width) +
-                     at(column, image.width));
-            for (std::size_t c = 0; c < 4; ++c)
-                thin.image.rgba.push_back(image.rgba[from + c]);
-        }
-    }
-    return thin;
-}
-
-/// Brings the texture up to date. At rest there is nothing to do.
-void show_small(Ui& ui, PictureTexture& texture, const Variant& variant, float scale) {
-    if (texture.number == variant.number && texture.scale == scale) return;
-    const Image small = small_picture(*variant.image, scale);
-    texture.id = ui.host.textures->upload(texture.id, small);
-    texture.number = variant.number;
-    texture.scale = scale;
-    texture.size = {static_cast<float>(small.width), static_cast<float>(small.height)};
 }
 
 /// Where a small picture and its words stand on its card.
@@ -215,36 +169,24 @@ float least_words(const Ui& ui, const std::array<Variant, 3>& variants) {
 
 void draw_variant(Ui& ui, std::size_t index, const Variant& variant, float words, ImVec2 low,
                   ImVec2 high) {
-    const Palette& p = palette(ui.options.theme);
-    const float u = ui.options.text_scale;
     const ImVec2 size{high.x - low.x, high.y - low.y};
     const std::string name = std::string("compare.small.").append(word_of(variant.view));
-    ImGui::SetCursorScreenPos(low);
-    if (ImGui::InvisibleButton(name.c_str(), size)) ui.session.compare_view = variant.view;
-    const bool is_hovered = ImGui::IsItemHovered();
-    name_widget(ui, name, tooltip_of_variant(ui, variant));
-    const bool is_chosen = ui.session.compare_view == variant.view;
+    if (small_card(ui, name, tooltip_of_variant(ui, variant), low, high))
+        ui.session.compare_view = variant.view;
     ImDrawList* const list = ImGui::GetWindowDrawList();
-    list->AddRectFilled(low, high, packed(is_hovered ? p.button_hovered : p.card), 4.0f * u);
     const CardLayout layout = card_layout(ui, size, *variant.image, words);
     PictureTexture& texture = ui.compare.small[index];
-    show_small(ui, texture, variant, layout.scale);
+    show_small(ui, texture, *variant.image, variant.number, layout.scale);
     list->PushClipRect(low, high, true);
     const ImVec2 at{low.x + layout.picture.x, low.y + layout.picture.y};
     list->AddImage(texture.id, at, {at.x + texture.size.x, at.y + texture.size.y});
     const std::string words_shown = draw_words(ui, list, variant, layout, low, high);
     note_text(ui, name, words_shown);
     list->PopClipRect();
-    if (is_chosen) list->AddRect(low, high, packed(p.link), 4.0f * u);
+    if (ui.session.compare_view == variant.view) frame_small_card(ui, low, high);
 }
 
 } // namespace
-
-Image small_picture(const Image& image, float scale) {
-    const Thinned thin = thinned(image);
-    if (thin.step == 1) return resampled(image, scale);
-    return resampled(thin.image, scale * static_cast<float>(thin.step));
-}
 
 bool has_room_for_variants(const Ui& ui, float height) {
     return largest_share * height >= least_height * ui.options.text_scale;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "base/image.h"
 #include "ui/canvas/compare_view.h"
 
 namespace rasterwalk {
@@ -17,13 +16,5 @@ bool has_room_for_variants(const Ui& ui, float height);
 /// The row itself: run A, run B and their difference, each with what is said of it. A click shows
 /// it large.
 void draw_variants(Ui& ui, const Pane& row);
-
-/// The picture as it is shown small: every pixel the mean of what it covers. Of a very large one
-/// only some of its columns and rows are looked at.
-/// @param scale new pixels for each old one, above 0
-Image small_picture(const Image& image, float scale);
-
-/// The largest picture of which every pixel is looked at, pixels.
-inline constexpr std::int64_t largest_looked_through = 1'000'000;
 
 } // namespace rasterwalk

@@ -1,15 +1,23 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include <glm/vec2.hpp>
+
+#include "base/image.h"
 #include "inspect/microscope.h"
+#include "inspect/polygon_ways.h"
+#include "inspect/shared_edge.h"
 #include "pipeline/cursor.h"
 #include "stages/clip.h"
+#include "ui/app/options_state.h"
+#include "ui/widgets/picture_state.h"
 
 namespace rasterwalk {
 
@@ -42,6 +50,34 @@ struct RowsPlace {
     friend bool operator==(const RowsPlace&, const RowsPlace&) = default;
 };
 
+/// What the small pictures of the tab of the rows can be about.
+enum class CoverageSubject : std::uint8_t { none, rules, ways };
+
+/// One of them, and the signs on its pixels.
+struct CoverageImage {
+    Image image;
+    std::vector<SmallMark> marks;
+};
+
+/// The small pictures of the tab of the rows: fill rules at a shared edge, or ways to cover a
+/// polygon.
+struct CoveragePictures {
+    // For which of these the next three were found.
+    std::uint64_t frame_number = 0;   ///< of the frame, see RunResults
+    int triangle = -1;                ///< on show
+    std::optional<glm::ivec2> picked; ///< pixel
+    Theme theme{};
+    std::optional<SharedEdge> shared;
+    std::optional<EdgePicture> edge; ///< none before it is shown
+    std::optional<PolygonPicture> polygon;
+
+    bool wants_rules = false; ///< of a polygon, whose edges are shared too
+    CoverageSubject images_of = CoverageSubject::none;
+    std::array<CoverageImage, 3> images;
+    std::array<PictureTexture, 3> textures;
+    std::uint64_t number = 0; ///< of the images
+};
+
 /// What is asked about in the Vertices, Inside, Fragment, Texture and Graph tabs.
 struct InspectView {
     std::string vertex_number = "pixel.column";   ///< id of a formula, see vertex_report.h
@@ -69,6 +105,7 @@ struct InspectorState {
     bool has_card = true;
     MicroscopeView microscope;
     ClipLook clip;
+    CoveragePictures coverage;
     InspectView chosen;
     std::string setting_search; ///< what the sheet of settings is filtered by
     SettingsSheet settings_sheet;

@@ -149,14 +149,16 @@ void draw_table_buttons(Ui& ui, bool is_one_line) {
 /// @param needed the height of the whole table
 void draw_inside(Ui& ui, const PixelTest& test, float needed) {
     draw_pixel_test(ui, test);
+    const bool has_pictures = has_coverage_pictures(ui);
+    if (has_pictures) draw_coverage_pictures(ui);
+    const float room = ImGui::GetContentRegionAvail().y - ImGui::GetFrameHeightWithSpacing();
     // One scroll is enough where lines are few; the ends' values need one of their own.
-    if (ui.inspector.is_low && !ui.inspector.shows_end_values) {
+    const float few_lines = std::min(needed, 6.0f * ImGui::GetTextLineHeightWithSpacing());
+    const bool has_few_lines = ui.inspector.is_low || (has_pictures && room < few_lines);
+    if (has_few_lines && !ui.inspector.shows_end_values) {
         draw_row_table_in_page(ui);
     } else {
-        const float room = ImGui::GetContentRegionAvail().y - ImGui::GetFrameHeightWithSpacing();
-        const float least = ui.inspector.is_low
-                                ? needed
-                                : std::min(needed, 6.0f * ImGui::GetTextLineHeightWithSpacing());
+        const float least = ui.inspector.is_low ? needed : few_lines;
         draw_row_table(ui, std::max(std::min(needed, room), least));
     }
     draw_table_buttons(ui, false);
@@ -179,10 +181,14 @@ void draw_rows_panel(Ui& ui) {
         draw_inside(ui, *test, needed);
         return;
     }
+    const bool has_pictures = has_coverage_pictures(ui);
+    // Where there are few lines they are scrolled to.
+    const bool are_pictures_below = has_pictures && !ui.inspector.has_card;
+    if (has_pictures && !are_pictures_below) draw_coverage_pictures(ui);
     const float buttons = ImGui::GetFrameHeightWithSpacing();
     const float all = ImGui::GetContentRegionAvail().y;
     const float room = all - 6.2f * line - buttons;
-    if (!is_low && room >= std::min(needed, 6.0f * line)) {
+    if (!is_low && !are_pictures_below && room >= std::min(needed, 6.0f * line)) {
         draw_row_table(ui, std::min(needed, room));
         draw_moment(ui);
         draw_table_buttons(ui, false);
@@ -198,6 +204,7 @@ void draw_rows_panel(Ui& ui) {
     draw_row_table_with(ui, [&] {
         draw_moment(ui);
         draw_table_buttons(ui, false);
+        if (are_pictures_below) draw_coverage_pictures(ui);
         if (is_low) draw_bench_examples(ui);
     });
 }

@@ -31,6 +31,14 @@ std::optional<PixelTest> shown_test(const Ui& ui);
 /// corners, and how the number came to be that was clicked.
 void draw_pixel_test(Ui& ui, const PixelTest& test);
 
+/// Is there anything to show in small pictures? Only where coverage asks the centres of pixels: an
+/// edge that the triangle shares with a neighbour, or a polygon of the scene that it belongs to.
+bool has_coverage_pictures(Ui& ui);
+
+/// That edge by each fill rule, or that polygon by each way to cover it. A click on a rule draws
+/// with it. Only if there are any.
+void draw_coverage_pictures(Ui& ui);
+
 /// Scrolls to the row just drawn. A table that has only just come knows its height a frame later:
 /// what is wanted stays wanted until it is seen.
 /// @param line of the row, from the first that can be scrolled away

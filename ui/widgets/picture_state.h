@@ -31,4 +31,11 @@ struct PictureTexture {
     Image resampled;          ///< what it holds, where it was resampled
 };
 
+/// A sign on a pixel of a small picture, so that its colour is not all that tells it from others.
+enum class SmallSign : std::uint8_t { dot, hollow, stroke };
+struct SmallMark {
+    int column = 0, row = 0;
+    SmallSign sign{};
+};
+
 } // namespace rasterwalk

@@ -40,6 +40,7 @@ class Tour {
         clipped();
         textured();
         tested();
+        covered();
         groups();
         large_frame();
     }
@@ -172,6 +173,16 @@ class Tour {
         follow_link(driver.ui, "tab:rows");
         driver.hand.frames(1);
         driver.hand.click("inside.e.1");
+        look(driver);
+    }
+
+    /// A polygon of triangles that share edges: small pictures of both.
+    void covered() {
+        Driver driver("dented.toml");
+        follow_link(driver.ui, "set:coverage=edge_functions");
+        follow_link(driver.ui, "tab:rows");
+        look(driver);
+        driver.hand.click("inside.show.rules");
         look(driver);
     }
 

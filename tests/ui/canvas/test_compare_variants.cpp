@@ -18,6 +18,7 @@
 #include "ui/actions/open_lesson.h"
 #include "ui/canvas/compare_variants.h"
 #include "ui/ui.h"
+#include "ui/widgets/small_pictures.h"
 #include "ui/widgets/style.h"
 
 namespace rasterwalk {

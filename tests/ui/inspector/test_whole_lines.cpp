@@ -146,6 +146,18 @@ TEST_CASE("In a small window the samples of an edge begin and end with whole lin
     }
 }
 
+TEST_CASE("In a small window small pictures of coverage begin and end with whole lines") {
+    for (const bool has_test : {true, false}) {
+        Driver driver("dented.toml", {1024, 640}, 1.5f);
+        driver.ui.session.a.settings.coverage = Coverage::edge_functions;
+        driver.ui.session.selection.triangle = 0;
+        if (has_test) driver.ui.session.selection.pixel = {4, 11};
+        driver.ui.session.tab = "rows";
+        driver.hand.frames(frames_to_rest + 2);
+        CHECK(look_at_edges(driver) > 3);
+    }
+}
+
 TEST_CASE("A title of the Clip tab stands above a row of its table, or is not seen") {
     const std::vector<std::string> titles{"The corners", "Outcodes",  "near plane",
                                           "left plane",  "top plane", "The polygon that remains"};
