@@ -13,6 +13,7 @@
 #include "session/results.h"
 #include "session/session.h"
 #include "ui/actions/kept_state.h"
+#include "ui/actions/reading_state.h"
 #include "ui/app/options_state.h"
 #include "ui/bars/transport_state.h"
 #include "ui/canvas/canvas_state.h"
@@ -60,6 +61,7 @@ struct Ui {
     SheetsState sheets;
     StartPage start;
     TransportState transport;
+    BesideReading reading;
 };
 
 } // namespace rasterwalk

@@ -5,6 +5,7 @@
 #include <functional>
 #include <new>
 #include <ostream>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -18,6 +19,7 @@
 #include "cli/visible_output.h"
 #include "opening/view_options.h"
 #include "session/content.h"
+#include "session/scene_reading.h"
 
 namespace rasterwalk {
 
@@ -221,6 +223,11 @@ void run(CommandLine& line, CliRequest& request) {
     if (!line.command) {
         request.is_plain = line.view == ViewOptions{};
         check_file(line);
+        ViewOptions model_alone;
+        model_alone.file = line.view.file;
+        // The window comes up at once, and shows how far it is.
+        if (line.view == model_alone && is_large_model(line.view.file))
+            request.model = std::exchange(line.view.file, "");
         request.session = open_view(line.view);
         request.open_window = true;
         return;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <iosfwd>
+#include <string>
 
 #include "inspect/culling_cost.h"
 #include "session/session.h"
@@ -12,6 +13,8 @@ struct CliRequest {
     bool open_window = false; ///< there was no command: show the session in a window
     bool is_plain = false;    ///< nothing was asked for: the window may choose a lesson
     Session session;          ///< open if `open_window`
+    /// A large model that the window is to read beside what it shows; empty: none.
+    std::string model;
 };
 
 /// Carries out the command line of `rasterwalk`: writes what was asked for to `data`, and what is

@@ -18,6 +18,8 @@ void add_test_facts(std::vector<Fact>& table);
 void add_session_facts(std::vector<Fact>& table);
 /// The whole frame in numbers.
 void add_frame_facts(std::vector<Fact>& table);
+/// What the model file holds that is open.
+void add_model_facts(std::vector<Fact>& table);
 
 // In triangle_facts.cpp, of the triangle on show:
 /// Where it lies, and which side it shows.

@@ -19,6 +19,7 @@ std::span<const Fact> fact_table() {
         add_session_facts(facts);
         add_side_facts(facts);
         add_frame_facts(facts);
+        add_model_facts(facts);
         add_pixel_facts(facts);
         add_light_facts(facts);
         add_clip_facts(facts);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "picture/view_image.h"
+#include "scene/obj_report.h"
 #include "session/tabs.h"
 
 namespace rasterwalk {
@@ -233,6 +234,22 @@ void add_frame_facts(std::vector<Fact>& table) {
                    [](const FrameStats& s) { return number(s.rows_outside); });
     add_frame_fact(table, "frame.rows_outside_triangles", "Triangles that have such samples.",
                    [](const FrameStats& s) { return number(s.rows_outside_triangles); });
+}
+
+void add_model_facts(std::vector<Fact>& table) {
+    for (std::size_t i = 0; i < obj_count_list.size(); ++i) {
+        const ObjCountInfo& info = obj_count_list[i];
+        table.push_back({fmt::format("model.{}", info.name),
+                         fmt::format("Of the model that is open: {}.", info.help), natural(),
+                         [](const Facts& f, int which) {
+                             const std::optional<ObjReport>& report =
+                                 f.session().scene->model_report;
+                             if (!report) return Value();
+                             const auto row = static_cast<std::size_t>(which);
+                             return number(report->counts.*obj_count_list[row].count);
+                         },
+                         static_cast<int>(i)});
+    }
 }
 
 } // namespace rasterwalk

@@ -2,6 +2,7 @@
 
 // Lines, words and numbers of model and material files (OBJ, MTL).
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,6 +25,8 @@ class ObjLines {
     int line() const { return line_; }
     /// Lines read so far, those that were joined among them.
     int line_count() const { return line_count_; }
+    /// Bytes of the text that are not read yet.
+    std::size_t bytes_left() const { return rest_.size(); }
 
   private:
     std::string_view take_line();

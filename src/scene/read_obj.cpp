@@ -98,8 +98,10 @@ constexpr std::array indexed_kinds{IndexedKind{"point", "points"},
 
 class ObjReader {
   public:
-    ObjReader(std::string_view text, const std::string& path, const ObjOptions& options)
-        : lines_(text), options_(options), reporter_(model_.report) {
+    ObjReader(std::string_view text, const std::string& path, const ObjOptions& options,
+              const ReadingWatch& watch)
+        : lines_(text), bytes_(text.size()), options_(options), watched_(watch),
+          reporter_(model_.report) {
         model_.path = path;
         name_ = visible_line(std::filesystem::path(path).stem().string());
     }
@@ -109,7 +111,9 @@ class ObjReader {
             std::string_view rest = lines_.text();
             const std::string_view word = take_word(rest);
             if (!word.empty() && word.front() != '#') read_statement(word, rest);
+            watched_.step([&] { return bytes_read(); });
         }
+        watched_.ask(bytes_read());
         counts().lines = lines_.line_count();
         counts().positions = static_cast<std::int64_t>(positions_.size());
         counts().texcoords = static_cast<std::int64_t>(texcoords_.size());
@@ -123,6 +127,14 @@ class ObjReader {
 
   private:
     ObjCounts& counts() { return model_.report.counts; }
+
+    ReadingState bytes_read() const {
+        return {ReadingPart::bytes, static_cast<std::int64_t>(bytes_ - lines_.bytes_left()),
+                static_cast<std::int64_t>(bytes_)};
+    }
+    ReadingState triangles_made() const {
+        return {ReadingPart::triangles, model_.mesh.triangle_count(), triangles_so_far_};
+    }
 
     template <class Say>
     void fault(Say say) {
@@ -512,11 +524,13 @@ class ObjReader {
     }
 
     void build() {
+        watched_.ask(triangles_made());
         const std::vector<glm::vec3> computed = missing_normals();
         VertexJoin join(model_.mesh);
         std::size_t first_computed = 0;
         int part = -1;
         for (const ObjFace& face : faces_) {
+            watched_.step([&] { return triangles_made(); });
             const std::size_t first = first_computed;
             first_computed += static_cast<std::size_t>(face.corner_count);
             if (!cut(face)) continue;
@@ -543,7 +557,9 @@ class ObjReader {
     }
 
     ObjLines lines_;
+    std::size_t bytes_; ///< of the whole text
     ObjOptions options_;
+    WatchedSteps watched_;
     ObjModel model_;
     ObjReporter reporter_;
 
@@ -578,14 +594,15 @@ bool is_model_file(std::string_view path) {
                       [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a + 32 : a) == b; });
 }
 
-ObjModel parse_obj(std::string_view text, const std::string& path, const ObjOptions& options) {
+ObjModel parse_obj(std::string_view text, const std::string& path, const ObjOptions& options,
+                   const ReadingWatch& watch) {
     if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
         throw InputError(visible_line(path), 1, "the file is UTF-16; a model is plain text.");
-    return ObjReader(text, path, options).read();
+    return ObjReader(text, path, options, watch).read();
 }
 
-ObjModel read_obj(const std::string& path, const ObjOptions& options) {
-    return parse_obj(read_file(path, largest_model_file), path, options);
+ObjModel read_obj(const std::string& path, const ObjOptions& options, const ReadingWatch& watch) {
+    return parse_obj(read_file(path, largest_model_file), path, options, watch);
 }
 
 } // namespace rasterwalk

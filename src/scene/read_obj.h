@@ -14,6 +14,7 @@
 #include "scene/mesh.h"
 #include "scene/obj_report.h"
 #include "scene/read_mtl.h"
+#include "scene/reading.h"
 
 namespace rasterwalk {
 
@@ -50,10 +51,12 @@ bool is_model_file(std::string_view path);
 
 /// Reads a model, and the materials beside it. Throws AccessError if it cannot be read, InputError
 /// with file:line if nothing of it can be drawn, or if it is larger than limits.h allows: the file,
-/// its points, its triangles.
-ObjModel read_obj(const std::string& path, const ObjOptions& options = {});
+/// its points, its triangles; ReadingStopped if the watch wants no more of it.
+ObjModel read_obj(const std::string& path, const ObjOptions& options = {},
+                  const ReadingWatch& watch = {});
 
 /// The same from text; `path` is for messages, and to find materials beside it.
-ObjModel parse_obj(std::string_view text, const std::string& path, const ObjOptions& options = {});
+ObjModel parse_obj(std::string_view text, const std::string& path, const ObjOptions& options = {},
+                   const ReadingWatch& watch = {});
 
 } // namespace rasterwalk

@@ -11,8 +11,8 @@
 
 namespace rasterwalk {
 
-Scene read_scene_file(const std::string& path) {
-    if (is_model_file(path)) return scene_of_model(read_obj(path));
+Scene read_scene_file(const std::string& path, const ReadingWatch& watch) {
+    if (is_model_file(path)) return scene_of_model(read_obj(path, {}, watch));
     std::array<std::string_view, stage_count> stages;
     for (std::size_t i = 0; i < stages.size(); ++i)
         stages[i] = stage_list()[i].name;

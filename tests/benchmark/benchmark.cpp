@@ -20,6 +20,7 @@
 #include "compare/compare.h"
 #include "inspect/culling_cost.h"
 #include "inspect/pixel_history.h"
+#include "model_benchmark.h"
 #include "picture/view_image.h"
 #include "pipeline/draw.h"
 #include "replay_benchmark.h"
@@ -37,7 +38,8 @@ using namespace rasterwalk;
 
 constexpr const char* usage =
     "usage: rasterwalk-benchmark [REPETITIONS]\n"
-    "       rasterwalk-benchmark camera [--steps N] [--against FILE] [NAME...]";
+    "       rasterwalk-benchmark camera [--steps N] [--against FILE] [NAME...]\n"
+    "       rasterwalk-benchmark models";
 
 /// How long one thing took, over all its repetitions.
 struct Measurement {
@@ -227,6 +229,10 @@ int main(int argc, char** argv) {
     try {
         if (!words.empty() && words.front() == "camera") {
             print_camera_times(camera_options({words.begin() + 1, words.end()}));
+            return 0;
+        }
+        if (words.size() == 1 && words.front() == "models") {
+            print_model_times();
             return 0;
         }
         if (words.size() > 1) throw UsageError(usage);

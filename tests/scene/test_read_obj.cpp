@@ -2,6 +2,7 @@
 
 #include "scene/read_obj.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <string>
@@ -416,4 +417,44 @@ TEST_CASE("A model is known by its ending") {
     CHECK_FALSE(is_model_file(".obj"));
     CHECK_FALSE(is_model_file("m.obj.toml"));
     CHECK_FALSE(is_model_file("-"));
+}
+
+TEST_CASE("A reading tells how far it is, and stops where its watch says so") {
+    constexpr int count = 3000; // points, and a triangle after each but the first two
+    std::string text;
+    for (int i = 0; i < count; ++i) {
+        text += "v " + std::to_string(i) + " " + std::to_string(i % 7) + " 0\n";
+        if (i >= 2) text += "f -3 -2 -1\n";
+    }
+    std::vector<ReadingState> told;
+    const ObjModel model = parse_obj(text, "m.obj", {}, [&](const ReadingState& state) {
+        told.push_back(state);
+        return true;
+    });
+    CHECK(model.mesh == parse_obj(text, "m.obj").mesh);
+    REQUIRE(model.mesh.triangle_count() == count - 2);
+    // A step is a statement or a face: so often it is told, and once more for each part.
+    const std::size_t steps = count + 2 * (count - 2);
+    CHECK(told.size() == steps / WatchedSteps::steps_between + 2);
+    const auto first_made = std::find_if(told.begin(), told.end(), [](const ReadingState& state) {
+        return state.part == ReadingPart::triangles;
+    });
+    REQUIRE(first_made > told.begin());
+    REQUIRE(first_made < told.end());
+    CHECK(*(first_made - 1) ==
+          ReadingState{ReadingPart::bytes, std::ssize(text), std::ssize(text)});
+    CHECK(*first_made == ReadingState{ReadingPart::triangles, 0, count - 2});
+    for (std::size_t i = 1; i < told.size(); ++i) {
+        INFO(i);
+        if (told[i].part == told[i - 1].part) CHECK(told[i].done > told[i - 1].done);
+        CHECK(told[i].all == (told[i].part == ReadingPart::bytes ? std::ssize(text) : count - 2));
+    }
+    for (std::size_t last = 0; last < told.size(); ++last) {
+        INFO("stopped when asked for the time " << last);
+        std::size_t asked = 0;
+        CHECK_THROWS_AS(
+            parse_obj(text, "m.obj", {}, [&](const ReadingState&) { return asked++ < last; }),
+            ReadingStopped);
+        CHECK(asked == last + 1);
+    }
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <utility>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -147,23 +148,42 @@ std::vector<Ring> lathe(const std::vector<glm::dvec2>& profile, int pieces) {
     return rings;
 }
 
-std::string cube() {
-    Writer file("A cube: 8 points, 4 texture coordinates, 6 normals; 24 corners that differ.");
+/// Right-handed: z points out of the picture. Front, right, back, left, top, bottom.
+constexpr std::array<std::array<int, 4>, 6> cube_sides{
+    {{5, 6, 8, 7}, {6, 2, 4, 8}, {2, 1, 3, 4}, {1, 5, 7, 3}, {7, 8, 4, 3}, {1, 2, 6, 5}}};
+
+void add_cube_points(Writer& file) {
     for (int i = 0; i < 8; ++i) {
         file.line("v " + numbers(glm::dvec3((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1,
                                             (i & 4) != 0 ? 1 : -1)));
     }
+}
+
+std::string cube() {
+    Writer file("A cube: 8 points, 4 texture coordinates, 6 normals; 24 corners that differ.");
+    add_cube_points(file);
     for (const char* place : {"0 0", "1 0", "1 1", "0 1"})
         file.line(std::string("vt ") + place);
     for (const char* way : {"0 0 1", "1 0 0", "0 0 -1", "-1 0 0", "0 1 0", "0 -1 0"})
         file.line(std::string("vn ") + way);
-    constexpr std::array<std::array<int, 4>, 6> sides{
-        {{5, 6, 8, 7}, {6, 2, 4, 8}, {2, 1, 3, 4}, {1, 5, 7, 3}, {7, 8, 4, 3}, {1, 2, 6, 5}}};
-    for (std::size_t side = 0; side < sides.size(); ++side) {
+    for (std::size_t side = 0; side < cube_sides.size(); ++side) {
         std::string face = "f";
         for (std::size_t i = 0; i < 4; ++i)
-            face += fmt::format(" {}/{}/{}", sides[side][i], i + 1, side + 1);
+            face += fmt::format(" {}/{}/{}", cube_sides[side][i], i + 1, side + 1);
         file.line(face);
+    }
+    return file.text();
+}
+
+/// For lesson 30.
+std::string turned_face() {
+    Writer file("A cube without normals; the corners of one of its faces go round the wrong way.");
+    add_cube_points(file);
+    constexpr std::size_t left = 3;
+    for (std::size_t side = 0; side < cube_sides.size(); ++side) {
+        std::array<int, 4> corners = cube_sides[side];
+        if (side == left) std::swap(corners[1], corners[3]);
+        file.line(fmt::format("f {}", fmt::join(corners, " ")));
     }
     return file.text();
 }
@@ -235,6 +255,7 @@ std::string teapot() {
 
 std::vector<MadeFile> made_models() {
     return {{"cube.obj", cube()},
+            {"turned-face.obj", turned_face()},
             {"sphere.obj", sphere()},
             {"torus.obj", torus()},
             {"knot.obj", knot()},

@@ -1,15 +1,18 @@
 #include "ui/actions/actions.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <imgui.h>
 
 #include "base/error.h"
 #include "session/scene_file.h"
+#include "session/scene_reading.h"
 #include "ui/actions/focus_keys.h"
 #include "ui/actions/held_keys.h"
 #include "ui/actions/keys.h"
 #include "ui/actions/open_lesson.h"
+#include "ui/actions/reading.h"
 #include "ui/ui.h"
 
 namespace rasterwalk {
@@ -99,7 +102,16 @@ void handle_keys(Ui& ui) {
 }
 
 void open_scene(Ui& ui, const std::string& path) {
-    set_scene(ui.session, read_scene_file(path));
+    if (is_large_model(path)) {
+        begin_reading(ui, path);
+    } else {
+        show_opened_scene(ui, read_scene_file(path));
+    }
+}
+
+void show_opened_scene(Ui& ui, Scene scene) {
+    stop_reading(ui);
+    set_scene(ui.session, std::move(scene));
     const std::optional<ObjReport>& model = ui.session.scene->model_report;
     ui.session.notice = model ? fault_notice(*model) : "";
     close_lesson(ui);

@@ -20,6 +20,7 @@
 #include "ui/actions/actions.h"
 #include "ui/actions/lab.h"
 #include "ui/actions/open_lesson.h"
+#include "ui/actions/reading.h"
 #include "ui/ui.h"
 #include "ui/widgets/widgets.h"
 #include "view/state_file.h"
@@ -156,16 +157,21 @@ void check_result(Ui& ui, const std::string& path) {
 }
 
 void open_dropped(Ui& ui, const std::string& path) {
+    stop_reading(ui);
     try {
         open_file(ui, path);
         ui.sheets.files.kind = FileSheet::Kind::closed;
     } catch (const Error& fault) {
-        begin_sheet(ui, FileSheet::Kind::open);
-        const std::string folder = fs::path(path).parent_path().string();
-        if (!folder.empty()) enter_folder(ui.sheets.files, folder);
-        ui.sheets.files.path = path;
-        ui.sheets.files.fault = fault.what();
+        tell_opening_fault(ui, path, fault.what());
     }
+}
+
+void tell_opening_fault(Ui& ui, const std::string& path, const std::string& sentence) {
+    begin_sheet(ui, FileSheet::Kind::open);
+    const std::string folder = fs::path(path).parent_path().string();
+    if (!folder.empty()) enter_folder(ui.sheets.files, folder);
+    ui.sheets.files.path = path;
+    ui.sheets.files.fault = sentence;
 }
 
 void copy_command_line(Ui& ui) {

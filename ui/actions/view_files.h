@@ -25,8 +25,12 @@ void open_file(Ui& ui, const std::string& path);
 /// if the file is neither.
 void check_result(Ui& ui, const std::string& path);
 
-/// Opens a file that was dropped on the window. A fault is shown on the sheet for opening.
+/// Opens a file that was dropped on the window; what is being read is stopped. A fault is shown on
+/// the sheet for opening.
 void open_dropped(Ui& ui, const std::string& path);
+
+/// Shows why a file could not be opened, on the sheet for opening.
+void tell_opening_fault(Ui& ui, const std::string& path, const std::string& sentence);
 
 /// Copies the view as a command line, for ImGui's clipboard; says so in session.notice.
 void copy_command_line(Ui& ui);

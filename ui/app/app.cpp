@@ -13,6 +13,7 @@
 #include "ui/actions/lesson_links.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/actions/open_tab.h"
+#include "ui/actions/reading.h"
 #include "ui/app/guard.h"
 #include "ui/app/kept_options.h"
 #include "ui/bars/bars.h"
@@ -188,6 +189,7 @@ void draw_everything(Ui& ui) {
     guarded(ui, [&] { draw_glossary_sheet(ui, window); });
     guarded(ui, [&] { draw_event_sheet(ui, window); });
     guarded(ui, [&] { draw_file_sheet(ui, window); });
+    guarded(ui, [&] { draw_reading_bar(ui, window); });
     draw_ring(ui);
     release_pointed(ui);
 }
@@ -290,6 +292,7 @@ void build_ui(Ui& ui) {
     io.DeltaTime = std::max(io.DeltaTime, shortest_frame);
     guarded(ui, [&] { renew_style(ui); });
     guarded(ui, [&] { carry_on_diagnosis(ui); });
+    guarded(ui, [&] { carry_on_reading(ui); });
     if (!build_pass(ui, io.DeltaTime)) return;
     // The same moment once more, with what is asked for now; no input is used twice.
     const float seconds = io.DeltaTime;
@@ -308,7 +311,8 @@ void keep_everything(Ui& ui) {
 
 bool is_animating(const Ui& ui) {
     return ui.session.play.running || is_moving_by_key(ui) || ui.lab.frames_to_result > 0 ||
-           is_working(ui.results) || is_outside_working(ui) || is_answer_waiting(ui);
+           is_working(ui.results) || is_outside_working(ui) || is_answer_waiting(ui) ||
+           is_reading(ui);
 }
 
 } // namespace rasterwalk

@@ -20,6 +20,7 @@
 #include "ui/actions/actions.h"
 #include "ui/actions/compare.h"
 #include "ui/actions/open_lesson.h"
+#include "ui/actions/reading.h"
 #include "ui/actions/view_files.h"
 #include "ui/app/app.h"
 #include "ui/app/guard.h"
@@ -360,9 +361,10 @@ struct OpenWindow {
 
 } // namespace
 
-void show_window(Session session, bool is_plain) {
+void show_window(Session session, bool is_plain, const std::string& model) {
     const Glfw glfw;
     OpenWindow open(std::move(session), is_plain);
+    if (!model.empty()) guarded(open.window.ui, [&] { begin_reading(open.window.ui, model); });
     run(open.window);
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "session/session.h"
 
 namespace rasterwalk {
@@ -10,6 +12,7 @@ namespace rasterwalk {
 /// If the environment names a file in RASTERWALK_WIDGET_REPORT, screen_report() is written there
 /// whenever it changes: a program that looks on from outside then knows where to click.
 /// @param is_plain the command line names nothing: the start page, or what the student left
-void show_window(Session session, bool is_plain);
+/// @param model    a large model to be read beside the session; empty: none
+void show_window(Session session, bool is_plain, const std::string& model = {});
 
 } // namespace rasterwalk

@@ -30,7 +30,7 @@ int main(int argc, char** argv) {
         const int exit_code =
             rasterwalk::run_cli(argc, argv, std::cout, std::cerr, request, milliseconds_now);
         if (request.open_window) {
-            rasterwalk::show_window(std::move(request.session), request.is_plain);
+            rasterwalk::show_window(std::move(request.session), request.is_plain, request.model);
         }
         return exit_code;
     } catch (const rasterwalk::Error& fault) {

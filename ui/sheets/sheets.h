@@ -15,6 +15,10 @@ void draw_key_sheet(Ui& ui, ImVec2 window);
 /// clicked meanwhile.
 void draw_file_sheet(Ui& ui, ImVec2 window);
 
+/// How far a large file is that is read beside the window, and the button that stops it; nothing
+/// while none is read. What lies below can be used meanwhile.
+void draw_reading_bar(Ui& ui, ImVec2 window);
+
 /// What the triangle on show does, moment by moment, as text.
 void draw_event_sheet(Ui& ui, ImVec2 window);
 
