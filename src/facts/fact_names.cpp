@@ -24,32 +24,12 @@ std::span<const NumberPart> parts_of(const Setting& setting) {
     return vector->is_colour ? std::span<const NumberPart>(colour_parts) : axis_parts;
 }
 
-/// A setting, or one part of it.
-struct SettingName {
-    const Setting* setting = nullptr;
-    int part = -1; ///< -1: the setting itself
-};
-
 /// The picture's size is written without the word size: `viewport.width`.
 std::string part_name(const Setting& setting, const NumberPart& part) {
     const bool is_size = std::holds_alternative<SizeSetting>(setting.kind);
     const std::string_view name = setting.name;
     const std::string_view start = is_size ? name.substr(0, name.rfind('.')) : name;
     return std::string(start).append(".").append(part.name);
-}
-
-SettingName find_setting_name(std::string_view name) {
-    for (const Setting& setting : setting_table()) {
-        if (!name.starts_with(setting.name.substr(0, setting.name.rfind('.')))) continue;
-        const auto* const vector = std::get_if<VectorSetting>(&setting.kind);
-        const bool has_value =
-            parts_of(setting).empty() || (vector != nullptr && vector->is_colour);
-        if (has_value && setting.name == name) return {&setting, -1};
-        for (const NumberPart& part : parts_of(setting)) {
-            if (part_name(setting, part) == name) return {&setting, part.index};
-        }
-    }
-    return {};
 }
 
 struct SettingRange {
@@ -95,6 +75,20 @@ const Fact* find_fact(std::string_view name) {
 
 } // namespace
 
+SettingName find_setting_name(std::string_view name) {
+    for (const Setting& setting : setting_table()) {
+        if (!name.starts_with(setting.name.substr(0, setting.name.rfind('.')))) continue;
+        const auto* const vector = std::get_if<VectorSetting>(&setting.kind);
+        const bool has_value =
+            parts_of(setting).empty() || (vector != nullptr && vector->is_colour);
+        if (has_value && setting.name == name) return {&setting, -1};
+        for (const NumberPart& part : parts_of(setting)) {
+            if (part_name(setting, part) == name) return {&setting, part.index};
+        }
+    }
+    return {};
+}
+
 std::optional<ValueRange> find_name(std::string_view name) {
     if (const Fact* fact = find_fact(name)) return fact->range;
     const SettingName found = find_setting_name(name);
@@ -118,6 +112,13 @@ std::vector<std::string> all_names() {
     std::vector<std::string> names;
     for (const Fact& fact : fact_table())
         names.push_back(fact.name);
+    const std::vector<std::string> settings = all_setting_names();
+    names.insert(names.end(), settings.begin(), settings.end());
+    return names;
+}
+
+std::vector<std::string> all_setting_names() {
+    std::vector<std::string> names;
     for (const Setting& setting : setting_table()) {
         const auto* const vector = std::get_if<VectorSetting>(&setting.kind);
         if (parts_of(setting).empty() || (vector != nullptr && vector->is_colour)) {

@@ -22,6 +22,7 @@
 #include "inspect/stats.h"
 #include "session/results.h"
 #include "session/session.h"
+#include "settings/setting_table.h"
 
 namespace rasterwalk {
 
@@ -142,11 +143,22 @@ std::span<const Fact> fact_table();
 /// numbers have parts: `camera.position.z`, `light.power.red`, `viewport.width`.
 std::optional<ValueRange> find_name(std::string_view name);
 
+/// A setting, or one part of it, as conditions name it.
+struct SettingName {
+    const Setting* setting = nullptr;
+    int part = -1; ///< of a vector 0 to 2, of a size 0 or 1; -1: the setting itself
+};
+
+/// The setting behind a name; null if it stands for none.
+SettingName find_setting_name(std::string_view name);
+
 /// The name that is meant where one is compared with a word: another setting's if the word has
 /// moved there, or the same.
 std::string meant_name(std::string_view name, std::string_view word);
 
 /// The names of all facts and settings: for messages.
 std::vector<std::string> all_names();
+/// Those of settings alone.
+std::vector<std::string> all_setting_names();
 
 } // namespace rasterwalk

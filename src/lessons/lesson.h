@@ -10,6 +10,7 @@
 
 #include "base/limits.h"
 #include "facts/expression.h"
+#include "settings/control_range.h"
 #include "view/view_state.h"
 
 namespace rasterwalk {
@@ -60,12 +61,22 @@ struct LessonPrediction {
     int answer_line = 0, because_line = 0;
 };
 
+/// A setting that is turned in the step itself.
+struct LessonControl {
+    std::string name;                 ///< as conditions have it: `camera.position.z`
+    const Setting* setting = nullptr; ///< of this name
+    ControlRange range;               ///< what of it is offered
+    std::string read_out;             ///< text with {EXPRESSION}, see fill_in(); may be empty
+    int line = 0;                     ///< of its comment
+    int read_out_line = 0;
+};
+
 /// A piece of a step, in the order of reading.
 struct LessonPart {
-    enum class Kind : std::uint8_t { text, task, prediction };
+    enum class Kind : std::uint8_t { text, task, prediction, control };
     Kind kind = Kind::text;
     std::string text; ///< Markdown; of a text only
-    int index = -1;   ///< in Lesson::tasks or Lesson::predictions
+    int index = -1;   ///< in Lesson::tasks, Lesson::predictions or Lesson::controls
     int line = 0;     ///< where its text begins
 };
 
@@ -107,6 +118,7 @@ struct Lesson {
     std::vector<LessonStep> steps; ///< step 0 is the opening; there is always one
     std::vector<LessonTask> tasks;
     std::vector<LessonPrediction> predictions;
+    std::vector<LessonControl> controls;
     std::vector<LessonFootnote> footnotes;
     std::vector<Fault> faults; ///< in the order of their lines
 };
@@ -132,6 +144,9 @@ inline constexpr std::size_t longest_lesson_line = 4'000; ///< bytes
 inline constexpr int most_lesson_questions = 100;         ///< tasks and predictions together
 inline constexpr int most_lesson_links = 2'000;
 inline constexpr int most_recipe_links = 50;
+inline constexpr int most_step_controls = 3;
+inline constexpr int most_slider_steps = 1'000;
+inline constexpr std::size_t longest_read_out = 100; ///< bytes
 inline constexpr int most_choices = 8;
 inline constexpr std::size_t most_lesson_footnotes = 99;
 inline constexpr int most_table_columns = 40;

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 #include "base/nearest_name.h"
 #include "base/quoted.h"
 #include "facts/facts.h"
+#include "lessons/lesson_control.h"
 #include "lessons/lesson_link.h"
 #include "lessons/lesson_picture.h"
 #include "lessons/lesson_run.h"
@@ -75,6 +77,7 @@ class Checker {
                 add(formula.line, sentence);
         }
         if (session.scene == nullptr) return;
+        check_controls(step, session);
         // A link may build on those before it.
         Session walked = session;
         for (const LinkPlace& link : step.links) {
@@ -84,6 +87,36 @@ class Checker {
                 check_link(link, session, walked);
             }
         }
+    }
+
+    /// They reach what the step opens with, and their read-outs have their numbers there.
+    void check_controls(const LessonStep& step, const Session& opened) {
+        std::optional<Results> results; // of all of them
+        for (const LessonPart& part : step.parts) {
+            if (part.kind != LessonPart::Kind::control) continue;
+            const LessonControl& control = lesson_.controls[static_cast<std::size_t>(part.index)];
+            const std::string misfit = misfit_of(control, opened.a.settings, *opened.scene);
+            if (!misfit.empty()) add(control.line, misfit);
+            if (control.read_out.empty()) continue;
+            if (!results) finish(opened, results.emplace());
+            const std::string missing = missing_in(control.read_out, Facts(opened, *results));
+            if (!missing.empty()) {
+                add(control.read_out_line,
+                    fmt::format("'{}' is not there when the step opens.", missing));
+            }
+        }
+    }
+
+    /// A name in the braces of the text of which there is no value; empty: all have one. Throws
+    /// UsageError for an expression that is not understood.
+    static std::string missing_in(std::string_view text, const Facts& facts) {
+        std::string missing;
+        fill_in(text, "", 0.0, [&](std::string_view name) {
+            const Value value = facts(name);
+            if (!is_there(value)) missing = std::string(name);
+            return value;
+        });
+        return missing;
     }
 
     void check_picture(const LinkPlace& picture) {
@@ -248,14 +281,8 @@ class Checker {
         show_state(session, at, lesson_.folder);
         Results results;
         finish(session, results);
-        const Facts facts(session, results);
         try {
-            std::string missing;
-            fill_in(prediction.because, "", 0.0, [&](std::string_view name) {
-                const Value value = facts(name);
-                if (!is_there(value)) missing = std::string(name);
-                return value;
-            });
+            const std::string missing = missing_in(prediction.because, Facts(session, results));
             if (!missing.empty()) {
                 add(prediction.because_line,
                     fmt::format("'{}' is not there in the situation of the prediction '{}'.",

@@ -10,6 +10,7 @@
 #include "base/quoted.h"
 #include "lessons/lesson_blocks.h"
 #include "lessons/lesson_comment.h"
+#include "lessons/lesson_control.h"
 #include "lessons/lesson_lines.h"
 #include "lessons/lesson_text.h"
 #include "text/markdown_text.h"
@@ -202,12 +203,15 @@ class Reader {
             read_step_comment(comment);
         } else if (comment.kind == "task" || comment.kind == "prediction") {
             read_question(comment);
+        } else if (comment.kind == "control") {
+            read_control_comment(comment);
         } else {
-            constexpr std::string_view block_kinds[] = {"lesson", "step", "task", "prediction",
-                                                        "note"};
-            faults_.add(comment.line, "there is no block " + in_quotes(comment.kind) +
-                                          "; there are lesson, step, task, prediction and note." +
-                                          did_you_mean(comment.kind, block_kinds));
+            constexpr std::string_view block_kinds[] = {"lesson",     "step",    "task",
+                                                        "prediction", "control", "note"};
+            faults_.add(comment.line,
+                        "there is no block " + in_quotes(comment.kind) +
+                            "; there are lesson, step, task, prediction, control and note." +
+                            did_you_mean(comment.kind, block_kinds));
         }
     }
 
@@ -306,6 +310,39 @@ class Reader {
         lesson_.predictions.push_back(std::move(prediction));
     }
 
+    void read_control_comment(const LessonComment& comment) {
+        end_text();
+        may_have_block_ = false;
+        if (!comment.is_good) return;
+        const std::vector<LessonPart>& parts = step().parts;
+        const auto count = std::count_if(parts.begin(), parts.end(), [](const LessonPart& part) {
+            return part.kind == LessonPart::Kind::control;
+        });
+        if (count >= most_step_controls) {
+            if (told_controls_of_ != step_number()) {
+                faults_.add(comment.line, "a step has at most " +
+                                              std::to_string(most_step_controls) + " controls.");
+            }
+            told_controls_of_ = step_number();
+            return;
+        }
+        LessonControl control = read_control(comment.table, comment.line, faults_);
+        if (control.setting == nullptr) return;
+        const bool is_there = std::any_of(parts.begin(), parts.end(), [&](const LessonPart& part) {
+            return part.kind == LessonPart::Kind::control &&
+                   lesson_.controls[static_cast<std::size_t>(part.index)].name == control.name;
+        });
+        if (is_there) {
+            faults_.add(comment.line, "the step has a control of " + control.name + " already.");
+            return;
+        }
+        step().parts.push_back({LessonPart::Kind::control,
+                                {},
+                                static_cast<int>(lesson_.controls.size()),
+                                comment.line});
+        lesson_.controls.push_back(std::move(control));
+    }
+
     // --- the whole
 
     void finish() {
@@ -356,6 +393,7 @@ class Reader {
     bool has_lesson_block_ = false;
     bool may_have_block_ = true; ///< the step has none yet, and no text
     bool told_steps_ = false, told_questions_ = false;
+    int told_controls_of_ = -1; ///< the step of which it was told that it has too many
     std::set<std::string> ids_;
 };
 

@@ -74,6 +74,9 @@ std::string text_of(const Lesson& lesson, const LessonStep& step) {
         case LessonPart::Kind::prediction:
             text.append(plain_text(lesson.predictions[static_cast<std::size_t>(part.index)].text));
             break;
+        case LessonPart::Kind::control:
+            text.append(lesson.controls[static_cast<std::size_t>(part.index)].setting->title);
+            break;
         }
         text.append(" ");
     }

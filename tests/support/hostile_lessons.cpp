@@ -123,6 +123,12 @@ std::vector<HostileLesson> hostile_lessons() {
     add("a picture outside", "![a](../../../../etc/passwd.png)", first,
         "the picture '../../../../etc/passwd.png' must be a PNG in the folder of the lessons or in "
         "../screenshots/.");
+    // Of each setting one; all others are too many.
+    const std::string three = "<!-- control\nsetting = \"interpolation\"\n-->\n"
+                              "<!-- control\nsetting = \"clip\"\n-->\n"
+                              "<!-- control\nsetting = \"cull\"\n-->\n";
+    all.push_back({"three thousand controls", three + times(3'000, "<!-- control\n-->\n"),
+                   first + 9, "a step has at most 3 controls.", true});
     for (HostileLesson& lesson : all)
         lesson.text = lesson_head().append(lesson.text);
     return all;

@@ -182,6 +182,18 @@ void frame_pointed(Ui& ui) {
     if (const Stop* const stop = first_stop_in(ui, *found)) give_focus(ui, stop->first);
 }
 
+/// Follows it on the frame of what is on show. Another link of this same frame of the window may
+/// have set what the results do not have yet.
+void follow_on_frame(Ui& ui, const LessonLink& link) {
+    const RunResults& a = ui.results.a;
+    if (a.scene == ui.session.scene && a.run == ui.session.a) {
+        follow_lesson_link(ui.session, a.frame, link);
+    } else {
+        follow_lesson_link(ui.session, prepare_frame(*ui.session.scene, ui.session.a.settings),
+                           link);
+    }
+}
+
 } // namespace
 
 void point_at_widget_of_step(Ui& ui, const std::string& widget) {
@@ -208,7 +220,7 @@ void follow_link(Ui& ui, const std::string& target) {
         ui.session.notice.clear();
         // What a quiz hides must not be set from outside.
         if (link.changes_settings() && refuses_settings(ui.session)) return;
-        follow_lesson_link(ui.session, ui.results.a.frame, link);
+        follow_on_frame(ui, link);
         switch (link.kind) {
         case LessonLink::Kind::show: {
             const std::string tab = tab_of(link.argument);

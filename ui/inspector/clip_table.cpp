@@ -89,6 +89,10 @@ void draw_column_title(const ClipPage& page, const std::string& name, const std:
 bool begin_clip_table(const ClipPage& page, const std::string& name,
                       const std::vector<float>& widths) {
     const float padding = (page.ui.inspector.is_narrow ? 2.0f : 5.0f) * page.ui.options.text_scale;
+    const float top = ImGui::GetCursorScreenPos().y;
+    // The line above the first row is not left behind where that row is left out.
+    keep_beginning(page.ui, top,
+                   top + page.ui.fonts.small->FontSize + 2.0f * ImGui::GetStyle().CellPadding.y);
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {padding, ImGui::GetStyle().CellPadding.y});
     const bool is_open =
         ImGui::BeginTable(name.c_str(), static_cast<int>(widths.size()),

@@ -64,6 +64,13 @@ struct CardSize {
     float width, picture, height;
 };
 
+/// No row of cards is cut by the lower edge. One that fills more than half of the page is shown
+/// there from half a page on: as much of it has to do.
+void keep_card_whole(Ui& ui, float top, float bottom) {
+    keep_whole(ui, top, bottom);
+    keep_beginning(ui, top, std::min(bottom, top + 0.5f * page_room(ui)));
+}
+
 /// Returns true if it is pressed.
 bool draw_offer(Ui& ui, const ComparePair& pair, std::size_t index, ImVec2 low,
                 const CardSize& card) {
@@ -77,6 +84,7 @@ bool draw_offer(Ui& ui, const ComparePair& pair, std::size_t index, ImVec2 low,
     name_widget(ui, name, tooltip_of_pair(ui.session, pair, false));
     note_text(ui, name, way.title);
     const ImVec2 high{low.x + card.width, low.y + card.height};
+    keep_card_whole(ui, low.y, high.y);
     ImDrawList* const list = ImGui::GetWindowDrawList();
     list->AddRectFilled(low, high, packed(is_hovered ? p.button_hovered : p.card), 4.0f * u);
     const PictureTexture& texture = ui.compare.offers.textures[index];

@@ -3,7 +3,6 @@
 #include <string>
 #include <string_view>
 
-#include "settings/setting_table.h"
 #include "ui/widgets/layout.h"
 
 namespace rasterwalk {
@@ -34,7 +33,5 @@ void draw_lab_panel(Ui& ui);
 void draw_bench_examples(Ui& ui);
 /// All settings, those that were changed first. It lies over the inspector's tabs.
 void draw_settings_sheet(Ui& ui);
-/// The field in which a setting of one of the runs is changed, under a name for tests.
-void edit_setting(Ui& ui, Settings& settings, const Setting& setting, const std::string& name);
 
 } // namespace rasterwalk

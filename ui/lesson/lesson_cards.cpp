@@ -32,6 +32,7 @@ std::vector<LessonCard> cut(Ui& ui, const Lesson& lesson, const LessonStep& step
     for (std::size_t i = 0; i < step.parts.size(); ++i) {
         const LessonPart& part = step.parts[i];
         const int index = static_cast<int>(i);
+        if (part.kind == LessonPart::Kind::control) continue; // it stands on its neighbours' cards
         if (part.kind != LessonPart::Kind::text) {
             cards.push_back({index, {}});
             continue;
@@ -108,6 +109,7 @@ std::vector<PartWord> words_of(Ui& ui, const Lesson& lesson, const LessonStep& s
     for (std::size_t i = 0; i < step.parts.size(); ++i) {
         const LessonPart& part = step.parts[i];
         const int index = static_cast<int>(i);
+        if (part.kind == Kind::control) continue;
         if (!strip.cards.empty() && !has_card(strip, index)) continue;
         PartWord word{index, "lesson.card." + std::to_string(i), {}, ""};
         if (part.kind == Kind::text) {
@@ -156,7 +158,7 @@ void cut_cards(Ui& ui, const Lesson& lesson, const LessonStep& step, float width
 
 int card_of_part(const LessonStrip& strip, int part) {
     const auto found = std::find_if(strip.cards.begin(), strip.cards.end(),
-                                    [&](const LessonCard& card) { return card.part == part; });
+                                    [&](const LessonCard& card) { return card.part >= part; });
     return found == strip.cards.end() ? 0 : static_cast<int>(found - strip.cards.begin());
 }
 

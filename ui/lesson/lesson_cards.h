@@ -21,7 +21,7 @@ int draw_part_words(Ui& ui, const Lesson& lesson, const LessonStep& step, int sh
                     const Area& area);
 float part_words_width(Ui& ui, const Lesson& lesson, const LessonStep& step, int shown);
 
-/// The first card of a part.
+/// The first card of a part, or of the one after it where it has none of its own.
 int card_of_part(const LessonStrip& strip, int part);
 
 } // namespace rasterwalk

@@ -9,6 +9,7 @@
 #include "ui/actions/lesson_links.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/actions/open_tab.h"
+#include "ui/lesson/lesson_controls.h"
 #include "ui/lesson/lesson_questions.h"
 #include "ui/lesson/page_footer.h"
 #include "ui/page/markdown.h"
@@ -88,6 +89,7 @@ bool is_open(const Ui& ui, const Lesson& lesson, const LessonPart& part) {
     const auto index = static_cast<std::size_t>(part.index);
     switch (part.kind) {
     case LessonPart::Kind::text:
+    case LessonPart::Kind::control:
         return false;
     case LessonPart::Kind::task:
         return !ui.lesson.progress.is_task_done(lesson.id, lesson.tasks[index].id);
@@ -175,6 +177,9 @@ void draw_step_text(Ui& ui, const Lesson& lesson, float width) {
         case LessonPart::Kind::prediction:
             draw_prediction(ui, lesson, lesson.predictions[static_cast<std::size_t>(part.index)],
                             width);
+            break;
+        case LessonPart::Kind::control:
+            draw_lesson_control(ui, lesson.controls[static_cast<std::size_t>(part.index)], width);
             break;
         }
         const PartArea area{static_cast<int>(i), top, ImGui::GetCursorScreenPos().y};

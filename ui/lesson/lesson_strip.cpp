@@ -8,6 +8,7 @@
 #include "ui/actions/open_lesson.h"
 #include "ui/lesson/fitting_sentences.h"
 #include "ui/lesson/lesson_cards.h"
+#include "ui/lesson/lesson_controls.h"
 #include "ui/lesson/lesson_page.h"
 #include "ui/lesson/lesson_questions.h"
 #include "ui/lesson/stage_page.h"
@@ -119,7 +120,8 @@ void draw_card(Ui& ui, const Lesson& lesson, const LessonStep& step, const Lesso
     if (ui.lesson.strip.card == 0) draw_lesson_faults(ui, lesson);
     using Kind = LessonPart::Kind;
     const auto part = static_cast<std::size_t>(card.part);
-    if (part >= step.parts.size() || step.parts[part].kind == Kind::text) {
+    if (part >= step.parts.size() || step.parts[part].kind == Kind::text ||
+        step.parts[part].kind == Kind::control) {
         draw_text_card(ui, card.text, width);
         return;
     }
@@ -129,6 +131,17 @@ void draw_card(Ui& ui, const Lesson& lesson, const LessonStep& step, const Lesso
     } else {
         draw_prediction_lines(ui, lesson, lesson.predictions[index], width);
     }
+}
+
+/// Below the last card of a part: what is turned there.
+void draw_controls(Ui& ui, const Lesson& lesson, const LessonStep& step, float width) {
+    const LessonStrip& strip = ui.lesson.strip;
+    const auto card = static_cast<std::size_t>(strip.card);
+    if (card >= strip.cards.size()) return; // a link has led elsewhere
+    const int part = strip.cards[card].part;
+    if (card + 1 < strip.cards.size() && strip.cards[card + 1].part == part) return;
+    for (const LessonControl* const control : controls_beside(lesson, step, part))
+        draw_lesson_control(ui, *control, width);
 }
 
 /// Returns the page to which a bar leads, or -1.
@@ -155,7 +168,11 @@ int draw_lesson_text(Ui& ui, const Lesson& lesson, const PageFooter& pages, floa
     scroll_by_key(ui.lesson);
     // A copy: a link in it may lead to another step.
     const LessonCard card = strip.cards[static_cast<std::size_t>(strip.card)];
+    const std::string name = ui.session.lesson;
+    const int number = ui.session.step;
     draw_card(ui, lesson, step, card, width);
+    if (ui.session.lesson == name && ui.session.step == number)
+        draw_controls(ui, lesson, step, width);
     end_card_window(ui);
     return wanted;
 }

@@ -5,6 +5,7 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include "base/numbers.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/widgets.h"
 
@@ -78,6 +79,26 @@ bool drag_number(const char* id, int& value, const DragRange<int>& range, std::s
                                   ImGuiSliderFlags_AlwaysClamp);
         },
         [&] { return std::string(label).append(" ").append(whole_text(value)); });
+}
+
+bool slide_number(const char* id, float& value, const ControlRange& range) {
+    // ImGui opens a slider for typing by Ctrl and a click; here a double click does, as in the
+    // fields that are dragged.
+    ImGuiIO& io = ImGui::GetIO();
+    const bool had_ctrl = io.KeyCtrl, was_typed = ImGui::TempInputIsActive(ImGui::GetID(id));
+    if (io.MouseDoubleClicked[0] && !was_typed) io.KeyCtrl = true;
+    const bool is_changed = draw_field(
+        id,
+        [&] {
+            return ImGui::SliderFloat(id, &value, static_cast<float>(range.smallest),
+                                      static_cast<float>(range.largest), "%.7g",
+                                      ImGuiSliderFlags_AlwaysClamp);
+        },
+        [&] { return with_minus_signs(number_text(value)); });
+    io.KeyCtrl = had_ctrl;
+    const bool is_typed = was_typed || ImGui::TempInputIsActive(ImGui::GetID(id));
+    if (is_changed && !is_typed) value = slider_stop(range, static_cast<double>(value));
+    return is_changed;
 }
 
 } // namespace rasterwalk

@@ -186,14 +186,30 @@ TEST_CASE("A link that shows something gives it the frame where a key has presse
     }
 
     Driver driver;
-    open_at(driver, lesson_1, 3);
+    open_at(driver, "02-moving-the-camera", 4);
     open_tab(driver.ui, "vertices");
-    REQUIRE(driver.tab_to("lesson.task.fill-with-back-wall.link.0"));
+    REQUIRE(driver.tab_to("lesson.task.turntable.link.0"));
     driver.hand.press(key::enter);
-    CHECK(driver.ui.focus.name == "setting.camera.focal_length");
+    CHECK(driver.ui.focus.name == "setting.camera.position.x");
+    driver.hand.press('1');
+    driver.hand.press(key::enter);
+    CHECK(driver.ui.session.a.settings.camera.position.x == 1.0f);
+}
+
+TEST_CASE("A slider in the lesson is moved and typed over as it has the frame") {
+    Driver driver;
+    open_at(driver, lesson_1, 3);
+    const float& f = driver.ui.session.a.settings.camera.focal_length;
+    REQUIRE(driver.tab_to("lesson.control.camera.focal_length"));
+    driver.hand.press(key::right);
+    CHECK(f == 510.0f);
+    driver.hand.press(key::left);
+    driver.hand.press(key::left);
+    CHECK(f == 490.0f);
     for (const int digit : {'1', '0', '0', '0'})
         driver.hand.press(digit);
     driver.hand.press(key::enter);
+    CHECK(f == 1000.0f);
     CHECK(driver.ui.lesson.progress.is_task_done(lesson_1, "fill-with-back-wall"));
 }
 

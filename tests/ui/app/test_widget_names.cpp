@@ -225,6 +225,8 @@ class Tour {
         }
         open_lesson(driver.ui, "01-pinhole-camera", 0);
         look(driver);
+        open_lesson(driver.ui, "01-pinhole-camera", 3); // with a control of its own
+        look(driver);
     }
 };
 

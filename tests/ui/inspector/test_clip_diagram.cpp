@@ -1,5 +1,6 @@
 // The diagram of the Clip tab: what is where in it, and what a click on a corner asks.
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -43,6 +44,38 @@ std::string words_on_screen() {
     for (const ScreenText& text : screen_text(8.0f))
         words += text.words + "\n";
     return words;
+}
+
+/// How many triangles are seen below this widget, no wider than it, in its own window.
+int seen_below(const WidgetPlace& place) {
+    int seen = 0;
+    const ImDrawData* const data = ImGui::GetDrawData();
+    for (int i = 0; i < data->CmdListsCount; ++i) {
+        const ImDrawList& list = *data->CmdLists[i];
+        if (std::string(list._OwnerName).find("clip.page") == std::string::npos) continue;
+        for (const ImDrawCmd& command : list.CmdBuffer) {
+            for (unsigned k = 0; k + 2 < command.ElemCount; k += 3) {
+                float low = 1e9f, high = -1e9f, left = 1e9f, right = -1e9f;
+                for (unsigned corner = 0; corner < 3; ++corner) {
+                    const auto index =
+                        list.IdxBuffer[static_cast<int>(command.IdxOffset + k + corner)];
+                    const ImVec2 at =
+                        list.VtxBuffer[static_cast<int>(command.VtxOffset) + index].pos;
+                    low = std::min(low, at.y);
+                    high = std::max(high, at.y);
+                    left = std::min(left, at.x);
+                    right = std::max(right, at.x);
+                }
+                const bool is_beside =
+                    right > place.bottom_right.x + 1.0f || left < place.top_left.x - 1.0f;
+                const float end = std::min(high, command.ClipRect.w);
+                const bool is_below = std::max(low, command.ClipRect.y) < end - 0.01f &&
+                                      end > place.bottom_right.y + 1.0f;
+                seen += !is_beside && is_below ? 1 : 0;
+            }
+        }
+    }
+    return seen;
 }
 
 } // namespace
@@ -180,6 +213,20 @@ TEST_CASE(
         }
     }
     CHECK(named > 6);
+}
+
+TEST_CASE("No line of a table that has no room is left below the diagram") {
+    Driver driver("corridor.toml");
+    follow_link(driver.ui, "set:clip=near");
+    follow_link(driver.ui, "tab:clip");
+    driver.hand.frames(frames_to_rest);
+    follow_link(driver.ui, "cursor:t0/p0/s2");
+    driver.hand.frames(2 * frames_to_rest);
+    const WidgetPlace diagram = driver.ui.widgets.at("clip.diagram");
+    REQUIRE(diagram.is_whole);
+    // The table of the corner that the plane has made comes next; the card of t takes its room.
+    REQUIRE_FALSE(driver.hand.is_visible("clip.new.1"));
+    CHECK(seen_below(diagram) == 0);
 }
 
 TEST_CASE("In a small window the diagram of the Clip tab is whole, or is not there") {

@@ -18,6 +18,7 @@ namespace {
 struct Shown {
     std::string window; ///< as ImGui names it
     ImVec2 low{1e9f, 1e9f}, high{-1e9f, -1e9f};
+    float end = 0.0f; ///< below this height nothing of it is seen
 };
 
 /// Where the pictures of the offers were drawn in the last frame, read back from their triangles.
@@ -35,6 +36,7 @@ std::vector<Shown> shown_offers(const Ui& ui) {
             if (!is_offer || command.ElemCount == 0) continue;
             Shown& picture = shown.emplace_back();
             picture.window = list._OwnerName;
+            picture.end = command.ClipRect.w;
             for (unsigned k = 0; k < command.ElemCount; ++k) {
                 const auto index = list.IdxBuffer[static_cast<int>(command.IdxOffset + k)];
                 const ImVec2 at = list.VtxBuffer[static_cast<int>(command.VtxOffset) + index].pos;
@@ -77,6 +79,26 @@ TEST_CASE("No words of an offer lie over its picture, however small the window")
             }
             CHECK(words > 8);
         }
+    }
+}
+
+TEST_CASE("The lower edge cuts no picture of an offer") {
+    std::vector<SmallWindow> windows(small_windows.begin(), small_windows.end());
+    windows.push_back({{1600, 1000}, 1.5f});
+    windows.push_back({{1366, 768}, 1.25f});
+    for (const SmallWindow& window : windows) {
+        INFO(window.size.x << " x " << window.size.y << ", text " << window.text_scale);
+        Driver driver("lab-room.toml", window.size, window.text_scale);
+        driver.ui.session.tab = "compare";
+        driver.hand.frames(frames_to_rest + 2);
+        int whole = 0;
+        for (const Shown& picture : shown_offers(driver.ui)) {
+            INFO("from " << picture.low.y << " to " << picture.high.y << ", seen to "
+                         << picture.end);
+            CHECK((picture.end >= picture.high.y || picture.end <= picture.low.y));
+            whole += picture.end >= picture.high.y ? 1 : 0;
+        }
+        CHECK(whole >= 2);
     }
 }
 

@@ -195,9 +195,9 @@ TEST_CASE("In the smallest window a list leads to every tab, and the gear to the
         driver.hand.click(std::string("tab.").append(tab.name));
         CHECK(driver.ui.session.tab == tab.name);
     }
-    open_lesson(driver.ui, "01-pinhole-camera", 3);
+    open_lesson(driver.ui, "02-moving-the-camera", 4);
     driver.hand.leave();
-    CHECK(driver.ui.lesson.pointed_at == "setting.camera.focal_length");
+    CHECK(driver.ui.lesson.pointed_at == "setting.camera.position");
     CHECK(driver.hand.is_visible("settings.search"));
     driver.hand.click("tab.settings");
     CHECK_FALSE(driver.hand.is_visible("settings.search"));

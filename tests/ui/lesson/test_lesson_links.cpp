@@ -67,6 +67,27 @@ TEST_CASE("Each kind of link does what it says") {
     CHECK(ui.session.step == 0);
 }
 
+TEST_CASE("A moment that a link names is looked for in what another link of the frame has set") {
+    Driver driver;
+    Ui& ui = driver.ui;
+    const auto sets_then_goes = [&](const char* set, const char* moment) {
+        follow_link(ui, set);
+        follow_link(ui, moment);
+        INFO(set << ", " << moment << ": " << ui.session.notice);
+        const std::string notice = ui.session.notice;
+        driver.hand.frames(frames_to_rest);
+        return notice;
+    };
+    CHECK(sets_then_goes("set:stage=depth&coverage=edge_functions", "cursor:t0/b4/c7").empty());
+    CHECK(ui.results.a.cursor.phase == Phase::tests);
+    CHECK(ui.results.a.cursor.index == 4);
+    CHECK(sets_then_goes("set:coverage=rows", "cursor:t3/e1/s5").empty());
+    CHECK(ui.results.a.cursor == Cursor{3, Phase::edges, 1, 5});
+    // What was there before is refused.
+    CHECK_THAT(sets_then_goes("set:coverage=edge_functions", "cursor:t3/e1/s6"),
+               Catch::Contains("walks no edges"));
+}
+
 TEST_CASE("A link that leads nowhere says so and changes nothing") {
     Driver driver;
     Ui& ui = driver.ui;

@@ -1,13 +1,14 @@
+#include "ui/widgets/setting_field.h"
+
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <string>
+#include <vector>
 
 #include <imgui.h>
 
-#include "settings/setting_table.h"
 #include "settings/value_words.h"
-#include "ui/inspector/panels.h"
 #include "ui/ui.h"
 #include "ui/widgets/focus.h"
 #include "ui/widgets/number_field.h"
@@ -36,8 +37,9 @@ bool word_line(const Ui& ui, const std::string& said, const std::string& word, b
     return is_pressed;
 }
 
+/// @param offered which of the words; empty: all
 void edit_choice(Ui& ui, Settings& settings, const Setting& setting, const std::string& name,
-                 const ChoiceSetting& choice) {
+                 const ChoiceSetting& choice, const std::vector<int>& offered) {
     const int now = choice.read(settings);
     const float room =
         ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - ImGui::GetStyle().FramePadding.x;
@@ -52,6 +54,9 @@ void edit_choice(Ui& ui, Settings& settings, const Setting& setting, const std::
                                      std::string(choice.words[static_cast<std::size_t>(now)]));
     if (!open) return;
     for (int i = 0; i < static_cast<int>(choice.words.size()); ++i) {
+        const bool is_offered =
+            offered.empty() || std::find(offered.begin(), offered.end(), i) != offered.end();
+        if (!is_offered && i != now) continue;
         const std::string word(choice.words[static_cast<std::size_t>(i)]);
         if (word_line(ui, said_word(setting, word), word, i == now)) choice.write(settings, i);
         name_widget(ui, name + "=" + word, help);
@@ -130,12 +135,34 @@ void edit_size(Ui& ui, Settings& settings, const std::string& name, const std::s
     viewport = {std::clamp(sides.x, 1, size.largest), std::clamp(sides.y, 1, size.largest)};
 }
 
+/// A stretch of a number; the arrows go from stop to stop.
+void edit_slider(Ui& ui, Settings& settings, const Setting& setting, const std::string& name,
+                 const ControlRange& range) {
+    float value = slider_value(setting, range, settings);
+    bool is_changed = slide_number("##value", value, range);
+    name_widget(ui, name, setting.help);
+    if (const int more = take_arrows(ui, name).more(); more != 0) {
+        value = slider_stop(range, static_cast<double>(value), more);
+        is_changed = true;
+    }
+    if (is_changed) set_slider_value(setting, range, value, settings);
+}
+
 } // namespace
+
+void edit_setting(Ui& ui, Settings& settings, const Setting& setting, const std::string& name,
+                  const ControlRange& range) {
+    if (const auto* const choice = std::get_if<ChoiceSetting>(&setting.kind)) {
+        edit_choice(ui, settings, setting, name, *choice, range.words);
+    } else if (is_slider(setting)) {
+        edit_slider(ui, settings, setting, name, range);
+    }
+}
 
 void edit_setting(Ui& ui, Settings& settings, const Setting& setting, const std::string& name) {
     const std::string help(setting.help);
     if (const auto* choice = std::get_if<ChoiceSetting>(&setting.kind)) {
-        edit_choice(ui, settings, setting, name, *choice);
+        edit_choice(ui, settings, setting, name, *choice, {});
     } else if (const auto* number = std::get_if<NumberSetting>(&setting.kind)) {
         edit_number(ui, settings, name, help, *number);
     } else if (const auto* vector = std::get_if<VectorSetting>(&setting.kind)) {

@@ -1,0 +1,119 @@
+#include "ui/lesson/lesson_controls.h"
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include <imgui.h>
+
+#include "base/error.h"
+#include "facts/facts.h"
+#include "lessons/lesson_run.h"
+#include "session/quiz_state.h"
+#include "ui/ui.h"
+#include "ui/widgets/setting_field.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// Of a field on the line of its name, design pixels.
+constexpr float least_field = 130.0f, widest_field = 360.0f;
+
+/// Between name, field and read-out, design pixels.
+constexpr float word_space = 10.0f;
+
+/// "Focal length", "Camera position z".
+std::string title_of(const LessonControl& control) {
+    std::string title(control.setting->title);
+    const bool is_part = control.range.part >= 0;
+    return is_part ? title.append(" ").append(control.name, control.name.rfind('.') + 1) : title;
+}
+
+/// What it says as things stand.
+std::string read_out_of(Ui& ui, const LessonControl& control) {
+    if (control.read_out.empty()) return {};
+    const Facts facts(ui.session, ui.results, &ui.lesson.facts);
+    try {
+        return fill_in(control.read_out, "", std::nullopt, std::cref(facts));
+    } catch (const Error&) {
+        return {}; // it was read before it came here
+    }
+}
+
+void draw_title(const Ui& ui, const std::string& title) {
+    ImGui::AlignTextToFramePadding();
+    text_in(palette(ui.options.theme).dim, title);
+}
+
+} // namespace
+
+void draw_lesson_control(Ui& ui, const LessonControl& control, float width) {
+    const float u = ui.options.text_scale, gap = word_space * u;
+    const float top = ImGui::GetCursorScreenPos().y;
+    const std::string name = "lesson.control." + control.name;
+    if (hides_settings(ui.session)) {
+        ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
+        wrapped_text("The settings are hidden until the quiz is over.");
+        ImGui::PopStyleColor();
+        name_widget(ui, name + ".hidden", "They would give the mistake away.");
+        keep_item_whole(ui);
+        return;
+    }
+    const std::string title = title_of(control), read_out = read_out_of(ui, control);
+    const float said = text_width(ui.fonts.bold, read_out);
+    ImGui::PushID(name.c_str());
+    const float before = text_width(title) + gap;
+    const bool has_title_beside = width - before >= least_field * u;
+    draw_title(ui, shortened(title, width));
+    if (has_title_beside) ImGui::SameLine(0.0f, gap);
+    const float room = has_title_beside ? width - before : width;
+    const bool has_words_beside = !read_out.empty() && room - said - gap >= least_field * u;
+    ImGui::SetNextItemWidth(
+        std::min(has_words_beside ? room - said - gap : room, widest_field * u));
+    edit_setting(ui, ui.session.a.settings, *control.setting, name, control.range);
+    keep_whole(ui, top, ImGui::GetItemRectMax().y);
+    if (!read_out.empty()) {
+        if (has_words_beside) {
+            ImGui::SameLine(0.0f, gap);
+            ImGui::AlignTextToFramePadding();
+        }
+        ImGui::PushFont(ui.fonts.bold);
+        if (has_words_beside) {
+            ImGui::TextUnformatted(read_out.c_str());
+        } else {
+            wrapped_text(read_out);
+        }
+        ImGui::PopFont();
+        name_widget(ui, name + ".read_out", "What comes of it.");
+        note_text(ui, name + ".read_out", read_out);
+        keep_text_whole(ui);
+    }
+    ImGui::PopID();
+}
+
+std::vector<const LessonControl*> controls_beside(const Lesson& lesson, const LessonStep& step,
+                                                  int part) {
+    const auto is_control = [&](int i) {
+        return i >= 0 && i < static_cast<int>(step.parts.size()) &&
+               step.parts[static_cast<std::size_t>(i)].kind == LessonPart::Kind::control;
+    };
+    int first = part, last = part;
+    while (is_control(first - 1))
+        --first;
+    while (is_control(last + 1))
+        ++last;
+    std::vector<const LessonControl*> controls;
+    for (int i = first; i <= last; ++i) {
+        if (!is_control(i)) continue;
+        const int index = step.parts[static_cast<std::size_t>(i)].index;
+        controls.push_back(&lesson.controls[static_cast<std::size_t>(index)]);
+    }
+    return controls;
+}
+
+} // namespace rasterwalk
