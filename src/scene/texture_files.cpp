@@ -1,6 +1,7 @@
 #include "scene/texture_files.h"
 
 #include <filesystem>
+#include <utility>
 
 #include <fmt/format.h>
 

@@ -1,8 +1,11 @@
 // Images of a model's materials: which are found, what is told of the others, and whether each
 // pixel has the texel that a ray finds, with v up as in the model's own axes.
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
