@@ -70,6 +70,7 @@ TEST_CASE("Each material paints its faces with its own image, v up, where a ray 
     Settings settings = default_settings(scene);
     settings.stage = Stage::depth;
     settings.coverage = Coverage::edge_functions;
+    settings.snap = Snap::subpixel;
     const Frame frame = prepare_frame(scene, settings);
     Framebuffer picture;
     clear(picture, frame);
@@ -81,7 +82,7 @@ TEST_CASE("Each material paints its faces with its own image, v up, where a ray 
             const glm::dvec2 place(column + 0.5 - 0.5 * picture.size.width,
                                    row + 0.5 - 0.5 * picture.size.height);
             const std::vector<test::RayHit> hits = rays.hits(place);
-            if (hits.empty() || rays.distance_to_edges(place) < 0.1) continue;
+            if (hits.empty() || rays.distance_to_edges(place) < 1.0) continue;
             // The box from (0, 0) to (3, 1) stands in the middle of the world, turned over, its
             // longer side 2.
             const glm::dvec3 world = hits.front().position_world;
