@@ -34,6 +34,9 @@ inline constexpr float smallest_pixel_depth = 1e-3f;
 /// The largest side of a texture, texels.
 inline constexpr int largest_texture_side = 4096;
 
+/// The most textures of a scene.
+inline constexpr std::size_t most_textures = 256;
+
 /// The most texels of all textures of a scene, without their mip chains.
 inline constexpr std::size_t most_texels = std::size_t{1} << 24;
 

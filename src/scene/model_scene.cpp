@@ -89,6 +89,7 @@ Scene scene_of_model(const ObjModel& model) {
     scene.path = model.path;
     scene.name = visible_line(std::filesystem::path(model.path).stem().string());
     scene.model_report = model.report;
+    scene.textures = model.textures;
     const std::vector<ModelStep> steps = fitting_steps(box_of(model.mesh));
     const glm::dmat4 matrix = model_matrix(steps);
     for (Vertex vertex : model.mesh.vertices()) {
@@ -101,7 +102,7 @@ Scene scene_of_model(const ObjModel& model) {
     for (const TriangleIndices& corners : model.mesh.triangles())
         scene.mesh.add_triangle({corners[0], corners[2], corners[1]});
     for (const ObjPart& part : model.parts) {
-        Part placed{part.name, part.first_triangle, part.triangle_count, {steps, {}}};
+        Part placed{part.name, part.first_triangle, part.triangle_count, {steps, {}}, part.texture};
         placed.model.positions.reserve(3 * static_cast<std::size_t>(part.triangle_count));
         for (int i = 0; i < part.triangle_count; ++i) {
             for (const int corner : {0, 2, 1}) {

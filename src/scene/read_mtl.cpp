@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <filesystem>
 #include <optional>
 
 #include <fmt/format.h>
 
 #include "base/limits.h"
 #include "base/quoted.h"
+#include "scene/beside_file.h"
 #include "scene/obj_words.h"
 
 namespace rasterwalk {
@@ -32,7 +32,7 @@ constexpr MapOption map_options[] = {
 constexpr std::size_t most_lookups = 2 * most_materials;
 
 constexpr std::string_view skipped_option = "of an image's options only -bm is used";
-constexpr std::string_view skipped_image = "images of materials are not drawn";
+constexpr std::string_view skipped_image = "images of bumps and of normals are not drawn";
 constexpr std::string_view skipped_material = "this property of a material is not used";
 
 std::string lower_case(std::string_view word) {
@@ -44,9 +44,10 @@ std::string lower_case(std::string_view word) {
 
 class MtlReader {
   public:
-    MtlReader(std::string_view text, const std::string& path, ObjReporter& reporter,
-              std::vector<ObjMaterial>& materials)
-        : lines_(text), path_(path), reporter_(reporter), materials_(materials) {}
+    MtlReader(std::string_view text, const std::string& path, const std::string& model_path,
+              ObjReporter& reporter, std::vector<ObjMaterial>& materials)
+        : lines_(text), path_(path), model_path_(model_path), reporter_(reporter),
+          materials_(materials) {}
 
     void read() {
         while (lines_.next()) {
@@ -83,7 +84,12 @@ class MtlReader {
         if (key == "kd") return read_colour(word, rest, material.diffuse);
         if (key == "ks") return read_colour(word, rest, material.specular);
         if (key == "ns") return read_shininess(rest, material);
-        if (key == "map_kd") return read_map(word, rest, material.diffuse_map, nullptr);
+        if (key == "map_kd") {
+            material.file = path_;
+            material.diffuse_map_line = lines_.line();
+            return read_map(word, rest, material.diffuse_map, nullptr);
+        }
+        skip(word, skipped_image);
         read_map(word, rest, material.bump_map, &material.bump_strength);
         material.bump_is_normal = key == "norm";
     }
@@ -159,7 +165,6 @@ class MtlReader {
     }
 
     void read_map(std::string_view word, std::string_view rest, std::string& map, float* strength) {
-        skip(word, skipped_image);
         read_options(rest, strength);
         if (++looked_for_ > most_lookups) {
             return fault([&] {
@@ -167,7 +172,7 @@ class MtlReader {
                                    in_quotes(word), most_lookups);
             });
         }
-        const BesideFile file = find_beside(path_, trimmed(rest));
+        const BesideFile file = find_beside({path_, model_path_}, trimmed(rest));
         if (file.trouble.empty()) {
             map = file.path;
             return;
@@ -179,6 +184,7 @@ class MtlReader {
 
     ObjLines lines_;
     const std::string& path_;
+    const std::string& model_path_;
     ObjReporter& reporter_;
     std::vector<ObjMaterial>& materials_;
     std::size_t looked_for_ = 0; ///< images, whether they are there or not
@@ -188,30 +194,9 @@ class MtlReader {
 
 } // namespace
 
-BesideFile find_beside(const std::string& model_path, std::string_view name) {
-    namespace fs = std::filesystem;
-    constexpr std::size_t longest_name = 4096;
-    if (name.empty()) return {"", "no file is named"};
-    const auto no_file = [&] { return BesideFile{"", "there is no file " + in_quotes(name)}; };
-    if (name.size() > longest_name || name.find('\0') != name.npos) return no_file();
-    const fs::path folder = fs::path(model_path).parent_path();
-    std::string slashed(name);
-    std::replace(slashed.begin(), slashed.end(), '\\', '/');
-    for (const fs::path& place :
-         {folder / name, folder / slashed, folder / fs::path(slashed).filename()}) {
-        std::error_code fault;
-        const fs::file_status status = fs::status(place, fault);
-        if (!fs::exists(status)) continue;
-        if (fs::is_regular_file(status)) return {place.string(), ""};
-        return {"", in_quotes(name) +
-                        (fs::is_directory(status) ? " is a folder" : " is a pipe or a device")};
-    }
-    return no_file();
-}
-
-void parse_mtl(std::string_view text, const std::string& path, ObjReporter& reporter,
-               std::vector<ObjMaterial>& materials) {
-    MtlReader(text, path, reporter, materials).read();
+void parse_mtl(std::string_view text, const std::string& path, const std::string& model_path,
+               ObjReporter& reporter, std::vector<ObjMaterial>& materials) {
+    MtlReader(text, path, model_path, reporter, materials).read();
 }
 
 } // namespace rasterwalk

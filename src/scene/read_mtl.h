@@ -20,7 +20,9 @@ struct ObjMaterial {
     glm::vec3 diffuse{1.0f};     ///< Kd: share of light given back in all directions, 0..1
     glm::vec3 specular{0.0f};    ///< Ks: share of light mirrored, 0..1
     float shininess = 0.0f;      ///< Ns: exponent of the highlight, from 0
-    std::string diffuse_map;     ///< map_Kd: path of an image that is there; empty: none
+    std::string diffuse_map;     ///< map_Kd: path of a file that is there; empty: none
+    std::string file;            ///< in which map_Kd stands
+    int diffuse_map_line = 0;    ///< its line there, from 1
     std::string bump_map;        ///< bump, map_Bump or norm: the same
     float bump_strength = 1.0f;  ///< -bm of that map
     bool bump_is_normal = false; ///< said by norm: a map of normals, not of heights
@@ -28,20 +30,10 @@ struct ObjMaterial {
     friend bool operator==(const ObjMaterial&, const ObjMaterial&) = default;
 };
 
-/// A file that a model names.
-struct BesideFile {
-    std::string path;    ///< empty: it is not to be read
-    std::string trouble; ///< why not: "there is no file 'x.mtl'"; empty if it is there
-};
-
-/// Looks for a file that a model names: in the folder of the model under its whole name, with the
-/// backslashes of another system as slashes, and by its last name alone. Nothing is opened; what is
-/// no plain file, as a folder, a pipe or a device, is refused.
-BesideFile find_beside(const std::string& model_path, std::string_view name);
-
 /// Adds the materials of a text to a list. What is wrong in it is told as a fault, and left out.
-/// @param path of the text, for messages and to find images beside it
-void parse_mtl(std::string_view text, const std::string& path, ObjReporter& reporter,
-               std::vector<ObjMaterial>& materials);
+/// @param path       of the text, for messages and to find images beside it
+/// @param model_path of the model that names it: images may lie there, too
+void parse_mtl(std::string_view text, const std::string& path, const std::string& model_path,
+               ObjReporter& reporter, std::vector<ObjMaterial>& materials);
 
 } // namespace rasterwalk

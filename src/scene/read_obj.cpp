@@ -20,9 +20,11 @@
 #include "base/files.h"
 #include "base/limits.h"
 #include "base/quoted.h"
+#include "scene/beside_file.h"
 #include "scene/obj_normals.h"
 #include "scene/obj_words.h"
 #include "scene/polygon_cutter.h"
+#include "scene/texture_files.h"
 
 namespace rasterwalk {
 
@@ -355,7 +357,7 @@ class ObjReader {
         library_lists_.emplace(names);
         std::string_view rest = names;
         const std::string_view first = take_word(rest);
-        if (trimmed(rest).empty() || find_beside(model_.path, names).trouble.empty())
+        if (trimmed(rest).empty() || find_beside({model_.path}, names).trouble.empty())
             return read_library(names);
         for (std::string_view name = first; !name.empty(); name = take_word(rest))
             read_library(name);
@@ -372,14 +374,14 @@ class ObjReader {
         if (libraries_.contains(name)) return;
         if (libraries_.size() >= most_material_files) return refuse_library();
         libraries_.emplace(name);
-        const BesideFile file = find_beside(model_.path, name);
+        const BesideFile file = find_beside({model_.path}, name);
         if (!file.trouble.empty()) {
             return fault(
                 [&] { return fmt::format("'mtllib': {}; it is left out.", file.trouble); });
         }
         try {
-            parse_mtl(read_file(file.path, largest_material_file), file.path, reporter_,
-                      model_.materials);
+            parse_mtl(read_file(file.path, largest_material_file), file.path, model_.path,
+                      reporter_, model_.materials);
         } catch (const Error& trouble) {
             fault([&] {
                 return fmt::format("'mtllib': {} It is left out.", visible_line(trouble.what()));
@@ -495,6 +497,58 @@ class ObjReader {
         return look;
     }
 
+    /// The texture of a material, which is read when its first face is drawn; -1: none.
+    int texture_of(int material) {
+        if (material < 0) return -1;
+        const ObjMaterial& of = model_.materials[static_cast<std::size_t>(material)];
+        if (of.diffuse_map.empty()) return -1;
+        const auto [known, is_new] = textures_.try_emplace(material, -1);
+        if (!is_new) return known->second;
+        const ReadTexture texture = texture_files_.read(
+            of.diffuse_map,
+            visible_line(std::filesystem::path(of.diffuse_map).filename().string()));
+        known->second = texture.index;
+        if (texture.index >= 0) return texture.index;
+        reporter_.fault(of.file, of.diffuse_map_line, [&] {
+            return fmt::format("'map_Kd': {} The image is left out.",
+                               visible_line(texture.trouble));
+        });
+        return -1;
+    }
+
+    bool has_texcoords(const ObjFace& face) const {
+        const auto first = corners_.begin() + face.first_corner;
+        return std::all_of(first, first + face.corner_count,
+                           [](const ObjCorner& corner) { return corner.texcoord >= 0; });
+    }
+
+    /// The texture that a face shows; -1: none.
+    int texture_of_face(const ObjFace& face, int material) {
+        const int texture = texture_of(material);
+        if (texture < 0 || has_texcoords(face)) return texture;
+        if (bare_.insert(material).second) {
+            reporter_.fault(model_.path, face.line, [&] {
+                return fmt::format(
+                    "'f' names no texture coordinates, and the material {} has an "
+                    "image; such faces keep their colour.",
+                    in_quotes(model_.materials[static_cast<std::size_t>(material)].name));
+            });
+        }
+        return -1;
+    }
+
+    /// Begins another part where the face needs one. A part has one texture or none.
+    void begin_drawn_part(const ObjFace& face, int material, int texture) {
+        const auto part = static_cast<std::size_t>(face.part);
+        const bool is_other = drawn_part_ != face.part;
+        drawn_part_ = face.part;
+        if (!is_other &&
+            (model_.parts.back().texture == texture || model_.parts.size() >= most_model_parts))
+            return;
+        model_.parts.push_back(
+            {parts_[part].name, model_.mesh.triangle_count(), 0, material, texture});
+    }
+
     /// Puts the face into the mesh.
     /// @param look a corner with the colours of the face's material, and nothing else
     void add_face(const ObjFace& face, const Vertex& look, const std::vector<glm::vec3>& computed,
@@ -528,18 +582,13 @@ class ObjReader {
         const std::vector<glm::vec3> computed = missing_normals();
         VertexJoin join(model_.mesh);
         std::size_t first_computed = 0;
-        int part = -1;
         for (const ObjFace& face : faces_) {
             watched_.step([&] { return triangles_made(); });
             const std::size_t first = first_computed;
             first_computed += static_cast<std::size_t>(face.corner_count);
             if (!cut(face)) continue;
             const int material = material_of_[static_cast<std::size_t>(face.part)];
-            if (face.part != part) {
-                part = face.part;
-                model_.parts.push_back({parts_[static_cast<std::size_t>(part)].name,
-                                        model_.mesh.triangle_count(), 0, material});
-            }
+            begin_drawn_part(face, material, texture_of_face(face, material));
             add_face(face, look_of(material), computed, first, join);
             ObjPart& made = model_.parts.back();
             made.triangle_count = model_.mesh.triangle_count() - made.first_triangle;
@@ -547,6 +596,7 @@ class ObjReader {
         counts().triangles = model_.mesh.triangle_count();
         counts().vertices = static_cast<std::int64_t>(model_.mesh.vertices().size());
         counts().parts = static_cast<std::int64_t>(model_.parts.size());
+        counts().textures = static_cast<std::int64_t>(model_.textures.size());
     }
 
     [[noreturn]] void refuse_empty() const {
@@ -578,6 +628,11 @@ class ObjReader {
     int material_line_ = 0;
     bool is_part_over_ = true;
     bool has_too_many_parts_ = false;
+
+    TextureFiles texture_files_{model_.textures};
+    std::map<int, int> textures_; ///< of the materials that are drawn: index, or -1
+    std::set<int> bare_;          ///< materials with an image, of faces that cannot show it
+    int drawn_part_ = -1;         ///< of the face before
 
     PolygonCutter cutter_;
     std::vector<glm::vec3> places_; ///< of the face that is cut

@@ -15,6 +15,7 @@
 #include "scene/obj_report.h"
 #include "scene/read_mtl.h"
 #include "scene/reading.h"
+#include "scene/texture.h"
 
 namespace rasterwalk {
 
@@ -26,12 +27,14 @@ struct ObjOptions {
     float crease_angle = 0.7f;
 };
 
-/// Faces that follow each other in one object or group and have one material.
+/// Faces that follow each other in one object or group and have one material, with a texture or
+/// without.
 struct ObjPart {
     std::string name; ///< of o or g, whichever came last, as it can be shown
     int first_triangle = 0;
     int triangle_count = 0; ///< at least 1
     int material = -1;      ///< index in ObjModel::materials; -1: none
+    int texture = -1;       ///< index in ObjModel::textures; -1: none
 
     friend bool operator==(const ObjPart&, const ObjPart&) = default;
 };
@@ -43,15 +46,16 @@ struct ObjModel {
     Mesh mesh;                  ///< reflectance and shine are the material's: Kd; Ks and Ns
     std::vector<ObjPart> parts; ///< every triangle belongs to one of them, in order
     std::vector<ObjMaterial> materials;
+    std::vector<SharedTexture> textures; ///< each once, however many materials name it
     ObjReport report;
 };
 
 /// Is this the name of a model file?
 bool is_model_file(std::string_view path);
 
-/// Reads a model, and the materials beside it. Throws AccessError if it cannot be read, InputError
-/// with file:line if nothing of it can be drawn, or if it is larger than limits.h allows: the file,
-/// its points, its triangles; ReadingStopped if the watch wants no more of it.
+/// Reads a model, and the materials and images beside it. Throws AccessError if it cannot be read,
+/// InputError with file:line if nothing of it can be drawn, or if it is larger than limits.h
+/// allows: the file, its points, its triangles; ReadingStopped if the watch wants no more of it.
 ObjModel read_obj(const std::string& path, const ObjOptions& options = {},
                   const ReadingWatch& watch = {});
 

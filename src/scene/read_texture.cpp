@@ -1,23 +1,13 @@
 #include "scene/read_texture.h"
 
-#include <algorithm>
-#include <filesystem>
-
 #include <fmt/format.h>
 
-#include "base/error.h"
-#include "base/files.h"
-#include "base/image.h"
 #include "base/limits.h"
+#include "scene/beside_file.h"
 
 namespace rasterwalk {
 
 namespace {
-
-/// Can a scene and the file be handed on together, as one folder?
-bool lies_beside_or_below(const std::filesystem::path& name) {
-    return name.is_relative() && std::find(name.begin(), name.end(), "..") == name.end();
-}
 
 CornerTexcoords read_corners(const TomlInput& part, const toml::node& node,
                              const std::string& what) {
@@ -40,36 +30,18 @@ CornerTexcoords read_corners(const TomlInput& part, const toml::node& node,
 
 } // namespace
 
-TextureReader::TextureReader(const std::string& scene_path, std::vector<SharedTexture>& textures)
-    : folder_(std::filesystem::path(scene_path).parent_path().string()), textures_(textures) {}
-
 int TextureReader::read(const TomlInput& part) {
     const toml::node* const node = part.find("texture");
     if (node == nullptr) return -1;
     const std::string name = part.text("texture");
-    const std::string file = std::filesystem::path(name).lexically_normal().string();
-    if (const auto known = known_.find(file); known != known_.end()) return known->second;
-    if (!lies_beside_or_below(name)) {
-        part.fail(*node,
-                  "the texture '" + name + "' must lie beside the scene, or in a folder below it.");
-    }
-    const std::string path = (std::filesystem::path(folder_) / name).string();
-    Image image;
-    try {
-        refuse_endless_file(path);
-        image = read_png(path, largest_texture_side);
-    } catch (const Error& error) {
-        part.fail(*node, "the texture '" + name + "' cannot be used: " + error.what());
-    }
-    texels_ += image.rgba.size() / 4;
-    if (texels_ > most_texels) {
-        part.fail(*node,
-                  fmt::format("the textures of the scene have more than {} texels.", most_texels));
-    }
-    textures_.emplace_back(make_texture(name, image));
-    const int index = static_cast<int>(textures_.size()) - 1;
-    known_.emplace(file, index);
-    return index;
+    const auto refuse = [&](const std::string& why) {
+        part.fail(*node, "the texture '" + name + "' cannot be used: " + why);
+    };
+    const BesideFile file = find_beside({scene_path_}, name);
+    if (!file.trouble.empty()) refuse(file.trouble + ".");
+    const ReadTexture texture = files_.read(file.path, name);
+    if (texture.index < 0) refuse(texture.trouble);
+    return texture.index;
 }
 
 std::vector<CornerTexcoords> read_texcoords(const TomlInput& part, std::size_t triangle_count) {

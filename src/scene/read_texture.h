@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstddef>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -10,6 +9,7 @@
 
 #include "base/toml_input.h"
 #include "scene/scene.h"
+#include "scene/texture_files.h"
 
 namespace rasterwalk {
 
@@ -19,20 +19,18 @@ using CornerTexcoords = std::array<glm::vec2, triangle_corners>;
 /// Reads the textures that the parts of a scene name: each file once.
 class TextureReader {
   public:
-    /// @param scene_path the scene's file, from whose folder the names count
+    /// @param scene_path the scene's file, beside which they lie
     /// @param textures   receives them, and must live as long
-    TextureReader(const std::string& scene_path, std::vector<SharedTexture>& textures);
+    TextureReader(const std::string& scene_path, std::vector<SharedTexture>& textures)
+        : scene_path_(scene_path), files_(textures) {}
 
     /// The index of the texture that a part names; -1 if it names none. Throws InputError at the
-    /// line of the name for a file that does not lie beside the scene or in a folder below, cannot
-    /// be read, is no PNG, or is too large.
+    /// line of the name for a file that is not found (see find_beside) or cannot be used.
     int read(const TomlInput& part);
 
   private:
-    std::string folder_;
-    std::vector<SharedTexture>& textures_;
-    std::map<std::string, int> known_; ///< by the name without "./"
-    std::size_t texels_ = 0;
+    std::string scene_path_;
+    TextureFiles files_;
 };
 
 /// The list `texcoords` of a part: for each of its triangles u and v of every corner,

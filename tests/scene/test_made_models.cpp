@@ -13,6 +13,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "base/image.h"
 #include "scene/read_obj.h"
 #include "session/content.h"
 #include "tests/support/made_models.h"
@@ -56,6 +57,13 @@ TEST_CASE("The models' files are what their generator writes, and there are no o
         CHECK(is_same);
         ++count;
     }
+    for (const test::MadeImage& made : test::made_images()) {
+        INFO(made.name);
+        const std::string path = models_folder() + "/" + made.name;
+        if (rewrites) write_png(made.image, path);
+        CHECK(read_image(path) == made.image);
+        ++count;
+    }
     const std::filesystem::directory_iterator first(models_folder());
     CHECK(static_cast<std::size_t>(std::distance(begin(first), end(first))) == count);
 }
@@ -64,14 +72,17 @@ TEST_CASE("The models have the counts of their formulas, and nothing is wrong wi
     struct Expected {
         std::string name;
         int positions, faces, triangles, parts;
+        int textures = 0;
     };
     // Bands of n quads: 2 n triangles each, and n where a band ends in a pole.
     for (const Expected& expected :
          {Expected{"cube", 8, 6, 12, 1}, Expected{"sphere", 15 * 24 + 2, 16 * 24, 24 * 30, 1},
           Expected{"torus", 41 * 20, 800, 1600, 1}, Expected{"knot", 97 * 12, 1152, 2304, 1},
           Expected{"teapot", 20 * 24 + 1 + 20 * 24 + 1 + 17 * 12 + 13 * 12,
-                   24 * 20 + 24 * 20 + 12 * 16 + 12 * 12, 24 * 39 + 24 * 39 + 24 * 16 + 24 * 12,
-                   4}}) {
+                   24 * 20 + 24 * 20 + 12 * 16 + 12 * 12, 24 * 39 + 24 * 39 + 24 * 16 + 24 * 12, 4},
+          // The sphere, and 13 rings of which the first is a point.
+          Expected{"globe", 15 * 24 + 2 + 1 + 12 * 16, 16 * 24 + 12 * 16, 24 * 30 + 16 * 23, 2,
+                   2}}) {
         INFO(expected.name);
         const ObjModel model = made_model(expected.name);
         const ObjCounts& counts = model.report.counts;
@@ -81,6 +92,7 @@ TEST_CASE("The models have the counts of their formulas, and nothing is wrong wi
         CHECK(counts.faces == expected.faces);
         CHECK(counts.triangles == expected.triangles);
         CHECK(counts.parts == expected.parts);
+        CHECK(counts.textures == expected.textures);
         CHECK(counts.computed_normals == 0);
     }
     CHECK(made_model("cube").mesh.vertices().size() == 24);

@@ -6,32 +6,18 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "base/image.h"
 #include "session/content.h"
+#include "support/painted.h"
 
 using namespace rasterwalk;
+using test::painted;
+using test::Rgb;
 
 namespace {
-
-struct Rgb {
-    int red, green, blue;
-};
-
-Image painted(int width, int height, const std::function<Rgb(int, int)>& colour_at) {
-    Image image{width, height, {}};
-    for (int row = 0; row < height; ++row) {
-        for (int column = 0; column < width; ++column) {
-            const Rgb colour = colour_at(column, row);
-            for (const int channel : {colour.red, colour.green, colour.blue, 255})
-                image.rgba.push_back(static_cast<std::uint8_t>(channel));
-        }
-    }
-    return image;
-}
 
 constexpr Rgb light{235, 232, 222}, dark{44, 66, 110};
 

@@ -13,6 +13,7 @@
 
 #include "base/error.h"
 #include "base/faults.h"
+#include "base/image.h"
 #include "base/limits.h"
 #include "tests/support/temporary_folder.h"
 
@@ -155,8 +156,10 @@ TEST_CASE("What is wrong in a model is told with its line, and the rest is read"
         {"f 1 2 3///1", "'3///1' is no corner: a, a/b, a//c or a/b/c; the face is left out."},
         {"mtllib", "'mtllib': no file is named; it is left out."},
         {"mtllib not-there.mtl", "'mtllib': there is no file 'not-there.mtl'; it is left out."},
-        {"mtllib /dev/zero", "'mtllib': '/dev/zero' is a pipe or a device; it is left out."},
-        {"mtllib /", "'mtllib': '/' is a folder; it is left out."},
+        {"mtllib /dev/zero",
+         "'mtllib': there is no file '/dev/zero' beside it or in a folder below; "
+         "it is left out."},
+        {"mtllib .", "'mtllib': '.' is a folder; it is left out."},
         {"usemtl wood\nf 1 2 3", "there is no material 'wood'; its faces are white."},
     };
     for (const Case& one : cases) {
@@ -294,11 +297,12 @@ TEST_CASE("Materials stand beside the model, and give its faces their colour") {
         "# made\r\nnewmtl red clay\r\n  Kd 0.8 0.1 0.1\r\n\tKs 0.5\r\nNs 32\r\n"
         "map_Kd -s 2 2 2 -o 0 0 -clamp on wood grain.png\r\nnorm C:\\art\\bumps.png\r\n"
         "illum 2\r\nnewmtl blue\nKd 0 0 1\nbump -bm 0.25 bumps.png\nnewmtl blue\nKd 1 1 1");
-    folder.write("wood grain.png", "x");
+    write_png({1, 1, {9, 9, 9, 255}}, folder.file("wood grain.png"));
     folder.write("bumps.png", "x");
     const std::string path = folder.write(
-        "m.obj", "mtllib two parts.mtl\nmtllib two parts.mtl\n" + three_points +
-                     "usemtl red clay\nf 1 2 3\nusemtl blue\nf 1 3 2\nusemtl\nf 1 2 3\n");
+        "m.obj",
+        "mtllib two parts.mtl\nmtllib two parts.mtl\n" + three_points +
+            "vt 0 0\nusemtl red clay\nf 1/1 2/1 3/1\nusemtl blue\nf 1 3 2\nusemtl\nf 1 2 3\n");
     const ObjModel model = read_obj(path);
     CHECK(model.report.counts.faults == 0);
     REQUIRE(model.materials.size() == 3);
@@ -325,14 +329,15 @@ TEST_CASE("Materials stand beside the model, and give its faces their colour") {
     const std::string mtl = folder.file("two parts.mtl");
     CHECK(skipped_lines(model.report) ==
           std::vector<std::string>{
-              mtl + ":6: 1 statement 'map_Kd' is skipped: images of materials are not drawn.",
               mtl + ":6: 1 statement '-s' is skipped: of an image's options only -bm is used.",
               mtl + ":6: 1 statement '-o' is skipped: of an image's options only -bm is used.",
               mtl + ":6: 1 statement '-clamp' is skipped: of an image's options only -bm is used.",
-              mtl + ":7: 1 statement 'norm' is skipped: images of materials are not drawn.",
+              mtl + ":7: 1 statement 'norm' is skipped: images of bumps and of normals are not "
+                    "drawn.",
               mtl + ":8: 1 statement 'illum' is skipped: this property of a material is not "
                     "used.",
-              mtl + ":11: 1 statement 'bump' is skipped: images of materials are not drawn."});
+              mtl + ":11: 1 statement 'bump' is skipped: images of bumps and of normals are not "
+                    "drawn."});
 }
 
 TEST_CASE("A long name of a material is cut in both files, and an exponent at its limit") {
@@ -368,8 +373,8 @@ TEST_CASE("What is wrong in a file of materials is told with its own line") {
              {"map_Kd", "'map_Kd': no file is named; the image is left out."},
              {"map_Kd a.png", "'map_Kd': there is no file 'a.png'; the image is left out."},
              {"map_Bump images", "'map_Bump': 'images' is a folder; the image is left out."},
-             {"bump /dev/null", "'bump': '/dev/null' is a pipe or a device; the image is left "
-                                "out."}}) {
+             {"bump /dev/null", "'bump': there is no file '/dev/null' beside it or in a folder "
+                                "below; the image is left out."}}) {
         INFO(one.line);
         folder.write("m.mtl", "newmtl a\n" + one.line + "\n");
         CHECK(fault_lines(read_obj(path).report) ==

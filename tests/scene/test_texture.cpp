@@ -181,8 +181,10 @@ TEST_CASE("A file that is no texture is refused in a sentence, with file and lin
         {"junk.png", "s.toml:10: the texture 'junk.png' cannot be used: "},
         {"pipe.png", "s.toml:10: the texture 'pipe.png' cannot be used: "},
         {"folder.png", "s.toml:10: the texture 'folder.png' cannot be used: "},
-        {"../whole.png", "s.toml:10: the texture '../whole.png' must lie beside the scene"},
-        {"/dev/zero", "s.toml:10: the texture '/dev/zero' must lie beside the scene"},
+        {"../none.png", "s.toml:10: the texture '../none.png' cannot be used: there is no file "
+                        "'../none.png' beside it or in a folder below."},
+        {"/dev/zero", "s.toml:10: the texture '/dev/zero' cannot be used: there is no file "
+                      "'/dev/zero' beside it or in a folder below."},
         {"", "s.toml:10: 'texture' of part 1 must not be empty."},
     };
     for (const auto& [name, begins] : cases) {

@@ -4,12 +4,15 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+
+#include "support/painted.h"
 
 namespace rasterwalk::test {
 
@@ -188,9 +191,9 @@ std::string turned_face() {
     return file.text();
 }
 
-std::string sphere() {
-    constexpr int rings = 16, sides = 24;
-    Writer file("A sphere of radius 1: 24 sides, 16 bands from pole to pole.");
+/// From pole to pole, from below to above.
+std::vector<Ring> round_of_sphere() {
+    constexpr int rings = 16;
     std::vector<Ring> all;
     for (int i = 0; i <= rings; ++i) {
         const double angle = full_turn / 2 * i / rings;
@@ -201,7 +204,13 @@ std::string sphere() {
         ring.along = -std::cos(angle);
         all.push_back(ring);
     }
-    file.add(all, sides);
+    return all;
+}
+
+std::string sphere() {
+    constexpr int sides = 24;
+    Writer file("A sphere of radius 1: 24 sides, 16 bands from pole to pole.");
+    file.add(round_of_sphere(), sides);
     return file.text();
 }
 
@@ -223,6 +232,50 @@ std::string knot() {
     };
     file.add(tube(97, {0, 0, 1}, curve, [](double) { return 0.5; }), 12);
     return file.text();
+}
+
+std::string globe() {
+    Writer file("A globe with an image on it, on a foot with another one.");
+    constexpr int sides = 24, foot_sides = 16;
+    file.line("mtllib globe.mtl");
+    file.line("o globe");
+    file.line("usemtl earth");
+    file.add(round_of_sphere(), sides);
+    file.line("o foot");
+    file.line("usemtl wood");
+    file.add(lathe({{0, -1.5}, {0.6, -1.48}, {0.55, -1.38}, {0.14, -1.28}, {0.14, -0.98}}, 3),
+             foot_sides);
+    return file.text();
+}
+
+/// The earth as it might be: a letter is two texels wide and high. North is above, as on a map.
+Image earth() {
+    constexpr std::array<std::string_view, 16> map{
+        "iiiiiiiiiiiiiiiiiiiiiiiiiiiiiiii", "iiii..iiiii..iii....iiiiiiiii.ii",
+        "..LLLL..LLi...........LLLLLLLL..", ".LLLLLLLLL.......L..LLLLLLLLLLL.",
+        "..LLLLLLL.......LLL.LLLLLLLLLL..", "...LLLLL.........LLLLLLLLLLLL...",
+        "....LSSL........SSSSSLLLLLLL.L..", ".....SL........SSSSSS.SSLLL.....",
+        "......LL.......LSSSSLL..L..L....", ".......LLLL.....LLLLLL.......L..",
+        ".......LLLLL......LLLL......L.L.", "........LLLL......LLL......SSS..",
+        "........LLL.......LL.......SSSS.", "........LL..........L.......LL..",
+        "........L.......................", "iiiiiiiiiiiiiiiiiiiiiiiiiiiiiiii"};
+    return painted(64, 32, [&map](int x, int y) {
+        const char place = map[static_cast<std::size_t>(y / 2)][static_cast<std::size_t>(x / 2)];
+        const int line = x % 16 == 0 || y % 8 == 0 ? 26 : 0; // a net of meridians and parallels
+        if (place == 'i') return Rgb{226, 234, 240};
+        if (place == 'L') return Rgb{84 + line, 150 + line, 76 + line};
+        if (place == 'S') return Rgb{214, 188, 120};
+        return Rgb{40 + line, 96 + line, 170 + line};
+    });
+}
+
+/// Wood in planks that stand upright.
+Image wood() {
+    return painted(16, 16, [](int x, int y) {
+        const int grain = (x * 3 + y * y / 7) % 6 * 7;
+        const int seam = x % 8 == 7 ? 50 : 0;
+        return Rgb{150 + grain - seam, 98 + grain - seam, 58 + grain / 2 - seam};
+    });
 }
 
 std::string teapot() {
@@ -262,7 +315,15 @@ std::vector<MadeFile> made_models() {
             {"teapot.obj", teapot()},
             {"teapot.mtl", "# The materials of the teapot.\n"
                            "newmtl glaze\nKd 0.75 0.35 0.2\nKs 0.5 0.5 0.5\nNs 40\n"
-                           "newmtl lid\nKd 0.2 0.45 0.55\nKs 0.5 0.5 0.5\nNs 40\n"}};
+                           "newmtl lid\nKd 0.2 0.45 0.55\nKs 0.5 0.5 0.5\nNs 40\n"},
+            {"globe.obj", globe()},
+            {"globe.mtl", "# The materials of the globe.\n"
+                          "newmtl earth\nKd 1 1 1\nmap_Kd globe-earth.png\nKs 0.3 0.3 0.3\nNs 30\n"
+                          "newmtl wood\nKd 1 1 1\nmap_Kd globe-wood.png\n"}};
+}
+
+std::vector<MadeImage> made_images() {
+    return {{"globe-earth.png", earth()}, {"globe-wood.png", wood()}};
 }
 
 } // namespace rasterwalk::test

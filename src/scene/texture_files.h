@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "scene/texture.h"
+
+namespace rasterwalk {
+
+/// A file that was read as a texture.
+struct ReadTexture {
+    int index = -1;      ///< in the list of textures; -1: it cannot be used
+    std::string trouble; ///< why not: a sentence with the file; empty if it can
+};
+
+/// Reads the textures of a scene or of a model: each file once. Their number, their sides and all
+/// their texels together are limited (limits.h).
+class TextureFiles {
+  public:
+    /// @param textures receives them, and must live as long
+    explicit TextureFiles(std::vector<SharedTexture>& textures) : textures_(textures) {}
+
+    /// The texture of a file. It cannot be used if it is no PNG, cannot be read, or is too large;
+    /// the list is then as it was.
+    /// @param path of a plain file
+    /// @param name that the texture has if it is new
+    ReadTexture read(const std::string& path, const std::string& name);
+
+  private:
+    ReadTexture read_new(const std::string& path, const std::string& name);
+
+    std::vector<SharedTexture>& textures_;
+    std::map<std::string, ReadTexture> known_; ///< by the path without "./"
+    std::size_t texels_ = 0;                   ///< of all files that were unpacked
+};
+
+} // namespace rasterwalk
