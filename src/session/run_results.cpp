@@ -37,11 +37,18 @@ std::optional<int> shown_triangle(const Session& session, const RunResults& resu
     return count > 0 ? std::optional(0) : std::nullopt;
 }
 
+/// The triangle that run A shows, in this run.
+std::optional<int> triangle_of_shared(const SharedView& shared, const RunResults& results) {
+    if (!shared.triangle) return std::nullopt;
+    return triangle_in(results.frame, *shared.frame, *shared.triangle);
+}
+
 /// Projects the scene, if it or the run is another one.
 bool update_frame(const std::shared_ptr<const Scene>& scene, const Run& run, RunResults& results) {
     if (results.scene == scene && results.run == run) return false;
     // Noted as done only when it is: what throws is prepared again next time.
     results.run = std::nullopt;
+    results.spare_frame.tessellated = results.frame.tessellated;
     prepare_frame(*scene, run.settings, nullptr, results.spare_frame);
     std::swap(results.frame, results.spare_frame);
     results.scene = scene;
@@ -130,7 +137,7 @@ int lesson_of(Rejection rejection) {
 
 std::vector<Trouble> describe_troubles(const Frame& frame, const DrawTally& tally) {
     std::vector<Trouble> troubles;
-    for (SettingFault& fault : setting_faults(frame.settings, frame.scene->space))
+    for (SettingFault& fault : setting_faults(frame.settings, *frame.given))
         troubles.push_back({std::move(fault.sentence), std::move(fault.in_short)});
     const LeftOut left_out = count_left_out(frame);
     for (const RejectionWords& reason : rejection_list) {
@@ -195,7 +202,7 @@ RunChanges update_run(const Session& session, const Run& run, const SharedView* 
         results.picture_number = ++numbers;
     }
     const std::optional<int> triangle =
-        shared != nullptr ? shared->triangle : shown_triangle(session, results);
+        shared != nullptr ? triangle_of_shared(*shared, results) : shown_triangle(session, results);
     if (changes.frame || triangle != results.triangle)
         results.whole_rows = triangle ? whole_rows(results.frame, *triangle) : PolygonRows{};
     if (changes.moment || triangle != results.triangle) {
