@@ -43,6 +43,14 @@ std::optional<int> triangle_of_shared(const SharedView& shared, const RunResults
     return triangle_in(results.frame, *shared.frame, *shared.triangle);
 }
 
+/// Where this run has drawn what the other one has at its cursor. Where they cut the scene into
+/// other triangles no moment is the same, but the beginning of one of the scene's triangles is.
+Cursor moment_of_shared(const SharedView& shared, const Cursor& wanted, const RunResults& results) {
+    const bool is_alike = have_same_triangles(results.frame, *shared.frame);
+    if (is_alike || wanted.triangle >= shared.frame->triangle_count()) return wanted;
+    return {triangle_in(results.frame, *shared.frame, wanted.triangle), Phase::vertices, 0, 0};
+}
+
 /// Projects the scene, if it or the run is another one.
 bool update_frame(const std::shared_ptr<const Scene>& scene, const Run& run, RunResults& results) {
     if (results.scene == scene && results.run == run) return false;
@@ -183,7 +191,9 @@ RunChanges update_run(const Session& session, const Run& run, const SharedView* 
     RunChanges changes;
     changes.frame = update_frame(session.scene, run, results);
     if (changes.frame) results.frame_number = ++numbers;
-    changes.moment = update_cursor(session.cursor, changes.frame, results);
+    const Cursor wanted =
+        shared != nullptr ? moment_of_shared(*shared, session.cursor, results) : session.cursor;
+    changes.moment = update_cursor(wanted, changes.frame, results);
     results.is_held = results.replay.is_held(results.cursor, limit);
     const bool draws_on = changes.moment || !(results.is_drawn() || results.is_held);
     const std::optional<DepthInterval> depths =

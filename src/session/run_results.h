@@ -92,7 +92,7 @@ RowHistory rows_at_cursor(const Frame& frame, int triangle, const Cursor& cursor
 
 /// What run A prescribes for run B, so that the same thing is seen of both.
 struct SharedView {
-    const Frame* frame = nullptr;        ///< of run A, which `triangle` belongs to
+    const Frame* frame = nullptr;        ///< of run A: to it belong cursor and `triangle`
     std::optional<int> triangle;         ///< on show
     std::optional<DepthInterval> depths; ///< that the depth view colours
 };
