@@ -37,12 +37,10 @@ const VertexLine lines[] = {
     {"normal", "x", "normal.x", 3, "Across the surface, of unit length.", true},
     {"", "y", "normal.y", 3, "Across the surface, of unit length.", true},
     {"", "z", "normal.z", 3, "Across the surface, of unit length.", true},
-    {"shine", "n · h", "light.n_dot_h", 3,
-     "How near the normal is to half-way between lamp and camera: 1 where the lamp would be seen "
-     "in "
-     "a mirror.",
+    {"shine", "n·h", "light.n_dot_h", 3,
+     "How near the normal is to half-way between lamp and eye: 1 at the mirror image of the lamp.",
      true, true},
-    {"", "(n · h)^e", "light.power", 3,
+    {"", "(n·h)^e", "light.power", 3,
      "The larger the exponent, the faster the highlight falls off.", true, true},
     {"", "S red", "light.S.red", 3, "The highlight, which comes on top.", true, true},
     {"", "S green", "light.S.green", 3, "The highlight, which comes on top.", true, true},
