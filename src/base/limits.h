@@ -13,6 +13,11 @@ inline constexpr int largest_viewport = 4096;
 /// The largest triangle count of a scene.
 inline constexpr int max_triangles = 1'000'000;
 
+/// Into how many parts tessellation cuts each edge at most, and how many triangles it makes of a
+/// scene: so many are drawn and turned without a pause.
+inline constexpr int largest_tessellation = 64;
+inline constexpr int most_tessellated_triangles = 200'000;
+
 /// The most corners of a polygon of a scene.
 inline constexpr std::size_t most_scene_corners = 100;
 

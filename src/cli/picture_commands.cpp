@@ -24,7 +24,7 @@ void report_troubles(const Frame& frame, const LeftOut& left_out, std::ostream& 
         for (const std::string& line : fault_lines(*frame.scene->model_report))
             err << "rasterwalk: " << line << '\n';
     }
-    for (const SettingFault& fault : setting_faults(frame.settings, frame.scene->space))
+    for (const SettingFault& fault : setting_faults(frame.settings, *frame.given))
         err << "rasterwalk: " << fault.sentence << ".\n";
     for (const RejectionWords& reason : rejection_list) {
         const int count = left_out.of(reason.rejection);

@@ -354,9 +354,8 @@ void print_text(std::ostream& out, const TriangleReport& report, const Frame& fr
 
 void triangle_command(const TriangleOptions& options, std::ostream& out) {
     const Session session = open_view(options.view);
-    const Scene& scene = *session.scene;
-    const int triangle = parse_triangle(options.triangle, scene);
-    const Frame frame = prepare_frame(scene, session.a.settings);
+    const Frame frame = prepare_frame(*session.scene, session.a.settings);
+    const int triangle = parse_triangle(options.triangle, *frame.scene);
     const TriangleReport report = triangle_report(frame, triangle, session.cursor);
     if (options.json) {
         print_json(to_json(report, frame), out);

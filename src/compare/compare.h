@@ -17,6 +17,7 @@
 #include "picture/view_image.h"
 #include "pipeline/frame.h"
 #include "pipeline/framebuffer.h"
+#include "pipeline/replay.h"
 #include "pipeline/work.h"
 #include "stages/polygon_rows.h"
 
@@ -66,7 +67,9 @@ struct Comparison {
 };
 
 /// Two runs being compared, part by part. Draws both side by side and holds them against each other
-/// moment by moment: takes some times both frames' drawing, and the memory of two pictures.
+/// moment by moment: takes some times both frames' drawing, and the memory of two pictures. Of runs
+/// that cut the scene into other triangles only the pictures are compared, and one divergence says
+/// so: no moment of one is a moment of the other.
 class ComparisonWork {
   public:
     /// Begins anew. The frames must be of the same scene, have viewports of the same size, and live
@@ -77,7 +80,7 @@ class ComparisonWork {
     void advance(const WorkLimit& limit = {});
 
     /// Is everything compared? It is too before anything was begun.
-    bool is_done() const { return walk_ == nullptr; }
+    bool is_done() const { return walk_ == nullptr && pictures_ == nullptr; }
 
     /// How many triangles are compared, and how many there are.
     int triangles_done() const { return done_; }
@@ -87,14 +90,21 @@ class ComparisonWork {
     const Comparison& found() const { return found_; }
 
   private:
+    /// Both pictures on their way.
+    struct PicturePair {
+        Replay a{0}, b{0}; ///< without copies of earlier moments
+    };
+
     double missing_work() const;
     void end_triangles();
+    void draw_pictures(const WorkLimit& limit);
 
     const Frame* a_ = nullptr;
     const Frame* b_ = nullptr;
     Cursor to_;
     FrameWork work_a_, work_b_;
-    std::unique_ptr<RunWalk> walk_; ///< null: nothing is left to do
+    std::unique_ptr<RunWalk> walk_;         ///< null: no moments are left to compare
+    std::unique_ptr<PicturePair> pictures_; ///< in its place where only those are compared
     DivergenceCollector divergences_;
     PolygonRows rows_a_, rows_b_; ///< kept to save allocations
     int done_ = 0, triangles_ = 0;

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "compare/compare.h"
+#include "compare/divergence_text.h"
 
 namespace rasterwalk {
 
@@ -43,11 +44,25 @@ void ComparisonWork::begin(const Frame& a, const Frame& b, const Cursor& to) {
     to_ = to;
     work_a_.begin(a);
     work_b_.begin(b);
-    walk_ = std::make_unique<RunWalk>(a, b, to);
+    walk_ = nullptr;
+    pictures_ = nullptr;
     divergences_ = {};
     done_ = 0;
     triangles_ = std::min(a.triangle_count(), std::max(to.triangle, 0));
     found_ = {};
+    if (have_same_triangles(a, b)) {
+        walk_ = std::make_unique<RunWalk>(a, b, to);
+        return;
+    }
+    pictures_ = std::make_unique<PicturePair>();
+    pictures_->a.begin(a);
+    pictures_->b.begin(b);
+    const Cursor first = cursor_begin;
+    found_.divergences.count = 1;
+    found_.divergences.first = {first, DivergenceKind::other, false, other_triangles_text(a, b)};
+    found_.divergences.first_beyond_rounding = found_.divergences.first;
+    found_.divergences.groups = {
+        {first.triangle, first.phase, DivergenceKind::other, 1, first, first}};
 }
 
 double ComparisonWork::missing_work() const {
@@ -66,7 +81,20 @@ void ComparisonWork::end_triangles() {
     }
 }
 
+/// A's and then B's; compares them once both are done.
+void ComparisonWork::draw_pictures(const WorkLimit& limit) {
+    const WorkLimit part{.at_once = limit.at_once, .slice = limit.slice};
+    const Framebuffer& picture_a = pictures_->a.toward(to_, part);
+    done_ = std::min(pictures_->a.drawn().triangle, triangles_);
+    if (pictures_->a.drawn() < to_) return;
+    const Framebuffer& picture_b = pictures_->b.toward(to_, part);
+    if (pictures_->b.drawn() < to_) return;
+    found_.pixels = pixel_difference(picture_a, picture_b);
+    pictures_ = nullptr;
+}
+
 void ComparisonWork::advance(const WorkLimit& limit) {
+    if (pictures_ != nullptr) draw_pictures(limit);
     if (walk_ == nullptr) return;
     const bool is_little = missing_work() <= limit.at_once;
     const auto end = static_cast<double>(walk_->work()) + limit.slice / work_factor;

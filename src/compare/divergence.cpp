@@ -199,6 +199,7 @@ void DivergenceCollector::walk_part(const Frame& a, const Frame& b, RunWalk& wal
 }
 
 std::optional<Divergence> next_divergence(const Frame& a, const Frame& b, const Cursor& from) {
+    if (!have_same_triangles(a, b)) return std::nullopt;
     std::optional<Divergence> found;
     RunWalk walk(a, b, cursor_end);
     walk.skip_to(from.triangle);
@@ -215,6 +216,7 @@ std::optional<Divergence> next_divergence(const Frame& a, const Frame& b, const 
 }
 
 std::optional<Divergence> previous_divergence(const Frame& a, const Frame& b, const Cursor& to) {
+    if (!have_same_triangles(a, b)) return std::nullopt;
     // Forwards once to find where it is, and once more to stand there and tell about it.
     std::optional<Cursor> last;
     RunWalk walk(a, b, to);
@@ -231,6 +233,7 @@ std::optional<Divergence> previous_divergence(const Frame& a, const Frame& b, co
 std::optional<Divergence> divergence_at(const Frame& a, const Framebuffer& picture_a,
                                         const Frame& b, const Framebuffer& picture_b,
                                         const Cursor& cursor, Framebuffer& scratch) {
+    if (!have_same_triangles(a, b)) return std::nullopt;
     std::optional<Divergence> found;
     const SightRules rules = sight_rules(a, b);
     visit_moment(a, picture_a, b, picture_b, cursor, scratch, [&](const PairMoment& moment) {

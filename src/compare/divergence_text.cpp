@@ -427,4 +427,10 @@ std::string divergence_text(const Frame& a, const Frame& b, const PairMoment& mo
     return "";
 }
 
+std::string other_triangles_text(const Frame& a, const Frame& b) {
+    return fmt::format("A draws {} for each of the scene, B {}: only the pictures are compared.",
+                       counted(a.triangles_of_each(), "triangle", "triangles"),
+                       b.triangles_of_each());
+}
+
 } // namespace rasterwalk

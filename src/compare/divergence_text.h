@@ -12,4 +12,7 @@ namespace rasterwalk {
 std::string divergence_text(const Frame& a, const Frame& b, const PairMoment& moment,
                             DivergenceKind kind);
 
+/// Why no moment of the runs can be compared, where they cut the scene into other triangles.
+std::string other_triangles_text(const Frame& a, const Frame& b);
+
 } // namespace rasterwalk

@@ -30,7 +30,7 @@ void add_compare_fact(std::vector<Fact>& table, const char* name, const char* he
 /// run B.
 Value vertices_elsewhere(const Facts& facts, int) {
     const Results& results = facts.results();
-    if (!results.b) return {};
+    if (!facts.has_same_triangles_in_b()) return {};
     const Frame &a = results.a.frame, &b = results.b->frame;
     int elsewhere = 0;
     for (int t = 0; t < std::min(a.triangle_count(), b.triangle_count()); ++t) {

@@ -37,6 +37,9 @@ struct SettingRange {
     ValueRange operator()(const NumberSetting& kind) const {
         return real(number_as_double(kind.smallest), number_as_double(kind.largest));
     }
+    ValueRange operator()(const WholeSetting& kind) const {
+        return whole(kind.smallest, kind.largest);
+    }
     ValueRange operator()(const VectorSetting& kind) const {
         return real(number_as_double(kind.smallest), number_as_double(kind.largest));
     }
@@ -55,6 +58,7 @@ struct SettingValue {
         return std::string(kind.words[static_cast<std::size_t>(word)]);
     }
     Value operator()(const NumberSetting& kind) { return number(kind.value(settings)); }
+    Value operator()(const WholeSetting& kind) { return number(kind.value(settings)); }
     Value operator()(const VectorSetting& kind) {
         const glm::vec3& value = kind.value(settings);
         if (part < 0) return number(std::max({value.x, value.y, value.z}));

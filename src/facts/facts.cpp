@@ -136,8 +136,12 @@ FactCache& Facts::cache_with_b() const {
     return known;
 }
 
+bool Facts::has_same_triangles_in_b() const {
+    return results_->b && have_same_triangles(results_->a.frame, results_->b->frame);
+}
+
 std::optional<std::int64_t> Facts::different_samples() const {
-    if (!results_->b) return std::nullopt;
+    if (!has_same_triangles_in_b()) return std::nullopt;
     FactCache& known = cache_with_b();
     if (!known.different_samples) {
         known.different_samples =
@@ -148,7 +152,7 @@ std::optional<std::int64_t> Facts::different_samples() const {
 
 std::optional<std::int64_t> Facts::different_samples(int edge) const {
     const std::optional<int>& triangle = results_->a.triangle;
-    if (!results_->b || !triangle) return std::nullopt;
+    if (!has_same_triangles_in_b() || !triangle) return std::nullopt;
     FactCache& known = cache_with_b();
     if (known.different_triangle != triangle) {
         known.different_edges =

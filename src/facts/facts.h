@@ -93,8 +93,10 @@ class Facts {
     const EdgeEnds& edge_ends() const;
     /// Pixels that two neighbours of the frame have both drawn.
     std::int64_t drawn_twice() const;
+    /// Is there a second run, and does it cut the scene into the same triangles?
+    bool has_same_triangles_in_b() const;
     /// Edge samples on another pixel in run B, of the whole frame and of an edge of the triangle on
-    /// show; none without a second run, or without such an edge.
+    /// show; none without such a run, or without such an edge.
     std::optional<std::int64_t> different_samples() const;
     std::optional<std::int64_t> different_samples(int edge) const;
     /// What the line decides at the edge sample that comes next; none where none comes, or it

@@ -153,7 +153,7 @@ void add_session_facts(std::vector<Fact>& table) {
     table.push_back({"triangle", "Selected triangle, from 0.", natural(),
                      [](const Facts& f, int) { return number(f.session().selection.triangle); }});
     table.push_back(
-        {"triangle.count", "Triangles of the scene.", natural(),
+        {"triangle.count", "Triangles of the scene, cut if tessellation cuts them.", natural(),
          [](const Facts& f, int) { return number(f.results().a.frame.triangle_count()); }});
     table.push_back({"triangle.shown",
                      "Triangle that the inspector shows, from 0: the selected one, or "

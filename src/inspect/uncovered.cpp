@@ -104,6 +104,7 @@ void try_other_rules(const Frame& frame, const glm::ivec2& pixel,
         Settings settings = frame.settings;
         rule.apply(settings);
         if (settings == frame.settings) continue;
+        settings.tessellation = 1; // these triangles are cut already
         const Frame other = prepare_frame(scene, settings, frame.replace);
         for (int i = 0; i < other.triangle_count(); ++i) {
             if (!other.is_drawn(i)) continue;

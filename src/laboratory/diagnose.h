@@ -33,7 +33,7 @@ Diagnosis diagnose_picture(const Image& picture, const Scene& scene, const Setti
 /// @param polygon vertices, pixels
 /// @param about   receives what it was held against: "the polygon (10,5) (5,10) (15,15)"
 Diagnosis diagnose_rows(const std::vector<PrintedRow>& rows, const std::vector<glm::ivec2>& polygon,
-                        const Scene& scene, const Settings& reference, const std::vector<Bug>& bugs,
+                        const Scene& scene, Settings reference, const std::vector<Bug>& bugs,
                         std::string& about);
 
 /// The largest side of a picture that is diagnosed, pixels: it is drawn some hundred times.

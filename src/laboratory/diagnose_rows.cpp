@@ -153,8 +153,9 @@ const std::vector<RowsEdit>& rows_edits() {
 } // namespace
 
 Diagnosis diagnose_rows(const std::vector<PrintedRow>& rows, const std::vector<glm::ivec2>& polygon,
-                        const Scene& scene, const Settings& reference, const std::vector<Bug>& bugs,
+                        const Scene& scene, Settings reference, const std::vector<Bug>& bugs,
                         std::string& about) {
+    reference.tessellation = 1; // the table is one of the scene's own triangles
     const TablePolygon subject =
         polygon.empty() ? nearest_polygon(rows, scene, reference) : polygon_of(polygon);
     about = subject.about;

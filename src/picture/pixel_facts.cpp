@@ -20,7 +20,7 @@ Frame unlit_frame(const Frame& frame, Interpolation interpolation) {
     Settings settings = frame.settings;
     settings.interpolation = interpolation;
     settings.stage = std::min(settings.stage, Stage::depth);
-    return prepare_frame(*frame.scene, settings, frame.replace);
+    return prepare_frame(*frame.given, settings, frame.replace);
 }
 
 /// A side of a triangle: the two points that it joins, the smaller one first.

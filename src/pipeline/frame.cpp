@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "scene/tessellation.h"
+
 namespace rasterwalk {
 
 Stages stages_for(const Settings& settings, const CornerDifferences& differences,
@@ -87,15 +89,31 @@ void make_polygons(const Mesh& mesh, const VertexRules& rules, Frame& frame) {
         frame.polygons.push_back(maker.make(t));
 }
 
+/// Takes the scene as it is, or what tessellation makes of it. That is kept as long as it is the
+/// same: while the camera moves nothing is cut anew.
+void take_scene(const Scene& scene, int tessellation, Frame& frame) {
+    const int parts = tessellation_of(scene, tessellation);
+    const TessellatedScene* const known = frame.tessellated.get();
+    if (parts == 1) {
+        frame.tessellated = nullptr;
+    } else if (known == nullptr || known->parts != parts || !(known->given == scene)) {
+        frame.tessellated = std::make_shared<const TessellatedScene>(
+            TessellatedScene{scene, parts, tessellate(scene, parts)});
+    }
+    frame.given = &scene;
+    frame.scene = parts == 1 ? &scene : &frame.tessellated->made;
+}
+
 } // namespace
 
 void prepare_frame(const Scene& scene, const Settings& settings, const ReplaceStages& replace,
                    Frame& frame) {
-    frame.scene = &scene;
+    take_scene(scene, settings.tessellation, frame);
+    const Mesh& mesh = frame.scene->mesh;
     frame.settings = settings;
     frame.replace = replace;
-    frame.stages = stages_for(settings, scene.mesh.differences(), replace);
-    make_polygons(scene.mesh, vertex_rules(settings, scene.space), frame);
+    frame.stages = stages_for(settings, mesh.differences(), replace);
+    make_polygons(mesh, vertex_rules(settings, scene.space), frame);
 }
 
 Frame prepare_frame(const Scene& scene, const Settings& settings, const ReplaceStages& replace) {
@@ -112,6 +130,12 @@ std::vector<ScreenVertex> polygon_under(const Frame& frame, int triangle,
     other.stages = stages_for(settings, frame.scene->mesh.differences(), frame.replace);
     make_polygons(mesh, vertex_rules(settings, frame.scene->space), other);
     return std::move(other.vertices);
+}
+
+int triangle_in(const Frame& frame, const Frame& other, int triangle_of_other) {
+    const int of_each = frame.triangles_of_each(), of_other = other.triangles_of_each();
+    if (of_each == of_other) return triangle_of_other;
+    return triangle_of_other / of_other * of_each;
 }
 
 VaryingSet carried_varyings(const Frame& frame) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -16,10 +17,19 @@ namespace rasterwalk {
 /// Puts other functions in slots of the table that the settings have chosen.
 using ReplaceStages = std::function<void(Stages&)>;
 
+/// A scene, and what tessellation has made of it.
+struct TessellatedScene {
+    Scene given;
+    int parts = 1; ///< of each edge
+    Scene made;
+};
+
 /// A frame ready to be drawn: what is O(vertices) is worked out and kept; what is O(pixels) is left
 /// to draw(). Refers to its scene, which must live as long.
 struct Frame {
-    const Scene* scene = nullptr;
+    const Scene* scene = nullptr; ///< that is drawn: the given one, or what is made of it
+    const Scene* given = nullptr; ///< that the frame was asked of
+    std::shared_ptr<const TessellatedScene> tessellated; ///< keeps what is made; null: nothing is
     Settings settings;
     ReplaceStages replace;                  ///< functions beside those of the settings, or null
     Stages stages;                          ///< the table by which it is drawn and inspected
@@ -27,9 +37,13 @@ struct Frame {
     std::vector<ProjectedVertex> projected; ///< the same, projected
     std::vector<TriangleIndices> triangles; ///< of the mesh: which vertices are their corners
     std::vector<ScreenVertex> vertices;     ///< the corners of the polygons, one after another
-    std::vector<Polygon> polygons; ///< what has become of each triangle of the scene, in order
+    std::vector<Polygon> polygons; ///< what has become of each triangle of `scene`, in order
 
     int triangle_count() const { return static_cast<int>(polygons.size()); }
+    /// How many triangles are drawn in the place of each of the given scene.
+    int triangles_of_each() const {
+        return tessellated == nullptr ? 1 : tessellated->parts * tessellated->parts;
+    }
     Rejection rejection(int triangle) const {
         return polygons[static_cast<std::size_t>(triangle)].rejection;
     }
@@ -103,9 +117,9 @@ VaryingSet carried_varyings(const Frame& frame);
 Stages stages_for(const Settings& settings, const CornerDifferences& differences,
                   const ReplaceStages& replace);
 
-/// Takes each vertex of the scene's mesh through vertex shader and projection, once, and each
-/// triangle through reject, clip and cull. A polygon with one vertex that is rejected is left out
-/// whole, for the reason of the first such vertex.
+/// Tessellates the scene, takes each vertex of the mesh through vertex shader and projection, once,
+/// and each triangle through reject, clip and cull. A polygon with one vertex that is rejected is
+/// left out whole, for the reason of the first such vertex.
 Frame prepare_frame(const Scene& scene, const Settings& settings,
                     const ReplaceStages& replace = nullptr);
 
@@ -117,6 +131,15 @@ void prepare_frame(const Scene& scene, const Settings& settings, const ReplaceSt
 /// The corners of one triangle as they would be under other settings, with the functions that were
 /// put in slots of the frame.
 std::vector<ScreenVertex> polygon_under(const Frame& frame, int triangle, const Settings& settings);
+
+/// The triangle of one frame that lies where this one does in another frame of the same scene: the
+/// same, or the first of its parts, or the one of which it is a part.
+int triangle_in(const Frame& frame, const Frame& other, int triangle_of_other);
+
+/// Do both frames of a scene draw the same triangles, with the same numbers?
+inline bool have_same_triangles(const Frame& a, const Frame& b) {
+    return a.triangles_of_each() == b.triangles_of_each();
+}
 
 /// Clips a triangle once more, by the function that clipped it.
 /// @param sink    is told of each edge at each plane; of a triangle that no plane has cut, nothing

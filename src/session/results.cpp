@@ -100,7 +100,7 @@ void update_second_run(const Session& session, const RunChanges& a, const WorkLi
     }
     if (!results.b) results.b.emplace();
     // Both in the colours of A, so that the same colour means the same depth.
-    SharedView shared{results.a.triangle, session.depth_range};
+    SharedView shared{&results.a.frame, results.a.triangle, session.depth_range};
     if (!shared.depths && results.depth) shared.depths = values_of(results.depth->range);
     const RunChanges b =
         update_run(session, *session.b, &shared, limit, results.numbers, *results.b);

@@ -37,11 +37,26 @@ std::optional<int> shown_triangle(const Session& session, const RunResults& resu
     return count > 0 ? std::optional(0) : std::nullopt;
 }
 
+/// The triangle that run A shows, in this run.
+std::optional<int> triangle_of_shared(const SharedView& shared, const RunResults& results) {
+    if (!shared.triangle) return std::nullopt;
+    return triangle_in(results.frame, *shared.frame, *shared.triangle);
+}
+
+/// Where this run has drawn what the other one has at its cursor. Where they cut the scene into
+/// other triangles no moment is the same, but the beginning of one of the scene's triangles is.
+Cursor moment_of_shared(const SharedView& shared, const Cursor& wanted, const RunResults& results) {
+    const bool is_alike = have_same_triangles(results.frame, *shared.frame);
+    if (is_alike || wanted.triangle >= shared.frame->triangle_count()) return wanted;
+    return {triangle_in(results.frame, *shared.frame, wanted.triangle), Phase::vertices, 0, 0};
+}
+
 /// Projects the scene, if it or the run is another one.
 bool update_frame(const std::shared_ptr<const Scene>& scene, const Run& run, RunResults& results) {
     if (results.scene == scene && results.run == run) return false;
     // Noted as done only when it is: what throws is prepared again next time.
     results.run = std::nullopt;
+    results.spare_frame.tessellated = results.frame.tessellated;
     prepare_frame(*scene, run.settings, nullptr, results.spare_frame);
     std::swap(results.frame, results.spare_frame);
     results.scene = scene;
@@ -130,7 +145,7 @@ int lesson_of(Rejection rejection) {
 
 std::vector<Trouble> describe_troubles(const Frame& frame, const DrawTally& tally) {
     std::vector<Trouble> troubles;
-    for (SettingFault& fault : setting_faults(frame.settings, frame.scene->space))
+    for (SettingFault& fault : setting_faults(frame.settings, *frame.given))
         troubles.push_back({std::move(fault.sentence), std::move(fault.in_short)});
     const LeftOut left_out = count_left_out(frame);
     for (const RejectionWords& reason : rejection_list) {
@@ -177,7 +192,9 @@ RunChanges update_run(const Session& session, const Run& run, const SharedView* 
     RunChanges changes;
     changes.frame = update_frame(session.scene, run, results);
     if (changes.frame) results.frame_number = ++numbers;
-    changes.moment = update_cursor(session.cursor, changes.frame, results);
+    const Cursor wanted =
+        shared != nullptr ? moment_of_shared(*shared, session.cursor, results) : session.cursor;
+    changes.moment = update_cursor(wanted, changes.frame, results);
     results.is_held = results.replay.is_held(results.cursor, limit);
     const bool draws_on = changes.moment || !(results.is_drawn() || results.is_held);
     const std::optional<DepthInterval> depths =
@@ -196,7 +213,7 @@ RunChanges update_run(const Session& session, const Run& run, const SharedView* 
         results.picture_number = ++numbers;
     }
     const std::optional<int> triangle =
-        shared != nullptr ? shared->triangle : shown_triangle(session, results);
+        shared != nullptr ? triangle_of_shared(*shared, results) : shown_triangle(session, results);
     if (changes.frame || triangle != results.triangle)
         results.whole_rows = triangle ? whole_rows(results.frame, *triangle) : PolygonRows{};
     if (changes.moment || triangle != results.triangle) {

@@ -35,6 +35,12 @@ struct RunResults {
     RunResults(const RunResults&) = delete;
     RunResults& operator=(const RunResults&) = delete;
 
+    /// What is drawn: the scene, or what tessellation makes of it.
+    std::shared_ptr<const Scene> drawn_scene() const {
+        if (frame.tessellated == nullptr) return scene;
+        return {frame.tessellated, frame.scene};
+    }
+
     Frame frame;                    ///< the scene, projected
     std::uint64_t frame_number = 0; ///< another one whenever `frame` is another
     Cursor cursor;              ///< the session's cursor, moved to a moment that exists in this run
@@ -56,8 +62,8 @@ struct RunResults {
         false; ///< more is left to draw than the limit of the last update allows to begin
 
     // Of what this was made.
-    std::shared_ptr<const Scene> scene; ///< keeps the frame's scene alive; null before the first
-                                        ///< update
+    std::shared_ptr<const Scene> scene; ///< keeps the given scene of the frame alive; null before
+                                        ///< the first update
     std::optional<Run> run;
     Frame spare_frame;        ///< of the run before: its memory is for the next frame
     std::optional<View> view; ///< that `picture` shows
@@ -86,6 +92,7 @@ RowHistory rows_at_cursor(const Frame& frame, int triangle, const Cursor& cursor
 
 /// What run A prescribes for run B, so that the same thing is seen of both.
 struct SharedView {
+    const Frame* frame = nullptr;        ///< of run A: to it belong cursor and `triangle`
     std::optional<int> triangle;         ///< on show
     std::optional<DepthInterval> depths; ///< that the depth view colours
 };

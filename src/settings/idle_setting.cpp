@@ -47,6 +47,8 @@ bool is_asked(const CoverageSetting& setting, Coverage coverage) {
 } // namespace
 
 std::string idle_reason(const Setting& setting, const Settings& settings) {
+    if (setting.name == "light.position" && settings.light.place == LampPlace::camera)
+        return "while the lamp stands at the camera";
     const auto* const found =
         std::find_if(std::begin(coverage_settings), std::end(coverage_settings),
                      [&](const CoverageSetting& one) { return one.name == setting.name; });

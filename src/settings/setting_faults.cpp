@@ -1,11 +1,16 @@
 #include "settings/setting_faults.h"
 
+#include <fmt/format.h>
+
+#include "base/limits.h"
 #include "base/numbers.h"
 #include "scene/look_at.h"
+#include "scene/tessellation.h"
 
 namespace rasterwalk {
 
-std::vector<SettingFault> setting_faults(const Settings& settings, SceneSpace space) {
+std::vector<SettingFault> setting_faults(const Settings& settings, const Scene& scene) {
+    const SceneSpace space = scene.space;
     std::vector<SettingFault> faults;
     const bool has_camera = space == SceneSpace::world;
     const bool asks_planes = has_camera || clip_depth_rule(settings, space) != ClipDepth::inv_z;
@@ -20,6 +25,15 @@ std::vector<SettingFault> setting_faults(const Settings& settings, SceneSpace sp
         faults.push_back(
             {std::string(words(fault).sentence) + ": " + std::string(words(fault).replacement),
              "the camera has no direction"});
+    }
+    const int parts = tessellation_of(scene, settings.tessellation);
+    if (has_camera && parts != settings.tessellation) {
+        faults.push_back(
+            {fmt::format("tessellation = {} makes more than {} of this scene: it is cut into {}",
+                         settings.tessellation,
+                         counted(most_tessellated_triangles, "triangle", "triangles"),
+                         counted(parts, "part an edge", "parts an edge")),
+             fmt::format("tessellation {}", parts)});
     }
     return faults;
 }

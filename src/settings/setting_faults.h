@@ -17,9 +17,9 @@ struct SettingFault {
     friend bool operator==(const SettingFault&, const SettingFault&) = default;
 };
 
-/// A far plane that is not behind the near one, and a camera without a direction. A scene in pixel
-/// space has no camera; the planes count there if the depth is measured between them, see
-/// ClipDepth.
-std::vector<SettingFault> setting_faults(const Settings& settings, SceneSpace space);
+/// A far plane that is not behind the near one, a camera without a direction, and a tessellation
+/// that makes too many triangles of the scene. A scene in pixel space has no camera; the planes
+/// count there if the depth is measured between them, see ClipDepth.
+std::vector<SettingFault> setting_faults(const Settings& settings, const Scene& scene);
 
 } // namespace rasterwalk

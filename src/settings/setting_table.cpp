@@ -91,6 +91,20 @@ std::vector<Setting> make_table() {
          "Where light is computed once all other stages are done: nowhere, once a triangle "
          "(flat), at the vertices (Gouraud) or at every pixel (Phong).",
          "Light per pixel", "", choice<&Settings::shading>(), "stage", "depth_order"},
+        {"tessellation",
+         "Triangles cut into",
+         "Stage",
+         "Into how many parts each edge of the scene is cut before all else: n makes n² triangles "
+         "of each. They are what is drawn and counted: triangles[t] of the scene becomes "
+         "triangles[t n²] and those behind it, n² in all. The surfaces stay where they are; there "
+         "are more vertices for light to be worked out at.",
+         "Light per vertex",
+         "parts",
+         WholeSetting{[](Settings& s) -> int& { return s.tessellation; }, 1, largest_tessellation},
+         {},
+         {},
+         false,
+         true},
         {"rounding", "Rounding", "Rows and edges",
          "How a real coordinate becomes a whole pixel: int() cuts toward zero.", "Drawing edges",
          "", rounding_choice()},
@@ -381,6 +395,7 @@ std::span<const Setting> setting_table() {
 }
 
 bool is_of_use(const Setting& setting, const Scene& scene) {
+    if (setting.needs_world && scene.space != SceneSpace::world) return false;
     return !setting.needs_texture || !scene.textures.empty();
 }
 

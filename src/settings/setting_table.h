@@ -33,6 +33,12 @@ struct NumberSetting {
     float drag_step; ///< change per pixel of mouse movement
 };
 
+/// A whole number.
+struct WholeSetting {
+    int& (*value)(Settings&);
+    int smallest, largest;
+};
+
 /// Three real numbers: `0,-0.5,-0.7`.
 struct VectorSetting {
     glm::vec3& (*value)(Settings&);
@@ -55,7 +61,7 @@ struct Setting {
     std::string_view help;    ///< one sentence
     std::string_view section; ///< section of the lab
     std::string_view unit;    ///< "pixels", "radians" ...; empty for words
-    std::variant<ChoiceSetting, NumberSetting, VectorSetting, SizeSetting> kind;
+    std::variant<ChoiceSetting, NumberSetting, WholeSetting, VectorSetting, SizeSetting> kind;
     /// The setting that says this one as well: `rounding` says `vertex_rounding` and
     /// `line_rounding`. It stands before its parts. Empty: none does.
     std::string_view part_of{};
@@ -63,6 +69,7 @@ struct Setting {
     /// such words.
     std::string_view words_moved_to{};
     bool needs_texture = false; ///< of no use to a scene without textures
+    bool needs_world = false;   ///< of no use to a scene in pixels
 };
 
 /// Every setting, in the order of the sheet of settings.

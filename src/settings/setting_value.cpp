@@ -78,6 +78,11 @@ struct Writer {
     void operator()(const NumberSetting& kind) const {
         kind.value(settings) = number(text, kind.smallest, kind.largest);
     }
+    void operator()(const WholeSetting& kind) const {
+        const std::optional<int> value = parse_int(trimmed(text));
+        if (!value || *value < kind.smallest || *value > kind.largest) refuse(setting, text);
+        kind.value(settings) = *value;
+    }
     void operator()(const VectorSetting& kind) const {
         const std::vector<std::string_view> parts = split(text, ',');
         const bool one_for_all = kind.is_colour && parts.size() == 1;
@@ -111,6 +116,9 @@ struct Reader {
         return word == no_word ? "" : std::string(kind.words[static_cast<std::size_t>(word)]);
     }
     std::string operator()(const NumberSetting& kind) { return number_text(kind.value(settings)); }
+    std::string operator()(const WholeSetting& kind) {
+        return std::to_string(kind.value(settings));
+    }
     std::string operator()(const VectorSetting& kind) {
         const glm::vec3& value = kind.value(settings);
         if (kind.is_colour && value.x == value.y && value.y == value.z) {
@@ -166,6 +174,10 @@ struct AllowedText {
     std::string operator()(const NumberSetting& kind) const {
         return "a number from " + range_text(kind.smallest, kind.largest);
     }
+    std::string operator()(const WholeSetting& kind) const {
+        return "a whole number from " + std::to_string(kind.smallest) + " to " +
+               std::to_string(kind.largest);
+    }
     std::string operator()(const VectorSetting& kind) const {
         const std::string numbers = kind.is_colour ? "one number or three, " : "three numbers, ";
         return numbers + "each from " + range_text(kind.smallest, kind.largest);
@@ -185,6 +197,9 @@ struct RangeClamp {
     }
     void operator()(const ChoiceSetting&) const {}
     void operator()(const SizeSetting&) const {}
+    void operator()(const WholeSetting& kind) const {
+        kind.value(settings) = std::clamp(kind.value(settings), kind.smallest, kind.largest);
+    }
     void operator()(const NumberSetting& kind) const {
         clamp(kind.value(settings), kind.smallest, kind.largest);
     }

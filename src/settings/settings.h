@@ -16,6 +16,7 @@ namespace rasterwalk {
 struct Settings {
     Stage stage = Stage::shade;
     Shading shading = Shading::phong; ///< of stage `shade`
+    int tessellation = 1; ///< into how many parts each edge of the scene is cut before all else
     VertexRounding vertex_rounding = VertexRounding::truncate;
     Coverage coverage = Coverage::rows;
     FillRule fill_rule = FillRule::inclusive;       ///< where coverage asks the centres of pixels

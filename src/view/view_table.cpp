@@ -8,6 +8,7 @@
 #include "base/quoted.h"
 #include "pipeline/frame.h"
 #include "pipeline/timeline.h"
+#include "scene/tessellation.h"
 #include "session/moments.h"
 #include "settings/setting_table.h"
 #include "view/look_fields.h"
@@ -166,8 +167,10 @@ ViewField pixel_field() {
     return field;
 }
 
+/// Of what is drawn of the scene.
 int triangles_of(const Session& session) {
-    return session.scene->triangle_count();
+    const int parts = tessellation_of(*session.scene, session.a.settings.tessellation);
+    return session.scene->triangle_count() * parts * parts;
 }
 
 int rows_of(const Session& session) {

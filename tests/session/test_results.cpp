@@ -50,6 +50,31 @@ TEST_CASE("Without a second run there is nothing to compare") {
     CHECK_FALSE(results.b);
 }
 
+TEST_CASE("A second run that cuts the scene finer shows the same triangle, by its first part") {
+    Session session = room_session();
+    session.selection.triangle = 29;
+    session.cursor = {12, Phase::rows, 20, 2};
+    compare_with(session, with(session.a.settings, "tessellation=3"));
+    Results results;
+    finish(session, results);
+    REQUIRE(results.b);
+    CHECK(results.b->frame.triangle_count() == 9 * 30);
+    CHECK(results.a.triangle == 29);
+    CHECK(results.b->triangle == 9 * 29);
+    CHECK(results.b->cursor == Cursor{9 * 12, Phase::vertices, 0, 0});
+    CHECK(results.comparison.work.is_done());
+    // And the other way round.
+    std::swap(session.a, *session.b);
+    session.selection.triangle = 9 * 29 + 8;
+    session.cursor = cursor_end;
+    finish(session, results);
+    CHECK(results.a.triangle == 9 * 29 + 8);
+    CHECK(results.b->triangle == 29);
+    CHECK(results.b->cursor == cursor_end);
+    CHECK(results.a.drawn_scene().get() == results.a.frame.scene);
+    CHECK(results.b->drawn_scene() == session.scene);
+}
+
 TEST_CASE("Run B is drawn up to the same cursor as run A") {
     Session session = room_session();
     compare_with(session, with(session.a.settings, "interpolation=affine"));

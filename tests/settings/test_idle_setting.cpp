@@ -82,3 +82,27 @@ TEST_CASE("An idle setting says what makes it idle") {
     CHECK(idle_reason(*find_setting("fill_rule"), settings) == "before the stage Rows");
     CHECK(idle_reason(*find_setting("line"), settings).empty());
 }
+
+TEST_CASE("With a flashlight the place of the lamp says nothing, and changes no picture") {
+    const Setting& position = *find_setting("light.position");
+    Scene scene;
+    scene.mesh.add_triangle_of({Vertex{{-1.0f, -1.0f, 1.0f}, {0.0f, 0.0f, -1.0f}},
+                                Vertex{{1.0f, -1.0f, 1.0f}, {0.0f, 0.0f, -1.0f}},
+                                Vertex{{-1.0f, 1.0f, 2.0f}, {0.0f, 0.0f, -1.0f}}});
+    scene.parts.push_back({"wall", 0, 1});
+    scene.viewport = {20, 20};
+    scene.camera = {{0.0f, 0.0f, -1.0f}, 0.0f, 0.0f, 20.0f};
+    Settings settings = default_settings(scene);
+    settings.light.power = glm::vec3(14.0f);
+    for (const LampPlace place : {LampPlace::fixed, LampPlace::camera}) {
+        settings.light.place = place;
+        Settings moved = settings;
+        moved.light.position = {0.3f, 0.4f, 0.0f};
+        const bool is_idle = !idle_reason(position, settings).empty();
+        CAPTURE(std::string(word_of(place)));
+        CHECK(is_idle == (place == LampPlace::camera));
+        CHECK((draw_frame(prepare_frame(scene, settings)) ==
+               draw_frame(prepare_frame(scene, moved))) == is_idle);
+    }
+    CHECK(idle_reason(position, settings) == "while the lamp stands at the camera");
+}

@@ -11,8 +11,10 @@ TEST_CASE("The planes are told of wherever they act, the camera's aim only in th
     settings.camera.aim = CameraAim::look_at;
     settings.camera.target = settings.camera.position;
     const auto in_short = [&](SceneSpace space) {
+        Scene scene;
+        scene.space = space;
         std::vector<std::string> texts;
-        for (const SettingFault& fault : setting_faults(settings, space))
+        for (const SettingFault& fault : setting_faults(settings, scene))
             texts.push_back(fault.in_short);
         return texts;
     };
@@ -30,4 +32,22 @@ TEST_CASE("The planes are told of wherever they act, the camera's aim only in th
     settings.near = 0.5f;
     CHECK(in_short(SceneSpace::world) == std::vector<std::string>{aim});
     CHECK(in_short(SceneSpace::pixels).empty());
+}
+
+TEST_CASE("A tessellation that makes too many triangles is told of with what is drawn instead") {
+    Scene scene;
+    for (int t = 0; t < 200; ++t)
+        scene.mesh.add_triangle_of({});
+    Settings settings;
+    const auto faults = [&] { return setting_faults(settings, scene); };
+    // 200 * 31 * 31 = 192 200, and 200 * 32 * 32 = 204 800.
+    settings.tessellation = 31;
+    CHECK(faults().empty());
+    settings.tessellation = 32;
+    REQUIRE(faults().size() == 1);
+    CHECK(faults()[0].sentence == "tessellation = 32 makes more than 200000 triangles of this "
+                                  "scene: it is cut into 31 parts an edge");
+    CHECK(faults()[0].in_short == "tessellation 31");
+    scene.space = SceneSpace::pixels;
+    CHECK(faults().empty());
 }

@@ -36,6 +36,7 @@ std::string assignment_refusal(const std::string& assignment) {
 TEST_CASE("The table holds exactly the settings that are promised, each with help") {
     const std::vector<std::string_view> promised{"stage",
                                                  "shading",
+                                                 "tessellation",
                                                  "rounding",
                                                  "vertex_rounding",
                                                  "line_rounding",
@@ -190,7 +191,7 @@ TEST_CASE("Numbers, places, colours and sizes are set from text") {
     for (const char* assignment :
          {"camera.yaw=-0.25", "camera.pitch= 0.5 ", "camera.focal_length=1e3",
           "camera.position=1, -2.5 ,3", "light.position=4,5,6", "light.power=14",
-          "light.indirect=0.1,0.2,0.3", "viewport.size=640x480"}) {
+          "light.indirect=0.1,0.2,0.3", "viewport.size=640x480", "tessellation= 64"}) {
         set_from_text(settings, assignment);
     }
     CHECK(settings.camera.yaw == -0.25f);
@@ -201,6 +202,8 @@ TEST_CASE("Numbers, places, colours and sizes are set from text") {
     CHECK(settings.light.power == glm::vec3(14.0f));
     CHECK(settings.light.indirect == glm::vec3(0.1f, 0.2f, 0.3f));
     CHECK(settings.viewport == Viewport{640, 480});
+    CHECK(settings.tessellation == 64);
+    CHECK(value_of(settings, "tessellation") == "64");
     CHECK(value_of(settings, "light.power") == "14");
     CHECK(value_of(settings, "light.indirect") == "0.1,0.2,0.3");
     CHECK(value_of(settings, "camera.focal_length") == "1000");
@@ -249,6 +252,8 @@ TEST_CASE("A value that a setting does not take is refused with what it does tak
           "camera.focal_length cannot be '0': it takes a number from 1 to 100000.");
     CHECK(assignment_refusal("viewport.size=0x0") ==
           "viewport.size cannot be '0x0': it takes WIDTHxHEIGHT, each from 1 to 4096.");
+    CHECK(assignment_refusal("tessellation=65") ==
+          "tessellation cannot be '65': it takes a whole number from 1 to 64.");
     for (const char* assignment : {"rounding=",
                                    "camera.yaw=",
                                    "camera.yaw=nan",
@@ -272,7 +277,12 @@ TEST_CASE("A value that a setting does not take is refused with what it does tak
                                    "viewport.size=-5x5",
                                    "viewport.size=100000x100000",
                                    "viewport.size=99999999999x1",
-                                   "viewport.size=5.5x5"}) {
+                                   "viewport.size=5.5x5",
+                                   "tessellation=0",
+                                   "tessellation=-1",
+                                   "tessellation=2.5",
+                                   "tessellation=99999999999",
+                                   "tessellation="}) {
         INFO(assignment);
         CHECK_THAT(assignment_refusal(assignment), Contains(" cannot be "));
     }
@@ -333,6 +343,8 @@ TEST_CASE("Each setting is compared and copied by itself") {
             choice->write(from, other);
         } else if (std::holds_alternative<SizeSetting>(setting.kind)) {
             set_value(from, setting, "3x4");
+        } else if (std::holds_alternative<WholeSetting>(setting.kind)) {
+            set_value(from, setting, "3");
         } else {
             const bool is_number = std::holds_alternative<NumberSetting>(setting.kind);
             set_value(from, setting,

@@ -36,6 +36,10 @@ struct Changer {
     void operator()(const NumberSetting& kind) const {
         kind.value(settings) = number(kind.smallest, kind.largest);
     }
+    void operator()(const WholeSetting& kind) const {
+        constexpr int largest_tried = 3; // of many triangles a picture takes long
+        kind.value(settings) = random.integer(kind.smallest, std::min(kind.largest, largest_tried));
+    }
     void operator()(const VectorSetting& kind) const {
         for (int i = 0; i < 3; ++i)
             kind.value(settings)[i] = number(kind.smallest, kind.largest);

@@ -49,7 +49,7 @@ done
 # The core needs nothing else: every file of these folders as it is, in one go.
 {
     echo "// The core with one varying more."
-    for file in "$root"/src/scene/{scene,mesh,texture,look_at}.cpp "$root"/src/stages/*.cpp \
+    for file in "$root"/src/scene/{scene,mesh,tessellation,texture,look_at}.cpp "$root"/src/stages/*.cpp \
             "$root"/src/mistakes/*.cpp "$root"/src/settings/settings.cpp \
             "$root"/src/settings/choose_stages.cpp "$root"/src/settings/depth_words.cpp \
             "$root"/src/pipeline/*.cpp "$root"/src/picture/view_image.cpp \

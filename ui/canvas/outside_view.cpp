@@ -218,7 +218,7 @@ void draw_outside(Ui& ui, const Pane& pane) {
                      0.1f * static_cast<float>(arrows.up));
     }
     const RunResults& a = ui.results.a;
-    const OutsideSubject subject{a.scene,           a.frame,          a.frame_number,
+    const OutsideSubject subject{a.drawn_scene(),   a.frame,          a.frame_number,
                                  a.cursor,          a.triangle,       a.picture,
                                  a.picture_number,  *a.framebuffer,   a.picture_before,
                                  a.picture_changed, seen_clipping(ui)};
@@ -230,7 +230,7 @@ void draw_outside(Ui& ui, const Pane& pane) {
     list->PushClipRect(pane.low, pane.high, true);
     draw_image(ui, list, pane);
     const OutsideMarks marks =
-        outside_marks(*a.scene, drawing.things(), drawing.eye(),
+        outside_marks(*a.frame.scene, drawing.things(), drawing.eye(),
                       {a.triangle, subject.clipping, is_seen_mirrored(a)},
                       ui.session.selection.pixel, size_of(pane), bases_of(a.frame, a.triangle));
     const std::string coming = fitting_coming_words(ui, pane);

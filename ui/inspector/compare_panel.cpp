@@ -306,7 +306,7 @@ void draw_group(Ui& ui, const DivergenceGroup& group, int index) {
         stand_at(ui, group.first);
     }
     ImGui::PopID();
-    const std::string part = part_name(*ui.results.a.scene, group.triangle);
+    const std::string part = part_name(*ui.results.a.frame.scene, group.triangle);
     name_widget(ui, "compare.group." + std::to_string(index),
                 triangle_name(group.triangle) + ", " + part + ": from " + to_text(group.first) +
                     " to " + to_text(group.last) + ".\nClick: stands at the first of them.");

@@ -98,7 +98,7 @@ std::string place_of(const FragmentReport& report, float room) {
 void draw_title(Ui& ui) {
     const FragmentReport& report = report_of(ui);
     const Palette& p = palette(ui.options.theme);
-    const Scene& scene = *ui.results.a.scene;
+    const Scene& scene = *ui.results.a.frame.scene;
     const int triangle = report.cursor.triangle;
     const std::string part = part_name(scene, triangle);
     const std::vector<std::string> parts{part, part.substr(part.rfind(' ') + 1)};

@@ -22,7 +22,7 @@ void draw_triangle_title(Ui& ui) {
     ImGui::TextUnformatted(triangle_name(triangle).c_str());
     keep_item_whole(ui);
     ImGui::PopFont();
-    const std::string part = part_name(*ui.results.a.scene, triangle);
+    const std::string part = part_name(*ui.results.a.frame.scene, triangle);
     name_widget(ui, "triangle.name",
                 "The triangle that the inspector shows, of the part \"" + part +
                     "\"; the scene's triangles count from 0, as in a C++ program.");

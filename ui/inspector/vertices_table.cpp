@@ -37,6 +37,14 @@ const VertexLine lines[] = {
     {"normal", "x", "normal.x", 3, "Across the surface, of unit length.", true},
     {"", "y", "normal.y", 3, "Across the surface, of unit length.", true},
     {"", "z", "normal.z", 3, "Across the surface, of unit length.", true},
+    {"shine", "n·h", "light.n_dot_h", 3,
+     "How near the normal is to half-way between lamp and eye: 1 at the mirror image of the lamp.",
+     true, true},
+    {"", "(n·h)^e", "light.power", 3,
+     "The larger the exponent, the faster the highlight falls off.", true, true},
+    {"", "S red", "light.S.red", 3, "The highlight, which comes on top.", true, true},
+    {"", "S green", "light.S.green", 3, "The highlight, which comes on top.", true, true},
+    {"", "S blue", "light.S.blue", 3, "The highlight, which comes on top.", true, true},
     {"light", "red", "light.R.red", 3, "The light that this vertex gives back: R = ρ (D + N).",
      true},
     {"", "green", "light.R.green", 3, "The light that this vertex gives back: R = ρ (D + N).",
@@ -102,6 +110,8 @@ bool repeats_space_before(const Ui& ui, const VertexLine& line) {
 /// is a subject there is none, and as long as the camera is not turned, it is not "rotated".
 bool is_shown(const Ui& ui, const VertexLine& line) {
     const bool keeps_short = hides_tabs(ui.session);
+    if (line.is_highlight && ui.results.a.frame.settings.light.model == LightModel::lambert)
+        return false;
     if (line.is_light) {
         return shading_rule(ui.results.a.frame.settings) != Shading::unlit &&
                (!keeps_short || is_offered(ui.session, *find_tab("fragment")));

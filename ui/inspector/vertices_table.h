@@ -15,7 +15,8 @@ struct VertexLine {
     const char* id; ///< of the formula in the vertex report
     int digits;
     const char* help;
-    bool is_light = false; ///< only in the stages that compute light
+    bool is_light = false;     ///< only in the stages that compute light
+    bool is_highlight = false; ///< and only with a model that has highlights
 };
 
 /// The lines of the table, from top to bottom.

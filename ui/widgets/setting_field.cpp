@@ -110,6 +110,20 @@ void edit_number(Ui& ui, Settings& settings, const std::string& name, const std:
     if (edit_float(ui, name, help, number, value)) number.value(settings) = value;
 }
 
+/// A slider, on which equal ways multiply by equal factors.
+void edit_whole(Ui& ui, Settings& settings, const std::string& name, const std::string& help,
+                const WholeSetting& whole) {
+    int value = whole.value(settings);
+    bool is_changed = ImGui::SliderInt("##value", &value, whole.smallest, whole.largest, "%d",
+                                       ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+    name_widget(ui, name, help);
+    if (const int more = take_arrows(ui, name).more(); more != 0) {
+        value += more;
+        is_changed = true;
+    }
+    if (is_changed) whole.value(settings) = std::clamp(value, whole.smallest, whole.largest);
+}
+
 void edit_vector(Ui& ui, Settings& settings, const std::string& name, const std::string& help,
                  const VectorSetting& vector) {
     glm::vec3 value = vector.value(settings);
@@ -165,6 +179,8 @@ void edit_setting(Ui& ui, Settings& settings, const Setting& setting, const std:
         edit_choice(ui, settings, setting, name, *choice, {});
     } else if (const auto* number = std::get_if<NumberSetting>(&setting.kind)) {
         edit_number(ui, settings, name, help, *number);
+    } else if (const auto* whole = std::get_if<WholeSetting>(&setting.kind)) {
+        edit_whole(ui, settings, name, help, *whole);
     } else if (const auto* vector = std::get_if<VectorSetting>(&setting.kind)) {
         edit_vector(ui, settings, name, help, *vector);
     } else if (const auto* size = std::get_if<SizeSetting>(&setting.kind)) {

@@ -33,6 +33,7 @@ class Tour {
     void all() {
         every_tab();
         turned();
+        shining();
         compared();
         small_triangle();
         small_window();
@@ -100,6 +101,13 @@ class Tour {
         follow_link(driver.ui, "tab:vertices");
         look(driver);
         follow_link(driver.ui, "set:transform=matrices");
+        look(driver);
+    }
+
+    /// Of a surface with a highlight, at the vertices too.
+    void shining() {
+        Driver driver("cylinder.toml");
+        follow_link(driver.ui, "tab:vertices");
         look(driver);
     }
 

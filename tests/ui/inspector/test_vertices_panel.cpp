@@ -94,6 +94,27 @@ TEST_CASE("Each number of the vertices is that of the report, and a click shows 
     }
 }
 
+TEST_CASE("The highlight at a vertex stands in the table, term by term, where the model has one") {
+    Driver driver("cylinder.toml");
+    const char* const terms[] = {"light.n_dot_h", "light.power", "light.S.red", "light.S.blue"};
+    driver.ui.session.selection.triangle = 22;
+    driver.open("vertices");
+    const VertexReport report = vertex_report(driver.ui.results.a.frame, 22, 1);
+    for (const std::string id : terms) {
+        INFO(id);
+        const Formula* const formula = find_formula(report.formulas, id);
+        REQUIRE(formula != nullptr);
+        CHECK(number_in(shown_text(driver, cell(id, 1))) ==
+              Approx(static_cast<double>(formula->result.value)).margin(0.00051));
+        driver.hand.click(cell(id, 1));
+        CHECK(shown_text(driver, "vertices.formula.result") == shown(formula->result));
+    }
+    driver.ui.session.a.settings.light.model = LightModel::lambert;
+    driver.hand.frames(1);
+    CHECK_FALSE(driver.hand.is_visible(cell("light.n_dot_h", 1)));
+    CHECK(driver.hand.is_visible(cell("light.R.red", 1)));
+}
+
 TEST_CASE("The inputs of a vertex's formula lead on: to another formula, and to a setting") {
     Driver driver;
     driver.ui.session.selection.triangle = 7;
