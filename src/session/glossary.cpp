@@ -1,15 +1,30 @@
 #include "session/glossary.h"
 
+#include <algorithm>
+#include <cctype>
+
 #include "base/files.h"
 #include "base/toml_input.h"
 
 namespace rasterwalk {
 
+namespace {
+
+/// In the alphabet, where a capital stands beside its small letter.
+bool comes_before(std::string_view a, std::string_view b) {
+    const auto is_less = [](unsigned char x, unsigned char y) {
+        return std::tolower(x) < std::tolower(y);
+    };
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), is_less);
+}
+
+} // namespace
+
 std::vector<Term> parse_glossary(std::string_view text, const std::string& path) {
     const auto read = [](const TomlInput& entry, const std::vector<Term>& terms) {
         entry.allow_only({"word", "sentence", "section"});
         Term term{entry.text("word"), entry.text("sentence"), entry.text("section")};
-        if (!terms.empty() && term.word <= terms.back().word) {
+        if (!terms.empty() && !comes_before(terms.back().word, term.word)) {
             entry.fail("the term '" + term.word + "' stands behind '" + terms.back().word +
                        "': terms are sorted, and each stands once.");
         }

@@ -11,6 +11,9 @@ struct BoundsOf {
     NumberBounds operator()(const NumberSetting& kind) const {
         return {kind.smallest, kind.largest};
     }
+    NumberBounds operator()(const WholeSetting& kind) const {
+        return {static_cast<float>(kind.smallest), static_cast<float>(kind.largest)};
+    }
     NumberBounds operator()(const VectorSetting& kind) const {
         return {kind.smallest, kind.largest};
     }
@@ -26,6 +29,7 @@ NumberBounds bounds_of(const Setting& setting) {
 
 bool is_slider(const Setting& setting) {
     return std::holds_alternative<NumberSetting>(setting.kind) ||
+           std::holds_alternative<WholeSetting>(setting.kind) ||
            std::holds_alternative<VectorSetting>(setting.kind);
 }
 
@@ -33,6 +37,8 @@ float slider_value(const Setting& setting, const ControlRange& range, const Sett
     Settings copy = settings; // the table only gives out what can be written
     if (const auto* const number = std::get_if<NumberSetting>(&setting.kind))
         return number->value(copy);
+    if (const auto* const whole = std::get_if<WholeSetting>(&setting.kind))
+        return static_cast<float>(whole->value(copy));
     const glm::vec3& vector = std::get<VectorSetting>(setting.kind).value(copy);
     return range.part < 0 ? std::max({vector.x, vector.y, vector.z}) : vector[range.part];
 }
@@ -41,6 +47,10 @@ void set_slider_value(const Setting& setting, const ControlRange& range, float v
                       Settings& settings) {
     if (const auto* const number = std::get_if<NumberSetting>(&setting.kind)) {
         number->value(settings) = value;
+        return;
+    }
+    if (const auto* const whole = std::get_if<WholeSetting>(&setting.kind)) {
+        whole->value(settings) = static_cast<int>(std::lround(value));
         return;
     }
     glm::vec3& vector = std::get<VectorSetting>(setting.kind).value(settings);

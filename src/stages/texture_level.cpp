@@ -49,7 +49,7 @@ TextureSlope texture_slope(std::span<const ScreenVertex> vertices, const Stages&
         t.area = t.ab.x * t.ac.y - t.ab.y * t.ac.x;
         if (std::abs(t.area) > std::abs(largest.area)) largest = t;
     }
-    if (largest.area == 0.0) return {};
+    if (largest.a == nullptr) return {}; // no triangle has an area
     const auto weight = [&](const ScreenVertex* vertex) {
         return static_cast<double>(stages.varying_weight(vertex->inv_w));
     };

@@ -96,7 +96,7 @@ struct VaryingSet {
 
     static constexpr VaryingSet all() { return {(1u << varying_count) - 1u}; }
     template <class... Members>
-    static constexpr VaryingSet of(Members... members) {
+    static consteval VaryingSet of(Members... members) {
         return {((1u << varying_index(members)) | ... | 0u)};
     }
     constexpr bool has(int index) const { return (bits >> index & 1u) != 0; }

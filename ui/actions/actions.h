@@ -7,6 +7,7 @@
 
 namespace rasterwalk {
 
+struct Scene;
 struct Ui;
 
 /// A key with the keys held beside it.

@@ -17,9 +17,9 @@ namespace rasterwalk {
 namespace {
 
 constexpr const char* slider = "lesson.control.camera.focal_length";
-constexpr const char* words = "lesson.control.interpolation";
+constexpr const char* words_control = "lesson.control.interpolation";
 
-constexpr const char* lesson_text = R"(<!-- lesson
+constexpr const char* lesson_with_controls = R"(<!-- lesson
 title = "A slider"
 section = "Drawing points"
 minutes = 5
@@ -66,7 +66,7 @@ struct SliderRoom {
 
     explicit SliderRoom(ImVec2 window = {1600, 1000}, float text_scale = 1.0f)
         : driver("lab-room.toml", window, text_scale) {
-        folder.write("01-slider.md", lesson_text);
+        folder.write("01-slider.md", lesson_with_controls);
         ui.lesson.lessons.read_folder(folder.file(""));
         open(1);
     }
@@ -145,10 +145,10 @@ TEST_CASE("A setting of words has a list in the card, of the words that the less
     SliderRoom room;
     Driver& driver = room.driver;
     room.open(2);
-    driver.hand.click(words);
-    CHECK(driver.hand.is_visible(std::string(words) + "=perspective"));
-    CHECK_FALSE(driver.hand.is_visible(std::string(words) + "=zinv_twice"));
-    driver.hand.click(std::string(words) + "=affine");
+    driver.hand.click(words_control);
+    CHECK(driver.hand.is_visible(std::string(words_control) + "=perspective"));
+    CHECK_FALSE(driver.hand.is_visible(std::string(words_control) + "=zinv_twice"));
+    driver.hand.click(std::string(words_control) + "=affine");
     CHECK(driver.ui.session.a.settings.interpolation == Interpolation::affine);
 }
 
