@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include <fmt/format.h>
+
 #include "base/error.h"
 #include "session/content.h"
 #include "session/scene_file.h"
@@ -101,22 +103,30 @@ void draw_scene_menu(Ui& ui) {
     }
 }
 
+/// @param wanted becomes the lesson's id when it is chosen
+void draw_lesson_item(Ui& ui, std::size_t i, std::string& wanted) {
+    const Lesson& lesson = ui.lesson.lessons.all()[i];
+    const std::string title = fmt::format("{}  {}", lesson_number(lesson.id), lesson.title);
+    const bool is_done = ui.lesson.scores.of(i).is_done;
+    if (ImGui::MenuItem(title.c_str(), is_done ? "✓ done" : nullptr,
+                        lesson.id == ui.session.lesson)) {
+        wanted = lesson.id;
+    }
+    name_widget(ui, "menu.lesson." + lesson.id, lesson.about);
+}
+
 void draw_lesson_menu(Ui& ui) {
     // The copy outlives the list, which opening a lesson may read anew.
     std::string wanted;
     ui.lesson.scores.renew(ui.lesson.progress, ui.lesson.lessons);
     const std::vector<Lesson>& lessons = ui.lesson.lessons.all();
     draw_line_between(ui);
+    // The ten around the open one: all of them are more than a low window holds, and stand in the
+    // list of lessons.
+    const auto ten_of = [](std::string_view id) { return (lesson_number(id) + 9) / 10; };
+    const int ten = ui.session.lesson.empty() ? 1 : ten_of(ui.session.lesson);
     for (std::size_t i = 0; i < lessons.size(); ++i) {
-        const Lesson& lesson = lessons[i];
-        const bool is_done = ui.lesson.scores.of(i).is_done;
-        std::string title = std::to_string(lesson_number(lesson.id));
-        title.append("  ").append(lesson.title);
-        if (ImGui::MenuItem(title.c_str(), is_done ? "✓ done" : nullptr,
-                            lesson.id == ui.session.lesson)) {
-            wanted = lesson.id;
-        }
-        name_widget(ui, "menu.lesson." + lesson.id, lesson.about);
+        if (ten_of(lessons[i].id) == ten) draw_lesson_item(ui, i, wanted);
     }
     if (!wanted.empty()) open_lesson(ui, wanted, ui.lesson.progress.of(wanted).last_step);
 }

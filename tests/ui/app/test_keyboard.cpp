@@ -85,9 +85,6 @@ TEST_CASE("By keys alone: from the start page through a lesson to the mistakes")
         CHECK(step_of(ui.session.a.settings) == info.step);
     }
 
-    // The step has opened the settings itself.
-    REQUIRE(is_settings_open(ui));
-    driver.hand.press(key::escape);
     CHECK_FALSE(is_settings_open(ui));
     driver.hand.press(key::comma, {.ctrl = true});
     REQUIRE(is_settings_open(ui));

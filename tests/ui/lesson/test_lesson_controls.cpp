@@ -89,7 +89,7 @@ struct SliderRoom {
 
 } // namespace
 
-TEST_CASE("A slider in the lesson's card sets the setting, the read-out and the task") {
+TEST_CASE("A slider in the lesson's card sets the setting and the read-out") {
     for (const SmallWindow& window :
          {SmallWindow{{1600, 1000}, 1.0f}, SmallWindow{{1024, 640}, 1.0f},
           SmallWindow{{1024, 640}, 1.5f}}) {
@@ -114,7 +114,16 @@ TEST_CASE("A slider in the lesson's card sets the setting, the read-out and the 
         CHECK(room.f() == 1500.0f);
         driver.hand.press('Z', {.ctrl = true});
         CHECK(room.f() == dragged);
+    }
+}
 
+TEST_CASE("A number typed into the slider of a lesson's card solves its task, within what the "
+          "lesson offers") {
+    for (const SmallWindow& window :
+         {SmallWindow{{1600, 1000}, 1.0f}, SmallWindow{{1024, 640}, 1.5f}}) {
+        INFO(window.size.x << " x " << window.size.y << ", text " << window.text_scale);
+        SliderRoom room(window.size, window.text_scale);
+        Driver& driver = room.driver;
         CHECK_FALSE(room.is_done());
         driver.hand.enter(slider, "1000");
         CHECK(room.f() == 1000.0f);

@@ -1,10 +1,11 @@
 // Large models are read beside the window.
 
-#include <fstream>
 #include <memory>
 #include <string>
 
+#include <fcntl.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <catch2/catch.hpp>
 
@@ -58,6 +59,8 @@ TEST_CASE("A click stops the reading, and the window does not wait for its threa
     // Nobody writes into this pipe, so that the thread cannot come to its end.
     const std::string pipe = folder.file("pipe.obj");
     REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+    const int writer = ::open(pipe.c_str(), O_RDWR);
+    REQUIRE(writer >= 0);
     Driver driver;
     const std::shared_ptr<const Scene> before = driver.ui.session.scene;
     begin_reading(driver.ui, pipe);
@@ -70,7 +73,7 @@ TEST_CASE("A click stops the reading, and the window does not wait for its threa
     CHECK_FALSE(driver.ui.widgets.contains("reading.stop"));
     CHECK_FALSE(is_animating(driver.ui));
     CHECK(driver.ui.session.scene == before);
-    std::ofstream(pipe) << "v 0 0 0\n"; // the writer is gone: the thread has all it waits for
+    ::close(writer); // the thread has all it waits for
     while (!driver.ui.reading.stopped.empty())
         driver.hand.frames(1);
     CHECK(driver.ui.session.scene == before);
