@@ -132,7 +132,7 @@ inline OracleColour oracle_sample(const std::vector<OracleLevel>& chain, const g
     switch (filter) {
     case TextureFilter::nearest: {
         const glm::dvec2 place = uv * size;
-        const auto is_on_border = [near](double x) { return std::abs(x - std::round(x)) < near; };
+        const auto is_on_border = [](double x) { return std::abs(x - std::round(x)) < near; };
         const auto texel = [](double x) { return static_cast<int>(std::floor(x)); };
         return {base.at(oracle_texel(texel(place.x), base.width, wrap),
                         oracle_texel(texel(place.y), base.height, wrap)),

@@ -14,7 +14,7 @@ namespace rasterwalk {
 namespace {
 
 /// Design pixels.
-constexpr float card_gap = 8.0f, card_inset = 6.0f, largest_side = 150.0f, least_side = 48.0f;
+constexpr float card_gap = 8.0f, card_inset = 6.0f, largest_shown_side = 150.0f, least_side = 48.0f;
 constexpr float card_rounding = 4.0f;
 
 /// Of the page, for a row of cards.
@@ -180,7 +180,7 @@ std::optional<std::size_t> draw_small_pictures(Ui& ui, std::span<const SmallPict
     }
     const float around = (title_lines + word_lines) * line + 4.0f * inset;
     const float side =
-        std::clamp(share_of_page * page_room(ui) - around, least_side * u, largest_side * u);
+        std::clamp(share_of_page * page_room(ui) - around, least_side * u, largest_shown_side * u);
     const Image& first = *pictures.front().image;
     const float fitting =
         std::min(room / static_cast<float>(first.width), side / static_cast<float>(first.height));
