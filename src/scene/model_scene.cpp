@@ -14,13 +14,13 @@ namespace rasterwalk {
 
 namespace {
 
-struct Box {
+struct ModelBox {
     glm::vec3 least{0.0f}, most{0.0f};
 };
 
 template <class Places>
-Box box_of(const Places& places, std::size_t count) {
-    Box box{places(0), places(0)};
+ModelBox box_of(const Places& places, std::size_t count) {
+    ModelBox box{places(0), places(0)};
     for (std::size_t i = 1; i < count; ++i) {
         box.least = glm::min(box.least, places(i));
         box.most = glm::max(box.most, places(i));
@@ -28,13 +28,13 @@ Box box_of(const Places& places, std::size_t count) {
     return box;
 }
 
-Box box_of(const Mesh& mesh) {
+ModelBox box_of(const Mesh& mesh) {
     return box_of([&](std::size_t i) { return mesh.vertices()[i].position; },
                   mesh.vertices().size());
 }
 
 /// What puts a box into the middle of the world.
-std::vector<ModelStep> fitting_steps(const Box& box) {
+std::vector<ModelStep> fitting_steps(const ModelBox& box) {
     const glm::vec3 middle = box.least + (box.most - box.least) * 0.5f;
     const glm::vec3 half = (box.most - box.least) * 0.5f;
     const float longest = std::max({half.x, half.y, half.z});
@@ -44,7 +44,7 @@ std::vector<ModelStep> fitting_steps(const Box& box) {
     return {{ModelStepKind::translate, -middle}, {ModelStepKind::scale, {scale, -scale, -scale}}};
 }
 
-Camera fitting_camera(const Box& box, const Viewport& viewport) {
+Camera fitting_camera(const ModelBox& box, const Viewport& viewport) {
     Camera camera;
     camera.yaw = 0.5f;
     camera.pitch = -0.35f;

@@ -32,10 +32,10 @@ float part_share(int part, int parts) {
 }
 
 /// A point of the grid over a triangle: so many parts from corner 0 toward 1, and toward 2.
-struct GridPoint {
+struct CutPoint {
     int to_b, to_c;
 };
-using GridTriangle = std::array<GridPoint, triangle_corners>;
+using GridTriangle = std::array<CutPoint, triangle_corners>;
 
 /// The parts of a triangle: row by row, the rows parallel to the side from corner 0 to corner 1.
 std::vector<GridTriangle> grid_triangles(int parts) {
@@ -51,7 +51,7 @@ std::vector<GridTriangle> grid_triangles(int parts) {
 
 /// What stands at a point of the grid: the same to the last bit where the corners are the same.
 template <class Value>
-Value mix(const Value& a, const Value& b, const Value& c, const GridPoint& at, int parts) {
+Value mix(const Value& a, const Value& b, const Value& c, const CutPoint& at, int parts) {
     return a + (b - a) * part_share(at.to_b, parts) + (c - a) * part_share(at.to_c, parts);
 }
 
@@ -116,7 +116,7 @@ class MeshCutter {
         return first;
     }
 
-    int add_inside(const Vertex& a, const Vertex& b, const Vertex& c, const GridPoint& at) {
+    int add_inside(const Vertex& a, const Vertex& b, const Vertex& c, const CutPoint& at) {
         const auto mixed = [&](auto Vertex::*member) {
             return mix(a.*member, b.*member, c.*member, at, parts_);
         };
@@ -130,7 +130,7 @@ class MeshCutter {
     }
 
     /// The vertex at a point of the grid over a triangle.
-    int vertex_at(const TriangleIndices& t, const GridPoint& at) {
+    int vertex_at(const TriangleIndices& t, const CutPoint& at) {
         if (at.to_c == 0) return on_edge(t[0], t[1], at.to_b);
         if (at.to_b == 0) return on_edge(t[0], t[2], at.to_c);
         if (at.to_b + at.to_c == parts_) return on_edge(t[1], t[2], at.to_c);
@@ -140,7 +140,7 @@ class MeshCutter {
     void add_parts(const TriangleIndices& triangle) {
         const auto side = static_cast<std::size_t>(parts_) + 1;
         grid_.assign(side * side, 0);
-        const auto place = [&](const GridPoint& at) -> int& {
+        const auto place = [&](const CutPoint& at) -> int& {
             return grid_[static_cast<std::size_t>(at.to_c) * side +
                          static_cast<std::size_t>(at.to_b)];
         };
@@ -167,7 +167,7 @@ std::vector<glm::vec3> cut_places(const std::vector<glm::vec3>& given, int parts
     made.reserve(given.size() * pattern.size());
     for (std::size_t i = 0; i + triangle_corners <= given.size(); i += triangle_corners) {
         for (const GridTriangle& part : pattern) {
-            for (const GridPoint& at : part)
+            for (const CutPoint& at : part)
                 made.push_back(mix(given[i], given[i + 1], given[i + 2], at, parts));
         }
     }

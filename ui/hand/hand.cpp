@@ -119,7 +119,7 @@ void Hand::press_mouse(int mouse_button, Held held, int times) {
         frames(1);
     }
     set_held({});
-    rest();
+    frames(frames_to_rest); // what a click opens may still be unseen when nothing moves
 }
 
 void Hand::drag_to(ImVec2 from, ImVec2 to, Held held, int mouse_button) {
@@ -138,7 +138,7 @@ void Hand::drag_to(ImVec2 from, ImVec2 to, Held held, int mouse_button) {
     io.MouseDown[mouse_button] = false;
     frames(1);
     set_held({});
-    rest();
+    frames(frames_to_rest);
 }
 
 void Hand::hover(std::string_view name) {
