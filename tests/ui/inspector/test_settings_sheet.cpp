@@ -250,7 +250,8 @@ TEST_CASE("A setting that a lesson asks for stays where it is until its next ste
     // The next step sets the stage as well.
     driver.hand.click("lesson.next");
     REQUIRE(driver.ui.session.step == 5);
-    driver.hand.press(key::comma, {.ctrl = true}); // it has a slider of its own, and no need of them
+    driver.hand.press(key::comma,
+                      {.ctrl = true}); // it has a slider of its own, and no need of them
     CHECK(top("stage") < top("camera.yaw"));
 }
 
