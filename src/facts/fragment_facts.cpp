@@ -151,6 +151,16 @@ void add_pixel_facts(std::vector<Fact>& table) {
                              " in the end, linear, not cut at 1; 0 where nothing falls.",
                          real(), pixel_channel, i});
     }
+    table.push_back({"pixel.alpha",
+                     "Alpha of the surface that the picked pixel shows in the end, as it is "
+                     "blended: 1 where it is not.",
+                     real(0), [](const Facts& f, int) {
+                         const PixelEntry* const winner = f.winner();
+                         const Frame& frame = f.results().a.frame;
+                         if (winner == nullptr) return Value();
+                         return number(
+                             frame.blends ? alpha_of(*frame.scene, winner->cursor.triangle) : 1.0f);
+                     }});
     table.push_back({"pixel.light_error",
                      "How far off affine interpolation puts the light there, largest channel.",
                      real(0), [](const Facts& f, int) {

@@ -380,6 +380,16 @@ template <>
 inline constexpr auto enum_words<DepthTest> = word_list("inverse_z", "linear_z", "off", "reversed");
 static_assert(words_match<DepthTest>);
 
+/// How what is half transparent is laid over what its pixel shows.
+enum class Blend : std::uint8_t {
+    over,    ///< alpha times its colour, and 1 - alpha times what is there
+    off,     ///< not at all: it is drawn as if it were opaque
+    swapped, ///< the shares the wrong way round: mistake B63
+};
+template <>
+inline constexpr auto enum_words<Blend> = word_list("over", "off", "swapped");
+static_assert(words_match<Blend>);
+
 /// Which cell of the depth buffer belongs to the pixel (x, y).
 enum class DepthIndex : std::uint8_t {
     row_major,  ///< [y][x]: row y, column x

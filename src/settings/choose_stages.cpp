@@ -1,5 +1,6 @@
 #include "settings/choose_stages.h"
 
+#include "mistakes/blend.h"
 #include "mistakes/clip.h"
 #include "mistakes/coverage.h"
 #include "mistakes/cull.h"
@@ -391,6 +392,19 @@ void choose(DepthIndex index, Stages& stages) {
     if (index == DepthIndex::transposed) stages.depth_cell = depth_cell_transposed;
 }
 
+void choose(Blend blend, Stages& stages) {
+    switch (blend) {
+    case Blend::over:
+        break;
+    case Blend::off:
+        stages.blend = blend_nothing;
+        break;
+    case Blend::swapped:
+        stages.blend = blend_swapped;
+        break;
+    }
+}
+
 void choose(Bounds bounds, Stages& stages) {
     if (bounds == Bounds::excludes_zero) stages.drawn_area = drawn_area_without_zero;
 }
@@ -449,6 +463,7 @@ Stages choose_stages(const Settings& settings) {
     choose(settings.light_rules, stages);
     choose(depth_rule(settings), depth_rules(settings, SceneSpace::world), stages);
     choose(settings.depth_index, stages);
+    choose(settings.blend, stages);
     choose(settings.bounds, stages);
     choose(settings.colour_over_one, stages);
     return stages;

@@ -231,6 +231,19 @@ std::vector<Setting> make_table() {
          {},
          {},
          true},
+        {"blend",
+         "Half transparent",
+         "Depth and interpolation",
+         "How what is half transparent is drawn: over what its pixel shows, by its alpha; as if it "
+         "were opaque; or, by mistake, with the two shares the wrong way round.",
+         "Beyond the lab",
+         "",
+         choice<&Settings::blend>(),
+         {},
+         {},
+         false,
+         false,
+         true},
         {"camera.position", "Camera position", "Camera",
          "Where the camera stands: x right, y down, z forward.", "Moving the camera", "world units",
          VectorSetting{[](Settings& s) -> glm::vec3& { return s.camera.position; }, -largest_place,
@@ -396,6 +409,7 @@ std::span<const Setting> setting_table() {
 
 bool is_of_use(const Setting& setting, const Scene& scene) {
     if (setting.needs_world && scene.space != SceneSpace::world) return false;
+    if (setting.needs_alpha && !has_alpha(scene)) return false;
     return !setting.needs_texture || !scene.textures.empty();
 }
 

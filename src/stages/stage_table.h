@@ -5,6 +5,7 @@
 // the laboratory are such functions, in src/mistakes; which of them stand in the table follows from
 // the settings, in settings/choose_stages.h.
 
+#include "stages/blend.h"
 #include "stages/clip.h"
 #include "stages/cull.h"
 #include "stages/depth_test.h"
@@ -94,6 +95,9 @@ struct Stages {
     // Texture lookup: which texel stands beyond the border, and which texels are mixed.
     int (*wrap_texel)(int texel, int count) = wrap_repeat;
     decltype(&sample_nearest) sample_texture = sample_nearest;
+
+    // Asked of each fragment of what is half transparent, before it is put.
+    decltype(&blend_over) blend = blend_over;
 
     // Put pixel: which pixels there are, and what a channel becomes.
     decltype(&rasterwalk::drawn_area) drawn_area = rasterwalk::drawn_area;

@@ -209,6 +209,8 @@ void draw_depth(Ui& ui) {
     name_widget(ui, "fragment.fate",
                 "The fragment is drawn if its value is " +
                     std::string(depth_words(ui.results.a.frame).nearer) + ": margin > 0.");
+    for (const char* id : {"blend.red", "blend.green", "blend.blue"})
+        draw_fragment_line(ui, id, std::string(id).substr(std::string("blend.").size()));
     draw_colours(ui);
     end_card(ui);
 }
