@@ -58,7 +58,8 @@ Value table_fragments(const Facts& facts, int) {
 /// What the picked pixel takes of its texture.
 void add_texture_facts(std::vector<Fact>& table) {
     using Texels = const TextureReport&;
-    const ValueRange texel = whole(0, largest_texture_side - 1);
+    // Below 0 only by mistake B67.
+    const ValueRange texel = whole(1 - largest_texture_side, largest_texture_side - 1);
     table.push_back({"pixel.u",
                      "u of what the picked pixel shows in the end: its place in the texture, from "
                      "the left, 0 to 1.",

@@ -296,6 +296,18 @@ static_assert(words_match<Interpolation>);
 
 inline constexpr std::size_t interpolation_count = enum_words<Interpolation>.size();
 
+/// How a place in a texture becomes the number of a texel.
+enum class TexelRule : std::uint8_t {
+    right,         ///< v from the top, centres at i + 1/2, numbers from 0 on
+    upside_down,   ///< v from the bottom: mistake B65
+    whole_centres, ///< centres at i: mistake B66
+    remainder,     ///< texel % count where the texture is repeated: mistake B67
+};
+template <>
+inline constexpr auto enum_words<TexelRule> = word_list("right", "upside_down", "whole_centres",
+                                                        "remainder");
+static_assert(words_match<TexelRule>);
+
 /// Which comes first, the depth test or the colour of a fragment. The picture is the same, the work
 /// is not.
 enum class DepthOrder : std::uint8_t {

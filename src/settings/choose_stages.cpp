@@ -11,6 +11,7 @@
 #include "mistakes/lines.h"
 #include "mistakes/project.h"
 #include "mistakes/put_pixel.h"
+#include "mistakes/texture.h"
 #include "mistakes/vertex_shader.h"
 #include "stages/active_edges.h"
 #include "stages/matrices.h"
@@ -311,6 +312,24 @@ void choose(TextureWrap wrap, Stages& stages) {
     }
 }
 
+void choose(TexelRule rule, TextureWrap wrap, Stages& stages) {
+    switch (rule) {
+    case TexelRule::right:
+        break;
+    case TexelRule::upside_down:
+        stages.texel_place = texel_place_upside_down;
+        break;
+    case TexelRule::whole_centres:
+        stages.texel_place = texel_place_of_whole_centres;
+        break;
+    case TexelRule::remainder:
+        if (wrap != TextureWrap::repeat) break;
+        stages.wrap_texel = wrap_by_remainder;
+        stages.read_texel = read_texel_in_memory;
+        break;
+    }
+}
+
 using LightFunction = decltype(Stages::reflected_light);
 
 template <auto way, auto length, auto area>
@@ -460,6 +479,7 @@ Stages choose_stages(const Settings& settings) {
     choose(settings.interpolation, stages);
     choose(settings.texture_filter, stages);
     choose(settings.texture_wrap, stages);
+    choose(settings.texel_rule, settings.texture_wrap, stages);
     choose(settings.light_rules, stages);
     choose(depth_rule(settings), depth_rules(settings, SceneSpace::world), stages);
     choose(settings.depth_index, stages);

@@ -231,6 +231,18 @@ std::vector<Setting> make_table() {
          {},
          {},
          true},
+        {"texel_rule",
+         "Number of a texel",
+         "Texture",
+         "How a place in a texture becomes the number of a texel: rightly, or by mistake with v "
+         "from the bottom, with the centres of texels at whole numbers, or with a remainder that "
+         "may be below 0. The last one only where texture_wrap is repeat.",
+         "Light per pixel",
+         "",
+         choice<&Settings::texel_rule>(),
+         {},
+         {},
+         true},
         {"blend",
          "Half transparent",
          "Depth and interpolation",

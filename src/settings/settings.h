@@ -42,6 +42,7 @@ struct Settings {
     TextureUse texture = TextureUse::on; ///< only where the scene has textures
     TextureFilter texture_filter = TextureFilter::nearest;
     TextureWrap texture_wrap = TextureWrap::repeat;
+    TexelRule texel_rule = TexelRule::right;
     Blend blend = Blend::over; ///< only where the scene has something half transparent
     Camera camera;
     Rotation rotation = Rotation::row_vector;

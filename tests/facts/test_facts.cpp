@@ -420,3 +420,23 @@ TEST_CASE("Where a picked pixel lies in its texture, and which texels it takes, 
     CHECK(wall.number("pixel.level") > 1);
     CHECK(wall.number("pixel.texel.level") >= 1);
 }
+
+TEST_CASE("Affine interpolation is off by whole texels, and the error of the light has them") {
+    Asked wall;
+    wall.session = open_session(lessons_folder() + "/scenes/receding-wall.toml");
+    Settings& settings = wall.session.a.settings;
+    settings.stage = Stage::shade;
+    int other_texel = 0;
+    for (int column = 40; column < 160; column += 8) {
+        INFO("column " << column);
+        wall.session.selection.pixel = glm::ivec2(column, 74);
+        settings.texture = TextureUse::off;
+        const double plain = wall.number("pixel.light_error");
+        settings.texture = TextureUse::on;
+        const double painted = wall.number("pixel.light_error");
+        // Texels are 0..1: where both ways take the same one, the error cannot grow.
+        other_texel += painted > plain + 0.2 ? 1 : 0;
+    }
+    CHECK(other_texel > 3);
+    CHECK(other_texel < 15);
+}
