@@ -22,9 +22,10 @@ struct TextureAxis {
     const char* place;      ///< "x": in texels
     const char* count;      ///< "width"
     const char* line;       ///< "column": of a texel
+    TexelLine texel_line;
 };
-constexpr std::array texture_axes{TextureAxis{0, "u", "x", "width", "column"},
-                                  TextureAxis{1, "v", "y", "height", "row"}};
+constexpr std::array texture_axes{TextureAxis{0, "u", "x", "width", "column", TexelLine::column},
+                                  TextureAxis{1, "v", "y", "height", "row", TexelLine::row}};
 
 int size_of(const TextureLevel& level, const TextureAxis& axis) {
     return axis.index == 0 ? level.width : level.height;
@@ -82,19 +83,51 @@ class TextureFormulas {
                 from_formula(coordinate_ids_[static_cast<std::size_t>(axis.index)])};
     }
 
+    float place_of(const TextureAxis& axis, int count) const {
+        return frame_.stages.texel_place(report_.place.texcoord[axis.index], count,
+                                         axis.texel_line);
+    }
+
+    /// How a place in texels is computed.
+    struct PlaceRule {
+        std::string expression;
+        float place; ///< also where it cannot be counted
+    };
+
+    PlaceRule place_rule(const TextureAxis& axis, int texels) const {
+        const std::string u = axis.coordinate, width = axis.count;
+        const float coordinate = report_.place.texcoord[axis.index];
+        const auto count = static_cast<float>(texels);
+        switch (texel_rule_in_force(frame_.settings)) {
+        case TexelRule::right:
+            break;
+        case TexelRule::v_upside_down:
+            if (axis.texel_line == TexelLine::row)
+                return {fmt::format("(1 − {}) · {}", u, width), (1.0f - coordinate) * count};
+            break;
+        case TexelRule::half_off:
+            return {fmt::format("{} · {} + 1/2", u, width), coordinate * count + 0.5f};
+        case TexelRule::coordinate_wrap:
+            return {fmt::format("({0} − floor({0})) · {1}", u, width),
+                    (coordinate - std::floor(coordinate)) * count};
+        }
+        return {fmt::format("{} · {}", u, width), coordinate * count};
+    }
+
     void add_place(const std::string& id, const TextureAxis& axis, const TextureLevel& level,
                    const std::string& of) {
         const int count = size_of(level, axis);
-        const float place = among_texels(report_.place.texcoord[axis.index], count);
+        const float place = place_of(axis, count);
+        const PlaceRule rule = place_rule(axis, count);
         Formula formula{
             id,
             axis.place,
             fmt::format("The place in texels of {}: texel i goes from i to i + 1.", of),
-            fmt::format("{} · {}", axis.coordinate, axis.count),
+            rule.expression,
             {coordinate(axis),
              whole_input(axis.count, count, fmt::format("{} of {}, texels", axis.count, of))},
             {place}};
-        if (place != report_.place.texcoord[axis.index] * static_cast<float>(count)) {
+        if (place != rule.place) {
             formula.help = "The place is no number that can be counted in texels: 0 is taken.";
             formula.expression = "0";
             formula.inputs.clear();
@@ -156,6 +189,8 @@ class TextureFormulas {
 
     /// The number of a texel once it is wrapped, as an expression of `texel`.
     std::string wrapped(const std::string& texel) const {
+        if (texel_rule_in_force(frame_.settings) == TexelRule::coordinate_wrap)
+            return fmt::format("clamp({}, 0, n − 1)", texel);
         switch (frame_.settings.texture_wrap) {
         case TextureWrap::repeat:
             break;
@@ -184,7 +219,7 @@ class TextureFormulas {
              offset < 0 ? "The texel in which the place lies, wrapped at the borders."
                         : "A texel whose centre stands next to the place, wrapped at the borders.",
              wrapped(place),
-             {{x, {among_texels(report_.place.texcoord[axis.index], count)}, from_formula(id)},
+             {{x, {place_of(axis, count)}, from_formula(id)},
               whole_input("n", count, fmt::format("{} of the level, texels", axis.count))},
              {static_cast<float>(line_of(texel, axis)), true}});
     }
@@ -204,8 +239,7 @@ class TextureFormulas {
     float beyond_centre(int level, const TextureAxis& axis) const {
         const TextureLevel& texels =
             report_.surface.texture->levels[static_cast<std::size_t>(level)];
-        const float place =
-            among_texels(report_.place.texcoord[axis.index], size_of(texels, axis)) - 0.5f;
+        const float place = place_of(axis, size_of(texels, axis)) - 0.5f;
         return place - std::floor(place);
     }
 
@@ -234,9 +268,7 @@ class TextureFormulas {
                  "How far the place lies beyond the centre of the texel before it: 0 is that "
                  "centre, 1 the next.",
                  fmt::format("{0} − 1/2 − floor({0} − 1/2)", x),
-                 {{x,
-                   {among_texels(report_.place.texcoord[axis.index], size_of(texels, axis))},
-                   from_formula(level_id(level, x))}},
+                 {{x, {place_of(axis, size_of(texels, axis))}, from_formula(level_id(level, x))}},
                  {beyond_centre(level, axis)}});
         }
     }

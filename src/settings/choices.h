@@ -203,6 +203,18 @@ template <>
 inline constexpr auto enum_words<WeightEdge> = word_list("opposite", "own");
 static_assert(words_match<WeightEdge>);
 
+/// Where a texture coordinate lies among the texels.
+enum class TexelRule : std::uint8_t {
+    right,           ///< centres at i + 1/2, v from the top, the texel's number is wrapped
+    v_upside_down,   ///< v from the bottom, where rows begin at the top: mistake B65
+    half_off,        ///< centres at whole numbers: mistake B66
+    coordinate_wrap, ///< u and v are wrapped, the numbers of texels are not: mistake B67
+};
+template <>
+inline constexpr auto enum_words<TexelRule> = word_list("right", "v_upside_down", "half_off",
+                                                        "coordinate_wrap");
+static_assert(words_match<TexelRule>);
+
 /// How the samples of an edge are found.
 enum class LineAlgorithm : std::uint8_t {
     interpolate, ///< Interpolate, by line_walk and line_rounding: the lab

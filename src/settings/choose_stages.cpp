@@ -11,6 +11,7 @@
 #include "mistakes/lines.h"
 #include "mistakes/project.h"
 #include "mistakes/put_pixel.h"
+#include "mistakes/texture.h"
 #include "mistakes/vertex_shader.h"
 #include "stages/active_edges.h"
 #include "stages/matrices.h"
@@ -311,6 +312,23 @@ void choose(TextureWrap wrap, Stages& stages) {
     }
 }
 
+void choose(TexelRule rule, Stages& stages) {
+    switch (rule) {
+    case TexelRule::right:
+        break;
+    case TexelRule::v_upside_down:
+        stages.texel_place = texel_place_upside_down;
+        break;
+    case TexelRule::half_off:
+        stages.texel_place = texel_place_half_off;
+        break;
+    case TexelRule::coordinate_wrap:
+        stages.texel_place = texel_place_wrapped;
+        stages.wrap_texel = wrap_clamp;
+        break;
+    }
+}
+
 using LightFunction = decltype(Stages::reflected_light);
 
 template <auto way, auto length, auto area>
@@ -460,6 +478,7 @@ Stages choose_stages(const Settings& settings) {
     choose(settings.interpolation, stages);
     choose(settings.texture_filter, stages);
     choose(settings.texture_wrap, stages);
+    choose(texel_rule_in_force(settings), stages);
     choose(settings.light_rules, stages);
     choose(depth_rule(settings), depth_rules(settings, SceneSpace::world), stages);
     choose(settings.depth_index, stages);

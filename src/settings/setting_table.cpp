@@ -231,6 +231,19 @@ std::vector<Setting> make_table() {
          {},
          {},
          true},
+        {"texel_rule",
+         "Texels lie",
+         "Texture",
+         "Where u and v lie among the texels: right, with centres at i + 1/2 and v from the top; "
+         "or "
+         "by mistake with v from the bottom, half a texel off, or with u and v wrapped in place of "
+         "the texel's number.",
+         "Beyond the lab",
+         "",
+         choice<&Settings::texel_rule>(),
+         {},
+         {},
+         true},
         {"blend",
          "Half transparent",
          "Depth and interpolation",

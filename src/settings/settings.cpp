@@ -122,6 +122,12 @@ Light light_rule(const Settings& settings) {
     return light;
 }
 
+TexelRule texel_rule_in_force(const Settings& settings) {
+    const bool can_wrap = settings.texture_wrap == TextureWrap::repeat;
+    return settings.texel_rule == TexelRule::coordinate_wrap && !can_wrap ? TexelRule::right
+                                                                          : settings.texel_rule;
+}
+
 VertexRules vertex_rules(const Settings& settings, SceneSpace space) {
     return {.camera = settings.camera,
             .light = light_rule(settings),

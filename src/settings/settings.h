@@ -42,6 +42,7 @@ struct Settings {
     TextureUse texture = TextureUse::on; ///< only where the scene has textures
     TextureFilter texture_filter = TextureFilter::nearest;
     TextureWrap texture_wrap = TextureWrap::repeat;
+    TexelRule texel_rule = TexelRule::right; ///< see texel_rule_in_force()
     Blend blend = Blend::over; ///< only where the scene has something half transparent
     Camera camera;
     Rotation rotation = Rotation::row_vector;
@@ -98,6 +99,9 @@ float depth_clear_rule(const Settings& settings, SceneSpace space);
 
 /// The lamp in force: a flashlight stands where the camera does.
 Light light_rule(const Settings& settings);
+
+/// Where texels lie: only a texture that repeats can wrap the coordinate in place of the texel.
+TexelRule texel_rule_in_force(const Settings& settings);
 
 /// The part of the settings that each stage of the pipeline is told.
 VertexRules vertex_rules(const Settings& settings, SceneSpace space);

@@ -92,7 +92,9 @@ struct Stages {
     decltype(&rasterwalk::pixel_shader) pixel_shader = rasterwalk::pixel_shader;
     VaryingSet (*varyings_read)(Shading shading) = rasterwalk::varyings_read;
 
-    // Texture lookup: which texel stands beyond the border, and which texels are mixed.
+    // Texture lookup: where a coordinate lies, which texel stands beyond the border, and which
+    // texels are mixed.
+    decltype(&rasterwalk::texel_place) texel_place = rasterwalk::texel_place;
     int (*wrap_texel)(int texel, int count) = wrap_repeat;
     decltype(&sample_nearest) sample_texture = sample_nearest;
 

@@ -22,8 +22,8 @@ struct TexelPair {
 };
 
 /// The two between whose centres a coordinate lies.
-TexelPair pair_round(float coordinate, int count, const Stages& stages) {
-    const float from_centre = among_texels(coordinate, count) - 0.5f;
+TexelPair pair_round(float coordinate, int count, TexelLine line, const Stages& stages) {
+    const float from_centre = stages.texel_place(coordinate, count, line) - 0.5f;
     const float before = std::floor(from_centre);
     const int texel = static_cast<int>(before);
     return {stages.wrap_texel(texel, count), stages.wrap_texel(texel + 1, count),
@@ -35,8 +35,8 @@ TexelPair pair_round(float coordinate, int count, const Stages& stages) {
 void add_four(const Texture& texture, int level, const glm::vec2& texcoord, float share,
               const Stages& stages, glm::vec3& colour, TakenTexels* taken) {
     const TextureLevel& texels = texture.levels[static_cast<std::size_t>(level)];
-    const TexelPair x = pair_round(texcoord.x, texels.width, stages);
-    const TexelPair y = pair_round(texcoord.y, texels.height, stages);
+    const TexelPair x = pair_round(texcoord.x, texels.width, TexelLine::column, stages);
+    const TexelPair y = pair_round(texcoord.y, texels.height, TexelLine::row, stages);
     const auto add = [&](int column, int row, float weight) {
         const glm::vec3& texel = texels.at(column, row);
         colour += texel * weight;
@@ -63,21 +63,24 @@ int wrap_mirror(int texel, int count) {
     return rest < count ? rest : 2 * count - 1 - rest;
 }
 
-float among_texels(float coordinate, int count) {
+float texel_place(float coordinate, int count, TexelLine) {
+    return counted_place(coordinate * static_cast<float>(count));
+}
+
+float counted_place(float place) {
     constexpr float largest = 0x1p30f;
-    const float place = coordinate * static_cast<float>(count);
     return std::abs(place) < largest ? place : 0.0f;
 }
 
 glm::vec3 sample_nearest(const Texture& texture, const TexturePlace& place, const Stages& stages,
                          TakenTexels* taken) {
     const TextureLevel& texels = texture.base();
-    const auto texel_at = [&stages](float coordinate, int count) {
-        return stages.wrap_texel(static_cast<int>(std::floor(among_texels(coordinate, count))),
-                                 count);
+    const auto texel_at = [&stages](float coordinate, int count, TexelLine line) {
+        const float lies_at = stages.texel_place(coordinate, count, line);
+        return stages.wrap_texel(static_cast<int>(std::floor(lies_at)), count);
     };
-    const int column = texel_at(place.texcoord.x, texels.width);
-    const int row = texel_at(place.texcoord.y, texels.height);
+    const int column = texel_at(place.texcoord.x, texels.width, TexelLine::column);
+    const int row = texel_at(place.texcoord.y, texels.height, TexelLine::row);
     const glm::vec3& colour = texels.at(column, row);
     if (taken != nullptr) taken->add({0, column, row, 1.0f, colour});
     return colour;

@@ -89,12 +89,18 @@ int wrap_repeat(int texel, int count);
 int wrap_clamp(int texel, int count);
 int wrap_mirror(int texel, int count);
 
-/// Where a texture coordinate lies among `count` texels: texel i goes from i to i + 1. What is no
-/// number, or too large to be counted, lies at 0.
-float among_texels(float coordinate, int count);
+/// The lines of texels that a coordinate counts: u the columns, v the rows.
+enum class TexelLine : std::uint8_t { column, row };
+
+/// Where a texture coordinate lies among `count` texels: texel i goes from i to i + 1, and the rows
+/// begin at the top as v does. See counted_place().
+float texel_place(float coordinate, int count, TexelLine line);
+
+/// A place in texels; what is no number, or too large to be counted, lies at 0.
+float counted_place(float place);
 
 /// The colour of a texture at a place.
-/// @param stages the table whose function wraps
+/// @param stages the table whose functions find and wrap texels
 /// @param taken  receives the texels, or null
 glm::vec3 sample_nearest(const Texture& texture, const TexturePlace& place, const Stages& stages,
                          TakenTexels* taken);

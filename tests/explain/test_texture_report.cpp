@@ -63,13 +63,18 @@ TEST_CASE("Every number of a textured fragment follows from its formula to the b
     test::Random random(3);
     int reports = 0;
     std::set<int> counts, levels;
+    std::set<std::string_view> rules;
     for (const std::string_view step : {"fill", "vertex_light", "pixel_light"}) {
         for (const std::string_view interpolation : enum_words<Interpolation>) {
             for (const std::string_view filter : enum_words<TextureFilter>) {
                 const std::string_view wrap =
                     enum_words<TextureWrap>[static_cast<std::size_t>(random.integer(0, 2))];
-                const Frame frame = prepare_frame(
-                    scene, settings_of_texture(scene, step, interpolation, filter, wrap));
+                Settings settings = settings_of_texture(scene, step, interpolation, filter, wrap);
+                const std::string_view rule =
+                    enum_words<TexelRule>[static_cast<std::size_t>(random.integer(0, 3))];
+                set_from_text(settings, fmt::format("texel_rule={}", rule));
+                rules.insert(rule);
+                const Frame frame = prepare_frame(scene, settings);
                 Framebuffer picture;
                 clear(picture, frame);
                 test::Recorder recorder;
@@ -79,8 +84,8 @@ TEST_CASE("Every number of a textured fragment follows from its formula to the b
                     const FragmentEvent& event =
                         recorder.fragments[static_cast<std::size_t>(random.integer(0, last))];
                     const std::string where =
-                        fmt::format("{} {} {} {} pixel {},{}: ", step, interpolation, filter, wrap,
-                                    event.fragment.column, event.fragment.row);
+                        fmt::format("{} {} {} {} {} pixel {},{}: ", step, interpolation, filter,
+                                    wrap, rule, event.fragment.column, event.fragment.row);
                     const auto report = fragment_report(frame, event.cursor);
                     REQUIRE(report);
                     REQUIRE(report->texture);
@@ -111,6 +116,7 @@ TEST_CASE("Every number of a textured fragment follows from its formula to the b
     CHECK(reports >= 3 * 3 * 4 * 4);
     CHECK(counts == std::set<int>{1, 4, 8});
     CHECK(levels.size() >= 2);
+    CHECK(rules.size() == enum_words<TexelRule>.size());
 }
 
 TEST_CASE(

@@ -62,6 +62,7 @@ TEST_CASE("The table holds exactly the settings that are promised, each with hel
                                                  "texture",
                                                  "texture_filter",
                                                  "texture_wrap",
+                                                 "texel_rule",
                                                  "blend",
                                                  "camera.position",
                                                  "camera.yaw",

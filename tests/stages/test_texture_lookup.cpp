@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include <glm/common.hpp>
 
@@ -15,8 +16,9 @@ using namespace rasterwalk;
 
 namespace {
 
-Stages stages_with(TextureFilter filter, TextureWrap wrap) {
+Stages stages_with(TextureFilter filter, TextureWrap wrap, TexelRule rule = TexelRule::right) {
     Settings settings;
+    settings.texel_rule = rule;
     settings.texture_filter = filter;
     settings.texture_wrap = wrap;
     return choose_stages(settings);
@@ -143,19 +145,66 @@ TEST_CASE("Places that are no number, or beyond all counting, are some texel all
         for (const float side : {nan, endless, -endless, 3e38f, 0.0f, 1.0f}) {
             for (std::size_t filter = 0; filter < enum_words<TextureFilter>.size(); ++filter) {
                 for (std::size_t wrap = 0; wrap < enum_words<TextureWrap>.size(); ++wrap) {
-                    const Stages stages = stages_with(static_cast<TextureFilter>(filter),
-                                                      static_cast<TextureWrap>(wrap));
-                    TakenTexels taken;
-                    const glm::vec3 colour = stages.sample_texture(
-                        texture, {{u, 0.2f}, {{side, 0.0f}, {0.0f, side}}}, stages, &taken);
-                    INFO(u << " " << side << " " << filter << " " << wrap);
-                    CHECK(taken.count > 0);
-                    CHECK(colour.x >= 0.0f);
-                    CHECK(colour.x <= 1.00001f);
+                    for (std::size_t rule = 0; rule < enum_words<TexelRule>.size(); ++rule) {
+                        const Stages stages = stages_with(static_cast<TextureFilter>(filter),
+                                                          static_cast<TextureWrap>(wrap),
+                                                          static_cast<TexelRule>(rule));
+                        TakenTexels taken;
+                        const glm::vec3 colour = stages.sample_texture(
+                            texture, {{u, -u}, {{side, 0.0f}, {0.0f, side}}}, stages, &taken);
+                        INFO(u << " " << side << " " << filter << " " << wrap << " " << rule);
+                        CHECK(taken.count > 0);
+                        CHECK(colour.x >= 0.0f);
+                        CHECK(colour.x <= 1.00001f);
+                    }
                 }
             }
         }
     }
+}
+
+TEST_CASE("Mistaken places of texels take the colours that the second implementation finds") {
+    const Image image = test::many_colours(7, 5);
+    const Texture texture = make_texture("made", image);
+    const std::vector<test::OracleLevel> chain = test::oracle_chain(image);
+    const glm::dvec2 size(image.width, image.height);
+    test::Random random(65);
+    const glm::dvec2 none(0.0);
+    int asked = 0, differ = 0;
+    for (const TexelRule rule :
+         {TexelRule::v_upside_down, TexelRule::half_off, TexelRule::coordinate_wrap}) {
+        for (const TextureWrap wrap :
+             {TextureWrap::repeat, TextureWrap::clamp, TextureWrap::mirror}) {
+            for (const TextureFilter filter : {TextureFilter::nearest, TextureFilter::bilinear}) {
+                const Stages stages = stages_with(filter, wrap, rule);
+                for (int i = 0; i < 60; ++i) {
+                    const glm::vec2 place{random.number(-2, 3), random.number(-2, 3)};
+                    glm::dvec2 uv(place);
+                    TextureWrap border = wrap;
+                    if (rule == TexelRule::v_upside_down) uv.y = 1.0 - uv.y;
+                    if (rule == TexelRule::half_off) uv += 0.5 / size;
+                    if (rule == TexelRule::coordinate_wrap && wrap == TextureWrap::repeat) {
+                        uv -= glm::dvec2(std::floor(uv.x), std::floor(uv.y));
+                        border = TextureWrap::clamp;
+                    }
+                    const test::OracleColour expected =
+                        test::oracle_sample(chain, uv, none, none, filter, border);
+                    if (expected.is_tie) continue;
+                    const glm::vec3 found =
+                        stages.sample_texture(texture, {place, {}}, stages, nullptr);
+                    INFO(word_of(rule) << " " << word_of(wrap) << " " << word_of(filter) << " u "
+                                       << place.x << " v " << place.y);
+                    CHECK(glm::distance(expected.colour, glm::dvec3(found)) < 1e-4);
+                    ++asked;
+                    const Stages right = stages_with(filter, wrap);
+                    differ += found != right.sample_texture(texture, {place, {}}, right, nullptr);
+                }
+            }
+        }
+    }
+    CHECK(asked > 1000);
+    // Wrapped coordinates take the right texels but for the borders, and all without repetition.
+    CHECK(differ > asked / 2);
 }
 
 TEST_CASE("A polygon without an area on the screen has no slope, and so takes level 0") {
