@@ -63,6 +63,11 @@ inline constexpr float largest_focal_length = 100000.0f;
 inline constexpr float largest_power = 10000.0f;
 inline constexpr float largest_indirect = 100.0f;
 
+/// Texels along a side of a face of a shadow map; and what slant may add to its bias, texels.
+inline constexpr int smallest_shadow_resolution = 2;
+inline constexpr int largest_shadow_resolution = 2048;
+inline constexpr float largest_slope_bias = 100.0f;
+
 /// The exponent of a highlight: at 0 it is as large as the surface, at most as small as a pixel.
 inline constexpr float smallest_exponent = 0.0f;
 inline constexpr float largest_exponent = 10000.0f;

@@ -216,14 +216,15 @@ SourcedVector add_pixel_light(const Frame& frame, FragmentReport& report) {
     Surface surface = surface_of(frame, triangle);
     surface.shine = frame.scene->corner(triangle, 0).shine;
     surface.differences = frame.scene->mesh.differences(triangle);
-    const PixelRules rules = pixel_rules(frame.settings, frame.scene->space);
+    const PixelRules rules = pixel_rules(frame);
     SurfacePoint place =
         surface_point(report.under(report.interpolation), surface, rules.camera, frame.stages);
     if (report.texture) place.reflectance *= report.texture->colour;
     LitPoint point;
     point.prefix = "pixel_light.";
     point.shine = place.shine;
-    point.light = report.light = surface_light(place, rules.light, rules.rays, frame.stages);
+    point.light = report.light =
+        surface_light(place, rules.light, rules.rays, rules.occluders, frame.stages);
     point.position = interpolated(report, &Varyings::position_world, "");
     point.reflectance = of_first_vertex(triangle, place.reflectance, reflectance_ids());
     if (surface.differences.colours)
@@ -270,13 +271,13 @@ Source add_mean(const FragmentReport& report, const std::string& id, const std::
 void add_triangle_light(const Frame& frame, FragmentReport& report) {
     const int triangle = report.cursor.triangle;
     const CornerDifferences differs = frame.scene->mesh.differences(triangle);
-    const PixelRules rules = pixel_rules(frame.settings, frame.scene->space);
+    const PixelRules rules = pixel_rules(frame);
     const SurfacePoint place = flat_point(frame, triangle);
     LitPoint point;
     point.prefix = "triangle_light.";
     point.shine = place.shine;
     point.light = report.light_per_triangle =
-        surface_light(place, rules.light, rules.rays, frame.stages);
+        surface_light(place, rules.light, rules.rays, rules.occluders, frame.stages);
     const auto mean_of = [&](glm::vec3 Vertex::*member, const glm::vec3& value,
                              const std::string& symbol, const std::string& vertex_id,
                              const std::array<const char*, 3>& names) {
@@ -306,7 +307,7 @@ void add_triangle_light(const Frame& frame, FragmentReport& report) {
 
 void add_light(const Frame& frame, FragmentReport& report) {
     const int triangle = report.cursor.triangle;
-    const VertexRules vertex = vertex_rules(frame.settings, frame.scene->space);
+    const VertexRules vertex = vertex_rules(frame);
     constexpr std::array<Quantity, 3> colour{quantity_of(&Varyings::illumination, 0),
                                              quantity_of(&Varyings::illumination, 1),
                                              quantity_of(&Varyings::illumination, 2)};
@@ -405,7 +406,7 @@ std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& 
     report.before = event.before;
     report.after = event.after;
 
-    const PixelRules rules = pixel_rules(frame.settings, frame.scene->space);
+    const PixelRules rules = pixel_rules(frame);
     report.interpolation = frame.settings.interpolation;
     report.shading = rules.shading;
     report.depth_test = depth_rule(frame.settings);

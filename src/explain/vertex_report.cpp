@@ -177,7 +177,7 @@ void add_light(VertexMaker& made, const glm::vec3& normal) {
 VertexReport vertex_report(const Frame& frame, int triangle, int vertex) {
     const Vertex& given = frame.scene->corner(triangle, vertex);
     const glm::mat3 rotation = camera_rotation(frame.settings.camera);
-    const VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
+    const VertexRules rules = vertex_rules(frame);
     VertexReport report;
     report.triangle = triangle;
     report.vertex = vertex;

@@ -35,10 +35,11 @@ glm::vec3 light_of(const Frame& frame, const Fragment& fragment, const Stages& s
     if (shading == Shading::gouraud) return on_texture(varyings.illumination);
     if (frame.stages.pixel_shader == surface_shader) {
         if (shading == Shading::flat) return on_texture(surface.flat_light);
-        const PixelRules rules = pixel_rules(frame.settings, frame.scene->space);
+        const PixelRules rules = pixel_rules(frame);
         SurfacePoint point = surface_point(varyings, surface, rules.camera, frame.stages);
         point.reflectance = on_texture(point.reflectance);
-        return surface_light(point, rules.light, rules.rays, frame.stages).reflected;
+        return surface_light(point, rules.light, rules.rays, rules.occluders, frame.stages)
+            .reflected;
     }
     const Vertex& corner = frame.scene->corner(triangle, 0);
     return reflected_light(varyings.position_world, corner.normal, on_texture(corner.reflectance),

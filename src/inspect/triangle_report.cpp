@@ -7,7 +7,7 @@ TriangleReport triangle_report(const Frame& frame, int triangle, const Cursor& t
     report.triangle = triangle;
     report.rejection = frame.rejection(triangle);
     const glm::mat3 rotation = camera_rotation(frame.settings.camera);
-    const VertexRules vertex = vertex_rules(frame.settings, frame.scene->space);
+    const VertexRules vertex = vertex_rules(frame);
     for (const Vertex& corner : corners_of(*frame.scene, triangle))
         report.vertices.push_back(shade_vertex(corner, rotation, vertex, frame.stages));
     report.clip = clip_history(frame, triangle);

@@ -153,6 +153,7 @@ void try_choices(PictureTrial& trial, const std::vector<Base>& bases) {
         for (const std::string_view word : choice->words) {
             if (is_word_of_whole(setting, word)) continue;
             for (const Base& base : bases) {
+                if (!is_of_use(setting, trial.scene(), base.settings)) continue;
                 Settings settings = base.settings;
                 set_value(settings, setting, word);
                 const std::string id = fmt::format("{}={}", setting.name, word);

@@ -329,7 +329,7 @@ DrawTally draw(const Frame& frame, const DrawWindow& window, Framebuffer& frameb
               .stages = frame.stages,
               .window = window,
               .scissor = intersection(scissor, drawn_area(frame)),
-              .pixels = pixel_rules(settings, frame.scene->space),
+              .pixels = pixel_rules(frame),
               .rays = sight_rays(vertex_rules(settings, frame.scene->space)),
               .carried = carried,
               .depth = depth_rules(settings, frame.scene->space),

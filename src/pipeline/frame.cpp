@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "pipeline/shadow_pass.h"
 #include "scene/tessellation.h"
 
 namespace rasterwalk {
@@ -106,6 +107,18 @@ void take_scene(const Scene& scene, int tessellation, Frame& frame) {
 
 } // namespace
 
+VertexRules vertex_rules(const Frame& frame) {
+    VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
+    rules.occluders = occluders_of(frame);
+    return rules;
+}
+
+PixelRules pixel_rules(const Frame& frame) {
+    PixelRules rules = pixel_rules(frame.settings, frame.scene->space);
+    rules.occluders = occluders_of(frame);
+    return rules;
+}
+
 void prepare_frame(const Scene& scene, const Settings& settings, const ReplaceStages& replace,
                    Frame& frame) {
     take_scene(scene, settings.tessellation, frame);
@@ -114,7 +127,8 @@ void prepare_frame(const Scene& scene, const Settings& settings, const ReplaceSt
     frame.replace = replace;
     frame.stages = stages_for(settings, mesh.differences(), replace);
     frame.blends = frame.stages.blend != blend_nothing && has_alpha(*frame.scene);
-    make_polygons(mesh, vertex_rules(settings, scene.space), frame);
+    take_occluders(frame);
+    make_polygons(mesh, vertex_rules(frame), frame);
 }
 
 Frame prepare_frame(const Scene& scene, const Settings& settings, const ReplaceStages& replace) {
@@ -129,7 +143,9 @@ std::vector<ScreenVertex> polygon_under(const Frame& frame, int triangle,
     mesh.add_triangle_of(corners_of(*frame.scene, triangle));
     Frame other;
     other.stages = stages_for(settings, frame.scene->mesh.differences(), frame.replace);
-    make_polygons(mesh, vertex_rules(settings, frame.scene->space), other);
+    VertexRules rules = vertex_rules(settings, frame.scene->space);
+    rules.occluders = occluders_of(frame);
+    make_polygons(mesh, rules, other);
     return std::move(other.vertices);
 }
 

@@ -38,6 +38,7 @@ struct Frame {
     std::vector<TriangleIndices> triangles; ///< of the mesh: which vertices are their corners
     std::vector<ScreenVertex> vertices;     ///< the corners of the polygons, one after another
     bool blends = false;                    ///< something is half transparent, and drawn so
+    Occluders occluders;                    ///< what casts shadows; empty where nothing does
     std::vector<Polygon> polygons; ///< what has become of each triangle of `scene`, in order
 
     int triangle_count() const { return static_cast<int>(polygons.size()); }
@@ -91,6 +92,15 @@ struct Frame {
         return {vertices.data() + polygon.first, static_cast<std::size_t>(polygon.count)};
     }
 };
+
+/// What casts shadows in the frame; null: nothing does.
+inline const Occluders* occluders_of(const Frame& frame) {
+    return frame.occluders.triangles == nullptr ? nullptr : &frame.occluders;
+}
+
+/// The rules of vertices and pixels, with what casts shadows. They refer to the frame.
+VertexRules vertex_rules(const Frame& frame);
+PixelRules pixel_rules(const Frame& frame);
 
 /// What the depth buffer of the frame holds.
 inline ClipDepth depth_kind(const Frame& frame) {

@@ -27,10 +27,10 @@ Surface surface_of(const Frame& frame, int triangle) {
     surface.shine = corner.shine;
     surface.differences = frame.scene->mesh.differences(triangle);
     if (shading_rule(frame.settings) == Shading::flat) {
-        const PixelRules rules = pixel_rules(frame.settings, frame.scene->space);
-        surface.flat_light =
-            surface_light(flat_point(frame, triangle), rules.light, rules.rays, frame.stages)
-                .reflected;
+        const PixelRules rules = pixel_rules(frame);
+        surface.flat_light = surface_light(flat_point(frame, triangle), rules.light, rules.rays,
+                                           rules.occluders, frame.stages)
+                                 .reflected;
     }
     return surface;
 }

@@ -15,6 +15,9 @@ namespace {
 constexpr double sample_work = 2;
 constexpr double triangle_work = 20;
 
+/// What a fragment costs more that sends a ray to the lamp.
+constexpr double shadow_ray_work = 15;
+
 /// Triangles of more work than this are divided by rows.
 constexpr double large_triangle = 5'000;
 
@@ -74,7 +77,11 @@ FragmentEstimate fragments_of(const Frame& frame, int triangle) {
 /// The work of a drawn triangle.
 double work_of(const Frame& frame, int triangle, const FragmentEstimate& fragments) {
     const Box box = box_of(frame, triangle);
-    return triangle_work + sample_work * samples_of(box) + fragments.in_picture;
+    const double of_each = frame.stages.shadow == shadow_by_ray && occluders_of(frame) != nullptr &&
+                                   shading_rule(frame.settings) == Shading::phong
+                               ? 1.0 + shadow_ray_work
+                               : 1.0;
+    return triangle_work + sample_work * samples_of(box) + of_each * fragments.in_picture;
 }
 
 bool is_divided(const Frame& frame, double work) {

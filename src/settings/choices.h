@@ -381,6 +381,34 @@ struct LightRules {
     friend bool operator==(const LightRules&, const LightRules&) = default;
 };
 
+/// What finds out whether something stands between a point and the lamp.
+enum class Shadows : std::uint8_t {
+    off,  ///< nothing casts a shadow: the lab
+    rays, ///< a ray from the point to the lamp
+    map,  ///< the depth that the lamp sees
+};
+template <>
+inline constexpr auto enum_words<Shadows> = word_list("off", "rays", "map");
+static_assert(words_match<Shadows>);
+
+/// How far the ray to the lamp goes.
+enum class ShadowRay : std::uint8_t {
+    to_lamp,   ///< as far as the lamp
+    past_lamp, ///< on and on: mistake B60
+};
+template <>
+inline constexpr auto enum_words<ShadowRay> = word_list("to_lamp", "past_lamp");
+static_assert(words_match<ShadowRay>);
+
+/// How many texels of the map a point is held against.
+enum class ShadowFilter : std::uint8_t {
+    nearest, ///< the one in which it lies
+    four,    ///< the four around it: percentage closer filtering, PCF
+};
+template <>
+inline constexpr auto enum_words<ShadowFilter> = word_list("nearest", "four");
+static_assert(words_match<ShadowFilter>);
+
 /// What decides which fragment is nearer.
 enum class DepthTest : std::uint8_t {
     inverse_z, ///< compares the interpolated 1/z: the lab

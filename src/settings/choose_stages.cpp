@@ -11,6 +11,7 @@
 #include "mistakes/lines.h"
 #include "mistakes/project.h"
 #include "mistakes/put_pixel.h"
+#include "mistakes/shadow.h"
 #include "mistakes/texture.h"
 #include "mistakes/vertex_shader.h"
 #include "stages/active_edges.h"
@@ -387,6 +388,27 @@ void choose(const LightRules& rules, Stages& stages) {
     }
 }
 
+void choose(Shadows shadows, Stages& stages) {
+    switch (shadows) {
+    case Shadows::off:
+        break;
+    case Shadows::rays:
+        stages.shadow = shadow_by_ray;
+        break;
+    case Shadows::map:
+        stages.shadow = shadow_by_map;
+        break;
+    }
+}
+
+void choose(ShadowRay ray, Stages& stages) {
+    if (ray == ShadowRay::past_lamp) stages.shadow_ray = shadow_ray_past_lamp;
+}
+
+void choose(ShadowFilter filter, Stages& stages) {
+    if (filter == ShadowFilter::four) stages.shadow_texels = four_shadow_texels;
+}
+
 void choose(DepthTest test, const DepthRules& rules, Stages& stages) {
     const bool is_float = rules.bits == 0;
     switch (test) {
@@ -447,7 +469,8 @@ void choose_shader(const Settings& settings, const CornerDifferences& difference
     const bool has_colours =
         differences.colours && (shading == Shading::unlit || shading == Shading::phong);
     const bool shines = settings.light.model != LightModel::lambert && shading == Shading::phong;
-    if (!has_normals && !has_colours && !shines && shading != Shading::flat) return;
+    const bool is_shaded = settings.shadows != Shadows::off && shading == Shading::phong;
+    if (!has_normals && !has_colours && !shines && !is_shaded && shading != Shading::flat) return;
     stages.pixel_shader = surface_shader;
     stages.varyings_read = differences.normals ? varyings_read_with<true>(differences.colours)
                                                : varyings_read_with<false>(differences.colours);
@@ -481,6 +504,9 @@ Stages choose_stages(const Settings& settings) {
     choose(settings.texture_wrap, stages);
     choose(settings.texel_rule, settings.texture_wrap, stages);
     choose(settings.light_rules, stages);
+    choose(settings.shadows, stages);
+    choose(settings.shadow_ray, stages);
+    choose(settings.shadow_filter, stages);
     choose(depth_rule(settings), depth_rules(settings, SceneSpace::world), stages);
     choose(settings.depth_index, stages);
     choose(settings.blend, stages);

@@ -83,6 +83,13 @@ ChoiceSetting projection_choice() {
             [](Settings& s, int index) { s.projection_mix = static_cast<float>(index); }};
 }
 
+bool has_shadow_rays(const Settings& s) {
+    return s.shadows == Shadows::rays;
+}
+bool has_shadow_map(const Settings& s) {
+    return s.shadows == Shadows::map;
+}
+
 std::vector<Setting> make_table() {
     return {
         {"stage", "Drawn up to", "Stage", "How far along the pipeline the picture is drawn.",
@@ -400,6 +407,106 @@ std::vector<Setting> make_table() {
          "How the highlight is worked out: rightly, or by mistake on backs too, or with a half "
          "vector that is not made unit length. Only where light.model is blinn_phong.",
          "Illumination", "", light_choice<&LightRules::highlight>()},
+        {"shadows",
+         "Shadows",
+         "Shadow",
+         "How it is found out whether something stands between a point and the lamp: not at all, "
+         "by a ray from the point to the lamp, or by a map of the depths that the lamp sees.",
+         "Beyond the lab",
+         "",
+         choice<&Settings::shadows>(),
+         {},
+         {},
+         false,
+         true},
+        {"shadow_offset",
+         "Ray begins above",
+         "Shadow",
+         "How far above its surface the ray to the lamp begins, along the normal. A point that "
+         "floats have moved below the surface would else lie in the shadow of that surface.",
+         "Beyond the lab",
+         "world units",
+         NumberSetting{[](Settings& s) -> float& { return s.shadow_rules.offset; }, 0.0f,
+                       largest_place, 0.0005f},
+         {},
+         {},
+         false,
+         true,
+         false,
+         has_shadow_rays},
+        {"shadow_ray",
+         "Ray goes on",
+         "Shadow",
+         "How far the ray goes: as far as the lamp, or by mistake on and on, so that what stands "
+         "behind the lamp casts a shadow too.",
+         "Beyond the lab",
+         "",
+         choice<&Settings::shadow_ray>(),
+         {},
+         {},
+         false,
+         true,
+         false,
+         has_shadow_rays},
+        {"shadow_resolution",
+         "Size of the map",
+         "Shadow",
+         "Texels along each side of the six faces of the map.",
+         "Beyond the lab",
+         "texels",
+         WholeSetting{[](Settings& s) -> int& { return s.shadow_resolution; },
+                      smallest_shadow_resolution, largest_shadow_resolution},
+         {},
+         {},
+         false,
+         true,
+         false,
+         has_shadow_map},
+        {"shadow_bias",
+         "Bias",
+         "Shadow",
+         "How far behind the depth in the map a point may lie and still be lit. With none, "
+         "surfaces "
+         "shade themselves in stripes; with much, shadows come loose from what casts them.",
+         "Beyond the lab",
+         "world units",
+         NumberSetting{[](Settings& s) -> float& { return s.shadow_rules.bias; }, 0.0f,
+                       largest_place, 0.0005f},
+         {},
+         {},
+         false,
+         true,
+         false,
+         has_shadow_map},
+        {"shadow_slope_bias",
+         "Bias by slant",
+         "Shadow",
+         "Added to the bias: so many texels, times how steeply the surface runs away from the lamp "
+         "(the tangent of the angle between the light and the normal).",
+         "Beyond the lab",
+         "texels",
+         NumberSetting{[](Settings& s) -> float& { return s.shadow_rules.slope_bias; }, 0.0f,
+                       largest_slope_bias, 0.01f},
+         {},
+         {},
+         false,
+         true,
+         false,
+         has_shadow_map},
+        {"shadow_filter",
+         "Texels asked",
+         "Shadow",
+         "How many texels of the map a point is held against: the one in which it lies, or the "
+         "four around it, so that the border of a shadow has steps of a quarter (PCF).",
+         "Beyond the lab",
+         "",
+         choice<&Settings::shadow_filter>(),
+         {},
+         {},
+         false,
+         true,
+         false,
+         has_shadow_map},
         {"viewport.size", "Picture size", "Picture", "Width and height of the picture.",
          "Drawing points", "pixels",
          SizeSetting{[](Settings& s) -> Viewport& { return s.viewport; }, largest_viewport}},
@@ -423,6 +530,10 @@ bool is_of_use(const Setting& setting, const Scene& scene) {
     if (setting.needs_world && scene.space != SceneSpace::world) return false;
     if (setting.needs_alpha && !has_alpha(scene)) return false;
     return !setting.needs_texture || !scene.textures.empty();
+}
+
+bool is_of_use(const Setting& setting, const Scene& scene, const Settings& settings) {
+    return is_of_use(setting, scene) && (setting.needs == nullptr || setting.needs(settings));
 }
 
 const Setting* find_setting(std::string_view name) {

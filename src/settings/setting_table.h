@@ -71,6 +71,8 @@ struct Setting {
     bool needs_texture = false; ///< of no use to a scene without textures
     bool needs_world = false;   ///< of no use to a scene in pixels
     bool needs_alpha = false;   ///< of no use to a scene without anything half transparent
+    /// Of no use while other settings are so that this is false; null: always of use.
+    bool (*needs)(const Settings&) = nullptr;
 };
 
 /// Every setting, in the order of the sheet of settings.
@@ -81,6 +83,8 @@ const Setting* find_setting(std::string_view name);
 
 /// Can the scene use this setting?
 bool is_of_use(const Setting& setting, const Scene& scene);
+/// The same, with the other settings as they are.
+bool is_of_use(const Setting& setting, const Scene& scene, const Settings& settings);
 
 /// A setting's value in the text form that set_value reads; numbers as short as they can be and
 /// still be read back as the same bits. Empty if its parts have no word in common.

@@ -155,6 +155,11 @@ Shading shading_rule(const Settings& settings) {
     return settings.stage >= Stage::shade ? settings.shading : Shading::unlit;
 }
 
+Shadows shadow_rule(const Settings& settings, SceneSpace space) {
+    const bool has_light = shading_rule(settings) != Shading::unlit && space == SceneSpace::world;
+    return has_light ? settings.shadows : Shadows::off;
+}
+
 DepthTest depth_rule(const Settings& settings) {
     return settings.stage >= Stage::depth ? settings.depth_test : DepthTest::off;
 }

@@ -7,6 +7,7 @@
 #include "stages/depth_test.h"
 #include "stages/pixel_shader.h"
 #include "stages/polygon_rows.h"
+#include "stages/shadow.h"
 #include "stages/stages.h"
 
 namespace rasterwalk {
@@ -61,6 +62,11 @@ struct Settings {
     OutsidePicture outside_picture = OutsidePicture::kept;
     Light light;
     LightRules light_rules;
+    Shadows shadows = Shadows::off;
+    ShadowRay shadow_ray = ShadowRay::to_lamp;
+    ShadowFilter shadow_filter = ShadowFilter::nearest;
+    int shadow_resolution = 512; ///< texels along each side of a face of the map
+    ShadowRules shadow_rules;
     ColourOverOne colour_over_one = ColourOverOne::clamp;
     Viewport viewport;
 
@@ -112,6 +118,9 @@ Coverage coverage_rule(const Settings& settings);
 
 /// The shading in force: none before stage `shade`, whatever the setting says.
 Shading shading_rule(const Settings& settings);
+
+/// What finds shadows: nothing where no light is computed, whatever the setting says.
+Shadows shadow_rule(const Settings& settings, SceneSpace space);
 
 /// The depth test in force: none before stage `depth`, whatever the setting says.
 DepthTest depth_rule(const Settings& settings);

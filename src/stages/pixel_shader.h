@@ -21,6 +21,7 @@
 #include "stages/cull.h"
 #include "stages/fragment.h"
 #include "stages/light.h"
+#include "stages/shadow.h"
 #include "stages/texture_lookup.h"
 #include "stages/vertex_shader.h"
 
@@ -45,8 +46,9 @@ struct Surface {
 struct PixelRules {
     Light light;
     Shading shading = Shading::unlit;
-    Camera camera{};  ///< for the slot light_normal
-    SightRays rays{}; ///< toward the eye, for highlights
+    Camera camera{};                      ///< for the slot light_normal
+    SightRays rays{};                     ///< toward the eye, for highlights
+    const Occluders* occluders = nullptr; ///< what casts shadows; null: nothing does
 };
 
 /// The varyings that the pixel shader reads.

@@ -22,6 +22,7 @@
 #include "stages/project.h"
 #include "stages/put_pixel.h"
 #include "stages/reject.h"
+#include "stages/shadow.h"
 #include "stages/snap.h"
 #include "stages/spans.h"
 #include "stages/texture_lookup.h"
@@ -57,6 +58,12 @@ struct Stages {
     // Asked by surface_shader() alone.
     decltype(&rasterwalk::unit_normal) unit_normal = rasterwalk::unit_normal;
     decltype(&rasterwalk::highlight) highlight = rasterwalk::highlight;
+
+    // Shadow: how much of the lamp's light arrives, asked by surface_light() where something may
+    // stand between; the way on which it may, and the texels of a map that are looked at.
+    decltype(&no_shadow) shadow = no_shadow;
+    decltype(&rasterwalk::shadow_ray) shadow_ray = rasterwalk::shadow_ray;
+    decltype(&nearest_shadow_texel) shadow_texels = nearest_shadow_texel;
 
     // Coverage: from vertices to rows, and from a row to its fragments. Whoever puts functions here
     // whose rows leave the box of the vertices puts another box here as well.

@@ -5,15 +5,27 @@
 namespace rasterwalk {
 
 SurfaceLight surface_light(const SurfacePoint& point, const Light& light, const SightRays& rays,
-                           const Stages& stages) {
+                           const Occluders* occluders, const Stages& stages) {
     SurfaceLight result;
     result.diffuse =
         stages.reflected_light(point.position_world, point.normal, point.reflectance, light);
+    Light arriving = light;
+    // From behind no light comes, whatever stands there.
+    if (occluders != nullptr && result.diffuse.cosine > 0.0f) {
+        result.shadow = stages.shadow(
+            {point.position_world, point.normal, light.position, result.diffuse.cosine}, *occluders,
+            stages);
+        if (result.shadow.is_dark()) {
+            arriving.power = light.power * result.shadow.lit;
+            result.diffuse = stages.reflected_light(point.position_world, point.normal,
+                                                    point.reflectance, arriving);
+        }
+    }
     result.reflected = result.diffuse.reflected;
     if (light.model == LightModel::lambert) return result;
     result.highlight = stages.highlight(
         result.diffuse, {point.normal, -sight_ray(point.position_world, rays), point.shine},
-        light.power);
+        arriving.power);
     result.reflected = result.reflected + result.highlight.reflected;
     return result;
 }
@@ -54,7 +66,7 @@ glm::vec3 surface_shader(const Fragment& fragment, const Surface& surface, const
         if (surface.differences.colours) varyings.colour = fragment.varyings.colour / weight;
         SurfacePoint point = surface_point(varyings, surface, rules.camera, stages);
         point.reflectance = textured(point.reflectance, fragment, surface, stages);
-        return surface_light(point, rules.light, rules.rays, stages).reflected;
+        return surface_light(point, rules.light, rules.rays, rules.occluders, stages).reflected;
     }
     }
     return textured(surface.differences.colours ? fragment.varyings.colour / weight

@@ -35,12 +35,14 @@ struct SurfacePoint {
 struct SurfaceLight {
     LightTerms diffuse;
     HighlightTerms highlight;  ///< all zero under LightModel::lambert
+    ShadowTerms shadow;        ///< what of the lamp arrives; in the terms above it has arrived
     glm::vec3 reflected{0.0f}; ///< R + S
 };
 
 /// The light at a point, by the functions of the table.
+/// @param occluders what casts shadows, or null
 SurfaceLight surface_light(const SurfacePoint& point, const Light& light, const SightRays& rays,
-                           const Stages& stages);
+                           const Occluders* occluders, const Stages& stages);
 
 /// The light at a vertex, as light per vertex has it.
 SurfaceLight light_at_vertex(const Vertex& vertex, const VertexRules& rules, const Stages& stages);

@@ -56,7 +56,8 @@ SurfaceLight light_at_vertex(const Vertex& vertex, const VertexRules& rules, con
     const SurfacePoint point{vertex.position, normal, vertex.reflectance, vertex.shine};
     // Which way the camera looks takes sines, and only highlights ask.
     const bool is_asked = rules.light.model != LightModel::lambert;
-    return surface_light(point, rules.light, is_asked ? sight_rays(rules) : SightRays{}, stages);
+    return surface_light(point, rules.light, is_asked ? sight_rays(rules) : SightRays{},
+                         rules.occluders, stages);
 }
 
 Varyings start_varyings(const Vertex& vertex, const VertexRules& rules, const Stages& stages) {

@@ -30,6 +30,7 @@
 
 namespace rasterwalk {
 
+struct Occluders;
 struct Stages;
 
 /// Where light is computed.
@@ -109,6 +110,7 @@ struct VertexRules {
     Shading shading = Shading::unlit;
     float near = 0.1f, far = 100.0f; ///< of the view volume, in front of the camera, world units
     Projection projection;
+    const Occluders* occluders = nullptr; ///< what casts shadows; null: nothing does
 };
 
 /// A vertex in clip space: before the division that makes perspective.

@@ -97,6 +97,13 @@ TEST_CASE("The table holds exactly the settings that are promised, each with hel
                                                  "light.sum",
                                                  "light.renormalize",
                                                  "light.highlight",
+                                                 "shadows",
+                                                 "shadow_offset",
+                                                 "shadow_ray",
+                                                 "shadow_resolution",
+                                                 "shadow_bias",
+                                                 "shadow_slope_bias",
+                                                 "shadow_filter",
                                                  "viewport.size",
                                                  "bounds",
                                                  "colour_over_one"};

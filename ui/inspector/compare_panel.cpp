@@ -37,7 +37,8 @@ void draw_choice_of_difference(Ui& ui, const char* title) {
     if (!open) return;
     for (const Setting& setting : setting_table()) {
         const auto* const choice = std::get_if<ChoiceSetting>(&setting.kind);
-        if (choice == nullptr || !is_of_use(setting, *ui.session.scene)) continue;
+        if (choice == nullptr || !is_of_use(setting, *ui.session.scene, ui.session.a.settings))
+            continue;
         const std::string name(setting.name);
         if (ImGui::Selectable((std::string(setting.title) + "##" + name).c_str())) {
             Run other = ui.session.b.value_or(ui.session.a);

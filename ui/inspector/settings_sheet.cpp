@@ -247,7 +247,9 @@ void draw_all_settings(Ui& ui) {
         for (const Setting& setting : setting_table()) {
             if (is_first(ui, setting) != changed) continue;
             if (!is_wanted(setting, ui.inspector.setting_search)) continue;
-            if (!changed && !is_searched && !is_of_use(setting, *ui.session.scene)) continue;
+            if (!changed && !is_searched &&
+                !is_of_use(setting, *ui.session.scene, ui.session.a.settings))
+                continue;
             draw(setting, changed ? heading_of_changed(ui, usual) : setting.group);
         }
     }

@@ -74,7 +74,7 @@ TEST_CASE("Every setting can be reached in the panel, and the search leaves only
     for (const Setting& setting : setting_table()) {
         INFO(setting.name);
         const std::string name = "setting." + std::string(setting.name);
-        if (is_of_use(setting, *driver.ui.session.scene))
+        if (is_of_use(setting, *driver.ui.session.scene, driver.ui.session.a.settings))
             CHECK_NOTHROW(driver.hand.find(name));
         else
             CHECK_FALSE(driver.hand.is_visible(name));
@@ -283,7 +283,8 @@ TEST_CASE("Name and value of every setting stand on one line, and nothing is cut
         Driver driver("lab-room.toml", window, scale);
         driver.hand.click("tab.settings");
         for (const Setting& setting : setting_table()) {
-            if (!is_of_use(setting, *driver.ui.session.scene)) continue;
+            if (!is_of_use(setting, *driver.ui.session.scene, driver.ui.session.a.settings))
+                continue;
             INFO(setting.name << " at " << window.x << " x " << window.y << ", text " << scale);
             const WidgetPlace field = driver.hand.find("setting." + std::string(setting.name));
             const WidgetPlace name = driver.hand.find("setting_name." + std::string(setting.name));

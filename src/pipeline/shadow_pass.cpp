@@ -1,0 +1,68 @@
+#include "pipeline/shadow_pass.h"
+
+#include <utility>
+
+#include "pipeline/draw.h"
+
+namespace rasterwalk {
+
+Settings shadow_face_settings(const glm::vec3& lamp, int face, int resolution) {
+    const glm::vec3& way = shadow_face_ways[static_cast<std::size_t>(face)];
+    Settings settings;
+    settings.stage = Stage::depth;
+    settings.coverage = Coverage::edge_functions;
+    settings.fill_rule = FillRule::top_left;
+    settings.snap = Snap::subpixel;
+    // All planes: what is close beside the lamp would fall millions of texels away.
+    settings.clip = Clip::all;
+    settings.near = shadow_near;
+    settings.far = 1e7f;
+    settings.viewport = {resolution, resolution};
+    settings.camera.position = lamp;
+    settings.camera.focal_length = 0.5f * static_cast<float>(resolution);
+    settings.camera.aim = CameraAim::look_at;
+    settings.camera.target = lamp + way;
+    settings.camera.up = way.y == 0.0f ? glm::vec3(0.0f, -1.0f, 0.0f) : glm::vec3(0.0f, 0.0f, 1.0f);
+    return settings;
+}
+
+ShadowMap draw_shadow_map(const Scene& scene, const glm::vec3& lamp, int resolution) {
+    ShadowMap map;
+    map.lamp = lamp;
+    map.resolution = resolution;
+    Frame frame;
+    for (int face = 0; face < shadow_face_count; ++face) {
+        const Settings settings = shadow_face_settings(lamp, face, resolution);
+        prepare_frame(scene, settings, nullptr, frame);
+        ShadowFace& drawn = map.faces[static_cast<std::size_t>(face)];
+        drawn.axes = camera_rotation(settings.camera);
+        drawn.inv_depth = std::move(draw_frame(frame).depth);
+    }
+    return map;
+}
+
+void take_occluders(Frame& frame) {
+    const Shadows shadows = shadow_rule(frame.settings, frame.scene->space);
+    Occluders& known = frame.occluders;
+    if (shadows == Shadows::off) {
+        known = {};
+        return;
+    }
+    known.rules = frame.settings.shadow_rules;
+    const Mesh& mesh = frame.scene->mesh;
+    if (known.triangles == nullptr || !known.triangles->is_of(mesh)) {
+        known.triangles = std::make_shared<const TriangleTree>(mesh);
+        known.map = nullptr;
+    }
+    if (shadows != Shadows::map) {
+        known.map = nullptr;
+        return;
+    }
+    const glm::vec3 lamp = light_rule(frame.settings).position;
+    const int resolution = frame.settings.shadow_resolution;
+    if (known.map == nullptr || known.map->lamp != lamp || known.map->resolution != resolution)
+        known.map =
+            std::make_shared<const ShadowMap>(draw_shadow_map(*frame.scene, lamp, resolution));
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,148 @@
+#include "stages/triangle_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace rasterwalk {
+
+namespace {
+
+/// A box of no more triangles is not divided.
+constexpr int few_triangles = 4;
+
+/// By this part of its coordinates a box is larger than what is in it. The places at which rays
+/// meet triangles are off by some units in the last place; no box may miss one for that.
+constexpr float box_margin = 1e-5f;
+
+RayTriangle ray_triangle(const Mesh& mesh, int triangle) {
+    const glm::vec3& a = mesh.corner(triangle, 0).position;
+    return {a, mesh.corner(triangle, 1).position - a, mesh.corner(triangle, 2).position - a};
+}
+
+/// Does the ray come through the box before t?
+bool passes(const WorldRay& ray, const glm::vec3& low, const glm::vec3& high, float before) {
+    float enters = 0.0f, leaves = before;
+    for (int i = 0; i < 3; ++i) {
+        if (ray.way[i] == 0.0f) {
+            if (!(ray.from[i] >= low[i] && ray.from[i] <= high[i])) return false;
+            continue;
+        }
+        const float to_low = (low[i] - ray.from[i]) / ray.way[i];
+        const float to_high = (high[i] - ray.from[i]) / ray.way[i];
+        enters = std::max(enters, std::min(to_low, to_high));
+        leaves = std::min(leaves, std::max(to_low, to_high));
+    }
+    return enters <= leaves;
+}
+
+} // namespace
+
+float meeting_of(const WorldRay& ray, const RayTriangle& triangle) {
+    constexpr float nowhere = std::numeric_limits<float>::infinity();
+    // Cramer's rule for from + t way = a + u ab + v ac. Written so that NaN meets nothing.
+    const glm::vec3 across = glm::cross(ray.way, triangle.ac);
+    const float whole = glm::dot(triangle.ab, across);
+    if (!(whole > 0.0f || whole < 0.0f)) return nowhere;
+    const glm::vec3 from_a = ray.from - triangle.a;
+    const float u = glm::dot(from_a, across) / whole;
+    if (!(u >= 0.0f && u <= 1.0f)) return nowhere;
+    const glm::vec3 beside = glm::cross(from_a, triangle.ab);
+    const float v = glm::dot(ray.way, beside) / whole;
+    if (!(v >= 0.0f && u + v <= 1.0f)) return nowhere;
+    const float t = glm::dot(triangle.ac, beside) / whole;
+    return t > 0.0f && t < ray.end ? t : nowhere;
+}
+
+TriangleTree::TriangleTree(const Mesh& mesh) {
+    const int count = mesh.triangle_count();
+    triangles_.reserve(static_cast<std::size_t>(count));
+    order_.reserve(static_cast<std::size_t>(count));
+    for (int t = 0; t < count; ++t) {
+        triangles_.push_back(ray_triangle(mesh, t));
+        order_.push_back(t);
+    }
+    boxes_.emplace_back();
+    fill(0, 0, count);
+}
+
+void TriangleTree::fill(std::size_t box, int first, int count) {
+    constexpr float infinite = std::numeric_limits<float>::infinity();
+    glm::vec3 low(infinite), high(-infinite);
+    const auto begin = order_.begin() + first, end = begin + count;
+    for (auto t = begin; t != end; ++t) {
+        const RayTriangle& triangle = triangles_[static_cast<std::size_t>(*t)];
+        for (const glm::vec3& way : {glm::vec3(0.0f), triangle.ab, triangle.ac}) {
+            low = glm::min(low, triangle.a + way);
+            high = glm::max(high, triangle.a + way);
+        }
+    }
+    const glm::vec3 margin = box_margin * glm::max(glm::abs(low), glm::abs(high));
+    const glm::vec3 size = high - low;
+    boxes_[box] = {low - margin, high + margin, first, count};
+    if (count <= few_triangles) return;
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    const auto middle = [&](int t) {
+        const RayTriangle& triangle = triangles_[static_cast<std::size_t>(t)];
+        return 3.0f * triangle.a[axis] + triangle.ab[axis] + triangle.ac[axis];
+    };
+    const int half = count / 2;
+    std::nth_element(begin, begin + half, end, [&](int a, int b) {
+        const float at_a = middle(a), at_b = middle(b);
+        return at_a != at_b ? at_a < at_b : a < b;
+    });
+    const std::size_t inner = boxes_.size();
+    boxes_.resize(inner + 2);
+    boxes_[box].first = static_cast<int>(inner);
+    boxes_[box].count = 0;
+    fill(inner, first, half);
+    fill(inner + 1, first + half, count - half);
+}
+
+void TriangleTree::ask(const WorldRay& ray, int triangle, TriangleHit& hit) const {
+    const float t = meeting_of(ray, triangles_[static_cast<std::size_t>(triangle)]);
+    if (t < hit.t || (t == hit.t && hit.is_hit() && triangle < hit.triangle)) hit = {triangle, t};
+}
+
+TriangleHit TriangleTree::first_hit(const WorldRay& ray) const {
+    TriangleHit hit;
+    if (triangles_.empty()) return hit;
+    // Halving makes no more than 20 levels of a million triangles.
+    std::array<int, 64> waiting{};
+    int count = 0;
+    waiting[static_cast<std::size_t>(count++)] = 0;
+    while (count > 0) {
+        const auto which = static_cast<std::size_t>(waiting[static_cast<std::size_t>(--count)]);
+        const Box& box = boxes_[which];
+        if (!passes(ray, box.low, box.high, std::min(hit.t, ray.end))) continue;
+        if (box.count == 0) {
+            waiting[static_cast<std::size_t>(count++)] = box.first + 1;
+            waiting[static_cast<std::size_t>(count++)] = box.first;
+            continue;
+        }
+        for (int i = 0; i < box.count; ++i)
+            ask(ray, order_[static_cast<std::size_t>(box.first + i)], hit);
+    }
+    return hit;
+}
+
+TriangleHit TriangleTree::first_hit_of_all(const WorldRay& ray) const {
+    TriangleHit hit;
+    for (int t = 0; t < static_cast<int>(triangles_.size()); ++t)
+        ask(ray, t, hit);
+    return hit;
+}
+
+bool TriangleTree::is_of(const Mesh& mesh) const {
+    if (static_cast<int>(triangles_.size()) != mesh.triangle_count()) return false;
+    for (int t = 0; t < mesh.triangle_count(); ++t) {
+        if (!(triangles_[static_cast<std::size_t>(t)] == ray_triangle(mesh, t))) return false;
+    }
+    return true;
+}
+
+} // namespace rasterwalk

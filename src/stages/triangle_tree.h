@@ -1,0 +1,81 @@
+#pragma once
+
+// Which triangle of a scene a ray meets first.
+//
+// In:  the triangles in world space, and a ray.
+// Out: the triangle that it meets nearest to its beginning, and where.
+// Picture: boxes in boxes, the triangles in the innermost. A ray that misses a box misses all that
+//          is in it, so nearly all triangles need not be asked. With a box or without, the answer
+//          is the same.
+//
+// The classic mistakes: a ray that is not ended, so that what lies beyond its end counts as well;
+// and one that begins on a surface and meets that surface first.
+//
+// Source: T. Moeller, B. Trumbore, "Fast, Minimum Storage WorldRay/Triangle Intersection", Journal
+// of Graphics Tools 2(1), 1997; boxes in boxes: S. M. Rubin, T. Whitted, "A 3-Dimensional
+// Representation for Fast Rendering of Complex Scenes", SIGGRAPH 1980.
+
+#include <limits>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "scene/mesh.h"
+
+namespace rasterwalk {
+
+/// A stretch of a straight line: from + t way, 0 < t < end.
+struct WorldRay {
+    glm::vec3 from{0.0f};
+    glm::vec3 way{0.0f}; ///< any length but 0
+    float end = 1.0f;    ///< 1: it ends at from + way
+};
+
+/// Where a ray meets a triangle.
+struct TriangleHit {
+    int triangle = -1;                                ///< of the mesh; -1: it meets none
+    float t = std::numeric_limits<float>::infinity(); ///< of the place, see WorldRay
+
+    bool is_hit() const { return triangle >= 0; }
+};
+
+/// A triangle as a ray asks for it: a corner, and the ways from there to the other two.
+struct RayTriangle {
+    glm::vec3 a{0.0f}, ab{0.0f}, ac{0.0f};
+
+    friend bool operator==(const RayTriangle&, const RayTriangle&) = default;
+};
+
+/// Where the line of a ray meets a triangle, from either side; its edges belong to it.
+/// @return t of the place, or infinity: outside, beside the ray's stretch, or along the triangle
+float meeting_of(const WorldRay& ray, const RayTriangle& triangle);
+
+/// The triangles of a mesh in boxes.
+class TriangleTree {
+  public:
+    explicit TriangleTree(const Mesh& mesh);
+
+    /// The triangle that the ray meets first; of several at the same place the first of the mesh.
+    TriangleHit first_hit(const WorldRay& ray) const;
+
+    /// The same by asking every triangle.
+    TriangleHit first_hit_of_all(const WorldRay& ray) const;
+
+    /// Are these the triangles of that mesh, at the same places?
+    bool is_of(const Mesh& mesh) const;
+
+  private:
+    struct Box {
+        glm::vec3 low{0.0f}, high{0.0f};
+        int first = 0; ///< of its triangles in order_; of a box of boxes: the first of two boxes
+        int count = 0; ///< its triangles; 0: it holds two boxes, one after the other
+    };
+    void fill(std::size_t box, int first, int count);
+    void ask(const WorldRay& ray, int triangle, TriangleHit& hit) const;
+
+    std::vector<RayTriangle> triangles_; ///< in the order of the mesh
+    std::vector<int> order_;             ///< the same as they lie in the boxes
+    std::vector<Box> boxes_;             ///< the first holds everything
+};
+
+} // namespace rasterwalk
