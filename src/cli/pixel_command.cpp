@@ -11,6 +11,8 @@
 #include "base/error.h"
 #include "base/numbers.h"
 #include "cli/json.h"
+#include "explain/fragment_report.h"
+#include "explain/shadow_formulas.h"
 #include "explain/texture_report.h"
 #include "inspect/pixel_history.h"
 #include "inspect/pixel_tests.h"
@@ -65,6 +67,40 @@ Json to_json(const TextureReport& texture) {
             {"v", texture.place.texcoord.y}};
 }
 
+/// What was asked about the lamp's light at a fragment; none where nothing casts shadows, and of
+/// what is no fragment.
+std::optional<ShadowTerms> shadow_of(const Frame& frame, const Cursor& cursor) {
+    if (occluders_of(frame) == nullptr) return std::nullopt;
+    const std::optional<FragmentReport> report = fragment_report(frame, cursor);
+    if (!report) return std::nullopt;
+    return report->shading == Shading::flat ? report->light_per_triangle.shadow
+                                            : report->light.shadow;
+}
+
+Json to_json(const ShadowTerms& shadow, const Frame& frame) {
+    Json object{{"asked", shadow.is_asked}, {"lit", shadow.lit}};
+    if (!shadow.is_asked) return object;
+    if (shadow.face < 0) {
+        if (!shadow.hit.is_hit()) return object;
+        object["triangle"] = shadow.hit.triangle;
+        object["name"] = part_name(*frame.scene, shadow.hit.triangle);
+        object["way"] = shadow.hit.t;
+        return object;
+    }
+    Json texels = Json::array();
+    for (int i = 0; i < shadow.texel_count; ++i) {
+        const ShadowTexel& texel = shadow.texels[static_cast<std::size_t>(i)];
+        Json one{{"column", texel.column}, {"lit", texel.is_lit}, {"row", texel.row}};
+        if (texel.inv_depth > 0.0f) one["z"] = 1.0f / texel.inv_depth;
+        texels.push_back(std::move(one));
+    }
+    object["bias"] = shadow.bias;
+    object["face"] = shadow_face_names[static_cast<std::size_t>(shadow.face)];
+    object["texels"] = std::move(texels);
+    object["z"] = shadow.seen.z;
+    return object;
+}
+
 Json to_json(const Frame& frame, const PixelEntry& entry, bool stays, const Cursor& to) {
     const Scene& scene = *frame.scene;
     const bool is_in_a_row = entry.row >= 0;
@@ -79,6 +115,8 @@ Json to_json(const Frame& frame, const PixelEntry& entry, bool stays, const Curs
     object["margin_to_winner"] = entry.margin_to_winner;
     object["name"] = part_name(scene, entry.cursor.triangle);
     if (is_in_a_row) object["row"] = entry.row;
+    if (const auto shadow = shadow_of(frame, entry.cursor))
+        object["shadow"] = to_json(*shadow, frame);
     object["stays"] = stays;
     object["stored"] = entry.stored;
     object["stored_zinv"] = entry.stored; // its name when nothing else was stored
@@ -183,6 +221,14 @@ void print_texture(const Frame& frame, const PixelHistory& history, std::ostream
     }
 }
 
+/// Whether the lamp's light arrives at the fragment that stays.
+void print_shadow(const Frame& frame, const PixelHistory& history, std::ostream& out) {
+    if (history.winner < 0) return;
+    const Cursor& cursor = history.entries[static_cast<std::size_t>(history.winner)].cursor;
+    if (const std::optional<ShadowTerms> shadow = shadow_of(frame, cursor))
+        out << shadow_text(*shadow, frame) << ".\n";
+}
+
 const char* word_in_table(Fate fate) {
     switch (fate) {
     case Fate::written:
@@ -251,6 +297,7 @@ void pixel_command(const PixelOptions& options, std::ostream& out) {
     } else {
         print_text(frame, history, session.cursor, out);
         print_texture(frame, history, out);
+        print_shadow(frame, history, out);
         print_tests(history, session.cursor, out);
     }
 }

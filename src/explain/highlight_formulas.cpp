@@ -165,6 +165,10 @@ class HighlightMaker {
                        own("power", "power", terms().power),
                        own("area", "area", point_.light.diffuse.sphere_area)},
                       {terms().reflected[i]}};
+        if (point_.light.shadow.is_asked) {
+            shine.expression = "k · (P · s · (power / area))";
+            shine.inputs.push_back(own("s", "lit", point_.light.shadow.lit));
+        }
         if (!is_there) {
             shine.help = "There is no highlight.";
             shine.expression = "0";

@@ -1,6 +1,7 @@
 #include "explain/light_formulas.h"
 
 #include "explain/highlight_formulas.h"
+#include "explain/shadow_formulas.h"
 
 namespace rasterwalk {
 
@@ -91,6 +92,12 @@ void append_channel(const LitPoint& point, const Light& light, int channel,
                     {"cosine", {terms.cosine}, from_formula(point.prefix + "cosine")},
                     {"area", {terms.sphere_area}, from_formula(point.prefix + "area")}},
                    {terms.direct[channel]}};
+    if (point.light.shadow.is_asked) {
+        direct.help += " Only the share s of it arrives.";
+        direct.expression = "P · s · (cosine / area)";
+        direct.inputs.push_back(
+            {"s", {point.light.shadow.lit}, from_formula(point.prefix + "lit")});
+    }
     if (!has_direction(terms)) {
         direct.help = "Direct light: none where the lamp itself stands.";
         direct.expression = "0";
@@ -174,6 +181,7 @@ void append_light_formulas(const LitPoint& point, const Frame& frame,
                         {terms.distance2}});
     formulas.push_back(cosine_formula(point, rules.direction));
     formulas.push_back(area_formula(point, rules.falloff));
+    append_shadow_formulas(point, frame, formulas);
     for (int i = 0; i < 3; ++i)
         append_channel(point, light, i, formulas);
     const bool has_highlight = light.model != LightModel::lambert;

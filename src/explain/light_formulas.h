@@ -40,9 +40,10 @@ inline constexpr std::array<const char*, 3> channel_names{"red", "green", "blue"
 std::vector<FormulaInput> parts_of_vector(const std::string& symbol, const SourcedVector& vector);
 
 /// Appends, in this order and with these ids after the prefix: r.x r.y r.z, r2, cosine, area,
-/// D.red D.green D.blue, those of highlight_formulas.h where the model has highlights, R.red ...,
-/// which has the highlight in it, colour.red ... (as the screen shows it). Where the point has
-/// paint, painted.red stands before colour.red, and so on; that is then what the screen shows.
+/// those of shadow_formulas.h where something casts shadows, D.red D.green D.blue, those of
+/// highlight_formulas.h where the model has highlights, R.red ..., which has the highlight in it,
+/// colour.red ... (as the screen shows it). Where the point has paint, painted.red stands before
+/// colour.red, and so on; that is then what the screen shows.
 void append_light_formulas(const LitPoint& point, const Frame& frame,
                            std::vector<Formula>& formulas);
 

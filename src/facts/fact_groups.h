@@ -37,6 +37,10 @@ void add_vertex_facts(std::vector<Fact>& table);
 /// The light of the picked pixel, term by term.
 void add_light_facts(std::vector<Fact>& table);
 
+// In shadow_facts.cpp:
+/// What lies in shadow: the picked pixel, the part on show, the whole picture.
+void add_shadow_facts(std::vector<Fact>& table);
+
 // In fragment_facts.cpp:
 /// The picked pixel.
 void add_pixel_facts(std::vector<Fact>& table);

@@ -22,6 +22,7 @@ std::span<const Fact> fact_table() {
         add_model_facts(facts);
         add_pixel_facts(facts);
         add_light_facts(facts);
+        add_shadow_facts(facts);
         add_clip_facts(facts);
         add_outline_facts(facts);
         add_shared_edge_facts(facts);

@@ -127,6 +127,12 @@ const EdgeEnds& Facts::edge_ends() const {
     return *known.edge_ends;
 }
 
+const FrameShadows& Facts::shadows() const {
+    FactCache& known = cache();
+    if (!known.shadows) known.shadows = count_shadows(results_->a.frame);
+    return *known.shadows;
+}
+
 std::int64_t Facts::drawn_twice() const {
     FactCache& known = cache();
     if (!known.drawn_twice) {

@@ -18,6 +18,7 @@
 #include "inspect/pixel_tests.h"
 #include "inspect/polygon_ways.h"
 #include "inspect/row_history.h"
+#include "inspect/shadow_count.h"
 #include "inspect/shared_edge.h"
 #include "inspect/stats.h"
 #include "session/results.h"
@@ -62,6 +63,7 @@ struct FactCache {
     std::optional<InterpolationError> error;
     std::optional<Cursor> light_at;
     std::optional<FragmentReport> light;
+    std::optional<FrameShadows> shadows;
     std::optional<Cursor> texture_at;
     std::optional<TextureReport> texture;
 };
@@ -91,6 +93,8 @@ class Facts {
     const CountedEdge* shared_edge() const;
     /// Whether the edges of the frame arrive.
     const EdgeEnds& edge_ends() const;
+    /// How much of the frame's picture lies in shadow.
+    const FrameShadows& shadows() const;
     /// Pixels that two neighbours of the frame have both drawn.
     std::int64_t drawn_twice() const;
     /// Is there a second run, and does it cut the scene into the same triangles?

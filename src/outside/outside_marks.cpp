@@ -226,6 +226,21 @@ void add_basis(const Basis& basis, Collector& collector) {
     collector.point(OutsidePointKind::origin, static_cast<int>(basis.of), basis.origin);
 }
 
+/// What is met may stand behind the lamp, by mistake: then the way ends there.
+void add_lamp_way(const SeenLampWay& way, const glm::dvec3& lamp, Collector& collector) {
+    if (way.met) {
+        const bool is_beyond = glm::dot(*way.met - way.from, lamp - way.from) >
+                               glm::dot(lamp - way.from, lamp - way.from);
+        collector.line(OutsideLineKind::dark_way, 0, is_beyond ? way.from : *way.met,
+                       is_beyond ? *way.met : lamp);
+        if (!is_beyond) collector.line(OutsideLineKind::lamp_way, 0, way.from, *way.met);
+        collector.point(OutsidePointKind::occluder, 0, *way.met);
+    } else {
+        collector.line(OutsideLineKind::lamp_way, 0, way.from, lamp);
+    }
+    collector.point(OutsidePointKind::shaded, 0, way.from);
+}
+
 bool meet(const OutsideBox& a, const OutsideBox& b) {
     return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
 }
@@ -295,7 +310,8 @@ bool is_off_lines(const OutsideLabel& label, const OutsideBox& box,
 
 OutsideMarks outside_marks(const Scene& scene, const OutsideThings& things, const OutsideEye& eye,
                            const MarkedTriangle& marked, std::optional<glm::ivec2> pixel,
-                           glm::ivec2 size, std::span<const Basis> bases) {
+                           glm::ivec2 size, std::span<const Basis> bases,
+                           const std::optional<SeenLampWay>& lamp_way) {
     Collector collector{eye, glm::dvec2(size)};
     add_camera(things, collector);
     if (marked.clipping.ends) add_ends(things, *marked.clipping.ends, collector);
@@ -304,6 +320,7 @@ OutsideMarks outside_marks(const Scene& scene, const OutsideThings& things, cons
     }
     for (const Basis& basis : bases)
         add_basis(basis, collector);
+    if (lamp_way) add_lamp_way(*lamp_way, things.lamp, collector);
     const PicturePlane& plane = things.plane;
     if (pixel && pixel->x >= 0 && pixel->y >= 0 && pixel->x < plane.size.width &&
         pixel->y < plane.size.height) {

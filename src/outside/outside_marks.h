@@ -31,6 +31,8 @@ enum class OutsideLineKind : std::uint8_t {
     ray,      ///< from a vertex of the triangle to the camera; number: which vertex
     behind,   ///< the same for a vertex that is not in front of the camera
     mirrored, ///< from there on to where the division puts such a vertex; number: which vertex
+    lamp_way, ///< from a point of a surface toward the lamp, as far as light comes from there
+    dark_way, ///< from what stands between to the lamp
     axis,     ///< an arrow from the origin of a space; number: see axis_number()
 };
 
@@ -53,6 +55,8 @@ enum class OutsidePointKind : std::uint8_t {
     plane,    ///< where the name of a plane may stand; number: of which ClipPlane
     end,      ///< where the name of the near or far plane may stand; number: of which ClipPlane
     mirrored, ///< where the division puts a vertex behind the camera; number: which vertex
+    shaded,   ///< a point of a surface that the lamp lights, or would
+    occluder, ///< where what stands between is met
     axis,     ///< the tip of such an arrow, at which its name may stand; number: likewise
     origin,   ///< where the arrows of a space begin; number: of which BasisOf
 };
@@ -81,13 +85,21 @@ constexpr int axis_number(BasisOf of, int axis) {
     return axis_count * static_cast<int>(of) + axis;
 }
 
+/// The way from a point of a surface to the lamp.
+struct SeenLampWay {
+    glm::dvec3 from{0.0};
+    std::optional<glm::dvec3> met; ///< where something stands between, or does by mistake
+};
+
 /// All marks that can be seen; lines end where the picture of the eye ends, or a little beyond.
 /// @param pixel of the scene's picture that is picked
 /// @param size  of the picture of the eye, pixels
 /// @param bases whose axes are drawn
+/// @param lamp_way to the lamp, if it is shown
 OutsideMarks outside_marks(const Scene& scene, const OutsideThings& things, const OutsideEye& eye,
                            const MarkedTriangle& marked, std::optional<glm::ivec2> pixel,
-                           glm::ivec2 size, std::span<const Basis> bases = {});
+                           glm::ivec2 size, std::span<const Basis> bases = {},
+                           const std::optional<SeenLampWay>& lamp_way = {});
 
 /// A part of the picture of the eye, pixels.
 struct OutsideBox {

@@ -14,15 +14,16 @@ namespace {
 /// texel's size times the tangent of the slant.
 float bias_at(const ShadowPoint& point, float depth, int resolution, const ShadowRules& rules) {
     if (rules.slope_bias == 0.0f) return rules.bias;
-    // Nearly along the surface the tangent has no end; there is hardly any light either.
-    constexpr float smallest_cosine = 0.01f;
-    const float cosine = std::clamp(point.cosine, smallest_cosine, 1.0f);
-    const float tangent = std::sqrt(1.0f - cosine * cosine) / cosine;
     const float texel = 2.0f * depth / static_cast<float>(resolution);
-    return rules.bias + rules.slope_bias * texel * tangent;
+    return rules.bias + rules.slope_bias * texel * shadow_slope(point.cosine);
 }
 
 } // namespace
+
+float shadow_slope(float cosine) {
+    const float usual = std::clamp(cosine, 0.01f, 1.0f);
+    return std::sqrt(1.0f - usual * usual) / usual;
+}
 
 ShadowTerms no_shadow(const ShadowPoint&, const Occluders&, const Stages&) {
     return {};
@@ -32,6 +33,7 @@ ShadowTerms shadow_by_ray(const ShadowPoint& point, const Occluders& occluders,
                           const Stages& stages) {
     ShadowTerms terms;
     terms.is_asked = true;
+    terms.point = point;
     terms.ray = stages.shadow_ray(point, occluders.rules.offset);
     terms.hit = occluders.triangles->first_hit(terms.ray);
     terms.lit = terms.hit.is_hit() ? 0.0f : 1.0f;
@@ -47,7 +49,8 @@ int shadow_face_of(const glm::vec3& from_lamp) {
 
 glm::vec2 shadow_place(const glm::vec3& seen, int resolution) {
     const float focal_length = 0.5f * static_cast<float>(resolution);
-    const auto middle = static_cast<float>(resolution / 2);
+    const int half = resolution / 2; // as viewport_middle() has it
+    const auto middle = static_cast<float>(half);
     const float inv_z = 1.0f / seen.z;
     return {focal_length * seen.x * inv_z + middle, focal_length * seen.y * inv_z + middle};
 }
@@ -86,10 +89,12 @@ ShadowTerms shadow_by_map(const ShadowPoint& point, const Occluders& occluders,
     const glm::vec3 from_lamp = point.position_world - map.lamp;
     const int which = shadow_face_of(from_lamp);
     const ShadowFace& face = map.faces[static_cast<std::size_t>(which)];
-    const glm::vec3 seen = from_lamp * face.axes;
+    // 0 is added so that no part is −0.
+    const glm::vec3 seen = from_lamp * face.axes + 0.0f;
     // At the lamp itself there is no direction.
     if (!(seen.z > 0.0f)) return terms;
     terms.is_asked = true;
+    terms.point = point;
     terms.face = which;
     terms.seen = seen;
     terms.place = shadow_place(seen, map.resolution);

@@ -96,6 +96,7 @@ inline constexpr int most_shadow_texels = 4;
 /// Every number on the way to the share of light.
 struct ShadowTerms {
     bool is_asked = false; ///< false: nothing casts a shadow, or the point faces away
+    ShadowPoint point{};   ///< that was asked about
     float lit = 1.0f;      ///< the share of the lamp's power that arrives, 0..1
     // By ray:
     WorldRay ray{};
@@ -129,6 +130,10 @@ ShadowTerms shadow_by_ray(const ShadowPoint& point, const Occluders& occluders,
 /// Asks the map. Needs Occluders::map.
 ShadowTerms shadow_by_map(const ShadowPoint& point, const Occluders& occluders,
                           const Stages& stages);
+
+/// The tangent of the slant of light, by which slope_bias is multiplied. Nearly along the surface
+/// it would have no end, and there is hardly any light: there it stays what it is at 0.01.
+float shadow_slope(float cosine);
 
 /// The face of a map in which a direction from the lamp lies: that of its longest part.
 int shadow_face_of(const glm::vec3& from_lamp);

@@ -183,3 +183,23 @@ TEST_CASE("A scene whose texture is missing ends with 3, file and line") {
     CHECK(result.out.empty());
     CHECK_THAT(result.err, Contains(path + ":10: the texture 'none.png' cannot be used: "));
 }
+
+TEST_CASE("pixel says whether the lamp's light arrives, and what stands between") {
+    CHECK_THAT(run({"pixel", "400,450", "--set", "shadows=rays"}).out,
+               Contains("\nIn shadow: triangles[12] (short block) stands between, at 0.20 of the "
+                        "way to the lamp.\n"));
+    CHECK_THAT(run({"pixel", "60,300", "--set", "shadows=rays"}).out,
+               Contains("\nLit: nothing stands between here and the lamp.\n"));
+    CHECK_THAT(run({"pixel", "400,450", "--set", "shadows=map"}).out,
+               Contains("\nIn shadow: the lamp saw as far as 0.9054, this lies at 1.5000 − 0.0500 "
+                        "(face +y, column 383, row 224).\n"));
+    CHECK(count_of("shadow", run({"pixel", "400,450"}).out) == 0);
+    const std::string ray =
+        without_blanks(run({"pixel", "400,450", "--set", "shadows=rays", "--json"}).out);
+    CHECK_THAT(ray, Contains("\"shadow\":{\"asked\":true,\"lit\":0.0,\"name\":\"shortblock\","
+                             "\"triangle\":12,\"way\":0.20"));
+    const std::string map =
+        without_blanks(run({"pixel", "400,450", "--set", "shadows=map", "--json"}).out);
+    CHECK_THAT(map, Contains("\"face\":\"+y\""));
+    CHECK_THAT(map, Contains("\"texels\":[{\"column\":383,\"lit\":false,\"row\":224,\"z\":0.90"));
+}

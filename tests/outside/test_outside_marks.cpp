@@ -307,3 +307,41 @@ TEST_CASE("A line is cut at the near plane and at the border") {
     // 1/z is linear along it: where the line is at x = 100, z is 2.
     CHECK(part.inv_z_from == Approx(0.5));
 }
+
+TEST_CASE("The way to the lamp is seen: light as far as it comes, and dashes behind what stands "
+          "between") {
+    const Scene scene = test::lab_room();
+    const Seen seen(scene, {});
+    const glm::dvec3 from(0.5, 1.0, 0.2), lamp(seen.things.lamp);
+    const auto marks_of = [&](const std::optional<SeenLampWay>& way) {
+        return outside_marks(scene, seen.things, seen.eye, {}, {}, seen.size, {}, way);
+    };
+    CHECK(lines_of(marks_of({}), OutsideLineKind::lamp_way).empty());
+    CHECK(points_of(marks_of({}), OutsidePointKind::shaded).empty());
+
+    const OutsideMarks lit = marks_of(SeenLampWay{from, {}});
+    REQUIRE(lines_of(lit, OutsideLineKind::lamp_way).size() == 1);
+    CHECK(lines_of(lit, OutsideLineKind::dark_way).empty());
+    CHECK(points_of(lit, OutsidePointKind::occluder).empty());
+    const OutsideLine whole = lines_of(lit, OutsideLineKind::lamp_way).front();
+    const auto is_at = [&](const glm::vec2& place, const glm::dvec3& world) {
+        return glm::distance(glm::dvec2(place), *seen.eye.pixel_of(world)) < 0.01;
+    };
+    CHECK(is_at(whole.from, from));
+    CHECK(is_at(whole.to, lamp));
+
+    const glm::dvec3 between = from + 0.3 * (lamp - from);
+    const OutsideMarks dark = marks_of(SeenLampWay{from, between});
+    REQUIRE(lines_of(dark, OutsideLineKind::lamp_way).size() == 1);
+    REQUIRE(lines_of(dark, OutsideLineKind::dark_way).size() == 1);
+    CHECK(is_at(lines_of(dark, OutsideLineKind::lamp_way).front().to, between));
+    CHECK(is_at(lines_of(dark, OutsideLineKind::dark_way).front().to, lamp));
+    REQUIRE(points_of(dark, OutsidePointKind::occluder).size() == 1);
+    CHECK(is_at(points_of(dark, OutsidePointKind::occluder).front().at, between));
+
+    const glm::dvec3 behind = from + 1.2 * (lamp - from);
+    const OutsideMarks beyond = marks_of(SeenLampWay{from, behind});
+    CHECK(lines_of(beyond, OutsideLineKind::lamp_way).empty());
+    REQUIRE(lines_of(beyond, OutsideLineKind::dark_way).size() == 1);
+    CHECK(is_at(lines_of(beyond, OutsideLineKind::dark_way).front().to, behind));
+}

@@ -133,6 +133,13 @@ void draw_line(const Pen& pen, const OutsideLine& line) {
     case OutsideLineKind::end:
         pen.list->AddLine(from, to, pen.meaning(Meaning::left_end, 0.55f), 1.0f * u);
         break;
+    case OutsideLineKind::lamp_way:
+        pen.list->AddLine(from, to, pen.ground(0.7f), 4.0f * u);
+        pen.list->AddLine(from, to, pen.meaning(Meaning::left_end), 2.0f * u);
+        break;
+    case OutsideLineKind::dark_way:
+        draw_dashed(pen, from, to, pen.meaning(Meaning::fail), 1.8f * u);
+        break;
     case OutsideLineKind::axis:
         draw_arrow(pen, from, to, pen.meaning(axis_meaning(line.number)));
         break;
@@ -183,6 +190,12 @@ void draw_point(const Pen& pen, const OutsidePoint& point) {
         pen.list->AddCircle(at, 5.0f * u, pen.ground(), 0, 4.0f * u);
         pen.list->AddCircle(at, 5.0f * u, pen.meaning(Meaning::fail), 0, 1.8f * u);
         break;
+    case OutsidePointKind::shaded:
+        draw_dot(pen, at, 3.5f * u, pen.meaning(Meaning::left_end));
+        break;
+    case OutsidePointKind::occluder:
+        draw_dot(pen, at, 4.5f * u, pen.meaning(Meaning::fail));
+        break;
     case OutsidePointKind::vertex:
         draw_dot(pen, at, 4.5f * u, pen.meaning(Meaning::current));
         break;
@@ -215,6 +228,8 @@ float reach_of(OutsidePointKind kind) {
     case OutsidePointKind::pixel:
     case OutsidePointKind::cut:
     case OutsidePointKind::mirrored:
+    case OutsidePointKind::shaded:
+    case OutsidePointKind::occluder:
         return 6.0f;
     case OutsidePointKind::crossing:
         return 4.5f;
@@ -291,6 +306,8 @@ Name name_of(const Pen& pen, const OutsidePoint& point) {
     case OutsidePointKind::mirrored:
         return {point, pen.is_narrow ? "divided" : "dividing puts it here",
                 pen.meaning(Meaning::fail), 2};
+    case OutsidePointKind::occluder:
+        return {point, pen.is_narrow ? "shades" : "stands between", pen.meaning(Meaning::fail), 1};
     case OutsidePointKind::axis:
         // Before the vertices: an arrow without a name says nothing, and they have their numbers
         // in the panel.
@@ -300,6 +317,7 @@ Name name_of(const Pen& pen, const OutsidePoint& point) {
         return {point, origin_name(point.number, pen.is_narrow), pen.text(), 2};
     case OutsidePointKind::crossing:
     case OutsidePointKind::pixel:
+    case OutsidePointKind::shaded:
         break;
     }
     return {point, {}, 0, 4};

@@ -11,6 +11,7 @@
 #include "inspect/cut_corners.h"
 #include "outside/outside_drawing.h"
 #include "session/clipping_outside.h"
+#include "session/shadow_outside.h"
 #include "ui/actions/actions.h"
 #include "ui/actions/outside.h"
 #include "ui/canvas/canvas_pointer.h"
@@ -232,7 +233,8 @@ void draw_outside(Ui& ui, const Pane& pane) {
     const OutsideMarks marks =
         outside_marks(*a.frame.scene, drawing.things(), drawing.eye(),
                       {a.triangle, subject.clipping, is_seen_mirrored(a)},
-                      ui.session.selection.pixel, size_of(pane), bases_of(a.frame, a.triangle));
+                      ui.session.selection.pixel, size_of(pane), bases_of(a.frame, a.triangle),
+                      lamp_way_outside(a.frame, a.inspected.fragment));
     const std::string coming = fitting_coming_words(ui, pane);
     const float below =
         coming.empty() ? 0.0f : ui.fonts.small->FontSize + (coming_border + coming_gap) * u;

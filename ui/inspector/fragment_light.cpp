@@ -2,6 +2,7 @@
 
 #include "base/element_names.h"
 #include "explain/light_formulas.h"
+#include "explain/shadow_formulas.h"
 #include "picture/view_image.h"
 #include "ui/actions/go_to_source.h"
 #include "ui/inspector/fragment_parts.h"
@@ -59,6 +60,24 @@ void draw_painted(Ui& ui, const std::string& prefix, const glm::vec3& light) {
     draw_clamped(ui, light * report.texture->colour);
 }
 
+/// What stands between, where anything casts shadows, and by which numbers that was found out.
+void draw_shadow(Ui& ui, const std::string& prefix, const SurfaceLight& light) {
+    const std::string words = shadow_text(light.shadow, ui.results.a.frame);
+    if (words.empty()) return;
+    const bool is_dark = light.shadow.is_dark() || !light.shadow.is_asked;
+    ImGui::PushStyleColor(ImGuiCol_Text,
+                          colour_of(is_dark ? Meaning::fail : Meaning::pass, ui.options.theme));
+    wrapped_text(words);
+    keep_text_whole(ui);
+    ImGui::PopStyleColor();
+    name_widget(ui, "fragment.shadow",
+                "Whether the lamp's light arrives, by the setting shadows: only where it does is "
+                "there direct light.");
+    for (const char* id :
+         {"shadow.t", "shadow.seen.z", "shadow.bias", "shadow.compared", "shadow.map", "lit"})
+        draw_fragment_line(ui, prefix + id);
+}
+
 /// The light at one point, term by term.
 void draw_light_terms(Ui& ui, const std::string& prefix, const SurfaceLight& light) {
     const FragmentReport& report = report_of(ui);
@@ -67,6 +86,7 @@ void draw_light_terms(Ui& ui, const std::string& prefix, const SurfaceLight& lig
     draw_fragment_line(ui, prefix + "r2");
     draw_fragment_line(ui, prefix + "cosine");
     draw_fragment_line(ui, prefix + "area");
+    draw_shadow(ui, prefix, light);
     if (is_grey(light.diffuse.direct)) {
         draw_fragment_line(ui, prefix + "D.red", "D");
     } else {

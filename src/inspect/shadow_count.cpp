@@ -1,0 +1,93 @@
+#include "inspect/shadow_count.h"
+
+#include <optional>
+
+#include "pipeline/draw.h"
+#include "pipeline/observer.h"
+#include "pipeline/surface.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// The fragment that each pixel shows in the end.
+class LastFragments : public Observer {
+  public:
+    explicit LastFragments(Viewport size)
+        : width_(static_cast<std::size_t>(size.width)),
+          fragments_(width_ * static_cast<std::size_t>(size.height)) {}
+
+    void fragment(const FragmentEvent& event) override {
+        if (event.fate != Fate::written) return;
+        fragments_[static_cast<std::size_t>(event.fragment.row) * width_ +
+                   static_cast<std::size_t>(event.fragment.column)] = event.fragment;
+    }
+    const Fragment& at(std::size_t pixel) const { return fragments_[pixel]; }
+
+  private:
+    std::size_t width_;
+    std::vector<Fragment> fragments_;
+};
+
+/// The light of a fragment at its own place.
+SurfaceLight light_there(const Frame& frame, const Fragment& fragment, int triangle,
+                         const Surface& surface, const PixelRules& rules) {
+    SurfacePoint point = surface_point(recover_varyings(fragment, frame.stages), surface,
+                                       rules.camera, frame.stages);
+    point.shine = frame.scene->corner(triangle, 0).shine;
+    return surface_light(point, rules.light, rules.rays, rules.occluders, frame.stages);
+}
+
+void add(const SurfaceLight& light, const Frame& frame, ShadowCount& count) {
+    ++count.pixels;
+    if (!(light.diffuse.cosine > 0.0f)) return;
+    ++count.facing;
+    const ShadowTerms& shadow = light.shadow;
+    count.in_shadow += shadow.is_dark() ? 1 : 0;
+    if (!shadow.is_asked) return;
+    ShadowRules usual;
+    const WorldRay ray = shadow_ray(shadow.point, usual.offset);
+    const bool is_blocked = frame.occluders.triangles->first_hit(ray).is_hit();
+    count.acne += shadow.is_dark() && !is_blocked ? 1 : 0;
+    count.leaks += !shadow.is_dark() && is_blocked ? 1 : 0;
+}
+
+void operator+=(ShadowCount& sum, const ShadowCount& part) {
+    sum.pixels += part.pixels;
+    sum.facing += part.facing;
+    sum.in_shadow += part.in_shadow;
+    sum.acne += part.acne;
+    sum.leaks += part.leaks;
+}
+
+} // namespace
+
+FrameShadows count_shadows(const Frame& frame) {
+    FrameShadows result;
+    result.parts.resize(frame.scene->parts.size());
+    if (!has_fragments(frame.settings.stage)) return result;
+    Framebuffer picture;
+    clear(picture, frame);
+    LastFragments last(frame.settings.viewport);
+    draw(frame, {}, picture, &last);
+    const PixelRules rules = pixel_rules(frame);
+    int known = -1;
+    Surface surface;
+    for (std::size_t i = 0; i < picture.owner.size(); ++i) {
+        const int triangle = picture.owner[i];
+        if (triangle < 0) continue;
+        if (triangle != known) {
+            surface = surface_of(frame, triangle);
+            surface.differences = frame.scene->mesh.differences(triangle);
+            known = triangle;
+        }
+        ShadowCount one;
+        add(light_there(frame, last.at(i), triangle, surface, rules), frame, one);
+        result.all += one;
+        const int part = part_of(*frame.scene, triangle);
+        if (part >= 0) result.parts[static_cast<std::size_t>(part)] += one;
+    }
+    return result;
+}
+
+} // namespace rasterwalk

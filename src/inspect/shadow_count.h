@@ -1,0 +1,33 @@
+#pragma once
+
+// How much of a finished picture lies in shadow, and where a map is wrong: each pixel is asked
+// again, at the place in the room that it shows.
+
+#include <cstdint>
+#include <vector>
+
+#include "pipeline/frame.h"
+
+namespace rasterwalk {
+
+/// Pixels of the finished picture, or of one part of the scene in it.
+struct ShadowCount {
+    std::int64_t pixels = 0;    ///< on which something is seen
+    std::int64_t facing = 0;    ///< of these: its surface faces the lamp
+    std::int64_t in_shadow = 0; ///< of these: wholly or partly in shadow
+    // Held against rays:
+    std::int64_t acne = 0;  ///< in shadow though nothing stands between
+    std::int64_t leaks = 0; ///< fully lit though something does
+
+    friend bool operator==(const ShadowCount&, const ShadowCount&) = default;
+};
+
+struct FrameShadows {
+    ShadowCount all;
+    std::vector<ShadowCount> parts; ///< as Scene::parts
+};
+
+/// Draws the frame and counts. Without shadows in it nothing lies in shadow, and nothing is wrong.
+FrameShadows count_shadows(const Frame& frame);
+
+} // namespace rasterwalk
