@@ -122,6 +122,7 @@ FramePreparation begin_frame(const Scene& scene, const Settings& settings,
     frame.settings = settings;
     frame.replace = replace;
     frame.stages = stages_for(settings, mesh.differences(), replace);
+    frame.blends = frame.stages.blend != blend_nothing && has_alpha(*frame.scene);
     return {mesh, vertex_rules(settings, scene.space), frame};
 }
 
