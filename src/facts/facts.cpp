@@ -7,6 +7,7 @@
 
 #include "inspect/carried_row.h"
 #include "picture/pixel_facts.h"
+#include "pipeline/draw.h"
 #include "pipeline/surface.h"
 #include "stages/pixel_shader.h"
 
@@ -141,6 +142,20 @@ std::int64_t Facts::drawn_twice() const {
                                           [](const DrawnTwice& pair) { return bool(pair); });
     }
     return *known.drawn_twice;
+}
+
+const std::vector<int>& Facts::column_owners() const {
+    FactCache& known = cache();
+    const int column = results_->history->pixel.x;
+    if (known.column != column) {
+        const Frame& frame = results_->a.frame;
+        Framebuffer drawn;
+        clear(drawn, frame, {1, frame.settings.viewport.height}, {column, 0});
+        draw(frame, {}, drawn);
+        known.column = column;
+        known.column_owners = drawn.owner;
+    }
+    return known.column_owners;
 }
 
 /// Forgets what was counted with another frame of run B.

@@ -31,6 +31,18 @@ Value edge_samples(const Facts& facts, int edge) {
     return number(table->edge_samples[static_cast<std::size_t>(edge)]);
 }
 
+/// Pixels of the picked pixel's column that show the same part of the scene as it does.
+Value part_in_column(const Facts& facts, int) {
+    const PixelEntry* const winner = facts.winner();
+    if (winner == nullptr) return {};
+    const Scene& scene = *facts.results().a.frame.scene;
+    const int part = part_of(scene, winner->cursor.triangle);
+    const std::vector<int>& owners = facts.column_owners();
+    return number(std::count_if(owners.begin(), owners.end(), [&](int owner) {
+        return owner >= 0 && part_of(scene, owner) == part;
+    }));
+}
+
 /// A number of the texture that the picked pixel shows; none if it shows none.
 template <auto read>
 Value texture_number(const Facts& facts, int) {
@@ -117,6 +129,9 @@ void add_pixel_facts(std::vector<Fact>& table) {
                          const PixelEntry* const winner = f.winner();
                          return number(winner != nullptr ? winner->cursor.triangle : -1);
                      }});
+    table.push_back({"pixel.part_in_column",
+                     "Pixels of the picked pixel's column that show the same part of the scene.",
+                     natural(), part_in_column});
     table.push_back({"pixel.zinv",
                      "1/z of what the picked pixel shows in the end; 1/w under another projection.",
                      real(), [](const Facts& f, int) {

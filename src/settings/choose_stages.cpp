@@ -414,7 +414,9 @@ void choose(DepthTest test, const DepthRules& rules, Stages& stages) {
     switch (test) {
     case DepthTest::inverse_z:
         // The lab's own does for every float of which the larger is nearer.
-        if (!is_float || is_smaller_nearer(rules.projection.clip_depth))
+        if (rules.epsilon > 0.0f)
+            stages.depth_test = depth_test_with_epsilon;
+        else if (!is_float || is_smaller_nearer(rules.projection.clip_depth))
             stages.depth_test = depth_test_as_held;
         break;
     case DepthTest::linear_z:

@@ -13,6 +13,7 @@ namespace {
 
 /// 1/z of the nearest thing that a depth buffer may be made to start with, and of the farthest.
 constexpr float largest_depth_clear = 1e6f;
+constexpr float largest_depth_epsilon = 10.0f;
 
 /// Nearer to the camera the division by z leaves the range of floats.
 constexpr float smallest_near = 1e-6f;
@@ -194,6 +195,13 @@ std::vector<Setting> make_table() {
          "Depth buffer", "1/z or ndc z",
          NumberSetting{[](Settings& s) -> float& { return s.depth_clear; }, -largest_depth_clear,
                        largest_depth_clear, 0.01f}},
+        {"depth_epsilon", "Nearer by more than", "Depth and interpolation",
+         "How much nearer than what is stored a fragment must be, in 1/z or what else the depth "
+         "buffer holds. What is hardly nearer counts as equally near, and the one drawn first "
+         "stays. Only the correct depth test asks for it.",
+         "Depth buffer", "1/z or ndc z",
+         NumberSetting{[](Settings& s) -> float& { return s.depth_epsilon; }, 0.0f,
+                       largest_depth_epsilon, 1e-6f}},
         {"depth_index", "Depth buffer index", "Depth and interpolation",
          "Which cell of the depth buffer belongs to a pixel: [y][x], or by mistake [x][y].",
          "Depth buffer", "", choice<&Settings::depth_index>()},

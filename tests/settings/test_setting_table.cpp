@@ -56,6 +56,7 @@ TEST_CASE("The table holds exactly the settings that are promised, each with hel
                                                  "depth_test",
                                                  "depth_format",
                                                  "depth_clear",
+                                                 "depth_epsilon",
                                                  "depth_index",
                                                  "depth_order",
                                                  "interpolation",

@@ -94,6 +94,7 @@ const std::vector<Variant>& rule_variants() {
             }
         }
         all.push_back({"depth_clear=0.3", [](Settings& s) { s.depth_clear = 0.3f; }});
+        all.push_back({"depth_epsilon=0.02", [](Settings& s) { s.depth_epsilon = 0.02f; }});
         all.push_back({"everything changed", [](Settings& s) {
                            set_rounding(s, Rounding::floor);
                            s.line_walk = LineWalk::exact;
