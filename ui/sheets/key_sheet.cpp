@@ -7,6 +7,7 @@
 #include "ui/sheets/sheets.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -82,17 +83,20 @@ KeyColumns key_columns(const Ui& ui, const std::vector<KeyGroup>& groups, float 
     return {std::clamp(count, 1, 3), keys, gap};
 }
 
-void draw_group(const Ui& ui, const KeyGroup& group, float keys_width) {
+void draw_group(Ui& ui, const KeyGroup& group, float keys_width) {
     const Palette& p = palette(ui.options.theme);
     ImGui::PushFont(ui.fonts.bold);
     text_in(p.dim, group.title);
+    keep_item_whole(ui);
     ImGui::PopFont();
     for (const KeyLine& line : group.lines) {
         ImGui::PushFont(ui.fonts.mono);
         text_in(p.link, line.keys);
+        keep_item_whole(ui);
         ImGui::PopFont();
         ImGui::SameLine(keys_width);
         ImGui::TextUnformatted(line.help.c_str());
+        keep_item_whole(ui);
     }
     ImGui::Dummy({0.0f, 4.0f * ui.options.text_scale});
 }
@@ -109,6 +113,7 @@ void draw_key_sheet(Ui& ui, ImVec2 window) {
     const std::vector<KeyGroup> groups = key_groups();
     const KeyColumns columns = key_columns(ui, groups, window.x);
     begin_sheet(ui, keys_look, window);
+    begin_whole_lines(ui);
     ImGui::Spacing();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
                         {ImGui::GetStyle().ItemSpacing.x, 3.0f * ui.options.text_scale});
@@ -130,6 +135,7 @@ void draw_key_sheet(Ui& ui, ImVec2 window) {
         ImGui::EndGroup();
     }
     ImGui::PopStyleVar();
+    end_whole_lines(ui);
     end_sheet();
 }
 

@@ -241,8 +241,14 @@ bool number_cell(Ui& ui, const std::string& name, std::string_view text, const I
                  bool is_chosen, std::string_view tooltip) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float room = ImGui::GetContentRegionAvail().x;
+    // The light behind a chosen number stays within the space around its cell.
+    const ImGuiStyle& style = ImGui::GetStyle();
+    ImGui::PushStyleVar(
+        ImGuiStyleVar_ItemSpacing,
+        ImVec2(std::min(style.ItemSpacing.x, 1.4f * style.CellPadding.x), style.ItemSpacing.y));
     const bool clicked =
         ImGui::Selectable(("##" + name).c_str(), is_chosen, 0, {room, ImGui::GetTextLineHeight()});
+    ImGui::PopStyleVar();
     name_number(ui, name, tooltip);
     note_text(ui, name, text);
     // As high as the words beside it: both are seen, or neither.
