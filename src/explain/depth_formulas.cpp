@@ -51,6 +51,10 @@ void add_linear_depth(Formula& depth, float z, const DepthRules& rules) {
 
 } // namespace
 
+std::string margin_limit(const DepthRules& rules) {
+    return rules.epsilon > 0.0f ? "epsilon, " + shown({rules.epsilon}) + "," : "0";
+}
+
 void add_depth_test(FragmentReport& report, const Frame& frame) {
     const DepthRules rules = depth_rules(frame.settings, frame.scene->space);
     const ClipDepth kind = rules.projection.clip_depth;
@@ -84,13 +88,15 @@ void add_depth_test(FragmentReport& report, const Frame& frame) {
     if (!report.stored_by && report.stored != farthest_depth(kind))
         stored = from_setting("depth_clear");
     if (!report.has_cell) stored = from_words("this pixel has no cell in the depth buffer");
+    std::string margin_help = "How much nearer than what is stored; ";
+    if (report.depth_test == DepthTest::reversed)
+        margin_help += "the test is the wrong way round, and below 0 the fragment is drawn.";
+    else
+        margin_help += fmt::format("above {} the fragment is drawn.", margin_limit(rules));
     report.formulas.push_back(
         {"margin",
          "margin",
-         report.depth_test == DepthTest::reversed
-             ? "How much nearer than what is stored; the test is the wrong way round, and below 0 "
-               "the fragment is drawn."
-             : "How much nearer than what is stored; above 0 the fragment is drawn.",
+         margin_help,
          is_smaller_nearer(kind) ? "stored − new" : "new − stored",
          {{"new", {report.depth}, from_formula("depth")}, {"stored", {report.stored}, stored}},
          {depth_ahead(report.depth, report.stored, kind)}});

@@ -2,9 +2,16 @@
 
 // The depth test of a fragment as formulas.
 
+#include <string>
+
 #include "explain/fragment_report.h"
+#include "stages/depth_test.h"
 
 namespace rasterwalk {
+
+/// What a margin must be above for its fragment to be drawn, in the middle of a sentence: "0", or
+/// "epsilon, 0.001,".
+std::string margin_limit(const DepthRules& rules);
 
 /// Appends depth.carried, where the row carries the buffer's value itself; depth, the value for the
 /// buffer; and margin, how much nearer it is than what is stored. Formulas of 1/z and z come

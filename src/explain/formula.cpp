@@ -148,7 +148,8 @@ class Evaluator {
         if (wants("wrap", 2)) {
             const float rest = std::fmod(a.value, b.value);
             if (std::isnan(rest)) return {0.0f, true};
-            return {rest < 0.0f ? rest + b.value : rest, a.is_whole && b.is_whole};
+            // + 0: what is left of a number below 0 may be −0.
+            return {rest < 0.0f ? rest + b.value : rest + 0.0f, a.is_whole && b.is_whole};
         }
         if (wants("accumulate", 3)) {
             float value = a.value;

@@ -6,6 +6,7 @@
 
 #include "base/element_names.h"
 #include "explain/along_row.h"
+#include "explain/blend_formulas.h"
 #include "explain/depth_formulas.h"
 #include "explain/highlight_formulas.h"
 #include "explain/light_formulas.h"
@@ -408,8 +409,9 @@ std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& 
     report.interpolation = frame.settings.interpolation;
     report.shading = rules.shading;
     report.depth_test = depth_rule(frame.settings);
-    report.colour = frame.stages.pixel_shader(report.fragment, surface_of(frame, cursor.triangle),
-                                              rules, frame.stages);
+    const Surface surface = surface_of(frame, cursor.triangle);
+    report.colour = frame.stages.pixel_shader(report.fragment, surface, rules, frame.stages);
+    report.alpha = surface.alpha;
 
     Carried carried;
     for (const Interpolation way : ways) {
@@ -427,6 +429,7 @@ std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& 
     add_texture(frame, report);
     add_light(frame, report);
     add_depth_test(report, frame);
+    add_blend(report, frame);
     if (vertex_rules(frame.settings, frame.scene->space).projection.mix > 0.0f)
         say_w_for_z(report.formulas);
     return report;

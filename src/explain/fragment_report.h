@@ -39,6 +39,7 @@ namespace rasterwalk {
 ///                         colour that stands for its reflectance; see texture_report.h
 ///     vertex_light.painted.red ...  likewise: the light of the vertices, times the texture; and
 ///                         triangle_light.painted.red ... under flat shading
+///     blend.red ...       where the surface is half transparent: its share and that of the pixel
 ///     depth margin        value for the depth buffer, and how much nearer it is than the stored
 ///     one
 struct FragmentReport {
@@ -64,6 +65,7 @@ struct FragmentReport {
     std::optional<Cursor> stored_by; ///< the fragment that stored it; none: never written
     Fate fate = Fate::written;
     glm::vec3 before{0.0f}, after{0.0f}; ///< the pixel's colour; not clamped
+    float alpha = 1.0f;                  ///< of the surface as it is drawn; 1: not blended
     glm::vec3 colour{0.0f};              ///< that the pixel shader gives it, drawn or not
 
     std::vector<Formula> formulas;

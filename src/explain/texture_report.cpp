@@ -22,9 +22,10 @@ struct TextureAxis {
     const char* place;      ///< "x": in texels
     const char* count;      ///< "width"
     const char* line;       ///< "column": of a texel
+    TextureDirection direction;
 };
-constexpr std::array texture_axes{TextureAxis{0, "u", "x", "width", "column"},
-                                  TextureAxis{1, "v", "y", "height", "row"}};
+constexpr std::array texture_axes{TextureAxis{0, "u", "x", "width", "column", TextureDirection::u},
+                                  TextureAxis{1, "v", "y", "height", "row", TextureDirection::v}};
 
 int size_of(const TextureLevel& level, const TextureAxis& axis) {
     return axis.index == 0 ? level.width : level.height;
@@ -82,21 +83,36 @@ class TextureFormulas {
                 from_formula(coordinate_ids_[static_cast<std::size_t>(axis.index)])};
     }
 
+    /// Where the place lies among texels.
+    float among(const TextureAxis& axis, int count) const {
+        return frame_.stages.texel_place(report_.place.texcoord[axis.index], axis.direction, count);
+    }
+
+    /// The same as an expression.
+    std::string among_expression(const TextureAxis& axis) const {
+        const TexelRule rule = frame_.settings.texel_rule;
+        if (rule == TexelRule::upside_down && axis.direction == TextureDirection::v)
+            return fmt::format("(1 − {}) · {}", axis.coordinate, axis.count);
+        return fmt::format("{} · {}{}", axis.coordinate, axis.count,
+                           rule == TexelRule::whole_centres ? " + 1/2" : "");
+    }
+
     void add_place(const std::string& id, const TextureAxis& axis, const TextureLevel& level,
                    const std::string& of) {
         const int count = size_of(level, axis);
-        const float place = among_texels(report_.place.texcoord[axis.index], count);
+        const float place = among(axis, count);
         Formula formula{
             id,
             axis.place,
             fmt::format("The place in texels of {}: texel i goes from i to i + 1.", of),
-            fmt::format("{} · {}", axis.coordinate, axis.count),
+            among_expression(axis),
             {coordinate(axis),
              whole_input(axis.count, count, fmt::format("{} of {}, texels", axis.count, of))},
             {place}};
-        if (place != report_.place.texcoord[axis.index] * static_cast<float>(count)) {
+        if (evaluate(formula) != place) {
             formula.help = "The place is no number that can be counted in texels: 0 is taken.";
-            formula.expression = "0";
+            formula.expression =
+                frame_.settings.texel_rule == TexelRule::whole_centres ? "1/2" : "0";
             formula.inputs.clear();
         }
         formulas_.push_back(formula);
@@ -158,6 +174,8 @@ class TextureFormulas {
     std::string wrapped(const std::string& texel) const {
         switch (frame_.settings.texture_wrap) {
         case TextureWrap::repeat:
+            if (frame_.settings.texel_rule == TexelRule::remainder)
+                return fmt::format("{0} − n · int({0} / n)", texel);
             break;
         case TextureWrap::clamp:
             return fmt::format("clamp({}, 0, n − 1)", texel);
@@ -184,7 +202,7 @@ class TextureFormulas {
              offset < 0 ? "The texel in which the place lies, wrapped at the borders."
                         : "A texel whose centre stands next to the place, wrapped at the borders.",
              wrapped(place),
-             {{x, {among_texels(report_.place.texcoord[axis.index], count)}, from_formula(id)},
+             {{x, {among(axis, count)}, from_formula(id)},
               whole_input("n", count, fmt::format("{} of the level, texels", axis.count))},
              {static_cast<float>(line_of(texel, axis)), true}});
     }
@@ -204,8 +222,7 @@ class TextureFormulas {
     float beyond_centre(int level, const TextureAxis& axis) const {
         const TextureLevel& texels =
             report_.surface.texture->levels[static_cast<std::size_t>(level)];
-        const float place =
-            among_texels(report_.place.texcoord[axis.index], size_of(texels, axis)) - 0.5f;
+        const float place = among(axis, size_of(texels, axis)) - 0.5f;
         return place - std::floor(place);
     }
 
@@ -234,9 +251,7 @@ class TextureFormulas {
                  "How far the place lies beyond the centre of the texel before it: 0 is that "
                  "centre, 1 the next.",
                  fmt::format("{0} − 1/2 − floor({0} − 1/2)", x),
-                 {{x,
-                   {among_texels(report_.place.texcoord[axis.index], size_of(texels, axis))},
-                   from_formula(level_id(level, x))}},
+                 {{x, {among(axis, size_of(texels, axis))}, from_formula(level_id(level, x))}},
                  {beyond_centre(level, axis)}});
         }
     }

@@ -7,6 +7,7 @@
 
 #include "inspect/carried_row.h"
 #include "picture/pixel_facts.h"
+#include "pipeline/draw.h"
 #include "pipeline/surface.h"
 #include "stages/pixel_shader.h"
 
@@ -18,21 +19,30 @@ double largest_component(const glm::vec3& v) {
     return static_cast<double>(std::max({v.x, v.y, v.z}));
 }
 
-/// The light at a fragment that came one way: from the vertices in stage vertex_light, else from
-/// its own place.
-glm::vec3 light_of(const Frame& frame, const Varyings& varyings, int triangle) {
+/// The light at a fragment that came one way, on what its texture shows there: from the vertices
+/// in stage vertex_light, else from its own place.
+/// @param stages of that way
+glm::vec3 light_of(const Frame& frame, const Fragment& fragment, const Stages& stages,
+                   int triangle) {
     const Shading shading = shading_rule(frame.settings);
-    if (shading == Shading::gouraud) return varyings.illumination;
+    const Varyings varyings = recover_varyings(fragment, stages);
+    Surface surface = surface_of(frame, triangle);
+    // The footprint, too, goes the way of the fragment.
+    if (surface.texture != nullptr)
+        surface.texture_slope = texture_slope(frame.triangle_vertices(triangle), stages);
+    const auto on_texture = [&](const glm::vec3& colour) {
+        return textured(colour, fragment, surface, stages);
+    };
+    if (shading == Shading::gouraud) return on_texture(varyings.illumination);
     if (frame.stages.pixel_shader == surface_shader) {
-        const Surface surface = surface_of(frame, triangle);
-        if (shading == Shading::flat) return surface.flat_light;
+        if (shading == Shading::flat) return on_texture(surface.flat_light);
         const PixelRules rules = pixel_rules(frame.settings, frame.scene->space);
-        return surface_light(surface_point(varyings, surface, rules.camera, frame.stages),
-                             rules.light, rules.rays, frame.stages)
-            .reflected;
+        SurfacePoint point = surface_point(varyings, surface, rules.camera, frame.stages);
+        point.reflectance = on_texture(point.reflectance);
+        return surface_light(point, rules.light, rules.rays, frame.stages).reflected;
     }
     const Vertex& corner = frame.scene->corner(triangle, 0);
-    return reflected_light(varyings.position_world, corner.normal, corner.reflectance,
+    return reflected_light(varyings.position_world, corner.normal, on_texture(corner.reflectance),
                            light_rule(frame.settings))
         .reflected;
 }
@@ -41,16 +51,18 @@ std::optional<InterpolationError> error_of(const Frame& frame, const Cursor& at)
     if (at.phase != Phase::rows || !has_fragments(frame.settings.stage)) return std::nullopt;
     const std::optional<CarriedRow> row = carried_row(frame, at.triangle, at.index);
     if (!row || at.step >= row->count) return std::nullopt;
-    const auto recovered = [&](Interpolation way) {
-        return recover_varyings(row->at(way, at.step), row->stages[static_cast<std::size_t>(way)]);
+    struct Way {
+        glm::vec3 light, position;
     };
-    const Varyings right = recovered(Interpolation::perspective);
-    const Varyings wrong = recovered(Interpolation::affine);
-    const glm::vec3 light =
-        glm::abs(light_of(frame, wrong, at.triangle) - light_of(frame, right, at.triangle));
-    return InterpolationError{
-        largest_component(light),
-        static_cast<double>(glm::length(wrong.position_world - right.position_world))};
+    const auto by = [&](Interpolation interpolation) {
+        const Fragment fragment = row->at(interpolation, at.step);
+        const Stages& stages = row->stages[static_cast<std::size_t>(interpolation)];
+        return Way{light_of(frame, fragment, stages, at.triangle),
+                   recover_varyings(fragment, stages).position_world};
+    };
+    const Way right = by(Interpolation::perspective), wrong = by(Interpolation::affine);
+    return InterpolationError{largest_component(glm::abs(wrong.light - right.light)),
+                              static_cast<double>(glm::length(wrong.position - right.position))};
 }
 
 } // namespace
@@ -123,6 +135,20 @@ std::int64_t Facts::drawn_twice() const {
                                           [](const DrawnTwice& pair) { return bool(pair); });
     }
     return *known.drawn_twice;
+}
+
+const std::vector<int>& Facts::column_owners() const {
+    FactCache& known = cache();
+    const int column = results_->history->pixel.x;
+    if (known.column != column) {
+        const Frame& frame = results_->a.frame;
+        Framebuffer drawn;
+        clear(drawn, frame, {1, frame.settings.viewport.height}, {column, 0});
+        draw(frame, {}, drawn);
+        known.column = column;
+        known.column_owners = drawn.owner;
+    }
+    return known.column_owners;
 }
 
 /// Forgets what was counted with another frame of run B.

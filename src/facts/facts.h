@@ -52,7 +52,9 @@ struct FactCache {
     RowHistory table;
     std::optional<EdgeEnds> edge_ends;
     std::optional<std::int64_t> drawn_twice;
-    std::uint64_t samples_of = 0; ///< the frame of run B with which the next two were counted
+    std::optional<int> column;
+    std::vector<int> column_owners; ///< of that column
+    std::uint64_t samples_of = 0;   ///< the frame of run B with which the next two were counted
     std::optional<std::int64_t> different_samples;
     std::optional<int> different_triangle;
     std::vector<std::int64_t> different_edges; ///< of that triangle
@@ -93,6 +95,9 @@ class Facts {
     const EdgeEnds& edge_ends() const;
     /// Pixels that two neighbours of the frame have both drawn.
     std::int64_t drawn_twice() const;
+    /// The triangle that each pixel of the picked pixel's column shows in the end, from the top;
+    /// -1: none. A pixel must be picked.
+    const std::vector<int>& column_owners() const;
     /// Is there a second run, and does it cut the scene into the same triangles?
     bool has_same_triangles_in_b() const;
     /// Edge samples on another pixel in run B, of the whole frame and of an edge of the triangle on

@@ -31,6 +31,18 @@ Value edge_samples(const Facts& facts, int edge) {
     return number(table->edge_samples[static_cast<std::size_t>(edge)]);
 }
 
+/// Pixels of the picked pixel's column that show the same part of the scene as it does.
+Value part_in_column(const Facts& facts, int) {
+    const PixelEntry* const winner = facts.winner();
+    if (winner == nullptr) return {};
+    const Scene& scene = *facts.results().a.frame.scene;
+    const int part = part_of(scene, winner->cursor.triangle);
+    const std::vector<int>& owners = facts.column_owners();
+    return number(std::count_if(owners.begin(), owners.end(), [&](int owner) {
+        return owner >= 0 && part_of(scene, owner) == part;
+    }));
+}
+
 /// A number of the texture that the picked pixel shows; none if it shows none.
 template <auto read>
 Value texture_number(const Facts& facts, int) {
@@ -58,7 +70,8 @@ Value table_fragments(const Facts& facts, int) {
 /// What the picked pixel takes of its texture.
 void add_texture_facts(std::vector<Fact>& table) {
     using Texels = const TextureReport&;
-    const ValueRange texel = whole(0, largest_texture_side - 1);
+    // Below 0 only by mistake B67.
+    const ValueRange texel = whole(1 - largest_texture_side, largest_texture_side - 1);
     table.push_back({"pixel.u",
                      "u of what the picked pixel shows in the end: its place in the texture, from "
                      "the left, 0 to 1.",
@@ -116,6 +129,9 @@ void add_pixel_facts(std::vector<Fact>& table) {
                          const PixelEntry* const winner = f.winner();
                          return number(winner != nullptr ? winner->cursor.triangle : -1);
                      }});
+    table.push_back({"pixel.part_in_column",
+                     "Pixels of the picked pixel's column that show the same part of the scene.",
+                     natural(), part_in_column});
     table.push_back({"pixel.zinv",
                      "1/z of what the picked pixel shows in the end; 1/w under another projection.",
                      real(), [](const Facts& f, int) {
@@ -151,6 +167,16 @@ void add_pixel_facts(std::vector<Fact>& table) {
                              " in the end, linear, not cut at 1; 0 where nothing falls.",
                          real(), pixel_channel, i});
     }
+    table.push_back({"pixel.alpha",
+                     "Alpha of the surface that the picked pixel shows in the end, as it is "
+                     "blended: 1 where it is not.",
+                     real(0), [](const Facts& f, int) {
+                         const PixelEntry* const winner = f.winner();
+                         const Frame& frame = f.results().a.frame;
+                         if (winner == nullptr) return Value();
+                         return number(
+                             frame.blends ? alpha_of(*frame.scene, winner->cursor.triangle) : 1.0f);
+                     }});
     table.push_back({"pixel.light_error",
                      "How far off affine interpolation puts the light there, largest channel.",
                      real(0), [](const Facts& f, int) {

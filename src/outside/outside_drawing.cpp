@@ -9,6 +9,7 @@
 
 #include "outside/filled_part.h"
 #include "outside/seen_pane.h"
+#include "outside/seen_texture.h"
 
 namespace rasterwalk {
 
@@ -66,12 +67,27 @@ glm::vec3 over_ground(const OutsideStyle& style, const glm::vec3& colour, float 
     return glm::mix(style.ground, glm::clamp(colour, 0.0f, 1.0f), share);
 }
 
+bool has_texture(const OutsideSubject& subject, int triangle) {
+    return is_textured(subject.frame) && texture_of(*subject.frame.scene, triangle) != nullptr;
+}
+
 /// In the space of the eye.
-SeenPolygon seen_triangle(const WorldTriangle& triangle, const OutsideEye& eye) {
+std::array<glm::dvec3, triangle_corners> seen_corners(const WorldTriangle& triangle,
+                                                      const OutsideEye& eye) {
     std::array<glm::dvec3, triangle_corners> corners;
     for (std::size_t i = 0; i < corners.size(); ++i)
         corners[i] = eye.seen(triangle.corners[i]);
-    return clipped_to_near(corners, eye.near_distance);
+    return corners;
+}
+
+SeenPolygon seen_triangle(const WorldTriangle& triangle, const OutsideEye& eye) {
+    return clipped_to_near(seen_corners(triangle, eye), eye.near_distance);
+}
+
+SeenTexture seen_texture(const OutsideSubject& subject, int triangle, const WorldTriangle& world,
+                         const OutsideEye& eye) {
+    if (!has_texture(subject, triangle)) return {};
+    return {subject.frame, triangle, seen_corners(world, eye), eye};
 }
 
 /// Tells of places on a triangle whether they lie in what clipping leaves of it.
@@ -177,17 +193,34 @@ Rectangle OutsideDrawing::colour_anew(const OutsideSubject& subject, const Outsi
     std::vector<std::uint32_t> colours;
     for (int triangle = first; triangle < end; ++triangle) {
         box = around(box, box_of_triangle(triangle));
-        colours.push_back(base_colour(subject, style, triangle, world_triangle(*scene_, triangle)));
+        const WorldTriangle world = world_triangle(*scene_, triangle);
+        const BaseColour colour = base_colour(subject, style, triangle, world);
+        colours.push_back(colour.at(glm::vec3(1.0f)));
+        paint_texture_anew(subject, colour, triangle, world);
     }
     for (int row = box.top; row < box.bottom; ++row) {
         for (int column = box.left; column < box.right; ++column) {
             const std::size_t sample = base_.at(column, row);
             const std::int32_t id = base_.id[sample];
             if (id < first || id >= end || (base_.colour[sample] & line_flag) != 0) continue;
+            if (has_texture(subject, id)) continue;
             base_.colour[sample] = colours[static_cast<std::size_t>(id - first)];
         }
     }
     return box;
+}
+
+/// The same of a triangle with a texture, whose samples have a colour each.
+void OutsideDrawing::paint_texture_anew(const OutsideSubject& subject, const BaseColour& colour,
+                                        int triangle, const WorldTriangle& world) {
+    if (!has_texture(subject, triangle)) return;
+    const SeenPolygon seen = seen_triangle(world, sample_eye_);
+    if (seen.count < triangle_corners) return;
+    const SeenTexture texture = seen_texture(subject, triangle, world, sample_eye_);
+    for_each_sample(sample_eye_, seen.all(), base_.size.x, base_.all(), [&](const SampleHit& hit) {
+        if (base_.id[hit.index] == triangle && (base_.colour[hit.index] & line_flag) == 0)
+            base_.colour[hit.index] = colour.at(texture.at(hit.place()));
+    });
 }
 
 /// Lays over these samples of the base what belongs to the moment.
@@ -263,24 +296,32 @@ std::int64_t OutsideDrawing::draw_triangle(const OutsideSubject& subject, const 
     if (is_culled(world, eye_.position, things_.plane.eye)) return 0;
     const SeenPolygon seen = seen_triangle(world, sample_eye_);
     if (seen.count < triangle_corners) return 0;
-    const std::uint32_t colour = base_colour(subject, style, triangle, world);
-    return for_each_sample(sample_eye_, seen.all(), base_.size.x, base_.all(),
-                           [&](const SampleHit& hit) {
-                               const auto inv_z = static_cast<float>(hit.inv_z);
-                               if (!(inv_z > base_.inv_z[hit.index])) return;
-                               base_.inv_z[hit.index] = inv_z;
-                               base_.colour[hit.index] = colour;
-                               base_.id[hit.index] = triangle;
-                           });
+    const BaseColour base_colour_of = base_colour(subject, style, triangle, world);
+    const std::uint32_t colour = base_colour_of.at(glm::vec3(1.0f));
+    const SeenTexture texture = seen_texture(subject, triangle, world, sample_eye_);
+    return for_each_sample(
+        sample_eye_, seen.all(), base_.size.x, base_.all(), [&](const SampleHit& hit) {
+            const auto inv_z = static_cast<float>(hit.inv_z);
+            if (!(inv_z > base_.inv_z[hit.index])) return;
+            base_.inv_z[hit.index] = inv_z;
+            base_.colour[hit.index] =
+                texture.is_there() ? base_colour_of.at(texture.at(hit.place())) : colour;
+            base_.id[hit.index] = triangle;
+        });
 }
 
 /// The colour of a triangle that is not the one at work.
-std::uint32_t OutsideDrawing::base_colour(const OutsideSubject& subject, const OutsideStyle& style,
-                                          int triangle, const WorldTriangle& world) const {
+OutsideDrawing::BaseColour OutsideDrawing::base_colour(const OutsideSubject& subject,
+                                                       const OutsideStyle& style, int triangle,
+                                                       const WorldTriangle& world) const {
     const bool is_coming = !subject.frame.is_drawn(triangle) ||
                            (scene_->triangle_count() <= most_ordered && triangle >= begun_);
-    return packed_colour(over_ground(style, own_colour(*scene_, triangle) * shade_of(world),
-                                     is_coming ? style.coming : style.drawn));
+    return {style.ground, own_colour(*scene_, triangle) * shade_of(world),
+            is_coming ? style.coming : style.drawn};
+}
+
+std::uint32_t OutsideDrawing::BaseColour::at(const glm::vec3& texture) const {
+    return packed_colour(glm::mix(ground, glm::clamp(own * texture, 0.0f, 1.0f), share));
 }
 
 void OutsideDrawing::draw_outline(const OutsideStyle& style) {
@@ -298,8 +339,10 @@ void OutsideDrawing::draw_triangle_at_work(const OutsideSubject& subject, const 
         return;
     }
     const int triangle = *subject.triangle;
-    const SeenPolygon seen = seen_triangle(world_triangle(scene, triangle), sample_eye_);
+    const WorldTriangle world = world_triangle(scene, triangle);
+    const SeenPolygon seen = seen_triangle(world, sample_eye_);
     if (seen.count < triangle_corners) return;
+    const SeenTexture texture = seen_texture(subject, triangle, world, sample_eye_);
     const FilledPart filled(subject.frame, subject.cursor, triangle);
     const glm::vec3 own = own_colour(scene, triangle);
     const std::uint32_t lit = packed_colour(over_ground(style, own, 1.0f));
@@ -324,7 +367,10 @@ void OutsideDrawing::draw_triangle_at_work(const OutsideSubject& subject, const 
             const std::optional<glm::dvec2> pixel = plane.pixel_of(turned + shift);
             is_filled = pixel && filled.has(*pixel);
         }
-        grid_.colour[hit.index] = is_filled ? lit : dark;
+        grid_.colour[hit.index] =
+            !texture.is_there() ? (is_filled ? lit : dark)
+                                : packed_colour(over_ground(style, own * texture.at(hit.place()),
+                                                            is_filled ? 1.0f : style.drawn));
     });
 }
 

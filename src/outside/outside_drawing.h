@@ -117,8 +117,18 @@ class OutsideDrawing {
     std::int64_t draw_triangle(const OutsideSubject& subject, const OutsideStyle& style,
                                int triangle);
     void draw_outline(const OutsideStyle& style);
-    std::uint32_t base_colour(const OutsideSubject& subject, const OutsideStyle& style,
-                              int triangle, const WorldTriangle& world) const;
+    /// The colour of a triangle that is not the one at work.
+    struct BaseColour {
+        glm::vec3 ground, own;
+        float share; ///< of its own over the ground
+
+        /// @param texture there; white: none
+        std::uint32_t at(const glm::vec3& texture) const;
+    };
+    BaseColour base_colour(const OutsideSubject& subject, const OutsideStyle& style, int triangle,
+                           const WorldTriangle& world) const;
+    void paint_texture_anew(const OutsideSubject& subject, const BaseColour& colour, int triangle,
+                            const WorldTriangle& world);
     Rectangle box_of_triangle(std::optional<int> triangle) const;
     Rectangle colour_anew(const OutsideSubject& subject, const OutsideStyle& style, int begun);
     Rectangle changed_by(const OutsideSubject& subject, const MomentKey& now,

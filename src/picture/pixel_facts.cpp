@@ -40,10 +40,15 @@ Side side_of(const Scene& scene, int triangle, int from) {
     return {{a.x, a.y, a.z, b.x, b.y, b.z}, triangle, (from + 2) % triangle_corners};
 }
 
+/// Where a corner stands for the pixels of its triangle: walks go from whole pixel to whole pixel,
+/// the others from where the corner was snapped.
+GridPoint standing_point(const Frame& frame, const ScreenVertex& vertex) {
+    return walks_edges(frame.stages) ? snap_to_centre(vertex) : frame.stages.snap(vertex);
+}
+
 /// On which side of the line from a to b does p lie in the picture? 0: on it.
-int side_of_line(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& p) {
-    const std::int64_t area = static_cast<std::int64_t>(b.column - a.column) * (p.row - a.row) -
-                              static_cast<std::int64_t>(b.row - a.row) * (p.column - a.column);
+int side_of_line(const GridPoint& a, const GridPoint& b, const GridPoint& p) {
+    const std::int64_t area = double_area(a, b, p);
     return area > 0 ? 1 : area < 0 ? -1 : 0;
 }
 
@@ -74,14 +79,15 @@ Neighbours find_neighbours(const Frame& frame) {
     for (std::size_t i = 0; i < sides.size(); ++i) {
         const Side& later = sides[i];
         const std::span<const ScreenVertex> v = frame.triangle_vertices(later.triangle);
-        const ScreenVertex& a = v[(later.opposite + 1) % triangle_corners];
-        const ScreenVertex& b = v[(later.opposite + 2) % triangle_corners];
-        const int on_side = side_of_line(a, b, v[later.opposite]);
+        const GridPoint a = standing_point(frame, v[(later.opposite + 1) % triangle_corners]);
+        const GridPoint b = standing_point(frame, v[(later.opposite + 2) % triangle_corners]);
+        const int on_side = side_of_line(a, b, standing_point(frame, v[later.opposite]));
         for (std::size_t j = i; j > 0 && i - j < most_on_an_edge; --j) {
             const Side& earlier = sides[j - 1];
             if (earlier.points != later.points) break;
             const ScreenVertex& p = frame.triangle_vertices(earlier.triangle)[earlier.opposite];
-            if (earlier.triangle != later.triangle && on_side * side_of_line(a, b, p) < 0)
+            if (earlier.triangle != later.triangle &&
+                on_side * side_of_line(a, b, standing_point(frame, p)) < 0)
                 pairs.emplace_back(later.triangle, earlier.triangle);
         }
     }

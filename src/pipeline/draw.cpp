@@ -12,7 +12,7 @@
 //     is_culled          does the fragment belong to a back?
 //     test_depth         is the fragment nearer than what its pixel shows?
 //     shade              the pixel shader: its colour
-//     put_pixel          into the planes
+//     put_pixel          into the planes; what is half transparent over what is there
 
 #include "pipeline/draw.h"
 
@@ -91,8 +91,9 @@ bool has_cell(Drawing& d, const Fragment& fragment) {
     return has_one;
 }
 
-void put_pixel(Drawing& d, std::size_t pixel, int triangle, const glm::vec3& colour) {
-    d.target.colour[pixel] = colour;
+void put_pixel(Drawing& d, std::size_t pixel, int triangle, const glm::vec3& colour, float alpha) {
+    d.target.colour[pixel] =
+        alpha < 1.0f ? d.stages.blend(colour, alpha, d.target.colour[pixel]) : colour;
     d.target.owner[pixel] = triangle;
 }
 
@@ -122,7 +123,7 @@ void draw_fragment(Drawing& d, const Cursor& cursor, const Fragment& fragment, s
     if (test.passed) {
         if (!d.shades_first) colour = shade(d, fragment, surface);
         if (is_stored) d.target.depth[pixel] = test.depth;
-        put_pixel(d, pixel, cursor.triangle, colour);
+        put_pixel(d, pixel, cursor.triangle, colour, surface.alpha);
     }
     if constexpr (is_watched) {
         const Fate fate = test.passed ? Fate::written : Fate::depth_failed;

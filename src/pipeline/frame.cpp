@@ -113,6 +113,7 @@ void prepare_frame(const Scene& scene, const Settings& settings, const ReplaceSt
     frame.settings = settings;
     frame.replace = replace;
     frame.stages = stages_for(settings, mesh.differences(), replace);
+    frame.blends = frame.stages.blend != blend_nothing && has_alpha(*frame.scene);
     make_polygons(mesh, vertex_rules(settings, scene.space), frame);
 }
 

@@ -37,6 +37,7 @@ struct Frame {
     std::vector<ProjectedVertex> projected; ///< the same, projected
     std::vector<TriangleIndices> triangles; ///< of the mesh: which vertices are their corners
     std::vector<ScreenVertex> vertices;     ///< the corners of the polygons, one after another
+    bool blends = false;                    ///< something is half transparent, and drawn so
     std::vector<Polygon> polygons; ///< what has become of each triangle of `scene`, in order
 
     int triangle_count() const { return static_cast<int>(polygons.size()); }

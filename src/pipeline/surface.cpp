@@ -19,6 +19,7 @@ Surface surface_of(const Frame& frame, int triangle) {
     const Vertex& corner = frame.scene->corner(triangle, 0);
     Surface surface{frame.stages.light_normal(corner.normal, frame.settings.camera),
                     corner.reflectance};
+    if (frame.blends) surface.alpha = alpha_of(*frame.scene, triangle);
     if (is_textured(frame)) surface.texture = texture_of(*frame.scene, triangle);
     if (surface.texture != nullptr)
         surface.texture_slope = texture_slope(frame.triangle_vertices(triangle), frame.stages);

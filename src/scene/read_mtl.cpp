@@ -70,8 +70,8 @@ class MtlReader {
         if (word == "newmtl") return begin_material(rest);
         const std::string key = lower_case(word.substr(0, 16));
         const bool is_bump = key == "bump" || key == "map_bump" || key == "norm";
-        const bool is_used =
-            is_bump || key == "map_kd" || key == "kd" || key == "ks" || key == "ns";
+        const bool is_used = is_bump || key == "map_kd" || key == "kd" || key == "ks" ||
+                             key == "ns" || key == "d" || key == "tr";
         if (!is_used) return skip(word, skipped_material);
         if (is_left_out_) return;
         if (!is_begun_) {
@@ -84,6 +84,7 @@ class MtlReader {
         if (key == "kd") return read_colour(word, rest, material.diffuse);
         if (key == "ks") return read_colour(word, rest, material.specular);
         if (key == "ns") return read_shininess(rest, material);
+        if (key == "d" || key == "tr") return read_alpha(key == "d", rest, material);
         if (key == "map_kd") {
             material.file = path_;
             material.diffuse_map_line = lines_.line();
@@ -139,6 +140,26 @@ class MtlReader {
         if (!number || *number < 0.0)
             return fault([] { return "'Ns' takes a number from 0; it is left out."; });
         material.shininess = static_cast<float>(*number);
+    }
+
+    /// d is alpha, Tr is what is missing to 1. Of a file that has both, d counts.
+    void read_alpha(bool is_dissolve, std::string_view rest, ObjMaterial& material) {
+        const std::string_view word = is_dissolve ? "'d'" : "'Tr'";
+        const std::optional<double> number = parse_model_number(take_number_word(rest));
+        if (!number || *number < 0.0 || *number > 1.0) {
+            return fault([&] {
+                return fmt::format("{} takes a number from 0 to 1; it is left out.", word);
+            });
+        }
+        if (!is_dissolve && material.has_dissolve) return;
+        // Some programs write Tr 1 and mean opaque; nobody means a model that cannot be seen.
+        if (!is_dissolve && *number == 1.0) {
+            return fault([] {
+                return "'Tr' 1 would leave nothing to see; the material is taken to be opaque.";
+            });
+        }
+        material.alpha = static_cast<float>(is_dissolve ? *number : 1.0 - *number);
+        material.has_dissolve = material.has_dissolve || is_dissolve;
     }
 
     /// Takes the options from in front of an image's name.

@@ -20,6 +20,8 @@ struct ObjMaterial {
     glm::vec3 diffuse{1.0f};     ///< Kd: share of light given back in all directions, 0..1
     glm::vec3 specular{0.0f};    ///< Ks: share of light mirrored, 0..1
     float shininess = 0.0f;      ///< Ns: exponent of the highlight, from 0
+    float alpha = 1.0f;          ///< d, or 1 - Tr: 0 (clear) to 1 (opaque)
+    bool has_dissolve = false;   ///< d is given; Tr has no say then
     std::string diffuse_map;     ///< map_Kd: path of a file that is there; empty: none
     std::string file;            ///< in which map_Kd stands
     int diffuse_map_line = 0;    ///< its line there, from 1

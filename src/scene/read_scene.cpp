@@ -372,7 +372,7 @@ std::array<glm::vec3, triangle_corners> places_of(const NamedCorners& triangle) 
 void read_part(const TomlInput& input, const PointSets& sets, SurfaceSections& sections,
                VertexJoin& vertices, TextureReader& textures, Scene& scene) {
     input.allow_only({"name", "points", "reflectance", "material", "colours", "normals",
-                      "triangles", "polygons", "model", "texture", "texcoords"});
+                      "triangles", "polygons", "model", "texture", "texcoords", "alpha"});
     const std::string set_name = input.text("points");
     const auto set = sets.find(set_name);
     if (set == sets.end()) {
@@ -411,7 +411,8 @@ void read_part(const TomlInput& input, const PointSets& sets, SurfaceSections& s
             *index++ = vertices.index_of(corner);
         scene.mesh.add_triangle(indices);
     }
-    scene.parts.push_back({name, first, scene.triangle_count() - first, std::move(model), texture});
+    scene.parts.push_back({name, first, scene.triangle_count() - first, std::move(model), texture,
+                           surface.material.alpha});
 }
 
 void read_example(const TomlInput& input, Scene& scene) {

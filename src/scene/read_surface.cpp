@@ -28,11 +28,12 @@ void for_each_set(const TomlInput& scene, std::string_view key, const std::strin
 }
 
 Material read_material(const TomlInput& input) {
-    input.allow_only({"diffuse", "specular", "exponent"});
+    input.allow_only({"diffuse", "specular", "exponent", "alpha"});
     Material material;
     input.read_colour("diffuse", material.reflectance, 0.0f, 1.0f);
     input.read_colour("specular", material.shine.specular, 0.0f, 1.0f);
     input.read("exponent", material.shine.exponent, smallest_exponent, largest_exponent);
+    input.read("alpha", material.alpha, 0.0f, 1.0f);
     return material;
 }
 
@@ -143,6 +144,7 @@ PartSurface read_part_surface(const TomlInput& part, SurfaceSections& sections,
         surface.material = found->second;
     }
     part.read_colour("reflectance", surface.material.reflectance, 0.0f, 1.0f);
+    part.read("alpha", surface.material.alpha, 0.0f, 1.0f);
     const std::string colours = part.text_or_empty("colours");
     if (!colours.empty()) {
         surface.colours = &find_set(part, "colours", sections.colours, sections, points, set_name);

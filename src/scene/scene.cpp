@@ -30,6 +30,16 @@ const Texture* texture_of(const Scene& scene, int triangle) {
     return texture < 0 ? nullptr : &*scene.textures[static_cast<std::size_t>(texture)];
 }
 
+float alpha_of(const Scene& scene, int triangle) {
+    const int part = part_of(scene, triangle);
+    return part < 0 ? 1.0f : scene.parts[static_cast<std::size_t>(part)].alpha;
+}
+
+bool has_alpha(const Scene& scene) {
+    return std::any_of(scene.parts.begin(), scene.parts.end(),
+                       [](const Part& part) { return part.alpha < 1.0f; });
+}
+
 const std::string& part_name(const Scene& scene, int triangle) {
     return scene.parts[static_cast<std::size_t>(part_of(scene, triangle))].name;
 }

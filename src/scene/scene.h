@@ -20,6 +20,7 @@ namespace rasterwalk {
 struct Material {
     glm::vec3 reflectance{1.0f}; ///< share of light given back to all sides, red green blue, 0..1
     Shine shine{};
+    float alpha = 1.0f; ///< 0 (clear) to 1 (opaque)
 
     friend bool operator==(const Material&, const Material&) = default;
 };
@@ -29,8 +30,9 @@ struct Part {
     std::string name;
     int first_triangle = 0;
     int triangle_count = 0;
-    Model model{};    ///< how the scene file made it; without steps it was given in the world
-    int texture = -1; ///< index in Scene::textures; -1: none
+    Model model{};      ///< how the scene file made it; without steps it was given in the world
+    int texture = -1;   ///< index in Scene::textures; -1: none
+    float alpha = 1.0f; ///< of all its triangles, 0 (clear) to 1 (opaque)
 
     friend bool operator==(const Part&, const Part&) = default;
 };
@@ -154,6 +156,12 @@ int part_of(const Scene& scene, int triangle);
 
 /// The texture that a triangle shows; null if it shows none.
 const Texture* texture_of(const Scene& scene, int triangle);
+
+/// The alpha of a triangle, 0 (clear) to 1 (opaque).
+float alpha_of(const Scene& scene, int triangle);
+
+/// Is anything in the scene half transparent?
+bool has_alpha(const Scene& scene);
 
 /// The name of the part that a triangle belongs to.
 const std::string& part_name(const Scene& scene, int triangle);

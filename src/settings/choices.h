@@ -296,6 +296,18 @@ static_assert(words_match<Interpolation>);
 
 inline constexpr std::size_t interpolation_count = enum_words<Interpolation>.size();
 
+/// How a place in a texture becomes the number of a texel.
+enum class TexelRule : std::uint8_t {
+    right,         ///< v from the top, centres at i + 1/2, numbers from 0 on
+    upside_down,   ///< v from the bottom: mistake B65
+    whole_centres, ///< centres at i: mistake B66
+    remainder,     ///< texel % count where the texture is repeated: mistake B67
+};
+template <>
+inline constexpr auto enum_words<TexelRule> = word_list("right", "upside_down", "whole_centres",
+                                                        "remainder");
+static_assert(words_match<TexelRule>);
+
 /// Which comes first, the depth test or the colour of a fragment. The picture is the same, the work
 /// is not.
 enum class DepthOrder : std::uint8_t {
@@ -379,6 +391,16 @@ enum class DepthTest : std::uint8_t {
 template <>
 inline constexpr auto enum_words<DepthTest> = word_list("inverse_z", "linear_z", "off", "reversed");
 static_assert(words_match<DepthTest>);
+
+/// How what is half transparent is laid over what its pixel shows.
+enum class Blend : std::uint8_t {
+    over,    ///< alpha times its colour, and 1 - alpha times what is there
+    off,     ///< not at all: it is drawn as if it were opaque
+    swapped, ///< the shares the wrong way round: mistake B63
+};
+template <>
+inline constexpr auto enum_words<Blend> = word_list("over", "off", "swapped");
+static_assert(words_match<Blend>);
 
 /// Which cell of the depth buffer belongs to the pixel (x, y).
 enum class DepthIndex : std::uint8_t {

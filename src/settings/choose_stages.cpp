@@ -1,5 +1,6 @@
 #include "settings/choose_stages.h"
 
+#include "mistakes/blend.h"
 #include "mistakes/clip.h"
 #include "mistakes/coverage.h"
 #include "mistakes/cull.h"
@@ -10,6 +11,7 @@
 #include "mistakes/lines.h"
 #include "mistakes/project.h"
 #include "mistakes/put_pixel.h"
+#include "mistakes/texture.h"
 #include "mistakes/vertex_shader.h"
 #include "stages/active_edges.h"
 #include "stages/matrices.h"
@@ -310,6 +312,24 @@ void choose(TextureWrap wrap, Stages& stages) {
     }
 }
 
+void choose(TexelRule rule, TextureWrap wrap, Stages& stages) {
+    switch (rule) {
+    case TexelRule::right:
+        break;
+    case TexelRule::upside_down:
+        stages.texel_place = texel_place_upside_down;
+        break;
+    case TexelRule::whole_centres:
+        stages.texel_place = texel_place_of_whole_centres;
+        break;
+    case TexelRule::remainder:
+        if (wrap != TextureWrap::repeat) break;
+        stages.wrap_texel = wrap_by_remainder;
+        stages.read_texel = read_texel_in_memory;
+        break;
+    }
+}
+
 using LightFunction = decltype(Stages::reflected_light);
 
 template <auto way, auto length, auto area>
@@ -372,7 +392,9 @@ void choose(DepthTest test, const DepthRules& rules, Stages& stages) {
     switch (test) {
     case DepthTest::inverse_z:
         // The lab's own does for every float of which the larger is nearer.
-        if (!is_float || is_smaller_nearer(rules.projection.clip_depth))
+        if (rules.epsilon > 0.0f)
+            stages.depth_test = depth_test_with_epsilon;
+        else if (!is_float || is_smaller_nearer(rules.projection.clip_depth))
             stages.depth_test = depth_test_as_held;
         break;
     case DepthTest::linear_z:
@@ -389,6 +411,19 @@ void choose(DepthTest test, const DepthRules& rules, Stages& stages) {
 
 void choose(DepthIndex index, Stages& stages) {
     if (index == DepthIndex::transposed) stages.depth_cell = depth_cell_transposed;
+}
+
+void choose(Blend blend, Stages& stages) {
+    switch (blend) {
+    case Blend::over:
+        break;
+    case Blend::off:
+        stages.blend = blend_nothing;
+        break;
+    case Blend::swapped:
+        stages.blend = blend_swapped;
+        break;
+    }
 }
 
 void choose(Bounds bounds, Stages& stages) {
@@ -446,9 +481,11 @@ Stages choose_stages(const Settings& settings) {
     choose(settings.interpolation, stages);
     choose(settings.texture_filter, stages);
     choose(settings.texture_wrap, stages);
+    choose(settings.texel_rule, settings.texture_wrap, stages);
     choose(settings.light_rules, stages);
     choose(depth_rule(settings), depth_rules(settings, SceneSpace::world), stages);
     choose(settings.depth_index, stages);
+    choose(settings.blend, stages);
     choose(settings.bounds, stages);
     choose(settings.colour_over_one, stages);
     return stages;

@@ -13,6 +13,7 @@ namespace {
 
 /// 1/z of the nearest thing that a depth buffer may be made to start with, and of the farthest.
 constexpr float largest_depth_clear = 1e6f;
+constexpr float largest_depth_epsilon = 10.0f;
 
 /// Nearer to the camera the division by z leaves the range of floats.
 constexpr float smallest_near = 1e-6f;
@@ -187,6 +188,13 @@ std::vector<Setting> make_table() {
          "Depth buffer", "1/z or ndc z",
          NumberSetting{[](Settings& s) -> float& { return s.depth_clear; }, -largest_depth_clear,
                        largest_depth_clear, 0.01f}},
+        {"depth_epsilon", "Nearer by more than", "Depth and interpolation",
+         "How much nearer than what is stored a fragment must be, in 1/z or what else the depth "
+         "buffer holds. What is hardly nearer counts as equally near, and the one drawn first "
+         "stays. Only the correct depth test asks for it.",
+         "Depth buffer", "1/z or ndc z",
+         NumberSetting{[](Settings& s) -> float& { return s.depth_epsilon; }, 0.0f,
+                       largest_depth_epsilon, 1e-6f}},
         {"depth_index", "Depth buffer index", "Depth and interpolation",
          "Which cell of the depth buffer belongs to a pixel: [y][x], or by mistake [x][y].",
          "Depth buffer", "", choice<&Settings::depth_index>()},
@@ -230,6 +238,31 @@ std::vector<Setting> make_table() {
          choice<&Settings::texture_wrap>(),
          {},
          {},
+         true},
+        {"texel_rule",
+         "Number of a texel",
+         "Texture",
+         "How a place in a texture becomes the number of a texel: rightly, or by mistake with v "
+         "from the bottom, with the centres of texels at whole numbers, or with a remainder that "
+         "may be below 0. The last one only where texture_wrap is repeat.",
+         "Light per pixel",
+         "",
+         choice<&Settings::texel_rule>(),
+         {},
+         {},
+         true},
+        {"blend",
+         "Half transparent",
+         "Depth and interpolation",
+         "How what is half transparent is drawn: over what its pixel shows, by its alpha; as if it "
+         "were opaque; or, by mistake, with the two shares the wrong way round.",
+         "Beyond the lab",
+         "",
+         choice<&Settings::blend>(),
+         {},
+         {},
+         false,
+         false,
          true},
         {"camera.position", "Camera position", "Camera",
          "Where the camera stands: x right, y down, z forward.", "Moving the camera", "world units",
@@ -396,6 +429,7 @@ std::span<const Setting> setting_table() {
 
 bool is_of_use(const Setting& setting, const Scene& scene) {
     if (setting.needs_world && scene.space != SceneSpace::world) return false;
+    if (setting.needs_alpha && !has_alpha(scene)) return false;
     return !setting.needs_texture || !scene.textures.empty();
 }
 

@@ -70,6 +70,7 @@ struct Setting {
     std::string_view words_moved_to{};
     bool needs_texture = false; ///< of no use to a scene without textures
     bool needs_world = false;   ///< of no use to a scene in pixels
+    bool needs_alpha = false;   ///< of no use to a scene without anything half transparent
 };
 
 /// Every setting, in the order of the sheet of settings.

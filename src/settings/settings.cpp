@@ -106,7 +106,8 @@ DepthRules depth_rules(const Settings& settings, SceneSpace space) {
     return {.projection = projection_rule(settings, space),
             .near = settings.near,
             .far = settings.far,
-            .bits = depth_format_info(settings.depth_format).bits};
+            .bits = depth_format_info(settings.depth_format).bits,
+            .epsilon = depth_epsilon_rule(settings)};
 }
 
 float depth_clear_rule(const Settings& settings, SceneSpace space) {
@@ -114,6 +115,10 @@ float depth_clear_rule(const Settings& settings, SceneSpace space) {
     const float clear =
         is_smaller_nearer(kind) ? 1.0f - settings.depth_clear : settings.depth_clear;
     return held_depth(clear, depth_rules(settings, space));
+}
+
+float depth_epsilon_rule(const Settings& settings) {
+    return depth_rule(settings) == DepthTest::inverse_z ? settings.depth_epsilon : 0.0f;
 }
 
 Light light_rule(const Settings& settings) {

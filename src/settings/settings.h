@@ -34,7 +34,8 @@ struct Settings {
     Spans spans = Spans::inclusive;
     Bounds bounds = Bounds::inside;
     DepthTest depth_test = DepthTest::inverse_z;
-    float depth_clear = 0.0f; ///< what the depth buffer starts with, see depth_clear_rule()
+    float depth_clear = 0.0f;   ///< what the depth buffer starts with, see depth_clear_rule()
+    float depth_epsilon = 0.0f; ///< how much nearer is nearer, of what the depth buffer holds
     DepthFormat depth_format = DepthFormat::inv_z;
     DepthIndex depth_index = DepthIndex::row_major;
     Interpolation interpolation = Interpolation::perspective;
@@ -42,6 +43,8 @@ struct Settings {
     TextureUse texture = TextureUse::on; ///< only where the scene has textures
     TextureFilter texture_filter = TextureFilter::nearest;
     TextureWrap texture_wrap = TextureWrap::repeat;
+    TexelRule texel_rule = TexelRule::right;
+    Blend blend = Blend::over; ///< only where the scene has something half transparent
     Camera camera;
     Rotation rotation = Rotation::row_vector;
     ImageAxes image_axes = ImageAxes::right_way;
@@ -97,6 +100,10 @@ float depth_clear_rule(const Settings& settings, SceneSpace space);
 
 /// The lamp in force: a flashlight stands where the camera does.
 Light light_rule(const Settings& settings);
+
+/// How much nearer a fragment must be to be drawn, in what the depth buffer holds: only the correct
+/// test asks for it, any other has 0.
+float depth_epsilon_rule(const Settings& settings);
 
 /// The part of the settings that each stage of the pipeline is told.
 VertexRules vertex_rules(const Settings& settings, SceneSpace space);

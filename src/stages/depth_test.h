@@ -13,6 +13,9 @@
 // Others are a test the wrong way round, a buffer that does not start at "infinitely far", and the
 // two indices in the wrong order.
 //
+// Where two surfaces are nearly equally near, rounding decides from pixel to pixel: z-fighting. An
+// epsilon says how much nearer the second one must be; what stands out by less is lost with it.
+//
 // Graphics cards hold ndc z instead, a straight line of 1/z from 0 at the near plane to 1 at the
 // far one: there smaller is nearer, and the buffer starts at 1. A float has most of its steps near
 // 0, ndc z most of its values near 1; so it is often turned round, 1 near and 0 far. In 24 or 16
@@ -42,6 +45,7 @@ struct DepthRules {
     Projection projection;           ///< its clip_depth is the quantity
     float near = 0.1f, far = 100.0f; ///< of the view volume
     int bits = 0;                    ///< of its whole numbers, 1 to 24; 0: it holds floats
+    float epsilon = 0.0f;            ///< how much nearer is nearer, of that quantity; 0 or more
 };
 
 /// The nearer one is drawn: passes if the interpolated 1/z is larger than what is stored.
@@ -83,6 +87,17 @@ inline DepthResult depth_test_as_held(const Fragment& fragment, float stored,
                                       const DepthRules& rules) {
     const float depth = held_depth(fragment.depth, rules);
     return {depth, is_nearer(depth, stored, rules.projection.clip_depth)};
+}
+
+/// The one that is nearer by more than epsilon is drawn: what is hardly nearer counts as equally
+/// near, and the one drawn first stays. Source: OpenGL 4.6 and D3D11.3 do the like from the side of
+/// the fragment ("depth offset", "depth bias"), with a share for the slope of its surface as well.
+inline DepthResult depth_test_with_epsilon(const Fragment& fragment, float stored,
+                                           const DepthRules& rules) {
+    const ClipDepth kind = rules.projection.clip_depth;
+    const float depth = held_depth(fragment.depth, rules);
+    const float limit = is_smaller_nearer(kind) ? stored - rules.epsilon : stored + rules.epsilon;
+    return {depth, is_nearer(depth, limit, kind)};
 }
 
 /// No test: the last one drawn wins.

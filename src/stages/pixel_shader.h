@@ -34,6 +34,7 @@ struct Surface {
     glm::vec3 reflectance{1.0f};
     const Texture* texture = nullptr; ///< or none
     TextureSlope texture_slope{};     ///< over the polygon; only where there is a texture
+    float alpha = 1.0f;               ///< below 1: blended, see blend.h
     // Of surfaces that the lab does not have, see surface_shader.h:
     Shine shine{};
     CornerDifferences differences{}; ///< what travels from the vertices, in place of the above

@@ -5,6 +5,7 @@
 // the laboratory are such functions, in src/mistakes; which of them stand in the table follows from
 // the settings, in settings/choose_stages.h.
 
+#include "stages/blend.h"
 #include "stages/clip.h"
 #include "stages/cull.h"
 #include "stages/depth_test.h"
@@ -91,9 +92,15 @@ struct Stages {
     decltype(&rasterwalk::pixel_shader) pixel_shader = rasterwalk::pixel_shader;
     VaryingSet (*varyings_read)(Shading shading) = rasterwalk::varyings_read;
 
-    // Texture lookup: which texel stands beyond the border, and which texels are mixed.
+    // Texture lookup: where a place lies among the texels, which texel stands beyond the border,
+    // how it is read, and which texels are mixed.
+    decltype(&rasterwalk::texel_place) texel_place = rasterwalk::texel_place;
+    decltype(&rasterwalk::read_texel) read_texel = rasterwalk::read_texel;
     int (*wrap_texel)(int texel, int count) = wrap_repeat;
     decltype(&sample_nearest) sample_texture = sample_nearest;
+
+    // Asked of each fragment of what is half transparent, before it is put.
+    decltype(&blend_over) blend = blend_over;
 
     // Put pixel: which pixels there are, and what a channel becomes.
     decltype(&rasterwalk::drawn_area) drawn_area = rasterwalk::drawn_area;

@@ -22,8 +22,10 @@ struct TexelPair {
 };
 
 /// The two between whose centres a coordinate lies.
-TexelPair pair_round(float coordinate, int count, const Stages& stages) {
-    const float from_centre = among_texels(coordinate, count) - 0.5f;
+TexelPair pair_round(float coordinate, TextureDirection direction, int count,
+                     const Stages& stages) {
+    const float from_centre =
+        call<texel_place>(stages.texel_place, coordinate, direction, count) - 0.5f;
     const float before = std::floor(from_centre);
     const int texel = static_cast<int>(before);
     return {stages.wrap_texel(texel, count), stages.wrap_texel(texel + 1, count),
@@ -35,10 +37,10 @@ TexelPair pair_round(float coordinate, int count, const Stages& stages) {
 void add_four(const Texture& texture, int level, const glm::vec2& texcoord, float share,
               const Stages& stages, glm::vec3& colour, TakenTexels* taken) {
     const TextureLevel& texels = texture.levels[static_cast<std::size_t>(level)];
-    const TexelPair x = pair_round(texcoord.x, texels.width, stages);
-    const TexelPair y = pair_round(texcoord.y, texels.height, stages);
+    const TexelPair x = pair_round(texcoord.x, TextureDirection::u, texels.width, stages);
+    const TexelPair y = pair_round(texcoord.y, TextureDirection::v, texels.height, stages);
     const auto add = [&](int column, int row, float weight) {
-        const glm::vec3& texel = texels.at(column, row);
+        const glm::vec3 texel = call<read_texel>(stages.read_texel, texels, column, row);
         colour += texel * weight;
         if (taken != nullptr) taken->add({level, column, row, weight, texel});
     };
@@ -72,13 +74,13 @@ float among_texels(float coordinate, int count) {
 glm::vec3 sample_nearest(const Texture& texture, const TexturePlace& place, const Stages& stages,
                          TakenTexels* taken) {
     const TextureLevel& texels = texture.base();
-    const auto texel_at = [&stages](float coordinate, int count) {
-        return stages.wrap_texel(static_cast<int>(std::floor(among_texels(coordinate, count))),
-                                 count);
+    const auto texel_at = [&stages](float coordinate, TextureDirection direction, int count) {
+        const float among = call<texel_place>(stages.texel_place, coordinate, direction, count);
+        return stages.wrap_texel(static_cast<int>(std::floor(among)), count);
     };
-    const int column = texel_at(place.texcoord.x, texels.width);
-    const int row = texel_at(place.texcoord.y, texels.height);
-    const glm::vec3& colour = texels.at(column, row);
+    const int column = texel_at(place.texcoord.x, TextureDirection::u, texels.width);
+    const int row = texel_at(place.texcoord.y, TextureDirection::v, texels.height);
+    const glm::vec3 colour = call<read_texel>(stages.read_texel, texels, column, row);
     if (taken != nullptr) taken->add({0, column, row, 1.0f, colour});
     return colour;
 }

@@ -66,7 +66,7 @@ static_assert(words_match<TextureWrap>);
 /// A texel that a fragment took.
 struct TakenTexel {
     int level = 0;
-    int column = 0, row = 0; ///< in the level
+    int column = 0, row = 0; ///< in the level; by mistake B67 below 0
     float weight = 0.0f;     ///< 0..1; those of all that a fragment takes add up to 1
     glm::vec3 colour{0.0f};
 
@@ -93,8 +93,24 @@ int wrap_mirror(int texel, int count);
 /// number, or too large to be counted, lies at 0.
 float among_texels(float coordinate, int count);
 
+/// The two directions in a texture.
+enum class TextureDirection : std::uint8_t { u, v };
+
+/// Where a texture coordinate lies among the `count` texels of its direction: v runs down, as rows
+/// do, and the centre of texel i lies at i + 1/2.
+inline float texel_place(float coordinate, TextureDirection, int count) {
+    return among_texels(coordinate, count);
+}
+
+/// The colour of a texel, as it stands in a level.
+/// @param column 0 <= column < level.width
+/// @param row    0 <= row < level.height
+inline glm::vec3 read_texel(const TextureLevel& level, int column, int row) {
+    return level.at(column, row);
+}
+
 /// The colour of a texture at a place.
-/// @param stages the table whose function wraps
+/// @param stages the table whose functions find the place, wrap and read
 /// @param taken  receives the texels, or null
 glm::vec3 sample_nearest(const Texture& texture, const TexturePlace& place, const Stages& stages,
                          TakenTexels* taken);

@@ -6,11 +6,10 @@
 #include "explain/fragment_report.h"
 #include "explain/vertex_report.h"
 #include "pipeline/draw.h"
-#include "scene/read_scene.h"
-#include "session/content.h"
 #include "settings/setting_table.h"
 #include "support/bits.h"
 #include "support/recorder.h"
+#include "support/small_cylinder.h"
 
 using namespace rasterwalk;
 using test::same_bits;
@@ -19,11 +18,9 @@ namespace {
 
 /// The cylinder of the lessons in a small picture, whose wall has two colours.
 Scene coloured_cylinder() {
-    const Scene scene = read_scene(lessons_folder() + "/scenes/cylinder.toml");
+    const Scene scene = test::small_cylinder({60, 56}, 75.0f);
     Scene coloured = scene;
     coloured.mesh = {};
-    coloured.viewport = {60, 56};
-    coloured.camera.focal_length = 75.0f;
     for (int t = 0; t < scene.triangle_count(); ++t) {
         std::array<Vertex, triangle_corners> corners = corners_of(scene, t);
         for (Vertex& corner : corners) {

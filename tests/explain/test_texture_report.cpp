@@ -68,8 +68,12 @@ TEST_CASE("Every number of a textured fragment follows from its formula to the b
             for (const std::string_view filter : enum_words<TextureFilter>) {
                 const std::string_view wrap =
                     enum_words<TextureWrap>[static_cast<std::size_t>(random.integer(0, 2))];
-                const Frame frame = prepare_frame(
-                    scene, settings_of_texture(scene, step, interpolation, filter, wrap));
+                Settings settings = settings_of_texture(scene, step, interpolation, filter, wrap);
+                settings.texel_rule = random.integer(0, 1) == 0
+                                          ? TexelRule::right
+                                          : static_cast<TexelRule>(random.integer(
+                                                1, int{enum_words<TexelRule>.size()} - 1));
+                const Frame frame = prepare_frame(scene, settings);
                 Framebuffer picture;
                 clear(picture, frame);
                 test::Recorder recorder;

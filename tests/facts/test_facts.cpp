@@ -420,3 +420,41 @@ TEST_CASE("Where a picked pixel lies in its texture, and which texels it takes, 
     CHECK(wall.number("pixel.level") > 1);
     CHECK(wall.number("pixel.texel.level") >= 1);
 }
+
+TEST_CASE("Affine interpolation is off by whole texels, and the error of the light has them") {
+    Asked wall;
+    wall.session = open_session(lessons_folder() + "/scenes/receding-wall.toml");
+    Settings& settings = wall.session.a.settings;
+    settings.stage = Stage::shade;
+    // Near a border of two texels a pixel's own rounding decides.
+    const auto is_tie = [](double texels) { return std::abs(texels - std::round(texels)) < 0.08; };
+    const auto is_white = [](double x, double y) {
+        return (static_cast<int>(std::floor(x)) + static_cast<int>(std::floor(y))) % 2 == 0;
+    };
+    int asked = 0, other_texel = 0;
+    for (int column = 36; column < 170; column += 4) {
+        // On the screen the wall goes from (20, 20) and (20, 140) to (180, 50) and (180, 110).
+        const double row = 74.0, share = (column - 20.0) / 160.0, z = 4.0 / (2.0 - share);
+        const double u = 8.0 * share / (2.0 - share);
+        const double v = 8.0 * (0.5 + (row - 80.0) / 200.0 * z / 1.2);
+        const double upper = (row - 20.0 - 30.0 * share) / 120.0; // v in the upper triangle
+        const double affine_u = 8.0 * share;
+        const double affine_v =
+            8.0 * (share + upper <= 1.0 ? upper : 1.0 - (140.0 - row - 30.0 * share) / 60.0);
+        if (is_tie(u) || is_tie(v) || is_tie(affine_u) || is_tie(affine_v)) continue;
+        wall.session.selection.pixel = glm::ivec2(column, 74);
+        settings.texture = TextureUse::off;
+        const double plain = wall.number("pixel.light_error");
+        settings.texture = TextureUse::on;
+        const double painted = wall.number("pixel.light_error");
+        INFO("column " << column << ": without a texture " << plain << ", with it " << painted);
+        // Texels are 0..1: where both ways take the same colour, the error cannot grow.
+        const bool is_other = is_white(u, v) != is_white(affine_u, affine_v);
+        CHECK((painted > plain + 0.2) == is_other);
+        ++asked;
+        other_texel += is_other ? 1 : 0;
+    }
+    CHECK(asked > 12);
+    CHECK(other_texel > 3);
+    CHECK(other_texel < asked - 3);
+}

@@ -32,6 +32,8 @@ std::string first_fault(const Frame& frame, const Framebuffer& picture, const gl
     }
     const Settings& settings = frame.settings;
     const bool reversed = depth_rule(settings) == DepthTest::reversed;
+    const float epsilon =
+        depth_rule(settings) == DepthTest::inverse_z ? settings.depth_epsilon : 0.0f;
     const bool has_cell = has_depth_cell(frame.stages, pixel.x, pixel.y, settings.viewport) ||
                           !has_fragments(settings.stage);
     const ClipDepth kind = depth_kind(frame);
@@ -47,8 +49,12 @@ std::string first_fault(const Frame& frame, const Framebuffer& picture, const gl
         const float ahead =
             kind == ClipDepth::ndc ? entry.stored - entry.depth : entry.depth - entry.stored;
         if (!same_bits(entry.margin, ahead)) return fault(name + " margin");
+        // Each rounded sum as the test has it, so that what lies on the limit is judged alike.
+        const float limit =
+            kind == ClipDepth::ndc ? entry.stored - epsilon : entry.stored + epsilon;
+        const bool is_ahead = kind == ClipDepth::ndc ? entry.depth < limit : entry.depth > limit;
         const bool should_pass =
-            !history.depth_tested || (reversed ? entry.margin < 0.0f : entry.margin > 0.0f);
+            !history.depth_tested || (reversed ? entry.margin < 0.0f : is_ahead);
         if ((entry.fate == Fate::written) != should_pass) return fault(name + " fate");
         if (entry.fate == Fate::written) {
             winner_depth = entry.depth;
@@ -71,7 +77,8 @@ std::string first_fault(const Frame& frame, const Framebuffer& picture, const gl
             return fault("to winner");
         }
         const float lead = reversed ? -entry.margin_to_winner : entry.margin_to_winner;
-        if (history.depth_tested && has_cell && lead > 0.0f) return fault("winner is beaten");
+        if (history.depth_tested && has_cell && lead > 1.0001f * epsilon)
+            return fault("winner is beaten");
     }
     return {};
 }

@@ -11,7 +11,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "base/files.h"
 #include "inspect/stats.h"
 #include "picture/pixel_facts.h"
 #include "pipeline/draw.h"
@@ -20,6 +19,7 @@
 #include "settings/setting_table.h"
 #include "support/oracle.h"
 #include "support/random.h"
+#include "support/said.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;
@@ -51,16 +51,6 @@ struct Drawn {
                              [](const DrawnTwice& pair) { return bool(pair); });
     }
 };
-
-std::string text_of(const std::string& file) {
-    return read_file(lessons_folder() + "/" + file);
-}
-
-/// The file says this, so that a text that changes takes its test along.
-void require_said(const std::string& file, const std::string& words) {
-    INFO(file << " does not say: " << words);
-    CHECK(text_of(file).find(words) != std::string::npos);
-}
 
 using ColumnRow = std::array<int, 2>;
 

@@ -15,7 +15,6 @@
 #include <catch2/catch.hpp>
 #include <glm/vec2.hpp>
 
-#include "base/files.h"
 #include "pipeline/draw.h"
 #include "scene/read_scene.h"
 #include "session/content.h"
@@ -24,6 +23,7 @@
 #include "support/oracle.h"
 #include "support/prediction_checks.h"
 #include "support/questions.h"
+#include "support/said.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;
@@ -191,11 +191,6 @@ RoomCount count_room(const Frame& frame, const std::vector<Pixels>& all) {
     return count;
 }
 
-void require_text(const std::string& file, const std::string& words) {
-    INFO(file << " does not say: " << words);
-    CHECK(read_file(lessons_folder() + "/" + file).find(words) != std::string::npos);
-}
-
 PREDICTIONS_TEST("Lesson 21: edge functions by determinants and a moved point", "21-edge-functions",
                  "which-side", "asked", "both", "diagonal", "square", "one-right", "cracks",
                  "drawn-twice") {
@@ -259,12 +254,12 @@ TEST_CASE("Lesson 21: what it says of the room in figures") {
     CHECK(lab.twice == 5321);
     CHECK(lab.empty == 998);
     CHECK(lab.fragments == 328'789);
-    require_text("21-edge-functions.md", "marks 5 321 pixels");
-    require_text("21-edge-functions.md", "left 998 empty, and had 328 789 fragments");
+    require_said("21-edge-functions.md", "marks 5 321 pixels");
+    require_said("21-edge-functions.md", "left 998 empty, and had 328 789 fragments");
     const RoomCount inclusive =
         count_room(room.frame, room_pixels(room.frame, FillRule::inclusive));
     CHECK(inclusive.twice == 750);
-    require_text("21-edge-functions.md", "750 pixels would be drawn twice");
+    require_said("21-edge-functions.md", "750 pixels would be drawn twice");
     // Corners at the centres of their pixels: the default.
     std::int64_t tested = 0, fragments = 0;
     for (int t = 0; t < room.frame.triangle_count(); ++t) {
@@ -283,7 +278,7 @@ TEST_CASE("Lesson 21: what it says of the room in figures") {
     }
     CHECK(tested == 719'256);
     CHECK(fragments == 325'329);
-    require_text("21-edge-functions.md", "719 256 pixels for 325 329 fragments");
+    require_said("21-edge-functions.md", "719 256 pixels for 325 329 fragments");
 }
 
 /// Which needle a pixel shows, by weights in double; -1: none.

@@ -11,7 +11,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "base/files.h"
 #include "compare/compare.h"
 #include "pipeline/draw.h"
 #include "scene/read_scene.h"
@@ -19,17 +18,13 @@
 #include "settings/setting_table.h"
 #include "support/prediction_checks.h"
 #include "support/questions.h"
+#include "support/said.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;
 
 namespace {
 namespace shading_track {
-
-void require_said(const std::string& file, const std::string& words) {
-    INFO(file << " does not say: " << words);
-    CHECK(read_file(lessons_folder() + "/" + file).find(words) != std::string::npos);
-}
 
 /// What the light does at a point, in double.
 struct Lit {

@@ -6,21 +6,16 @@
 
 #include <catch2/catch.hpp>
 
-#include "base/files.h"
 #include "session/content.h"
 #include "support/prediction_checks.h"
 #include "support/questions.h"
+#include "support/said.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;
 
 namespace {
 namespace texture_track {
-
-void require_said(const std::string& file, const std::string& words) {
-    INFO(file << " does not say: " << words);
-    CHECK(read_file(lessons_folder() + "/" + file).find(words) != std::string::npos);
-}
 
 PREDICTIONS_TEST("Lesson 23: places in a texture from depths and corners", "23-textures",
                  "half-way", "back-wall", "below-zero") {

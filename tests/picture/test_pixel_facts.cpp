@@ -144,6 +144,27 @@ TEST_CASE("The two halves of a square draw its diagonal twice, and nothing else"
     }
 }
 
+TEST_CASE(
+    "Neighbours thinner than a pixel draw their edge twice where corners are snapped finely") {
+    // From the edge at column 5 the second one reaches 0.9 pixels, and ends in column 5 as well.
+    const Scene scene = pixel_scene(
+        {{{{5, 2, 1}, {5, 9, 1}, {1, 5, 1}}}, {{{5, 2, 1}, {5.9f, 5, 1}, {5, 9, 1}}}}, {12, 12});
+    Settings settings = default_settings(scene);
+    settings.stage = Stage::fill;
+    settings.coverage = Coverage::edge_functions;
+    settings.snap = Snap::subpixel;
+    const PixelFacts facts =
+        pixel_facts(prepare_frame(scene, settings), cursor_end, {.drawn_twice = true});
+    for (int row = 0; row < 12; ++row) {
+        for (int column = 0; column < 12; ++column) {
+            const bool on_edge = column == 5 && row >= 2 && row <= 9;
+            INFO("column " << column << " row " << row);
+            CHECK(facts.drawn_twice[static_cast<std::size_t>(12 * row + column)] ==
+                  (on_edge ? DrawnTwice{0, 1} : DrawnTwice{}));
+        }
+    }
+}
+
 TEST_CASE("A triangle folded over its neighbour covers it rightly") {
     const Scene scene = pixel_scene(
         {{{{2, 2, 1}, {9, 2, 1}, {2, 9, 1}}}, {{{9, 2, 1}, {4, 2, 1}, {2, 9, 1}}}}, {12, 12});

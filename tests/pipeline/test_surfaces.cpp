@@ -12,6 +12,7 @@
 #include "settings/setting_table.h"
 #include "stages/surface_shader.h"
 #include "support/bits.h"
+#include "support/small_cylinder.h"
 
 using namespace rasterwalk;
 
@@ -171,14 +172,6 @@ class Rays {
     glm::dvec3 eye_, lamp_, forward_{0, 0, 1}, right_{1, 0, 0}, down_{0, 1, 0};
 };
 
-/// The cylinder of the lessons, in a small picture.
-Scene small_cylinder() {
-    Scene scene = read_scene(lessons_folder() + "/scenes/cylinder.toml");
-    scene.viewport = {32, 29};
-    scene.camera.focal_length = 38.0f;
-    return scene;
-}
-
 Settings settings_of(const Scene& scene, std::initializer_list<const char*> assignments) {
     Settings settings = default_settings(scene);
     // Pixels at their centres, from corners that are hardly moved.
@@ -226,7 +219,8 @@ int compare_with_rays(const Scene& scene, const Settings& settings, const std::s
 } // namespace
 
 TEST_CASE("Each shading, fall-off, highlight and mistake of it is what rays in double see") {
-    const std::vector<Scene> scenes{small_cylinder(), parse_scene(folded, "folded.toml")};
+    const std::vector<Scene> scenes{test::small_cylinder({32, 29}, 38.0f),
+                                    parse_scene(folded, "folded.toml")};
     for (const Scene& scene : scenes) {
         const bool is_cylinder = scene.triangle_count() > 2;
         for (const char* shading :
@@ -279,7 +273,7 @@ TEST_CASE(
 }
 
 TEST_CASE("Normals and colours travel only where corners differ, and only where they are read") {
-    const Scene scene = small_cylinder();
+    const Scene scene = test::small_cylinder({32, 29}, 38.0f);
     const auto read = [&](std::initializer_list<const char*> assignments) {
         const Settings settings = settings_of(scene, assignments);
         return carried_varyings(prepare_frame(scene, settings).stages, shading_rule(settings));
@@ -292,7 +286,7 @@ TEST_CASE("Normals and colours travel only where corners differ, and only where 
 }
 
 TEST_CASE("A smooth body is culled by its triangles, not by the normals of their corners") {
-    const Scene scene = small_cylinder();
+    const Scene scene = test::small_cylinder({32, 29}, 38.0f);
     Settings settings = settings_of(scene, {"cull=face_normal"});
     const Frame by_normal = prepare_frame(scene, settings);
     set_from_text(settings, "cull=screen_area");

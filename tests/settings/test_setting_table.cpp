@@ -56,12 +56,15 @@ TEST_CASE("The table holds exactly the settings that are promised, each with hel
                                                  "depth_test",
                                                  "depth_format",
                                                  "depth_clear",
+                                                 "depth_epsilon",
                                                  "depth_index",
                                                  "depth_order",
                                                  "interpolation",
                                                  "texture",
                                                  "texture_filter",
                                                  "texture_wrap",
+                                                 "texel_rule",
+                                                 "blend",
                                                  "camera.position",
                                                  "camera.yaw",
                                                  "camera.pitch",
@@ -158,6 +161,7 @@ TEST_CASE("Every word of every choice is set and read back, and lands in its own
     CHECK(settings.depth_index == DepthIndex::transposed);
     CHECK(settings.depth_order == DepthOrder::before_depth_test);
     CHECK(settings.interpolation == Interpolation::zinv_twice);
+    CHECK(settings.texel_rule == TexelRule::remainder);
     CHECK(settings.rotation == Rotation::transposed);
     CHECK(settings.camera.aim == CameraAim::look_at);
     CHECK(settings.transform == Transform::matrices);

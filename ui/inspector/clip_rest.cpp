@@ -22,7 +22,7 @@ namespace rasterwalk {
 
 namespace {
 
-const char* answer_text(const CullAnswer& answer) {
+const char* cull_answer_text(const CullAnswer& answer) {
     if (answer.is_open) return "no answer";
     return answer.is_in_parts ? "in parts" : answer.is_back ? "back" : "front";
 }
@@ -69,7 +69,7 @@ void draw_answer(const ClipPage& page, const CullAnswer& answer, bool is_in_forc
                std::string(answer_help(page.frame, answer.way)));
     ImGui::TableNextColumn();
     const Meaning meaning = answer.is_back ? Meaning::fail : Meaning::pass;
-    put_right(page, answer_text(answer),
+    put_right(page, cull_answer_text(answer),
               answer.is_open ? page.palette().dim : colour_of(meaning, page.ui.options.theme));
     ImGui::PopFont();
 }

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "base/element_names.h"
+#include "explain/depth_formulas.h"
 #include "picture/view_image.h"
 #include "session/walk.h"
 #include "ui/actions/go_to_source.h"
@@ -141,13 +142,17 @@ void draw_title(Ui& ui) {
     if (links.can_go && !ui.inspector.is_low) draw_go_link(ui);
 }
 
-std::string verdict(const FragmentReport& report) {
+std::string verdict(const Ui& ui, const FragmentReport& report) {
     if (report.fate == Fate::back_facing)
         return "✗ culled before the depth test: its normal points away from the camera";
     if (report.depth_test == DepthTest::off) return "no depth test: the last one drawn stays";
     if (report.depth_test == DepthTest::reversed) {
         return report.fate == Fate::written ? "✓ passed: it is farther than what was there"
                                             : "✗ failed: it is not farther than what was there";
+    }
+    if (depth_epsilon_rule(ui.results.a.frame.settings) > 0.0f) {
+        return report.fate == Fate::written ? "✓ passed: it is nearer by more than epsilon"
+                                            : "✗ failed: it is not nearer by more than epsilon";
     }
     return report.fate == Fate::written ? "✓ passed: nothing nearer was there"
                                         : "✗ failed: something nearer was there";
@@ -203,12 +208,16 @@ void draw_depth(Ui& ui) {
             : colour_of(report.fate == Fate::written ? Meaning::pass : Meaning::fail,
                         ui.options.theme);
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
-    wrapped_text(verdict(report));
+    wrapped_text(verdict(ui, report));
     keep_text_whole(ui);
     ImGui::PopStyleColor();
+    const Frame& frame = ui.results.a.frame;
     name_widget(ui, "fragment.fate",
                 "The fragment is drawn if its value is " +
-                    std::string(depth_words(ui.results.a.frame).nearer) + ": margin > 0.");
+                    std::string(depth_words(ui.results.a.frame).nearer) + ": margin > " +
+                    margin_limit(depth_rules(frame.settings, frame.scene->space)) + ".");
+    for (const char* id : {"blend.red", "blend.green", "blend.blue"})
+        draw_fragment_line(ui, id, std::string(id).substr(std::string("blend.").size()));
     draw_colours(ui);
     end_card(ui);
 }

@@ -70,7 +70,11 @@ std::array<std::string, 2> verdict(const Ui& ui, const PixelHistory& history) {
     const std::string other = triangle_words(ui, next.cursor.triangle);
     const float ahead = -sign * next.margin_to_winner;
     if (!(ahead > 0.0f)) {
-        return {text + ": it came before " + other + ", which is just as near.", ""};
+        const bool has_epsilon = depth_epsilon_rule(ui.results.a.frame.settings) > 0.0f;
+        return {text + ": it came before " + other +
+                    (has_epsilon ? ", which is not nearer by more than epsilon."
+                                 : ", which is just as near."),
+                ""};
     }
     return {text + ": its " + value + " is the " + most + ",",
             fmt::format("{} ahead of {}.",

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/element_names.h"
+#include "explain/depth_formulas.h"
 #include "picture/view_image.h"
 #include "session/moment_text.h"
 #include "session/walk.h"
@@ -178,8 +179,10 @@ std::string tooltip(const Ui& ui, const PixelHistory& history, int index) {
     }
     if (entry.fate == Fate::depth_failed) {
         const bool is_reversed = depth_rule(ui.results.a.frame.settings) == DepthTest::reversed;
-        text += fmt::format("\nHidden: it is not {} than what is stored.",
-                            is_reversed ? words_of(ui).farther : words_of(ui).nearer);
+        const bool has_epsilon = depth_epsilon_rule(ui.results.a.frame.settings) > 0.0f;
+        text += fmt::format("\nHidden: it is not {} than what is stored{}.",
+                            is_reversed ? words_of(ui).farther : words_of(ui).nearer,
+                            has_epsilon ? " by more than epsilon" : "");
     } else if (entry.fate == Fate::back_facing) {
         text += "\nCulled before the depth test: its normal points away from the camera.";
     } else if (stays(history, index)) {
@@ -296,6 +299,8 @@ void draw_history_headers(Ui& ui, const Columns& columns) {
         std::string title;
         std::string help;
     };
+    const Frame& shown_frame = ui.results.a.frame;
+    const DepthRules rules = depth_rules(shown_frame.settings, shown_frame.scene->space);
     const PlaceTitles place = place_titles(ui.results.a.frame.settings.stage);
     const Header headers[] = {
         {"number", "#", "Number of the fragment, in the order of drawing, from 0."},
@@ -305,12 +310,12 @@ void draw_history_headers(Ui& ui, const Columns& columns) {
         {"zinv", depth_title(ui), depth_help(ui)},
         {"margin", "margin",
          is_smaller_nearer(words_of(ui).kind)
-             ? fmt::format("The depth buffer's value before less its {}: above 0 it is nearer and "
+             ? fmt::format("The depth buffer's value before less its {}: above {} it is nearer and "
                            "is written.",
-                           depth_value_words(ui))
-             : fmt::format("Its {} less the depth buffer's value before: above 0 it is nearer and "
+                           depth_value_words(ui), margin_limit(rules))
+             : fmt::format("Its {} less the depth buffer's value before: above {} it is nearer and "
                            "is written.",
-                           depth_value_words(ui))},
+                           depth_value_words(ui), margin_limit(rules))},
         {"fate", "fate",
          "✓ written: it became the pixel's colour. ✓ stays: and it was the last to do so. "
          "✗ hidden: something nearer was there."},

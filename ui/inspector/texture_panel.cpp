@@ -129,9 +129,18 @@ void draw_texture_map(Ui& ui) {
         }
     }
     const TextureWrap wrap = ui.results.a.frame.settings.texture_wrap;
-    const InTexture u = in_texture(report.place.texcoord.x, wrap),
-                    v = in_texture(report.place.texcoord.y, wrap);
-    const glm::vec2 place{u.coordinate, v.coordinate}, half{0.5f * u.sign, 0.5f * v.sign};
+    // Where the texture is read, also by mistake.
+    const auto read_at = [&](TextureDirection direction, int count) {
+        const bool is_u = direction == TextureDirection::u;
+        return ui.results.a.frame.stages.texel_place(
+                   is_u ? report.place.texcoord.x : report.place.texcoord.y, direction, count) /
+               static_cast<float>(count);
+    };
+    const float v_sign =
+        ui.results.a.frame.settings.texel_rule == TexelRule::upside_down ? -1.0f : 1.0f;
+    const InTexture u = in_texture(read_at(TextureDirection::u, texture.base().width), wrap),
+                    v = in_texture(read_at(TextureDirection::v, texture.base().height), wrap);
+    const glm::vec2 place{u.coordinate, v.coordinate}, half{0.5f * u.sign, 0.5f * v.sign * v_sign};
     const glm::vec2 right = half * report.place.footprint.right,
                     down = half * report.place.footprint.down;
     const ImU32 mark = packed(palette(ui.options.theme).changed);
@@ -237,6 +246,12 @@ void draw_mixed_colour(Ui& ui) {
     }
 }
 
+/// Does the filter choose levels? The others take the texture itself.
+bool asks_for_level(const Ui& ui) {
+    const TextureFilter filter = ui.results.a.frame.settings.texture_filter;
+    return filter == TextureFilter::mipmap || filter == TextureFilter::trilinear;
+}
+
 void draw_texture_page(Ui& ui) {
     draw_texture_title(ui);
     ImGui::Spacing();
@@ -257,16 +272,19 @@ void draw_texture_page(Ui& ui) {
     draw_mixed_colour(ui);
     ImGui::Spacing();
     ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x);
-    for (const char* id :
-         {"texture.x", "texture.y", "texture.right", "texture.down", "texture.level"})
+    for (const char* id : {"texture.x", "texture.y", "texture.right", "texture.down"})
         draw_texture_line(ui, id);
+    if (asks_for_level(ui)) draw_texture_line(ui, "texture.level");
     ImGui::PopItemWidth();
 }
 
 void draw_texture_formula(Ui& ui) {
     const std::vector<Formula>& formulas = report_of(ui).formulas;
-    const Formula* formula = find_formula(formulas, ui.inspector.chosen.texture_number);
-    if (formula == nullptr) formula = find_formula(formulas, "texture.level");
+    const std::string& chosen = ui.inspector.chosen.texture_number;
+    const bool is_shown = chosen != "texture.level" || asks_for_level(ui);
+    const Formula* formula = is_shown ? find_formula(formulas, chosen) : nullptr;
+    if (formula == nullptr)
+        formula = find_formula(formulas, asks_for_level(ui) ? "texture.level" : "texture.x");
     begin_card(ui);
     if (!ui.inspector.is_low) {
         ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);

@@ -17,7 +17,7 @@ namespace rasterwalk {
 
 namespace {
 
-const VertexLine lines[] = {
+const VertexLine line_list[] = {
     {"world", "x", "world.x", 3, "The vertex where the scene has it. x points right."},
     {"", "y", "world.y", 3, "y points down."},
     {"", "z", "world.z", 3, "z points into the picture."},
@@ -184,7 +184,7 @@ void draw_cell(Ui& ui, const VertexLine& line, int v, int chosen) {
 } // namespace
 
 std::span<const VertexLine> vertex_lines() {
-    return lines;
+    return line_list;
 }
 
 bool is_camera_turned(const Ui& ui) {

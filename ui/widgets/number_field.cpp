@@ -62,13 +62,15 @@ bool draw_field(const char* id, const Draw& draw, const Shown& shown) {
 } // namespace
 
 bool drag_number(const char* id, float& value, const DragRange<float>& range) {
+    // ImGui rounds to what is shown: three digits would make small steps 0.
+    const bool is_fine = range.step < 0.001f;
     return draw_field(
         id,
         [&] {
-            return ImGui::DragFloat(id, &value, range.step, range.smallest, range.largest, "%.3f",
-                                    ImGuiSliderFlags_AlwaysClamp);
+            return ImGui::DragFloat(id, &value, range.step, range.smallest, range.largest,
+                                    is_fine ? "%.7g" : "%.3f", ImGuiSliderFlags_AlwaysClamp);
         },
-        [&] { return fixed(value, 3); });
+        [&] { return is_fine ? with_minus_signs(number_text(value)) : fixed(value, 3); });
 }
 
 bool drag_number(const char* id, int& value, const DragRange<int>& range, std::string_view label) {

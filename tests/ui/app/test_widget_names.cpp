@@ -40,6 +40,7 @@ class Tour {
         from_outside();
         clipped();
         textured();
+        half_transparent();
         tested();
         covered();
         groups();
@@ -156,6 +157,13 @@ class Tour {
             look(driver);
         }
         follow_link(driver.ui, "set:transform=matrices"); // whose clip space has another scale
+        look(driver);
+    }
+
+    void half_transparent() {
+        Driver driver("glass-halves.toml");
+        follow_link(driver.ui, "pixel:7,5");
+        follow_link(driver.ui, "tab:fragment");
         look(driver);
     }
 

@@ -44,6 +44,17 @@ TEST_CASE("A typed number is kept within its range") {
     CHECK(driver.ui.session.a.settings.camera.focal_length == range.smallest);
 }
 
+TEST_CASE("A number of small steps is typed, shown and dragged without becoming 0") {
+    Driver driver;
+    driver.open("settings");
+    const float& epsilon = driver.ui.session.a.settings.depth_epsilon;
+    driver.hand.enter("setting.depth_epsilon", "0.0000011");
+    CHECK(epsilon == 0.0000011f);
+    driver.hand.drag("setting.depth_epsilon", 20.0f, 0.0f);
+    CHECK(epsilon > 0.000005f);
+    CHECK(epsilon < 0.00005f);
+}
+
 TEST_CASE("A word is chosen from a list, is marked as changed, and is reset") {
     Driver driver;
     driver.hand.click("tab.settings");

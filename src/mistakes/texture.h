@@ -1,0 +1,23 @@
+#pragma once
+
+// Mistakes in the slots of stages/texture_lookup.h.
+
+#include "stages/texture_lookup.h"
+
+namespace rasterwalk {
+
+/// B65, in the slot texel_place: v runs up, as in model files, but the rows are read from the top.
+float texel_place_upside_down(float coordinate, TextureDirection direction, int count);
+
+/// B66, in the slot texel_place: the centre of texel i is taken to be at i, so that every place
+/// lies half a texel further on.
+float texel_place_of_whole_centres(float coordinate, TextureDirection direction, int count);
+
+/// B67, in the slot wrap_texel: what % leaves, which is below 0 for a texel below 0.
+int wrap_by_remainder(int texel, int count);
+
+/// B67, in the slot read_texel: column -1 is the last of the row above, as the texels stand in
+/// memory. Under guard: what lies before the first of them, or beyond the last, is black.
+glm::vec3 read_texel_in_memory(const TextureLevel& level, int column, int row);
+
+} // namespace rasterwalk

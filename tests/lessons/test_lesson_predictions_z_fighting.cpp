@@ -1,0 +1,177 @@
+// The predictions and the figures of lesson 25, found a second time: the fragments of a picture are
+// gathered, and who is nearer by more than epsilon is decided here, in double.
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "base/files.h"
+#include "pipeline/draw.h"
+#include "pipeline/observer.h"
+#include "scene/read_scene.h"
+#include "session/content.h"
+#include "settings/setting_table.h"
+#include "support/prediction_checks.h"
+#include "support/questions.h"
+
+using namespace rasterwalk;
+using namespace rasterwalk::test;
+
+namespace {
+namespace z_fighting {
+
+/// All fragments of a picture, by pixel, in the order of drawing: triangle and depth.
+struct Gathered : Observer {
+    Gathered(const std::string& name, std::initializer_list<const char*> set)
+        : scene(read_scene(lessons_folder() + "/scenes/" + name + ".toml")) {
+        Settings settings = default_settings(scene);
+        set_from_text(settings, "stage=depth");
+        for (const char* text : set)
+            set_from_text(settings, text);
+        const Frame frame = prepare_frame(scene, settings);
+        Framebuffer picture;
+        clear(picture, frame);
+        width = picture.size.width;
+        pixels.resize(picture.owner.size());
+        smaller_is_nearer = clip_depth_rule(settings, scene.space) == ClipDepth::ndc;
+        draw(frame, {}, picture, this);
+    }
+    void fragment(const FragmentEvent& event) override {
+        pixels[static_cast<std::size_t>(event.fragment.row * width + event.fragment.column)]
+            .emplace_back(event.cursor.triangle, static_cast<double>(event.depth));
+    }
+    /// The part that each pixel shows with this epsilon; -1: none. What a fragment must beat is
+    /// rounded to a float, as in the buffer, or is the exact sum.
+    std::vector<int> parts(double epsilon, bool is_rounded = true) const {
+        const double given =
+            is_rounded ? static_cast<double>(static_cast<float>(epsilon)) : epsilon;
+        std::vector<int> shown;
+        for (const auto& fragments : pixels) {
+            int part = -1;
+            double stored = smaller_is_nearer ? 1.0 : 0.0;
+            for (const auto& [triangle, depth] : fragments) {
+                double limit = smaller_is_nearer ? stored - given : stored + given;
+                if (is_rounded) limit = static_cast<double>(static_cast<float>(limit));
+                if (smaller_is_nearer ? depth >= limit : depth <= limit) continue;
+                stored = depth;
+                part = part_of(scene, triangle);
+            }
+            shown.push_back(part);
+        }
+        return shown;
+    }
+    int count(const std::vector<int>& shown, int part, int column, int first, int last) const {
+        int sum = 0;
+        for (int row = first; row <= last; ++row)
+            sum += shown[static_cast<std::size_t>(row * width + column)] == part ? 1 : 0;
+        return sum;
+    }
+    Scene scene;
+    bool smaller_is_nearer = false;
+    int width = 0;
+    std::vector<std::vector<std::pair<int, double>>> pixels;
+};
+
+std::string lesson_text() {
+    return read_file(lessons_folder() + "/25-z-fighting.md");
+}
+
+constexpr int left_wall = 1, back_wall = 4;                        // of the room
+constexpr int decal = 0, poster = 2;                               // of the paper on the wall
+constexpr int corner = 126, corner_top = 126, corner_bottom = 373; // of the room's picture
+
+PREDICTIONS_TEST("Lesson 25: crumbs with and without an epsilon", "25-z-fighting", "crumbs-left",
+                 "others-too") {
+    const Gathered room("lab-room", {});
+    const std::vector<int> plain = room.parts(0.0), one = room.parts(1e-6),
+                           more = room.parts(1.1e-6), two = room.parts(2e-6);
+    const auto crumbs = [&](const std::vector<int>& shown) {
+        return room.count(shown, back_wall, corner, corner_top, corner_bottom);
+    };
+    const auto changed = [&](const std::vector<int>& now, bool outside_corner) {
+        int sum = 0;
+        for (std::size_t i = 0; i < now.size(); ++i) {
+            const bool counts = !outside_corner || static_cast<int>(i) % room.width != corner;
+            sum += counts && now[i] != plain[i] ? 1 : 0;
+        }
+        return sum;
+    };
+    CHECK(crumbs(plain) == 134);
+    CHECK(crumbs(one) == 1);
+    CHECK(crumbs(more) == 0);
+    CHECK(crumbs(two) == 0);
+    CHECK(changed(one, false) == 158);
+    CHECK(changed(two, false) == 325);
+    CHECK(changed(one, true) == 24);
+    CHECK(changed(two, true) == 190);
+    // By the exact sums it would be three pixels fewer: their margins lie within the rounding.
+    const std::vector<int> by_sums = room.parts(1e-6, false);
+    int on_the_limit = 0;
+    for (std::size_t i = 0; i < by_sums.size(); ++i)
+        on_the_limit += one[i] != by_sums[i] ? 1 : 0;
+    CHECK(on_the_limit == 3);
+    CHECK(room.count(two, left_wall, corner, 0, 499) == 248);
+    const Gathered exact("lab-room", {"line_walk=exact"});
+    CHECK(exact.count(exact.parts(0.0), back_wall, corner, corner_top, corner_bottom) == 38);
+
+    const Questions lesson("25-z-fighting");
+    lesson.require_number("crumbs-left", crumbs(one), 0.0, 67.0);
+    lesson.require_choice("others-too", 1);
+    const std::string said = lesson_text();
+    for (const char* figure : {"took 134 pixels", "133 crumbs disappear", "0.000002 it is 325",
+                               "has 38 crumbs, not 134"}) {
+        INFO(figure);
+        CHECK(said.find(figure) != std::string::npos);
+    }
+}
+
+PREDICTIONS_TEST("Lesson 25: the steps of sixteen bits, and reversed z", "25-z-fighting",
+                 "double-near", "reversed") {
+    // How far z goes on while ndc z grows by a step, from the formula turned round.
+    const auto step_at_four = [](double near) {
+        const double far = 100.0, ndc = far / (far - near) * (1.0 - near / 4.0);
+        const auto z_of = [&](double depth) { return near / (1.0 - depth * (far - near) / far); };
+        return z_of(ndc + 1.0 / 65535.0) - z_of(ndc);
+    };
+    CHECK(step_at_four(0.1) == Approx(0.0024).margin(0.00005));
+    const Questions lesson("25-z-fighting");
+    lesson.require_number("double-near", step_at_four(0.2), 2e-6, step_at_four(0.1));
+
+    const Gathered sixteen("z-fighting", {"depth_format=ndc_16"});
+    CHECK(sixteen.count(sixteen.parts(0.0), poster, 60, 0, 149) == 27);
+    const Gathered apart("z-fighting", {"depth_format=ndc_16", "near=0.3"});
+    CHECK(apart.count(apart.parts(0.0), poster, 60, 0, 149) == 70);
+    const Gathered torn("z-fighting", {"depth_format=ndc_32"});
+    CHECK(torn.count(torn.parts(0.0), decal, 150, 0, 149) == 62);
+    CHECK(torn.count(torn.parts(2e-6), decal, 150, 0, 149) == 70);
+    const Gathered bits("z-fighting", {"depth_format=ndc_24"});
+    CHECK(bits.parts(0.0) == torn.parts(0.0));
+    const Gathered reversed("z-fighting", {"depth_format=reversed_32"});
+    const int whole = reversed.count(reversed.parts(0.0), decal, 150, 0, 149);
+    CHECK(whole == 70);
+    lesson.require_choice("reversed", whole == 70 ? 1 : 0);
+    // The floats of the text: below 1, and at the depth of the wall.
+    CHECK(1.0 - static_cast<double>(std::nextafter(1.0f, 0.0f)) == Approx(6e-8).epsilon(0.01));
+    CHECK(100.0 / 99.9 * (1.0 - 0.1 / 4.0) == Approx(0.976).margin(5e-4));
+}
+
+} // namespace z_fighting
+} // namespace
+
+TEST_CASE("Mistake B61 takes the feet of the blocks, and nothing of what stands free") {
+    using namespace z_fighting;
+    const Gathered room("lab-room", {});
+    const std::vector<int> plain = room.parts(0.0), far_off = room.parts(0.05);
+    int lost = 0, gained = 0;
+    for (std::size_t i = 0; i < plain.size(); ++i) {
+        lost += plain[i] >= 5 && far_off[i] < 5 ? 1 : 0;
+        gained += plain[i] < 5 && far_off[i] >= 5 ? 1 : 0;
+    }
+    CHECK(lost > 1000);
+    CHECK(gained == 0);
+    // At z = 3 the epsilon is 0.4 units: 1/3 + 0.05 is the 1/z of 2.61.
+    CHECK(3.0 - 1.0 / (1.0 / 3.0 + 0.05) == Approx(0.4).margin(0.02));
+}
