@@ -113,7 +113,6 @@ void draw_key_sheet(Ui& ui, ImVec2 window) {
     const std::vector<KeyGroup> groups = key_groups();
     const KeyColumns columns = key_columns(ui, groups, window.x);
     begin_sheet(ui, keys_look, window);
-    begin_whole_lines(ui);
     ImGui::Spacing();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
                         {ImGui::GetStyle().ItemSpacing.x, 3.0f * ui.options.text_scale});
@@ -124,6 +123,8 @@ void draw_key_sheet(Ui& ui, ImVec2 window) {
     for (int column = 0; column < columns.count; ++column) {
         if (column > 0) ImGui::SameLine(0.0f, columns.gap);
         ImGui::BeginGroup();
+        // The lines of a column need not stand beside those of another: each ends for itself.
+        begin_whole_lines(ui);
         const std::size_t share = left / static_cast<std::size_t>(columns.count - column);
         for (std::size_t drawn = 0; next < groups.size(); ++next) {
             const std::size_t lines = lines_of(groups[next]);
@@ -132,10 +133,10 @@ void draw_key_sheet(Ui& ui, ImVec2 window) {
             drawn += lines;
             left -= lines;
         }
+        end_whole_lines(ui);
         ImGui::EndGroup();
     }
     ImGui::PopStyleVar();
-    end_whole_lines(ui);
     end_sheet();
 }
 
