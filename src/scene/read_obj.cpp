@@ -497,23 +497,46 @@ class ObjReader {
         return look;
     }
 
-    /// The texture of a material, which is read when its first face is drawn; -1: none.
-    int texture_of(int material) {
-        if (material < 0) return -1;
-        const ObjMaterial& of = model_.materials[static_cast<std::size_t>(material)];
-        if (of.diffuse_map.empty()) return -1;
-        const auto [known, is_new] = textures_.try_emplace(material, -1);
-        if (!is_new) return known->second;
-        const ReadTexture texture = texture_files_.read(
-            of.diffuse_map,
-            visible_line(std::filesystem::path(of.diffuse_map).filename().string()));
-        known->second = texture.index;
-        if (texture.index >= 0) return texture.index;
-        reporter_.fault(of.file, of.diffuse_map_line, [&] {
-            return fmt::format("'map_Kd': {} The image is left out.",
-                               visible_line(texture.trouble));
+    /// The pictures of a surface, as indices of textures; -1: none.
+    struct Maps {
+        int texture = -1, normal_map = -1;
+    };
+
+    /// The index of an image that was read; -1 if it cannot be used, which is told as a fault.
+    int index_of(const ReadTexture& image, const ObjMaterial& of, std::string_view word, int line) {
+        if (image.index >= 0) return image.index;
+        reporter_.fault(of.file, line, [&] {
+            return fmt::format("'{}': {} The image is left out.", word,
+                               visible_line(image.trouble));
         });
         return -1;
+    }
+
+    static std::string image_name(const std::string& path) {
+        return visible_line(std::filesystem::path(path).filename().string());
+    }
+
+    /// The images of a material, which are read when its first face is drawn.
+    Maps maps_of(int material) {
+        if (material < 0) return {};
+        const ObjMaterial& of = model_.materials[static_cast<std::size_t>(material)];
+        if (of.diffuse_map.empty() && of.bump_map.empty()) return {};
+        const auto [known, is_new] = maps_.try_emplace(material);
+        if (!is_new) return known->second;
+        Maps maps;
+        if (!of.diffuse_map.empty()) {
+            maps.texture = index_of(texture_files_.read(of.diffuse_map, image_name(of.diffuse_map)),
+                                    of, "map_Kd", of.diffuse_map_line);
+        }
+        if (!of.bump_map.empty()) {
+            const std::string name = image_name(of.bump_map);
+            maps.normal_map =
+                index_of(of.bump_is_normal
+                             ? texture_files_.read(of.bump_map, name)
+                             : texture_files_.read_heights(of.bump_map, name, of.bump_strength),
+                         of, of.bump_is_normal ? "norm" : "bump", of.bump_map_line);
+        }
+        return known->second = maps;
     }
 
     bool has_texcoords(const ObjFace& face) const {
@@ -522,10 +545,10 @@ class ObjReader {
                            [](const ObjCorner& corner) { return corner.texcoord >= 0; });
     }
 
-    /// The texture that a face shows; -1: none.
-    int texture_of_face(const ObjFace& face, int material) {
-        const int texture = texture_of(material);
-        if (texture < 0 || has_texcoords(face)) return texture;
+    /// The images that a face shows.
+    Maps maps_of_face(const ObjFace& face, int material) {
+        const Maps maps = maps_of(material);
+        if ((maps.texture < 0 && maps.normal_map < 0) || has_texcoords(face)) return maps;
         if (bare_.insert(material).second) {
             reporter_.fault(model_.path, face.line, [&] {
                 return fmt::format(
@@ -534,19 +557,21 @@ class ObjReader {
                     in_quotes(model_.materials[static_cast<std::size_t>(material)].name));
             });
         }
-        return -1;
+        return {};
     }
 
-    /// Begins another part where the face needs one. A part has one texture or none.
-    void begin_drawn_part(const ObjFace& face, int material, int texture) {
+    /// Begins another part where the face needs one. A part has one texture or none, and one
+    /// normal map or none.
+    void begin_drawn_part(const ObjFace& face, int material, const Maps& maps) {
         const auto part = static_cast<std::size_t>(face.part);
         const bool is_other = drawn_part_ != face.part;
         drawn_part_ = face.part;
-        if (!is_other &&
-            (model_.parts.back().texture == texture || model_.parts.size() >= most_model_parts))
+        if (!is_other && ((model_.parts.back().texture == maps.texture &&
+                           model_.parts.back().normal_map == maps.normal_map) ||
+                          model_.parts.size() >= most_model_parts))
             return;
-        model_.parts.push_back(
-            {parts_[part].name, model_.mesh.triangle_count(), 0, material, texture});
+        model_.parts.push_back({parts_[part].name, model_.mesh.triangle_count(), 0, material,
+                                maps.texture, maps.normal_map});
     }
 
     /// Puts the face into the mesh.
@@ -588,7 +613,7 @@ class ObjReader {
             first_computed += static_cast<std::size_t>(face.corner_count);
             if (!cut(face)) continue;
             const int material = material_of_[static_cast<std::size_t>(face.part)];
-            begin_drawn_part(face, material, texture_of_face(face, material));
+            begin_drawn_part(face, material, maps_of_face(face, material));
             add_face(face, look_of(material), computed, first, join);
             ObjPart& made = model_.parts.back();
             made.triangle_count = model_.mesh.triangle_count() - made.first_triangle;
@@ -630,9 +655,9 @@ class ObjReader {
     bool has_too_many_parts_ = false;
 
     TextureFiles texture_files_{model_.textures};
-    std::map<int, int> textures_; ///< of the materials that are drawn: index, or -1
-    std::set<int> bare_;          ///< materials with an image, of faces that cannot show it
-    int drawn_part_ = -1;         ///< of the face before
+    std::map<int, Maps> maps_; ///< of the materials that are drawn
+    std::set<int> bare_;       ///< materials with an image, of faces that cannot show it
+    int drawn_part_ = -1;      ///< of the face before
 
     PolygonCutter cutter_;
     std::vector<glm::vec3> places_; ///< of the face that is cut

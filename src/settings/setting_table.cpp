@@ -258,6 +258,35 @@ std::vector<Setting> make_table() {
          {},
          {},
          true},
+        {"normal_map",
+         "Normal maps",
+         "Texture",
+         "Whether normal maps bend the normals of the surfaces that have them. Only light that is "
+         "worked out at each pixel has normals there.",
+         "Beyond the lab",
+         "",
+         choice<&Settings::normal_map>(),
+         {},
+         {},
+         true,
+         false,
+         false,
+         true},
+        {"normal_map_rule",
+         "Reading normal maps",
+         "Texture",
+         "How a colour of a normal map becomes a normal: rightly, as 2 c - 1 with green up; or by "
+         "mistake with green down, with the same side also where a texture is mirrored, or with "
+         "the colour as it is.",
+         "Beyond the lab",
+         "",
+         choice<&Settings::normal_map_rule>(),
+         {},
+         {},
+         true,
+         false,
+         false,
+         true},
         {"blend",
          "Half transparent",
          "Depth and interpolation",
@@ -441,6 +470,7 @@ std::vector<Setting> make_table() {
          false,
          true,
          false,
+         false,
          has_shadow_rays},
         {"shadow_ray",
          "Ray goes on",
@@ -455,6 +485,7 @@ std::vector<Setting> make_table() {
          false,
          true,
          false,
+         false,
          has_shadow_rays},
         {"shadow_resolution",
          "Size of the map",
@@ -468,6 +499,7 @@ std::vector<Setting> make_table() {
          {},
          false,
          true,
+         false,
          false,
          has_shadow_map},
         {"shadow_bias",
@@ -485,6 +517,7 @@ std::vector<Setting> make_table() {
          false,
          true,
          false,
+         false,
          has_shadow_map},
         {"shadow_slope_bias",
          "Bias by slant",
@@ -500,6 +533,7 @@ std::vector<Setting> make_table() {
          false,
          true,
          false,
+         false,
          has_shadow_map},
         {"shadow_filter",
          "Texels asked",
@@ -513,6 +547,7 @@ std::vector<Setting> make_table() {
          {},
          false,
          true,
+         false,
          false,
          has_shadow_map},
         {"viewport.size", "Picture size", "Picture", "Width and height of the picture.",
@@ -537,6 +572,7 @@ std::span<const Setting> setting_table() {
 bool is_of_use(const Setting& setting, const Scene& scene) {
     if (setting.needs_world && scene.space != SceneSpace::world) return false;
     if (setting.needs_alpha && !has_alpha(scene)) return false;
+    if (setting.needs_normal_map && !has_normal_map(scene)) return false;
     return !setting.needs_texture || !scene.textures.empty();
 }
 

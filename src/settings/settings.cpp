@@ -165,6 +165,10 @@ Shadows shadow_rule(const Settings& settings, SceneSpace space) {
     return has_light ? settings.shadows : Shadows::off;
 }
 
+bool bends_normals(const Settings& settings) {
+    return settings.normal_map == NormalMapUse::on && shading_rule(settings) == Shading::phong;
+}
+
 DepthTest depth_rule(const Settings& settings) {
     return settings.stage >= Stage::depth ? settings.depth_test : DepthTest::off;
 }

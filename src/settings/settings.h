@@ -5,6 +5,7 @@
 #include "scene/scene.h"
 #include "settings/choices.h"
 #include "stages/depth_test.h"
+#include "stages/normal_map.h"
 #include "stages/pixel_shader.h"
 #include "stages/polygon_rows.h"
 #include "stages/shadow.h"
@@ -45,6 +46,8 @@ struct Settings {
     TextureFilter texture_filter = TextureFilter::nearest;
     TextureWrap texture_wrap = TextureWrap::repeat;
     TexelRule texel_rule = TexelRule::right;
+    NormalMapUse normal_map = NormalMapUse::on; ///< only where the scene has normal maps
+    NormalMapRule normal_map_rule = NormalMapRule::right;
     Blend blend = Blend::over; ///< only where the scene has something half transparent
     Camera camera;
     Rotation rotation = Rotation::row_vector;
@@ -126,6 +129,9 @@ Shading shading_rule(const Settings& settings);
 
 /// What finds shadows: nothing where no light is computed, whatever the setting says.
 Shadows shadow_rule(const Settings& settings, SceneSpace space);
+
+/// Do normal maps have a say? Only light that is worked out at each pixel asks for normals there.
+bool bends_normals(const Settings& settings);
 
 /// The depth test in force: none before stage `depth`, whatever the setting says.
 DepthTest depth_rule(const Settings& settings);

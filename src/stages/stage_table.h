@@ -17,6 +17,7 @@
 #include "stages/light.h"
 #include "stages/lines.h"
 #include "stages/matrices.h"
+#include "stages/normal_map.h"
 #include "stages/pixel_shader.h"
 #include "stages/polygon_rows.h"
 #include "stages/project.h"
@@ -58,6 +59,8 @@ struct Stages {
     // Asked by surface_shader() alone.
     decltype(&rasterwalk::unit_normal) unit_normal = rasterwalk::unit_normal;
     decltype(&rasterwalk::highlight) highlight = rasterwalk::highlight;
+    decltype(&rasterwalk::arrow_of_texel) arrow_of_texel = rasterwalk::arrow_of_texel;
+    decltype(&rasterwalk::tangent_frame) tangent_frame = rasterwalk::tangent_frame;
 
     // Shadow: how much of the lamp's light arrives, asked by surface_light() where something may
     // stand between; the way on which it may, and the texels of a map that are looked at.
