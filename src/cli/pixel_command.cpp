@@ -82,8 +82,8 @@ Json to_json(const ShadowTerms& shadow, const Frame& frame) {
     if (!shadow.is_asked) return object;
     if (shadow.face < 0) {
         if (!shadow.hit.is_hit()) return object;
-        object["triangle"] = shadow.hit.triangle;
         object["name"] = part_name(*frame.scene, shadow.hit.triangle);
+        object["triangle"] = shadow.hit.triangle;
         object["way"] = shadow.hit.t;
         return object;
     }

@@ -66,14 +66,14 @@ TEST_CASE("B59: with far too much bias shadows begin away from what casts them")
     const ShadowRuns runs("B59");
     const ShadowCount wrong = count_shadows(runs.wrong).all, right = count_shadows(runs.right).all;
     CHECK(wrong.acne < 20);
-    CHECK(wrong.leaks > right.in_shadow / 10);
+    CHECK(wrong.leaks > right.in_shadow / 20);
     CHECK(right.leaks < right.in_shadow / 50);
     CHECK(wrong.in_shadow < right.in_shadow);
     // What is lit by mistake lies within half a unit of what shades it, as the lamp sees it.
     const Framebuffer dark = draw_frame(runs.right), lit = draw_frame(runs.wrong);
     int seen = 0;
-    for (int row = 0; row < 120; row += 3) {
-        for (int column = 0; column < 120; column += 3) {
+    for (int row = 0; row < 120; ++row) {
+        for (int column = 0; column < 120; ++column) {
             const std::size_t i = dark.at(column, row);
             if (dark.colour[i] == lit.colour[i]) continue;
             const std::optional<ShadowTerms> shadow = shadow_at(runs.right, {column, row});
@@ -84,7 +84,7 @@ TEST_CASE("B59: with far too much bias shadows begin away from what casts them")
             ++seen;
         }
     }
-    CHECK(seen > 5);
+    CHECK(seen > 20);
 }
 
 TEST_CASE(
