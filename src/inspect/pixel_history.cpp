@@ -50,6 +50,21 @@ void find_columns_of_row_ends(const Frame& frame, PixelHistory& history) {
     }
 }
 
+/// From the last to the first: how much of each is seen through those that came later.
+void find_shares(const Frame& frame, std::vector<PixelEntry>& entries) {
+    float seen = 1.0f;
+    for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry) {
+        if (entry->fate != Fate::written) continue;
+        const float alpha = frame.blends ? alpha_of(*frame.scene, entry->cursor.triangle) : 1.0f;
+        if (!(alpha < 1.0f)) {
+            entry->share = seen;
+            return;
+        }
+        entry->share = seen * frame.stages.blend(glm::vec3(1.0f), alpha, glm::vec3(0.0f)).r;
+        seen *= frame.stages.blend(glm::vec3(0.0f), alpha, glm::vec3(1.0f)).r;
+    }
+}
+
 /// Triangles that stay this much farther away than the nearest, in pixels, explain nothing.
 constexpr double hardly_farther = 8.0;
 
@@ -85,6 +100,7 @@ PixelHistory pixel_history(const Frame& frame, const glm::ivec2& pixel) {
                                   : one_pixel.depth.front();
         entry.margin_to_winner = depth_ahead(entry.depth, winning, projection.clip_depth);
     }
+    find_shares(frame, history.entries);
     if (history.entries.empty()) {
         history.nearest = nearest_triangles(frame, pixel);
         keep_the_near(history.nearest);

@@ -6,6 +6,8 @@
 
 #include "inspect/stats.h"
 #include "pipeline/draw.h"
+#include "scene/read_scene.h"
+#include "session/content.h"
 #include "settings/setting_table.h"
 #include "tests/support/bits.h"
 #include "tests/support/effort.h"
@@ -425,6 +427,38 @@ TEST_CASE("Where a stage has no fragments, or the scene no triangles, nothing co
     CHECK(history.entries.empty());
     CHECK(history.nearest.empty());
     CHECK(uncovered_text(frame, {1, 1}) == "No triangle of the scene is drawn.");
+}
+
+TEST_CASE("What shows through half-transparent surfaces has its share of the colour") {
+    const Scene scene = read_scene(lessons_folder() + "/scenes/two-panes.toml");
+    // The wall, red glass, blue glass: each pane takes a quarter and leaves three.
+    const std::vector<double> all{0.75 * 0.75, 0.25 * 0.75, 0.25};
+    const std::vector<double> near_first{0.75, 0.25, 0.0}; // the farther pane is hidden
+    struct Case {
+        Stage stage;
+        Blend blend;
+        glm::ivec2 pixel;
+        std::vector<double> shares;
+    };
+    for (const Case& c : {Case{Stage::fill, Blend::over, {8, 7}, all},
+                          {Stage::fill, Blend::over, {23, 7}, all},
+                          {Stage::depth, Blend::over, {8, 7}, all},
+                          {Stage::depth, Blend::over, {23, 7}, near_first},
+                          {Stage::fill, Blend::over, {1, 1}, {1.0}},
+                          {Stage::fill, Blend::off, {8, 7}, {0.0, 0.0, 1.0}},
+                          {Stage::fill, Blend::swapped, {8, 7}, {0.0625, 0.1875, 0.75}}}) {
+        CAPTURE(stage_info(with_step(default_settings(scene), {c.stage})).name, c.pixel.x);
+        Settings settings = with_step(default_settings(scene), {c.stage});
+        settings.blend = c.blend;
+        settings.coverage = Coverage::edge_functions;
+        settings.fill_rule = FillRule::top_left;
+        const PixelHistory history = pixel_history(prepare_frame(scene, settings), c.pixel);
+        REQUIRE(history.entries.size() == c.shares.size());
+        for (std::size_t i = 0; i < c.shares.size(); ++i) {
+            CAPTURE(i);
+            CHECK(static_cast<double>(history.entries[i].share) == c.shares[i]);
+        }
+    }
 }
 
 TEST_CASE("A triangle that is left out is not among the nearest") {

@@ -175,11 +175,21 @@ void draw_vertices(const Marks& m, int triangle, std::span<const ScreenVertex> v
             const ImVec2 real =
                 m.at(shaded.in("projected").x + static_cast<float>(middle_column) + shift,
                      shaded.in("projected").y + static_cast<float>(middle_row) + shift);
+            // The dark rims are for bright pixels, as of a white wall.
+            m.list->AddLine(real, pixel, dark_casing, 2.8f * m.u);
+            m.list->AddCircle(real, 4.0f * m.u, dark_casing, 0, 3.5f * m.u);
             m.list->AddLine(real, pixel, m.colour(Meaning::current, 0.7f), 1.2f * m.u);
             m.list->AddCircle(real, 4.0f * m.u, m.colour(Meaning::current), 0, 1.5f * m.u);
         }
+        m.list->AddCircleFilled(pixel, 7.0f * m.u, dark_casing);
         m.list->AddCircleFilled(pixel, 5.5f * m.u, m.colour(Meaning::current));
     }
+}
+
+/// Bright, with a dark rim: it is seen on every picture.
+void frame_current(const Marks& m, int column, int row) {
+    frame_pixel(m, column, row, dark_casing, 4.5f * m.u);
+    frame_pixel(m, column, row, m.colour(Meaning::current), 2.5f * m.u);
 }
 
 /// The piece of work that was just done.
@@ -188,31 +198,30 @@ void draw_current(const Marks& m) {
     const Frame& frame = m.run.frame;
     const Cursor done = *m.run.done;
     const Timeline timeline(frame);
-    const ImU32 white = m.colour(Meaning::current);
     switch (done.phase) {
     case Phase::vertices: {
         const ProjectedVertex& vertex = frame.given_vertex(done.triangle, done.index);
         if (!vertex.has_pixel) break;
-        frame_pixel(m, vertex.pixel.column, vertex.pixel.row, white, 2.5f * m.u);
+        frame_current(m, vertex.pixel.column, vertex.pixel.row);
         break;
     }
     case Phase::edges: {
         const Fragment sample = edge_samples(frame, done.triangle, m.run.cursor).back().fragment;
-        frame_pixel(m, sample.column, sample.row, white, 2.5f * m.u);
+        frame_current(m, sample.column, sample.row);
         break;
     }
     case Phase::tests: {
         const PixelTest test = test_at_step(timeline.moments(done.triangle).rows.tested, done.index,
                                             done.step, frame.stages);
-        frame_pixel(m, test.column, test.row, white, 2.5f * m.u);
+        frame_current(m, test.column, test.row);
         break;
     }
     case Phase::rows: {
         const PolygonRows& rows = timeline.moments(done.triangle).rows;
         const int row = rows.first_row + done.index;
-        frame_pixel(m, rows.left[done.index].column + done.step, row, white, 2.5f * m.u);
+        frame_current(m, rows.left[done.index].column + done.step, row);
         if (!has_fragments(frame.settings.stage)) {
-            frame_pixel(m, rows.right[done.index].column, row, white, 2.5f * m.u);
+            frame_current(m, rows.right[done.index].column, row);
         }
         break;
     }

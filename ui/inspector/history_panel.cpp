@@ -49,6 +49,10 @@ const PixelEntry& runner_up(const PixelHistory& history, float sign) {
     return history.entries[best];
 }
 
+std::string number_words(float share) {
+    return significant(static_cast<double>(share), 3);
+}
+
 /// Why the colour that stays does, in two lines.
 std::array<std::string, 2> verdict(const Ui& ui, const PixelHistory& history) {
     const float sign = winning_sign(ui);
@@ -63,9 +67,15 @@ std::array<std::string, 2> verdict(const Ui& ui, const PixelHistory& history) {
     }
     const PixelEntry& winner = history.entries[history.winner];
     std::string text = triangle_words(ui, winner.cursor.triangle) + " stays";
+    if (winner.share < 1.0f) {
+        return {triangle_words(ui, winner.cursor.triangle) +
+                    " was written last, half-transparent: " + number_words(winner.share) +
+                    " of the colour is its own,",
+                number_words(1.0f - winner.share) + " is what the pixel showed before."};
+    }
     if (history.entries.size() == 1) return {text + ": it is alone.", ""};
     if (!history.depth_tested)
-        return {text + ": there is no depth test, so the last one wins.", ""};
+        return {text + ": there is no depth test, so the last one drawn stays.", ""};
     const PixelEntry& next = runner_up(history, sign);
     const std::string other = triangle_words(ui, next.cursor.triangle);
     const float ahead = -sign * next.margin_to_winner;

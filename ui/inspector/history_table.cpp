@@ -187,8 +187,14 @@ std::string tooltip(const Ui& ui, const PixelHistory& history, int index) {
         text += "\nCulled before the depth test: its normal points away from the camera.";
     } else if (stays(history, index)) {
         text += "\nWritten, and nothing written after it: its colour stays.";
+    } else if (entry.share > 0.0f) {
+        text += "\nWritten. What was written later is half-transparent: it shows through.";
     } else {
         text += "\nWritten, and written over later.";
+    }
+    if (ui.results.a.frame.blends && entry.share > 0.0f) {
+        text += fmt::format("\n{} of the colour that stays is its own.",
+                            nine_digits_shown(entry.share));
     }
     const auto colour = [](const glm::vec3& of) {
         return fmt::format("{} {} {}", nine_digits_shown(of.r), nine_digits_shown(of.g),
@@ -209,6 +215,7 @@ void draw_fate(const Ui& ui, const PixelHistory& history, int index, float opaci
     const char* const word = entry.fate == Fate::back_facing ? " back"
                              : !written                      ? " hidden"
                              : stays(history, index)         ? " stays"
+                             : entry.share > 0.0f            ? " shows"
                                                              : " written";
     text_in(colour, std::string(written ? passed_sign : failed_sign) + word);
     ImGui::PopFont();
@@ -317,8 +324,10 @@ void draw_history_headers(Ui& ui, const Columns& columns) {
                            "is written.",
                            depth_value_words(ui), margin_limit(rules))},
         {"fate", "fate",
-         "✓ written: it became the pixel's colour. ✓ stays: and it was the last to do so. "
-         "✗ hidden: something nearer was there."},
+         std::string("✓ written: it became the pixel's colour. ✓ stays: and it was the last to do "
+                     "so. ") +
+             (shown_frame.blends ? "✓ shows: what lies over it is half-transparent. " : "") +
+             "✗ hidden: something nearer was there."},
         {"colour", "", "The pixel's colour after it."},
     };
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);

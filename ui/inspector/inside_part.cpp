@@ -71,6 +71,9 @@ void draw_dim_headers(Ui& ui, std::initializer_list<const char*> titles, int rig
     ImGui::PopFont();
 }
 
+/// Behind the sum of the three values: what it is.
+constexpr const char* sum_words = "2 · area";
+
 /// What the columns of the edges need with the space between them, screen pixels. It does not
 /// follow the numbers: nothing is to jump.
 std::array<float, 6> widths_of_edges(const Ui& ui) {
@@ -84,6 +87,8 @@ std::array<float, 6> widths_of_edges(const Ui& ui) {
             std::max(text_width(ui.fonts.small, titles[i]), text_width(ui.fonts.mono, widest[i])) +
             2.0f * ImGui::GetStyle().CellPadding.x;
     }
+    widths[3] = std::max(widths[3], text_width(ui.fonts.small, sum_words) +
+                                        2.0f * ImGui::GetStyle().CellPadding.x);
     return widths;
 }
 
@@ -141,7 +146,7 @@ void draw_edges_of_test(Ui& ui, const PixelTest& test, const TestedTriangle& tri
     draw_number_of_test(ui, area, e_text(triangle.area), p.text);
     ImGui::TableNextColumn();
     ImGui::PushFont(ui.fonts.small);
-    right_aligned("2 · area", p.dim);
+    right_aligned(sum_words, p.dim);
     ImGui::PopFont();
     ImGui::PopFont();
     ImGui::EndTable();

@@ -36,6 +36,7 @@ void draw_score(Ui& ui) {
     if (score.rounds == 0) return;
     text_in(palette(ui.options.theme).dim, counted(score.points, "point", "points") + " in " +
                                                counted(score.rounds, "round", "rounds"));
+    keep_item_whole(ui);
     name_widget(ui, "lab.points",
                 score.is_kept ? "In all rounds since you began to keep the score."
                               : "Since the program was opened.");
@@ -45,6 +46,7 @@ void draw_score(Ui& ui) {
 void draw_keeping(Ui& ui) {
     QuizScore& score = ui.options.score;
     ImGui::Checkbox("keep my score", &score.is_kept);
+    keep_item_whole(ui);
     name_widget(ui, "lab.keep_score",
                 "The next time the program is opened the points are still there.");
     if (score.rounds == 0) return;
@@ -58,11 +60,14 @@ void draw_beginning(Ui& ui) {
     wrapped_text("The program makes a mistake in the scene that is open, and hides the settings. "
                  "You find out which it is: with the tabs, the overlays, the time, and a look at "
                  "the correct run.");
+    keep_text_whole(ui);
     ImGui::Spacing();
     ImGui::Checkbox("two mistakes at once", &ui.lab.wants_two);
+    keep_item_whole(ui);
     name_widget(ui, "lab.two", "Harder: two mistakes that show side by side.");
     ImGui::SetNextItemWidth(120.0f * ui.options.text_scale);
     ImGui::InputInt("seed (0: any)", &ui.lab.seed, 0);
+    keep_item_whole(ui);
     ui.lab.seed = std::clamp(ui.lab.seed, 0, 999'999);
     name_widget(ui, "lab.seed",
                 "The same number makes the same quiz, for everyone. 0: the program takes one.");
@@ -72,6 +77,7 @@ void draw_beginning(Ui& ui) {
                "Makes a mistake. What is set now comes back when the quiz is ended.")) {
         begin_quiz(ui);
     }
+    keep_item_whole(ui);
     draw_score(ui);
 }
 
@@ -87,6 +93,7 @@ void draw_correct_run_switch(Ui& ui) {
             compare_with(ui.session, quiz_reference(ui.session));
         }
     }
+    keep_item_whole(ui);
 }
 
 void draw_hints(Ui& ui) {
@@ -108,6 +115,7 @@ void draw_guesses(Ui& ui) {
         text_in(colour_of(meaning, ui.options.theme),
                 shortened((guess.is_right ? "✓ " : "✗ ") + titled(ui, guess.bug),
                           ImGui::CalcItemWidth()));
+        keep_item_whole(ui);
     }
 }
 
@@ -142,6 +150,7 @@ void draw_question_card(Ui& ui) {
                    " points.")) {
         guess(quiz, ui.lab.chosen);
     }
+    keep_item_whole(ui);
     ImGui::EndDisabled();
     ImGui::SameLine();
     if (button(ui, "lab.hint", "hint", Look::plain,
@@ -163,6 +172,7 @@ void draw_answer(Ui& ui) {
     ImGui::PushFont(ui.fonts.bold);
     text_in(colour_of(won ? Meaning::pass : Meaning::fail, ui.options.theme),
             won ? "✓ Found: " + std::to_string(score(quiz)) + " points" : "Not found");
+    keep_item_whole(ui);
     ImGui::PopFont();
     name_widget(ui, "lab.verdict",
                 "A hundred points for each mistake, less hints and wrong guesses.");
@@ -171,17 +181,21 @@ void draw_answer(Ui& ui) {
         for (const std::string& id : question.bugs)
             names += (names.empty() ? "" : ", or ") + titled(ui, id);
         wrapped_text("It was " + names + ".");
+        keep_text_whole(ui);
         const Bug* const bug = bug_of(ui, question.bugs.front());
         if (bug == nullptr) continue;
         ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
         wrapped_text(bug->sentence);
+        keep_text_whole(ui);
         wrapped_text("Cure: " + bug->cure);
+        keep_text_whole(ui);
         ImGui::PopStyleColor();
     }
     if (button(ui, "lab.quiz.again", "another one", Look::main, "Ends this one and begins anew.")) {
         finish_quiz(ui);
         begin_quiz(ui);
     }
+    keep_item_whole(ui);
     ImGui::SameLine();
     if (button(ui, "lab.quiz.end", "end", Look::plain,
                "Brings back what was set before the quiz.")) {
@@ -201,6 +215,7 @@ void draw_lab_quiz(Ui& ui) {
     ImGui::PushFont(ui.fonts.bold);
     ImGui::TextUnformatted(quiz.questions.size() == 1 ? "Which mistake is it?"
                                                       : "Which two mistakes are they?");
+    keep_item_whole(ui);
     ImGui::PopFont();
     ImGui::SameLine();
     text_in(palette(ui.options.theme).dim, "seed " + std::to_string(quiz.seed));

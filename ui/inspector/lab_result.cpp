@@ -24,9 +24,11 @@ namespace {
 void draw_intro(Ui& ui) {
     ImGui::PushFont(ui.fonts.bold);
     wrapped_text("My picture is wrong: why?");
+    keep_text_whole(ui);
     ImGui::PopFont();
     wrapped_text("Choose a picture that your program saved (PNG or BMP), or the rows that it "
                  "printed, as text. You can also drop the file on the window, or type its path.");
+    keep_text_whole(ui);
     name_widget(ui, "lab.intro", "What can be checked, and how.");
     ImGui::Spacing();
 }
@@ -132,6 +134,7 @@ void draw_candidate(Ui& ui, const Candidate& candidate, int index) {
                                               packed(colour_of(Meaning::pass, ui.options.theme)));
     ImGui::TableNextColumn();
     wrapped_text(candidate_words(candidate));
+    keep_text_whole(ui);
     const std::string name = "lab.candidate." + std::to_string(index);
     name_widget(ui, name,
                 "With this " + grouped(candidate.different) +

@@ -17,6 +17,7 @@
 #include "tests/ui/shown_number.h"
 #include "ui/actions/compare.h"
 #include "ui/actions/keys.h"
+#include "ui/actions/lab.h"
 
 namespace rasterwalk {
 
@@ -94,6 +95,16 @@ const std::vector<Shown>& all_shown() {
         {"offers to compare", "lab-room.toml", "compare", {}},
         {"compare", "lab-room.toml", "compare", [](Driver& d) { toggle_compare(d.ui); }},
         {"mistakes", "lab-room.toml", "lab", {}},
+        {"what to guess", "lab-room.toml", "lab", [](Driver& d) { d.ui.lab.mode = LabMode::quiz; }},
+        {"a guess", "lab-room.toml", "lab",
+         [](Driver& d) {
+             d.ui.lab.mode = LabMode::quiz;
+             d.ui.lab.seed = 7;
+             begin_quiz(d.ui);
+         }},
+        {"my picture", "lab-room.toml", "lab", [](Driver& d) { d.ui.lab.mode = LabMode::result; }},
+        {"history of glass", "two-panes.toml", "history",
+         [](Driver& d) { d.ui.session.selection.pixel = glm::ivec2(8, 7); }},
         {"settings", "lab-room.toml", "settings", {}},
     };
     return all;
