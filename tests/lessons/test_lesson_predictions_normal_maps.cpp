@@ -67,8 +67,8 @@ struct OnBoard {
 PREDICTIONS_TEST("Lesson 29: the normal of a roof that is stretched", "29-normal-maps",
                  "twice-as-high") {
     // Two directions in the stretched roof: along it, and up it; the normal is across both.
-    const glm::dvec3 along{1, 0, 0}, up{0, -2, 1}, steep = glm::normalize(glm::cross(up, along));
-    const glm::dvec3 flat = glm::normalize(glm::cross(glm::dvec3(0, -1, 1), along));
+    const glm::dvec3 along{1, 0, 0}, up{0, -2, 1}, steep = glm::normalize(glm::cross(along, up));
+    const glm::dvec3 flat = glm::normalize(glm::cross(along, glm::dvec3(0, -1, 1)));
     CHECK(steep.y == Approx(-0.4472).margin(1e-4));
     CHECK(flat.y == Approx(-0.7071).margin(1e-4));
     CHECK(glm::normalize(glm::dvec3(0, 2.0 * flat.y, flat.z)).y == Approx(-0.894).margin(0.001));
