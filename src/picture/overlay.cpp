@@ -30,7 +30,7 @@ float brightest_channel(const glm::vec3& colour) {
 }
 
 /// A straight-alpha colour that further tints are laid over.
-struct Blend {
+struct LaidTints {
     float red = 0.0f, green = 0.0f, blue = 0.0f, opacity = 0.0f;
 
     void lay(const Tint& tint) {
@@ -163,20 +163,20 @@ Image compose_image(const Framebuffer& framebuffer, OverlaySet shown, const Amou
     std::size_t pixel = 0;
     for (int row = 0; row < image.height; ++row) {
         for (int column = 0; column < image.width; ++column, ++pixel) {
-            Blend blend;
+            LaidTints laid;
             for (const Overlay overlay : layers) {
                 if (!shown.has(overlay)) continue;
                 const float amount = amounts.of(overlay, pixel);
                 if (amount < 0.0f) continue;
-                blend.lay(overlay_tint(overlay, amount, {column, row}, framebuffer.owner[pixel]));
+                laid.lay(overlay_tint(overlay, amount, {column, row}, framebuffer.owner[pixel]));
             }
             const auto byte = [](float value) {
                 return static_cast<std::uint8_t>(std::lround(value));
             };
-            image.rgba[4 * pixel + 0] = byte(blend.red);
-            image.rgba[4 * pixel + 1] = byte(blend.green);
-            image.rgba[4 * pixel + 2] = byte(blend.blue);
-            image.rgba[4 * pixel + 3] = byte(255.0f * blend.opacity);
+            image.rgba[4 * pixel + 0] = byte(laid.red);
+            image.rgba[4 * pixel + 1] = byte(laid.green);
+            image.rgba[4 * pixel + 2] = byte(laid.blue);
+            image.rgba[4 * pixel + 3] = byte(255.0f * laid.opacity);
         }
     }
     return image;

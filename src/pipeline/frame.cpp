@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "scene/tessellation.h"
+#include "pipeline/frame_preparation.h"
 
 namespace rasterwalk {
 
@@ -12,109 +12,9 @@ Stages stages_for(const Settings& settings, const Scene& scene, const ReplaceSta
     return stages;
 }
 
-namespace {
-
-/// Shades and projects the vertices of the mesh: once a vertex, however many triangles meet in it.
-void shade_vertices(const Mesh& mesh, const VertexRules& rules, Frame& frame) {
-    frame.triangles = mesh.triangles();
-    frame.shaded.clear();
-    frame.projected.clear();
-    frame.shaded.reserve(mesh.vertices().size());
-    frame.projected.reserve(mesh.vertices().size());
-    const glm::mat3 rotation = camera_rotation(rules.camera);
-    for (const Vertex& vertex : mesh.vertices()) {
-        frame.shaded.push_back(
-            frame.stages.vertex_shader(vertex, rotation, rules, frame.stages, nullptr));
-        frame.projected.push_back(
-            frame.stages.project(frame.shaded.back(), rules, frame.stages, nullptr));
-    }
-}
-
-/// What the triangles of a frame go through before they are covered.
-class PolygonMaker {
-  public:
-    PolygonMaker(const VertexRules& rules, Frame& frame)
-        : volume_(rules), rays_(sight_rays(rules)), frame_(frame) {}
-
-    /// Reject, clip, cull and project; appends the corners to the frame's.
-    Polygon make(int triangle) {
-        Polygon polygon{static_cast<int>(frame_.vertices.size()), 0, Rejection::none, false};
-        clip(triangle, polygon);
-        if (polygon.rejection == Rejection::none)
-            polygon.rejection = frame_.stages.cull(corners_, volume_.rules, rays_, nullptr);
-        if (polygon.is_cut) {
-            for (const ClipVertex& corner : corners_)
-                add(frame_.stages.project(corner, volume_.rules, frame_.stages, nullptr), polygon);
-        } else {
-            for (int corner = 0; corner < triangle_corners; ++corner)
-                add(frame_.given_vertex(triangle, corner), polygon);
-        }
-        return polygon;
-    }
-
-  private:
-    void clip(int triangle, Polygon& polygon) {
-        const auto given = frame_.given_clip_vertices(triangle);
-        corners_.assign(given.begin(), given.end());
-        polygon.rejection = frame_.stages.reject(corners_, volume_);
-        if (polygon.rejection != Rejection::none) return;
-        const Clipped clipped = frame_.stages.clip(corners_, volume_, nullptr);
-        polygon.rejection = clipped.rejection;
-        if (corners_.size() < least_corners) polygon.rejection = Rejection::clipped_away;
-        // Of what nothing is drawn is shown as the scene has it.
-        polygon.is_cut = clipped.is_cut && polygon.rejection == Rejection::none;
-    }
-
-    void add(const ProjectedVertex& corner, Polygon& polygon) {
-        if (polygon.rejection == Rejection::none) polygon.rejection = corner.rejection;
-        frame_.vertices.push_back(corner.pixel);
-        ++polygon.count;
-    }
-
-    ViewVolume volume_;
-    SightRays rays_;
-    Frame& frame_;
-    std::vector<ClipVertex> corners_; ///< of the polygon on its way
-};
-
-void make_polygons(const Mesh& mesh, const VertexRules& rules, Frame& frame) {
-    shade_vertices(mesh, rules, frame);
-    frame.vertices.clear();
-    frame.polygons.clear();
-    frame.vertices.reserve(triangle_corners * mesh.triangles().size());
-    frame.polygons.reserve(mesh.triangles().size());
-    PolygonMaker maker(rules, frame);
-    for (int t = 0; t < mesh.triangle_count(); ++t)
-        frame.polygons.push_back(maker.make(t));
-}
-
-/// Takes the scene as it is, or what tessellation makes of it. That is kept as long as it is the
-/// same: while the camera moves nothing is cut anew.
-void take_scene(const Scene& scene, int tessellation, Frame& frame) {
-    const int parts = tessellation_of(scene, tessellation);
-    const TessellatedScene* const known = frame.tessellated.get();
-    if (parts == 1) {
-        frame.tessellated = nullptr;
-    } else if (known == nullptr || known->parts != parts || !(known->given == scene)) {
-        frame.tessellated = std::make_shared<const TessellatedScene>(
-            TessellatedScene{scene, parts, tessellate(scene, parts)});
-    }
-    frame.given = &scene;
-    frame.scene = parts == 1 ? &scene : &frame.tessellated->made;
-}
-
-} // namespace
-
 void prepare_frame(const Scene& scene, const Settings& settings, const ReplaceStages& replace,
                    Frame& frame) {
-    take_scene(scene, settings.tessellation, frame);
-    const Mesh& mesh = frame.scene->mesh;
-    frame.settings = settings;
-    frame.replace = replace;
-    frame.stages = stages_for(settings, *frame.scene, replace);
-    frame.blends = frame.stages.blend != blend_nothing && has_alpha(*frame.scene);
-    frame.bends = bends_normals(settings) && has_normal_map(*frame.scene);
-    make_polygons(mesh, vertex_rules(settings, scene.space), frame);
+    begin_frame(scene, settings, replace, frame).advance();
 }
 
 Frame prepare_frame(const Scene& scene, const Settings& settings, const ReplaceStages& replace) {
@@ -129,7 +29,7 @@ std::vector<ScreenVertex> polygon_under(const Frame& frame, int triangle,
     mesh.add_triangle_of(corners_of(*frame.scene, triangle));
     Frame other;
     other.stages = stages_for(settings, *frame.scene, frame.replace);
-    make_polygons(mesh, vertex_rules(settings, frame.scene->space), other);
+    FramePreparation(mesh, vertex_rules(settings, frame.scene->space), other).advance();
     return std::move(other.vertices);
 }
 

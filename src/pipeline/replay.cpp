@@ -42,10 +42,21 @@ Cursor behind_triangles_before(const Cursor& cursor) {
 void Replay::begin(const Frame& frame) {
     frame_ = &frame;
     work_.begin(frame);
+    clear_frame();
+}
+
+void Replay::begin(const Frame& frame, FrameWork& work) {
+    frame_ = &frame;
+    std::swap(work_, work);
+    work_.follow(frame);
+    clear_frame();
+}
+
+void Replay::clear_frame() {
     cursor_ = tallied_ = cursor_begin;
     tally_ = {};
     has_gone_back_ = false;
-    clear(framebuffer_, frame);
+    clear(framebuffer_, *frame_);
     place_marks();
 }
 
@@ -112,7 +123,8 @@ void Replay::go_back(const Cursor& cursor, const Mark* mark, const WorkLimit& li
 /// How far toward the cursor the limit allows to draw; further than now, unless that is the cursor.
 Cursor Replay::part_end(const Cursor& cursor, const WorkLimit& limit) const {
     const double begun = work_.before(cursor_), missing = work_.before(cursor) - begun;
-    const double part = limit.of(missing);
+    // Of a large frame the last part is no larger than the others.
+    const double part = limit.of(work_.total());
     if (part >= missing) return cursor;
     Cursor end = work_.at(begun + part);
     // Where the estimate does not lead on, a row or a triangle is drawn.

@@ -26,6 +26,10 @@ class Replay {
     /// Begins anew with this frame, which must live as long as the replay uses it.
     void begin(const Frame& frame);
 
+    /// The same with its work, which somebody has estimated; that gets the memory of the one before
+    /// in exchange.
+    void begin(const Frame& frame, FrameWork& work);
+
     /// The framebuffer with everything before `cursor` drawn; valid until the next call.
     const Framebuffer& at(const Cursor& cursor) { return toward(cursor, {}); }
 
@@ -59,6 +63,7 @@ class Replay {
 
         bool is_laid() const { return !copy.depth.empty(); }
     };
+    void clear_frame();
     void place_marks();
     const Mark* last_laid(const Cursor& cursor) const;
     Rectangle changed_between(const Cursor& from, const Cursor& to) const;

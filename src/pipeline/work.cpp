@@ -15,6 +15,9 @@ namespace {
 constexpr double sample_work = 2;
 constexpr double triangle_work = 20;
 
+/// What it costs to estimate a triangle.
+constexpr double estimate_work = 10;
+
 /// Triangles of more work than this are divided by rows.
 constexpr double large_triangle = 5'000;
 
@@ -84,20 +87,38 @@ bool is_divided(const Frame& frame, double work) {
 } // namespace
 
 void FrameWork::begin(const Frame& frame) {
+    start(frame);
+    advance();
+}
+
+void FrameWork::start(const Frame& frame) {
     frame_ = &frame;
     before_.clear();
     before_.reserve(static_cast<std::size_t>(frame.triangle_count()) + 1);
+    before_.push_back(0.0);
     fragments_ = {};
-    double before = 0.0;
-    for (int t = 0; t < frame.triangle_count(); ++t) {
-        before_.push_back(before);
-        if (!frame.is_drawn(t)) continue;
-        const FragmentEstimate fragments = fragments_of(frame, t);
-        fragments_.all += fragments.all;
-        fragments_.in_picture += fragments.in_picture;
-        before += work_of(frame, t, fragments);
+}
+
+bool FrameWork::is_done() const {
+    return before_.size() == frame_->polygons.size() + 1;
+}
+
+void FrameWork::advance(const WorkLimit& limit) {
+    const double all = estimate_work * static_cast<double>(frame_->triangle_count());
+    const int done = static_cast<int>(before_.size()) - 1;
+    const int left = frame_->triangle_count() - done;
+    const double part = std::clamp(limit.of(all) / estimate_work, 1.0, left + 1.0);
+    const int end = done + std::min(static_cast<int>(part), left);
+    for (int t = done; t < end; ++t) {
+        double work = 0.0;
+        if (frame_->is_drawn(t)) {
+            const FragmentEstimate fragments = fragments_of(*frame_, t);
+            fragments_.all += fragments.all;
+            fragments_.in_picture += fragments.in_picture;
+            work = work_of(*frame_, t, fragments);
+        }
+        before_.push_back(before_.back() + work);
     }
-    before_.push_back(before);
 }
 
 double FrameWork::before(const Cursor& cursor) const {

@@ -41,6 +41,14 @@ class FrameWork {
     /// Estimates the work of this frame, which must live as long as it is asked about.
     void begin(const Frame& frame);
 
+    /// The same in parts: empties it, and then estimates as much of the frame as the limit allows.
+    void start(const Frame& frame);
+    void advance(const WorkLimit& limit = {});
+    bool is_done() const;
+
+    /// The frame has been moved here.
+    void follow(const Frame& frame) { frame_ = &frame; }
+
     double total() const { return before_.empty() ? 0.0 : before_.back(); }
 
     /// None in a stage that draws marks alone.

@@ -89,8 +89,16 @@ void compare_pictures(const RunResults& a, const RunResults& b, View view,
         divergence_at(a.frame, *a.framebuffer, b.frame, *b.framebuffer, next, comparison.scratch);
 }
 
-void update_second_run(const Session& session, const RunChanges& a, const WorkLimit& limit,
-                       Results& results) {
+/// Goes on preparing the frames that are asked for. Both runs show theirs at once, so that they are
+/// seen from the same place.
+bool prepare_runs(const Session& session, const WorkLimit& limit, Results& results) {
+    const bool is_ready = prepare_run(session.scene, session.a, limit, results.a);
+    if (!session.b || !results.b) return is_ready;
+    return prepare_run(session.scene, *session.b, limit, *results.b) && is_ready;
+}
+
+void update_second_run(const Session& session, const RunChanges& a, bool are_ready,
+                       const WorkLimit& limit, Results& results) {
     results.no_comparison =
         session.b ? obstacle(session.a.settings, session.b->settings) : std::string();
     if (!session.b || !results.no_comparison.empty()) {
@@ -98,12 +106,15 @@ void update_second_run(const Session& session, const RunChanges& a, const WorkLi
         results.comparison = {};
         return;
     }
-    if (!results.b) results.b.emplace();
+    if (!results.b) {
+        results.b.emplace();
+        are_ready = prepare_run(session.scene, *session.b, limit, *results.b);
+    }
     // Both in the colours of A, so that the same colour means the same depth.
     SharedView shared{&results.a.frame, results.a.triangle, session.depth_range};
     if (!shared.depths && results.depth) shared.depths = values_of(results.depth->range);
     const RunChanges b =
-        update_run(session, *session.b, &shared, limit, results.numbers, *results.b);
+        update_run(session, *session.b, are_ready, &shared, limit, results.numbers, *results.b);
     ComparisonResults& comparison = results.comparison;
     if (a.frame || b.frame) comparison.work.begin(results.a.frame, results.b->frame);
     const bool was_done = comparison.work.is_done();
@@ -119,8 +130,9 @@ void update_second_run(const Session& session, const RunChanges& a, const WorkLi
 } // namespace
 
 bool update(const Session& session, Results& results, const WorkLimit& limit) {
+    const bool are_ready = prepare_runs(session, limit, results);
     const RunChanges changes =
-        update_run(session, session.a, nullptr, limit, results.numbers, results.a);
+        update_run(session, session.a, are_ready, nullptr, limit, results.numbers, results.a);
     if (changes.picture) {
         results.depth = std::nullopt;
         results.overdraw = std::nullopt;
@@ -134,18 +146,23 @@ bool update(const Session& session, Results& results, const WorkLimit& limit) {
     update_overlay(session, results, changes.moment);
     update_ground(results);
     update_history(session, results, changes.frame);
-    update_second_run(session, changes, limit, results);
+    update_second_run(session, changes, are_ready, limit, results);
     return changes.picture;
 }
 
 bool finish(const Session& session, Results& results) {
-    return update(session, results, {});
+    bool has_changed = update(session, results, {});
+    // What was begun before is ended first.
+    while (is_working(results))
+        has_changed = update(session, results, {}) || has_changed;
+    return has_changed;
 }
 
 bool is_working(const Results& results) {
     const auto is_drawing = [](const RunResults& run) { return !run.is_drawn() && !run.is_held; };
-    if (is_drawing(results.a)) return true;
+    if (results.a.is_frame_late || is_drawing(results.a)) return true;
     if (!results.b) return false;
+    if (results.b->is_frame_late) return true;
     const bool are_drawn = results.a.is_drawn() && results.b->is_drawn();
     return is_drawing(*results.b) || (are_drawn && !results.comparison.work.is_done());
 }

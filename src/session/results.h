@@ -61,8 +61,9 @@ struct Results {
 
 /// Brings the results up to date; does nothing where the session asks for what is already there.
 /// What is too much work for the limit is done in parts: each further call does one, as long as
-/// is_working(); what is more than the limit allows to begin is held. Returns true if the picture
-/// of A changed.
+/// is_working(); what is more than the limit allows to begin is held. While a frame of many
+/// triangles is prepared all results are still those of the frame before. Returns true if the
+/// picture of A changed.
 bool update(const Session& session, Results& results, const WorkLimit& limit = frame_limit);
 
 /// The same with all the work at once.

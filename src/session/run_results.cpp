@@ -51,17 +51,46 @@ Cursor moment_of_shared(const SharedView& shared, const Cursor& wanted, const Ru
     return {triangle_in(results.frame, *shared.frame, wanted.triangle), Phase::vertices, 0, 0};
 }
 
-/// Projects the scene, if it or the run is another one.
-bool update_frame(const std::shared_ptr<const Scene>& scene, const Run& run, RunResults& results) {
-    if (results.scene == scene && results.run == run) return false;
-    // Noted as done only when it is: what throws is prepared again next time.
+bool is_shown(const std::shared_ptr<const Scene>& scene, const Run& run,
+              const RunResults& results) {
+    return results.scene == scene && results.run == run;
+}
+
+bool have_same_size(const std::optional<Run>& a, const Run& b) {
+    return a && a->settings.viewport == b.settings.viewport;
+}
+
+void begin_next(const std::shared_ptr<const Scene>& scene, const Run& run, RunResults& results) {
+    NextFrame& next = results.next;
+    next.run = std::nullopt;
+    next.is_done = false;
+    next.frame.tessellated = results.frame.tessellated;
+    next.preparation = begin_frame(*scene, run.settings, nullptr, next.frame);
+    next.scene = scene;
+}
+
+/// The vertices and polygons, then how much work they are to draw.
+void advance_next(const WorkLimit& limit, NextFrame& next) {
+    if (next.preparation) {
+        next.preparation->advance(limit);
+        if (!next.preparation->is_done()) return;
+        next.preparation = std::nullopt;
+        next.work.start(next.frame);
+    }
+    next.work.advance(limit);
+    next.is_done = next.work.is_done();
+}
+
+/// Shows the frame that is ready; false: there is none.
+bool take_next(RunResults& results) {
+    NextFrame& next = results.next;
+    if (!next.run || !next.is_done) return false;
+    // Noted as shown only when it is: what throws is prepared again next time.
     results.run = std::nullopt;
-    results.spare_frame.tessellated = results.frame.tessellated;
-    prepare_frame(*scene, run.settings, nullptr, results.spare_frame);
-    std::swap(results.frame, results.spare_frame);
-    results.scene = scene;
-    results.replay.begin(results.frame);
-    results.run = run;
+    std::swap(results.frame, next.frame);
+    results.scene = next.scene;
+    results.replay.begin(results.frame, next.work);
+    std::swap(results.run, next.run);
     return true;
 }
 
@@ -77,12 +106,13 @@ bool update_cursor(const Cursor& wanted, bool new_frame, RunResults& results) {
 }
 
 /// Tells what is out of order in the whole frame. Row tables that have not been drawn are counted,
-/// unless that is too much work: then only of what has been drawn.
+/// unless that is too much work or they are still being drawn: then only of what has been drawn.
 void update_troubles(const WorkLimit& limit, RunResults& results) {
     DrawTally tally = results.replay.tally();
     const FrameWork& work = results.replay.work();
     const Cursor& to = results.replay.tallied();
-    results.has_all_troubles = work.total() - work.before(to) <= limit.at_once;
+    results.has_all_troubles =
+        results.is_drawn() && work.total() - work.before(to) <= limit.at_once;
     if (results.has_all_troubles && to < cursor_end) {
         const bool has_begun = to > Cursor{to.triangle, Phase::vertices, 0, 0};
         tally += tally_rows(results.frame, has_begun ? to.triangle + 1 : to.triangle);
@@ -143,6 +173,25 @@ int lesson_of(Rejection rejection) {
 
 } // namespace
 
+bool prepare_run(const std::shared_ptr<const Scene>& scene, const Run& run, const WorkLimit& limit,
+                 RunResults& results) {
+    NextFrame& next = results.next;
+    if (is_shown(scene, run, results)) {
+        next.run = std::nullopt;
+        return true;
+    }
+    // What lies beside the frame relies on its scene and size: with another one nothing waits.
+    const bool is_alike = results.scene == scene && have_same_size(results.run, run);
+    const bool is_begun = is_alike && next.scene == scene && have_same_size(next.run, run);
+    if (!is_begun) begin_next(scene, run, results);
+    // Noted as begun only when it could go on.
+    const Run target = is_begun ? *next.run : run;
+    next.run = std::nullopt;
+    if (!next.is_done) advance_next(is_alike ? limit : WorkLimit{}, next);
+    next.run = target;
+    return next.is_done;
+}
+
 std::vector<Trouble> describe_troubles(const Frame& frame, const DrawTally& tally) {
     std::vector<Trouble> troubles;
     for (SettingFault& fault : setting_faults(frame.settings, *frame.given))
@@ -187,10 +236,12 @@ RowHistory rows_at_cursor(const Frame& frame, int triangle, const Cursor& cursor
     return row_history(frame, triangle, cursor);
 }
 
-RunChanges update_run(const Session& session, const Run& run, const SharedView* shared,
-                      const WorkLimit& limit, std::uint64_t& numbers, RunResults& results) {
+RunChanges update_run(const Session& session, const Run& run, bool takes_frame,
+                      const SharedView* shared, const WorkLimit& limit, std::uint64_t& numbers,
+                      RunResults& results) {
     RunChanges changes;
-    changes.frame = update_frame(session.scene, run, results);
+    changes.frame = takes_frame && take_next(results);
+    results.is_frame_late = !is_shown(session.scene, run, results);
     if (changes.frame) results.frame_number = ++numbers;
     const Cursor wanted =
         shared != nullptr ? moment_of_shared(*shared, session.cursor, results) : session.cursor;

@@ -10,6 +10,7 @@
 #include "inspect/row_history.h"
 #include "picture/view_image.h"
 #include "pipeline/frame.h"
+#include "pipeline/frame_preparation.h"
 #include "pipeline/replay.h"
 #include "pipeline/run.h"
 #include "session/inspected.h"
@@ -26,6 +27,16 @@ struct Trouble {
     int lesson = 0;          ///< the number of the one that tells why it happens; 0: none does
 
     friend bool operator==(const Trouble&, const Trouble&) = default;
+};
+
+/// The frame that will take the place of the one on show, prepared in parts if that is much work.
+struct NextFrame {
+    std::shared_ptr<const Scene> scene;
+    std::optional<Run> run; ///< none: nothing is begun
+    Frame frame;            ///< before anything is begun that of the run before: its memory is used
+    std::optional<FramePreparation> preparation;
+    FrameWork work; ///< of the frame, when that is prepared
+    bool is_done = false;
 };
 
 /// What is shown of one run. Written by update() alone; not to be copied or moved, because its
@@ -58,6 +69,7 @@ struct RunResults {
     Inspected inspected; ///< the vertices, the fragment and the row on show, with their formulas
     std::vector<Trouble> troubles; ///< see describe_troubles()
     bool has_all_troubles = false; ///< false: only of what has been drawn so far
+    bool is_frame_late = false;    ///< the session asks for another frame, which is being prepared
     bool is_held =
         false; ///< more is left to draw than the limit of the last update allows to begin
 
@@ -65,8 +77,8 @@ struct RunResults {
     std::shared_ptr<const Scene> scene; ///< keeps the given scene of the frame alive; null before
                                         ///< the first update
     std::optional<Run> run;
-    Frame spare_frame;        ///< of the run before: its memory is for the next frame
-    std::optional<View> view; ///< that `picture` shows
+    NextFrame next;
+    std::optional<View> view;                 ///< that `picture` shows
     std::optional<DepthInterval> depth_range; ///< that it colours
     Replay replay;
 
@@ -97,12 +109,22 @@ struct SharedView {
     std::optional<DepthInterval> depths; ///< that the depth view colours
 };
 
+/// Goes on preparing the frame that is asked for, if it is another one than that on show. Of the
+/// same scene and size it is prepared in parts where the limit asks for it, and what is begun is
+/// ended even if meanwhile another is asked for: while a camera turns without rest something is
+/// seen. To be called by update() alone.
+/// @return is the frame ready to be shown, or on show?
+bool prepare_run(const std::shared_ptr<const Scene>& scene, const Run& run, const WorkLimit& limit,
+                 RunResults& results);
+
 /// Brings the results of one run up to date; does nothing where they are what is asked for already.
-/// To be called by update() alone.
+/// To be called by update() alone, after prepare_run().
+/// @param takes_frame the frame that is ready comes on show; otherwise the one before stays
 /// @param shared  for run B; null for run A, which decides for itself
 /// @param limit   how much it may draw
 /// @param numbers the last number given to a frame or a picture; counts on
-RunChanges update_run(const Session& session, const Run& run, const SharedView* shared,
-                      const WorkLimit& limit, std::uint64_t& numbers, RunResults& results);
+RunChanges update_run(const Session& session, const Run& run, bool takes_frame,
+                      const SharedView* shared, const WorkLimit& limit, std::uint64_t& numbers,
+                      RunResults& results);
 
 } // namespace rasterwalk

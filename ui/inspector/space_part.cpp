@@ -17,14 +17,14 @@ namespace rasterwalk {
 namespace {
 
 /// Text of which no line is cut at the edge of the scroll.
-void plain_text(Ui& ui, std::string_view text) {
+void line_of_text(Ui& ui, std::string_view text) {
     wrapped_text(text);
     keep_text_whole(ui);
 }
 
 void dim_text(Ui& ui, std::string_view text) {
     ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-    plain_text(ui, text);
+    line_of_text(ui, text);
     ImGui::PopStyleColor();
 }
 
@@ -88,7 +88,7 @@ void draw_place(Ui& ui, const SpacePlace& place, MatrixOrder order) {
     for (int i = 0; i < 4; ++i) {
         const std::string& formula = place.formulas[static_cast<std::size_t>(i)];
         constexpr const char* axes[] = {"x = ", "y = ", "z = ", "w = "};
-        plain_text(ui, formula.empty() ? axes[i] + fixed(place.place[i], 4) : formula);
+        line_of_text(ui, formula.empty() ? axes[i] + fixed(place.place[i], 4) : formula);
     }
     ImGui::PopFont();
 }
@@ -118,12 +118,12 @@ void draw_conventions(Ui& ui, const Vertex& vertex) {
     name_widget(ui, "vertices.conventions",
                 "The same point with one choice made otherwise: pixels from the middle.");
     const auto draw_line = [&](std::string_view name, const ConventionPlace& place) {
-        plain_text(ui, std::string(name) + ": " + fixed(place.picture.x, 1) + ", " +
-                           fixed(place.picture.y, 1) + ", " +
-                           std::string(change_words(place.change)));
+        line_of_text(ui, std::string(name) + ": " + fixed(place.picture.x, 1) + ", " +
+                             fixed(place.picture.y, 1) + ", " +
+                             std::string(change_words(place.change)));
     };
-    plain_text(ui, "as the lab: " + fixed(report.lab.picture.x, 1) + ", " +
-                       fixed(report.lab.picture.y, 1));
+    line_of_text(ui, "as the lab: " + fixed(report.lab.picture.x, 1) + ", " +
+                         fixed(report.lab.picture.y, 1));
     for (std::size_t i = 0; i < convention_count; ++i)
         draw_line(convention_names()[i], report.alone[i]);
     for (const std::string& sentence : report.sentences)
@@ -143,7 +143,7 @@ void draw_spaces(Ui& ui, int vertex) {
     keep_item_whole(ui);
     name_widget(ui, "vertices.spaces",
                 "The vertex in every space, and the matrix that took it there.");
-    plain_text(ui, spaces.chain);
+    line_of_text(ui, spaces.chain);
     draw_order(ui);
     for (const SpacePlace& place : spaces.places)
         draw_place(ui, place, spaces.order);

@@ -160,9 +160,17 @@ TEST_CASE("What is too much work for one frame of the window goes on in the next
     CHECK(frames > 3);
     CHECK(work_words(driver.ui.results).empty());
     CHECK_FALSE(is_animating(driver.ui));
-    // A step of the camera begins anew.
+    // A step of the camera begins anew, once what it needs is prepared.
     driver.ui.session.a.settings.camera.yaw += 0.01f;
     driver.hand.frames(1);
+    REQUIRE(a.is_frame_late);
+    CHECK(a.is_drawn());
+    CHECK(is_animating(driver.ui));
+    for (int late = 0; a.is_frame_late; ++late) {
+        REQUIRE(late < 100);
+        driver.hand.frames(1);
+    }
+    CHECK(a.frame.settings.camera == driver.ui.session.a.settings.camera);
     CHECK_FALSE(a.is_drawn());
 }
 

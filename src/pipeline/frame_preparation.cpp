@@ -1,0 +1,130 @@
+#include "pipeline/frame_preparation.h"
+
+#include <algorithm>
+
+#include "scene/tessellation.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// What a vertex and a triangle cost beside a fragment.
+constexpr double vertex_preparation = 10;
+constexpr double triangle_preparation = 40;
+
+/// Takes the scene as it is, or what tessellation makes of it. That is kept as long as it is the
+/// same: while the camera moves nothing is cut anew.
+void take_scene(const Scene& scene, int tessellation, Frame& frame) {
+    const int parts = tessellation_of(scene, tessellation);
+    const TessellatedScene* const known = frame.tessellated.get();
+    if (parts == 1) {
+        frame.tessellated = nullptr;
+    } else if (known == nullptr || known->parts != parts || !(known->given == scene)) {
+        frame.tessellated = std::make_shared<const TessellatedScene>(
+            TessellatedScene{scene, parts, tessellate(scene, parts)});
+    }
+    frame.given = &scene;
+    frame.scene = parts == 1 ? &scene : &frame.tessellated->made;
+}
+
+} // namespace
+
+FramePreparation::FramePreparation(const Mesh& mesh, const VertexRules& rules, Frame& frame)
+    : mesh_(&mesh), frame_(&frame), volume_(rules), rays_(sight_rays(rules)),
+      rotation_(camera_rotation(rules.camera)) {
+    frame.triangles = mesh.triangles();
+    frame.shaded.clear();
+    frame.projected.clear();
+    frame.vertices.clear();
+    frame.polygons.clear();
+    frame.shaded.reserve(mesh.vertices().size());
+    frame.projected.reserve(mesh.vertices().size());
+    frame.vertices.reserve(triangle_corners * mesh.triangles().size());
+    frame.polygons.reserve(mesh.triangles().size());
+}
+
+bool FramePreparation::is_done() const {
+    return frame_->projected.size() == mesh_->vertices().size() &&
+           frame_->polygons.size() == mesh_->triangles().size();
+}
+
+void FramePreparation::advance(const WorkLimit& limit) {
+    const double of_vertices = vertex_preparation * static_cast<double>(mesh_->vertices().size());
+    const double of_triangles =
+        triangle_preparation * static_cast<double>(mesh_->triangles().size());
+    const double part = limit.of(of_vertices + of_triangles);
+    const auto count = [&](double work, double each, std::size_t left) {
+        const double share = std::clamp(work / each, 1.0, static_cast<double>(left) + 1.0);
+        return std::min(static_cast<std::size_t>(share), left);
+    };
+    const std::size_t vertices =
+        count(part, vertex_preparation, mesh_->vertices().size() - frame_->projected.size());
+    shade_vertices(vertices);
+    if (frame_->projected.size() < mesh_->vertices().size()) return;
+    const double left = part - vertex_preparation * static_cast<double>(vertices);
+    make_polygons(
+        count(left, triangle_preparation, mesh_->triangles().size() - frame_->polygons.size()));
+}
+
+void FramePreparation::shade_vertices(std::size_t count) {
+    const Stages& stages = frame_->stages;
+    const VertexRules& rules = volume_.rules;
+    for (std::size_t end = frame_->projected.size() + count; frame_->projected.size() < end;) {
+        const Vertex& vertex = mesh_->vertices()[frame_->projected.size()];
+        frame_->shaded.push_back(stages.vertex_shader(vertex, rotation_, rules, stages, nullptr));
+        frame_->projected.push_back(stages.project(frame_->shaded.back(), rules, stages, nullptr));
+    }
+}
+
+void FramePreparation::make_polygons(std::size_t count) {
+    for (std::size_t end = frame_->polygons.size() + count; frame_->polygons.size() < end;)
+        frame_->polygons.push_back(make(static_cast<int>(frame_->polygons.size())));
+}
+
+/// Reject, clip, cull and project; appends the corners to the frame's.
+Polygon FramePreparation::make(int triangle) {
+    Polygon polygon{static_cast<int>(frame_->vertices.size()), 0, Rejection::none, false};
+    clip(triangle, polygon);
+    if (polygon.rejection == Rejection::none)
+        polygon.rejection = frame_->stages.cull(corners_, volume_.rules, rays_, nullptr);
+    if (polygon.is_cut) {
+        for (const ClipVertex& corner : corners_)
+            add(frame_->stages.project(corner, volume_.rules, frame_->stages, nullptr), polygon);
+    } else {
+        for (int corner = 0; corner < triangle_corners; ++corner)
+            add(frame_->given_vertex(triangle, corner), polygon);
+    }
+    return polygon;
+}
+
+void FramePreparation::clip(int triangle, Polygon& polygon) {
+    const auto given = frame_->given_clip_vertices(triangle);
+    corners_.assign(given.begin(), given.end());
+    polygon.rejection = frame_->stages.reject(corners_, volume_);
+    if (polygon.rejection != Rejection::none) return;
+    const Clipped clipped = frame_->stages.clip(corners_, volume_, nullptr);
+    polygon.rejection = clipped.rejection;
+    if (corners_.size() < least_corners) polygon.rejection = Rejection::clipped_away;
+    // Of what nothing is drawn is shown as the scene has it.
+    polygon.is_cut = clipped.is_cut && polygon.rejection == Rejection::none;
+}
+
+void FramePreparation::add(const ProjectedVertex& corner, Polygon& polygon) {
+    if (polygon.rejection == Rejection::none) polygon.rejection = corner.rejection;
+    frame_->vertices.push_back(corner.pixel);
+    ++polygon.count;
+}
+
+FramePreparation begin_frame(const Scene& scene, const Settings& settings,
+                             const ReplaceStages& replace, Frame& frame) {
+    take_scene(scene, settings.tessellation, frame);
+    const Mesh& mesh = frame.scene->mesh;
+    frame.settings = settings;
+    frame.replace = replace;
+    frame.stages = stages_for(settings, *frame.scene, replace);
+    frame.blends = frame.stages.blend != blend_nothing && has_alpha(*frame.scene);
+    frame.bends = bends_normals(settings) && has_normal_map(*frame.scene);
+    return {mesh, vertex_rules(settings, scene.space), frame};
+}
+
+} // namespace rasterwalk
