@@ -28,7 +28,7 @@ glm::vec3 light_of(const Frame& frame, const Fragment& fragment, const Stages& s
     const Varyings varyings = recover_varyings(fragment, stages);
     Surface surface = surface_of(frame, triangle);
     // The footprint, too, goes the way of the fragment.
-    if (surface.texture != nullptr)
+    if (surface.texture != nullptr || surface.normal_map != nullptr)
         surface.texture_slope = texture_slope(frame.triangle_vertices(triangle), stages);
     const auto on_texture = [&](const glm::vec3& colour) {
         return textured(colour, fragment, surface, stages);
@@ -39,6 +39,8 @@ glm::vec3 light_of(const Frame& frame, const Fragment& fragment, const Stages& s
         const PixelRules rules = pixel_rules(frame);
         SurfacePoint point = surface_point(varyings, surface, rules.camera, frame.stages);
         point.reflectance = on_texture(point.reflectance);
+        if (surface.normal_map != nullptr)
+            point.normal = mapped_normal(point.normal, fragment, surface, stages);
         return surface_light(point, rules.light, rules.rays, rules.occluders, frame.stages)
             .reflected;
     }

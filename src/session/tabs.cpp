@@ -217,7 +217,10 @@ bool is_offered(const Session& session, const TabInfo& tab) {
     if (tab.name == tab_below(session)) return true;
     const bool has_camera = session.scene && session.scene->space == SceneSpace::world;
     if (tab.needs_camera && !has_camera) return false;
-    const bool has_texture = session.scene && !session.scene->textures.empty();
+    // Normal maps are textures of the scene, too, but nothing is painted by them.
+    const bool has_texture =
+        session.scene && std::any_of(session.scene->parts.begin(), session.scene->parts.end(),
+                                     [](const Part& part) { return part.texture >= 0; });
     if (tab.needs_texture && !has_texture) return false;
     if (!hides_tabs(session)) return true;
     return contains(session.tab_guide.panels, tab.name);

@@ -206,7 +206,7 @@ TEST_CASE("A model has at most so many textures") {
 
 TEST_CASE("norm is a map of normals; bump is one of heights, or of normals if it looks so") {
     const test::TemporaryFolder folder;
-    const Image arrows{2, 1, {128, 128, 255, 255, 200, 128, 220, 255}};
+    const Image arrows{2, 1, {128, 128, 255, 255, 150, 128, 250, 255}};
     const Image heights{2, 1, {0, 0, 0, 255, 255, 255, 255, 255}};
     write_png(arrows, folder.file("arrows.png"));
     write_png(heights, folder.file("heights.png"));

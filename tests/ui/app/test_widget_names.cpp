@@ -40,6 +40,7 @@ class Tour {
         from_outside();
         clipped();
         textured();
+        bumpy();
         half_transparent();
         tested();
         covered();
@@ -157,6 +158,15 @@ class Tour {
             look(driver);
         }
         follow_link(driver.ui, "set:transform=matrices"); // whose clip space has another scale
+        look(driver);
+    }
+
+    void bumpy() {
+        Driver driver("studs.toml");
+        follow_link(driver.ui, "pixel:42,26");
+        follow_link(driver.ui, "tab:fragment");
+        look(driver);
+        driver.hand.click("fragment.bump.arrow.y");
         look(driver);
     }
 
