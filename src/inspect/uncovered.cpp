@@ -134,20 +134,35 @@ std::string row_direction(int rows) {
 
 std::vector<NearTriangle> nearest_triangles(const Frame& frame, const glm::ivec2& pixel,
                                             int count) {
+    NearestSearch search(frame, pixel);
+    search.look(frame.triangle_count());
+    return search.found(count);
+}
+
+NearestSearch::NearestSearch(const Frame& frame, const glm::ivec2& pixel)
+    : frame_(&frame), pixel_(pixel) {
+    const bool has_rows = has_fragments(frame.settings.stage) && !is_out_of_bounds(frame, pixel);
+    if (has_rows) end_ = frame.triangle_count();
+}
+
+void NearestSearch::look(int triangles) {
+    const int end = next_ + std::min(triangles, end_ - next_);
+    for (; next_ < end; ++next_) {
+        if (!frame_->is_drawn(next_)) continue;
+        const glm::ivec2 way = way_to_box(*frame_, next_, pixel_);
+        boxes_.emplace_back(squared_distance(way.x, way.y), next_);
+    }
+}
+
+std::vector<NearTriangle> NearestSearch::found(int count) {
     std::vector<NearTriangle> found;
-    if (!has_fragments(frame.settings.stage) || count <= 0) return found;
-    if (is_out_of_bounds(frame, pixel)) return found;
+    if (boxes_.empty() || count <= 0) return found;
+    const Frame& frame = *frame_;
     // Boxes are cheap and row tables are not: the triangles are looked at in the order of their
     // boxes, until no box can hold a row that comes nearer than those found.
-    using Candidate = std::pair<std::int64_t, int>;
-    std::vector<Candidate> heap;
-    for (int t = 0; t < frame.triangle_count(); ++t) {
-        if (!frame.is_drawn(t)) continue;
-        const glm::ivec2 way = way_to_box(frame, t, pixel);
-        heap.emplace_back(squared_distance(way.x, way.y), t);
-    }
+    std::vector<Box>& heap = boxes_;
     std::make_heap(heap.begin(), heap.end(), std::greater<>());
-    std::vector<Candidate> best; // nearest first; the second number is an index of `looked_at`
+    std::vector<Box> best; // nearest first; the second number is an index of `looked_at`
     std::vector<NearTriangle> looked_at;
     PolygonRows rows;
     while (!heap.empty()) {
@@ -156,16 +171,16 @@ std::vector<NearTriangle> nearest_triangles(const Frame& frame, const glm::ivec2
         heap.pop_back();
         const bool is_full = static_cast<int>(best.size()) == count;
         if (is_full && box_distance >= best.back().first) break;
-        const NearTriangle near = look_at(frame, triangle, pixel, rows);
-        const Candidate candidate{squared_distance(near), static_cast<int>(looked_at.size())};
+        const NearTriangle near = look_at(frame, triangle, pixel_, rows);
+        const Box candidate{squared_distance(near), static_cast<int>(looked_at.size())};
         if (is_full && candidate.first >= best.back().first) continue;
         if (is_full) best.pop_back();
         best.insert(std::upper_bound(best.begin(), best.end(), candidate), candidate);
         looked_at.push_back(near);
     }
-    for (const Candidate& candidate : best)
+    for (const Box& candidate : best)
         found.push_back(looked_at[candidate.second]);
-    try_other_rules(frame, pixel, found);
+    try_other_rules(frame, pixel_, found);
     // Of equally near ones, those come first that could have been there.
     std::stable_sort(found.begin(), found.end(), [](const NearTriangle& a, const NearTriangle& b) {
         return std::pair(squared_distance(a), a.rules.empty()) <
