@@ -38,7 +38,8 @@ struct NearTriangle {
 
 /// The triangles whose rows come nearest to a pixel on which no fragment falls, nearest first, at
 /// most `count`. Only stages from `fill` on have rows to ask; before, and in a scene in which
-/// nothing is drawn, there are none.
+/// nothing is drawn, there are none. Of very many triangles only those are looked at whose boxes
+/// are nearest.
 std::vector<NearTriangle> nearest_triangles(const Frame& frame, const glm::ivec2& pixel,
                                             int count = 3);
 

@@ -474,7 +474,7 @@ void require_same_history(const PixelHistory& history, const PixelHistory& expec
 
 TEST_CASE("A pixel's history comes to the same, in whatever parts it is made") {
     test::Random random(17);
-    const Scene scene = test::made_scene(600);
+    const Scene scene = test::made_scene(3'000);
     int entries = 0, uncovered = 0;
     for (const char* const change : {"stage=depth", "stage=rows", "coverage=edge_functions"}) {
         Settings settings = default_settings(scene);
@@ -501,4 +501,34 @@ TEST_CASE("A pixel's history comes to the same, in whatever parts it is made") {
     }
     CHECK(entries > 20);
     CHECK(uncovered > 2);
+}
+
+TEST_CASE("Among very many triangles the nearest rows are those of all") {
+    const Scene scene = test::made_scene(9'000);
+    const Frame frame = prepare_frame(scene, default_settings(scene));
+    for (const glm::ivec2 pixel : {glm::ivec2(0, 0), glm::ivec2(499, 499), glm::ivec2(0, 250)}) {
+        CAPTURE(pixel.x, pixel.y);
+        REQUIRE(pixel_history(frame, pixel).entries.empty());
+        std::vector<std::int64_t> distances; // squared, of all triangles
+        PolygonRows rows;
+        for (int t = 0; t < frame.triangle_count(); ++t) {
+            if (!frame.is_drawn(t)) continue;
+            compute_rows(frame, t, rows);
+            const int row = std::clamp(pixel.y, rows.first_row, rows.first_row + rows.size() - 1);
+            const auto index = static_cast<std::size_t>(row - rows.first_row);
+            REQUIRE_FALSE(rows.is_empty_row(row - rows.first_row));
+            const std::int64_t column =
+                std::clamp(pixel.x, rows.left[index].column, rows.right[index].column);
+            const std::int64_t columns = column - pixel.x, down = row - pixel.y;
+            distances.push_back(columns * columns + down * down);
+        }
+        std::sort(distances.begin(), distances.end());
+        const std::vector<NearTriangle> found = nearest_triangles(frame, pixel, 5);
+        REQUIRE(found.size() == 5);
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            INFO("nearest " << i);
+            const std::int64_t columns = found[i].columns_away, down = found[i].rows_away;
+            REQUIRE(columns * columns + down * down == distances[i]);
+        }
+    }
 }
