@@ -220,6 +220,12 @@ SourcedVector add_pixel_light(const Frame& frame, FragmentReport& report) {
     SurfacePoint place =
         surface_point(report.under(report.interpolation), surface, rules.camera, frame.stages);
     if (report.texture) place.reflectance *= report.texture->colour;
+    const glm::vec3 unbent = place.normal;
+    if (surface.normal_map != nullptr) {
+        report.bump = bump_report(report.fragment, surface, place.normal, frame);
+        place.normal = report.bump->normal;
+    }
+    report.normal = place.normal;
     LitPoint point;
     point.prefix = "pixel_light.";
     point.shine = place.shine;
@@ -234,13 +240,14 @@ SourcedVector add_pixel_light(const Frame& frame, FragmentReport& report) {
         for (std::size_t i = 0; i < 3; ++i)
             point.reflectance.sources[i] = from_formula(std::string("surface.") + channel_names[i]);
     }
-    point.normal = of_first_vertex(triangle, place.normal, light_normal_ids(frame));
+    point.normal = of_first_vertex(triangle, unbent, light_normal_ids(frame));
     if (surface.differences.normals) {
         append_normal_formulas(
             point,
             interpolated(report, &Varyings::normal, "the normals of the vertices, interpolated"),
             frame, report.formulas);
     }
+    if (report.bump) append_bump_formulas(*report.bump, frame, triangle, point, report.formulas);
     append_light_formulas(point, frame, report.formulas);
     return point.reflectance;
 }

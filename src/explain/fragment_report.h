@@ -11,6 +11,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "explain/bump_formulas.h"
 #include "explain/formula.h"
 #include "explain/texture_report.h"
 #include "inspect/carried_row.h"
@@ -31,6 +32,7 @@ namespace rasterwalk {
 ///     q.carried_twice q.zinv_twice    only where that is in force; q.off is then of the latter
 ///     pixel_light.*       the light at the fragment's own place, see light_formulas.h
 ///     pixel_light.n_length pixel_light.n.x ...      where normals travel, see highlight_formulas.h
+///     bump.*              where a normal map bends the normal, see bump_formulas.h
 ///     triangle_light.*    under flat shading: the light in the middle of the triangle, whose place
 ///                         is triangle_light.p.x ...
 ///     vertex_light.colour.red ...   the light that the vertices brought along, as shown
@@ -57,6 +59,8 @@ struct FragmentReport {
     SurfaceLight light;              ///< at its own place, interpolated as is in force
     SurfaceLight light_per_triangle; ///< under flat shading: in the middle of the triangle
     std::array<SurfaceLight, triangle_corners> at_vertex; ///< light at the vertices of the scene
+    glm::vec3 normal{0.0f};                               ///< that the light at its own place has
+    std::optional<BumpReport> bump;       ///< of that normal; none: no normal map bends it
     glm::vec3 light_per_vertex{0.0f};     ///< carried from the vertices as is in force
     std::optional<TextureReport> texture; ///< of the surface; none: it has none
 

@@ -31,6 +31,44 @@ Value formula_number(const Facts& facts, std::string_view id) {
     return formula != nullptr ? number(formula->result.value) : Value();
 }
 
+/// A number of the normal map that bends the normal there; none where there is none.
+template <auto read>
+Value bump_number(const Facts& facts, int part) {
+    const FragmentReport* const report = facts.light();
+    return report != nullptr && report->bump ? number(read(*report->bump, part)) : Value();
+}
+
+/// The normals of the picked pixel, and what a normal map makes of them.
+void add_normal_facts(std::vector<Fact>& table) {
+    using Bump = const BumpReport&;
+    constexpr std::array<std::string_view, 3> axes{"x", "y", "z"}, channels{"red", "green", "blue"};
+    for (int i = 0; i < 3; ++i) {
+        const std::string axis(axes[static_cast<std::size_t>(i)]);
+        table.push_back({"pixel.normal." + axis,
+                         axis + " of the normal that light worked out at the picked pixel has.",
+                         real(),
+                         [](const Facts& facts, int part) {
+                             const FragmentReport* const report = facts.light();
+                             return report != nullptr ? number(report->normal[part]) : Value();
+                         },
+                         i});
+    }
+    for (int i = 0; i < 3; ++i) {
+        const std::string channel(channels[static_cast<std::size_t>(i)]);
+        table.push_back({"pixel.bump." + channel,
+                         "The " + channel + " of the normal map there, 0 to 1.", real(0),
+                         bump_number<[](Bump bump, int part) { return bump.colour[part]; }>, i});
+    }
+    table.push_back({"pixel.tilt",
+                     "How far the normal map bends the normal there, degrees; none where the "
+                     "surface has no normal map in force.",
+                     real(0), bump_number<[](Bump bump, int) { return bump.tilt(); }>});
+    table.push_back({"pixel.handedness",
+                     "The sign of the bitangent there: 1, or -1 where the texture is laid on in "
+                     "mirror image.",
+                     real(-1), bump_number<[](Bump bump, int) { return bump.sign; }>});
+}
+
 } // namespace
 
 void add_light_facts(std::vector<Fact>& table) {
@@ -69,6 +107,7 @@ void add_light_facts(std::vector<Fact>& table) {
                          }>,
                          i});
     }
+    add_normal_facts(table);
 }
 
 } // namespace rasterwalk

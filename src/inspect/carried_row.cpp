@@ -93,7 +93,7 @@ std::optional<CarriedRow> carried_row(const Frame& frame, int triangle, int inde
         settings.interpolation = way;
         set_step(settings, StripStep::vertex_light);
         PolygonRows rows;
-        const Stages stages = stages_for(settings, frame.scene->mesh.differences(), frame.replace);
+        const Stages stages = stages_for(settings, *frame.scene, frame.replace);
         stages.compute_polygon_rows(polygon_under(frame, triangle, settings), edges, stages, rows,
                                     nullptr);
         if (index < 0 || index >= rows.size() || rows.is_empty_row(index)) return std::nullopt;

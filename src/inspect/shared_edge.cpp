@@ -91,7 +91,7 @@ class DrawnPair {
           from_(static_cast<std::size_t>(shared.edge)) {
         Settings settings = frame.settings;
         settings.fill_rule = rule;
-        stages_ = stages_for(settings, frame.scene->mesh.differences(), frame.replace);
+        stages_ = stages_for(settings, *frame.scene, frame.replace);
         const EdgeRules rules = edge_rules(settings, {});
         for (const auto& [triangle, rows] :
              {std::pair(shared.triangle, &rows_[0]), std::pair(shared.neighbour, &rows_[1])})

@@ -1,5 +1,6 @@
 #include "outside/basis.h"
 
+#include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 
@@ -8,11 +9,36 @@
 
 namespace rasterwalk {
 
+namespace {
+
+/// In the middle of the triangle; none if no normal map bends its normals.
+std::vector<Basis> surface_basis(const Frame& frame, std::optional<int> triangle) {
+    const Scene& scene = *frame.scene;
+    if (!frame.bends || !triangle || *triangle < 0 || *triangle >= scene.triangle_count() ||
+        normal_map_of(scene, *triangle) == nullptr)
+        return {};
+    const std::array<Vertex, triangle_corners> corners = corners_of(scene, *triangle);
+    const glm::vec3 sum = corners[0].normal + corners[1].normal + corners[2].normal;
+    if (!(glm::length(sum) > 0.0f)) return {};
+    const TangentFrame axes =
+        frame.stages.tangent_frame(uv_directions(corners), glm::normalize(sum));
+    if (axes.bitangent == glm::vec3(0.0f)) return {};
+    const glm::dvec3 first(corners[0].position), second(corners[1].position),
+        third(corners[2].position);
+    const double length = (glm::distance(first, second) + glm::distance(first, third)) / 6.0;
+    return {{BasisOf::surface,
+             (first + second + third) / 3.0,
+             {length * glm::dvec3(axes.tangent), length * glm::dvec3(axes.bitangent),
+              length * glm::dvec3(axes.normal)}}};
+}
+
+} // namespace
+
 std::vector<Basis> bases_of(const Frame& frame, std::optional<int> triangle) {
     const Scene& scene = *frame.scene;
+    std::vector<Basis> bases = surface_basis(frame, triangle);
     if (frame.settings.transform != Transform::matrices || scene.space == SceneSpace::pixels)
-        return {};
-    std::vector<Basis> bases;
+        return bases;
     const auto add = [&](BasisOf of, const glm::dvec3& origin, const glm::dmat3& axes) {
         bases.push_back({of, origin, {axes[0], axes[1], axes[2]}});
     };

@@ -1,7 +1,8 @@
 #pragma once
 
 // The axes of the spaces that matrices lead through, as arrows in the world: one unit along each of
-// the world's own, of the camera's, and of those in which an object is made.
+// the world's own, of the camera's, and of those in which an object is made; and the axes by which
+// a surface reads its normal map.
 
 #include <array>
 #include <cstdint>
@@ -16,9 +17,9 @@
 namespace rasterwalk {
 
 /// Whose axes they are.
-enum class BasisOf : std::uint8_t { world, camera, object };
+enum class BasisOf : std::uint8_t { world, camera, object, surface };
 template <>
-inline constexpr auto enum_words<BasisOf> = word_list("world", "camera", "object");
+inline constexpr auto enum_words<BasisOf> = word_list("world", "camera", "object", "surface");
 static_assert(words_match<BasisOf>);
 
 inline constexpr int axis_count = 3;
@@ -29,12 +30,14 @@ struct Basis {
     glm::dvec3 origin{0.0};
     /// From the origin, one unit of that space long, world units: x, y, z; those of the camera
     /// point right, down and forward. Those of an object are the first columns of Tm, and its
-    /// origin is the last; those of the camera are the rows of Tv.
+    /// origin is the last; those of the camera are the rows of Tv. Those of a surface are tangent,
+    /// bitangent and normal, a third as long as its triangle.
     std::array<glm::dvec3, axis_count> axes{};
 };
 
-/// The world's, the camera's and, if its part is moved, turned or scaled, those of the part of the
-/// triangle. None where no matrices do the work, or the scene is in pixels.
+/// Of the triangle those by which its normal map is read, if one bends its normals. And where
+/// matrices do the work the world's, the camera's and, if its part is moved, turned or scaled,
+/// those of the part of the triangle. None in a scene in pixels.
 std::vector<Basis> bases_of(const Frame& frame, std::optional<int> triangle);
 
 } // namespace rasterwalk

@@ -265,12 +265,13 @@ std::size_t place_of(LabelSide side) {
     return 0;
 }
 
-/// A text that is moved along stays so far from the border, pixels.
-constexpr float border = 0.5f;
+/// A text that is moved along stays so far from the border, in parts of its height.
+constexpr float border_part = 0.3f;
 
 /// Above, below or at a side of a point near the border it is moved along until it is seen whole.
 OutsideBox label_box(const OutsideLabel& label, const glm::vec2& side, glm::vec2 size) {
     glm::vec2 low = label.point + side * (0.5f * label.size + label.distance) - 0.5f * label.size;
+    const float border = border_part * label.size.y;
     const glm::vec2 most = size - label.size - border;
     if (side.x == 0.0f) low.x = std::max(std::min(low.x, most.x), border);
     if (side.y == 0.0f) low.y = std::max(std::min(low.y, most.y), border);

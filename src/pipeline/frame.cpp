@@ -6,9 +6,8 @@
 
 namespace rasterwalk {
 
-Stages stages_for(const Settings& settings, const CornerDifferences& differences,
-                  const ReplaceStages& replace) {
-    Stages stages = choose_stages(settings, differences);
+Stages stages_for(const Settings& settings, const Scene& scene, const ReplaceStages& replace) {
+    Stages stages = choose_stages(settings, scene);
     if (replace) replace(stages);
     return stages;
 }
@@ -29,7 +28,7 @@ std::vector<ScreenVertex> polygon_under(const Frame& frame, int triangle,
     Mesh mesh;
     mesh.add_triangle_of(corners_of(*frame.scene, triangle));
     Frame other;
-    other.stages = stages_for(settings, frame.scene->mesh.differences(), frame.replace);
+    other.stages = stages_for(settings, *frame.scene, frame.replace);
     FramePreparation(mesh, vertex_rules(settings, frame.scene->space), other).advance();
     return std::move(other.vertices);
 }
@@ -42,7 +41,8 @@ int triangle_in(const Frame& frame, const Frame& other, int triangle_of_other) {
 
 VaryingSet carried_varyings(const Frame& frame) {
     const VaryingSet carried = carried_varyings(frame.stages, shading_rule(frame.settings));
-    return is_textured(frame) ? carried | VaryingSet::of(&Varyings::texcoord) : carried;
+    return is_textured(frame) || frame.bends ? carried | VaryingSet::of(&Varyings::texcoord)
+                                             : carried;
 }
 
 void tell_clipping(const Frame& frame, int triangle, ClipSink& sink) {

@@ -38,6 +38,7 @@ struct Frame {
     std::vector<TriangleIndices> triangles; ///< of the mesh: which vertices are their corners
     std::vector<ScreenVertex> vertices;     ///< the corners of the polygons, one after another
     bool blends = false;                    ///< something is half transparent, and drawn so
+    bool bends = false;                     ///< normal maps bend normals somewhere
     std::vector<Polygon> polygons; ///< what has become of each triangle of `scene`, in order
 
     int triangle_count() const { return static_cast<int>(polygons.size()); }
@@ -114,9 +115,8 @@ inline bool is_textured(const Frame& frame) {
 /// The varyings that edges and rows carry in the frame.
 VaryingSet carried_varyings(const Frame& frame);
 
-/// The table for a frame: what the settings choose for such a mesh, and what is put in its place.
-Stages stages_for(const Settings& settings, const CornerDifferences& differences,
-                  const ReplaceStages& replace);
+/// The table for a frame: what the settings choose for such a scene, and what is put in its place.
+Stages stages_for(const Settings& settings, const Scene& scene, const ReplaceStages& replace);
 
 /// Tessellates the scene, takes each vertex of the mesh through vertex shader and projection, once,
 /// and each triangle through reject, clip and cull. A polygon with one vertex that is rejected is

@@ -121,8 +121,9 @@ FramePreparation begin_frame(const Scene& scene, const Settings& settings,
     const Mesh& mesh = frame.scene->mesh;
     frame.settings = settings;
     frame.replace = replace;
-    frame.stages = stages_for(settings, mesh.differences(), replace);
+    frame.stages = stages_for(settings, *frame.scene, replace);
     frame.blends = frame.stages.blend != blend_nothing && has_alpha(*frame.scene);
+    frame.bends = bends_normals(settings) && has_normal_map(*frame.scene);
     return {mesh, vertex_rules(settings, scene.space), frame};
 }
 

@@ -21,7 +21,10 @@ Surface surface_of(const Frame& frame, int triangle) {
                     corner.reflectance};
     if (frame.blends) surface.alpha = alpha_of(*frame.scene, triangle);
     if (is_textured(frame)) surface.texture = texture_of(*frame.scene, triangle);
-    if (surface.texture != nullptr)
+    if (frame.bends) surface.normal_map = normal_map_of(*frame.scene, triangle);
+    if (surface.normal_map != nullptr)
+        surface.uv_directions = uv_directions(corners_of(*frame.scene, triangle));
+    if (surface.texture != nullptr || surface.normal_map != nullptr)
         surface.texture_slope = texture_slope(frame.triangle_vertices(triangle), frame.stages);
     if (frame.stages.pixel_shader == pixel_shader) return surface;
     surface.shine = corner.shine;

@@ -103,6 +103,7 @@ Scene scene_of_model(const ObjModel& model) {
         scene.mesh.add_triangle({corners[0], corners[2], corners[1]});
     for (const ObjPart& part : model.parts) {
         Part placed{part.name, part.first_triangle, part.triangle_count, {steps, {}}, part.texture};
+        placed.normal_map = part.normal_map;
         if (part.material >= 0)
             placed.alpha = model.materials[static_cast<std::size_t>(part.material)].alpha;
         placed.model.positions.reserve(3 * static_cast<std::size_t>(part.triangle_count));

@@ -66,7 +66,7 @@ class ModelBuilder {
             first_computed += static_cast<std::size_t>(face.corner_count);
             if (!cut(face)) continue;
             const int material = material_of_[static_cast<std::size_t>(face.part)];
-            begin_drawn_part(face, material, texture_of_face(face, material));
+            begin_drawn_part(face, material, maps_of_face(face, material));
             add_face(face, look_of(material), computed, first, join);
             ObjPart& made = model_.parts.back();
             made.triangle_count = model_.mesh.triangle_count() - made.first_triangle;
@@ -168,10 +168,10 @@ class ModelBuilder {
                            [](const ObjCorner& corner) { return corner.texcoord >= 0; });
     }
 
-    /// The texture that a face shows; -1: none.
-    int texture_of_face(const ObjFace& face, int material) {
-        const int texture = textures_.of_material(material);
-        if (texture < 0 || has_texcoords(face)) return texture;
+    /// The images that a face shows.
+    ObjMaps maps_of_face(const ObjFace& face, int material) {
+        const ObjMaps maps = images_.of_material(material);
+        if ((maps.texture < 0 && maps.normal_map < 0) || has_texcoords(face)) return maps;
         if (bare_.insert(material).second) {
             reporter_.fault(model_.path, face.line, [&] {
                 return fmt::format(
@@ -180,19 +180,21 @@ class ModelBuilder {
                     in_quotes(model_.materials[static_cast<std::size_t>(material)].name));
             });
         }
-        return -1;
+        return {};
     }
 
-    /// Begins another part where the face needs one. A part has one texture or none.
-    void begin_drawn_part(const ObjFace& face, int material, int texture) {
+    /// Begins another part where the face needs one. A part has one texture or none, and one
+    /// normal map or none.
+    void begin_drawn_part(const ObjFace& face, int material, const ObjMaps& maps) {
         const auto part = static_cast<std::size_t>(face.part);
         const bool is_other = drawn_part_ != face.part;
         drawn_part_ = face.part;
-        if (!is_other &&
-            (model_.parts.back().texture == texture || model_.parts.size() >= most_model_parts))
+        if (!is_other && ((model_.parts.back().texture == maps.texture &&
+                           model_.parts.back().normal_map == maps.normal_map) ||
+                          model_.parts.size() >= most_model_parts))
             return;
-        model_.parts.push_back(
-            {file_.parts[part].name, model_.mesh.triangle_count(), 0, material, texture});
+        model_.parts.push_back({file_.parts[part].name, model_.mesh.triangle_count(), 0, material,
+                                maps.texture, maps.normal_map});
     }
 
     /// Puts the face into the mesh.
@@ -228,7 +230,7 @@ class ModelBuilder {
     WatchedSteps& watched_;
     ObjReporter& reporter_;
     ObjModel& model_;
-    ObjTextures textures_{model_.materials, model_.textures, reporter_};
+    ObjImages images_{model_.materials, model_.textures, reporter_};
 
     std::vector<int> material_of_; ///< each part of the file: index, or -1
     std::set<int> bare_;           ///< materials with an image, of faces that cannot show it

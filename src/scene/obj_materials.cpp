@@ -52,20 +52,43 @@ void ObjLibraries::read_library(std::string_view name) {
     }
 }
 
-int ObjTextures::of_material(int material) {
-    if (material < 0) return -1;
-    const ObjMaterial& of = materials_[static_cast<std::size_t>(material)];
-    if (of.diffuse_map.empty()) return -1;
-    const auto [known, is_new] = known_.try_emplace(material, -1);
-    if (!is_new) return known->second;
-    const ReadTexture texture = files_.read(
-        of.diffuse_map, visible_line(std::filesystem::path(of.diffuse_map).filename().string()));
-    known->second = texture.index;
-    if (texture.index >= 0) return texture.index;
-    reporter_.fault(of.file, of.diffuse_map_line, [&] {
-        return fmt::format("'map_Kd': {} The image is left out.", visible_line(texture.trouble));
+namespace {
+
+std::string image_name(const std::string& path) {
+    return visible_line(std::filesystem::path(path).filename().string());
+}
+
+} // namespace
+
+/// The index of an image that was read; -1 if it cannot be used, which is told as a fault.
+int ObjImages::index_of(const ReadTexture& image, const ObjMaterial& of, std::string_view word,
+                        int line) {
+    if (image.index >= 0) return image.index;
+    reporter_.fault(of.file, line, [&] {
+        return fmt::format("'{}': {} The image is left out.", word, visible_line(image.trouble));
     });
     return -1;
+}
+
+ObjMaps ObjImages::of_material(int material) {
+    if (material < 0) return {};
+    const ObjMaterial& of = materials_[static_cast<std::size_t>(material)];
+    if (of.diffuse_map.empty() && of.bump_map.empty()) return {};
+    const auto [known, is_new] = known_.try_emplace(material);
+    if (!is_new) return known->second;
+    ObjMaps maps;
+    if (!of.diffuse_map.empty()) {
+        maps.texture = index_of(files_.read(of.diffuse_map, image_name(of.diffuse_map)), of,
+                                "map_Kd", of.diffuse_map_line);
+    }
+    if (!of.bump_map.empty()) {
+        const std::string name = image_name(of.bump_map);
+        maps.normal_map =
+            index_of(of.bump_is_normal ? files_.read(of.bump_map, name)
+                                       : files_.read_heights(of.bump_map, name, of.bump_strength),
+                     of, of.bump_is_normal ? "norm" : "bump", of.bump_map_line);
+    }
+    return known->second = maps;
 }
 
 } // namespace rasterwalk

@@ -45,22 +45,30 @@ class ObjLibraries {
     std::set<std::string, std::less<>> names_; ///< that were looked for
 };
 
-/// The textures of materials. Each is read when a face that shows it is drawn.
-class ObjTextures {
+/// The pictures of a surface, as indices of textures; -1: none.
+struct ObjMaps {
+    int texture = -1, normal_map = -1;
+};
+
+/// The images of materials. Those of each are read when its first face is drawn.
+class ObjImages {
   public:
     /// @param textures receives them; all must live as long
-    ObjTextures(const std::vector<ObjMaterial>& materials, std::vector<SharedTexture>& textures,
-                ObjReporter& reporter)
+    ObjImages(const std::vector<ObjMaterial>& materials, std::vector<SharedTexture>& textures,
+              ObjReporter& reporter)
         : materials_(materials), reporter_(reporter), files_(textures) {}
 
-    /// The texture of a material, an index or -1: none, or it cannot be read, which is told once.
-    int of_material(int material);
+    /// The images of a material; what cannot be read is told once.
+    /// @param material an index, or -1: none
+    ObjMaps of_material(int material);
 
   private:
+    int index_of(const ReadTexture& image, const ObjMaterial& of, std::string_view word, int line);
+
     const std::vector<ObjMaterial>& materials_;
     ObjReporter& reporter_;
     TextureFiles files_;
-    std::map<int, int> known_; ///< by material: index, or -1
+    std::map<int, ObjMaps> known_; ///< of the materials that are drawn
 };
 
 } // namespace rasterwalk

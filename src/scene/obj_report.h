@@ -25,7 +25,7 @@ struct ObjCounts {
     std::int64_t computed_normals = 0; ///< corners whose normal the file does not give
     std::int64_t parts = 0;            ///< runs of faces of one object, group and material
     std::int64_t materials = 0;        ///< statements newmtl
-    std::int64_t textures = 0;         ///< images of map_Kd that are drawn
+    std::int64_t textures = 0;         ///< images that are drawn: map_Kd, norm, bump
     std::int64_t faults = 0;           ///< statements that are wrong
 
     friend bool operator==(const ObjCounts&, const ObjCounts&) = default;
@@ -52,7 +52,7 @@ inline constexpr std::array obj_count_list{
                  &ObjCounts::computed_normals},
     ObjCountInfo{"parts", "runs of faces of one object, group and material", &ObjCounts::parts},
     ObjCountInfo{"materials", "newmtl, in the files that mtllib names", &ObjCounts::materials},
-    ObjCountInfo{"textures", "images that are drawn: map_Kd", &ObjCounts::textures},
+    ObjCountInfo{"textures", "images that are drawn: map_Kd, norm, bump", &ObjCounts::textures},
     ObjCountInfo{"faults", "statements that are wrong; they are left out", &ObjCounts::faults},
 };
 static_assert(sizeof(ObjCounts) == obj_count_list.size() * sizeof(std::int64_t),

@@ -32,7 +32,6 @@ constexpr MapOption map_options[] = {
 constexpr std::size_t most_lookups = 2 * most_materials;
 
 constexpr std::string_view skipped_option = "of an image's options only -bm is used";
-constexpr std::string_view skipped_image = "images of bumps and of normals are not drawn";
 constexpr std::string_view skipped_material = "this property of a material is not used";
 
 std::string lower_case(std::string_view word) {
@@ -90,7 +89,8 @@ class MtlReader {
             material.diffuse_map_line = lines_.line();
             return read_map(word, rest, material.diffuse_map, nullptr);
         }
-        skip(word, skipped_image);
+        material.file = path_;
+        material.bump_map_line = lines_.line();
         read_map(word, rest, material.bump_map, &material.bump_strength);
         material.bump_is_normal = key == "norm";
     }

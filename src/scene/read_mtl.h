@@ -23,9 +23,10 @@ struct ObjMaterial {
     float alpha = 1.0f;          ///< d, or 1 - Tr: 0 (clear) to 1 (opaque)
     bool has_dissolve = false;   ///< d is given; Tr has no say then
     std::string diffuse_map;     ///< map_Kd: path of a file that is there; empty: none
-    std::string file;            ///< in which map_Kd stands
+    std::string file;            ///< in which the images stand
     int diffuse_map_line = 0;    ///< its line there, from 1
     std::string bump_map;        ///< bump, map_Bump or norm: the same
+    int bump_map_line = 0;       ///< its line
     float bump_strength = 1.0f;  ///< -bm of that map
     bool bump_is_normal = false; ///< said by norm: a map of normals, not of heights
 

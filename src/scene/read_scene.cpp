@@ -372,7 +372,8 @@ std::array<glm::vec3, triangle_corners> places_of(const NamedCorners& triangle) 
 void read_part(const TomlInput& input, const PointSets& sets, SurfaceSections& sections,
                VertexJoin& vertices, TextureReader& textures, Scene& scene) {
     input.allow_only({"name", "points", "reflectance", "material", "colours", "normals",
-                      "triangles", "polygons", "model", "texture", "texcoords", "alpha"});
+                      "triangles", "polygons", "model", "texture", "texcoords", "alpha",
+                      "normal_map"});
     const std::string set_name = input.text("points");
     const auto set = sets.find(set_name);
     if (set == sets.end()) {
@@ -381,7 +382,10 @@ void read_part(const TomlInput& input, const PointSets& sets, SurfaceSections& s
     PartSurface surface = read_part_surface(input, sections, set->second, set_name, scene.space);
     std::vector<NamedCorners> triangles = read_triangles(input, *set, scene);
     const std::vector<CornerTexcoords> texcoords = read_texcoords(input, triangles.size());
-    const int texture = textures.read(input);
+    const int texture = textures.read(input, "texture");
+    const int normal_map = textures.read(input, "normal_map");
+    if (normal_map >= 0 && scene.space == SceneSpace::pixels)
+        input.fail(*input.find("normal_map"), "points in pixels take no normal map.");
     Model model{read_model(input, scene.space), {}};
     const glm::dmat4 matrix = model_matrix(model.steps);
     const bool is_turned_round = is_mirrored(matrix);
@@ -412,7 +416,7 @@ void read_part(const TomlInput& input, const PointSets& sets, SurfaceSections& s
         scene.mesh.add_triangle(indices);
     }
     scene.parts.push_back({name, first, scene.triangle_count() - first, std::move(model), texture,
-                           surface.material.alpha});
+                           surface.material.alpha, normal_map});
 }
 
 void read_example(const TomlInput& input, Scene& scene) {

@@ -30,12 +30,13 @@ CornerTexcoords read_corners(const TomlInput& part, const toml::node& node,
 
 } // namespace
 
-int TextureReader::read(const TomlInput& part) {
-    const toml::node* const node = part.find("texture");
+int TextureReader::read(const TomlInput& part, std::string_view key) {
+    const toml::node* const node = part.find(key);
     if (node == nullptr) return -1;
-    const std::string name = part.text("texture");
+    const std::string name = part.text(key);
     const auto refuse = [&](const std::string& why) {
-        part.fail(*node, "the texture '" + name + "' cannot be used: " + why);
+        part.fail(*node, fmt::format("the {} '{}' cannot be used: {}",
+                                     key == "texture" ? "texture" : "normal map", name, why));
     };
     const BesideFile file = find_beside({scene_path_}, name);
     if (!file.trouble.empty()) refuse(file.trouble + ".");
@@ -45,13 +46,17 @@ int TextureReader::read(const TomlInput& part) {
 }
 
 std::vector<CornerTexcoords> read_texcoords(const TomlInput& part, std::size_t triangle_count) {
-    const toml::node* const texture = part.find("texture");
+    const bool is_texture = part.find("texture") != nullptr;
+    const toml::node* const texture = part.find(is_texture ? "texture" : "normal_map");
     const toml::node* const texcoords = part.find("texcoords");
     if (texture == nullptr && texcoords == nullptr) return {};
-    if (texture == nullptr) part.fail(*texcoords, "'texcoords' belong to a part with a 'texture'.");
+    if (texture == nullptr)
+        part.fail(*texcoords, "'texcoords' belong to a part with a 'texture' or a 'normal_map'.");
     if (texcoords == nullptr) {
-        part.fail(*texture, "a part with a 'texture' needs 'texcoords': where the corners of each "
-                            "triangle lie in it.");
+        part.fail(*texture,
+                  fmt::format("a part with a '{}' needs 'texcoords': where the corners of "
+                              "each triangle lie in it.",
+                              is_texture ? "texture" : "normal_map"));
     }
     const toml::array& list = part.list("texcoords");
     if (list.size() != triangle_count) {

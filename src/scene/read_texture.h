@@ -24,9 +24,10 @@ class TextureReader {
     TextureReader(const std::string& scene_path, std::vector<SharedTexture>& textures)
         : scene_path_(scene_path), files_(textures) {}
 
-    /// The index of the texture that a part names; -1 if it names none. Throws InputError at the
+    /// The index of the picture that a part names under a key, `texture` or `normal_map`; -1 if it
+    /// names none. Throws InputError at the
     /// line of the name for a file that is not found (see find_beside) or cannot be used.
-    int read(const TomlInput& part);
+    int read(const TomlInput& part, std::string_view key);
 
   private:
     std::string scene_path_;
@@ -34,8 +35,9 @@ class TextureReader {
 };
 
 /// The list `texcoords` of a part: for each of its triangles u and v of every corner,
-/// [[0, 0], [1, 0], [1, 1]]. Empty where the part has no texture. Throws InputError if a part has
-/// only one of the two, or for another number of triangles.
+/// [[0, 0], [1, 0], [1, 1]]. Empty where the part has no texture and no normal map. Throws
+/// InputError if a part has one of these without them, or them without one, or for another number
+/// of triangles.
 std::vector<CornerTexcoords> read_texcoords(const TomlInput& part, std::size_t triangle_count);
 
 } // namespace rasterwalk

@@ -23,11 +23,29 @@ int part_of(const Scene& scene, int triangle) {
     return static_cast<int>(behind - scene.parts.begin()) - 1;
 }
 
-const Texture* texture_of(const Scene& scene, int triangle) {
+namespace {
+
+/// A picture that the part of a triangle names; null if it names none.
+const Texture* picture_of(const Scene& scene, int triangle, int Part::*index) {
     if (scene.textures.empty()) return nullptr;
     const int part = part_of(scene, triangle);
-    const int texture = part < 0 ? -1 : scene.parts[static_cast<std::size_t>(part)].texture;
-    return texture < 0 ? nullptr : &*scene.textures[static_cast<std::size_t>(texture)];
+    const int picture = part < 0 ? -1 : scene.parts[static_cast<std::size_t>(part)].*index;
+    return picture < 0 ? nullptr : &*scene.textures[static_cast<std::size_t>(picture)];
+}
+
+} // namespace
+
+const Texture* texture_of(const Scene& scene, int triangle) {
+    return picture_of(scene, triangle, &Part::texture);
+}
+
+const Texture* normal_map_of(const Scene& scene, int triangle) {
+    return picture_of(scene, triangle, &Part::normal_map);
+}
+
+bool has_normal_map(const Scene& scene) {
+    return std::any_of(scene.parts.begin(), scene.parts.end(),
+                       [](const Part& part) { return part.normal_map >= 0; });
 }
 
 float alpha_of(const Scene& scene, int triangle) {

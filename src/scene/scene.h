@@ -30,9 +30,10 @@ struct Part {
     std::string name;
     int first_triangle = 0;
     int triangle_count = 0;
-    Model model{};      ///< how the scene file made it; without steps it was given in the world
-    int texture = -1;   ///< index in Scene::textures; -1: none
-    float alpha = 1.0f; ///< of all its triangles, 0 (clear) to 1 (opaque)
+    Model model{};       ///< how the scene file made it; without steps it was given in the world
+    int texture = -1;    ///< index in Scene::textures; -1: none
+    float alpha = 1.0f;  ///< of all its triangles, 0 (clear) to 1 (opaque)
+    int normal_map = -1; ///< index in Scene::textures; -1: none
 
     friend bool operator==(const Part&, const Part&) = default;
 };
@@ -156,6 +157,12 @@ int part_of(const Scene& scene, int triangle);
 
 /// The texture that a triangle shows; null if it shows none.
 const Texture* texture_of(const Scene& scene, int triangle);
+
+/// The normal map that bends the normals of a triangle; null if it has none.
+const Texture* normal_map_of(const Scene& scene, int triangle);
+
+/// Has any part of the scene a normal map?
+bool has_normal_map(const Scene& scene);
 
 /// The alpha of a triangle, 0 (clear) to 1 (opaque).
 float alpha_of(const Scene& scene, int triangle);

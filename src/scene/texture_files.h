@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,11 +29,17 @@ class TextureFiles {
     /// @param name that the texture has if it is new
     ReadTexture read(const std::string& path, const std::string& name);
 
+    /// The same of a file whose grey is a height: the normal map that is made of it. Many programs
+    /// name a normal map where a height map belongs; a file that looks like one is taken as it is.
+    /// @param strength white stands that many 64ths of the longer side above black; 64 at most
+    ReadTexture read_heights(const std::string& path, const std::string& name, float strength);
+
   private:
-    ReadTexture read_new(const std::string& path, const std::string& name);
+    ReadTexture read_new(const std::string& path, const std::string& name,
+                         std::optional<float> strength);
 
     std::vector<SharedTexture>& textures_;
-    std::map<std::string, ReadTexture> known_; ///< by the path without "./"
+    std::map<std::string, ReadTexture> known_; ///< by the path without "./", and the strength
     std::size_t texels_ = 0;                   ///< of all files that were unpacked
 };
 

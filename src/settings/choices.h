@@ -308,6 +308,18 @@ inline constexpr auto enum_words<TexelRule> = word_list("right", "upside_down", 
                                                         "remainder");
 static_assert(words_match<TexelRule>);
 
+/// How a colour of a normal map becomes a normal.
+enum class NormalMapRule : std::uint8_t {
+    right,         ///< 2 c - 1, green up, and mirrored where the texture is
+    green_turned,  ///< green down: mistake B55
+    mirror_missed, ///< the same side also where the texture is mirrored: mistake B56
+    undecoded,     ///< the colour as it is: mistake B57
+};
+template <>
+inline constexpr auto enum_words<NormalMapRule> = word_list("right", "green_turned",
+                                                            "mirror_missed", "undecoded");
+static_assert(words_match<NormalMapRule>);
+
 /// Which comes first, the depth test or the colour of a fragment. The picture is the same, the work
 /// is not.
 enum class DepthOrder : std::uint8_t {

@@ -9,6 +9,7 @@
 #include "mistakes/interpolate.h"
 #include "mistakes/light.h"
 #include "mistakes/lines.h"
+#include "mistakes/normal_map.h"
 #include "mistakes/project.h"
 #include "mistakes/put_pixel.h"
 #include "mistakes/texture.h"
@@ -330,6 +331,22 @@ void choose(TexelRule rule, TextureWrap wrap, Stages& stages) {
     }
 }
 
+void choose(NormalMapRule rule, Stages& stages) {
+    switch (rule) {
+    case NormalMapRule::right:
+        break;
+    case NormalMapRule::green_turned:
+        stages.arrow_of_texel = arrow_with_green_turned;
+        break;
+    case NormalMapRule::mirror_missed:
+        stages.tangent_frame = tangent_frame_unasked;
+        break;
+    case NormalMapRule::undecoded:
+        stages.arrow_of_texel = arrow_undecoded;
+        break;
+    }
+}
+
 using LightFunction = decltype(Stages::reflected_light);
 
 template <auto way, auto length, auto area>
@@ -443,13 +460,15 @@ auto varyings_read_with(bool colours_differ) {
 }
 
 /// The lab's pixel shader, unless something is asked for that it does not have.
-void choose_shader(const Settings& settings, const CornerDifferences& differences, Stages& stages) {
+void choose_shader(const Settings& settings, const Scene& scene, Stages& stages) {
+    const CornerDifferences& differences = scene.mesh.differences();
     const Shading shading = shading_rule(settings);
     const bool has_normals = differences.normals && shading == Shading::phong;
     const bool has_colours =
         differences.colours && (shading == Shading::unlit || shading == Shading::phong);
     const bool shines = settings.light.model != LightModel::lambert && shading == Shading::phong;
-    if (!has_normals && !has_colours && !shines && shading != Shading::flat) return;
+    const bool is_bent = bends_normals(settings) && has_normal_map(scene);
+    if (!has_normals && !has_colours && !shines && !is_bent && shading != Shading::flat) return;
     stages.pixel_shader = surface_shader;
     stages.varyings_read = differences.normals ? varyings_read_with<true>(differences.colours)
                                                : varyings_read_with<false>(differences.colours);
@@ -457,9 +476,9 @@ void choose_shader(const Settings& settings, const CornerDifferences& difference
 
 } // namespace
 
-Stages choose_stages(const Settings& settings, const CornerDifferences& differences) {
+Stages choose_stages(const Settings& settings, const Scene& scene) {
     Stages stages = choose_stages(settings);
-    choose_shader(settings, differences, stages);
+    choose_shader(settings, scene, stages);
     return stages;
 }
 
@@ -482,6 +501,7 @@ Stages choose_stages(const Settings& settings) {
     choose(settings.texture_filter, stages);
     choose(settings.texture_wrap, stages);
     choose(settings.texel_rule, settings.texture_wrap, stages);
+    choose(settings.normal_map_rule, stages);
     choose(settings.light_rules, stages);
     choose(depth_rule(settings), depth_rules(settings, SceneSpace::world), stages);
     choose(settings.depth_index, stages);

@@ -9,8 +9,8 @@ namespace rasterwalk {
 /// becomes a function.
 Stages choose_stages(const Settings& settings);
 
-/// The table of stages for a mesh: where its corners differ in what the lab has once a triangle,
-/// the pixel shader is another one.
-Stages choose_stages(const Settings& settings, const CornerDifferences& differences);
+/// The table of stages for a scene: where corners differ in what the lab has once a triangle, or a
+/// normal map bends normals, the pixel shader is another one.
+Stages choose_stages(const Settings& settings, const Scene& scene);
 
 } // namespace rasterwalk

@@ -251,6 +251,35 @@ std::vector<Setting> make_table() {
          {},
          {},
          true},
+        {"normal_map",
+         "Normal maps",
+         "Texture",
+         "Whether normal maps bend the normals of the surfaces that have them. Only light that is "
+         "worked out at each pixel has normals there.",
+         "Beyond the lab",
+         "",
+         choice<&Settings::normal_map>(),
+         {},
+         {},
+         true,
+         false,
+         false,
+         true},
+        {"normal_map_rule",
+         "Reading normal maps",
+         "Texture",
+         "How a colour of a normal map becomes a normal: rightly, as 2 c - 1 with green up; or by "
+         "mistake with green down, with the same side also where a texture is mirrored, or with "
+         "the colour as it is.",
+         "Beyond the lab",
+         "",
+         choice<&Settings::normal_map_rule>(),
+         {},
+         {},
+         true,
+         false,
+         false,
+         true},
         {"blend",
          "Half transparent",
          "Depth and interpolation",
@@ -430,6 +459,7 @@ std::span<const Setting> setting_table() {
 bool is_of_use(const Setting& setting, const Scene& scene) {
     if (setting.needs_world && scene.space != SceneSpace::world) return false;
     if (setting.needs_alpha && !has_alpha(scene)) return false;
+    if (setting.needs_normal_map && !has_normal_map(scene)) return false;
     return !setting.needs_texture || !scene.textures.empty();
 }
 

@@ -160,6 +160,10 @@ Shading shading_rule(const Settings& settings) {
     return settings.stage >= Stage::shade ? settings.shading : Shading::unlit;
 }
 
+bool bends_normals(const Settings& settings) {
+    return settings.normal_map == NormalMapUse::on && shading_rule(settings) == Shading::phong;
+}
+
 DepthTest depth_rule(const Settings& settings) {
     return settings.stage >= Stage::depth ? settings.depth_test : DepthTest::off;
 }

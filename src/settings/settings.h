@@ -5,6 +5,7 @@
 #include "scene/scene.h"
 #include "settings/choices.h"
 #include "stages/depth_test.h"
+#include "stages/normal_map.h"
 #include "stages/pixel_shader.h"
 #include "stages/polygon_rows.h"
 #include "stages/stages.h"
@@ -44,6 +45,8 @@ struct Settings {
     TextureFilter texture_filter = TextureFilter::nearest;
     TextureWrap texture_wrap = TextureWrap::repeat;
     TexelRule texel_rule = TexelRule::right;
+    NormalMapUse normal_map = NormalMapUse::on; ///< only where the scene has normal maps
+    NormalMapRule normal_map_rule = NormalMapRule::right;
     Blend blend = Blend::over; ///< only where the scene has something half transparent
     Camera camera;
     Rotation rotation = Rotation::row_vector;
@@ -117,6 +120,9 @@ Coverage coverage_rule(const Settings& settings);
 
 /// The shading in force: none before stage `shade`, whatever the setting says.
 Shading shading_rule(const Settings& settings);
+
+/// Do normal maps have a say? Only light that is worked out at each pixel asks for normals there.
+bool bends_normals(const Settings& settings);
 
 /// The depth test in force: none before stage `depth`, whatever the setting says.
 DepthTest depth_rule(const Settings& settings);

@@ -21,6 +21,7 @@
 #include "stages/cull.h"
 #include "stages/fragment.h"
 #include "stages/light.h"
+#include "stages/normal_map.h"
 #include "stages/texture_lookup.h"
 #include "stages/vertex_shader.h"
 
@@ -33,12 +34,14 @@ struct Surface {
     glm::vec3 normal{0.0f};
     glm::vec3 reflectance{1.0f};
     const Texture* texture = nullptr; ///< or none
-    TextureSlope texture_slope{};     ///< over the polygon; only where there is a texture
+    TextureSlope texture_slope{};     ///< over the polygon; only where there is one of the maps
     float alpha = 1.0f;               ///< below 1: blended, see blend.h
     // Of surfaces that the lab does not have, see surface_shader.h:
     Shine shine{};
-    CornerDifferences differences{}; ///< what travels from the vertices, in place of the above
-    glm::vec3 flat_light{0.0f};      ///< of the whole triangle, under flat shading
+    CornerDifferences differences{};     ///< what travels from the vertices, in place of the above
+    glm::vec3 flat_light{0.0f};          ///< of the whole triangle, under flat shading
+    const Texture* normal_map = nullptr; ///< that bends its normals, or none
+    UvDirections uv_directions{};        ///< only where there is a normal map
 };
 
 /// The rules by which a fragment is coloured.

@@ -17,6 +17,7 @@
 #include "stages/light.h"
 #include "stages/lines.h"
 #include "stages/matrices.h"
+#include "stages/normal_map.h"
 #include "stages/pixel_shader.h"
 #include "stages/polygon_rows.h"
 #include "stages/project.h"
@@ -57,6 +58,8 @@ struct Stages {
     // Asked by surface_shader() alone.
     decltype(&rasterwalk::unit_normal) unit_normal = rasterwalk::unit_normal;
     decltype(&rasterwalk::highlight) highlight = rasterwalk::highlight;
+    decltype(&rasterwalk::arrow_of_texel) arrow_of_texel = rasterwalk::arrow_of_texel;
+    decltype(&rasterwalk::tangent_frame) tangent_frame = rasterwalk::tangent_frame;
 
     // Coverage: from vertices to rows, and from a row to its fragments. Whoever puts functions here
     // whose rows leave the box of the vertices puts another box here as well.

@@ -27,6 +27,18 @@ SurfacePoint surface_point(const Varyings& varyings, const Surface& surface, con
     return point;
 }
 
+glm::vec3 normal_map_colour(const Fragment& fragment, const Surface& surface, const Stages& stages,
+                            TakenTexels* taken) {
+    return stages.sample_texture(*surface.normal_map, place_in_texture(fragment, surface, stages),
+                                 stages, taken);
+}
+
+glm::vec3 mapped_normal(const glm::vec3& normal, const Fragment& fragment, const Surface& surface,
+                        const Stages& stages) {
+    return bent_normal(stages.arrow_of_texel(normal_map_colour(fragment, surface, stages, nullptr)),
+                       stages.tangent_frame(surface.uv_directions, normal));
+}
+
 SurfacePoint middle_point(const std::array<Vertex, triangle_corners>& corners,
                           const glm::vec3& normal) {
     const auto mean = [&](glm::vec3 Vertex::*member) {
@@ -54,6 +66,8 @@ glm::vec3 surface_shader(const Fragment& fragment, const Surface& surface, const
         if (surface.differences.colours) varyings.colour = fragment.varyings.colour / weight;
         SurfacePoint point = surface_point(varyings, surface, rules.camera, stages);
         point.reflectance = textured(point.reflectance, fragment, surface, stages);
+        if (surface.normal_map != nullptr)
+            point.normal = mapped_normal(point.normal, fragment, surface, stages);
         return surface_light(point, rules.light, rules.rays, stages).reflected;
     }
     }

@@ -1,9 +1,9 @@
 #pragma once
 
 // The pixel shader for surfaces that the lab does not have: bent ones, whose normals travel from
-// the vertices to the pixels; shining ones; those whose vertices have colours of their own; and one
-// colour for a whole triangle. It stands in the slot of the pixel shader only where one of these is
-// asked for; without them it gives the lab's colours, bit for bit.
+// the vertices to the pixels; shining ones; those whose vertices have colours of their own; those
+// with a normal map; and one colour for a whole triangle. It stands in the slot of the pixel shader
+// only where one of these is asked for; without them it gives the lab's colours, bit for bit.
 //
 // In:  a fragment with its interpolated varyings, the surface it belongs to, the lamp.
 // Out: a colour, red green blue; not clamped.
@@ -48,6 +48,15 @@ SurfaceLight light_at_vertex(const Vertex& vertex, const VertexRules& rules, con
 /// The point of a surface to which these varyings belong, recovered as q.
 SurfacePoint surface_point(const Varyings& varyings, const Surface& surface, const Camera& camera,
                            const Stages& stages);
+
+/// The colour of the normal map where a fragment lies; the surface must have one.
+/// @param taken receives the texels, or null
+glm::vec3 normal_map_colour(const Fragment& fragment, const Surface& surface, const Stages& stages,
+                            TakenTexels* taken);
+
+/// The normal that the light asks for where the surface has this one: as its normal map bends it.
+glm::vec3 mapped_normal(const glm::vec3& normal, const Fragment& fragment, const Surface& surface,
+                        const Stages& stages);
 
 /// The point at which the light of a flatly shaded triangle is worked out: the mean of the corners
 /// that the scene gives it. Colours that differ count a third each.

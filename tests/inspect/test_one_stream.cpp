@@ -570,7 +570,7 @@ TEST_CASE("What is said to be another setting's keeps the functions that were pu
     const ReplaceStages replace = [](Stages& s) { s.drawn_pixels = no_more_than_three; };
     const Frame frame = prepare_frame(scene, settings, replace);
     settings.line_walk = LineWalk::exact;
-    const Stages other = stages_for(settings, frame.scene->mesh.differences(), frame.replace);
+    const Stages other = stages_for(settings, *frame.scene, frame.replace);
     CHECK(other.drawn_pixels == no_more_than_three);
     CHECK(other.interpolate == interpolate_exactly);
 }

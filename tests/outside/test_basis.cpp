@@ -173,3 +173,30 @@ TEST_CASE("An arrow goes from the origin of a space to the end of its axis, and 
         }
     }
 }
+
+TEST_CASE("A surface with a normal map shows tangent, bitangent and normal, in a mirror too") {
+    const Scene boards = read_scene(lessons_folder() + "/scenes/studs.toml");
+    Settings settings = default_settings(boards);
+    const auto surface_of_triangle = [&](int triangle) {
+        const std::vector<Basis> bases = bases_of(prepare_frame(boards, settings), triangle);
+        const Basis* const found = find_basis(bases, BasisOf::surface);
+        return found != nullptr ? std::optional<Basis>(*found) : std::nullopt;
+    };
+    // Sides of 0.9 and 0.9, and a third of their mean.
+    const auto left = surface_of_triangle(0), mirrored = surface_of_triangle(3);
+    REQUIRE(left);
+    REQUIRE(mirrored);
+    CHECK(glm::distance(left->origin, {-0.66, -0.15, 2.0}) < 1e-6);
+    CHECK(glm::distance(left->axes[0], {0.3, 0, 0}) < 1e-6);
+    CHECK(glm::distance(left->axes[1], {0, -0.3, 0}) < 1e-6);
+    CHECK(glm::distance(left->axes[2], {0, 0, -0.3}) < 1e-6);
+    CHECK(glm::normalize(mirrored->axes[0]).x == Approx(-1.0));
+    CHECK(glm::normalize(mirrored->axes[1]).y == Approx(-1.0));
+    settings.normal_map_rule = NormalMapRule::mirror_missed;
+    CHECK(glm::normalize(surface_of_triangle(3)->axes[1]).y == Approx(1.0));
+    for (const int none : {-1, 9999})
+        CHECK_FALSE(surface_of_triangle(none));
+    settings.normal_map = NormalMapUse::off;
+    CHECK_FALSE(surface_of_triangle(0));
+    CHECK(bases_of(prepare_frame(boards, settings), std::nullopt).empty());
+}

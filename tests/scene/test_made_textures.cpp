@@ -4,12 +4,14 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "base/image.h"
+#include "scene/height_map.h"
 #include "session/content.h"
 #include "support/painted.h"
 
@@ -53,13 +55,41 @@ Image bricks() {
     });
 }
 
+/// The same bricks as heights: they stand before the mortar.
+Image brick_heights() {
+    return painted(32, 32, [](int x, int y) {
+        const int along = (x + (y / 8 % 2) * 8) % 32;
+        const int grey = y % 8 == 7 || along % 16 == 15 ? 0 : 255;
+        return Rgb{grey, grey, grey};
+    });
+}
+
+/// One stud: the cap of a ball of 16 texels, 12 texels round the middle, on a flat ground.
+Image stud_normals() {
+    return painted(32, 32, [](int x, int y) {
+        constexpr double ball = 16.0, cap = 12.0;
+        const double right = x + 0.5 - 16.0, up = 16.0 - (y + 0.5);
+        const bool is_stud = right * right + up * up < cap * cap;
+        const auto byte = [](double part) {
+            return static_cast<int>(std::floor((part + 1.0) / 2.0 * 255.0 + 0.5));
+        };
+        if (!is_stud) return Rgb{byte(0.0), byte(0.0), byte(1.0)};
+        return Rgb{byte(right / ball), byte(up / ball),
+                   byte(std::sqrt(ball * ball - right * right - up * up) / ball)};
+    });
+}
+
 } // namespace
 
 TEST_CASE("The textures of the lessons are those that are made here") {
     const std::filesystem::path folder =
         std::filesystem::path(lessons_folder()) / "scenes/textures";
     const std::vector<std::pair<std::string, Image>> made{
-        {"checkerboard.png", checkerboard()}, {"corners.png", corners()}, {"bricks.png", bricks()}};
+        {"checkerboard.png", checkerboard()},
+        {"corners.png", corners()},
+        {"bricks.png", bricks()},
+        {"bricks_normals.png", normals_of_heights(brick_heights(), 1.5f)},
+        {"studs_normals.png", stud_normals()}};
     const bool writes = std::getenv("RASTERWALK_BLESS") != nullptr;
     if (writes) std::filesystem::create_directories(folder);
     for (const auto& [name, image] : made) {

@@ -203,3 +203,40 @@ TEST_CASE("A model has at most so many textures") {
             fmt::format("{}:{}: 'map_Kd': there are more than {} textures. The image is left out.",
                         folder.file("m.mtl"), 2 * count, most_textures)});
 }
+
+TEST_CASE("norm is a map of normals; bump is one of heights, or of normals if it looks so") {
+    const test::TemporaryFolder folder;
+    const Image arrows{2, 1, {128, 128, 255, 255, 200, 128, 220, 255}};
+    const Image heights{2, 1, {0, 0, 0, 255, 255, 255, 255, 255}};
+    write_png(arrows, folder.file("arrows.png"));
+    write_png(heights, folder.file("heights.png"));
+    folder.write("broken.png", "no image");
+    folder.write("m.mtl", "newmtl a\nnorm arrows.png\nnewmtl b\nbump -bm 0.5 heights.png\n"
+                          "newmtl c\nmap_Bump arrows.png\nnewmtl d\nmap_bump broken.png\n"
+                          "newmtl e\nbump -bm 1e30 heights.png\n");
+    std::string text = "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n";
+    for (const char* const name : {"a", "b", "c", "d", "e"})
+        text += fmt::format("usemtl {}\nf 1/1 2/2 3/3\n", name);
+    const ObjModel model = read_obj(folder.write("m.obj", text));
+    const std::vector<std::string> told = [&] {
+        std::vector<std::string> lines;
+        for (const ObjFault& fault : model.report.faults)
+            lines.push_back(fault.sentence);
+        return lines;
+    }();
+    REQUIRE(told.size() == 1);
+    CHECK_THAT(told[0], Catch::Matchers::StartsWith("'bump': "));
+    CHECK_THAT(told[0], Catch::Matchers::EndsWith("The image is left out."));
+    REQUIRE(model.parts.size() == 5);
+    CHECK(model.report.counts.textures == static_cast<std::int64_t>(model.textures.size()));
+    const Scene scene = scene_of_model(model);
+    const auto map_of = [&](int triangle) { return normal_map_of(scene, triangle)->base(); };
+    CHECK(texture_of(scene, 0) == nullptr);
+    CHECK(map_of(0) == make_texture("", arrows).base());
+    CHECK(map_of(2) == map_of(0));
+    CHECK(normal_map_of(scene, 3) == nullptr);
+    // Half of 2/64 texels, and of a picture that begins anew on both sides: flat everywhere.
+    CHECK(map_of(1).at(0, 0) == glm::vec3(128, 128, 255) / 255.0f);
+    CHECK(map_of(4).at(0, 0) == glm::vec3(128, 128, 255) / 255.0f);
+    CHECK(has_normal_map(scene));
+}

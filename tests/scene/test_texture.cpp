@@ -127,7 +127,8 @@ TEST_CASE("Texcoords that do not fit the triangles are refused with file and lin
     const std::string named = "texture = \"p.png\"\n";
     const std::vector<std::array<std::string, 2>> cases{
         {named, "s.toml:10: a part with a 'texture' needs 'texcoords'"},
-        {two_texcoords, "s.toml:10: 'texcoords' belong to a part with a 'texture'."},
+        {two_texcoords, "s.toml:10: 'texcoords' belong to a part with a 'texture' or a "
+                        "'normal_map'."},
         {named + "texcoords = []\n",
          "s.toml:11: 'texcoords' must be as many as the triangles, 2, and are 0."},
         {named + "texcoords = [[[0, 0], [1, 0], [1, 1]]]\n",

@@ -64,6 +64,8 @@ TEST_CASE("The table holds exactly the settings that are promised, each with hel
                                                  "texture_filter",
                                                  "texture_wrap",
                                                  "texel_rule",
+                                                 "normal_map",
+                                                 "normal_map_rule",
                                                  "blend",
                                                  "camera.position",
                                                  "camera.yaw",
@@ -162,6 +164,8 @@ TEST_CASE("Every word of every choice is set and read back, and lands in its own
     CHECK(settings.depth_order == DepthOrder::before_depth_test);
     CHECK(settings.interpolation == Interpolation::zinv_twice);
     CHECK(settings.texel_rule == TexelRule::remainder);
+    CHECK(settings.normal_map == NormalMapUse::off);
+    CHECK(settings.normal_map_rule == NormalMapRule::undecoded);
     CHECK(settings.rotation == Rotation::transposed);
     CHECK(settings.camera.aim == CameraAim::look_at);
     CHECK(settings.transform == Transform::matrices);

@@ -1,6 +1,7 @@
 #include "tests/ui/driver.h"
 
 #include <cstdint>
+#include <cstdlib>
 #include <utility>
 
 #include "session/content.h"
@@ -19,6 +20,20 @@ ImTextureID KeptTextures::upload(ImTextureID old, const Image& image) {
     return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(uploads));
 }
 
+namespace {
+
+/// The lessons of the program, read once: thousands of windows are opened here.
+const LessonList& read_lessons() {
+    static const LessonList lessons = [] {
+        LessonList list;
+        list.all();
+        return list;
+    }();
+    return lessons;
+}
+
+} // namespace
+
 Driver::Driver(const std::string& scene, ImVec2 window, float text_scale)
     : Driver(open_session(lessons_folder() + "/scenes/" + scene), window, text_scale) {}
 
@@ -26,6 +41,8 @@ Driver::Driver(Session session, ImVec2 window, float text_scale)
     : hand(ui, [this] { build_ui(ui); }) {
     ui.session = std::move(session);
     ui.options.wished_text_scale = text_scale;
+    const bool are_others = std::getenv("RASTERWALK_LESSONS") != nullptr;
+    if (!are_others) ui.lesson.lessons = read_lessons();
     open_ui(ui, textures);
     resize(window);
 }

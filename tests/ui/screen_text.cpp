@@ -1,5 +1,6 @@
 #include "tests/ui/screen_text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -61,7 +62,9 @@ class Reader {
     Reader(const Reader&) = delete;
     Reader& operator=(const Reader&) = delete;
 
-    void add(const Letter& letter, const ImDrawVert& low, const ImDrawVert& high) {
+    /// @param seen within which a letter is seen: left, top, right, bottom
+    void add(const Letter& letter, const ImDrawVert& low, const ImDrawVert& high,
+             const ImVec4& seen) {
         const ImFontGlyph& glyph = *letter.glyph;
         const float scale = (high.pos.x - low.pos.x) / (glyph.X1 - glyph.X0);
         const float pen = low.pos.x - scale * glyph.X0, top = low.pos.y - scale * glyph.Y0;
@@ -74,6 +77,11 @@ class Reader {
             low_ = {pen, top};
             size_ = scale * letter.font->FontSize;
         }
+        if (!goes_on || !is_same(seen, seen_)) {
+            end_part();
+            seen_ = seen;
+            part_ = pen;
+        }
         if (goes_on && gap > 0.6f * blank) words_ += ' ';
         words_ += utf8(glyph.Codepoint);
         pen_ = pen + scale * glyph.AdvanceX;
@@ -81,9 +89,30 @@ class Reader {
     }
 
   private:
+    static bool is_same(const ImVec4& a, const ImVec4& b) {
+        return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w;
+    }
+
+    /// Letters of a line that are seen within the same rectangle: are they seen in part?
+    void end_part() {
+        if (words_.empty() || part_ >= pen_) return;
+        // The space above and below letters may be cut off.
+        const float above = 0.15f * size_, beside = 1.5f;
+        const float top = top_ + above, bottom = top_ + size_ - above;
+        const bool is_seen = part_ + beside < seen_.z && pen_ - beside > seen_.x && top < seen_.w &&
+                             bottom > seen_.y;
+        const bool is_whole = part_ >= seen_.x - beside && pen_ <= seen_.z + beside &&
+                              top >= seen_.y && bottom <= seen_.w;
+        is_cut_ = is_cut_ || (is_seen && !is_whole);
+        part_ = pen_;
+    }
+
     void end_line() {
-        if (!words_.empty()) lines_.push_back({window_, words_, low_, {pen_, top_ + size_}, size_});
+        end_part();
+        if (!words_.empty())
+            lines_.push_back({window_, words_, low_, {pen_, top_ + size_}, size_, is_cut_});
         words_.clear();
+        is_cut_ = false;
     }
 
     std::string window_;
@@ -93,7 +122,23 @@ class Reader {
     float pen_ = 0.0f, top_ = -1e9f;
     ImVec2 low_;
     float size_ = 0.0f;
+    ImVec4 seen_;
+    float part_ = 0.0f; ///< where the letters that are seen within it begin
+    bool is_cut_ = false;
 };
+
+/// Within which each corner of a list is seen; none for one that is not drawn.
+std::vector<ImVec4> seen_of_corners(const ImDrawList& drawn) {
+    std::vector<ImVec4> seen(static_cast<std::size_t>(drawn.VtxBuffer.Size), ImVec4());
+    for (const ImDrawCmd& command : drawn.CmdBuffer) {
+        for (unsigned i = 0; i < command.ElemCount; ++i) {
+            const unsigned corner =
+                command.VtxOffset + drawn.IdxBuffer[static_cast<int>(command.IdxOffset + i)];
+            seen[corner] = command.ClipRect;
+        }
+    }
+    return seen;
+}
 
 } // namespace
 
@@ -103,6 +148,7 @@ std::vector<ScreenText> screen_text(float widest_gap) {
     const ImDrawData* const data = ImGui::GetDrawData();
     for (int list = 0; data != nullptr && list < data->CmdListsCount; ++list) {
         const ImDrawList& drawn = *data->CmdLists[list];
+        const std::vector<ImVec4> seen = seen_of_corners(drawn);
         Reader reader(drawn._OwnerName != nullptr ? drawn._OwnerName : "", widest_gap, lines);
         // A letter is a rectangle: two of its four corners tell which.
         for (int i = 0; i + 3 < drawn.VtxBuffer.Size;) {
@@ -110,7 +156,7 @@ std::vector<ScreenText> screen_text(float widest_gap) {
             const auto found = letters.find({low.uv.x, low.uv.y});
             const bool is_letter = found != letters.end() && found->second.glyph->U1 == high.uv.x &&
                                    found->second.glyph->V1 == high.uv.y;
-            if (is_letter) reader.add(found->second, low, high);
+            if (is_letter) reader.add(found->second, low, high, seen[static_cast<std::size_t>(i)]);
             i += is_letter ? 4 : 1;
         }
     }

@@ -11,8 +11,9 @@ namespace rasterwalk {
 struct ScreenText {
     std::string window; ///< whose it is, as ImGui names it: "canvas", "inspector/..."
     std::string words;
-    ImVec2 low, high; ///< from the upper left corner of the first letter's line to the end of it
-    float size;       ///< of its letters, screen pixels
+    ImVec2 low, high;    ///< from the upper left corner of the first letter's line to the end of it
+    float size;          ///< of its letters, screen pixels
+    bool is_cut = false; ///< an edge of what is seen runs through it
 };
 
 /// All text of the last frame, read back from its triangles: each letter is known by its place in

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 #include "tests/ui/driver.h"
 #include "ui/ui.h"
@@ -29,5 +30,14 @@ struct SmallWindow {
 inline const std::array small_windows{SmallWindow{{1024, 640}, 1.0f},
                                       SmallWindow{{1024, 640}, 1.5f}, SmallWindow{{800, 600}, 1.0f},
                                       SmallWindow{{800, 600}, 1.5f}};
+
+/// Those, and larger ones.
+inline std::vector<SmallWindow> all_windows() {
+    std::vector<SmallWindow> all(small_windows.begin(), small_windows.end());
+    all.push_back({{1366, 768}, 1.0f});
+    all.push_back({{1600, 1000}, 1.0f});
+    all.push_back({{1600, 1000}, 1.5f});
+    return all;
+}
 
 } // namespace rasterwalk

@@ -17,6 +17,7 @@
 #include "ui/bars/bars.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -38,6 +39,7 @@ void draw_line_between(const Ui& ui) {
 void draw_action_item(Ui& ui, const Action& action) {
     const bool on = action.is_on != nullptr && action.is_on(ui);
     if (ImGui::MenuItem(action.title.c_str(), chord_text(action.chord).c_str(), on)) action.run(ui);
+    keep_item_whole(ui);
     name_widget(ui, "menu." + action.name, action.help);
 }
 
@@ -85,6 +87,7 @@ void draw_scene_list(Ui& ui) {
                 ui.session.notice = fault.what();
             }
         }
+        keep_item_whole(ui);
         name_widget(ui, name, "Opens this scene: " + file.filename().string());
         note_text(ui, name, title);
     }
@@ -99,6 +102,7 @@ void draw_scene_menu(Ui& ui) {
         if (ImGui::MenuItem(("Preset: " + preset.name).c_str()) && !refuses_settings(ui.session)) {
             apply_preset(preset, ui.session.a.settings);
         }
+        keep_item_whole(ui);
         name_widget(ui, "preset." + preset.name, preset.about);
     }
 }
@@ -106,12 +110,16 @@ void draw_scene_menu(Ui& ui) {
 /// @param wanted becomes the lesson's id when it is chosen
 void draw_lesson_item(Ui& ui, std::size_t i, std::string& wanted) {
     const Lesson& lesson = ui.lesson.lessons.all()[i];
-    const std::string title = fmt::format("{}  {}", lesson_number(lesson.id), lesson.title);
+    // Two blanks are as wide as a digit: the titles stand below each other.
+    const int number = lesson_number(lesson.id);
+    const std::string title =
+        fmt::format("{}{}  {}", number < 10 ? "  " : "", number, lesson.title);
     const bool is_done = ui.lesson.scores.of(i).is_done;
     if (ImGui::MenuItem(title.c_str(), is_done ? "✓ done" : nullptr,
                         lesson.id == ui.session.lesson)) {
         wanted = lesson.id;
     }
+    keep_item_whole(ui);
     name_widget(ui, "menu.lesson." + lesson.id, lesson.about);
 }
 
@@ -152,6 +160,7 @@ void draw_menu(Ui& ui, const MenuTitle& menu) {
     // An open menu speaks for itself.
     name_widget(ui, std::string("menu.") + title, open ? "" : menu.help);
     if (!open) return;
+    begin_whole_lines(ui);
     if (std::string_view(title) == "Scene") draw_scene_menu(ui);
     for (const Action& action : action_table()) {
         if (action.menu != title) continue;
@@ -160,6 +169,7 @@ void draw_menu(Ui& ui, const MenuTitle& menu) {
     }
     // Below the few actions: in a low window the many lessons are scrolled.
     if (std::string_view(title) == "Lesson") draw_lesson_menu(ui);
+    end_whole_lines(ui);
     ImGui::EndMenu();
 }
 

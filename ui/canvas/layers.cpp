@@ -11,6 +11,7 @@
 #include "ui/canvas/overlays.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -31,6 +32,7 @@ void draw_overlay_list(Ui& ui) {
         const ImVec2 start = ImGui::GetCursorScreenPos();
         const std::string label = std::string(info.title).append("###overlay.").append(info.name);
         if (ImGui::Checkbox(label.c_str(), &on)) ui.session.overlays.set(info.overlay, on);
+        keep_item_whole(ui);
         name_widget(ui, std::string("overlay.").append(info.name), info.help);
         const float height = ImGui::GetFrameHeight();
         ImGui::SameLine();
@@ -43,6 +45,7 @@ void draw_overlay_list(Ui& ui) {
     if (button(ui, "overlay.none", "all off", Look::quiet, "Switches every overlay off.")) {
         ui.session.overlays = {};
     }
+    keep_item_whole(ui);
 }
 
 /// "from 24x on", while the picture is smaller than that.
@@ -58,6 +61,7 @@ void draw_switch(Ui& ui, const char* name, const char* title, bool& on, float ne
                  const char* help) {
     const std::string label = std::string(title) + "###" + name;
     ImGui::Checkbox(label.c_str(), &on);
+    keep_item_whole(ui);
     name_widget(ui, name, help);
     draw_zoom_needed(ui, needed);
 }
@@ -75,6 +79,7 @@ void draw_cell_list(Ui& ui) {
                 "What the depth test said of each fragment of the triangle on show, and of all "
                 "that fell on the picked pixel.");
     text_in(palette(ui.options.theme).dim, "in the cells");
+    keep_item_whole(ui);
     const bool has_tests = tests_pixels(ui.results.a.frame.stages);
     for (const CellNumbersInfo& info : cell_numbers_list()) {
         if (is_of_tests(info.numbers) && !has_tests && canvas.numbers != info.numbers) continue;
@@ -83,6 +88,7 @@ void draw_cell_list(Ui& ui) {
         const std::string label = words.title + "###numbers." + std::string(info.name);
         if (ImGui::RadioButton(label.c_str(), canvas.numbers == info.numbers))
             canvas.numbers = info.numbers;
+        keep_item_whole(ui);
         name_widget(ui, std::string("layers.numbers.").append(info.name), words.help);
         draw_zoom_needed(ui, numbers_zoom(ui, info.numbers));
     }
@@ -135,9 +141,11 @@ void draw_layers_button(Ui& ui, bool narrow) {
     ImGui::SetNextWindowSizeConstraints(
         {0.0f, 0.0f}, {FLT_MAX, std::max(ImGui::GetIO().DisplaySize.y - at.y - gap, 1.0f)});
     if (ImGui::BeginPopup("layers")) {
+        begin_whole_lines(ui);
         draw_overlay_list(ui);
         ImGui::Separator();
         draw_cell_list(ui);
+        end_whole_lines(ui);
         ImGui::EndPopup();
     }
 }

@@ -242,13 +242,16 @@ struct Name {
     LabelSide side = LabelSide::right;
 };
 
-/// "world x", "right", "object z". In a narrow view "x": there the space is named at its origin.
+/// "world x", "right", "object z", "tangent". In a narrow view "x": there the space is named at its
+/// origin.
 std::string axis_name(int number, bool is_narrow) {
     constexpr std::array<const char*, axis_count> plain{"x", "y", "z"},
-        of_camera{"right", "down", "forward"};
+        of_camera{"right", "down", "forward"}, of_surface{"tangent", "bitangent", "normal"};
     const auto axis = static_cast<std::size_t>(number % axis_count);
     const auto of = static_cast<BasisOf>(number / axis_count);
     if (of == BasisOf::camera) return of_camera[axis];
+    if (of == BasisOf::surface)
+        return is_narrow ? std::string(1, of_surface[axis][0]) : of_surface[axis];
     return (is_narrow ? "" : std::string(word_of(of)) + " ") + plain[axis];
 }
 

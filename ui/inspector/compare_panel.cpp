@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "base/element_names.h"
 #include "session/moment_text.h"
@@ -65,9 +66,12 @@ void draw_no_comparison(Ui& ui) {
     draw_choice_of_difference(ui, "or compare by a setting ...");
 }
 
-void header_cell(Ui& ui, const char* title, std::string_view name, const char* help, bool is_left) {
+/// @param titles the first for which there is room
+void header_cell(Ui& ui, const std::vector<std::string>& titles, std::string_view name,
+                 const char* help, bool is_left) {
     ImGui::TableNextColumn();
     ImGui::PushFont(ui.fonts.small);
+    const std::string title = first_fitting(titles, ImGui::GetContentRegionAvail().x);
     if (is_left) {
         text_in(palette(ui.options.theme).dim, title);
     } else {
@@ -111,9 +115,9 @@ void edit_both(Ui& ui, const std::string& name, const Setting& setting) {
 /// @param of the setting that the columns are of; empty: of all
 void run_headers(Ui& ui, const std::string& of) {
     const std::string end = of.empty() ? "" : "." + of;
-    header_cell(ui, "A", "compare.header.a" + end, "Run A, which the switches and settings set.",
+    header_cell(ui, {"A"}, "compare.header.a" + end, "Run A, which the switches and settings set.",
                 true);
-    header_cell(ui, "B", "compare.header.b" + end, "Run B, which is compared with it.", true);
+    header_cell(ui, {"B"}, "compare.header.b" + end, "Run B, which is compared with it.", true);
 }
 
 bool begin_columns(const std::string& name, int count) {
@@ -150,7 +154,7 @@ void draw_settings(Ui& ui) {
     }
     if (!begin_columns("compare.settings", 3)) return;
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
-    header_cell(ui, "setting", "compare.header.setting", "What is set otherwise in run B.", true);
+    header_cell(ui, {"setting"}, "compare.header.setting", "What is set otherwise in run B.", true);
     run_headers(ui, "");
     for (const RunDifference& difference : differences) {
         const std::string name(difference.setting);
@@ -189,9 +193,12 @@ void draw_counts(Ui& ui) {
     ImGui::TableSetupColumn("", 0, 1.0f);
     ImGui::TableSetupColumn("", 0, 1.0f);
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
-    header_cell(ui, "what differs", "compare.header.what", "How far the two runs lie apart.", true);
-    header_cell(ui, "so far", "compare.header.here", "In what is drawn up to this moment.", false);
-    header_cell(ui, "whole frame", "compare.header.whole", "When everything is drawn.", false);
+    header_cell(ui, {"what differs"}, "compare.header.what", "How far the two runs lie apart.",
+                true);
+    header_cell(ui, {"so far"}, "compare.header.here", "In what is drawn up to this moment.",
+                false);
+    header_cell(ui, {"whole frame", "whole"}, "compare.header.whole", "When everything is drawn.",
+                false);
     const auto number = [](double value, int digits) { return fixed(value, digits); };
     const bool is_known = comparison.work.is_done();
     const auto known = [&](const std::string& text) { return is_known ? text : "…"; };
@@ -344,11 +351,12 @@ void draw_groups(Ui& ui) {
     for (const float width : {1.4f, 0.8f, 1.2f, 0.8f})
         ImGui::TableSetupColumn("", 0, width);
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
-    header_cell(ui, "triangle", "compare.header.triangle", "The triangle being drawn.", true);
-    header_cell(ui, "phase", "compare.header.phase", "Vertices, clip, cull, edges or rows.", true);
-    header_cell(ui, "how", "compare.header.kind",
+    header_cell(ui, {"triangle"}, "compare.header.triangle", "The triangle being drawn.", true);
+    header_cell(ui, {"phase"}, "compare.header.phase", "Vertices, clip, cull, edges or rows.",
+                true);
+    header_cell(ui, {"how"}, "compare.header.kind",
                 "Missing in B: only A does something there. Extra in B: only B does.", true);
-    header_cell(ui, "moments", "compare.header.moments",
+    header_cell(ui, {"moments"}, "compare.header.moments",
                 "How many moments differ: vertices, samples of edges, fragments of rows.", false);
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(groups.size()));

@@ -59,11 +59,44 @@ void draw_painted(Ui& ui, const std::string& prefix, const glm::vec3& light) {
     draw_clamped(ui, light * report.texture->colour);
 }
 
+/// Three numbers of the normal map on a line; each leads to its formula.
+void draw_bump_line(Ui& ui, const char* word, const std::string& id,
+                    const std::array<const char*, 3>& parts, const glm::vec3& value,
+                    const std::string& help) {
+    FormulaLine line(ui, 0.0f);
+    line.text(std::string(word) + "  ", palette(ui.options.theme).dim);
+    for (int i = 0; i < 3; ++i) {
+        const std::string formula = "bump." + id + "." + parts[static_cast<std::size_t>(i)];
+        if (line.link(shown({value[i]}), "fragment." + formula, help,
+                      palette(ui.options.theme).text))
+            follow_source(ui, from_formula(formula));
+        line.text(i < 2 ? "  " : "", palette(ui.options.theme).text);
+    }
+}
+
+/// How the normal map bends the normal.
+void draw_bump(Ui& ui) {
+    const FragmentReport& report = report_of(ui);
+    if (!report.bump) return;
+    const BumpReport& bump = *report.bump;
+    if (bump.sign != 0.0f) {
+        draw_bump_line(ui, "map", "colour", channel_names, bump.colour,
+                       "Red, green and blue of the normal map there.");
+        draw_bump_line(ui, "arrow", "arrow", axis_names, bump.arrow,
+                       "What that colour stands for: along u, toward the texture's top, and away "
+                       "from the surface.");
+        draw_fragment_line(ui, "bump.handedness");
+    }
+    draw_bump_line(ui, "n", "normal", axis_names, bump.normal,
+                   "The normal that the light has: as the normal map bends it.");
+}
+
 /// The light at one point, term by term.
 void draw_light_terms(Ui& ui, const std::string& prefix, const SurfaceLight& light) {
     const FragmentReport& report = report_of(ui);
     if (find_formula(report.formulas, prefix + "n_length") != nullptr)
         draw_fragment_line(ui, prefix + "n_length");
+    if (prefix == "pixel_light.") draw_bump(ui);
     draw_fragment_line(ui, prefix + "r2");
     draw_fragment_line(ui, prefix + "cosine");
     draw_fragment_line(ui, prefix + "area");

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <array>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -69,19 +71,36 @@ void draw_dim_headers(Ui& ui, std::initializer_list<const char*> titles, int rig
     ImGui::PopFont();
 }
 
+/// What the columns of the edges need with the space between them, screen pixels. It does not
+/// follow the numbers: nothing is to jump.
+std::array<float, 6> widths_of_edges(const Ui& ui) {
+    constexpr std::array<const char*, 6> titles{"edge",  "side",      "E",
+                                                "needs", "one right", "one down"};
+    constexpr std::array<const char*, 6> widest{"edge 0", "bottom",  "−0000000",
+                                                "≥ 0 ✓",  "−000000", "−000000"};
+    std::array<float, 6> widths{};
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+        widths[i] =
+            std::max(text_width(ui.fonts.small, titles[i]), text_width(ui.fonts.mono, widest[i])) +
+            2.0f * ImGui::GetStyle().CellPadding.x;
+    }
+    return widths;
+}
+
 /// Each edge with its value and what it asks for; below them their sum.
 void draw_edges_of_test(Ui& ui, const PixelTest& test, const TestedTriangle& triangle,
                         const std::vector<Formula>& formulas) {
     const Palette& p = palette(ui.options.theme);
     const Theme theme = ui.options.theme;
-    const bool has_steps = !ui.inspector.is_narrow;
+    const std::array<float, 6> widths = widths_of_edges(ui);
+    const float needed = std::accumulate(widths.begin(), widths.end(), 0.0f);
+    const bool has_steps = needed <= ImGui::CalcItemWidth();
     if (!ImGui::BeginTable("inside.edges", has_steps ? 6 : 4,
                            ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingStretchProp,
                            {ImGui::CalcItemWidth(), 0.0f}))
         return;
-    static constexpr float widths[] = {62, 60, 88, 70, 82, 82};
     for (int i = 0; i < ImGui::TableGetColumnCount(); ++i)
-        ImGui::TableSetupColumn("", 0, widths[i]);
+        ImGui::TableSetupColumn("", 0, widths[static_cast<std::size_t>(i)]);
     draw_dim_headers(ui, {"edge", "side", "E", "needs", "one right", "one down"}, 2);
     ImGui::PushFont(ui.fonts.mono);
     for (std::size_t i = 0; i < edge_function_count; ++i) {
@@ -160,6 +179,23 @@ void draw_weights(Ui& ui, const PixelTest& test,
     ImGui::EndTable();
 }
 
+/// Where in the pixel it is tested: behind the answer, in fewer words where there is little room.
+void draw_place_of_test(Ui& ui, PixelSample sample, const PixelTest& test) {
+    const bool is_centre = sample == PixelSample::centre;
+    const std::string word = is_centre ? "centre " : "corner ";
+    const std::string place = is_centre ? fmt::format("({}.5, {}.5)", test.column, test.row)
+                                        : fmt::format("({}, {})", test.column, test.row);
+    const std::vector<std::string> forms{"tested at its " + word + place, "at its " + word + place,
+                                         word + place, place};
+    const float right = ImGui::GetCursorPosX() + ImGui::CalcItemWidth();
+    ImGui::SameLine();
+    const float room = right - ImGui::GetCursorPosX();
+    if (room < text_width(place)) ImGui::NewLine();
+    const float width = room < text_width(place) ? ImGui::CalcItemWidth() : room;
+    text_in(palette(ui.options.theme).dim, first_fitting(forms, width));
+    keep_item_whole(ui);
+}
+
 } // namespace
 
 std::optional<PixelTest> shown_test(const Ui& ui) {
@@ -175,7 +211,6 @@ std::optional<PixelTest> shown_test(const Ui& ui) {
 }
 
 void draw_pixel_test(Ui& ui, const PixelTest& test) {
-    const Palette& p = palette(ui.options.theme);
     const TestedPolygon& polygon = ui.results.a.rows.rows.tested;
     const TestedTriangle& triangle = polygon.triangles[static_cast<std::size_t>(test.triangle)];
     const auto corners = corner_names_of(ui, polygon, triangle);
@@ -189,11 +224,8 @@ void draw_pixel_test(Ui& ui, const PixelTest& test) {
     name_widget(ui, "inside.pixel",
                 with_minus_signs(pixel_test_text(test)) +
                     "\nA pixel lies inside if E is what it needs to be at all three edges.");
-    ImGui::SameLine();
-    text_in(p.dim, settings.pixel_sample == PixelSample::centre
-                       ? fmt::format("tested at its centre ({}.5, {}.5)", test.column, test.row)
-                       : fmt::format("tested at its corner ({}, {})", test.column, test.row));
     keep_item_whole(ui);
+    draw_place_of_test(ui, settings.pixel_sample, test);
     draw_edges_of_test(ui, test, triangle, formulas);
     if (triangle.area != 0) draw_weights(ui, test, corners, formulas);
     if (const Formula* const formula = find_formula(formulas, ui.inspector.chosen.test_number)) {

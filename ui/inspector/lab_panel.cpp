@@ -47,10 +47,13 @@ void draw_line(Ui& ui, const Bug& bug) {
     const float u = ui.options.text_scale;
     ImDrawList* const list = ImGui::GetWindowDrawList();
     const ImVec4& ink = on ? colour_of(Meaning::fail, ui.options.theme) : p.dim;
-    list->AddText(ui.fonts.mono, ui.fonts.mono->FontSize, at, packed(ink), bug.id.c_str());
-    const float left = at.x + 52.0f * u;
+    // The light behind the chosen line begins before its first letter.
+    const float before = 4.0f * u;
+    list->AddText(ui.fonts.mono, ui.fonts.mono->FontSize, {at.x + before, at.y}, packed(ink),
+                  bug.id.c_str());
+    const float left = at.x + before + 52.0f * u;
     const std::string state = on ? "on" : is_made ? "as it is" : "";
-    const float width = ImGui::CalcTextSize(state.c_str()).x + 4.0f * u;
+    const float width = ImGui::CalcTextSize(state.c_str()).x + before;
     const float right = at.x + ImGui::GetContentRegionAvail().x;
     const float room = right - left - std::max(width, 26.0f * u) - 4.0f * u;
     list->AddText({left, at.y}, packed(p.text), shortened(bug.name, room).c_str());

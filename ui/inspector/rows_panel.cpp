@@ -10,6 +10,7 @@
 #include "ui/ui.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -24,15 +25,18 @@ void draw_row_in_work(Ui& ui, const Cursor& done) {
     const int left = a.rows.rows.left[i].column, right = a.rows.rows.right[i].column;
     text_in(p.dim, walks_edges(a.frame.stages) ? "all samples are entered, now the rows: "
                                                : "the pixels are found, now the rows: ");
-    ImGui::TextUnformatted(("row " + whole_text(a.rows.rows.first_row + done.index) + ", " +
-                            element_name_of(entry_form, done.index, a.rows.rows.size()))
-                               .c_str());
+    keep_text_whole(ui);
+    wrapped_text("row " + whole_text(a.rows.rows.first_row + done.index) + ", " +
+                 element_name_of(entry_form, done.index, a.rows.rows.size()));
+    keep_text_whole(ui);
     ImGui::PushFont(ui.fonts.mono);
     ImGui::TextUnformatted(fmt::format("left = {}, right = {}", left, right).c_str());
+    keep_item_whole(ui);
     ImGui::PopFont();
-    ImGui::TextUnformatted(has_fragments(a.frame.settings.stage)
-                               ? ("now the pixel in column " + whole_text(left + done.step)).c_str()
-                               : "its two ends are drawn");
+    wrapped_text(has_fragments(a.frame.settings.stage)
+                     ? "now the pixel in column " + whole_text(left + done.step)
+                     : "its two ends are drawn");
+    keep_text_whole(ui);
 }
 
 /// What the moment did, in words and numbers: the sample that was entered last, or the row.
@@ -51,14 +55,18 @@ void draw_moment(Ui& ui) {
     if (a.triangle && a.frame.is_drawn(*a.triangle) && !walks_edges(a.frame.stages)) {
         ImGui::PushStyleColor(ImGuiCol_Text, p.dim);
         wrapped_text("No samples: a row holds the pixels whose centres lie inside.");
-        if (tests_pixels(a.frame.stages))
+        keep_text_whole(ui);
+        if (tests_pixels(a.frame.stages)) {
             wrapped_text("Step, or pick a pixel that has been tested: it is explained here.");
+            keep_text_whole(ui);
+        }
         ImGui::PopStyleColor();
         end_card(ui);
         return;
     }
     if (!history.last) {
         text_in(p.dim, "No sample has been entered yet: every row is empty.");
+        keep_text_whole(ui);
         end_card(ui);
         return;
     }
@@ -70,11 +78,13 @@ void draw_moment(Ui& ui) {
     text_in(p.dim,
             ", " + element_name_of(sample_form, last.sample,
                                    history.edge_samples[static_cast<std::size_t>(last.edge)]));
+    keep_item_whole(ui);
     ImGui::PushFont(ui.fonts.mono);
-    const auto show = [](const char* axis, float place, int pixel) {
+    const auto show = [&](const char* axis, float place, int pixel) {
         const std::string line =
             fmt::format("{} = {} → {}", axis, nine_digits_shown(place), whole_text(pixel));
         ImGui::TextUnformatted(line.c_str());
+        keep_item_whole(ui);
     };
     show("x", last.x, last.fragment.column);
     show("y", last.y, last.fragment.row);
@@ -93,8 +103,9 @@ void draw_moment(Ui& ui) {
                  : last.write.left                   ? "left end becomes " + column
                  : last.write.right                  ? "right end becomes " + column
                                                      : "lies between its ends, nothing changes";
-        ImGui::TextUnformatted(words.c_str());
+        wrapped_text(words);
     }
+    keep_text_whole(ui);
     end_card(ui);
 }
 
@@ -127,6 +138,7 @@ void draw_table_buttons(Ui& ui, bool is_one_line) {
         ImGui::SetClipboardText(rows_text(history.rows).c_str());
         tell(ui.session, "The row table is in the clipboard.");
     }
+    keep_item_whole(ui);
     ImGui::SameLine();
     if (button(ui, "rows.values", values_label,
                ui.inspector.shows_end_values ? Look::chosen : Look::plain,
@@ -140,6 +152,7 @@ void draw_table_buttons(Ui& ui, bool is_one_line) {
     if (has_room) ImGui::SameLine();
     text_in(history.outside.empty() ? p.dim : colour_of(Meaning::fail, ui.options.theme),
             words_of_outside(history));
+    keep_item_whole(ui);
     name_widget(ui, "rows.outside",
                 "Samples of this triangle, up to this moment, that fell in no row of the table.");
 }

@@ -26,6 +26,10 @@ constexpr int most_map_texels = 64;
 /// Sides of the two drawings, design pixels.
 constexpr float map_side = 132.0f, texel_side = 56.0f;
 
+/// The ring on the map, and how much of it lies beside the map when its middle is at the border,
+/// design pixels.
+constexpr float ring = 5.0f, beside_map = 6.0f;
+
 const TextureReport& texture_on_show(const Ui& ui) {
     return *report_of(ui).texture;
 }
@@ -66,13 +70,16 @@ void draw_texture_title(Ui& ui) {
     keep_item_whole(ui);
     ImGui::PopFont();
     name_widget(ui, "texture.pixel", "Column and row of the picture on which the fragment fell.");
+    const std::string size =
+        fmt::format("{} × {} texels", texture.base().width, texture.base().height);
+    const std::string file = texture.name.substr(texture.name.find_last_of('/') + 1);
     text_in(palette(ui.options.theme).dim,
-            shortened(fmt::format("{}, {} × {} texels", texture.name, texture.base().width,
-                                  texture.base().height),
-                      ImGui::GetContentRegionAvail().x));
+            first_fitting({texture.name + ", " + size, file + ", " + size, size},
+                          ImGui::GetContentRegionAvail().x));
     keep_item_whole(ui);
     name_widget(ui, "texture.name",
-                "The texture: the picture on the surface. Its pixels are called texels.");
+                "The texture: the picture on the surface, " + texture.name +
+                    ". Its pixels are called texels.");
 }
 
 /// A coordinate brought into the texture, and -1 where the texture runs backwards there.
@@ -136,12 +143,12 @@ void draw_texture_map(Ui& ui) {
     const glm::vec2 place{u.coordinate, v.coordinate}, half{0.5f * u.sign, 0.5f * v.sign * v_sign};
     const glm::vec2 right = half * report.place.footprint.right,
                     down = half * report.place.footprint.down;
-    list->PushClipRect(low, {low.x + size.x, low.y + size.y}, true);
     const ImU32 mark = packed(palette(ui.options.theme).changed);
+    list->PushClipRect(low, {low.x + size.x, low.y + size.y}, true);
     list->AddQuad(at(place - right - down), at(place + right - down), at(place + right + down),
                   at(place - right + down), mark, 2.0f * ui.options.text_scale);
-    list->AddCircle(at(place), 5.0f * ui.options.text_scale, mark, 0, 2.0f * ui.options.text_scale);
     list->PopClipRect();
+    list->AddCircle(at(place), ring * ui.options.text_scale, mark, 0, 2.0f * ui.options.text_scale);
     ImGui::Dummy(size);
     keep_item_whole(ui);
     name_widget(
@@ -157,7 +164,8 @@ void draw_names_of_taken(Ui& ui, ImVec2 low) {
     const float u = ui.options.text_scale, side = texel_side * u;
     const float line = ImGui::GetTextLineHeight();
     const float x = low.x + (taken.count > 1 ? 2.0f : 1.0f) * side + 6.0f * u;
-    if (x + text_width("column, row") > low.x + ImGui::GetContentRegionAvail().x) return;
+    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+    if (x + text_width("column, row") > right) return;
     const ImU32 ink = packed(palette(ui.options.theme).dim);
     ImDrawList* const list = ImGui::GetWindowDrawList();
     for (int first = 0; first < taken.count; first += 4) {
@@ -249,21 +257,25 @@ void draw_texture_page(Ui& ui) {
     ImGui::Spacing();
     const ImVec2 start = ImGui::GetCursorScreenPos();
     const float gap = 12.0f * ui.options.text_scale;
-    const float map = map_side * ui.options.text_scale;
+    const float inset = beside_map * ui.options.text_scale;
+    const float side = map_side * ui.options.text_scale, map = inset + side;
     const float texels = 2.0f * texel_side * ui.options.text_scale;
     const bool fits = map + gap + texels <= ImGui::GetContentRegionAvail().x;
+    ImGui::SetCursorScreenPos({start.x + inset, start.y});
     draw_texture_map(ui);
     const ImVec2 second{fits ? start.x + map + gap : start.x,
                         fits ? start.y : ImGui::GetCursorScreenPos().y + gap};
     ImGui::SetCursorScreenPos(second);
     draw_taken_texels(ui);
-    const float bottom = std::max(fits ? start.y + map : second.y, second.y + height_of_taken(ui));
+    const float bottom = std::max(fits ? start.y + side : second.y, second.y + height_of_taken(ui));
     ImGui::SetCursorScreenPos({start.x, bottom + gap});
     draw_mixed_colour(ui);
     ImGui::Spacing();
+    ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x);
     for (const char* id : {"texture.x", "texture.y", "texture.right", "texture.down"})
         draw_texture_line(ui, id);
     if (asks_for_level(ui)) draw_texture_line(ui, "texture.level");
+    ImGui::PopItemWidth();
 }
 
 void draw_texture_formula(Ui& ui) {

@@ -78,6 +78,7 @@ void draw_formula_card(Ui& ui, const VertexReport& vertex) {
     const Rejection why = ui.results.a.frame.rejection(*ui.results.a.triangle);
     if (why != Rejection::none) {
         wrapped_text("The triangle is left out: " + std::string(words(why).detail) + ".");
+        keep_text_whole(ui);
     }
     const Formula* formula = find_formula(vertex.formulas, ui.inspector.chosen.vertex_number);
     if (formula == nullptr) formula = find_formula(vertex.formulas, "rotated.z");

@@ -8,6 +8,7 @@
 #include "ui/sheets/sheets.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -37,11 +38,17 @@ void draw_term(Ui& ui, const Term& term) {
     const Palette& p = palette(ui.options.theme);
     ImGui::PushFont(ui.fonts.bold);
     ImGui::TextUnformatted(term.word.c_str());
+    // With the first line of what it means.
+    keep_beginning(ui, ImGui::GetItemRectMin().y,
+                   ImGui::GetCursorScreenPos().y + ImGui::GetTextLineHeight());
+    keep_item_whole(ui);
     ImGui::PopFont();
     name_widget(ui, "glossary.term." + term.word, "Lab: " + term.section);
     wrapped_text(term.sentence);
+    keep_text_whole(ui);
     ImGui::PushFont(ui.fonts.small);
     text_in(p.dim, "lab: " + term.section);
+    keep_item_whole(ui);
     ImGui::PopFont();
     ImGui::Spacing();
 }
@@ -55,6 +62,7 @@ void draw_glossary_sheet(Ui& ui, ImVec2 window) {
                       "Shows only the terms that have this word.");
     const std::string& search = ui.sheets.search_of(Sheet::glossary);
     ImGui::BeginChild("terms");
+    begin_whole_lines(ui);
     bool any = false;
     for (const Term& term : ui.session.glossary) {
         if (!has_word(term, search)) continue;
@@ -62,6 +70,7 @@ void draw_glossary_sheet(Ui& ui, ImVec2 window) {
         draw_term(ui, term);
     }
     if (!any) text_in(palette(ui.options.theme).dim, "No term has that word.");
+    end_whole_lines(ui);
     ImGui::EndChild();
     end_sheet();
 }

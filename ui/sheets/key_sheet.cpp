@@ -7,6 +7,7 @@
 #include "ui/sheets/sheets.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -82,17 +83,20 @@ KeyColumns key_columns(const Ui& ui, const std::vector<KeyGroup>& groups, float 
     return {std::clamp(count, 1, 3), keys, gap};
 }
 
-void draw_group(const Ui& ui, const KeyGroup& group, float keys_width) {
+void draw_group(Ui& ui, const KeyGroup& group, float keys_width) {
     const Palette& p = palette(ui.options.theme);
     ImGui::PushFont(ui.fonts.bold);
     text_in(p.dim, group.title);
+    keep_item_whole(ui);
     ImGui::PopFont();
     for (const KeyLine& line : group.lines) {
         ImGui::PushFont(ui.fonts.mono);
         text_in(p.link, line.keys);
+        keep_item_whole(ui);
         ImGui::PopFont();
         ImGui::SameLine(keys_width);
         ImGui::TextUnformatted(line.help.c_str());
+        keep_item_whole(ui);
     }
     ImGui::Dummy({0.0f, 4.0f * ui.options.text_scale});
 }
@@ -119,6 +123,8 @@ void draw_key_sheet(Ui& ui, ImVec2 window) {
     for (int column = 0; column < columns.count; ++column) {
         if (column > 0) ImGui::SameLine(0.0f, columns.gap);
         ImGui::BeginGroup();
+        // The lines of a column need not stand beside those of another: each ends for itself.
+        begin_whole_lines(ui);
         const std::size_t share = left / static_cast<std::size_t>(columns.count - column);
         for (std::size_t drawn = 0; next < groups.size(); ++next) {
             const std::size_t lines = lines_of(groups[next]);
@@ -127,6 +133,7 @@ void draw_key_sheet(Ui& ui, ImVec2 window) {
             drawn += lines;
             left -= lines;
         }
+        end_whole_lines(ui);
         ImGui::EndGroup();
     }
     ImGui::PopStyleVar();

@@ -2,6 +2,7 @@
 #include "ui/widgets/number_text.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/numbers.h"
 #include "ui/ui.h"
@@ -241,8 +242,14 @@ bool number_cell(Ui& ui, const std::string& name, std::string_view text, const I
                  bool is_chosen, std::string_view tooltip) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float room = ImGui::GetContentRegionAvail().x;
+    // The light behind a chosen number stays within the space around its cell.
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float around = 2.0f * std::floor(0.7f * style.CellPadding.x);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
+                        ImVec2(std::min(style.ItemSpacing.x, around), style.ItemSpacing.y));
     const bool clicked =
         ImGui::Selectable(("##" + name).c_str(), is_chosen, 0, {room, ImGui::GetTextLineHeight()});
+    ImGui::PopStyleVar();
     name_number(ui, name, tooltip);
     note_text(ui, name, text);
     // As high as the words beside it: both are seen, or neither.

@@ -20,6 +20,9 @@ constexpr float card_rounding = 4.0f;
 /// Of the page, for a row of cards.
 constexpr float share_of_page = 0.5f;
 
+/// Of a card whose words stand beside its picture, for the picture.
+constexpr float share_of_card = 0.4f;
+
 /// In smaller pixels a sign is not seen, design pixels.
 constexpr float least_marked_pixel = 5.0f;
 
@@ -118,6 +121,120 @@ void draw_over_picture(const Ui& ui, const SmallPicture& picture, const PictureT
     list->PopClipRect();
 }
 
+/// The words of all cards, broken into lines, and how many lines the longest have.
+struct AllWords {
+    std::vector<CardWords> of;
+    float title_lines = 1.0f, word_lines = 1.0f;
+
+    float lines() const { return title_lines + word_lines; }
+};
+AllWords break_words(std::span<const SmallPicture> pictures, float room) {
+    AllWords all;
+    for (const SmallPicture& picture : pictures) {
+        all.of.push_back(
+            {broken_into_lines(picture.title, room), broken_into_lines(picture.words, room)});
+        all.title_lines = std::max(all.title_lines, lines_in(all.of.back().title));
+        all.word_lines = std::max(all.word_lines, lines_in(all.of.back().words));
+    }
+    return all;
+}
+
+/// How much larger the pictures are shown than they are. Their pixels stay equally large.
+float scale_into(const Image& image, ImVec2 room) {
+    const float fitting = std::min(room.x / static_cast<float>(image.width),
+                                   room.y / static_cast<float>(image.height));
+    return fitting >= 1.0f ? std::floor(fitting) : fitting;
+}
+
+/// Where a card and what is on it lie, screen pixels.
+struct CardPlace {
+    ImVec2 low, high;
+    ImVec2 picture; ///< the middle of its upper edge
+    ImVec2 title, words;
+};
+
+/// True if the card is clicked.
+bool draw_picture_card(Ui& ui, const SmallPicture& picture, const CardWords& words,
+                       PictureTexture& texture, float scale, const CardPlace& at) {
+    const Palette& p = palette(ui.options.theme);
+    const bool is_clicked =
+        small_card(ui, picture.name, picture.tooltip, at.low, at.high, picture.can_be_taken);
+    note_text(ui, picture.name, picture.title + ": " + picture.words);
+    show_small(ui, texture, *picture.image, picture.number, scale);
+    draw_card_lines(ui, at.title, words.title, p.text);
+    draw_over_picture(ui, picture, texture,
+                      {std::round(at.picture.x - 0.5f * texture.size.x), at.picture.y});
+    draw_card_lines(ui, at.words, words.words, p.dim);
+    if (picture.is_chosen) frame_small_card(ui, at.low, at.high);
+    return is_clicked;
+}
+
+/// The words stand beside the pictures, and the cards below each other: each is seen whole.
+std::optional<std::size_t> draw_in_column(Ui& ui, std::span<const SmallPicture> pictures,
+                                          std::span<PictureTexture> textures) {
+    const float u = ui.options.text_scale, inset = std::round(card_inset * u);
+    const float gap = std::round(card_gap * u), line = ImGui::GetTextLineHeight();
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float picture_width = std::round(share_of_card * width);
+    const AllWords words =
+        break_words(pictures, std::max(width - picture_width - 3.0f * inset, 1.0f));
+    const Image& first = *pictures.front().image;
+    const float side = std::max(std::min(least_side * u, share_of_page * page_room(ui)), line);
+    const float scale = scale_into(first, {picture_width, side});
+    const float shown_height = std::ceil(scale * static_cast<float>(first.height));
+    const float height = std::max(shown_height, words.lines() * line) + 2.0f * inset;
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    std::optional<std::size_t> clicked;
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        const ImVec2 low{start.x, start.y + static_cast<float>(i) * (height + gap)};
+        const float beside = low.x + 2.0f * inset + picture_width;
+        const float top = std::round(low.y + 0.5f * (height - words.lines() * line));
+        const CardPlace place{low,
+                              {low.x + width, low.y + height},
+                              {low.x + inset + 0.5f * picture_width,
+                               std::round(low.y + 0.5f * (height - shown_height))},
+                              {beside, top},
+                              {beside, top + words.title_lines * line}};
+        if (draw_picture_card(ui, pictures[i], words.of[i], textures[i], scale, place)) clicked = i;
+        keep_whole(ui, low.y, low.y + height);
+    }
+    ImGui::SetCursorScreenPos(start);
+    const float count = static_cast<float>(pictures.size());
+    ImGui::Dummy({width, count * height + (count - 1.0f) * gap});
+    return clicked;
+}
+
+std::optional<std::size_t> draw_in_row(Ui& ui, std::span<const SmallPicture> pictures,
+                                       std::span<PictureTexture> textures, float width,
+                                       const AllWords& words) {
+    const float u = ui.options.text_scale, inset = std::round(card_inset * u);
+    const float gap = std::round(card_gap * u), line = ImGui::GetTextLineHeight();
+    const float around = words.lines() * line + 4.0f * inset;
+    const float side =
+        std::clamp(share_of_page * page_room(ui) - around, least_side * u, largest_shown_side * u);
+    const Image& first = *pictures.front().image;
+    const float scale = scale_into(first, {width - 2.0f * inset, side});
+    const float shown_height = std::ceil(scale * static_cast<float>(first.height));
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    const float height = around + shown_height;
+    std::optional<std::size_t> clicked;
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        const ImVec2 low{start.x + static_cast<float>(i) * (width + gap), start.y};
+        const float top = low.y + 2.0f * inset + words.title_lines * line;
+        const CardPlace place{low,
+                              {low.x + width, low.y + height},
+                              {low.x + 0.5f * width, top},
+                              {low.x + inset, low.y + inset},
+                              {low.x + inset, top + shown_height + inset}};
+        if (draw_picture_card(ui, pictures[i], words.of[i], textures[i], scale, place)) clicked = i;
+    }
+    ImGui::SetCursorScreenPos(start);
+    const float count = static_cast<float>(pictures.size());
+    ImGui::Dummy({count * width + (count - 1.0f) * gap, height});
+    keep_item_whole(ui);
+    return clicked;
+}
+
 } // namespace
 
 Image small_picture(const Image& image, float scale) {
@@ -161,54 +278,19 @@ void frame_small_card(const Ui& ui, ImVec2 low, ImVec2 high) {
 std::optional<std::size_t> draw_small_pictures(Ui& ui, std::span<const SmallPicture> pictures,
                                                std::span<PictureTexture> textures) {
     if (pictures.empty()) return std::nullopt;
-    const Palette& p = palette(ui.options.theme);
     const float u = ui.options.text_scale, inset = std::round(card_inset * u);
     const float gap = std::round(card_gap * u), count = static_cast<float>(pictures.size());
     const float width =
         std::floor((ImGui::GetContentRegionAvail().x - (count - 1.0f) * gap) / count);
-    const float room = width - 2.0f * inset;
-    if (room < 1.0f) return std::nullopt;
+    if (width - 2.0f * inset < 1.0f) return std::nullopt;
     ImGui::PushFont(ui.fonts.small);
-    const float line = ImGui::GetTextLineHeight();
-    float title_lines = 1.0f, word_lines = 1.0f;
-    std::vector<CardWords> words;
-    for (const SmallPicture& picture : pictures) {
-        words.push_back(
-            {broken_into_lines(picture.title, room), broken_into_lines(picture.words, room)});
-        title_lines = std::max(title_lines, lines_in(words.back().title));
-        word_lines = std::max(word_lines, lines_in(words.back().words));
-    }
-    const float around = (title_lines + word_lines) * line + 4.0f * inset;
-    const float side =
-        std::clamp(share_of_page * page_room(ui) - around, least_side * u, largest_shown_side * u);
-    const Image& first = *pictures.front().image;
-    const float fitting =
-        std::min(room / static_cast<float>(first.width), side / static_cast<float>(first.height));
-    // Pixels stay equally large.
-    const float scale = fitting >= 1.0f ? std::floor(fitting) : fitting;
-    const float shown_height = std::ceil(scale * static_cast<float>(first.height));
-    const ImVec2 start = ImGui::GetCursorScreenPos();
-    const float height = around + shown_height;
-    std::optional<std::size_t> clicked;
-    for (std::size_t i = 0; i < pictures.size(); ++i) {
-        const SmallPicture& picture = pictures[i];
-        const ImVec2 low{start.x + static_cast<float>(i) * (width + gap), start.y};
-        const ImVec2 high{low.x + width, low.y + height};
-        if (small_card(ui, picture.name, picture.tooltip, low, high, picture.can_be_taken))
-            clicked = i;
-        note_text(ui, picture.name, picture.title + ": " + picture.words);
-        show_small(ui, textures[i], *picture.image, picture.number, scale);
-        draw_card_lines(ui, {low.x + inset, low.y + inset}, words[i].title, p.text);
-        const float top = low.y + 2.0f * inset + title_lines * line;
-        draw_over_picture(ui, picture, textures[i],
-                          {std::round(low.x + 0.5f * (width - textures[i].size.x)), top});
-        draw_card_lines(ui, {low.x + inset, top + shown_height + inset}, words[i].words, p.dim);
-        if (picture.is_chosen) frame_small_card(ui, low, high);
-    }
+    const AllWords words = break_words(pictures, width - 2.0f * inset);
+    const float least = words.lines() * ImGui::GetTextLineHeight() + 4.0f * inset + least_side * u;
+    // A row of cards that takes most of the page would hardly ever be seen whole.
+    const auto clicked = least > share_of_page * page_room(ui)
+                             ? draw_in_column(ui, pictures, textures)
+                             : draw_in_row(ui, pictures, textures, width, words);
     ImGui::PopFont();
-    ImGui::SetCursorScreenPos(start);
-    ImGui::Dummy({count * width + (count - 1.0f) * gap, height});
-    keep_item_whole(ui);
     return clicked;
 }
 

@@ -47,8 +47,8 @@ struct SmallLine {
 /// A small picture, and what is said of it.
 struct SmallPicture {
     std::string name;  ///< of the widget
-    std::string title; ///< above it
-    std::string words; ///< below it
+    std::string title; ///< above it, or beside it
+    std::string words; ///< below it, or beside it
     std::string tooltip;
     const Image* image = nullptr; ///< all in a row have the same size
     std::uint64_t number = 0;     ///< of the image
@@ -59,6 +59,7 @@ struct SmallPicture {
 };
 
 /// The pictures in a row, as wide as the page, with every word: lines are broken where they must.
+/// In a low page they stand below each other, and their words beside them.
 /// @param textures as many as pictures
 /// @return the one that is clicked
 std::optional<std::size_t> draw_small_pictures(Ui& ui, std::span<const SmallPicture> pictures,

@@ -38,6 +38,11 @@ void begin_whole_lines(Ui& ui, float room) {
     // What is drawn from here on is clipped when it is known where it ends.
     ImDrawList* const list = window->DrawList;
     if (list->CmdBuffer.back().ElemCount > 0) list->AddDrawCmd();
+    if (list->CmdBuffer.Size > 1) {
+        // An empty command would be merged with the one before it.
+        list->PrimReserve(6, 4);
+        list->PrimRect(window->ClipRect.Min, window->ClipRect.Min, 0);
+    }
     const float top = window->ClipRect.Min.y, bottom = window->ClipRect.Max.y;
     if (room <= 0.0f) room = window->Size.y;
     ui.whole_lines.push_back(

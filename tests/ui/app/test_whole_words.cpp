@@ -16,14 +16,6 @@ namespace rasterwalk {
 
 namespace {
 
-std::vector<SmallWindow> all_windows() {
-    std::vector<SmallWindow> all(small_windows.begin(), small_windows.end());
-    all.push_back({{1366, 768}, 1.0f});
-    all.push_back({{1600, 1000}, 1.0f});
-    all.push_back({{1600, 1000}, 1.5f});
-    return all;
-}
-
 /// Lines with an ellipsis in the windows whose names begin with one of these.
 std::vector<std::string> shortened_lines(const std::vector<std::string>& names) {
     std::vector<std::string> lines;

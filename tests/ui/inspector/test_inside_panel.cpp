@@ -248,7 +248,8 @@ TEST_CASE("A polygon by row table, fan and active edges: what is wrong is counte
 TEST_CASE("Small pictures of coverage are whole, with all their words") {
     for (const auto& [window, scale] : {std::pair{ImVec2{1600, 1000}, 1.0f},
                                         {ImVec2{1600, 1000}, 1.5f},
-                                        {ImVec2{1024, 640}, 1.0f}}) {
+                                        {ImVec2{1024, 640}, 1.0f},
+                                        {ImVec2{1024, 640}, 1.5f}}) {
         for (const bool has_test : {true, false}) {
             Driver driver("dented.toml", window, scale);
             show_covered(driver, 0);

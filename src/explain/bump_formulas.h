@@ -1,0 +1,44 @@
+#pragma once
+
+// How a normal map bends the normal of a fragment: the axes of the surface, the texels, the sum;
+// with the formulas.
+
+#include "explain/light_formulas.h"
+
+namespace rasterwalk {
+
+/// The bent normal of one fragment.
+struct BumpReport {
+    UvDirections uv;
+    TangentFrame axes;
+    float sign = 0.0f;      ///< that gives the bitangent its side; 0: there are no axes
+    TakenTexels taken;      ///< of the normal map
+    glm::vec3 colour{0.0f}; ///< their mean by their weights, red green blue
+    glm::vec3 arrow{0.0f};  ///< what the colour stands for, in the surface's own axes
+    glm::vec3 normal{0.0f}; ///< bent, in the world, unit length
+
+    /// How far the normal is bent away from that of the surface, degrees.
+    double tilt() const;
+};
+
+/// The bent normal of a fragment whose surface has a normal map.
+/// @param normal of the surface, as the light would have it
+BumpReport bump_report(const Fragment& fragment, const Surface& surface, const glm::vec3& normal,
+                       const Frame& frame);
+
+/// Appends, with i 1 and 2 and a one of x y z:
+///     bump.side_i.a                   sides of the triangle, and
+///     bump.u_i bump.v_i bump.area     the same in the texture
+///     bump.along_u.a bump.along_v.a   where u and v grow in the world
+///     bump.lean bump.flat.a bump.flat_length bump.tangent.a
+///     bump.across.a bump.v_across bump.handedness bump.bitangent.a
+///     bump.colour.red ...             the mean of the texels
+///     bump.arrow.a                    what it stands for
+///     bump.sum.a bump.sum_length bump.normal.a
+/// bump.normal.a are the sources of the point's normal from then on. Where there are no axes they
+/// are all that is appended.
+/// @param point with the normal of the surface, which is replaced by the bent one
+void append_bump_formulas(const BumpReport& report, const Frame& frame, int triangle,
+                          LitPoint& point, std::vector<Formula>& formulas);
+
+} // namespace rasterwalk

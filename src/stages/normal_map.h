@@ -1,0 +1,108 @@
+#pragma once
+
+// Normal maps: the normal of a surface bent from texel to texel, so that a flat wall takes the
+// light as if it had bumps.
+//
+// In:  the normal of the surface, the directions in which u and v grow on it, a colour of the map.
+// Out: another normal, unit length.
+// Picture: each texel is a small arrow that stands on the surface. The map knows it in the
+//          surface's own axes: x along u, y toward the top of the texture, z away from the surface;
+//          so the same map serves a wall, a floor and a ball.
+//
+// Tangent t, bitangent b and normal n are these axes in the world. t is the direction of u, made
+// perpendicular to n; b stands on both. Which of its two directions it has, v says: where a texture
+// is laid on in mirror image, the side is the other one. The handedness is the sign that tells.
+//
+// A colour c holds an arrow as (arrow + 1) / 2, since it cannot be below 0. In bytes there is no
+// middle: (128, 128, 255) leans by a third of a degree. Green runs up here, toward smaller v, as
+// OpenGL's programs have it; a map made for green that runs down turns bumps into dents.
+//
+// The classic mistakes: to use the colour as it is, without 2 c - 1; to turn green; b = n x t
+// without the sign, so that mirrored halves of a model are lit from the wrong side.
+//
+// Source: J. F. Blinn, "Simulation of Wrinkled Surfaces", SIGGRAPH 1978; M. Peercy, J. Airey,
+// B. Cabral, "Efficient Bump Mapping Hardware", SIGGRAPH 1997, on tangent space; E. Lengyel,
+// "Foundations of Game Engine Development 2", 2019, section 7.5, on t from texture coordinates and
+// on handedness.
+
+#include <array>
+#include <cstdint>
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include "base/enum_words.h"
+#include "scene/mesh.h"
+
+namespace rasterwalk {
+
+/// Do surfaces have the bumps of the normal maps that the scene gives them?
+enum class NormalMapUse : std::uint8_t { on, off };
+template <>
+inline constexpr auto enum_words<NormalMapUse> = word_list("on", "off");
+static_assert(words_match<NormalMapUse>);
+
+/// How far and whither the world is left while a texture is crossed on a triangle, once along u and
+/// once along v; world units. Both 0 where the triangle has no area in the texture.
+struct UvDirections {
+    glm::vec3 along_u{0.0f}, along_v{0.0f};
+
+    friend bool operator==(const UvDirections&, const UvDirections&) = default;
+};
+
+/// The two directions, from places and texture coordinates of the corners.
+UvDirections uv_directions(const std::array<Vertex, triangle_corners>& corners);
+
+/// The axes of a surface in the world, by which its normal map is read.
+struct TangentFrame {
+    glm::vec3 tangent{0.0f};   ///< where u grows; unit length, or 0: there is no such direction
+    glm::vec3 bitangent{0.0f}; ///< where v gets smaller; likewise
+    glm::vec3 normal{0.0f};    ///< of the surface
+};
+
+/// The direction of u without what of it runs along the normal; not unit length.
+inline glm::vec3 tangent_on_surface(const UvDirections& uv, const glm::vec3& normal) {
+    return uv.along_u - normal * glm::dot(normal, uv.along_u);
+}
+
+/// How far v grows along n x t: below 0 where the texture is laid on as it is, above 0 where it is
+/// mirrored.
+inline float v_across(const UvDirections& uv, const TangentFrame& axes) {
+    return glm::dot(glm::cross(axes.normal, axes.tangent), uv.along_v);
+}
+
+/// 1, or -1 where the texture is laid on in mirror image; 0 where that cannot be said.
+inline float handedness(const UvDirections& uv, const TangentFrame& axes) {
+    const float across = v_across(uv, axes);
+    return across < 0.0f ? 1.0f : across > 0.0f ? -1.0f : 0.0f;
+}
+
+/// The frame of a surface with this normal, unit length.
+/// @tparam sign gives the bitangent its side
+template <auto sign>
+TangentFrame tangent_frame_with(const UvDirections& uv, const glm::vec3& normal) {
+    TangentFrame axes{glm::vec3(0.0f), glm::vec3(0.0f), normal};
+    const glm::vec3 flat = tangent_on_surface(uv, normal);
+    const float length = glm::length(flat);
+    if (!(length > 0.0f)) return axes;
+    axes.tangent = flat / length;
+    axes.bitangent = glm::cross(normal, axes.tangent) * sign(uv, axes);
+    return axes;
+}
+
+/// The same with the side that v says.
+inline TangentFrame tangent_frame(const UvDirections& uv, const glm::vec3& normal) {
+    return tangent_frame_with<handedness>(uv, normal);
+}
+
+/// The arrow that a colour of a normal map stands for, 2 c - 1: in the surface's own axes, about
+/// unit length.
+inline glm::vec3 arrow_of_texel(const glm::vec3& colour) {
+    return 2.0f * colour - 1.0f;
+}
+
+/// The arrow in the world, made unit length: the normal that the light asks for. Where there are no
+/// axes, or the arrow has no length, the normal stays as it is.
+glm::vec3 bent_normal(const glm::vec3& arrow, const TangentFrame& axes);
+
+} // namespace rasterwalk

@@ -1,0 +1,80 @@
+#include "explain/bump_formulas.h"
+
+#include <catch2/catch.hpp>
+
+#include <set>
+
+#include <fmt/format.h>
+
+#include "explain/fragment_report.h"
+#include "pipeline/draw.h"
+#include "scene/read_scene.h"
+#include "session/content.h"
+#include "settings/setting_table.h"
+#include "support/bits.h"
+#include "support/random.h"
+#include "support/recorder.h"
+
+using namespace rasterwalk;
+
+TEST_CASE("Every number of a bent normal follows from its formula to the bit") {
+    test::Random random(5);
+    std::set<float> signs;
+    for (const char* const name : {"studs", "brick-relief"}) {
+        const Scene scene = read_scene(fmt::format("{}/scenes/{}.toml", lessons_folder(), name));
+        for (const std::string_view rule : enum_words<NormalMapRule>) {
+            for (const std::string_view filter : {"nearest", "trilinear"}) {
+                Settings settings = default_settings(scene);
+                set_from_text(settings, "stage=pixel_light");
+                set_from_text(settings, fmt::format("normal_map_rule={}", rule));
+                set_from_text(settings, fmt::format("texture_filter={}", filter));
+                const Frame frame = prepare_frame(scene, settings);
+                for (int i = 0; i < 4; ++i) {
+                    const Cursor at{random.integer(0, scene.triangle_count() - 1), Phase::rows,
+                                    random.integer(2, 100), 3};
+                    const auto report = fragment_report(frame, at);
+                    if (!report) continue;
+                    REQUIRE(report->bump);
+                    signs.insert(report->bump->sign);
+                    std::set<std::string> ids;
+                    for (const Formula& formula : report->formulas) {
+                        ids.insert(formula.id);
+                        if (!test::same_bits(evaluate(formula), formula.result.value)) {
+                            FAIL(name << " " << rule << " " << filter << " " << formula.id << " = "
+                                      << with_numbers(formula) << " gives " << evaluate(formula)
+                                      << " and shows " << formula.result.value);
+                        }
+                        for (const FormulaInput& input : formula.inputs) {
+                            if (input.source.kind != SourceKind::formula) continue;
+                            const Formula* const from =
+                                find_formula(report->formulas, input.source.name);
+                            if (from == nullptr)
+                                FAIL(formula.id << " asks for " << input.source.name);
+                            if (!test::same_bits(from->result.value, input.number.value))
+                                FAIL(formula.id << " has another " << input.source.name);
+                        }
+                    }
+                    CHECK(ids.size() == report->formulas.size());
+                    CHECK(ids.count("bump.sum.x") == 1);
+                    CHECK(test::same_bits(report->colour, report->after));
+                }
+            }
+        }
+    }
+    CHECK(signs == std::set<float>{-1.0f, 1.0f});
+}
+
+TEST_CASE("Without a normal map in force there is no bent normal to tell of") {
+    const Scene scene = read_scene(lessons_folder() + "/scenes/studs.toml");
+    for (const char* const text : {"normal_map=off", "shading=gouraud", "shading=flat"}) {
+        Settings settings = default_settings(scene);
+        set_from_text(settings, "stage=pixel_light");
+        set_from_text(settings, text);
+        const auto report =
+            fragment_report(prepare_frame(scene, settings), {0, Phase::rows, 40, 10});
+        INFO(text);
+        REQUIRE(report);
+        CHECK_FALSE(report->bump);
+        CHECK(find_formula(report->formulas, "bump.normal.x") == nullptr);
+    }
+}
