@@ -55,13 +55,17 @@ bool write_all(int descriptor, std::string_view bytes) {
     return true;
 }
 
-/// Waits until there is something to be read, or the writer has ended.
-void wait_for_input(int descriptor) {
+/// How long to wait for input that never ends otherwise: as poll() wants it.
+constexpr int however_long = -1;
+
+/// Waits until there is something to be read, or the writer has ended; false: that was too long.
+bool wait_for_input(int descriptor, int milliseconds) {
     pollfd wanted{descriptor, POLLIN, 0};
-    ::poll(&wanted, 1, -1);
+    return ::poll(&wanted, 1, milliseconds) != 0;
 }
 
-std::string read_all(int descriptor, const std::string& name, std::size_t limit) {
+/// @param silence milliseconds, or `however_long`
+std::string read_all(int descriptor, const std::string& name, std::size_t limit, int silence) {
     struct stat status {};
     if (::fstat(descriptor, &status) == 0 && S_ISDIR(status.st_mode)) refuse("read", name, EISDIR);
     std::string bytes;
@@ -70,8 +74,8 @@ std::string read_all(int descriptor, const std::string& name, std::size_t limit)
         const ssize_t count = ::read(descriptor, block.data(), block.size());
         if (count < 0 && errno == EINTR) continue;
         if (count < 0 && errno == EAGAIN) {
-            wait_for_input(descriptor);
-            continue;
+            if (wait_for_input(descriptor, silence)) continue;
+            throw AccessError(fmt::format("cannot read '{}': nobody writes into this pipe.", name));
         }
         if (count < 0) refuse("read", name, errno);
         if (count == 0) return bytes;
@@ -153,16 +157,17 @@ bool take_after(int descriptor, const struct stat& old) {
 
 } // namespace
 
-std::string read_file(const std::string& path, std::size_t limit) {
+std::string read_file(const std::string& path, std::size_t limit,
+                      std::chrono::milliseconds silence) {
     // Opening must not wait for someone to open the other end of a pipe.
     const OpenFile file(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (!file.is_open()) refuse("read", path, errno);
-    return read_all(file.descriptor(), path, limit);
+    return read_all(file.descriptor(), path, limit, static_cast<int>(silence.count()));
 }
 
 std::string read_input(const std::string& path, std::size_t limit) {
     if (path != "-") return read_file(path, limit);
-    return read_all(STDIN_FILENO, standard_input_name, limit);
+    return read_all(STDIN_FILENO, standard_input_name, limit, however_long);
 }
 
 void refuse_endless_file(const std::string& path) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -8,12 +9,17 @@
 
 namespace rasterwalk {
 
-/// The bytes of a whole file. A pipe is read until its writer ends it, however long that takes.
-/// Throws AccessError if it cannot be opened or read, InputError if it is larger than `limit`
-/// bytes.
-std::string read_file(const std::string& path, std::size_t limit = largest_text_file);
+/// How long the writer of a pipe may be silent.
+inline constexpr std::chrono::milliseconds longest_silence = std::chrono::seconds(30);
 
-/// The same, with "-" for the standard input. For commands only: a window must not wait.
+/// The bytes of a whole file. A pipe is read until its writer ends it. Throws AccessError if it
+/// cannot be opened or read, or if nothing comes out of it for longer than `silence`; InputError if
+/// it is larger than `limit` bytes.
+std::string read_file(const std::string& path, std::size_t limit = largest_text_file,
+                      std::chrono::milliseconds silence = longest_silence);
+
+/// The same, with "-" for the standard input, which is waited for however long that takes. For
+/// commands only: a window must not wait.
 std::string read_input(const std::string& path, std::size_t limit = largest_text_file);
 
 /// How messages name the standard input.

@@ -1,5 +1,6 @@
 #include "inspect/pixel_history.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "pipeline/draw.h"
@@ -41,6 +42,13 @@ class Collector : public Observer {
     Projection projection_;
 };
 
+/// What it costs to see that a triangle does not reach the pixel.
+constexpr double look_work = 5;
+
+Projection projection_of(const Frame& frame) {
+    return vertex_rules(frame.settings, frame.scene->space).projection;
+}
+
 /// Both ends of a row are one moment, whose cursor does not tell how far from the left end it is.
 void find_columns_of_row_ends(const Frame& frame, PixelHistory& history) {
     PolygonRows rows;
@@ -81,31 +89,65 @@ void keep_the_near(std::vector<NearTriangle>& nearest) {
 } // namespace
 
 PixelHistory pixel_history(const Frame& frame, const glm::ivec2& pixel) {
-    PixelHistory history;
-    history.pixel = pixel;
-    history.depth_tested = depth_rule(frame.settings) != DepthTest::off;
-    Framebuffer one_pixel;
-    clear(one_pixel, frame, {1, 1}, pixel);
-    const Projection projection = vertex_rules(frame.settings, frame.scene->space).projection;
-    Collector collector(history, projection);
-    draw(frame, {}, one_pixel, &collector);
-    if (frame.settings.stage == Stage::rows) find_columns_of_row_ends(frame, history);
-    for (std::size_t i = 0; i < history.entries.size(); ++i) {
-        if (history.entries[i].fate == Fate::written) history.winner = static_cast<int>(i);
+    HistoryWork work(frame, pixel);
+    work.advance();
+    return work.take();
+}
+
+HistoryWork::HistoryWork(const Frame& frame, const glm::ivec2& pixel) : frame_(&frame) {
+    history_.pixel = pixel;
+    history_.depth_tested = depth_rule(frame.settings) != DepthTest::off;
+    clear(one_pixel_, frame, {1, 1}, pixel);
+}
+
+void HistoryWork::advance(const WorkLimit& limit) {
+    if (is_done_) return;
+    const int count = frame_->triangle_count();
+    // It may be looked at twice: by the pixel, and by the search for the nearest.
+    double part = std::max(limit.of(2.0 * look_work * count), look_work);
+    const auto triangles_of = [&](int left) {
+        return static_cast<int>(std::min(part / look_work, static_cast<double>(left)));
+    };
+    if (drawn_ < count) {
+        const int triangles = triangles_of(count - drawn_);
+        draw_part(triangles);
+        part -= look_work * triangles;
+        if (drawn_ < count) return;
     }
-    for (PixelEntry& entry : history.entries) {
-        // Who wins is known only now.
-        const float winning = history.winner >= 0
-                                  ? history.entries[static_cast<std::size_t>(history.winner)].depth
-                                  : one_pixel.depth.front();
+    if (!nearest_) {
+        find_winner();
+        is_done_ = !history_.entries.empty();
+        if (is_done_) return;
+        nearest_.emplace(*frame_, history_.pixel);
+    }
+    nearest_->look(triangles_of(count));
+    if (!nearest_->is_done()) return;
+    history_.nearest = nearest_->found();
+    keep_the_near(history_.nearest);
+    nearest_ = std::nullopt;
+    is_done_ = true;
+}
+
+void HistoryWork::draw_part(int triangles) {
+    Collector collector(history_, projection_of(*frame_));
+    const Cursor from{drawn_, Phase::vertices, 0, 0};
+    drawn_ += triangles;
+    draw(*frame_, {from, behind_triangle(drawn_ - 1), {}}, one_pixel_, &collector);
+}
+
+/// Completes what is known only when all has been drawn.
+void HistoryWork::find_winner() {
+    if (frame_->settings.stage == Stage::rows) find_columns_of_row_ends(*frame_, history_);
+    for (std::size_t i = 0; i < history_.entries.size(); ++i) {
+        if (history_.entries[i].fate == Fate::written) history_.winner = static_cast<int>(i);
+    }
+    const float winning = history_.winner >= 0
+                              ? history_.entries[static_cast<std::size_t>(history_.winner)].depth
+                              : one_pixel_.depth.front();
+    const Projection projection = projection_of(*frame_);
+    for (PixelEntry& entry : history_.entries)
         entry.margin_to_winner = depth_ahead(entry.depth, winning, projection.clip_depth);
-    }
-    find_shares(frame, history.entries);
-    if (history.entries.empty()) {
-        history.nearest = nearest_triangles(frame, pixel);
-        keep_the_near(history.nearest);
-    }
-    return history;
+    find_shares(*frame_, history_.entries);
 }
 
 } // namespace rasterwalk

@@ -2,6 +2,8 @@
 
 // Everything that fell on one pixel: found by drawing the frame again into that pixel alone.
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -10,7 +12,9 @@
 #include "inspect/uncovered.h"
 #include "pipeline/cursor.h"
 #include "pipeline/frame.h"
+#include "pipeline/framebuffer.h"
 #include "pipeline/observer.h"
+#include "pipeline/work.h"
 
 namespace rasterwalk {
 
@@ -47,5 +51,35 @@ struct PixelHistory {
 /// The history of a pixel of the picture. Costs the triangles whose box it lies in, and a look at
 /// the others. The pixel must lie in the picture.
 PixelHistory pixel_history(const Frame& frame, const glm::ivec2& pixel);
+
+/// The same in parts.
+class HistoryWork {
+  public:
+    /// The frame must live as long.
+    HistoryWork(const Frame& frame, const glm::ivec2& pixel);
+
+    /// Goes on as far as the limit allows; never holds.
+    void advance(const WorkLimit& limit = {});
+    bool is_done() const { return is_done_; }
+
+    /// How many triangles have been drawn into the pixel.
+    int triangles_done() const { return drawn_; }
+
+    const glm::ivec2& pixel() const { return history_.pixel; }
+
+    /// What is found; once is_done().
+    PixelHistory take() { return std::move(history_); }
+
+  private:
+    void draw_part(int triangles);
+    void find_winner();
+
+    const Frame* frame_;
+    PixelHistory history_;
+    Framebuffer one_pixel_;
+    int drawn_ = 0;                        ///< see triangles_done()
+    std::optional<NearestSearch> nearest_; ///< once it is known that nothing fell there
+    bool is_done_ = false;
+};
 
 } // namespace rasterwalk

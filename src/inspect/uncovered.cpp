@@ -120,6 +120,51 @@ bool is_out_of_bounds(const Frame& frame, const glm::ivec2& pixel) {
     return pixel.x < area.left || pixel.y < area.top;
 }
 
+/// The squared distance of a triangle's box, and the triangle.
+using BoxSeen = std::pair<std::int64_t, int>;
+
+BoxSeen box_seen_from(const Frame& frame, int triangle, const glm::ivec2& pixel) {
+    const glm::ivec2 way = way_to_box(frame, triangle, pixel);
+    return {squared_distance(way.x, way.y), triangle};
+}
+
+/// So many boxes are kept while all are looked at. Thousands of tiny triangles can have boxes that
+/// are equally near: their rows differ by a pixel at most.
+constexpr std::size_t kept_boxes = 1024;
+
+void keep_nearest_boxes(std::vector<BoxSeen>& boxes) {
+    if (boxes.size() <= kept_boxes) return;
+    std::nth_element(boxes.begin(), boxes.begin() + kept_boxes, boxes.end());
+    boxes.resize(kept_boxes);
+}
+
+/// Boxes are cheap and row tables are not: the triangles are looked at in the order of their boxes,
+/// until no box can hold a row that comes nearer than those found.
+std::vector<NearTriangle> nearest_rows(const Frame& frame, const glm::ivec2& pixel,
+                                       std::vector<BoxSeen> heap, int count) {
+    std::make_heap(heap.begin(), heap.end(), std::greater<>());
+    std::vector<BoxSeen> best; // nearest first; the second number is an index of `looked_at`
+    std::vector<NearTriangle> looked_at;
+    PolygonRows rows;
+    while (!heap.empty()) {
+        std::pop_heap(heap.begin(), heap.end(), std::greater<>());
+        const auto [box_distance, triangle] = heap.back();
+        heap.pop_back();
+        const bool is_full = static_cast<int>(best.size()) == count;
+        if (is_full && box_distance >= best.back().first) break;
+        const NearTriangle near = look_at(frame, triangle, pixel, rows);
+        const BoxSeen candidate{squared_distance(near), static_cast<int>(looked_at.size())};
+        if (is_full && candidate.first >= best.back().first) continue;
+        if (is_full) best.pop_back();
+        best.insert(std::upper_bound(best.begin(), best.end(), candidate), candidate);
+        looked_at.push_back(near);
+    }
+    std::vector<NearTriangle> found;
+    for (const BoxSeen& candidate : best)
+        found.push_back(looked_at[static_cast<std::size_t>(candidate.second)]);
+    return found;
+}
+
 std::string column_direction(int columns) {
     return fmt::format("{} to the {} of", counted(std::abs(columns), "column", "columns"),
                        columns > 0 ? "right" : "left");
@@ -134,38 +179,31 @@ std::string row_direction(int rows) {
 
 std::vector<NearTriangle> nearest_triangles(const Frame& frame, const glm::ivec2& pixel,
                                             int count) {
-    std::vector<NearTriangle> found;
-    if (!has_fragments(frame.settings.stage) || count <= 0) return found;
-    if (is_out_of_bounds(frame, pixel)) return found;
-    // Boxes are cheap and row tables are not: the triangles are looked at in the order of their
-    // boxes, until no box can hold a row that comes nearer than those found.
-    using Candidate = std::pair<std::int64_t, int>;
-    std::vector<Candidate> heap;
-    for (int t = 0; t < frame.triangle_count(); ++t) {
-        if (!frame.is_drawn(t)) continue;
-        const glm::ivec2 way = way_to_box(frame, t, pixel);
-        heap.emplace_back(squared_distance(way.x, way.y), t);
+    NearestSearch search(frame, pixel);
+    search.look(frame.triangle_count());
+    return search.found(count);
+}
+
+NearestSearch::NearestSearch(const Frame& frame, const glm::ivec2& pixel)
+    : frame_(&frame), pixel_(pixel) {
+    const bool has_rows = has_fragments(frame.settings.stage) && !is_out_of_bounds(frame, pixel);
+    if (has_rows) end_ = frame.triangle_count();
+}
+
+void NearestSearch::look(int triangles) {
+    const int end = next_ + std::min(triangles, end_ - next_);
+    for (; next_ < end; ++next_) {
+        if (!frame_->is_drawn(next_)) continue;
+        boxes_.push_back(box_seen_from(*frame_, next_, pixel_));
+        if (boxes_.size() >= 2 * kept_boxes) keep_nearest_boxes(boxes_);
     }
-    std::make_heap(heap.begin(), heap.end(), std::greater<>());
-    std::vector<Candidate> best; // nearest first; the second number is an index of `looked_at`
-    std::vector<NearTriangle> looked_at;
-    PolygonRows rows;
-    while (!heap.empty()) {
-        std::pop_heap(heap.begin(), heap.end(), std::greater<>());
-        const auto [box_distance, triangle] = heap.back();
-        heap.pop_back();
-        const bool is_full = static_cast<int>(best.size()) == count;
-        if (is_full && box_distance >= best.back().first) break;
-        const NearTriangle near = look_at(frame, triangle, pixel, rows);
-        const Candidate candidate{squared_distance(near), static_cast<int>(looked_at.size())};
-        if (is_full && candidate.first >= best.back().first) continue;
-        if (is_full) best.pop_back();
-        best.insert(std::upper_bound(best.begin(), best.end(), candidate), candidate);
-        looked_at.push_back(near);
-    }
-    for (const Candidate& candidate : best)
-        found.push_back(looked_at[candidate.second]);
-    try_other_rules(frame, pixel, found);
+}
+
+std::vector<NearTriangle> NearestSearch::found(int count) {
+    if (boxes_.empty() || count <= 0) return {};
+    keep_nearest_boxes(boxes_);
+    std::vector<NearTriangle> found = nearest_rows(*frame_, pixel_, std::move(boxes_), count);
+    try_other_rules(*frame_, pixel_, found);
     // Of equally near ones, those come first that could have been there.
     std::stable_sort(found.begin(), found.end(), [](const NearTriangle& a, const NearTriangle& b) {
         return std::pair(squared_distance(a), a.rules.empty()) <

@@ -3,8 +3,10 @@
 // Why nothing fell on a pixel: whose rows came nearest, and which rule would have brought them
 // there.
 
+#include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -36,9 +38,33 @@ struct NearTriangle {
 
 /// The triangles whose rows come nearest to a pixel on which no fragment falls, nearest first, at
 /// most `count`. Only stages from `fill` on have rows to ask; before, and in a scene in which
-/// nothing is drawn, there are none.
+/// nothing is drawn, there are none. Of very many triangles only those are looked at whose boxes
+/// are nearest.
 std::vector<NearTriangle> nearest_triangles(const Frame& frame, const glm::ivec2& pixel,
                                             int count = 3);
+
+/// The same in parts: the boxes of a part of the triangles at a time, then the rows of the few that
+/// may be nearest.
+class NearestSearch {
+  public:
+    /// The frame must live as long.
+    NearestSearch(const Frame& frame, const glm::ivec2& pixel);
+
+    /// Looks at this many further boxes.
+    void look(int triangles);
+    bool is_done() const { return next_ >= end_; }
+
+    /// What is found; once is_done().
+    std::vector<NearTriangle> found(int count = 3);
+
+  private:
+    using Box = std::pair<std::int64_t, int>; ///< squared distance, triangle
+    const Frame* frame_;
+    glm::ivec2 pixel_;
+    std::vector<Box> boxes_;
+    int next_ = 0;
+    int end_ = 0; ///< 0 where there is nothing to look at
+};
 
 /// In words, why nothing falls on a pixel, as far as it is the same for all uncovered pixels of the
 /// frame: "No row of any triangle reaches this pixel."

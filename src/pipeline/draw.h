@@ -1,5 +1,6 @@
 #pragma once
 
+#include <climits>
 #include <cstdint>
 #include <optional>
 
@@ -17,6 +18,11 @@ struct DrawWindow {
     Cursor to = cursor_end;
     std::optional<Rectangle> scissor;
 };
+
+/// The end of a window that holds a triangle to its last moment, and nothing of the next.
+constexpr Cursor behind_triangle(int triangle) {
+    return {triangle, phase_list.back().phase, INT_MAX, 0};
+}
 
 /// What draw() did with the triangles that it did not skip. What is told of row tables is told
 /// of the triangles that begin in the window, so that tallies of windows that follow each other can

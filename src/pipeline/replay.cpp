@@ -1,7 +1,6 @@
 #include "pipeline/replay.h"
 
 #include <algorithm>
-#include <climits>
 #include <utility>
 
 namespace rasterwalk {
@@ -34,7 +33,7 @@ Rectangle whole_picture(const Frame& frame) {
 Cursor behind_triangles_before(const Cursor& cursor) {
     const bool is_begin = cursor.phase == Phase::vertices && cursor.index <= 0 && cursor.step <= 0;
     if (!is_begin || cursor.triangle <= 0 || cursor == cursor_end) return cursor;
-    return {cursor.triangle - 1, phase_list.back().phase, INT_MAX, 0};
+    return behind_triangle(cursor.triangle - 1);
 }
 
 } // namespace

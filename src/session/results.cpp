@@ -45,12 +45,30 @@ void update_ground(Results& results) {
     results.ground_number = ++results.numbers;
 }
 
-void update_history(const Session& session, Results& results, bool new_frame) {
+/// The pixel whose history is known, or on its way.
+std::optional<glm::ivec2> pixel_of_history(const Results& results) {
+    if (results.history) return results.history->pixel;
+    if (results.history_work) return results.history_work->pixel();
+    return std::nullopt;
+}
+
+void update_history(const Session& session, const RunChanges& changes, const WorkLimit& limit,
+                    Results& results) {
     const std::optional<glm::ivec2> pixel = picked_pixel(session, results.a.frame);
-    const auto known = results.history ? std::optional(results.history->pixel) : std::nullopt;
-    if (!new_frame && pixel == known) return;
-    results.history = std::nullopt;
-    if (pixel) results.history = pixel_history(results.a.frame, *pixel);
+    if (changes.frame || pixel != pixel_of_history(results)) {
+        results.history = std::nullopt;
+        results.history_work = std::nullopt;
+        if (pixel) results.history_work.emplace(results.a.frame, *pixel);
+    }
+    // First the picture, then what fell on one pixel of it.
+    if (!results.history_work || !(results.a.is_drawn() || results.a.is_held)) return;
+    // Nor both in one update, if the picture was much work.
+    const bool was_much = results.a.replay.work().total() > limit.at_once;
+    if (changes.picture && was_much) return;
+    results.history_work->advance({limit.slice, limit.slice});
+    if (!results.history_work->is_done()) return;
+    results.history = results.history_work->take();
+    results.history_work = std::nullopt;
 }
 
 std::string size_text(Viewport size) {
@@ -127,9 +145,13 @@ void update_second_run(const Session& session, const RunChanges& a, bool are_rea
     }
 }
 
-} // namespace
+/// For each of two runs.
+WorkLimit half_slices(WorkLimit limit) {
+    limit.slice /= 2.0;
+    return limit;
+}
 
-bool update(const Session& session, Results& results, const WorkLimit& limit) {
+bool update_within(const Session& session, const WorkLimit& limit, Results& results) {
     const bool are_ready = prepare_runs(session, limit, results);
     const RunChanges changes =
         update_run(session, session.a, are_ready, nullptr, limit, results.numbers, results.a);
@@ -145,9 +167,15 @@ bool update(const Session& session, Results& results, const WorkLimit& limit) {
     if (changes.frame) results.length = frame_length(Timeline(results.a.frame));
     update_overlay(session, results, changes.moment);
     update_ground(results);
-    update_history(session, results, changes.frame);
+    update_history(session, changes, limit, results);
     update_second_run(session, changes, are_ready, limit, results);
     return changes.picture;
+}
+
+} // namespace
+
+bool update(const Session& session, Results& results, const WorkLimit& limit) {
+    return update_within(session, session.b ? half_slices(limit) : limit, results);
 }
 
 bool finish(const Session& session, Results& results) {
@@ -161,6 +189,7 @@ bool finish(const Session& session, Results& results) {
 bool is_working(const Results& results) {
     const auto is_drawing = [](const RunResults& run) { return !run.is_drawn() && !run.is_held; };
     if (results.a.is_frame_late || is_drawing(results.a)) return true;
+    if (results.history_work) return true;
     if (!results.b) return false;
     if (results.b->is_frame_late) return true;
     const bool are_drawn = results.a.is_drawn() && results.b->is_drawn();

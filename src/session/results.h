@@ -55,6 +55,8 @@ struct Results {
     std::optional<DepthView> depth;   ///< of A, while the depth view is shown
     std::optional<OverdrawCounts> overdraw; ///< of A, while the overdraw view is shown
     std::optional<PixelHistory> history;    ///< of the picked pixel, over the whole frame of A
+    std::optional<HistoryWork> history_work; ///< makes it, once the picture is
+                                             ///< drawn; none: there is nothing to do
     FrameLength length;                     ///< of the frame of A
     std::uint64_t numbers = 0;              ///< the last one that a frame or a picture got
 };

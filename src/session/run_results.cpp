@@ -78,7 +78,8 @@ void advance_next(const WorkLimit& limit, NextFrame& next) {
         next.preparation = std::nullopt;
         next.work.start(next.frame);
     }
-    next.work.advance(limit);
+    // When it is done something is drawn in the same update, too.
+    next.work.advance({limit.slice, limit.slice});
     next.is_done = next.work.is_done();
 }
 

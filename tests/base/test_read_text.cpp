@@ -3,6 +3,7 @@
 #include <chrono>
 #include <thread>
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -111,6 +112,21 @@ TEST_CASE("A folder is no file to be read") {
 TEST_CASE("A pipe is read whole, however slowly it is written") {
     const SlowPipe pipe("a row\n", 5);
     CHECK(read_file(pipe.path()) == "a row\na row\na row\na row\na row\n");
+}
+
+TEST_CASE("A pipe whose writer stays silent is given up") {
+    const test::TemporaryFolder folder;
+    const std::string path = folder.file("pipe");
+    REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
+    const int writer = ::open(path.c_str(), O_RDWR);
+    REQUIRE(writer >= 0);
+    const std::chrono::milliseconds silence(5);
+    CHECK_THROWS_WITH(read_file(path, largest_text_file, silence),
+                      "cannot read '" + path + "': nobody writes into this pipe.");
+    // What it has said is not the whole of it.
+    REQUIRE(::write(writer, "half", 4) == 4);
+    CHECK_THROWS_AS(read_file(path, largest_text_file, silence), AccessError);
+    ::close(writer);
 }
 
 TEST_CASE("'-' is the standard input for a command") {

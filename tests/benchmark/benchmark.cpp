@@ -39,7 +39,7 @@ using namespace rasterwalk;
 constexpr const char* usage =
     "usage: rasterwalk-benchmark [REPETITIONS]\n"
     "       rasterwalk-benchmark camera [--steps N] [--against FILE] [NAME...]\n"
-    "       rasterwalk-benchmark models";
+    "       rasterwalk-benchmark models [--against FILE] [NAME...]";
 
 /// How long one thing took, over all its repetitions.
 struct Measurement {
@@ -222,6 +222,21 @@ CameraBenchmark camera_options(const std::vector<std::string>& words) {
     return options;
 }
 
+/// The words behind `models`. Throws UsageError.
+ModelBenchmark model_options(const std::vector<std::string>& words) {
+    ModelBenchmark options;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (words[i] == "--against" && i + 1 < words.size()) {
+            options.against = words[++i];
+        } else if (!words[i].starts_with("-")) {
+            options.names.push_back(words[i]);
+        } else {
+            throw UsageError(usage);
+        }
+    }
+    return options;
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -231,8 +246,8 @@ int main(int argc, char** argv) {
             print_camera_times(camera_options({words.begin() + 1, words.end()}));
             return 0;
         }
-        if (words.size() == 1 && words.front() == "models") {
-            print_model_times();
+        if (!words.empty() && words.front() == "models") {
+            print_model_times(model_options({words.begin() + 1, words.end()}));
             return 0;
         }
         if (words.size() > 1) throw UsageError(usage);

@@ -5,16 +5,12 @@
 #include <ctime>
 #include <functional>
 #include <limits>
-#include <map>
-#include <memory>
-#include <optional>
-#include <sstream>
 
 #include <imgui.h>
 
 #include "bare_interface.h"
 #include "base/error.h"
-#include "base/files.h"
+#include "figures.h"
 #include "pipeline/timeline.h"
 #include "session/content.h"
 #include "session/results.h"
@@ -46,21 +42,6 @@ double processor_milliseconds(const std::function<void()>& work) {
     return 1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-/// The figures of another version, by name.
-std::map<std::string, double> read_figures(const std::string& path) {
-    std::map<std::string, double> figures;
-    if (path.empty()) return figures;
-    std::istringstream lines(read_file(path));
-    std::string line;
-    while (std::getline(lines, line)) {
-        std::istringstream words(line);
-        std::string name;
-        double milliseconds = 0.0;
-        if (words >> name >> milliseconds) figures[name] = milliseconds;
-    }
-    return figures;
-}
-
 /// Takes the figures that are asked for and prints a line for each.
 class Figures {
   public:
@@ -79,16 +60,12 @@ class Figures {
         double smallest = std::numeric_limits<double>::infinity();
         for (int i = 0; i < options_.steps; ++i)
             smallest = std::min(smallest, processor_milliseconds(step));
-        std::printf("%-24s %10.3f ms", name.c_str(), smallest);
-        if (const auto other = other_.find(name); other != other_.end() && other->second > 0.0)
-            std::printf("   %6.3f of %10.3f ms", smallest / other->second, other->second);
-        std::printf("\n");
-        std::fflush(stdout);
+        print_figure(name, smallest, other_);
     }
 
   private:
     const CameraBenchmark& options_;
-    std::map<std::string, double> other_;
+    KnownFigures other_;
 };
 
 Session room() {

@@ -11,12 +11,20 @@
 
 #include <fmt/format.h>
 
+#include "bare_interface.h"
+#include "base/error.h"
+#include "figures.h"
 #include "pipeline/timeline.h"
 #include "scene/model_scene.h"
 #include "scene/read_obj.h"
+#include "scene/read_scene.h"
 #include "session/content.h"
 #include "session/results.h"
+#include "session/second_run.h"
 #include "session/session.h"
+#include "settings/setting_table.h"
+#include "ui/app/app.h"
+#include "ui/ui.h"
 
 namespace rasterwalk {
 
@@ -47,59 +55,120 @@ std::string hills(int triangles) {
     return text;
 }
 
-/// The longest of the updates by which a window comes to rest again.
-double longest_update(const Session& session, Results& results) {
+/// The longest frame of the window after something has changed, until it comes to rest.
+double longest_frame(BareInterface& interface) {
     double longest = 0.0;
     do
-        longest =
-            std::max(longest, model_milliseconds([&] { update(session, results, frame_limit); }));
-    while (is_working(results));
+        longest = std::max(longest, model_milliseconds([&] { interface.frame(); }));
+    while (is_working(interface.ui.results) || is_animating(interface.ui));
     return longest;
 }
 
-constexpr std::array figure_of_models{"open", "first update", "step", "seek", "pick", "turn"};
-using ModelFigures = std::array<double, figure_of_models.size()>;
+/// A change of the session, each time another one.
+using Change = std::function<void(Ui&, int)>;
 
-ModelFigures figures_of(int triangles) {
-    ModelFigures figures{};
-    const std::string text = hills(triangles);
-    Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
-    Scene scene;
-    figures[0] = model_milliseconds([&] { scene = scene_of_model(parse_obj(text, "hills.obj")); });
-    set_scene(session, std::move(scene));
-    Results results;
-    figures[1] = longest_update(session, results);
-    const auto largest_of = [&](int count, const std::function<void(int)>& change) {
-        double longest = 0.0;
-        for (int i = 0; i < count; ++i) {
-            change(i);
-            longest = std::max(longest, longest_update(session, results));
-        }
-        return longest;
+/// The longest frame of a few such changes.
+double longest_after(BareInterface& interface, const Change& change) {
+    double longest = 0.0;
+    for (int i = 0; i < 12; ++i) {
+        change(interface.ui, i);
+        longest = std::max(longest, longest_frame(interface));
+    }
+    return longest;
+}
+
+/// The same of changes that do not wait for each other.
+double longest_while(BareInterface& interface, const Change& change) {
+    double longest = 0.0;
+    for (int i = 0; i < 120; ++i) {
+        change(interface.ui, i);
+        longest = std::max(longest, model_milliseconds([&] { interface.frame(); }));
+    }
+    return std::max(longest, longest_frame(interface));
+}
+
+void seek(Ui& ui, double place) {
+    ui.session.cursor = Timeline(ui.results.a.frame).at_place(place);
+}
+
+/// To and fro, so that the model stays in sight.
+void turn_camera(Ui& ui, int i) {
+    ui.session.a.settings.camera.yaw += (i + 15) / 30 % 2 == 0 ? 0.01f : -0.01f;
+}
+
+/// A model that is measured; the room is that of no triangles.
+struct MeasuredModel {
+    std::string name;
+    int triangles;
+};
+const std::array<MeasuredModel, 3> measured_models{
+    {{"room", 0}, {"200000", 200'000}, {"1000000", 1'000'000}}};
+
+void measure_model(const MeasuredModel& model, const KnownFigures& others) {
+    const auto print = [&](const std::string& figure, double milliseconds) {
+        print_figure(model.name + "-" + figure, milliseconds, others);
     };
-    session.cursor = Timeline(results.a.frame).at_place(0.6);
-    longest_update(session, results);
-    figures[2] = largest_of(20, [&](int) {
-        session.cursor = Timeline(results.a.frame).next(session.cursor, Granularity::moment);
-    });
-    figures[3] = largest_of(10, [&](int i) {
-        session.cursor = Timeline(results.a.frame).at_place(0.1 * ((7 * i) % 10));
-    });
-    session.cursor = cursor_end;
-    longest_update(session, results);
-    figures[4] = largest_of(10, [&](int i) { session.selection.pixel = {200 + 10 * i, 250}; });
-    figures[5] = largest_of(10, [&](int) { session.a.settings.camera.yaw += 0.01f; });
-    return figures;
+    const std::string room = lessons_folder() + "/scenes/lab-room.toml";
+    const std::string text = model.triangles > 0 ? hills(model.triangles) : std::string();
+    Scene scene;
+    print("open", model_milliseconds([&] {
+              scene =
+                  text.empty() ? read_scene(room) : scene_of_model(parse_obj(text, "hills.obj"));
+          }));
+    Session session = open_session(room);
+    BareInterface interface(session);
+    for (int i = 0; i < 4; ++i)
+        longest_frame(interface); // sizes of windows and columns settle
+    set_scene(interface.ui.session, std::move(scene));
+    print("first", longest_frame(interface));
+    seek(interface.ui, 0.6);
+    longest_frame(interface);
+    print("step", longest_after(interface, [](Ui& ui, int) {
+              const Timeline timeline(ui.results.a.frame);
+              ui.session.cursor = timeline.next(ui.session.cursor, Granularity::moment);
+          }));
+    print("seek", longest_after(interface, [](Ui& ui, int i) { seek(ui, 0.1 * ((7 * i) % 10)); }));
+    interface.ui.session.cursor = cursor_end;
+    longest_frame(interface);
+    print("turn", longest_while(interface, turn_camera));
+    print("pick", longest_after(interface, [](Ui& ui, int i) {
+              ui.session.selection.pixel = {20 + 40 * i, 250};
+          }));
+    print("turn-picked", longest_while(interface, turn_camera));
+    interface.ui.session.selection.pixel = {250, 2}; // the sky: nothing is drawn here
+    print("turn-uncovered", longest_while(interface, turn_camera));
+    interface.ui.session.selection.pixel = std::nullopt;
+    Settings affine = interface.ui.session.a.settings;
+    set_from_text(affine, "interpolation=affine");
+    compare_with(interface.ui.session, affine);
+    longest_frame(interface);
+    print("turn-comparing", longest_while(interface, [](Ui& ui, int i) {
+              turn_camera(ui, i);
+              carry_changes_to_b(ui.session);
+          }));
+    stop_comparing(interface.ui.session);
+    interface.ui.session.canvas.shows = CanvasShows::both;
+    longest_frame(interface);
+    print("turn-both", longest_while(interface, turn_camera));
+    print("turn-outside",
+          longest_while(interface, [](Ui& ui, int) { ui.session.canvas.outside.yaw += 0.01f; }));
 }
 
 } // namespace
 
-void print_model_times() {
-    const ModelFigures small = figures_of(200'000), large = figures_of(1'000'000);
-    std::printf("%-16s %12s %12s %8s\n", "longest, ms", "200,000", "1,000,000", "ratio");
-    for (std::size_t i = 0; i < small.size(); ++i) {
-        std::printf("%-16s %12.1f %12.1f %8.2f\n", figure_of_models[i], small[i], large[i],
-                    small[i] > 0.0 ? large[i] / small[i] : 0.0);
+void print_model_times(const ModelBenchmark& options) {
+    const auto is_wanted = [&](const std::string& name) {
+        return options.names.empty() ||
+               std::find(options.names.begin(), options.names.end(), name) != options.names.end();
+    };
+    for (const std::string& name : options.names) {
+        if (std::none_of(measured_models.begin(), measured_models.end(),
+                         [&](const MeasuredModel& model) { return model.name == name; }))
+            throw UsageError("there is no model '" + name + "'.");
+    }
+    const KnownFigures others = read_figures(options.against);
+    for (const MeasuredModel& model : measured_models) {
+        if (is_wanted(model.name)) measure_model(model, others);
     }
 }
 

@@ -11,6 +11,7 @@
 #include "settings/setting_table.h"
 #include "tests/support/bits.h"
 #include "tests/support/effort.h"
+#include "tests/support/made_scene.h"
 #include "tests/support/random.h"
 #include "tests/support/samples.h"
 
@@ -470,4 +471,98 @@ TEST_CASE("A triangle that is left out is not among the nearest") {
     CHECK(history.nearest[0].triangle == 1);
     CHECK(miss_text(history.nearest[0]) ==
           "its first row is 6, 5 rows below and 4 columns to the right of the pixel");
+}
+
+namespace {
+
+void require_same_history(const PixelHistory& history, const PixelHistory& expected) {
+    CHECK(history.pixel == expected.pixel);
+    CHECK(history.winner == expected.winner);
+    CHECK(history.depth_tested == expected.depth_tested);
+    CHECK(history.tests.size() == expected.tests.size());
+    REQUIRE(history.entries.size() == expected.entries.size());
+    for (std::size_t i = 0; i < expected.entries.size(); ++i) {
+        const PixelEntry &entry = history.entries[i], &other = expected.entries[i];
+        INFO("entry " << i);
+        REQUIRE(entry.cursor == other.cursor);
+        REQUIRE(entry.row == other.row);
+        REQUIRE(entry.column == other.column);
+        REQUIRE(entry.depth == other.depth);
+        REQUIRE(entry.stored == other.stored);
+        REQUIRE(entry.margin_to_winner == other.margin_to_winner);
+        REQUIRE(entry.fate == other.fate);
+        REQUIRE(entry.colour_before == other.colour_before);
+        REQUIRE(entry.colour_after == other.colour_after);
+    }
+    REQUIRE(history.nearest.size() == expected.nearest.size());
+    for (std::size_t i = 0; i < expected.nearest.size(); ++i) {
+        INFO("nearest " << i);
+        REQUIRE(history.nearest[i].triangle == expected.nearest[i].triangle);
+        REQUIRE(history.nearest[i].columns_away == expected.nearest[i].columns_away);
+        REQUIRE(history.nearest[i].rows_away == expected.nearest[i].rows_away);
+        REQUIRE(history.nearest[i].rules.size() == expected.nearest[i].rules.size());
+    }
+}
+
+} // namespace
+
+TEST_CASE("A pixel's history comes to the same, in whatever parts it is made") {
+    test::Random random(17);
+    const Scene scene = test::made_scene(3'000);
+    int entries = 0, uncovered = 0;
+    for (const char* const change : {"stage=depth", "stage=rows", "coverage=edge_functions"}) {
+        Settings settings = default_settings(scene);
+        set_from_text(settings, change);
+        const Frame frame = prepare_frame(scene, settings);
+        for (int i = 0; i < 12; ++i) {
+            // The made scene leaves the outermost pixels free.
+            const glm::ivec2 pixel =
+                i < 3 ? glm::ivec2(i, 0)
+                      : glm::ivec2(random.integer(100, 400), random.integer(100, 400));
+            CAPTURE(change, pixel.x, pixel.y);
+            HistoryWork work(frame, pixel);
+            int parts = 0;
+            for (; !work.is_done(); ++parts) {
+                REQUIRE(parts < 2000);
+                work.advance({0.0, random.number(0, 2'000)});
+            }
+            CHECK(parts > 1);
+            const PixelHistory expected = pixel_history(frame, pixel);
+            require_same_history(work.take(), expected);
+            entries += static_cast<int>(expected.entries.size());
+            uncovered += expected.nearest.empty() ? 0 : 1;
+        }
+    }
+    CHECK(entries > 20);
+    CHECK(uncovered > 2);
+}
+
+TEST_CASE("Among very many triangles the nearest rows are those of all") {
+    const Scene scene = test::made_scene(9'000);
+    const Frame frame = prepare_frame(scene, default_settings(scene));
+    for (const glm::ivec2 pixel : {glm::ivec2(0, 0), glm::ivec2(499, 499), glm::ivec2(0, 250)}) {
+        CAPTURE(pixel.x, pixel.y);
+        REQUIRE(pixel_history(frame, pixel).entries.empty());
+        std::vector<std::int64_t> distances; // squared, of all triangles
+        PolygonRows rows;
+        for (int t = 0; t < frame.triangle_count(); ++t) {
+            if (!frame.is_drawn(t)) continue;
+            compute_rows(frame, t, rows);
+            const int row = std::clamp(pixel.y, rows.first_row, rows.first_row + rows.size() - 1);
+            const auto index = static_cast<std::size_t>(row - rows.first_row);
+            REQUIRE_FALSE(rows.is_empty_row(row - rows.first_row));
+            const std::int64_t column =
+                std::clamp(pixel.x, rows.left[index].column, rows.right[index].column);
+            const std::int64_t columns = column - pixel.x, down = row - pixel.y;
+            distances.push_back(columns * columns + down * down);
+        }
+        std::sort(distances.begin(), distances.end());
+        const std::vector<NearTriangle> found = nearest_triangles(frame, pixel, 5);
+        REQUIRE(found.size() == 5);
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            INFO("nearest " << i);
+            const std::int64_t columns = found[i].columns_away, down = found[i].rows_away;
+            REQUIRE(columns * columns + down * down == distances[i]);
+        }
+    }
 }

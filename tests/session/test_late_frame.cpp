@@ -133,3 +133,41 @@ TEST_CASE("Two runs that turn together are seen from the same place at any time"
     CHECK(results.comparison.whole().is_same());
     CHECK(results.b->picture == results.a.picture);
 }
+
+TEST_CASE("What fell on the picked pixel is looked for when the picture is drawn") {
+    Session session = session_of_many();
+    session.selection.pixel = {250, 250};
+    Results results;
+    finish(session, results);
+    REQUIRE(results.history);
+    CHECK_FALSE(results.history_work);
+    session.a.settings.camera.yaw += 0.01f;
+    // So little that it takes several updates as well.
+    constexpr WorkLimit least{500.0, 700.0};
+    int without = 0;
+    do {
+        update(session, results, least);
+        // What is told of the pixel is told of the frame on show, or not at all.
+        REQUIRE(results.history.has_value() != results.history_work.has_value());
+        if (results.history_work) {
+            REQUIRE(is_working(results));
+            without += results.a.is_drawn() ? 1 : 0;
+        }
+    } while (is_working(results));
+    CHECK(without > 1);
+    CHECK(results.a.frame.settings == session.a.settings);
+    Results expected;
+    finish(session, expected);
+    REQUIRE(results.history->entries.size() == expected.history->entries.size());
+    CHECK(results.history->winner == expected.history->winner);
+    // Another pixel begins anew, none ends it.
+    session.selection.pixel = {251, 250};
+    update(session, results, least);
+    REQUIRE(results.history_work);
+    CHECK(results.history_work->pixel() == glm::ivec2(251, 250));
+    session.selection.pixel = std::nullopt;
+    update(session, results, least);
+    CHECK_FALSE(results.history_work);
+    CHECK_FALSE(results.history);
+    CHECK_FALSE(is_working(results));
+}

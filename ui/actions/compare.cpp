@@ -194,8 +194,18 @@ std::string work_words(const Results& results) {
         const int triangles = run.frame.triangle_count();
         return words(what, std::min(run.replay.drawn().triangle, triangles), triangles);
     };
+    const auto prepared = [&](const char* what, const RunResults& run) {
+        const Frame& frame = run.next.frame;
+        return words(what, frame.triangle_count(), static_cast<int>(frame.triangles.size()));
+    };
+    if (results.a.is_frame_late) return prepared("prepared", results.a);
+    if (results.b && results.b->is_frame_late) return prepared("prepared of run B", *results.b);
     if (!results.a.is_drawn()) return drawn("drawn", results.a);
     if (results.b && !results.b->is_drawn()) return drawn("drawn of run B", *results.b);
+    if (results.history_work) {
+        return words("looked at for the pixel", results.history_work->triangles_done(),
+                     results.a.frame.triangle_count());
+    }
     const ComparisonWork& work = results.comparison.work;
     return work.is_done() ? "" : words("compared", work.triangles_done(), work.triangles());
 }

@@ -13,6 +13,10 @@ Timeline timeline_of(const Ui& ui) {
 
 void walk_to_change(Ui& ui, bool (*walk)(Session&, const Timeline&, const PixelHistory&),
                     const char* direction) {
+    if (ui.results.history_work) {
+        ui.session.notice = "What fell on the pixel is still being looked for.";
+        return;
+    }
     if (!ui.results.history) {
         ui.session.notice = "There is no picked pixel: pick a pixel first, by a click.";
         return;

@@ -212,9 +212,18 @@ void draw_no_pixel(Ui& ui) {
     }
 }
 
+void draw_pixel_to_come(const glm::ivec2& pixel) {
+    wrapped_text(fmt::format("Pixel ({}, {}): all triangles are asked what fell on it ...", pixel.x,
+                             pixel.y));
+}
+
 } // namespace
 
 void draw_history_panel(Ui& ui) {
+    if (ui.results.history_work) {
+        draw_pixel_to_come(ui.results.history_work->pixel());
+        return;
+    }
     if (!ui.results.history) {
         draw_no_pixel(ui);
         return;

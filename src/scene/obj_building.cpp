@@ -1,0 +1,254 @@
+#include "scene/obj_building.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/limits.h"
+#include "base/quoted.h"
+#include "scene/obj_normals.h"
+#include "scene/polygon_cutter.h"
+
+namespace rasterwalk {
+
+namespace {
+
+class ModelBuilder {
+  public:
+    ModelBuilder(ObjStatements& file, const ObjOptions& options, WatchedSteps& watched,
+                 ObjReporter& reporter, ObjModel& model)
+        : file_(file), options_(options), watched_(watched), reporter_(reporter), model_(model) {}
+
+    void find_materials() {
+        std::map<std::string_view, int> known;
+        for (std::size_t i = 0; i < model_.materials.size(); ++i)
+            known.emplace(model_.materials[i].name, static_cast<int>(i));
+        std::set<std::string_view> missing;
+        for (const NamedPart& part : file_.parts) {
+            const auto found = known.find(part.material);
+            material_of_.push_back(found != known.end() ? found->second : -1);
+            const bool is_missing = found == known.end() && !part.material.empty();
+            if (!is_missing || !missing.insert(part.material).second) continue;
+            reporter_.fault(model_.path, part.material_line, [&] {
+                return fmt::format("there is no material {}; its faces are white.",
+                                   in_quotes(part.material));
+            });
+        }
+    }
+
+    void keep_sound_faces() {
+        const auto is_wrong = [&](const ObjFace& face) {
+            const std::string trouble = trouble_of(face);
+            if (trouble.empty()) return false;
+            reporter_.fault(model_.path, face.line, [&] { return trouble; });
+            return true;
+        };
+        // In their order, since the first faults are those that are kept.
+        std::vector<ObjFace> sound;
+        std::copy_if(file_.faces.begin(), file_.faces.end(), std::back_inserter(sound),
+                     [&](const ObjFace& face) { return !is_wrong(face); });
+        file_.faces = std::move(sound);
+    }
+
+    void build() {
+        watched_.ask(triangles_made());
+        const std::vector<glm::vec3> computed = missing_normals();
+        VertexJoin join(model_.mesh);
+        std::size_t first_computed = 0;
+        for (const ObjFace& face : file_.faces) {
+            watched_.step([&] { return triangles_made(); });
+            const std::size_t first = first_computed;
+            first_computed += static_cast<std::size_t>(face.corner_count);
+            if (!cut(face)) continue;
+            const int material = material_of_[static_cast<std::size_t>(face.part)];
+            begin_drawn_part(face, material, maps_of_face(face, material));
+            add_face(face, look_of(material), computed, first, join);
+            ObjPart& made = model_.parts.back();
+            made.triangle_count = model_.mesh.triangle_count() - made.first_triangle;
+        }
+        counts().triangles = model_.mesh.triangle_count();
+        counts().vertices = static_cast<std::int64_t>(model_.mesh.vertices().size());
+        counts().parts = static_cast<std::int64_t>(model_.parts.size());
+        counts().textures = static_cast<std::int64_t>(model_.textures.size());
+    }
+
+  private:
+    ObjCounts& counts() { return model_.report.counts; }
+
+    ReadingState triangles_made() const {
+        return {ReadingPart::triangles, model_.mesh.triangle_count(), file_.triangles};
+    }
+
+    /// What is wrong with a face now that everything has been read; empty: nothing.
+    std::string trouble_of(const ObjFace& face) const {
+        const std::array counts{file_.positions.size(), file_.texcoords.size(),
+                                file_.normals.size()};
+        for (int i = 0; i < face.corner_count; ++i) {
+            const ObjCorner& corner = file_.corner(face, i);
+            const std::array indices{corner.position, corner.texcoord, corner.normal};
+            for (std::size_t kind = 0; kind < indices.size(); ++kind) {
+                if (indices[kind] < 0 || static_cast<std::size_t>(indices[kind]) < counts[kind])
+                    continue;
+                return fmt::format("'f' names the {} {}, and there are {}; {}",
+                                   indexed_kinds[kind].one, indices[kind] + 1, counts[kind],
+                                   face_left_out);
+            }
+            if (std::isnan(file_.positions[static_cast<std::size_t>(corner.position)].x)) {
+                return fmt::format("'f' names the point {}, which could not be read; {}",
+                                   corner.position + 1, face_left_out);
+            }
+        }
+        return {};
+    }
+
+    bool needs_normal(const ObjCorner& corner) const {
+        return corner.normal < 0 ||
+               file_.normals[static_cast<std::size_t>(corner.normal)] == glm::vec3(0.0f);
+    }
+
+    /// Normals for all corners of all faces, one face after another; none if the file has them all.
+    std::vector<glm::vec3> missing_normals() const {
+        FaceCorners all;
+        bool is_one_missing = false;
+        for (const ObjFace& face : file_.faces) {
+            all.first_corner.push_back(static_cast<int>(all.positions.size()));
+            for (int i = 0; i < face.corner_count; ++i) {
+                const ObjCorner& corner = file_.corner(face, i);
+                all.positions.push_back(corner.position);
+                is_one_missing = is_one_missing || needs_normal(corner);
+            }
+        }
+        all.first_corner.push_back(static_cast<int>(all.positions.size()));
+        if (!is_one_missing) return {};
+        return corner_normals(all, file_.positions, options_.crease_angle);
+    }
+
+    /// False if the face cannot be cut; that is told.
+    bool cut(const ObjFace& face) {
+        places_.clear();
+        for (int i = 0; i < face.corner_count; ++i) {
+            const ObjCorner& corner = file_.corner(face, i);
+            places_.push_back(file_.positions[static_cast<std::size_t>(corner.position)]);
+        }
+        const PolygonCut how = cutter_.cut(places_);
+        if (how == PolygonCut::refused) {
+            reporter_.fault(model_.path, face.line, [&] {
+                return fmt::format("a face of {} corners that no fan can cut is too much work: up "
+                                   "to {} corners are cut; {}",
+                                   face.corner_count, most_ear_corners, face_left_out);
+            });
+            return false;
+        }
+        if (how == PolygonCut::crossed) {
+            reporter_.fault(model_.path, face.line, [] {
+                return "the edges of this face cross each other; its triangles overlap.";
+            });
+        }
+        return true;
+    }
+
+    /// White and dull where there is no material.
+    Vertex look_of(int material) const {
+        Vertex look;
+        if (material < 0) return look;
+        const ObjMaterial& of = model_.materials[static_cast<std::size_t>(material)];
+        look.reflectance = of.diffuse;
+        look.shine = {of.specular, std::min(of.shininess, largest_exponent)};
+        return look;
+    }
+
+    bool has_texcoords(const ObjFace& face) const {
+        const auto first = file_.corners.begin() + face.first_corner;
+        return std::all_of(first, first + face.corner_count,
+                           [](const ObjCorner& corner) { return corner.texcoord >= 0; });
+    }
+
+    /// The images that a face shows.
+    ObjMaps maps_of_face(const ObjFace& face, int material) {
+        const ObjMaps maps = images_.of_material(material);
+        if ((maps.texture < 0 && maps.normal_map < 0) || has_texcoords(face)) return maps;
+        if (bare_.insert(material).second) {
+            reporter_.fault(model_.path, face.line, [&] {
+                return fmt::format(
+                    "'f' names no texture coordinates, and the material {} has an "
+                    "image; such faces keep their colour.",
+                    in_quotes(model_.materials[static_cast<std::size_t>(material)].name));
+            });
+        }
+        return {};
+    }
+
+    /// Begins another part where the face needs one. A part has one texture or none, and one
+    /// normal map or none.
+    void begin_drawn_part(const ObjFace& face, int material, const ObjMaps& maps) {
+        const auto part = static_cast<std::size_t>(face.part);
+        const bool is_other = drawn_part_ != face.part;
+        drawn_part_ = face.part;
+        if (!is_other && ((model_.parts.back().texture == maps.texture &&
+                           model_.parts.back().normal_map == maps.normal_map) ||
+                          model_.parts.size() >= most_model_parts))
+            return;
+        model_.parts.push_back({file_.parts[part].name, model_.mesh.triangle_count(), 0, material,
+                                maps.texture, maps.normal_map});
+    }
+
+    /// Puts the face into the mesh.
+    /// @param look a corner with the colours of the face's material, and nothing else
+    void add_face(const ObjFace& face, const Vertex& look, const std::vector<glm::vec3>& computed,
+                  std::size_t first_computed, VertexJoin& join) {
+        indices_.clear();
+        for (int i = 0; i < face.corner_count; ++i) {
+            const ObjCorner& corner = file_.corner(face, i);
+            Vertex vertex = look;
+            vertex.position = places_[static_cast<std::size_t>(i)];
+            if (corner.texcoord >= 0)
+                vertex.texcoord = file_.texcoords[static_cast<std::size_t>(corner.texcoord)];
+            if (needs_normal(corner)) {
+                vertex.normal = computed[first_computed + static_cast<std::size_t>(i)];
+                ++counts().computed_normals;
+            } else {
+                vertex.normal = file_.normals[static_cast<std::size_t>(corner.normal)];
+            }
+            indices_.push_back(join.index_of(vertex));
+        }
+        for (const std::array<int, 3>& triangle : cutter_.triangles()) {
+            model_.mesh.add_triangle({indices_[static_cast<std::size_t>(triangle[0])],
+                                      indices_[static_cast<std::size_t>(triangle[1])],
+                                      indices_[static_cast<std::size_t>(triangle[2])]});
+        }
+        ++counts().faces;
+        counts().corners += face.corner_count;
+    }
+
+    ObjStatements& file_;
+    const ObjOptions& options_;
+    WatchedSteps& watched_;
+    ObjReporter& reporter_;
+    ObjModel& model_;
+    ObjImages images_{model_.materials, model_.textures, reporter_};
+
+    std::vector<int> material_of_; ///< each part of the file: index, or -1
+    std::set<int> bare_;           ///< materials with an image, of faces that cannot show it
+    int drawn_part_ = -1;          ///< of the face before
+
+    PolygonCutter cutter_;
+    std::vector<glm::vec3> places_; ///< of the face that is cut
+    std::vector<int> indices_;      ///< its vertices
+};
+
+} // namespace
+
+void build_model(ObjStatements& file, const ObjOptions& options, WatchedSteps& watched,
+                 ObjReporter& reporter, ObjModel& model) {
+    ModelBuilder builder(file, options, watched, reporter, model);
+    builder.find_materials();
+    builder.keep_sound_faces();
+    builder.build();
+}
+
+} // namespace rasterwalk

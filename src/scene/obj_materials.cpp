@@ -1,0 +1,94 @@
+#include "scene/obj_materials.h"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/limits.h"
+#include "base/quoted.h"
+#include "scene/beside_file.h"
+#include "scene/obj_words.h"
+
+namespace rasterwalk {
+
+void ObjLibraries::read(std::string_view names, int line) {
+    line_ = line;
+    // Some programs say the same before each object.
+    if (lists_.contains(names)) return;
+    if (lists_.size() >= most_material_files) return refuse_library();
+    lists_.emplace(names);
+    std::string_view rest = names;
+    const std::string_view first = take_word(rest);
+    if (trimmed(rest).empty() || find_beside({model_}, names).trouble.empty())
+        return read_library(names);
+    for (std::string_view name = first; !name.empty(); name = take_word(rest))
+        read_library(name);
+}
+
+void ObjLibraries::refuse_library() {
+    fault([] {
+        return fmt::format("more than {} files of materials are named; this one is left out.",
+                           most_material_files);
+    });
+}
+
+void ObjLibraries::read_library(std::string_view name) {
+    if (names_.contains(name)) return;
+    if (names_.size() >= most_material_files) return refuse_library();
+    names_.emplace(name);
+    const BesideFile file = find_beside({model_}, name);
+    if (!file.trouble.empty()) {
+        return fault([&] { return fmt::format("'mtllib': {}; it is left out.", file.trouble); });
+    }
+    try {
+        parse_mtl(read_file(file.path, largest_material_file), file.path, model_, reporter_,
+                  materials_);
+    } catch (const Error& trouble) {
+        fault([&] {
+            return fmt::format("'mtllib': {} It is left out.", visible_line(trouble.what()));
+        });
+    }
+}
+
+namespace {
+
+std::string image_name(const std::string& path) {
+    return visible_line(std::filesystem::path(path).filename().string());
+}
+
+} // namespace
+
+/// The index of an image that was read; -1 if it cannot be used, which is told as a fault.
+int ObjImages::index_of(const ReadTexture& image, const ObjMaterial& of, std::string_view word,
+                        int line) {
+    if (image.index >= 0) return image.index;
+    reporter_.fault(of.file, line, [&] {
+        return fmt::format("'{}': {} The image is left out.", word, visible_line(image.trouble));
+    });
+    return -1;
+}
+
+ObjMaps ObjImages::of_material(int material) {
+    if (material < 0) return {};
+    const ObjMaterial& of = materials_[static_cast<std::size_t>(material)];
+    if (of.diffuse_map.empty() && of.bump_map.empty()) return {};
+    const auto [known, is_new] = known_.try_emplace(material);
+    if (!is_new) return known->second;
+    ObjMaps maps;
+    if (!of.diffuse_map.empty()) {
+        maps.texture = index_of(files_.read(of.diffuse_map, image_name(of.diffuse_map)), of,
+                                "map_Kd", of.diffuse_map_line);
+    }
+    if (!of.bump_map.empty()) {
+        const std::string name = image_name(of.bump_map);
+        maps.normal_map =
+            index_of(of.bump_is_normal ? files_.read(of.bump_map, name)
+                                       : files_.read_heights(of.bump_map, name, of.bump_strength),
+                     of, of.bump_is_normal ? "norm" : "bump", of.bump_map_line);
+    }
+    return known->second = maps;
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,74 @@
+#pragma once
+
+// The materials of a model: the files that it names (read_mtl.h), and the images that they name.
+
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/obj_report.h"
+#include "scene/read_mtl.h"
+#include "scene/texture_files.h"
+
+namespace rasterwalk {
+
+/// Reads the files of materials that a model names, each once.
+class ObjLibraries {
+  public:
+    /// @param model     path of the model, beside which they lie
+    /// @param materials receives theirs; all must live as long
+    ObjLibraries(const std::string& model, std::vector<ObjMaterial>& materials,
+                 ObjReporter& reporter)
+        : model_(model), materials_(materials), reporter_(reporter) {}
+
+    /// Reads what a statement names. What cannot be read is told as a fault.
+    /// @param names may have blanks in them, or may be several
+    /// @param line  of the statement, from 1
+    void read(std::string_view names, int line);
+
+  private:
+    void read_library(std::string_view name);
+    void refuse_library();
+    template <class Say>
+    void fault(Say say) {
+        reporter_.fault(model_, line_, say);
+    }
+
+    const std::string& model_;
+    std::vector<ObjMaterial>& materials_;
+    ObjReporter& reporter_;
+    int line_ = 0;
+    std::set<std::string, std::less<>> lists_; ///< what has been named so far
+    std::set<std::string, std::less<>> names_; ///< that were looked for
+};
+
+/// The pictures of a surface, as indices of textures; -1: none.
+struct ObjMaps {
+    int texture = -1, normal_map = -1;
+};
+
+/// The images of materials. Those of each are read when its first face is drawn.
+class ObjImages {
+  public:
+    /// @param textures receives them; all must live as long
+    ObjImages(const std::vector<ObjMaterial>& materials, std::vector<SharedTexture>& textures,
+              ObjReporter& reporter)
+        : materials_(materials), reporter_(reporter), files_(textures) {}
+
+    /// The images of a material; what cannot be read is told once.
+    /// @param material an index, or -1: none
+    ObjMaps of_material(int material);
+
+  private:
+    int index_of(const ReadTexture& image, const ObjMaterial& of, std::string_view word, int line);
+
+    const std::vector<ObjMaterial>& materials_;
+    ObjReporter& reporter_;
+    TextureFiles files_;
+    std::map<int, ObjMaps> known_; ///< of the materials that are drawn
+};
+
+} // namespace rasterwalk

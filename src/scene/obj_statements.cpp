@@ -1,0 +1,323 @@
+#include "scene/obj_statements.h"
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "base/error.h"
+#include "base/limits.h"
+#include "base/quoted.h"
+#include "scene/obj_words.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// Statements that have no effect here, and why.
+struct UnusedStatement {
+    std::string_view word, why;
+};
+
+constexpr std::string_view no_lines = "points and lines are not drawn, only faces are";
+constexpr std::string_view no_curves = "curves and curved surfaces are not drawn";
+constexpr std::string_view no_display = "how it is shown elsewhere means nothing here";
+constexpr UnusedStatement unused_statements[] = {
+    {"s", "smoothing groups are not used: normals are given, or smoothed by angle"},
+    {"p", no_lines},
+    {"l", no_lines},
+    {"vp", no_curves},
+    {"cstype", no_curves},
+    {"deg", no_curves},
+    {"bmat", no_curves},
+    {"step", no_curves},
+    {"curv", no_curves},
+    {"curv2", no_curves},
+    {"surf", no_curves},
+    {"parm", no_curves},
+    {"trim", no_curves},
+    {"hole", no_curves},
+    {"scrv", no_curves},
+    {"sp", no_curves},
+    {"end", no_curves},
+    {"con", no_curves},
+    {"mg", no_display},
+    {"bevel", no_display},
+    {"c_interp", no_display},
+    {"d_interp", no_display},
+    {"lod", no_display},
+    {"shadow_obj", no_display},
+    {"trace_obj", no_display},
+    {"usemap", no_display},
+    {"maplib", no_display},
+};
+constexpr std::string_view unknown_statement = "it is no statement of a model";
+constexpr std::string_view more_than_a_place =
+    "what follows the three numbers of a point is not used";
+
+class StatementReader {
+  public:
+    StatementReader(std::string_view text, const std::string& path, WatchedSteps& watched,
+                    ObjLibraries& libraries, ObjReporter& reporter)
+        : lines_(text), bytes_(text.size()), path_(path), watched_(watched), libraries_(libraries),
+          reporter_(reporter), name_(visible_line(std::filesystem::path(path).stem().string())) {}
+
+    ObjStatements read() {
+        while (lines_.next()) {
+            std::string_view rest = lines_.text();
+            const std::string_view word = take_word(rest);
+            if (!word.empty() && word.front() != '#') read_statement(word, rest);
+            watched_.step([&] { return bytes_read(); });
+        }
+        watched_.ask(bytes_read());
+        file_.lines = lines_.line_count();
+        return std::move(file_);
+    }
+
+  private:
+    ReadingState bytes_read() const {
+        return {ReadingPart::bytes, static_cast<std::int64_t>(bytes_ - lines_.bytes_left()),
+                static_cast<std::int64_t>(bytes_)};
+    }
+
+    template <class Say>
+    void fault(Say say) {
+        reporter_.fault(path_, lines_.line(), say);
+    }
+    [[noreturn]] void refuse(const std::string& sentence) const {
+        throw InputError(visible_line(path_), lines_.line(), sentence);
+    }
+
+    void read_statement(std::string_view word, std::string_view rest) {
+        if (word == "v") return read_position(rest);
+        if (word == "vt") return read_texcoord(rest);
+        if (word == "vn") return read_normal(rest);
+        if (word == "f" || word == "fo") return read_face(rest);
+        if (word == "o" || word == "g") return begin_group(word, rest);
+        if (word == "usemtl") return use_material(rest);
+        if (word == "mtllib") return libraries_.read(trimmed(rest), lines_.line());
+        const auto known =
+            std::find_if(std::begin(unused_statements), std::end(unused_statements),
+                         [&](const UnusedStatement& unused) { return unused.word == word; });
+        reporter_.skip(path_, lines_.line(), word,
+                       known != std::end(unused_statements) ? known->why : unknown_statement);
+    }
+
+    /// Reads as many numbers as there is room for.
+    /// @return how many there are; nothing, and a fault is told, if a word is no number or there
+    /// are fewer than `fewest`
+    std::optional<int> read_numbers(std::string_view what, std::string_view& rest, int fewest,
+                                    std::span<double> numbers) {
+        int count = 0;
+        for (double& number : numbers) {
+            const std::string_view word = take_number_word(rest);
+            if (word.empty()) break;
+            const std::optional<double> read = parse_model_number(word);
+            if (!read) {
+                fault([&] {
+                    return fmt::format("{} is no number that '{}' can have; it is left out.",
+                                       in_quotes(word), what);
+                });
+                return std::nullopt;
+            }
+            number = *read;
+            ++count;
+        }
+        if (count >= fewest) return count;
+        fault([&] {
+            return fmt::format("'{}' needs {} numbers, and has {}; it is left out.", what, fewest,
+                               count);
+        });
+        return std::nullopt;
+    }
+
+    template <class List>
+    void check_room(const List& list, std::string_view many) const {
+        if (list.size() >= most_model_points)
+            refuse(fmt::format("the model has more than {} {}.", most_model_points, many));
+    }
+
+    // What cannot be read keeps its number, or all after it would have another one.
+
+    void read_position(std::string_view rest) {
+        check_room(file_.positions, indexed_kinds[0].many);
+        std::array<double, 3> place{};
+        if (read_numbers("v", rest, 3, place)) {
+            file_.positions.emplace_back(place[0], place[1], place[2]);
+            if (!take_number_word(rest).empty())
+                reporter_.skip(path_, lines_.line(), "v", more_than_a_place);
+        } else {
+            file_.positions.emplace_back(std::numeric_limits<float>::quiet_NaN());
+        }
+    }
+
+    void read_texcoord(std::string_view rest) {
+        check_room(file_.texcoords, indexed_kinds[1].many);
+        std::array<double, 2> place{};
+        if (read_numbers("vt", rest, 1, place)) {
+            file_.texcoords.emplace_back(place[0], place[1]);
+        } else {
+            file_.texcoords.emplace_back(0.0f);
+        }
+    }
+
+    void read_normal(std::string_view rest) {
+        check_room(file_.normals, indexed_kinds[2].many);
+        std::array<double, 3> way{};
+        file_.normals.emplace_back(0.0f);
+        if (!read_numbers("vn", rest, 3, way)) return;
+        const glm::dvec3 normal(way[0], way[1], way[2]);
+        const double length = glm::length(normal);
+        if (length > 0.0) {
+            file_.normals.back() = glm::vec3(normal / length);
+            return;
+        }
+        fault([] {
+            return "a normal of length 0 points nowhere; where it is named, it is computed.";
+        });
+    }
+
+    /// A part of a corner: "7", "-1", or nothing.
+    /// @return the index from 0, -1 if there is none; nothing, and a fault is told, if it is wrong
+    std::optional<int> read_index(std::string_view word, std::size_t kind, std::size_t count) {
+        if (word.empty()) return -1;
+        std::int64_t number = 0;
+        const std::from_chars_result read =
+            std::from_chars(word.data(), word.data() + word.size(), number);
+        const bool is_number = read.ptr == word.data() + word.size();
+        const bool is_in_range = read.ec == std::errc{};
+        if (!is_number || read.ec == std::errc::invalid_argument) {
+            fault([&] {
+                return fmt::format("{} is no number of a {}; {}", in_quotes(word),
+                                   indexed_kinds[kind].one, face_left_out);
+            });
+            return std::nullopt;
+        }
+        const auto known = static_cast<std::int64_t>(count);
+        if (is_in_range && number > 0 && number <= static_cast<std::int64_t>(most_model_points))
+            return static_cast<int>(number - 1);
+        if (is_in_range && number < 0 && -known <= number) return static_cast<int>(known + number);
+        fault([&] {
+            if (is_in_range && number == 0) {
+                return fmt::format("{} are counted from 1, and 'f' names 0; {}",
+                                   indexed_kinds[kind].many, face_left_out);
+            }
+            return fmt::format("'f' names the {} {}, and {} stand before it; {}",
+                               indexed_kinds[kind].one, word.substr(0, 24), count, face_left_out);
+        });
+        return std::nullopt;
+    }
+
+    /// A corner: a, a/b, a//c or a/b/c.
+    bool read_corner(std::string_view word) {
+        const std::array counts_before{file_.positions.size(), file_.texcoords.size(),
+                                       file_.normals.size()};
+        std::array<int, 3> indices{-1, -1, -1};
+        std::string_view rest = word;
+        for (std::size_t kind = 0; kind < indices.size(); ++kind) {
+            const std::size_t slash = std::min(rest.find('/'), rest.size());
+            const std::optional<int> index =
+                read_index(rest.substr(0, slash), kind, counts_before[kind]);
+            if (!index) return false;
+            indices[kind] = *index;
+            rest.remove_prefix(std::min(slash + 1, rest.size()));
+        }
+        if (indices[0] < 0 || !rest.empty()) {
+            fault([&] {
+                return fmt::format("{} is no corner: a, a/b, a//c or a/b/c; {}", in_quotes(word),
+                                   face_left_out);
+            });
+            return false;
+        }
+        file_.corners.push_back({indices[0], indices[1], indices[2]});
+        return true;
+    }
+
+    void read_face(std::string_view rest) {
+        const std::size_t first = file_.corners.size();
+        bool is_sound = true;
+        for (std::string_view word = take_number_word(rest); is_sound && !word.empty();
+             word = take_number_word(rest)) {
+            is_sound = read_corner(word);
+            if (file_.triangles + static_cast<std::int64_t>(file_.corners.size() - first) - 2 >
+                max_triangles)
+                refuse(fmt::format("the model has more than {} triangles.", max_triangles));
+        }
+        const std::size_t count = file_.corners.size() - first;
+        if (is_sound && count < 3) {
+            is_sound = false;
+            fault([&] {
+                return fmt::format("'f' has {} {}, and a face has at least three; {}", count,
+                                   count == 1 ? "corner" : "corners", face_left_out);
+            });
+        }
+        if (!is_sound) {
+            file_.corners.resize(first);
+            return;
+        }
+        file_.triangles += static_cast<std::int64_t>(count) - 2;
+        if (is_part_over_) begin_part();
+        file_.faces.push_back({lines_.line(), static_cast<int>(first), static_cast<int>(count),
+                               static_cast<int>(file_.parts.size()) - 1});
+    }
+
+    void begin_group(std::string_view word, std::string_view rest) {
+        const std::string_view name = trimmed(rest);
+        constexpr std::size_t longest_name = 200;
+        name_ = name.empty() ? std::string(word == "g" ? "default" : "object")
+                             : visible_line(name.substr(0, longest_name));
+        is_part_over_ = true;
+    }
+
+    void use_material(std::string_view rest) {
+        // Each part keeps it: a name of megabytes would fill the memory.
+        material_ = trimmed(rest).substr(0, longest_material_name);
+        material_line_ = lines_.line();
+        is_part_over_ = true;
+    }
+
+    void begin_part() {
+        is_part_over_ = false;
+        if (!file_.parts.empty() && file_.parts.back().name == name_ &&
+            file_.parts.back().material == material_)
+            return;
+        if (file_.parts.size() < most_model_parts) {
+            file_.parts.push_back({name_, material_, material_line_});
+            return;
+        }
+        if (std::exchange(has_too_many_parts_, true)) return;
+        fault([] {
+            return fmt::format("the model has more than {} parts; the faces from here on belong to "
+                               "the last one.",
+                               most_model_parts);
+        });
+    }
+
+    ObjLines lines_;
+    std::size_t bytes_; ///< of the whole text
+    const std::string& path_;
+    WatchedSteps& watched_;
+    ObjLibraries& libraries_;
+    ObjReporter& reporter_;
+    ObjStatements file_;
+
+    std::string name_, material_; ///< of the faces to come
+    int material_line_ = 0;
+    bool is_part_over_ = true;
+    bool has_too_many_parts_ = false;
+};
+
+} // namespace
+
+ObjStatements read_statements(std::string_view text, const std::string& path, WatchedSteps& watched,
+                              ObjLibraries& libraries, ObjReporter& reporter) {
+    return StatementReader(text, path, watched, libraries, reporter).read();
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,71 @@
+#pragma once
+
+// What the statements of a model file say, before anything is built of it (read_obj.h).
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "scene/obj_materials.h"
+#include "scene/obj_report.h"
+#include "scene/reading.h"
+
+namespace rasterwalk {
+
+/// Indices of a corner, from 0; -1: not given.
+struct ObjCorner {
+    int position = 0, texcoord = -1, normal = -1;
+};
+
+struct ObjFace {
+    int line = 0;
+    int first_corner = 0, corner_count = 0;
+    int part = 0;
+};
+
+/// A part before its material is known.
+struct NamedPart {
+    std::string name, material;
+    int material_line = 0;
+};
+
+/// What a corner names, for sentences.
+struct IndexedKind {
+    std::string_view one, many;
+};
+inline constexpr std::array indexed_kinds{IndexedKind{"point", "points"},
+                                          IndexedKind{"texture coordinate", "texture coordinates"},
+                                          IndexedKind{"normal", "normals"}};
+
+/// How a sentence about a wrong face ends.
+inline constexpr std::string_view face_left_out = "the face is left out.";
+
+struct ObjStatements {
+    std::vector<glm::vec3> positions; ///< not a number where one could not be read
+    std::vector<glm::vec2> texcoords;
+    std::vector<glm::vec3> normals; ///< unit length; zero where one is not to be used
+    std::vector<ObjCorner> corners; ///< of all faces; may name what is not there
+    std::vector<ObjFace> faces;
+    std::vector<NamedPart> parts;
+    int lines = 0;              ///< of the file
+    std::int64_t triangles = 0; ///< into which the faces are cut
+
+    const ObjCorner& corner(const ObjFace& face, int i) const {
+        return corners[static_cast<std::size_t>(face.first_corner + i)];
+    }
+};
+
+/// Reads the statements of a model. Faults are told.
+/// @param path for messages
+/// @param libraries reads the files of materials that are named
+/// Throws InputError if the model is too large, ReadingStopped if the watch wants no more of it.
+ObjStatements read_statements(std::string_view text, const std::string& path, WatchedSteps& watched,
+                              ObjLibraries& libraries, ObjReporter& reporter);
+
+} // namespace rasterwalk

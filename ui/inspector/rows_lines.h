@@ -1,0 +1,34 @@
+#pragma once
+
+// The lines of the row table: a row of the picture, or a sample that fell outside.
+
+#include "inspect/row_history.h"
+
+namespace rasterwalk {
+
+struct Ui;
+
+/// Columns of the table without the values of the ends: all of them, and those of a table whose
+/// ends no samples have written.
+inline constexpr int all_row_columns = 6;
+inline constexpr int row_columns_without_writers = 4;
+
+/// Has the table that is drawn now the numbers of pixels? Without room they make way for who wrote
+/// the ends: they can be counted from these.
+bool has_counts();
+
+/// Do samples write the ends of the rows, so that there is somebody to name?
+bool has_writers(const Ui& ui);
+
+/// What a cell needs that tells who wrote an end and how often it was replaced, screen pixels.
+float width_of_writer(const Ui& ui);
+
+/// A row of the table of the triangle on show.
+/// @param index in the table, from 0
+void draw_row_line(Ui& ui, int index);
+
+/// A sample that fell outside the table: a red line, with the float value that is to blame.
+/// @param number of all such samples, from 0
+void draw_outside_line(Ui& ui, const OutsideSample& sample, int number);
+
+} // namespace rasterwalk
