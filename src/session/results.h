@@ -53,12 +53,12 @@ struct Results {
     std::uint64_t ground_of = 0;      ///< number of the picture that it was made of
     bool overlay_is_old = false;      ///< it is empty until the picture of A is drawn
     std::optional<DepthView> depth;   ///< of A, while the depth view is shown
-    std::optional<OverdrawCounts> overdraw; ///< of A, while the overdraw view is shown
-    std::optional<PixelHistory> history;    ///< of the picked pixel, over the whole frame of A
+    std::optional<OverdrawCounts> overdraw;  ///< of A, while the overdraw view is shown
+    std::optional<PixelHistory> history;     ///< of the picked pixel, over the whole frame of A
     std::optional<HistoryWork> history_work; ///< makes it, once the picture is
                                              ///< drawn; none: there is nothing to do
-    FrameLength length;                     ///< of the frame of A
-    std::uint64_t numbers = 0;              ///< the last one that a frame or a picture got
+    FrameLength length;                      ///< of the frame of A
+    std::uint64_t numbers = 0;               ///< the last one that a frame or a picture got
 };
 
 /// Brings the results up to date; does nothing where the session asks for what is already there.
