@@ -30,7 +30,7 @@ std::optional<int> parse_coordinate(std::string_view text) {
     return is_whole ? std::optional(value) : std::nullopt;
 }
 
-glm::ivec2 parse_pixel(const std::string& text, Viewport size) {
+glm::ivec2 pixel_of(const std::string& text, Viewport size) {
     const std::string range =
         fmt::format("columns 0 to {}, rows 0 to {}", size.width - 1, size.height - 1);
     const std::size_t comma = std::min(text.find(','), text.size());
@@ -289,7 +289,7 @@ void print_text(const Frame& frame, const PixelHistory& history, const Cursor& t
 
 void pixel_command(const PixelOptions& options, std::ostream& out) {
     const Session session = open_view(options.view);
-    const glm::ivec2 pixel = parse_pixel(options.pixel, session.a.settings.viewport);
+    const glm::ivec2 pixel = pixel_of(options.pixel, session.a.settings.viewport);
     const Frame frame = prepare_frame(*session.scene, session.a.settings);
     const PixelHistory history = pixel_history(frame, pixel);
     if (options.json) {

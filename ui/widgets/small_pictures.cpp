@@ -14,7 +14,8 @@ namespace rasterwalk {
 namespace {
 
 /// Design pixels.
-constexpr float card_gap = 8.0f, card_inset = 6.0f, largest_shown_side = 150.0f, least_side = 48.0f;
+constexpr float picture_gap = 8.0f, card_inset = 6.0f, largest_shown_side = 150.0f,
+                least_side = 48.0f;
 constexpr float card_rounding = 4.0f;
 
 /// Of the page, for a row of cards.
@@ -173,7 +174,7 @@ bool draw_picture_card(Ui& ui, const SmallPicture& picture, const CardWords& wor
 std::optional<std::size_t> draw_in_column(Ui& ui, std::span<const SmallPicture> pictures,
                                           std::span<PictureTexture> textures) {
     const float u = ui.options.text_scale, inset = std::round(card_inset * u);
-    const float gap = std::round(card_gap * u), line = ImGui::GetTextLineHeight();
+    const float gap = std::round(picture_gap * u), line = ImGui::GetTextLineHeight();
     const float width = ImGui::GetContentRegionAvail().x;
     const float picture_width = std::round(share_of_card * width);
     const AllWords words =
@@ -208,7 +209,7 @@ std::optional<std::size_t> draw_in_row(Ui& ui, std::span<const SmallPicture> pic
                                        std::span<PictureTexture> textures, float width,
                                        const AllWords& words) {
     const float u = ui.options.text_scale, inset = std::round(card_inset * u);
-    const float gap = std::round(card_gap * u), line = ImGui::GetTextLineHeight();
+    const float gap = std::round(picture_gap * u), line = ImGui::GetTextLineHeight();
     const float around = words.lines() * line + 4.0f * inset;
     const float side =
         std::clamp(share_of_page * page_room(ui) - around, least_side * u, largest_shown_side * u);
@@ -279,7 +280,7 @@ std::optional<std::size_t> draw_small_pictures(Ui& ui, std::span<const SmallPict
                                                std::span<PictureTexture> textures) {
     if (pictures.empty()) return std::nullopt;
     const float u = ui.options.text_scale, inset = std::round(card_inset * u);
-    const float gap = std::round(card_gap * u), count = static_cast<float>(pictures.size());
+    const float gap = std::round(picture_gap * u), count = static_cast<float>(pictures.size());
     const float width =
         std::floor((ImGui::GetContentRegionAvail().x - (count - 1.0f) * gap) / count);
     if (width - 2.0f * inset < 1.0f) return std::nullopt;
