@@ -286,10 +286,12 @@ constexpr float border_part = 0.3f;
 /// Above, below or at a side of a point near the border it is moved along until it is seen whole.
 OutsideBox label_box(const OutsideLabel& label, const glm::vec2& side, glm::vec2 size) {
     glm::vec2 low = label.point + side * (0.5f * label.size + label.distance) - 0.5f * label.size;
-    const float border = border_part * label.size.y;
-    const glm::vec2 most = size - label.size - border;
-    if (side.x == 0.0f) low.x = std::max(std::min(low.x, most.x), border);
-    if (side.y == 0.0f) low.y = std::max(std::min(low.y, most.y), border);
+    // Where there is hardly room for it, it stands in the middle.
+    const glm::vec2 room = glm::max(size - label.size, glm::vec2(0.0f));
+    const glm::vec2 border = glm::min(glm::vec2(border_part * label.size.y), 0.5f * room);
+    const glm::vec2 most = room - border;
+    if (side.x == 0.0f) low.x = std::max(std::min(low.x, most.x), border.x);
+    if (side.y == 0.0f) low.y = std::max(std::min(low.y, most.y), border.y);
     return {low, low + label.size};
 }
 
