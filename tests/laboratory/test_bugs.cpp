@@ -165,12 +165,13 @@ TEST_CASE("The laboratory has the mistakes that are promised, each with all that
     }
     CHECK(ids == promised);
     // In the order of the lab's sections, so that each is one group in the list.
-    CHECK(sections == std::vector<std::string>{
-                          "Drawing points", "Drawing edges", "Moving the camera",
-                          "Filled triangles", "Depth buffer", "Illumination", "Light per pixel",
-                          "Beyond the lab: geometry", "Beyond the lab: light",
-                          "Beyond the lab: coverage", "Beyond the lab: blending",
-                          "Beyond the lab: textures", "Beyond the lab: normal maps"});
+    CHECK(sections ==
+          std::vector<std::string>{"Drawing points", "Drawing edges", "Moving the camera",
+                                   "Filled triangles", "Depth buffer", "Illumination",
+                                   "Light per pixel", "Beyond the lab: geometry",
+                                   "Beyond the lab: light", "Beyond the lab: coverage",
+                                   "Beyond the lab: blending", "Beyond the lab: textures",
+                                   "Beyond the lab: normal maps", "Beyond the lab: shadows"});
     CHECK(names.size() == ids.size());
 }
 

@@ -52,13 +52,13 @@ TEST_CASE("B58: without a bias lit surfaces are striped, and the two depths are 
     CHECK(wrong.acne > wrong.facing / 8);
     CHECK(right.acne < right.facing / 500);
     int near = 0, stripes = 0;
-    for (int column = 2; column < 118; column += 5) {
+    for (int column = 2; column < 118; column += 2) {
         const std::optional<ShadowTerms> shadow = shadow_at(runs.wrong, {column, 14});
         if (!shadow || !shadow->is_dark()) continue;
         ++stripes;
         near += std::abs(1.0f / shadow->texels[0].inv_depth - shadow->seen.z) < 0.05f ? 1 : 0;
     }
-    CHECK(stripes > 3);
+    CHECK(stripes > 5);
     CHECK(near == stripes);
 }
 

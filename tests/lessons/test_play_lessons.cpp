@@ -47,12 +47,12 @@ struct Student {
 
     std::vector<Fault> open(const Lesson& lesson, int step) {
         std::vector<Fault> faults = open_step(session, lesson, step);
-        update(session, results);
+        finish(session, results);
         return faults;
     }
     void follow(const std::string& target) {
         follow_lesson_link(session, results.a.frame, parse_lesson_link(target));
-        update(session, results);
+        finish(session, results);
     }
     bool has_done(const LessonTask& task) const { return is_done(task, Facts(session, results)); }
 };
