@@ -41,6 +41,7 @@ class Tour {
         clipped();
         textured();
         bumpy();
+        shaded();
         half_transparent();
         tested();
         covered();
@@ -168,6 +169,16 @@ class Tour {
         look(driver);
         driver.hand.click("fragment.bump.arrow.y");
         look(driver);
+    }
+
+    void shaded() {
+        Driver driver("lab-room.toml");
+        for (const char* way : {"rays", "map"}) {
+            follow_link(driver.ui, std::string("set:stage=pixel_light&shadows=") + way);
+            follow_link(driver.ui, "pixel:410,449");
+            follow_link(driver.ui, "tab:fragment");
+            look(driver);
+        }
     }
 
     void half_transparent() {
