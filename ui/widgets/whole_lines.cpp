@@ -70,8 +70,7 @@ void keep_whole(Ui& ui, float top, float bottom) {
     if (lines == nullptr) return;
     const bool is_cut = top < lines->top - rounding && bottom > lines->top;
     if (is_cut && !fills_window(ui, bottom - top))
-        // Letters as g and p reach a little below their line.
-        lines->begin = std::max(lines->begin, std::ceil(bottom) + rounding);
+        lines->begin = std::max(lines->begin, std::ceil(bottom));
 }
 
 void keep_item_whole(Ui& ui) {
