@@ -61,14 +61,15 @@ void find_columns_of_row_ends(const Frame& frame, PixelHistory& history) {
 /// From the last to the first: how much of each is seen through those that came later.
 void find_shares(const Frame& frame, std::vector<PixelEntry>& entries) {
     float seen = 1.0f;
-    for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry) {
-        if (entry->fate != Fate::written) continue;
-        const float alpha = frame.blends ? alpha_of(*frame.scene, entry->cursor.triangle) : 1.0f;
+    for (std::size_t i = entries.size(); i-- > 0;) {
+        PixelEntry& entry = entries[i];
+        if (entry.fate != Fate::written) continue;
+        const float alpha = frame.blends ? alpha_of(*frame.scene, entry.cursor.triangle) : 1.0f;
         if (!(alpha < 1.0f)) {
-            entry->share = seen;
+            entry.share = seen;
             return;
         }
-        entry->share = seen * frame.stages.blend(glm::vec3(1.0f), alpha, glm::vec3(0.0f)).r;
+        entry.share = seen * frame.stages.blend(glm::vec3(1.0f), alpha, glm::vec3(0.0f)).r;
         seen *= frame.stages.blend(glm::vec3(0.0f), alpha, glm::vec3(1.0f)).r;
     }
 }
