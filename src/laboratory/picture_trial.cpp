@@ -83,9 +83,12 @@ StripStep nearest_step(PictureTrial& trial, const Settings& reference) {
 
 } // namespace
 
-Image picture_of(const Scene& scene, const PictureRecipe& recipe) {
-    const Frame frame = prepare_frame(scene, recipe.settings);
+Image picture_of(const Scene& scene, const PictureRecipe& recipe, Occluders* known) {
+    Frame frame;
+    if (known != nullptr) frame.occluders = *known;
+    prepare_frame(scene, recipe.settings, nullptr, frame);
     const Image image = view_image(draw_frame(frame), View::colour);
+    if (known != nullptr && frame.occluders.map != nullptr) *known = frame.occluders;
     return shifted(oriented(image, recipe.orientation), recipe.right, recipe.down);
 }
 
@@ -93,7 +96,7 @@ const Drawn& PictureTrial::drawn(const Settings& settings) {
     for (const Drawn& one : drawn_) {
         if (one.settings == settings) return one;
     }
-    const Image image = draw_again(settings);
+    const Image image = picture_of(scene_, {settings}, &occluders_);
     drawn_.push_back({settings, image_distance(image, picture_), fingerprint(image)});
     return drawn_.back();
 }

@@ -12,11 +12,14 @@
 #include "laboratory/image_variant.h"
 #include "scene/scene.h"
 #include "settings/settings.h"
+#include "stages/shadow.h"
 
 namespace rasterwalk {
 
 /// The picture of this scene, made by the recipe.
-Image picture_of(const Scene& scene, const PictureRecipe& recipe);
+/// @param known a shadow map, drawn for another picture of the scene and used again where it fits;
+/// or null
+Image picture_of(const Scene& scene, const PictureRecipe& recipe, Occluders* known = nullptr);
 
 /// What was drawn and measured once.
 struct Drawn {
@@ -68,6 +71,7 @@ class PictureTrial {
     const Image& picture_;
     const Scene& scene_;
     std::deque<Drawn> drawn_; // whose members do not move
+    Occluders occluders_;     ///< six faces of a shadow map take longer than a picture
 };
 
 /// Settings from which the mistakes are tried, and what they assume beside the reference.
