@@ -288,7 +288,7 @@ std::string writer_text(const EndWriter& end) {
     return fmt::format("e{}/s{} ({} replaced)", end.edge, end.sample, end.replaced);
 }
 
-void print_rows(std::ostream& out, const RowHistory& history) {
+void print_rows(std::ostream& out, const RowHistory& history, const Stages& stages) {
     out << fmt::format("\n{:<6} {:>10} {:>10} {:>7}   {:<22} {}\n", "Rows", "left", "right",
                        "count", "left by", "right by");
     for (int i = 0; i < history.rows.size(); ++i) {
@@ -301,8 +301,8 @@ void print_rows(std::ostream& out, const RowHistory& history) {
         out << fmt::format("{:>6} {:>10} {:>10} {:>7}   {:<22} {}\n", history.rows.first_row + i,
                            end(history.rows.left[at].column, "+INT_MAX"),
                            end(history.rows.right[at].column, "-INT_MAX"),
-                           history.rows.pixel_count(i), writer_text(history.left_by[at]),
-                           writer_text(history.right_by[at]));
+                           row_span(stages, history.rows, i).count,
+                           writer_text(history.left_by[at]), writer_text(history.right_by[at]));
     }
 }
 
@@ -345,7 +345,7 @@ void print_text(std::ostream& out, const TriangleReport& report, const Frame& fr
         return;
     }
     print_edges(out, report);
-    print_rows(out, report.rows);
+    print_rows(out, report.rows, frame.stages);
     print_polygon(out, polygon_ways(frame, report.triangle));
     print_shared_edges(out, frame, report.triangle);
 }

@@ -288,10 +288,9 @@ BumpReport bump_report(const Fragment& fragment, const Surface& surface, const g
     BumpReport report;
     report.uv = surface.uv_directions;
     report.axes = frame.stages.tangent_frame(surface.uv_directions, normal);
-    if (report.axes.bitangent != glm::vec3(0.0f))
-        report.sign = frame.settings.normal_map_rule == NormalMapRule::mirror_missed
-                          ? 1.0f
-                          : handedness(report.uv, report.axes);
+    const float side =
+        glm::dot(glm::cross(report.axes.normal, report.axes.tangent), report.axes.bitangent);
+    report.sign = side > 0.0f ? 1.0f : side < 0.0f ? -1.0f : 0.0f;
     report.colour = normal_map_colour(fragment, surface, frame.stages, &report.taken);
     report.arrow = frame.stages.arrow_of_texel(report.colour);
     report.normal = bent_normal(report.arrow, report.axes);

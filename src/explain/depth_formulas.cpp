@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "explain/along_row.h"
+#include "explain/projection_formulas.h"
 #include "stages/orthographic.h"
 
 namespace rasterwalk {
@@ -29,24 +30,16 @@ void round_depth(Formula& depth, float whole, const DepthRules& rules) {
 }
 
 /// The depth of a z that was interpolated as if it changed in equal steps.
-void add_linear_depth(Formula& depth, float z, const DepthRules& rules) {
+void add_linear_depth(Formula& depth, float z, const VertexRules& rules) {
     depth.help += " Made from z that was interpolated as if it changed in equal steps.";
-    depth.inputs = {{"z", {z}, from_formula("z.affine")}};
-    depth.result = {depth_at(z, rules)};
-    const float mix = rules.projection.mix;
+    const FormulaInput input{"z", {z}, from_formula("z.affine")};
     if (rules.projection.clip_depth == ClipDepth::inv_z) {
         depth.expression = "1 / z";
+        depth.inputs = {input};
         return;
     }
-    const bool is_ndc = rules.projection.clip_depth == ClipDepth::ndc;
-    const std::string plane = is_ndc ? "far" : "near";
-    const std::string scale = mix == 0.0f ? plane : "((1 − mix) · " + plane + " + mix)";
-    const std::string w = mix == 0.0f ? "z" : "((1 − mix) · z + mix)";
-    depth.expression =
-        scale + " · (" + (is_ndc ? "(z − near)" : "(far − z)") + " / (far − near)) / " + w;
-    depth.inputs.push_back({"near", {rules.near}, from_setting("near")});
-    depth.inputs.push_back({"far", {rules.far}, from_setting("far")});
-    if (mix != 0.0f) depth.inputs.push_back({"mix", {mix}, from_setting("projection_mix")});
+    set_clip_depth(depth, rules, input);
+    depth.expression += rules.projection.mix > 0.0f ? " / ((1 − mix) · z + mix)" : " / z";
 }
 
 } // namespace
@@ -70,7 +63,8 @@ void add_depth_test(FragmentReport& report, const Frame& frame) {
     // What is culled never came to the test.
     const bool is_tested = report.fate != Fate::back_facing;
     if (is_tested && report.depth_test == DepthTest::linear_z) {
-        add_linear_depth(depth, report.fragment.z, rules);
+        add_linear_depth(depth, report.fragment.z, vertex_rules(frame));
+        depth.result = {depth_at(report.fragment.z, rules)};
     } else if (kind != ClipDepth::inv_z) {
         report.formulas.push_back(along_row(
             report, "depth.carried", name,

@@ -213,18 +213,13 @@ void add_texture(const Frame& frame, FragmentReport& report) {
 /// @return the reflectance there, interpolated where the corners' differ
 SourcedVector add_pixel_light(const Frame& frame, FragmentReport& report) {
     const int triangle = report.cursor.triangle;
-    Surface surface = surface_of(frame, triangle);
-    surface.shine = frame.scene->corner(triangle, 0).shine;
-    surface.differences = frame.scene->mesh.differences(triangle);
+    const Surface surface = lit_surface_of(frame, triangle);
     const PixelRules rules = pixel_rules(frame);
-    SurfacePoint place =
-        surface_point(report.under(report.interpolation), surface, rules.camera, frame.stages);
-    if (report.texture) place.reflectance *= report.texture->colour;
-    const glm::vec3 unbent = place.normal;
-    if (surface.normal_map != nullptr) {
-        report.bump = bump_report(report.fragment, surface, place.normal, frame);
-        place.normal = report.bump->normal;
-    }
+    const glm::vec3 unbent =
+        surface_point(report.fragment, surface, rules.camera, frame.stages).normal;
+    const SurfacePoint place = lit_point(report.fragment, surface, rules.camera, frame.stages);
+    if (surface.normal_map != nullptr)
+        report.bump = bump_report(report.fragment, surface, unbent, frame);
     report.normal = place.normal;
     LitPoint point;
     point.prefix = "pixel_light.";

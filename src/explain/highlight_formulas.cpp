@@ -59,6 +59,9 @@ class HighlightMaker {
         return parts_of_vector(symbol, part_formulas(point_, symbol, value));
     }
 
+    glm::vec3 way_to_eye() const { return -sight_ray(point_.position.value, rays_); }
+    float eye_distance2() const { return glm::dot(way_to_eye(), way_to_eye()); }
+
     /// From the point to the eye, by the rays of sight.
     void add_way_to_eye(int i, const glm::vec3& to_eye) {
         const std::string axis = axis_names[static_cast<std::size_t>(i)];
@@ -83,7 +86,7 @@ class HighlightMaker {
 
     void add_directions() {
         const LightTerms& light = point_.light.diffuse;
-        const glm::vec3 to_eye = -sight_ray(point_.position.value, rays_);
+        const glm::vec3 to_eye = way_to_eye();
         for (int i = 0; i < 3; ++i) {
             const std::string axis = axis_names[static_cast<std::size_t>(i)];
             add("l." + axis, "l." + axis, "To the lamp, of unit length.",
@@ -94,7 +97,7 @@ class HighlightMaker {
         }
         for (int i = 0; i < 3; ++i)
             add_way_to_eye(i, to_eye);
-        const float eye2 = glm::dot(to_eye, to_eye);
+        const float eye2 = eye_distance2();
         add("e2", "e²", "The distance to the eye, squared.", "e.x² + e.y² + e.z²",
             own_parts("e", to_eye), eye2);
         for (int i = 0; i < 3; ++i) {
@@ -122,20 +125,24 @@ class HighlightMaker {
                                              own("v." + axis, "v." + axis, v[i])};
             std::string expression = "l." + axis + " + v." + axis;
             std::string help = "Half-way between l and v, by mistake as long as their sum.";
-            if (!is_long) {
+            if (!is_long && sum2 > 0.0f) {
                 help = "Half-way between l and v, of unit length.";
                 expression = "(" + expression + ") / sqrt(s²)";
                 inputs.push_back(own("s²", "s2", sum2));
+            } else if (!is_long) {
+                help = "0: s² is not above 0, so there is no direction half-way between l and v.";
+                expression = "0";
+                inputs.clear();
             }
             add("h." + axis, "h." + axis, help, expression, inputs, terms().half[i]);
         }
     }
 
     void add_power(bool is_there) {
+        const bool has_ways = has_direction(point_.light.diffuse) && eye_distance2() > 0.0f;
         const std::string none =
-            faces_lamp(point_.light.diffuse)
-                ? "There is no direction to the lamp or to the eye, and so no highlight."
-                : "The lamp stands behind the surface, n · l is not above 0: no highlight.";
+            has_ways ? "The lamp stands behind the surface, n · l is not above 0: no highlight."
+                     : "There is no direction to the lamp or to the eye, and so no highlight.";
         if (!is_there) {
             add("n_dot_h", "n · h", none, "0", {}, terms().n_dot_h);
             add("power", "(n · h)^e", none, "0", {}, terms().power);
@@ -214,12 +221,14 @@ void append_normal_formulas(LitPoint& point, const SourcedVector& interpolated, 
                        {{symbol, {interpolated.value[i]}, interpolated.sources[part]},
                         {"|n|", {length}, from_formula(length_id)}},
                        {point.normal.value[i]}};
-        if (rules.renormalize == Renormalize::off || !(length > 0.0f)) {
-            normal.help = rules.renormalize == Renormalize::off
-                              ? "The interpolated normal, by mistake not made unit length again."
-                              : "The interpolated normal has no length, and so no direction.";
+        if (rules.renormalize == Renormalize::off) {
+            normal.help = "The interpolated normal, by mistake not made unit length again.";
             normal.expression = symbol;
             normal.inputs.pop_back();
+        } else if (!(length > 0.0f)) {
+            normal.help = "0: the interpolated normal has no length above 0, so no direction.";
+            normal.expression = "0";
+            normal.inputs.clear();
         }
         if (is_moved) {
             normal.help += " Then taken to the camera with w = 1, as if it were a place.";

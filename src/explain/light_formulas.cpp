@@ -14,11 +14,6 @@ SourcedVector ray(const LitPoint& point) {
     return r;
 }
 
-/// Is the point not the lamp itself?
-bool has_direction(const LightTerms& terms) {
-    return terms.distance2 > 0.0f && terms.sphere_area > 0.0f;
-}
-
 /// The slant, by the rule in force.
 Formula cosine_formula(const LitPoint& point, LightDirection direction) {
     Formula cosine{point.prefix + "cosine",
@@ -37,7 +32,7 @@ Formula cosine_formula(const LitPoint& point, LightDirection direction) {
             {"r²", {point.light.diffuse.distance2}, from_formula(point.prefix + "r2")});
     }
     if (!has_direction(point.light.diffuse)) {
-        cosine.help = "The lamp itself stands here: there is no direction to it.";
+        cosine.help = "0: r² is not above 0, so there is no direction to the lamp.";
         cosine.expression = "0";
         cosine.inputs.clear();
     }
@@ -99,7 +94,7 @@ void append_channel(const LitPoint& point, const Light& light, int channel,
             {"s", {point.light.shadow.lit}, from_formula(point.prefix + "lit")});
     }
     if (!has_direction(terms)) {
-        direct.help = "Direct light: none where the lamp itself stands.";
+        direct.help = "Direct light: none where there is no direction to the lamp.";
         direct.expression = "0";
         direct.inputs.clear();
     }
@@ -107,6 +102,10 @@ void append_channel(const LitPoint& point, const Light& light, int channel,
 }
 
 } // namespace
+
+bool has_direction(const LightTerms& terms) {
+    return terms.distance2 > 0.0f && terms.sphere_area > 0.0f;
+}
 
 std::vector<FormulaInput> parts_of_vector(const std::string& symbol, const SourcedVector& vector) {
     std::vector<FormulaInput> inputs;

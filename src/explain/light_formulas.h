@@ -32,6 +32,10 @@ struct LitPoint {
     std::optional<glm::vec3> paint{};
 };
 
+/// Does light come from somewhere? Where the lamp itself stands, or the distance is no number, the
+/// light has no direction.
+bool has_direction(const LightTerms& terms);
+
 /// The names of the parts: x y z, and red green blue.
 inline constexpr std::array<const char*, 3> axis_names{"x", "y", "z"};
 inline constexpr std::array<const char*, 3> channel_names{"red", "green", "blue"};

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "explain/light_formulas.h"
+#include "stages/orthographic.h"
 
 namespace rasterwalk {
 
@@ -10,21 +11,21 @@ namespace {
 
 constexpr const char* minus_sign = "−";
 
-FormulaInput mix_of(const Settings& settings) {
-    return {"mix", {settings.projection_mix}, from_setting("projection_mix")};
+FormulaInput mix_of(float mix) {
+    return {"mix", {mix}, from_setting("projection_mix")};
 }
 
 } // namespace
 
 void add_mixed_w(VertexMaker& made) {
     const ShadedVertex& shaded = made.report.shaded;
-    Formula w{
-        "clip.w",
-        "w",
-        "What x and y are divided by: z under perspective, 1 under orthographic projection.",
-        "(1 − mix) · z + mix",
-        {mix_of(made.frame.settings), {"z", {shaded.in("rotated").z}, from_formula("rotated.z")}},
-        {shaded.position_clip.w}};
+    Formula w{"clip.w",
+              "w",
+              "What x and y are divided by: z under perspective, 1 under orthographic projection.",
+              "(1 − mix) · z + mix",
+              {mix_of(made.frame.settings.projection_mix),
+               {"z", {shaded.in("rotated").z}, from_formula("rotated.z")}},
+              {shaded.position_clip.w}};
     if (made.is_by_matrices()) {
         w.expression = "w";
         w.inputs = {by_matrix("w", shaded.position_clip.w, "Tp · Tv · P")};
@@ -39,38 +40,49 @@ void add_mixed_w(VertexMaker& made) {
               {shaded.pixel.inv_w}});
 }
 
+void set_clip_depth(Formula& formula, const VertexRules& rules, const FormulaInput& z) {
+    const bool is_ndc = rules.projection.clip_depth == ClipDepth::ndc;
+    const bool is_mixed = rules.projection.mix > 0.0f, is_flat = rules.near == rules.far;
+    const std::string plane = is_ndc ? "far" : "near";
+    formula.expression = fmt::format(
+        "{} · (({}) / {})", is_mixed ? "((1 − mix) · " + plane + " + mix)" : plane,
+        is_ndc ? z.symbol + " − near" : "far − " + z.symbol, is_flat ? "length" : "(far − near)");
+    formula.inputs = {
+        {"near", {rules.near}, from_setting("near")}, {"far", {rules.far}, from_setting("far")}, z};
+    if (is_mixed) formula.inputs.push_back(mix_of(rules.projection.mix));
+    if (is_flat) {
+        formula.inputs.push_back({"length",
+                                  {view_length(rules)},
+                                  from_words("in place of far − near, which is 0: a division by 0 "
+                                             "would leave no number")});
+    }
+}
+
 void add_clip_depth(VertexMaker& made) {
     const ShadedVertex& shaded = made.report.shaded;
-    const Settings& settings = made.frame.settings;
     const DepthWords& words = depth_words(made.frame);
-    const bool is_ndc = words.kind == ClipDepth::ndc;
-    const std::string name(words.name);
     Formula clip{"clip.z",
                  "z'",
-                 "What becomes " + name + " when it is divided by w. " + std::string(words.ends),
-                 is_ndc ? "far · ((z − near) / (far − near))" : "near · ((far − z) / (far − near))",
-                 {{"near", {settings.near}, from_setting("near")},
-                  {"far", {settings.far}, from_setting("far")},
-                  {"z", {shaded.in("rotated").z}, from_formula("rotated.z")}},
+                 fmt::format("What becomes {} when it is divided by w. {}", words.name, words.ends),
+                 "",
+                 {},
                  {shaded.position_clip.z}};
-    if (made.is_mixed()) {
-        clip.expression = is_ndc ? "((1 − mix) · far + mix) · ((z − near) / (far − near))"
-                                 : "((1 − mix) · near + mix) · ((far − z) / (far − near))";
-        clip.inputs.push_back(mix_of(settings));
-    }
+    set_clip_depth(clip, vertex_rules(made.frame),
+                   {"z", {shaded.in("rotated").z}, from_formula("rotated.z")});
     if (made.is_by_matrices()) {
         clip.expression = "z'";
         clip.inputs = {by_matrix("z'", shaded.position_clip.z, "Tp · Tv · P")};
     }
     made.add(clip);
     if (!shaded.has_pixel) return;
-    made.add({"depth",
-              name,
-              fmt::format("What the depth buffer holds, {}: {} is nearer.", name, words.nearer),
-              "z' · (1/w)",
-              {{"z'", {shaded.position_clip.z}, from_formula("clip.z")},
-               {"(1/w)", {shaded.pixel.inv_w}, from_formula("zinv")}},
-              {shaded.pixel.depth}});
+    made.add(
+        {"depth",
+         std::string(words.name),
+         fmt::format("What the depth buffer holds, {}: {} is nearer.", words.name, words.nearer),
+         "z' · (1/w)",
+         {{"z'", {shaded.position_clip.z}, from_formula("clip.z")},
+          {"(1/w)", {shaded.pixel.inv_w}, from_formula("zinv")}},
+         {shaded.pixel.depth}});
 }
 
 void add_clip_place(VertexMaker& made, int i) {
@@ -83,7 +95,7 @@ void add_clip_place(VertexMaker& made, int i) {
         "Pixels from the middle of the picture, times w: in clip space.",
         "f · ((1 − mix) · d + mix) / d · " + axis,
         {{"f", {settings.camera.focal_length}, from_setting("camera.focal_length")},
-         mix_of(settings),
+         mix_of(settings.projection_mix),
          {"d",
           {orthographic_depth_rule(settings)},
           settings.orthographic_depth > 0.0f ? from_setting("orthographic_depth")

@@ -14,6 +14,10 @@ void add_mixed_w(VertexMaker& made);
 /// @param i 0 for x, 1 for y
 void add_clip_place(VertexMaker& made, int i);
 
+/// Gives a formula of z' what clip_z() makes it of: its expression and its inputs.
+/// @param z the z of camera space
+void set_clip_depth(Formula& formula, const VertexRules& rules, const FormulaInput& z);
+
 /// clip.z and depth, where the depth buffer does not hold 1/w.
 void add_clip_depth(VertexMaker& made);
 

@@ -340,16 +340,12 @@ const TakenTexel& TextureReport::heaviest() const {
 std::optional<TextureReport> texture_report(const Frame& frame, int triangle,
                                             const Fragment& fragment) {
     TextureReport report;
-    report.surface = surface_of(frame, triangle);
+    report.surface = lit_surface_of(frame, triangle);
     if (report.surface.texture == nullptr) return std::nullopt;
     const Texture& texture = *report.surface.texture;
-    // The lab's shader does not ask for them, and yet the report tells the colour at this place.
-    report.surface.differences = frame.scene->mesh.differences(triangle);
-    report.weight = frame.stages.varying_weight(fragment.inv_w);
+    report.weight = weight_of(fragment, frame.stages);
     report.place = place_in_texture(fragment, report.surface, frame.stages);
-    report.reflectance = report.surface.differences.colours
-                             ? fragment.varyings.colour / report.weight
-                             : report.surface.reflectance;
+    report.reflectance = reflectance_at(fragment, report.surface, frame.stages);
     report.right = side_in_texels(report.place.footprint.right, texture.base());
     report.down = side_in_texels(report.place.footprint.down, texture.base());
     report.level = texture_level(report.place.footprint, texture);

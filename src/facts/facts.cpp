@@ -9,7 +9,6 @@
 #include "picture/pixel_facts.h"
 #include "pipeline/draw.h"
 #include "pipeline/surface.h"
-#include "stages/pixel_shader.h"
 
 namespace rasterwalk {
 
@@ -19,35 +18,18 @@ double largest_component(const glm::vec3& v) {
     return static_cast<double>(std::max({v.x, v.y, v.z}));
 }
 
-/// The light at a fragment that came one way, on what its texture shows there: from the vertices
-/// in stage vertex_light, else from its own place.
+/// The colour that the pixel shader gives a fragment that came one way.
 /// @param stages of that way
-glm::vec3 light_of(const Frame& frame, const Fragment& fragment, const Stages& stages,
-                   int triangle) {
-    const Shading shading = shading_rule(frame.settings);
-    const Varyings varyings = recover_varyings(fragment, stages);
+glm::vec3 colour_of(const Frame& frame, const Fragment& fragment, Interpolation way,
+                    const Stages& stages, int triangle) {
     Surface surface = surface_of(frame, triangle);
     // The footprint, too, goes the way of the fragment.
-    if (surface.texture != nullptr || surface.normal_map != nullptr)
-        surface.texture_slope = texture_slope(frame.triangle_vertices(triangle), stages);
-    const auto on_texture = [&](const glm::vec3& colour) {
-        return textured(colour, fragment, surface, stages);
-    };
-    if (shading == Shading::gouraud) return on_texture(varyings.illumination);
-    if (frame.stages.pixel_shader == surface_shader) {
-        if (shading == Shading::flat) return on_texture(surface.flat_light);
-        const PixelRules rules = pixel_rules(frame);
-        SurfacePoint point = surface_point(varyings, surface, rules.camera, frame.stages);
-        point.reflectance = on_texture(point.reflectance);
-        if (surface.normal_map != nullptr)
-            point.normal = mapped_normal(point.normal, fragment, surface, stages);
-        return surface_light(point, rules.light, rules.rays, rules.occluders, frame.stages)
-            .reflected;
+    if (surface.texture != nullptr || surface.normal_map != nullptr) {
+        Settings settings = frame.settings;
+        settings.interpolation = way;
+        surface.texture_slope = texture_slope(polygon_under(frame, triangle, settings), stages);
     }
-    const Vertex& corner = frame.scene->corner(triangle, 0);
-    return reflected_light(varyings.position_world, corner.normal, on_texture(corner.reflectance),
-                           light_rule(frame.settings))
-        .reflected;
+    return frame.stages.pixel_shader(fragment, surface, pixel_rules(frame), stages);
 }
 
 std::optional<InterpolationError> error_of(const Frame& frame, const Cursor& at) {
@@ -55,16 +37,16 @@ std::optional<InterpolationError> error_of(const Frame& frame, const Cursor& at)
     const std::optional<CarriedRow> row = carried_row(frame, at.triangle, at.index);
     if (!row || at.step >= row->count) return std::nullopt;
     struct Way {
-        glm::vec3 light, position;
+        glm::vec3 colour, position;
     };
     const auto by = [&](Interpolation interpolation) {
         const Fragment fragment = row->at(interpolation, at.step);
         const Stages& stages = row->stages[static_cast<std::size_t>(interpolation)];
-        return Way{light_of(frame, fragment, stages, at.triangle),
+        return Way{colour_of(frame, fragment, interpolation, stages, at.triangle),
                    recover_varyings(fragment, stages).position_world};
     };
     const Way right = by(Interpolation::perspective), wrong = by(Interpolation::affine);
-    return InterpolationError{largest_component(glm::abs(wrong.light - right.light)),
+    return InterpolationError{largest_component(glm::abs(wrong.colour - right.colour)),
                               static_cast<double>(glm::length(wrong.position - right.position))};
 }
 

@@ -29,7 +29,7 @@ namespace rasterwalk {
 
 /// The affine against the perspective-correct way on one fragment.
 struct InterpolationError {
-    double light = 0.0;    ///< largest channel difference of the light, linear
+    double light = 0.0;    ///< largest channel difference of what the pixel shader gives, linear
     double position = 0.0; ///< world units
 };
 

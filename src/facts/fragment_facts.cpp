@@ -58,12 +58,24 @@ Value row_end(const Facts& facts, int end) {
     return number((end == 0 ? rows.left : rows.right)[static_cast<std::size_t>(*row)].column);
 }
 
+/// Pixels from end to end of a row of the table, as the frame counts them.
+std::int64_t count_row(const Facts& facts, int row) {
+    const Stages& stages = facts.results().a.frame.stages;
+    // Mistake B7 can count less than none.
+    return std::max(row_span(stages, facts.table()->rows, row).count, 0);
+}
+
+Value table_count(const Facts& facts, int) {
+    const std::optional<int> row = facts.table_row();
+    return row ? number(count_row(facts, *row)) : Value();
+}
+
 Value table_fragments(const Facts& facts, int) {
     const RowHistory* const table = facts.table();
     if (table == nullptr) return {};
     std::int64_t sum = 0;
     for (int row = 0; row < table->rows.size(); ++row)
-        sum += table->rows.pixel_count(row);
+        sum += count_row(facts, row);
     return number(sum);
 }
 
@@ -211,11 +223,8 @@ void add_table_facts(std::vector<Fact>& table) {
                      whole(-endless, endless), row_end, 0});
     table.push_back({"table.right", "Right end of the selected row, when the table is finished.",
                      whole(-endless, endless), row_end, 1});
-    table.push_back({"table.count", "Pixels of the selected row, both ends included.", natural(),
-                     [](const Facts& f, int) {
-                         const std::optional<int> row = f.table_row();
-                         return row ? number(f.table()->rows.pixel_count(*row)) : Value();
-                     }});
+    table.push_back(
+        {"table.count", "Pixels of the selected row, both ends included.", natural(), table_count});
     for (int edge = 0; edge < triangle_corners; ++edge) {
         table.push_back(
             {fmt::format("table.e{}.samples", edge),

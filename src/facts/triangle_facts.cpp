@@ -106,7 +106,7 @@ void add_side_facts(std::vector<Fact>& table) {
          }});
     table.push_back({"triangle.near_t",
                      "t of its first edge that the near plane cuts: 0 at the corner in front.",
-                     real(0, 1), [](const Facts& f, int) {
+                     real(), [](const Facts& f, int) {
                          return of_shown_triangle(f, [](const Frame& frame, int triangle) {
                              return number(triangle_sides(frame, triangle).near_t);
                          });

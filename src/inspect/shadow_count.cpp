@@ -29,12 +29,12 @@ class LastFragments : public Observer {
     std::vector<Fragment> fragments_;
 };
 
-/// The light of a fragment at its own place.
+/// The light at the place that a fragment shows; under flat shading in the middle of its triangle.
 SurfaceLight light_there(const Frame& frame, const Fragment& fragment, int triangle,
                          const Surface& surface, const PixelRules& rules) {
-    SurfacePoint point = surface_point(recover_varyings(fragment, frame.stages), surface,
-                                       rules.camera, frame.stages);
-    point.shine = frame.scene->corner(triangle, 0).shine;
+    const SurfacePoint point = rules.shading == Shading::flat
+                                   ? flat_point(frame, triangle)
+                                   : lit_point(fragment, surface, rules.camera, frame.stages);
     return surface_light(point, rules.light, rules.rays, rules.occluders, frame.stages);
 }
 
@@ -77,8 +77,7 @@ FrameShadows count_shadows(const Frame& frame) {
         const int triangle = picture.owner[i];
         if (triangle < 0) continue;
         if (triangle != known) {
-            surface = surface_of(frame, triangle);
-            surface.differences = frame.scene->mesh.differences(triangle);
+            surface = lit_surface_of(frame, triangle);
             known = triangle;
         }
         ShadowCount one;

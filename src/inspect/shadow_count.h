@@ -1,7 +1,7 @@
 #pragma once
 
 // How much of a finished picture lies in shadow, and where a map is wrong: each pixel is asked
-// again, at the place in the room that it shows.
+// again, at the place in the room that it shows; under flat shading, in the middle of its triangle.
 
 #include <cstdint>
 #include <vector>

@@ -14,6 +14,15 @@ std::optional<float> cut_at(const glm::vec4& plane, const ClipVertex& a, const C
     return d_a >= 0.0f ? cut_place(d_a, d_b) : cut_place(d_b, d_a);
 }
 
+/// Keeps t of the first edge that the near plane cuts.
+class NearCut : public ClipSink {
+  public:
+    void clip_step(const ClipStep& step) override {
+        if (step.is_cut && step.plane == ClipPlane::near && !t) t = step.t;
+    }
+    std::optional<float> t;
+};
+
 } // namespace
 
 TriangleSides triangle_sides(const Frame& frame, int triangle) {
@@ -23,6 +32,9 @@ TriangleSides triangle_sides(const Frame& frame, int triangle) {
     sides.away = away_from_camera(as_one_face(corners), sight_rays(rules));
     if (rules.space == SceneSpace::pixels) return sides;
     sides.codes = triangle_codes(corners, outer_planes(rules));
+    NearCut drawn;
+    tell_clipping(frame, triangle, drawn);
+    sides.near_t = drawn.t;
     const glm::vec4& near = sides.codes.planes.front();
     for (std::size_t i = 0; i < corners.size() && !sides.near_t; ++i)
         sides.near_t = cut_at(near, corners[i], corners[(i + 1) % corners.size()]);

@@ -15,8 +15,8 @@ struct TriangleSides {
     TriangleCodes codes;
     /// away_from_camera() of as_one_face(): positive if it shows its back. World units.
     float away = 0.0f;
-    /// t of its first edge that the near plane cuts, 0 at the corner in front of the plane; none if
-    /// it cuts none.
+    /// t of its first edge that the near plane cuts, 0 at the corner in front of the plane: that of
+    /// the function that clips, or the right one where that cuts nothing. None if no edge is cut.
     std::optional<float> near_t;
 };
 

@@ -9,7 +9,7 @@
 namespace rasterwalk {
 
 FilledPart::FilledPart(const Frame& frame, const Cursor& cursor, int triangle)
-    : cursor_(cursor), triangle_(triangle),
+    : frame_(frame), cursor_(cursor), triangle_(triangle),
       is_whole_(frame.is_drawn(triangle) && triangle < cursor.triangle),
       has_columns_(has_fragments(frame.settings.stage)) {
     // One that has not come to its rows yet is not filled at all.
@@ -25,7 +25,7 @@ bool FilledPart::has(const glm::dvec2& pixel) const {
     if (has_columns_) {
         const double column =
             std::floor(pixel.x) - rows_.left[static_cast<std::size_t>(index)].column;
-        const int last = std::max(rows_.pixel_count(index) - 1, 0);
+        const int last = std::max(row_span(frame_.stages, rows_, index).count - 1, 0);
         step = static_cast<int>(std::clamp(column, 0.0, static_cast<double>(last)));
     }
     return Cursor{triangle_, Phase::rows, index, step} < cursor_;

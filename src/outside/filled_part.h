@@ -24,6 +24,7 @@ class FilledPart {
     bool has(const glm::dvec2& pixel) const;
 
   private:
+    const Frame& frame_;
     Cursor cursor_;
     int triangle_;
     bool is_whole_, has_rows_ = false, has_columns_;

@@ -168,11 +168,11 @@ Rectangle Replay::changed_between(const Cursor& from, const Cursor& to) const {
             has_fragments(frame_->settings.stage) && to.triangle == t && to.index == begin.index;
         for (int r = first; r <= last; ++r) {
             if (rows.is_empty_row(r)) continue;
-            const int count = rows.pixel_count(r), left = rows.left[r].column;
-            const int begun = is_one_row ? std::clamp(begin.step, 0, count) : 0;
-            const int ended = is_one_row ? std::clamp(to.step, 0, count) : count;
-            box.left = std::min(box.left, left + begun);
-            box.right = std::max(box.right, left + ended);
+            const RowSpan span = row_span(frame_->stages, rows, r);
+            const int begun = is_one_row ? std::clamp(begin.step, 0, span.count) : 0;
+            const int ended = is_one_row ? std::clamp(to.step, 0, span.count) : span.count;
+            box.left = std::min(box.left, span.left + begun);
+            box.right = std::max(box.right, span.left + ended);
             box.top = std::min(box.top, rows.first_row + r);
             box.bottom = std::max(box.bottom, rows.first_row + r + 1);
         }

@@ -38,4 +38,11 @@ Surface surface_of(const Frame& frame, int triangle) {
     return surface;
 }
 
+Surface lit_surface_of(const Frame& frame, int triangle) {
+    Surface surface = surface_of(frame, triangle);
+    surface.shine = frame.scene->corner(triangle, 0).shine;
+    surface.differences = frame.scene->mesh.differences(triangle);
+    return surface;
+}
+
 } // namespace rasterwalk

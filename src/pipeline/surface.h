@@ -9,6 +9,9 @@ namespace rasterwalk {
 /// only surfaces need that the lab does not have is worked out only for them.
 Surface surface_of(const Frame& frame, int triangle);
 
+/// The same with all that light worked out at a pixel asks for, whatever shader is in force.
+Surface lit_surface_of(const Frame& frame, int triangle);
+
 /// The normal of a whole triangle, as the light has it: the one that its corners share, or the one
 /// across their places.
 glm::vec3 flat_normal(const Frame& frame, int triangle);

@@ -35,8 +35,8 @@ std::string describe_moment(const Frame& frame, const Cursor& cursor) {
     if (phase.step.empty()) return text;
     if (is_row && !has_fragments(frame.settings.stage)) return text + ": its two ends";
     // Of the whole row, of which only the part in the picture has moments.
-    const int steps =
-        is_row ? moments.rows.pixel_count(cursor.index) : of_phase.pieces[cursor.index].count;
+    const int steps = is_row ? row_span(frame.stages, moments.rows, cursor.index).count
+                             : of_phase.pieces[cursor.index].count;
     return text + " · " + element_name_of(phase.step, cursor.step, steps);
 }
 

@@ -4,13 +4,9 @@
 
 namespace rasterwalk {
 
-namespace {
-
 float weight_of(const Fragment& fragment, const Stages& stages) {
     return call<varying_weight>(stages.varying_weight, fragment.inv_w);
 }
-
-} // namespace
 
 Varyings recover_varyings(const Fragment& fragment, const Stages& stages) {
     return fragment.varyings / weight_of(fragment, stages);

@@ -74,6 +74,9 @@ constexpr float varying_weight(float zinv) {
     return zinv;
 }
 
+/// The same of a fragment, as the table has it.
+float weight_of(const Fragment& fragment, const Stages& stages);
+
 /// The varyings of a fragment as q: divided by their weight.
 Varyings recover_varyings(const Fragment& fragment, const Stages& stages);
 

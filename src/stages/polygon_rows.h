@@ -49,10 +49,6 @@ struct PolygonRows {
 
     int size() const { return static_cast<int>(left.size()); }
     bool is_empty_row(int index) const { return left[index].column > right[index].column; }
-    /// Number of pixels from left to right end, both included; 0 for a row that no sample reached.
-    int pixel_count(int index) const {
-        return is_empty_row(index) ? 0 : right[index].column - left[index].column + 1;
-    }
 };
 
 /// What one edge sample did to the table.

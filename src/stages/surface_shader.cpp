@@ -30,12 +30,29 @@ SurfaceLight surface_light(const SurfacePoint& point, const Light& light, const 
     return result;
 }
 
-SurfacePoint surface_point(const Varyings& varyings, const Surface& surface, const Camera& camera,
+glm::vec3 reflectance_at(const Fragment& fragment, const Surface& surface, const Stages& stages) {
+    if (!surface.differences.colours) return surface.reflectance;
+    return fragment.varyings.colour / weight_of(fragment, stages);
+}
+
+SurfacePoint surface_point(const Fragment& fragment, const Surface& surface, const Camera& camera,
                            const Stages& stages) {
-    SurfacePoint point{varyings.position_world, surface.normal, surface.reflectance, surface.shine};
+    // Only what is read is divided.
+    const float weight = weight_of(fragment, stages);
+    SurfacePoint point{fragment.varyings.position_world / weight, surface.normal,
+                       reflectance_at(fragment, surface, stages), surface.shine};
     if (surface.differences.normals)
-        point.normal = stages.light_normal(stages.unit_normal(varyings.normal), camera);
-    if (surface.differences.colours) point.reflectance = varyings.colour;
+        point.normal =
+            stages.light_normal(stages.unit_normal(fragment.varyings.normal / weight), camera);
+    return point;
+}
+
+SurfacePoint lit_point(const Fragment& fragment, const Surface& surface, const Camera& camera,
+                       const Stages& stages) {
+    SurfacePoint point = surface_point(fragment, surface, camera, stages);
+    point.reflectance = textured(point.reflectance, fragment, surface, stages);
+    if (surface.normal_map != nullptr)
+        point.normal = mapped_normal(point.normal, fragment, surface, stages);
     return point;
 }
 
@@ -62,30 +79,19 @@ SurfacePoint middle_point(const std::array<Vertex, triangle_corners>& corners,
 
 glm::vec3 surface_shader(const Fragment& fragment, const Surface& surface, const PixelRules& rules,
                          const Stages& stages) {
-    const float weight = call<varying_weight>(stages.varying_weight, fragment.inv_w);
     switch (rules.shading) {
     case Shading::unlit:
-        break;
+        return textured(reflectance_at(fragment, surface, stages), fragment, surface, stages);
     case Shading::flat:
         return textured(surface.flat_light, fragment, surface, stages);
     case Shading::gouraud:
-        return textured(fragment.varyings.illumination / weight, fragment, surface, stages);
-    case Shading::phong: {
-        // Only what is read is divided.
-        Varyings varyings;
-        varyings.position_world = fragment.varyings.position_world / weight;
-        if (surface.differences.normals) varyings.normal = fragment.varyings.normal / weight;
-        if (surface.differences.colours) varyings.colour = fragment.varyings.colour / weight;
-        SurfacePoint point = surface_point(varyings, surface, rules.camera, stages);
-        point.reflectance = textured(point.reflectance, fragment, surface, stages);
-        if (surface.normal_map != nullptr)
-            point.normal = mapped_normal(point.normal, fragment, surface, stages);
-        return surface_light(point, rules.light, rules.rays, rules.occluders, stages).reflected;
+        break;
+    case Shading::phong:
+        return surface_light(lit_point(fragment, surface, rules.camera, stages), rules.light,
+                             rules.rays, rules.occluders, stages)
+            .reflected;
     }
-    }
-    return textured(surface.differences.colours ? fragment.varyings.colour / weight
-                                                : surface.reflectance,
-                    fragment, surface, stages);
+    return pixel_shader(fragment, surface, rules, stages);
 }
 
 } // namespace rasterwalk

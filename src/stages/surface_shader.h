@@ -47,9 +47,17 @@ SurfaceLight surface_light(const SurfacePoint& point, const Light& light, const 
 /// The light at a vertex, as light per vertex has it.
 SurfaceLight light_at_vertex(const Vertex& vertex, const VertexRules& rules, const Stages& stages);
 
-/// The point of a surface to which these varyings belong, recovered as q.
-SurfacePoint surface_point(const Varyings& varyings, const Surface& surface, const Camera& camera,
+/// The reflectance of a surface where a fragment lies, before its texture paints it.
+glm::vec3 reflectance_at(const Fragment& fragment, const Surface& surface, const Stages& stages);
+
+/// The point of a surface that a fragment shows, before its texture and its normal map.
+SurfacePoint surface_point(const Fragment& fragment, const Surface& surface, const Camera& camera,
                            const Stages& stages);
+
+/// The same point as its light is worked out: painted by the texture, with the normal that the
+/// normal map bends.
+SurfacePoint lit_point(const Fragment& fragment, const Surface& surface, const Camera& camera,
+                       const Stages& stages);
 
 /// The colour of the normal map where a fragment lies; the surface must have one.
 /// @param taken receives the texels, or null

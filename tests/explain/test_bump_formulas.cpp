@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "explain/fragment_report.h"
+#include "mistakes/normal_map.h"
 #include "pipeline/draw.h"
 #include "scene/read_scene.h"
 #include "session/content.h"
@@ -77,4 +78,23 @@ TEST_CASE("Without a normal map in force there is no bent normal to tell of") {
         CHECK_FALSE(report->bump);
         CHECK(find_formula(report->formulas, "bump.normal.x") == nullptr);
     }
+}
+
+TEST_CASE("The handedness is the one that the function in the slot gives the bitangent") {
+    const Scene scene = read_scene(lessons_folder() + "/scenes/studs.toml");
+    Settings settings = default_settings(scene);
+    set_from_text(settings, "stage=pixel_light");
+    const Frame asked = prepare_frame(scene, settings);
+    const Frame unasked = prepare_frame(
+        scene, settings, [](Stages& stages) { stages.tangent_frame = tangent_frame_unasked; });
+    int mirrored = 0;
+    for (int triangle = 0; triangle < scene.triangle_count(); ++triangle) {
+        const Cursor at{triangle, Phase::rows, 20, 3};
+        const auto right = fragment_report(asked, at), wrong = fragment_report(unasked, at);
+        if (!right || !wrong) continue;
+        REQUIRE(wrong->bump);
+        CHECK(wrong->bump->sign == 1.0f);
+        mirrored += right->bump->sign < 0.0f ? 1 : 0;
+    }
+    CHECK(mirrored > 0);
 }

@@ -10,6 +10,7 @@
 #include "settings/setting_table.h"
 #include "support/bits.h"
 #include "support/effort.h"
+#include "support/formula_checks.h"
 #include "support/samples.h"
 
 using namespace rasterwalk;
@@ -23,27 +24,6 @@ Formula formula(std::string expression, std::vector<FormulaInput> inputs = {}) {
 
 FormulaInput input(std::string symbol, float value) {
     return {std::move(symbol), {value}, from_words("the test")};
-}
-
-/// Every formula of the report gives its shown result from its shown inputs; every input that is
-/// another formula's result has its value.
-void check_formulas(const std::vector<Formula>& formulas, const std::string& where) {
-    for (const Formula& f : formulas) {
-        const float again = evaluate(f);
-        if (!same_bits(again, f.result.value)) {
-            FAIL(where << ", " << f.id << " = " << f.expression << " = " << with_numbers(f)
-                       << " gives " << again << " and shows " << f.result.value);
-        }
-        for (const FormulaInput& i : f.inputs) {
-            if (i.source.kind != SourceKind::formula) continue;
-            const Formula* const source = find_formula(formulas, i.source.name);
-            if (source == nullptr) FAIL(where << ", " << f.id << " has no " << i.source.name);
-            if (!same_bits(source->result.value, i.number.value)) {
-                FAIL(where << ", " << f.id << ": " << i.symbol << " is not what " << i.source.name
-                           << " gives");
-            }
-        }
-    }
 }
 
 } // namespace
@@ -181,9 +161,9 @@ TEST_CASE("Every number of every vertex of the room follows from what its formul
             for (int t = 0; t < frame.triangle_count(); ++t) {
                 for (int v = 0; v < 3; ++v) {
                     const VertexReport report = vertex_report(frame, t, v);
-                    check_formulas(report.formulas, variant.name + ", " + pose.name + ", t" +
-                                                        std::to_string(t) + "/v" +
-                                                        std::to_string(v));
+                    test::check_formulas(frame, report.formulas,
+                                         variant.name + ", " + pose.name + ", t" +
+                                             std::to_string(t) + "/v" + std::to_string(v));
                     if (report.shaded.rejection != Rejection::none) continue;
                     // Where a plane cuts, the corners that are drawn are others.
                     const ScreenVertex& drawn =

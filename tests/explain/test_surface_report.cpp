@@ -8,6 +8,7 @@
 #include "pipeline/draw.h"
 #include "settings/setting_table.h"
 #include "support/bits.h"
+#include "support/formula_checks.h"
 #include "support/recorder.h"
 #include "support/small_cylinder.h"
 
@@ -29,36 +30,6 @@ Scene coloured_cylinder() {
         coloured.mesh.add_triangle_of(corners);
     }
     return coloured;
-}
-
-/// Every formula gives its number once more, and every input has the number of the formula that it
-/// comes from.
-void check_formulas(const Frame& frame, const std::vector<Formula>& formulas,
-                    const std::string& where) {
-    for (const Formula& formula : formulas) {
-        const float again = evaluate(formula);
-        if (!same_bits(again, formula.result.value)) {
-            FAIL(where << formula.id << " = " << formula.expression << " = "
-                       << with_numbers(formula) << " gives " << again << " and shows "
-                       << formula.result.value);
-        }
-        for (const FormulaInput& input : formula.inputs) {
-            const Formula* named = nullptr;
-            VertexReport vertex;
-            if (input.source.kind == SourceKind::formula) {
-                named = find_formula(formulas, input.source.name);
-            } else if (input.source.kind == SourceKind::vertex) {
-                vertex = vertex_report(frame, input.source.triangle, input.source.vertex);
-                named = find_formula(vertex.formulas, input.source.name);
-            } else {
-                continue;
-            }
-            if (named == nullptr || !same_bits(named->result.value, input.number.value)) {
-                FAIL(where << formula.id << ": " << input.symbol << " = " << input.number.value
-                           << " does not come from " << input.source.name);
-            }
-        }
-    }
 }
 
 float shown_by(const std::vector<Formula>& formulas, const std::string& id) {
@@ -118,7 +89,7 @@ TEST_CASE("Every term of a shining, bent, coloured surface is told with its form
                     std::string(shading) + ", " + rule + ", " + to_text(event.cursor) + ": ";
                 const std::optional<FragmentReport> report = fragment_report(frame, event.cursor);
                 if (!report) FAIL(where << "has no report");
-                check_formulas(frame, report->formulas, where);
+                test::check_formulas(frame, report->formulas, where);
                 for (int c = 0; c < 3; ++c) {
                     const float shown = shown_by(report->formulas, id_of_light(frame, *report, c));
                     if (!same_bits(shown, report->colour[c]))
@@ -148,7 +119,7 @@ TEST_CASE("A vertex tells its highlight, and light per vertex brings it along") 
         for (int v = 0; v < triangle_corners; ++v) {
             const VertexReport report = vertex_report(frame, t, v);
             const std::string where = "triangle " + std::to_string(t) + ": ";
-            check_formulas(frame, report.formulas, where);
+            test::check_formulas(frame, report.formulas, where);
             const glm::vec3 carried = frame.given_clip_vertex(t, v).varyings.illumination;
             if (!same_bits(shown_by(report.formulas, "light.R.green"), carried.g))
                 FAIL(where << "tells another light than it hands on, " << carried.g);

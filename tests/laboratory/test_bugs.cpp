@@ -335,7 +335,7 @@ TEST_CASE("B8: rows of one pixel vanish, and only they") {
     int single = 0;
     for (const PolygonRows& table : tables_of(runs.correct)) {
         for (int r = 0; r < table.size(); ++r)
-            single += table.pixel_count(r) == 1 ? 1 : 0;
+            single += row_span({}, table, r).count == 1 ? 1 : 0;
     }
     CHECK(single == 15);
     CHECK(runs.correct_stats.fragments - runs.wrong_stats.fragments == single);
@@ -353,7 +353,7 @@ TEST_CASE("B9: every row of every triangle lacks its last fragment, and no other
     for (const FragmentEvent& event : correct) {
         const Cursor& cursor = event.cursor;
         const PolygonRows& table = tables[static_cast<std::size_t>(cursor.triangle)];
-        const bool is_last = cursor.step + 1 == table.pixel_count(cursor.index);
+        const bool is_last = cursor.step + 1 == row_span({}, table, cursor.index).count;
         last += is_last ? 1 : 0;
         const FragmentEvent* found = fragment_at(wrong, cursor);
         if ((found != nullptr) == is_last) FAIL(to_text(cursor) << " should be otherwise");

@@ -132,9 +132,9 @@ TEST_CASE("A step changes no more pixels than it draws on") {
     PolygonRows rows;
     compute_rows(frame, 1, rows);
     int row = 0;
-    while (row < rows.size() - 1 && rows.pixel_count(row) < 10)
+    while (row < rows.size() - 1 && row_span({}, rows, row).count < 10)
         ++row;
-    REQUIRE(rows.pixel_count(row) >= 10);
+    REQUIRE(row_span({}, rows, row).count >= 10);
     const int column = rows.left[static_cast<std::size_t>(row)].column + 3;
     replay.at({1, Phase::rows, row, 3});
     for (const int step : {4, 3}) { // on and back

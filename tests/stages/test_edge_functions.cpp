@@ -335,8 +335,8 @@ TEST_CASE("Weights against double: from 0 to 1, their sum 1, and what they mix")
         const int r = random.integer(0, rows.size() - 1);
         if (rows.is_empty_row(r)) continue;
         const auto at = static_cast<std::size_t>(r);
-        const Row row{rows.left[at], rows.right[at], rows.first_row + r, rows.pixel_count(r),
-                      &rows.tested};
+        const Row row{rows.left[at], rows.right[at], rows.first_row + r,
+                      row_span(stages, rows, r).count, &rows.tested};
         std::vector<LineSample> samples(static_cast<std::size_t>(row.count));
         stages.row_fragments(stages, row, 0, VaryingSet::all(), samples);
         for (const LineSample& sample : samples) {

@@ -111,9 +111,9 @@ void draw_values(Ui& ui, const RowEnd& end, bool is_set) {
 void draw_count(const Ui& ui, int index) {
     const Palette& p = palette(ui.options.theme);
     const RowHistory& history = ui.results.a.rows;
-    const int count = history.rows.pixel_count(index);
+    const int count = row_span(ui.results.a.frame.stages, history.rows, index).count;
     const std::span<const InsideSpan> spans = spans_of_row(history, history.rows.first_row + index);
-    if (count == 0 || spans.size() < 2) {
+    if (count <= 0 || spans.size() < 2) {
         right_aligned(count > 0 ? std::to_string(count) : "—", count > 0 ? p.text : p.dim);
         return;
     }

@@ -1,0 +1,48 @@
+#include "support/formula_checks.h"
+
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include "explain/vertex_report.h"
+#include "support/bits.h"
+
+namespace rasterwalk::test {
+
+namespace {
+
+bool same_number(float a, float b) {
+    return same_bits(a, b) || (std::isnan(a) && std::isnan(b));
+}
+
+} // namespace
+
+void check_formulas(const Frame& frame, const std::vector<Formula>& formulas,
+                    const std::string& where) {
+    for (const Formula& formula : formulas) {
+        const float again = evaluate(formula);
+        if (!same_number(again, formula.result.value)) {
+            FAIL(where << ": " << formula.id << " = " << formula.expression << " = "
+                       << with_numbers(formula) << " gives " << again << " and shows "
+                       << formula.result.value);
+        }
+        for (const FormulaInput& input : formula.inputs) {
+            const Formula* named = nullptr;
+            VertexReport vertex;
+            if (input.source.kind == SourceKind::formula) {
+                named = find_formula(formulas, input.source.name);
+            } else if (input.source.kind == SourceKind::vertex) {
+                vertex = vertex_report(frame, input.source.triangle, input.source.vertex);
+                named = find_formula(vertex.formulas, input.source.name);
+            } else {
+                continue;
+            }
+            if (named == nullptr || !same_number(named->result.value, input.number.value)) {
+                FAIL(where << ": " << formula.id << ": " << input.symbol << " = "
+                           << input.number.value << " does not come from " << input.source.name);
+            }
+        }
+    }
+}
+
+} // namespace rasterwalk::test
