@@ -402,7 +402,7 @@ void read_part(const TomlInput& input, const PointSets& sets, SurfaceSections& s
         }
     }
     for (std::size_t number = 0; number < triangles.size(); ++number) {
-        watched.step();
+        watched.step_to(scene.triangle_count());
         surface.dress(triangles[number]);
         std::array<Vertex, triangle_corners>& corners = triangles[number].corners;
         for (std::size_t i = 0; i < corners.size() && !texcoords.empty(); ++i)

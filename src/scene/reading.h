@@ -50,6 +50,12 @@ class WatchedSteps {
         if (++steps_ % steps_between == 0) ask();
     }
 
+    /// One step more, after which so much of the same part is done.
+    void step_to(std::int64_t done) {
+        state_.done = done;
+        step();
+    }
+
     /// Asks now. Throws ReadingStopped.
     void ask(const ReadingState& state) {
         state_ = state;

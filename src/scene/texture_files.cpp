@@ -47,8 +47,9 @@ int TextureFiles::read_new(const std::string& file, const std::string& path,
     watched_.ask();
     if (strength && !looks_like_normals(image)) {
         const auto side = static_cast<float>(std::max(image.width, image.height));
-        textures_.emplace_back(
-            make_texture(name, normals_of_heights(image, *strength * side / 64.0f)));
+        const Image normals = normals_of_heights(image, *strength * side / 64.0f);
+        watched_.ask();
+        textures_.emplace_back(make_texture(name, normals));
     } else {
         textures_.emplace_back(make_texture(name, image));
     }
