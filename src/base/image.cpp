@@ -19,8 +19,6 @@ namespace rasterwalk {
 
 namespace {
 
-constexpr int largest_side = 16384;
-
 void append_bytes(void* context, void* data, int size) {
     static_cast<std::string*>(context)->append(static_cast<const char*>(data),
                                                static_cast<std::size_t>(size));
@@ -30,19 +28,49 @@ std::size_t pixel_count(const Image& image) {
     return static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
 }
 
-Image unpack(std::string_view bytes, const std::string& path, int side) {
-    check_image_size(bytes, path, side);
+/// Why stb_image could not do what it was asked for last. For some faults it gives no reason: there
+/// is none then, or still that of a picture before. So that one is forgotten first.
+class DecoderFailure {
+  public:
+    DecoderFailure() {
+        int ignored = 0;
+        stbi_info_from_memory(nullptr, 0, &ignored, &ignored, &ignored);
+    }
+    std::string_view reason() const {
+        const char* const said = stbi_failure_reason();
+        const std::string_view reason = said != nullptr ? said : "";
+        constexpr std::string_view of_no_bytes = "unknown image type";
+        return reason.empty() || reason == of_no_bytes ? "its data are damaged" : reason;
+    }
+    [[noreturn]] void refuse(const std::string& path) const {
+        throw InputError(fmt::format("{}: the picture cannot be read: {}.", path, reason()));
+    }
+};
+
+/// stb_image takes as much memory as the data unpack to, whatever the size of the picture.
+void check_png_data(std::string_view bytes, const std::string& path, glm::ivec2 size) {
+    const std::string data = png_data(bytes);
+    std::vector<char> room(png_row_bytes(bytes));
+    const DecoderFailure failure;
+    if (stbi_zlib_decode_buffer(room.data(), static_cast<int>(room.size()), data.data(),
+                                static_cast<int>(data.size())) >= 0)
+        return;
+    if (failure.reason() != "output buffer limit") failure.refuse(path);
+    throw InputError(
+        fmt::format("{}: a picture of {} x {} pixels has data for more.", path, size.x, size.y));
+}
+
+Image unpack(std::string_view bytes, const std::string& path, glm::ivec2 size) {
+    if (begins_as_png(bytes)) check_png_data(bytes, path, size);
     Image image;
     int channels = 0;
+    const DecoderFailure failure;
     const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
         stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()),
                               static_cast<int>(bytes.size()), &image.width, &image.height,
                               &channels, 4),
         stbi_image_free);
-    if (!pixels) {
-        throw InputError(
-            fmt::format("{}: the picture cannot be read: {}.", path, stbi_failure_reason()));
-    }
+    if (!pixels) failure.refuse(path);
     image.rgba.assign(pixels.get(), pixels.get() + 4 * pixel_count(image));
     return image;
 }
@@ -75,21 +103,20 @@ bool is_image_file(const std::string& path) {
     return is_image({head.data(), static_cast<std::size_t>(file.gcount())});
 }
 
-Image parse_image(std::string_view bytes, const std::string& path) {
-    if (!is_image(bytes)) {
-        throw InputError(path + ": the file is neither a PNG nor a BMP picture.");
-    }
-    return unpack(bytes, path, largest_side);
+Image parse_image(std::string_view bytes, const std::string& path, int largest_side) {
+    return unpack(bytes, path, stated_size(bytes, path, largest_side));
 }
 
 Image read_image(const std::string& path) {
     return parse_image(read_file(path, largest_image_file), path);
 }
 
-Image read_png(const std::string& path, int side) {
+Image read_png(const std::string& path, int largest_side, const ImageSizeCheck& check) {
     const std::string bytes = read_file(path, largest_image_file);
     if (!begins_as_png(bytes)) throw InputError(path + ": the file is no PNG picture.");
-    return unpack(bytes, path, side);
+    const glm::ivec2 size = stated_size(bytes, path, largest_side);
+    if (check) check(size);
+    return unpack(bytes, path, size);
 }
 
 } // namespace rasterwalk

@@ -2,9 +2,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <glm/vec2.hpp>
 
 namespace rasterwalk {
 
@@ -20,8 +23,9 @@ struct Image {
 /// Writes a PNG: to a temporary file beside it, then renamed. Throws AccessError.
 void write_png(const Image& image, const std::string& path);
 
-/// The largest file of a picture that is read, bytes.
+/// The largest file of a picture that is read, bytes, and its largest side, pixels.
 inline constexpr std::size_t largest_image_file = std::size_t{256} << 20;
+inline constexpr int largest_image_side = 4096;
 
 /// Do the bytes begin as a PNG or BMP does?
 bool is_image(std::string_view bytes);
@@ -29,14 +33,19 @@ bool is_image(std::string_view bytes);
 /// Does the file begin as a PNG or BMP does? False if it cannot be read.
 bool is_image_file(const std::string& path);
 
-/// Reads a PNG whose sides are not larger than this, pixels. Throws AccessError or InputError.
-Image read_png(const std::string& path, int largest_side);
-
-/// Unpacks a PNG or BMP of at most 16384 pixels a side. Its size, and how much data belongs to it,
-/// are looked at before memory is taken. Throws InputError; `path` is only used in messages.
-Image parse_image(std::string_view bytes, const std::string& path);
+/// Unpacks a PNG or BMP whose sides are not larger than this, pixels. Its size, and how much data
+/// belongs to it, are looked at before memory is taken. Throws InputError that names the file.
+/// @param path only used in messages
+Image parse_image(std::string_view bytes, const std::string& path,
+                  int largest_side = largest_image_side);
 
 /// The same from a file. Throws AccessError too.
 Image read_image(const std::string& path);
+
+/// Is told the size of a picture before it is unpacked; may throw.
+using ImageSizeCheck = std::function<void(glm::ivec2)>;
+
+/// Reads a file that must be a PNG, in the same way.
+Image read_png(const std::string& path, int largest_side, const ImageSizeCheck& check = {});
 
 } // namespace rasterwalk

@@ -5,10 +5,8 @@
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
-#include <vector>
 
 #include <fmt/format.h>
-#include <stb_image.h>
 
 #include "base/error.h"
 
@@ -16,13 +14,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// stb_image needs up to eight bytes a pixel at once, and twice as many with 16 bits a channel.
-constexpr std::int64_t largest_pixel_count = std::int64_t{1} << 26;
-
 constexpr std::string_view png_signature = "\x89PNG\r\n\x1a\n";
-
-/// One byte of deflate data never stands for more.
-constexpr std::int64_t largest_deflate_ratio = 1032;
 
 std::int64_t byte_at(std::string_view bytes, std::size_t place) {
     return place < bytes.size() ? static_cast<unsigned char>(bytes[place]) : 0;
@@ -46,17 +38,15 @@ struct PictureSize {
     std::int64_t width, height;
 };
 
-[[noreturn]] void refuse(const std::string& path, PictureSize size, const char* why) {
+[[noreturn]] void refuse(const std::string& path, PictureSize size, const std::string& why) {
     throw InputError(
         fmt::format("{}: a picture of {} x {} pixels {}", path, size.width, size.height, why));
 }
 
-void check_side(const std::string& path, PictureSize size, int side, int bits_per_channel) {
-    const std::int64_t weight = bits_per_channel > 8 ? 2 : 1;
-    if (size.width > side || size.height > side ||
-        weight * size.width * size.height > largest_pixel_count) {
-        refuse(path, size, "is too large.");
-    }
+void check_sides(const std::string& path, PictureSize size, int largest_side) {
+    if (size.width <= 0 || size.height <= 0) refuse(path, size, "is empty.");
+    if (size.width > largest_side || size.height > largest_side)
+        refuse(path, size, fmt::format("is too large: a side has at most {}.", largest_side));
 }
 
 // PNG: https://www.w3.org/TR/2003/REC-PNG-20031110/
@@ -108,44 +98,58 @@ std::int64_t unpacked_bytes(const PngHeader& header) {
     return sum;
 }
 
-/// The compressed data of all blocks, as far as they are there.
-std::string png_data(std::string_view bytes) {
-    constexpr std::size_t frame = 12; // length, name and check sum of a block
-    std::string data;
-    std::string_view rest = bytes.substr(png_signature.size());
-    while (rest.size() >= frame) {
-        const auto length = static_cast<std::size_t>(big_endian(rest, 0));
-        const std::string_view name = rest.substr(4, 4);
-        if (name == "IEND" || length > rest.size() - frame) break;
-        if (name == "IDAT") data.append(rest.substr(8, length));
-        rest.remove_prefix(frame + length);
-    }
-    return data;
-}
+/// A block of a PNG: https://www.w3.org/TR/2003/REC-PNG-20031110/#5Chunk-layout
+struct PngBlock {
+    std::string_view name, data;
+};
 
-void check_png(std::string_view bytes, const std::string& path, int side) {
+/// Walks over the blocks.
+class PngBlocks {
+  public:
+    explicit PngBlocks(std::string_view bytes) : rest_(bytes.substr(png_signature.size())) {}
+
+    /// The next block; nothing at the end of the picture, and where the file ends before that.
+    std::optional<PngBlock> next() {
+        constexpr std::size_t head = 8, check_sum = 4; // length and name
+        if (rest_.size() < head) return std::nullopt;
+        const auto length = static_cast<std::size_t>(big_endian(rest_, 0));
+        PngBlock block{rest_.substr(4, 4), rest_.substr(head)};
+        is_at_end_ = block.name == "IEND";
+        if (is_at_end_ || length > block.data.size()) return std::nullopt;
+        block.data = block.data.substr(0, length);
+        rest_.remove_prefix(std::min(head + length + check_sum, rest_.size()));
+        return block;
+    }
+    bool is_at_end() const { return is_at_end_; }
+
+  private:
+    std::string_view rest_;
+    bool is_at_end_ = false;
+};
+
+glm::ivec2 png_size(std::string_view bytes, const std::string& path, int largest_side) {
     const std::optional<PngHeader> header = parse_png_header(bytes);
     if (!header) {
         throw InputError(path + ": the picture cannot be read: it does not begin with its size.");
     }
-    check_side(path, header->size, side, header->bits_per_channel);
-    const std::int64_t wanted = unpacked_bytes(*header);
-    const std::string data = png_data(bytes);
-    if (wanted / largest_deflate_ratio > static_cast<std::int64_t>(data.size())) {
+    check_sides(path, header->size, largest_side);
+    std::int64_t size = 0;
+    PngBlocks blocks(bytes);
+    while (const std::optional<PngBlock> block = blocks.next()) {
+        // Its data have another form, of which stb_image takes as much as there is.
+        if (block->name == "CgBI") refuse(path, header->size, "is a PNG of Apple's own kind.");
+        if (block->name == "IDAT") size += static_cast<std::int64_t>(block->data.size());
+    }
+    // One byte of deflate data never stands for more.
+    constexpr std::int64_t largest_deflate_ratio = 1032;
+    if (!blocks.is_at_end() || unpacked_bytes(*header) / largest_deflate_ratio > size)
         refuse(path, header->size, "is cut off.");
-    }
-    if (wanted <= 0) return;
-    std::vector<char> room(static_cast<std::size_t>(wanted));
-    const int count = stbi_zlib_decode_buffer(room.data(), static_cast<int>(room.size()),
-                                              data.data(), static_cast<int>(data.size()));
-    if (count < 0 && std::string_view(stbi_failure_reason()) == "output buffer limit") {
-        refuse(path, header->size, "has data for more.");
-    }
+    return {header->size.width, header->size.height};
 }
 
 // BMP, with the headers that stb_image knows
 
-void check_bmp(std::string_view bytes, const std::string& path, int side) {
+glm::ivec2 bmp_size(std::string_view bytes, const std::string& path, int largest_side) {
     constexpr std::size_t file_header = 14;
     const std::int64_t header = little_endian(bytes, file_header, 4);
     const bool is_old = header == 12;
@@ -156,15 +160,15 @@ void check_bmp(std::string_view bytes, const std::string& path, int side) {
     };
     // From the top where the height is negative.
     const PictureSize size{number(18), std::abs(number(18 + word))};
-    const std::int64_t bits = little_endian(bytes, 20 + 2 * word, 2);
-    check_side(path, size, side, 8);
-    if (size.width <= 0 || size.height <= 0) return;
+    const std::int64_t bits = std::max<std::int64_t>(little_endian(bytes, 20 + 2 * word, 2), 1);
+    check_sides(path, size, largest_side);
     const std::int64_t begin =
         std::max(little_endian(bytes, 10, 4), static_cast<std::int64_t>(file_header) + header);
     // The last row need not be filled up to four bytes.
     const std::int64_t row = (size.width * bits + 31) / 32 * 4;
     const std::int64_t end = begin + row * (size.height - 1) + (size.width * bits + 7) / 8;
     if (end > static_cast<std::int64_t>(bytes.size())) refuse(path, size, "is cut off.");
+    return {size.width, size.height};
 }
 
 } // namespace
@@ -177,9 +181,22 @@ bool begins_as_bmp(std::string_view bytes) {
     return bytes.starts_with("BM");
 }
 
-void check_image_size(std::string_view bytes, const std::string& path, int side) {
-    if (begins_as_png(bytes)) check_png(bytes, path, side);
-    if (begins_as_bmp(bytes)) check_bmp(bytes, path, side);
+glm::ivec2 stated_size(std::string_view bytes, const std::string& path, int largest_side) {
+    if (begins_as_png(bytes)) return png_size(bytes, path, largest_side);
+    if (begins_as_bmp(bytes)) return bmp_size(bytes, path, largest_side);
+    throw InputError(path + ": the file is neither a PNG nor a BMP picture.");
+}
+
+std::string png_data(std::string_view bytes) {
+    std::string data;
+    PngBlocks blocks(bytes);
+    while (const std::optional<PngBlock> block = blocks.next())
+        if (block->name == "IDAT") data.append(block->data);
+    return data;
+}
+
+std::size_t png_row_bytes(std::string_view bytes) {
+    return static_cast<std::size_t>(unpacked_bytes(parse_png_header(bytes).value()));
 }
 
 } // namespace rasterwalk

@@ -6,15 +6,23 @@
 #include <string>
 #include <string_view>
 
+#include <glm/vec2.hpp>
+
 namespace rasterwalk {
 
 bool begins_as_png(std::string_view bytes);
 bool begins_as_bmp(std::string_view bytes);
 
-/// Throws InputError for a PNG or BMP that is larger than `side` pixels a side or holds more pixels
-/// than there is room for, and for one whose data cannot be those of a picture of this size: a BMP
-/// that is cut off, a PNG that unpacks to more. What is wrong otherwise is left to stb_image.
+/// The width and height that a PNG or BMP states, pixels: each at least 1. Throws InputError where
+/// they are more than `largest_side`, and where the bytes cannot hold such a picture: a block or
+/// the rows of pixels would reach beyond the end of the file.
 /// @param path only used in messages
-void check_image_size(std::string_view bytes, const std::string& path, int side);
+glm::ivec2 stated_size(std::string_view bytes, const std::string& path, int largest_side);
+
+/// The compressed data of a PNG for which stated_size() does not throw: of all its blocks.
+std::string png_data(std::string_view bytes);
+
+/// To how many bytes these data unpack: the rows of all pixels, each with its filter.
+std::size_t png_row_bytes(std::string_view bytes);
 
 } // namespace rasterwalk

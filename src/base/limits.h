@@ -42,7 +42,8 @@ inline constexpr int largest_texture_side = 4096;
 /// The most textures of a scene.
 inline constexpr std::size_t most_textures = 256;
 
-/// The most texels of all textures of a scene, without their mip chains.
+/// The most texels of all textures of a scene, without their mip chains, and of the images that
+/// were unpacked for them in vain.
 inline constexpr std::size_t most_texels = std::size_t{1} << 24;
 
 /// The largest coordinate in a texture, either sign: so often can it be repeated.
@@ -75,6 +76,11 @@ inline constexpr float largest_exponent = 10000.0f;
 /// The largest model file (.obj), and the largest file of its materials (.mtl), bytes.
 inline constexpr std::size_t largest_model_file = std::size_t{256} << 20;
 inline constexpr std::size_t largest_material_file = std::size_t{4} << 20;
+
+/// The most bytes of all files of materials of a model, and of all images of a scene or model; a
+/// file under two names counts twice.
+inline constexpr std::size_t most_material_bytes = std::size_t{16} << 20;
+inline constexpr std::size_t most_image_bytes = std::size_t{256} << 20;
 
 /// The most points of a model, and as many texture coordinates and normals.
 inline constexpr std::size_t most_model_points = 4'000'000;

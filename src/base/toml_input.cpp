@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <exception>
+#include <istream>
 #include <optional>
+#include <streambuf>
 
 #include <fmt/format.h>
 
@@ -13,16 +16,79 @@
 
 namespace rasterwalk {
 
-toml::table parse_toml(std::string_view text, const std::string& path) {
+namespace {
+
+/// A text as a stream, in blocks: in between it can be told how far the parser is. toml++ takes an
+/// exception for its own; so it is kept, and the text ends there.
+class ToldText : public std::streambuf {
+  public:
+    ToldText(std::string_view text, const std::function<void(std::size_t)>& told)
+        : text_(text), told_(told) {}
+
+    /// Throws what was thrown on the way.
+    void rethrow() const {
+        if (thrown_) std::rethrow_exception(thrown_);
+    }
+
+  private:
+    static constexpr std::size_t block = std::size_t{1} << 14;
+
+    int_type underflow() override {
+        if (end_ == text_.size() || thrown_) return traits_type::eof();
+        try {
+            if (told_) told_(end_);
+        } catch (...) {
+            thrown_ = std::current_exception();
+            return traits_type::eof();
+        }
+        const std::size_t begin = end_;
+        end_ = std::min(begin + block, text_.size());
+        // It is only read, but streams know no constant characters.
+        char* const bytes = const_cast<char*>(text_.data());
+        setg(bytes + begin, bytes + begin, bytes + end_);
+        return traits_type::to_int_type(*gptr());
+    }
+
+    /// toml++ looks for a byte order mark, and goes back.
+    pos_type seekoff(off_type by, std::ios_base::seekdir from, std::ios_base::openmode) override {
+        const off_type size = static_cast<off_type>(text_.size());
+        const off_type here = static_cast<off_type>(end_) - (egptr() - gptr());
+        const off_type place = by + (from == std::ios_base::beg   ? 0
+                                     : from == std::ios_base::end ? size
+                                                                  : here);
+        if (place < 0 || place > size) return off_type{-1};
+        end_ = static_cast<std::size_t>(place);
+        setg(nullptr, nullptr, nullptr);
+        return place;
+    }
+    pos_type seekpos(pos_type place, std::ios_base::openmode mode) override {
+        return seekoff(off_type(place), std::ios_base::beg, mode);
+    }
+
+    std::string_view text_;
+    const std::function<void(std::size_t)>& told_;
+    std::size_t end_ = 0; ///< of the block that is being read
+    std::exception_ptr thrown_;
+};
+
+} // namespace
+
+toml::table parse_toml(std::string_view text, const std::string& path,
+                       const std::function<void(std::size_t)>& told) {
     if (const std::optional<int> line = line_nested_too_deeply(text)) {
         throw InputError(path, *line,
                          fmt::format("this is nested too deeply: a key has more than {} dots, or "
                                      "more than {} brackets stand within one another.",
                                      most_key_dots, most_nested_brackets));
     }
+    ToldText buffer(text, told);
+    std::istream stream(&buffer);
     try {
-        return toml::parse(text, path);
+        toml::table table = toml::parse(stream, path);
+        buffer.rethrow();
+        return table;
     } catch (const toml::parse_error& error) {
+        buffer.rethrow();
         std::string sentence(error.description());
         // A key or string of the file may be quoted in it; a message is one line.
         std::replace_if(

@@ -2,6 +2,8 @@
 
 // Reading TOML strictly: every fault is an InputError with file:line and one sentence.
 
+#include <cstddef>
+#include <functional>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -14,7 +16,9 @@
 namespace rasterwalk {
 
 /// Parses text; `path` is only used in messages. Throws InputError.
-toml::table parse_toml(std::string_view text, const std::string& path);
+/// @param told is told now and then how many bytes have been read; what it throws ends the parsing
+toml::table parse_toml(std::string_view text, const std::string& path,
+                       const std::function<void(std::size_t)>& told = {});
 
 /// A table on its way to being understood, with the name of its file.
 class TomlInput {

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <new>
 #include <ostream>
 #include <utility>
+#include <variant>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -17,9 +19,9 @@
 #include "cli/compare_command.h"
 #include "cli/diagnose_command.h"
 #include "cli/visible_output.h"
+#include "opening/opened_view.h"
 #include "opening/view_options.h"
 #include "session/content.h"
-#include "session/scene_reading.h"
 
 namespace rasterwalk {
 
@@ -219,16 +221,29 @@ bool parse(CommandLine& line, std::vector<std::string> arguments, std::ostream& 
     }
 }
 
+void open_window_on(const ViewOptions& view, CliRequest& request) {
+    const std::string& name = view.file.empty() ? view.scene : view.file;
+    std::error_code fault;
+    // A pipe may be silent for long, and cannot be stopped.
+    if (!std::filesystem::is_regular_file(name, fault)) {
+        request.session = open_view(view);
+        return;
+    }
+    auto reading = std::make_unique<FileReading>(
+        name, [view](const ReadingWatch& watch) -> Opened { return open_view(view, watch); });
+    if (reading->is_done(request.patience)) {
+        request.session = std::get<Session>(reading->take());
+    } else {
+        request.session = open_view({});
+        request.reading = std::move(reading);
+    }
+}
+
 void run(CommandLine& line, CliRequest& request) {
     if (!line.command) {
         request.is_plain = line.view == ViewOptions{};
         check_file(line);
-        ViewOptions model_alone;
-        model_alone.file = line.view.file;
-        // The window comes up at once, and shows how far it is.
-        if (line.view == model_alone && is_large_model(line.view.file))
-            request.model = std::exchange(line.view.file, "");
-        request.session = open_view(line.view);
+        open_window_on(line.view, request);
         request.open_window = true;
         return;
     }

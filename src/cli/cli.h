@@ -1,9 +1,11 @@
 #pragma once
 
+#include <chrono>
 #include <iosfwd>
-#include <string>
+#include <memory>
 
 #include "inspect/culling_cost.h"
+#include "session/file_reading.h"
 #include "session/session.h"
 
 namespace rasterwalk {
@@ -13,8 +15,10 @@ struct CliRequest {
     bool open_window = false; ///< there was no command: show the session in a window
     bool is_plain = false;    ///< nothing was asked for: the window may choose a lesson
     Session session;          ///< open if `open_window`
-    /// A large model that the window is to read beside what it shows; empty: none.
-    std::string model;
+    /// How long the window may be kept waiting for what it is to show. What takes longer it reads
+    /// on while it shows the usual scene.
+    std::chrono::milliseconds patience{500};
+    std::unique_ptr<FileReading> reading; ///< null: all is read
 };
 
 /// Carries out the command line of `rasterwalk`: writes what was asked for to `data`, and what is

@@ -33,11 +33,7 @@ struct Result {
 
 Finding diagnose_picture_file(const Result& result, const Session& session,
                               const std::vector<Bug>& bugs, std::ostream& err) {
-    const Image picture = parse_image(result.bytes, result.name);
-    if (picture.width > largest_diagnosed || picture.height > largest_diagnosed) {
-        throw InputError(fmt::format("{}: a picture of {} pixels is too large to be diagnosed.",
-                                     result.name, size_text(picture.width, picture.height)));
-    }
+    const Image picture = parse_image(result.bytes, result.name, largest_diagnosed);
     const Settings& view = session.a.settings;
     const Settings reference = fitted_to(view, picture, session.scene->space);
     if (!(reference.viewport == view.viewport)) {

@@ -64,7 +64,7 @@ int parse_step(const std::string& text, const Lesson& lesson) {
                                  in_quotes(lesson.id), in_quotes(text)));
 }
 
-Start start_of_lesson(const ViewOptions& options) {
+Start start_of_lesson(const ViewOptions& options, const ReadingWatch& watch) {
     const Lesson lesson = lesson_named(options.lesson);
     const int step = parse_step(options.step, lesson);
     Start start;
@@ -77,7 +77,7 @@ Start start_of_lesson(const ViewOptions& options) {
     } catch (const Error& fault) {
         throw InputError(sentence_of(lesson.path, {start.state.line_of("scene"), fault.what()}));
     }
-    start.session = open_session(scene);
+    start.session = open_session(scene, watch);
     start.session.lesson = lesson.id;
     start.session.step = step;
     if (!lesson.faults.empty()) {
@@ -97,11 +97,12 @@ void refuse_picture(const std::string& path) {
                      "wrong with it, and so does the window when the picture is dropped there.");
 }
 
-Start start_of_scene(const ViewOptions& options, const std::optional<Bug>& bug) {
+Start start_of_scene(const ViewOptions& options, const std::optional<Bug>& bug,
+                     const ReadingWatch& watch) {
     Start start;
     std::string scene = lessons_folder() + "/" + (bug ? bug->scene : std::string(usual_scene));
     if (!options.scene.empty()) scene = find_scene_file(options.scene);
-    start.session = open_session(scene);
+    start.session = open_session(scene, watch);
     return start;
 }
 
@@ -127,12 +128,12 @@ void take_lesson(const SavedView& saved, Start& start) {
     }
 }
 
-Start start_of_saved_view(const std::string& path) {
+Start start_of_saved_view(const std::string& path, const ReadingWatch& watch) {
     const SavedView saved = read_view(path);
     Start start;
     start.path = saved.path;
     start.state = saved.state;
-    start.session = open_session(find_file(saved, "scene", saved.scene));
+    start.session = open_session(find_file(saved, "scene", saved.scene), watch);
     take_lesson(saved, start);
     start.covers_tab = saved.state.tab == settings_tab;
     return start;
@@ -146,8 +147,8 @@ void show_own_tab(const Start& start, Session& session) {
 
 /// Puts the scene that the options name into the place of the lesson's: its rules stay, its places
 /// mean nothing there.
-void replace_scene(Start& start, const std::string& name) {
-    set_scene(start.session, read_scene_file(find_scene_file(name)));
+void replace_scene(Start& start, const std::string& name, const ReadingWatch& watch) {
+    set_scene(start.session, read_scene_file(find_scene_file(name), watch));
     for (const ViewField& field : view_table()) {
         if (field.is_of_scene) field.clear(start.state);
     }
@@ -256,7 +257,7 @@ ViewOptions with_file_sorted(ViewOptions options) {
 
 } // namespace
 
-Session open_view(const ViewOptions& given) {
+Session open_view(const ViewOptions& given, const ReadingWatch& watch) {
     const ViewOptions options = with_file_sorted(given);
     if (!options.scene.empty()) refuse_picture(find_scene_file(options.scene));
     if (!options.step.empty() && options.lesson.empty()) {
@@ -264,14 +265,14 @@ Session open_view(const ViewOptions& given) {
     }
     std::optional<Bug> bug;
     if (!options.bug.empty()) bug = find_bug(read_bugs(), options.bug);
-    Start start = !options.file.empty()     ? start_of_saved_view(options.file)
-                  : !options.lesson.empty() ? start_of_lesson(options)
-                                            : start_of_scene(options, bug);
+    Start start = !options.file.empty()     ? start_of_saved_view(options.file, watch)
+                  : !options.lesson.empty() ? start_of_lesson(options, watch)
+                                            : start_of_scene(options, bug, watch);
     Session& session = start.session;
     ViewState& state = start.state;
     if (!start.path.empty()) {
         set_as_start_says(start);
-        if (!options.scene.empty()) replace_scene(start, options.scene);
+        if (!options.scene.empty()) replace_scene(start, options.scene, watch);
     }
     set_as_options_say(options, bug, session);
 

@@ -40,8 +40,8 @@ struct ViewOptions {
 /// is more exact wins, and then all others. With a bug the correct run is run B unless `b` says
 /// otherwise. Throws Error: what a file says wrongly is an InputError with file:line. A lesson that
 /// is wrong elsewhere than in what this step shows opens, and session.notice says so; the same of a
-/// model with faults.
-Session open_view(const ViewOptions& given);
+/// model with faults. Throws ReadingStopped if the watch wants no more of it.
+Session open_view(const ViewOptions& given, const ReadingWatch& watch = {});
 
 /// The option of a field as it is written: "--compare-view".
 std::string option_name(const ViewField& field);

@@ -5,6 +5,9 @@
 #include <system_error>
 #include <vector>
 
+#include <fmt/format.h>
+
+#include "base/error.h"
 #include "base/quoted.h"
 
 namespace rasterwalk {
@@ -44,6 +47,17 @@ BesideFile find_beside(std::initializer_list<std::string_view> namers, std::stri
     }
     const std::string none = "there is no file " + in_quotes(name);
     return {"", leads_out(whole) ? none + " beside it or in a folder below" : none};
+}
+
+void BesideBytes::add(const std::string& path) {
+    std::error_code fault;
+    const std::uintmax_t size = fs::file_size(path, fault);
+    if (fault) return; // reading it says why
+    if (size > most_ - count_) {
+        throw InputError(
+            fmt::format("{}: with it {} have more than {} MB.", path, plural_, most_ >> 20));
+    }
+    count_ += size;
 }
 
 } // namespace rasterwalk

@@ -2,6 +2,7 @@
 
 // Files that other files name: the texture of a scene, the materials of a model, their images.
 
+#include <cstddef>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -22,5 +23,22 @@ struct BesideFile {
 /// @param namers paths of the file that names it, and of those that led there: the image of a
 /// material may lie beside the materials, or beside the model
 BesideFile find_beside(std::initializer_list<std::string_view> namers, std::string_view name);
+
+/// Counts the bytes of the files of one kind that are read for a scene.
+class BesideBytes {
+  public:
+    /// @param most   bytes of them all
+    /// @param plural says what they are: "all images"
+    BesideBytes(std::size_t most, std::string_view plural) : most_(most), plural_(plural) {}
+
+    /// A file is to be read. Throws InputError if all together would be more than may be read; it
+    /// is then not counted.
+    void add(const std::string& path);
+
+  private:
+    std::size_t most_;
+    std::string_view plural_;
+    std::size_t count_ = 0;
+};
 
 } // namespace rasterwalk

@@ -230,7 +230,7 @@ class ModelBuilder {
     WatchedSteps& watched_;
     ObjReporter& reporter_;
     ObjModel& model_;
-    ObjImages images_{model_.materials, model_.textures, reporter_};
+    ObjImages images_{model_.materials, model_.textures, watched_, reporter_};
 
     std::vector<int> material_of_; ///< each part of the file: index, or -1
     std::set<int> bare_;           ///< materials with an image, of faces that cannot show it

@@ -43,8 +43,10 @@ void ObjLibraries::read_library(std::string_view name) {
         return fault([&] { return fmt::format("'mtllib': {}; it is left out.", file.trouble); });
     }
     try {
-        parse_mtl(read_file(file.path, largest_material_file), file.path, model_, reporter_,
-                  materials_);
+        watched_.ask();
+        bytes_.add(file.path);
+        parse_mtl(read_file(file.path, largest_material_file), file.path, model_, watched_,
+                  reporter_, materials_);
     } catch (const Error& trouble) {
         fault([&] {
             return fmt::format("'mtllib': {} It is left out.", visible_line(trouble.what()));
@@ -60,10 +62,12 @@ std::string image_name(const std::string& path) {
 
 } // namespace
 
-/// The index of an image that was read; -1 if it cannot be used, which is told as a fault.
+/// The index of an image that was read; -1 if it cannot be used. Why not is told once as a fault,
+/// however many materials name it.
 int ObjImages::index_of(const ReadTexture& image, const ObjMaterial& of, std::string_view word,
                         int line) {
     if (image.index >= 0) return image.index;
+    if (!told_.insert(image.trouble).second) return -1;
     reporter_.fault(of.file, line, [&] {
         return fmt::format("'{}': {} The image is left out.", word, visible_line(image.trouble));
     });

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/limits.h"
+#include "scene/beside_file.h"
 #include "scene/obj_report.h"
 #include "scene/read_mtl.h"
 #include "scene/texture_files.h"
@@ -21,10 +23,10 @@ class ObjLibraries {
     /// @param model     path of the model, beside which they lie
     /// @param materials receives theirs; all must live as long
     ObjLibraries(const std::string& model, std::vector<ObjMaterial>& materials,
-                 ObjReporter& reporter)
-        : model_(model), materials_(materials), reporter_(reporter) {}
+                 WatchedSteps& watched, ObjReporter& reporter)
+        : model_(model), materials_(materials), watched_(watched), reporter_(reporter) {}
 
-    /// Reads what a statement names. What cannot be read is told as a fault.
+    /// Reads what a statement names. What cannot be read is told as a fault. Throws ReadingStopped.
     /// @param names may have blanks in them, or may be several
     /// @param line  of the statement, from 1
     void read(std::string_view names, int line);
@@ -39,10 +41,12 @@ class ObjLibraries {
 
     const std::string& model_;
     std::vector<ObjMaterial>& materials_;
+    WatchedSteps& watched_;
     ObjReporter& reporter_;
     int line_ = 0;
     std::set<std::string, std::less<>> lists_; ///< what has been named so far
     std::set<std::string, std::less<>> names_; ///< that were looked for
+    BesideBytes bytes_{most_material_bytes, "all files of materials"};
 };
 
 /// The pictures of a surface, as indices of textures; -1: none.
@@ -55,10 +59,10 @@ class ObjImages {
   public:
     /// @param textures receives them; all must live as long
     ObjImages(const std::vector<ObjMaterial>& materials, std::vector<SharedTexture>& textures,
-              ObjReporter& reporter)
-        : materials_(materials), reporter_(reporter), files_(textures) {}
+              WatchedSteps& watched, ObjReporter& reporter)
+        : materials_(materials), reporter_(reporter), files_(textures, watched) {}
 
-    /// The images of a material; what cannot be read is told once.
+    /// The images of a material; what cannot be read is told once. Throws ReadingStopped.
     /// @param material an index, or -1: none
     ObjMaps of_material(int material);
 
@@ -69,6 +73,7 @@ class ObjImages {
     ObjReporter& reporter_;
     TextureFiles files_;
     std::map<int, ObjMaps> known_; ///< of the materials that are drawn
+    std::set<std::string> told_;   ///< what is wrong with images
 };
 
 } // namespace rasterwalk

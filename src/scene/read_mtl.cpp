@@ -44,15 +44,16 @@ std::string lower_case(std::string_view word) {
 class MtlReader {
   public:
     MtlReader(std::string_view text, const std::string& path, const std::string& model_path,
-              ObjReporter& reporter, std::vector<ObjMaterial>& materials)
-        : lines_(text), path_(path), model_path_(model_path), reporter_(reporter),
-          materials_(materials) {}
+              WatchedSteps& watched, ObjReporter& reporter, std::vector<ObjMaterial>& materials)
+        : lines_(text), path_(path), model_path_(model_path), watched_(watched),
+          reporter_(reporter), materials_(materials) {}
 
     void read() {
         while (lines_.next()) {
             std::string_view rest = lines_.text();
             const std::string_view word = take_word(rest);
             if (!word.empty() && word.front() != '#') read_statement(word, rest);
+            watched_.step();
         }
     }
 
@@ -206,6 +207,7 @@ class MtlReader {
     ObjLines lines_;
     const std::string& path_;
     const std::string& model_path_;
+    WatchedSteps& watched_;
     ObjReporter& reporter_;
     std::vector<ObjMaterial>& materials_;
     std::size_t looked_for_ = 0; ///< images, whether they are there or not
@@ -216,8 +218,8 @@ class MtlReader {
 } // namespace
 
 void parse_mtl(std::string_view text, const std::string& path, const std::string& model_path,
-               ObjReporter& reporter, std::vector<ObjMaterial>& materials) {
-    MtlReader(text, path, model_path, reporter, materials).read();
+               WatchedSteps& watched, ObjReporter& reporter, std::vector<ObjMaterial>& materials) {
+    MtlReader(text, path, model_path, watched, reporter, materials).read();
 }
 
 } // namespace rasterwalk

@@ -11,6 +11,7 @@
 #include <glm/vec3.hpp>
 
 #include "scene/obj_report.h"
+#include "scene/reading.h"
 
 namespace rasterwalk {
 
@@ -34,9 +35,10 @@ struct ObjMaterial {
 };
 
 /// Adds the materials of a text to a list. What is wrong in it is told as a fault, and left out.
+/// Throws ReadingStopped.
 /// @param path       of the text, for messages and to find images beside it
 /// @param model_path of the model that names it: images may lie there, too
 void parse_mtl(std::string_view text, const std::string& path, const std::string& model_path,
-               ObjReporter& reporter, std::vector<ObjMaterial>& materials);
+               WatchedSteps& watched, ObjReporter& reporter, std::vector<ObjMaterial>& materials);
 
 } // namespace rasterwalk

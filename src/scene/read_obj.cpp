@@ -46,7 +46,7 @@ ObjModel parse_obj(std::string_view text, const std::string& path, const ObjOpti
     model.path = path;
     ObjReporter reporter(model.report);
     WatchedSteps watched(watch);
-    ObjLibraries libraries(model.path, model.materials, reporter);
+    ObjLibraries libraries(model.path, model.materials, watched, reporter);
     ObjStatements file = read_statements(text, model.path, watched, libraries, reporter);
     count_statements(file, model.report.counts);
     build_model(file, options, watched, reporter, model);

@@ -196,13 +196,14 @@ glm::vec3 read_pixel_point(const TomlInput& input, const toml::node& node,
 }
 
 PointSets read_points(const TomlInput& input, SceneSpace space,
-                      const std::optional<SceneTransform>& transform) {
+                      const std::optional<SceneTransform>& transform, WatchedSteps& watched) {
     PointSets sets;
     for (auto&& [set_key, set_node] : input.nodes()) {
         const std::string set_name(set_key.str());
         const TomlInput set = input.table(set_node, "the point set '" + set_name + "'");
         PointSet& points = sets[set_name];
         for (auto&& [key, node] : set.nodes()) {
+            watched.step();
             const std::string what = "the point '" + std::string(key.str()) + "'";
             glm::vec3 point;
             if (space == SceneSpace::pixels) {
@@ -334,7 +335,7 @@ void check_triangle_count(const TomlInput& input, const toml::node& node, std::s
 
 /// The triangles of a part: those that it names, then its polygons as fans.
 std::vector<NamedCorners> read_triangles(const TomlInput& input, const PointSets::value_type& set,
-                                         Scene& scene) {
+                                         WatchedSteps& watched, Scene& scene) {
     std::vector<NamedCorners> result;
     const std::size_t before = scene.mesh.triangles().size();
     const toml::node* const polygons = input.find("polygons");
@@ -342,8 +343,10 @@ std::vector<NamedCorners> read_triangles(const TomlInput& input, const PointSets
         const toml::array& triangles = input.list("triangles");
         if (triangles.empty()) input.fail(triangles, input.what() + " has no triangles.");
         check_triangle_count(input, triangles, triangles.size() + before);
-        for (const toml::node& node : triangles)
+        for (const toml::node& node : triangles) {
+            watched.step();
             result.push_back(read_triangle(input, node, set));
+        }
     }
     if (polygons == nullptr) return result;
     const toml::array& list = input.list("polygons");
@@ -351,6 +354,7 @@ std::vector<NamedCorners> read_triangles(const TomlInput& input, const PointSets
         input.fail(list, "polygons belong to a scene with space = \"pixels\".");
     if (list.empty()) input.fail(list, input.what() + " has no polygons.");
     for (const toml::node& node : list) {
+        watched.step();
         const std::vector<const NamedPoint*> corners = read_polygon(input, node, set);
         check_triangle_count(input, node, corners.size() - 2 + result.size() + before);
         scene.polygons.push_back(
@@ -370,7 +374,7 @@ std::array<glm::vec3, triangle_corners> places_of(const NamedCorners& triangle) 
 }
 
 void read_part(const TomlInput& input, const PointSets& sets, SurfaceSections& sections,
-               VertexJoin& vertices, TextureReader& textures, Scene& scene) {
+               VertexJoin& vertices, TextureReader& textures, WatchedSteps& watched, Scene& scene) {
     input.allow_only({"name", "points", "reflectance", "material", "colours", "normals",
                       "triangles", "polygons", "model", "texture", "texcoords", "alpha",
                       "normal_map"});
@@ -380,8 +384,8 @@ void read_part(const TomlInput& input, const PointSets& sets, SurfaceSections& s
         input.fail(*input.find("points"), "there is no point set '" + set_name + "'.");
     }
     PartSurface surface = read_part_surface(input, sections, set->second, set_name, scene.space);
-    std::vector<NamedCorners> triangles = read_triangles(input, *set, scene);
-    const std::vector<CornerTexcoords> texcoords = read_texcoords(input, triangles.size());
+    std::vector<NamedCorners> triangles = read_triangles(input, *set, watched, scene);
+    const std::vector<CornerTexcoords> texcoords = read_texcoords(input, triangles.size(), watched);
     const int texture = textures.read(input, "texture");
     const int normal_map = textures.read(input, "normal_map");
     if (normal_map >= 0 && scene.space == SceneSpace::pixels)
@@ -392,10 +396,13 @@ void read_part(const TomlInput& input, const PointSets& sets, SurfaceSections& s
     const std::string name = input.text("name");
     const int first = scene.triangle_count();
     if (surface.averaged) {
-        for (const NamedCorners& triangle : triangles)
+        for (const NamedCorners& triangle : triangles) {
+            watched.step();
             surface.averaged->add(triangle.numbers, places_of(triangle));
+        }
     }
     for (std::size_t number = 0; number < triangles.size(); ++number) {
+        watched.step_to(scene.triangle_count());
         surface.dress(triangles[number]);
         std::array<Vertex, triangle_corners>& corners = triangles[number].corners;
         for (std::size_t i = 0; i < corners.size() && !texcoords.empty(); ++i)
@@ -433,6 +440,20 @@ void read_example(const TomlInput& input, Scene& scene) {
     scene.examples.push_back(example);
 }
 
+/// As many as the parts name; a part that is wrong has none.
+std::int64_t count_triangles(const TomlInput& input) {
+    const toml::node* const parts = input.find("part");
+    const toml::array* const list = parts != nullptr ? parts->as_array() : nullptr;
+    std::int64_t count = 0;
+    for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
+        const toml::table* const part = list->get(i)->as_table();
+        const toml::array* const triangles =
+            part != nullptr ? (*part)["triangles"].as_array() : nullptr;
+        if (triangles != nullptr) count += std::ssize(*triangles);
+    }
+    return count;
+}
+
 /// Calls `read` for every table of a list of tables such as [[part]].
 template <class Read>
 void for_each_table(const TomlInput& input, std::string_view key, const std::string& what,
@@ -459,8 +480,12 @@ void check_stage(const TomlInput& input, const std::string& stage,
 } // namespace
 
 Scene parse_scene(std::string_view text, const std::string& path,
-                  std::span<const std::string_view> stages) {
-    const toml::table root = parse_toml(text, path);
+                  std::span<const std::string_view> stages, const ReadingWatch& watch) {
+    WatchedSteps watched(watch);
+    const toml::table root = parse_toml(text, path, [&](std::size_t bytes) {
+        watched.ask({ReadingPart::bytes, static_cast<std::int64_t>(bytes),
+                     static_cast<std::int64_t>(text.size())});
+    });
     const TomlInput input(root, path, "the scene");
     input.allow_only({"name", "stage", "space", "camera", "light", "viewport", "transform",
                       "points", "materials", "normals", "colours", "part", "example"});
@@ -484,14 +509,17 @@ Scene parse_scene(std::string_view text, const std::string& path,
         transform = read_transform(table);
     });
     PointSets sets;
-    section("points",
-            [&](const TomlInput& table) { sets = read_points(table, scene.space, transform); });
+    section("points", [&](const TomlInput& table) {
+        sets = read_points(table, scene.space, transform, watched);
+    });
     SurfaceSections sections = read_surface_sections(
         input, scene.space, transform ? transform->mirror : std::array<bool, 3>{});
     VertexJoin vertices(scene.mesh);
-    TextureReader textures(path, scene.textures);
+    TextureReader textures(path, scene.textures, watched);
+    const std::int64_t all_triangles = count_triangles(input);
     for_each_table(input, "part", "part", [&](const TomlInput& table) {
-        read_part(table, sets, sections, vertices, textures, scene);
+        watched.ask({ReadingPart::triangles, scene.triangle_count(), all_triangles});
+        read_part(table, sets, sections, vertices, textures, watched, scene);
     });
     if (scene.triangle_count() == 0) input.fail("the scene has no triangles.");
     for_each_table(input, "example", "example", [&](const TomlInput& table) {
@@ -503,8 +531,9 @@ Scene parse_scene(std::string_view text, const std::string& path,
     return scene;
 }
 
-Scene read_scene(const std::string& path, std::span<const std::string_view> stages) {
-    return parse_scene(read_file(path), path, stages);
+Scene read_scene(const std::string& path, std::span<const std::string_view> stages,
+                 const ReadingWatch& watch) {
+    return parse_scene(read_file(path), path, stages, watch);
 }
 
 } // namespace rasterwalk

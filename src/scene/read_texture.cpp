@@ -45,7 +45,8 @@ int TextureReader::read(const TomlInput& part, std::string_view key) {
     return texture.index;
 }
 
-std::vector<CornerTexcoords> read_texcoords(const TomlInput& part, std::size_t triangle_count) {
+std::vector<CornerTexcoords> read_texcoords(const TomlInput& part, std::size_t triangle_count,
+                                            WatchedSteps& watched) {
     const bool is_texture = part.find("texture") != nullptr;
     const toml::node* const texture = part.find(is_texture ? "texture" : "normal_map");
     const toml::node* const texcoords = part.find("texcoords");
@@ -65,8 +66,10 @@ std::vector<CornerTexcoords> read_texcoords(const TomlInput& part, std::size_t t
     }
     std::vector<CornerTexcoords> read;
     read.reserve(list.size());
-    for (const toml::node& node : list)
+    for (const toml::node& node : list) {
+        watched.step();
         read.push_back(read_corners(part, node, "the texcoords of a triangle"));
+    }
     return read;
 }
 

@@ -21,12 +21,15 @@ class TextureReader {
   public:
     /// @param scene_path the scene's file, beside which they lie
     /// @param textures   receives them, and must live as long
-    TextureReader(const std::string& scene_path, std::vector<SharedTexture>& textures)
-        : scene_path_(scene_path), files_(textures) {}
+    /// @param watched    is asked before each file; must live as long
+    TextureReader(const std::string& scene_path, std::vector<SharedTexture>& textures,
+                  const WatchedSteps& watched)
+        : scene_path_(scene_path), files_(textures, watched) {}
 
     /// The index of the picture that a part names under a key, `texture` or `normal_map`; -1 if it
     /// names none. Throws InputError at the
-    /// line of the name for a file that is not found (see find_beside) or cannot be used.
+    /// line of the name for a file that is not found (see find_beside) or cannot be used, and
+    /// ReadingStopped.
     int read(const TomlInput& part, std::string_view key);
 
   private:
@@ -37,7 +40,8 @@ class TextureReader {
 /// The list `texcoords` of a part: for each of its triangles u and v of every corner,
 /// [[0, 0], [1, 0], [1, 1]]. Empty where the part has no texture and no normal map. Throws
 /// InputError if a part has one of these without them, or them without one, or for another number
-/// of triangles.
-std::vector<CornerTexcoords> read_texcoords(const TomlInput& part, std::size_t triangle_count);
+/// of triangles; ReadingStopped.
+std::vector<CornerTexcoords> read_texcoords(const TomlInput& part, std::size_t triangle_count,
+                                            WatchedSteps& watched);
 
 } // namespace rasterwalk

@@ -45,15 +45,31 @@ class WatchedSteps {
         if (++steps_ % steps_between == 0) ask(state());
     }
 
+    /// One step more, of a file that is read on the way: how far the whole is stays.
+    void step() {
+        if (++steps_ % steps_between == 0) ask();
+    }
+
+    /// One step more, after which so much of the same part is done.
+    void step_to(std::int64_t done) {
+        state_.done = done;
+        step();
+    }
+
     /// Asks now. Throws ReadingStopped.
-    void ask(const ReadingState& state) const {
-        if (watch_ && !watch_(state)) throw ReadingStopped();
+    void ask(const ReadingState& state) {
+        state_ = state;
+        ask();
+    }
+    void ask() const {
+        if (watch_ && !watch_(state_)) throw ReadingStopped();
     }
 
     static constexpr int steps_between = 1024;
 
   private:
     const ReadingWatch& watch_;
+    ReadingState state_; ///< that was told last
     unsigned steps_ = 0;
 };
 

@@ -4,8 +4,13 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "base/image.h"
+#include "base/limits.h"
+#include "scene/beside_file.h"
+#include "scene/reading.h"
 #include "scene/texture.h"
 
 namespace rasterwalk {
@@ -16,15 +21,17 @@ struct ReadTexture {
     std::string trouble; ///< why not: a sentence with the file; empty if it can
 };
 
-/// Reads the textures of a scene or of a model: each file once. Their number, their sides and all
-/// their texels together are limited (limits.h).
+/// Reads the textures of a scene or of a model: each file once, whether it can be used or not.
+/// Their number, their bytes, their sides and all their texels together are limited (limits.h).
 class TextureFiles {
   public:
-    /// @param textures receives them, and must live as long
-    explicit TextureFiles(std::vector<SharedTexture>& textures) : textures_(textures) {}
+    /// @param textures receives them
+    /// @param watched  is asked before each file, and between its parts; both must live as long
+    TextureFiles(std::vector<SharedTexture>& textures, const WatchedSteps& watched)
+        : textures_(textures), watched_(watched) {}
 
     /// The texture of a file. It cannot be used if it is no PNG, cannot be read, or is too large;
-    /// the list is then as it was.
+    /// the list is then as it was. Throws ReadingStopped.
     /// @param path of a plain file
     /// @param name that the texture has if it is new
     ReadTexture read(const std::string& path, const std::string& name);
@@ -35,12 +42,25 @@ class TextureFiles {
     ReadTexture read_heights(const std::string& path, const std::string& name, float strength);
 
   private:
-    ReadTexture read_new(const std::string& path, const std::string& name,
-                         std::optional<float> strength);
+    /// A file that was unpacked.
+    struct ReadImage {
+        Image image;
+        std::string trouble; ///< empty: it could be
+    };
+    using Strength = std::optional<float>; ///< of heights; none: the picture as it is
+
+    ReadTexture read_known(const std::string& path, const std::string& name, Strength strength);
+    int read_new(const std::string& file, const std::string& path, const std::string& name,
+                 Strength strength);
+    const Image& image_of(const std::string& file, const std::string& path);
+    void take_texels(const std::string& path, glm::ivec2 size);
 
     std::vector<SharedTexture>& textures_;
-    std::map<std::string, ReadTexture> known_; ///< by the path without "./", and the strength
-    std::size_t texels_ = 0;                   ///< of all files that were unpacked
+    const WatchedSteps& watched_;
+    std::map<std::pair<std::string, Strength>, ReadTexture> known_; ///< by the path without links
+    std::map<std::string, ReadImage> images_;                       ///< likewise
+    BesideBytes bytes_{most_image_bytes, "all images"};
+    std::size_t texels_ = 0; ///< of all files that were unpacked, and of further textures of them
 };
 
 } // namespace rasterwalk

@@ -16,8 +16,8 @@ Scene read_scene_file(const std::string& path, const ReadingWatch& watch) {
     std::array<std::string_view, stage_count> stages;
     for (std::size_t i = 0; i < stages.size(); ++i)
         stages[i] = stage_list()[i].name;
-    if (path == "-") return parse_scene(read_input(path), standard_input_name, stages);
-    return read_scene(path, stages);
+    if (path == "-") return parse_scene(read_input(path), standard_input_name, stages, watch);
+    return read_scene(path, stages, watch);
 }
 
 } // namespace rasterwalk

@@ -7,11 +7,11 @@
 
 namespace rasterwalk {
 
-Session open_session(const std::string& scene_path) {
+Session open_session(const std::string& scene_path, const ReadingWatch& watch) {
     Session session;
     session.presets = read_presets(lessons_folder() + "/presets.toml");
     session.glossary = read_glossary(lessons_folder() + "/glossary.toml");
-    set_scene(session, read_scene_file(scene_path));
+    set_scene(session, read_scene_file(scene_path, watch));
     guide_to_tab(session, {});
     return session;
 }

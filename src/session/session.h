@@ -13,6 +13,7 @@
 #include "pipeline/framebuffer.h"
 #include "pipeline/run.h"
 #include "pipeline/timeline.h"
+#include "scene/reading.h"
 #include "scene/scene.h"
 #include "session/canvas_view.h"
 #include "session/glossary.h"
@@ -75,7 +76,7 @@ void tell(Session& session, std::string sentence);
 bool is_fault(const Session& session);
 
 /// A session on a scene file, with the presets of lessons_folder(). Throws Error.
-Session open_session(const std::string& scene_path);
+Session open_session(const std::string& scene_path, const ReadingWatch& watch = {});
 
 /// Replaces the scene: the settings of both runs keep their rules and take the scene's camera,
 /// light and viewport; the cursor goes to the end, the selection is dropped. A quiz, which asks

@@ -24,6 +24,7 @@ inline CliRun run(const std::vector<std::string>& arguments, const Clock& clock 
         argv.push_back(argument.c_str());
     std::ostringstream out, err;
     CliRun result;
+    result.request.patience = std::chrono::hours(1);
     result.exit_code =
         run_cli(static_cast<int>(argv.size()), argv.data(), out, err, result.request, clock);
     result.out = out.str();

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "tests/cli/run.h"
+#include "tests/support/made_images.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace rasterwalk;
@@ -63,6 +64,25 @@ TEST_CASE("A picture in the place of a scene is told what it is for, exit code 2
         CHECK_THAT(result.err, Contains("'rasterwalk diagnose FILE'"));
     }
     CHECK(run({folder.file("none.png")}).exit_code == 4);
+}
+
+TEST_CASE("A picture that cannot be diagnosed is named, exit code 3, before it is unpacked") {
+    const test::TemporaryFolder folder;
+    const auto said = [&](const std::string& bytes) {
+        const std::string path = folder.write("mine", bytes);
+        const CliRun result = run({"diagnose", path});
+        CHECK(result.exit_code == 3);
+        CHECK(result.out.empty());
+        const std::string begin = "rasterwalk: " + path + ": ";
+        CHECK(result.err.starts_with(begin));
+        return result.err.substr(std::min(begin.size(), result.err.size()));
+    };
+    // Nothing of these is there but their size.
+    CHECK(said(test::png(8192, 8192, 8, "")) ==
+          "a picture of 8192 x 8192 pixels is too large: a side has at most 2048.\n");
+    CHECK(said(test::bmp(0, 2)) == "a picture of 0 x 2 pixels is empty.\n");
+    CHECK(said(test::png(2, 2, 8, "\x78\x01\x07")) ==
+          "the picture cannot be read: its data are damaged.\n");
 }
 
 TEST_CASE("diagnose reads a printed row table") {

@@ -40,7 +40,9 @@ struct Mtl {
 Mtl mtl_of(const std::string& text) {
     Mtl mtl;
     ObjReporter reporter(mtl.report);
-    parse_mtl("newmtl m\n" + text, "m.mtl", "m.obj", reporter, mtl.materials);
+    const ReadingWatch none;
+    WatchedSteps watched(none);
+    parse_mtl("newmtl m\n" + text, "m.mtl", "m.obj", watched, reporter, mtl.materials);
     REQUIRE(mtl.materials.size() == 1);
     return mtl;
 }

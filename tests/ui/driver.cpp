@@ -40,6 +40,7 @@ Driver::Driver(const std::string& scene, ImVec2 window, float text_scale)
 Driver::Driver(Session session, ImVec2 window, float text_scale)
     : hand(ui, [this] { build_ui(ui); }) {
     ui.session = std::move(session);
+    ui.reading.patience = std::chrono::hours(1); // however busy the machine is
     ui.options.wished_text_scale = text_scale;
     const bool are_others = std::getenv("RASTERWALK_LESSONS") != nullptr;
     if (!are_others) ui.lesson.lessons = read_lessons();

@@ -6,8 +6,6 @@
 #include <imgui.h>
 
 #include "base/error.h"
-#include "session/scene_file.h"
-#include "session/scene_reading.h"
 #include "ui/actions/focus_keys.h"
 #include "ui/actions/held_keys.h"
 #include "ui/actions/keys.h"
@@ -99,14 +97,6 @@ void handle_keys(Ui& ui) {
     }
     if (ui.start.is_open) return;
     move_by_held_keys(ui);
-}
-
-void open_scene(Ui& ui, const std::string& path) {
-    if (is_large_model(path)) {
-        begin_reading(ui, path);
-    } else {
-        show_opened_scene(ui, read_scene_file(path));
-    }
 }
 
 void show_opened_scene(Ui& ui, Scene scene) {

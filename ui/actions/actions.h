@@ -45,10 +45,6 @@ std::string chord_text(const Chord& chord);
 /// held. Does nothing while text is typed or a sheet for files is up.
 void handle_keys(Ui& ui);
 
-/// Opens a scene file in place of what is on show; a large model is read beside the window first,
-/// see begin_reading(). Throws Error; everything is then as it was.
-void open_scene(Ui& ui, const std::string& path);
-
 /// Puts a scene that was read in place of what is on show; the lesson, which speaks of another, is
 /// closed. Of a model with faults session.notice names the first.
 void show_opened_scene(Ui& ui, Scene scene);

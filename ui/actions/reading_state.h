@@ -1,20 +1,24 @@
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "session/scene_reading.h"
+#include "session/file_reading.h"
 
 namespace rasterwalk {
 
-/// A large scene file that is read beside the window.
+/// A file that is read beside the window.
 struct BesideReading {
-    std::unique_ptr<SceneReading> now;  ///< null: nothing is read
+    /// How long a frame may wait for a file; what takes longer is read while the window goes on. 0:
+    /// no frame waits.
+    std::chrono::milliseconds patience{100};
+    std::unique_ptr<FileReading> now;   ///< null: nothing is read
     std::shared_ptr<const Scene> shown; ///< when it began
     std::string lesson;                 ///< that was open then
     /// What was stopped, until its thread has taken note of it: the window waits for nobody.
-    std::vector<std::unique_ptr<SceneReading>> stopped;
+    std::vector<std::unique_ptr<FileReading>> stopped;
 };
 
 } // namespace rasterwalk

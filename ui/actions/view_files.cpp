@@ -137,12 +137,8 @@ void open_file(Ui& ui, const std::string& path) {
     refuse_endless_file(path);
     if (is_result(path)) {
         diagnose_file(ui, path);
-    } else if (is_view_file(path) || path.ends_with(".md")) {
-        ViewOptions options;
-        options.file = path;
-        show_view(ui, open_view(options));
     } else {
-        open_scene(ui, path);
+        read_and_open(ui, path);
     }
 }
 

@@ -14,6 +14,7 @@
 #include "settings/preset.h"
 #include "ui/actions/actions.h"
 #include "ui/actions/open_lesson.h"
+#include "ui/actions/reading.h"
 #include "ui/bars/bars.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
@@ -82,7 +83,7 @@ void draw_scene_list(Ui& ui) {
         // Two scenes may have the same title.
         if (ImGui::MenuItem((title + "###" + name).c_str(), nullptr, open)) {
             try {
-                open_scene(ui, file.string());
+                read_and_open(ui, file.string());
             } catch (const Error& fault) {
                 ui.session.notice = fault.what();
             }

@@ -56,6 +56,7 @@ class Screen {
     Screen(Session session, const OffscreenOptions& options)
         : context_(options.width, options.height), width_(options.width), height_(options.height) {
         ui.session = std::move(session);
+        ui.reading.patience = std::chrono::hours(1); // the picture shows what was opened
         ui.options = options.ui;
         open_ui(ui, textures_);
         if (!options.tab.empty()) open_tab(ui, options.tab);

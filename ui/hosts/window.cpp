@@ -361,10 +361,10 @@ struct OpenWindow {
 
 } // namespace
 
-void show_window(Session session, bool is_plain, const std::string& model) {
+void show_window(Session session, bool is_plain, std::unique_ptr<FileReading> reading) {
     const Glfw glfw;
     OpenWindow open(std::move(session), is_plain);
-    if (!model.empty()) guarded(open.window.ui, [&] { begin_reading(open.window.ui, model); });
+    if (reading) begin_reading(open.window.ui, std::move(reading));
     run(open.window);
 }
 

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <string>
+#include <memory>
 
+#include "session/file_reading.h"
 #include "session/session.h"
 
 namespace rasterwalk {
@@ -12,7 +13,7 @@ namespace rasterwalk {
 /// If the environment names a file in RASTERWALK_WIDGET_REPORT, screen_report() is written there
 /// whenever it changes: a program that looks on from outside then knows where to click.
 /// @param is_plain the command line names nothing: the start page, or what the student left
-/// @param model    a large model to be read beside the session; empty: none
-void show_window(Session session, bool is_plain, const std::string& model = {});
+/// @param reading  what is to be shown when it is read; null: nothing
+void show_window(Session session, bool is_plain, std::unique_ptr<FileReading> reading);
 
 } // namespace rasterwalk

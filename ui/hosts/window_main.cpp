@@ -30,7 +30,8 @@ int main(int argc, char** argv) {
         const int exit_code =
             rasterwalk::run_cli(argc, argv, std::cout, std::cerr, request, milliseconds_now);
         if (request.open_window) {
-            rasterwalk::show_window(std::move(request.session), request.is_plain, request.model);
+            rasterwalk::show_window(std::move(request.session), request.is_plain,
+                                    std::move(request.reading));
         }
         return exit_code;
     } catch (const rasterwalk::Error& fault) {

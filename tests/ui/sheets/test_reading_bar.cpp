@@ -1,16 +1,13 @@
-// Large models are read beside the window.
+// Files are read beside the window.
 
+#include <future>
 #include <memory>
 #include <string>
-
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <catch2/catch.hpp>
 
 #include "session/content.h"
-#include "session/scene_reading.h"
+#include "session/scene_file.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/driver.h"
 #include "ui/actions/open_lesson.h"
@@ -22,10 +19,28 @@ namespace rasterwalk {
 
 namespace {
 
-/// A model that is large by its comments alone.
-std::string large_model(const std::string& faces) {
-    return "#" + std::string(largest_model_at_once, ' ') + "\nv 0 0 0\nv 1 0 0\nv 0 1 0\n" + faces;
+std::string model_of(const std::string& faces) {
+    return "v 0 0 0\nv 1 0 0\nv 0 1 0\n" + faces;
 }
+
+/// A window that waits for no file, however small it is.
+struct ImpatientDriver : Driver {
+    ImpatientDriver() { ui.reading.patience = std::chrono::milliseconds(0); }
+};
+
+/// A thread that reads nothing before it may.
+struct HeldReading {
+    std::promise<void> go_on;
+
+    std::unique_ptr<FileReading> of(const std::string& path) {
+        return std::make_unique<FileReading>(
+            path,
+            [path, may_go_on = go_on.get_future().share()](const ReadingWatch& watch) -> Opened {
+                may_go_on.wait();
+                return read_scene_file(path, watch);
+            });
+    }
+};
 
 void read_on(Driver& driver) {
     while (is_reading(driver.ui))
@@ -34,10 +49,10 @@ void read_on(Driver& driver) {
 
 } // namespace
 
-TEST_CASE("A large model that is dropped opens when it is read; what is open stays until then") {
+TEST_CASE("A model that is dropped opens when it is read; what is open stays until then") {
     const test::TemporaryFolder folder;
-    const std::string path = folder.write("large.obj", large_model("f 1 2 3\nf 1 2\n"));
-    Driver driver;
+    const std::string path = folder.write("m.obj", model_of("f 1 2 3\nf 1 2\n"));
+    ImpatientDriver driver;
     open_lesson(driver.ui, "05-row-table", 1);
     const std::string before = driver.ui.session.scene->path;
     open_dropped(driver.ui, path);
@@ -49,21 +64,52 @@ TEST_CASE("A large model that is dropped opens when it is read; what is open sta
     CHECK(driver.ui.session.scene->path == path);
     CHECK(driver.ui.session.scene->triangle_count() == 1);
     CHECK(driver.ui.session.lesson.empty());
-    CHECK(driver.ui.session.notice.starts_with(path + ":6: ")); // the face of two corners
+    CHECK(driver.ui.session.notice.starts_with(path + ":5: ")); // the face of two corners
     driver.hand.frames(2);
     CHECK_FALSE(driver.ui.widgets.contains("reading.stop"));
 }
 
-TEST_CASE("A click stops the reading, and the window does not wait for its thread") {
+TEST_CASE("Scenes, lessons and saved views are read beside the window as models are") {
     const test::TemporaryFolder folder;
-    // Nobody writes into this pipe, so that the thread cannot come to its end.
-    const std::string pipe = folder.file("pipe.obj");
-    REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
-    const int writer = ::open(pipe.c_str(), O_RDWR);
-    REQUIRE(writer >= 0);
+    const std::string scene =
+        folder.write("s.toml", test::bytes_of(lessons_folder() + "/scenes/one-triangle.toml"));
+    const std::string view =
+        folder.write("v.walk.toml", "scene = \"s.toml\"\nset = [\"rounding=floor\"]\n");
+    ImpatientDriver driver;
+    SECTION("a scene") {
+        open_dropped(driver.ui, scene);
+        REQUIRE(is_reading(driver.ui));
+        read_on(driver);
+        CHECK(driver.ui.session.scene->path == scene);
+    }
+    SECTION("a saved view") {
+        open_dropped(driver.ui, view);
+        REQUIRE(is_reading(driver.ui));
+        read_on(driver);
+        CHECK(driver.ui.session.notice.empty());
+        CHECK(driver.ui.session.scene->triangle_count() == 1);
+    }
+    SECTION("a lesson") {
+        open_dropped(driver.ui, lessons_folder() + "/05-row-table.md");
+        REQUIRE(is_reading(driver.ui));
+        read_on(driver);
+        CHECK(driver.ui.session.lesson == "05-row-table");
+    }
+    CHECK(driver.ui.sheets.files.kind == FileSheet::Kind::closed);
+}
+
+TEST_CASE("A window with patience opens what is read soon, and no bar comes up") {
     Driver driver;
+    open_dropped(driver.ui, lessons_folder() + "/models/cube.obj");
+    CHECK_FALSE(is_reading(driver.ui));
+    CHECK(driver.ui.session.scene->triangle_count() == 12);
+}
+
+TEST_CASE("A click stops the reading, and the window does not wait for its thread") {
+    Driver driver;
+    HeldReading held; // given up first, so that no thread waits for it
     const std::shared_ptr<const Scene> before = driver.ui.session.scene;
-    begin_reading(driver.ui, pipe);
+    begin_reading(driver.ui, held.of(lessons_folder() + "/models/cube.obj"));
     driver.hand.frames(3);
     REQUIRE(is_reading(driver.ui));
     driver.hand.click("reading.stop");
@@ -73,7 +119,7 @@ TEST_CASE("A click stops the reading, and the window does not wait for its threa
     CHECK_FALSE(driver.ui.widgets.contains("reading.stop"));
     CHECK_FALSE(is_animating(driver.ui));
     CHECK(driver.ui.session.scene == before);
-    ::close(writer); // the thread has all it waits for
+    held.go_on.set_value();
     while (!driver.ui.reading.stopped.empty())
         driver.hand.frames(1);
     CHECK(driver.ui.session.scene == before);
@@ -82,18 +128,20 @@ TEST_CASE("A click stops the reading, and the window does not wait for its threa
 
 TEST_CASE("Reading is stopped by a second file, and by what is opened meanwhile") {
     const test::TemporaryFolder folder;
-    const std::string path = folder.write("large.obj", large_model("f 1 2 3\n"));
+    const std::string path = folder.write("first.obj", model_of("f 1 2 3\n"));
     Driver driver;
+    HeldReading held; // given up first, so that no thread waits for it
     driver.hand.frames(2);
-    begin_reading(driver.ui, path);
-    SECTION("a small file that is dropped") {
+    begin_reading(driver.ui, held.of(path));
+    SECTION("a file that is read soon") {
         open_dropped(driver.ui, lessons_folder() + "/models/cube.obj");
         CHECK_FALSE(is_reading(driver.ui));
         driver.hand.frames(2);
         CHECK(driver.ui.session.scene->triangle_count() == 12);
     }
-    SECTION("a large one") {
-        const std::string other = folder.write("other.obj", large_model("f 1 2 3\nf 3 2 1\n"));
+    SECTION("one that is not") {
+        const std::string other = folder.write("other.obj", model_of("f 1 2 3\nf 3 2 1\n"));
+        driver.ui.reading.patience = std::chrono::milliseconds(0);
         open_dropped(driver.ui, other);
         read_on(driver);
         CHECK(driver.ui.session.scene->path == other);
@@ -103,31 +151,33 @@ TEST_CASE("Reading is stopped by a second file, and by what is opened meanwhile"
         driver.hand.frames(1);
         CHECK_FALSE(is_reading(driver.ui));
         CHECK(driver.ui.session.lesson == "05-row-table");
-        CHECK(driver.ui.session.notice.find("large.obj") != std::string::npos);
+        CHECK(driver.ui.session.notice.find("first.obj") != std::string::npos);
     }
     CHECK_FALSE(is_reading(driver.ui));
+    held.go_on.set_value();
     while (!driver.ui.reading.stopped.empty())
         driver.hand.frames(1);
     CHECK(driver.ui.session.scene->path != path);
 }
 
-TEST_CASE("What is wrong with a large model stands on the sheet for opening") {
+TEST_CASE("What is wrong with a file that was read beside the window stands on the sheet") {
     const test::TemporaryFolder folder;
-    const std::string path = folder.write("large.obj", large_model("f 1 2\n"));
-    Driver driver;
+    const std::string path = folder.write("m.obj", model_of("f 1 2\n"));
+    ImpatientDriver driver;
     const std::string before = driver.ui.session.scene->path;
     open_dropped(driver.ui, path);
     read_on(driver);
     CHECK(driver.ui.sheets.files.kind == FileSheet::Kind::open);
-    CHECK(driver.ui.sheets.files.fault.starts_with(path + ":5: "));
+    CHECK(driver.ui.sheets.files.fault.starts_with(path + ":4: "));
     CHECK(driver.ui.session.scene->path == before);
 }
 
 TEST_CASE("A window that is closed while it reads ends the reading") {
-    const test::TemporaryFolder folder;
     Driver driver;
-    begin_reading(driver.ui, folder.write("large.obj", large_model("f 1 2 3\n")));
+    HeldReading held; // given up first, so that no thread waits for it
+    begin_reading(driver.ui, held.of(lessons_folder() + "/models/cube.obj"));
     CHECK(is_reading(driver.ui));
+    held.go_on.set_value();
 }
 
 } // namespace rasterwalk

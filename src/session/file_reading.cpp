@@ -1,29 +1,20 @@
-#include "session/scene_reading.h"
+#include "session/file_reading.h"
 
-#include <filesystem>
-#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "base/numbers.h"
-#include "scene/read_obj.h"
-#include "session/scene_file.h"
 
 namespace rasterwalk {
 
-bool is_large_model(const std::string& path) {
-    std::error_code fault;
-    const std::uintmax_t size = std::filesystem::file_size(path, fault);
-    return !fault && size > largest_model_at_once && is_model_file(path);
-}
+FileReading::FileReading(const std::string& path, Read read)
+    : path_(path),
+      thread_([this, read = std::move(read)](const std::stop_token& stop) { run(read, stop); }) {}
 
-SceneReading::SceneReading(const std::string& path)
-    : path_(path), thread_([this](const std::stop_token& stop) { read(stop); }) {}
-
-void SceneReading::read(const std::stop_token& stop) {
+void FileReading::run(const Read& read, const std::stop_token& stop) {
     try {
-        scene_ = read_scene_file(path_, [&](const ReadingState& state) {
+        opened_ = read([&](const ReadingState& state) {
             const std::lock_guard lock(mutex_);
             state_ = state;
             return !stop.stop_requested();
@@ -31,20 +22,27 @@ void SceneReading::read(const std::stop_token& stop) {
     } catch (...) {
         fault_ = std::current_exception();
     }
+    const std::lock_guard lock(mutex_);
     is_done_ = true;
+    end_.notify_all();
 }
 
-ReadingState SceneReading::state() const {
+ReadingState FileReading::state() const {
     const std::lock_guard lock(mutex_);
     return state_;
 }
 
-Scene SceneReading::take() {
+bool FileReading::is_done(std::chrono::milliseconds patience) const {
+    std::unique_lock lock(mutex_);
+    return end_.wait_for(lock, patience, [&] { return is_done_; });
+}
+
+Opened FileReading::take() {
     const bool is_stopped = thread_.get_stop_token().stop_requested();
     if (thread_.joinable()) thread_.join();
     if (is_stopped) throw ReadingStopped();
     if (fault_) std::rethrow_exception(fault_);
-    return std::move(scene_).value();
+    return std::move(opened_).value();
 }
 
 float share_of(const ReadingState& state) {

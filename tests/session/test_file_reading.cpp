@@ -1,6 +1,8 @@
-// Scene files that are read beside the window.
+// Files that are read beside the window.
 
-#include "session/scene_reading.h"
+#include "session/file_reading.h"
+
+#include <future>
 
 #include <catch2/catch.hpp>
 
@@ -11,48 +13,62 @@
 
 namespace rasterwalk {
 
+namespace {
+
+FileReading::Read scene_at(const std::string& path) {
+    return [path](const ReadingWatch& watch) -> Opened { return read_scene_file(path, watch); };
+}
+
+} // namespace
+
 TEST_CASE("What is read beside the window is what is read at once") {
     const std::string path = lessons_folder() + "/models/cube.obj";
-    SceneReading reading(path);
+    FileReading reading(path, scene_at(path));
     CHECK(reading.path() == path);
-    CHECK(reading.take() == read_scene_file(path));
+    CHECK(std::get<Scene>(reading.take()) == read_scene_file(path));
     CHECK(reading.is_done());
     CHECK(reading.state() == ReadingState{ReadingPart::triangles, 0, 12});
 }
 
 TEST_CASE("A reading that was stopped gives no scene, even if it was done before") {
     const std::string path = lessons_folder() + "/models/cube.obj";
-    SceneReading reading(path);
+    FileReading reading(path, scene_at(path));
     reading.stop();
     CHECK_THROWS_AS(reading.take(), ReadingStopped);
     CHECK(reading.is_done());
-    SceneReading late(path);
-    while (!late.is_done())
-        std::this_thread::yield();
+    FileReading late(path, scene_at(path));
+    REQUIRE(late.is_done(std::chrono::hours(1)));
     late.stop();
     CHECK_THROWS_AS(late.take(), ReadingStopped);
 }
 
 TEST_CASE("A reading that nobody waits for ends by itself") {
-    const SceneReading left(lessons_folder() + "/models/knot.obj");
+    const std::string path = lessons_folder() + "/models/knot.obj";
+    const FileReading left(path, scene_at(path));
     CHECK_FALSE(left.path().empty());
+}
+
+TEST_CASE("A reading is waited for no longer than it is given, and stops at the next question") {
+    std::promise<void> may_go_on;
+    FileReading slow("slow", [&](const ReadingWatch& watch) -> Opened {
+        may_go_on.get_future().wait();
+        if (!watch({})) throw ReadingStopped();
+        return Scene();
+    });
+    CHECK_FALSE(slow.is_done(std::chrono::milliseconds(1)));
+    slow.stop();
+    CHECK_FALSE(slow.is_done());
+    may_go_on.set_value();
+    CHECK(slow.is_done(std::chrono::hours(1)));
 }
 
 TEST_CASE("What is wrong with a file is told where it is taken") {
     const test::TemporaryFolder folder;
-    SceneReading junk(folder.write("junk.obj", "v 0 0\n"));
+    const std::string path = folder.write("junk.obj", "v 0 0\n");
+    FileReading junk(path, scene_at(path));
     CHECK_THROWS_AS(junk.take(), InputError);
-    SceneReading none(folder.file("none.obj"));
+    FileReading none(folder.file("none.obj"), scene_at(folder.file("none.obj")));
     CHECK_THROWS_AS(none.take(), AccessError);
-}
-
-TEST_CASE("Models are large by their size") {
-    const test::TemporaryFolder folder;
-    const std::string limit(largest_model_at_once, '#');
-    CHECK_FALSE(is_large_model(folder.write("small.obj", limit)));
-    CHECK(is_large_model(folder.write("large.obj", limit + "#")));
-    CHECK_FALSE(is_large_model(folder.write("large.toml", limit + "#")));
-    CHECK_FALSE(is_large_model(folder.file("none.obj")));
 }
 
 TEST_CASE("How far a reading is, in words and as a share") {
