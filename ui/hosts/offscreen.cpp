@@ -120,6 +120,11 @@ Image draw_offscreen(Session session, const OffscreenOptions& options) {
     Hand hand(screen.ui, [&] { screen.frame(); });
     // Work that a window would spread over many frames is done at once.
     const auto settle = [&] {
+        if (is_diagnosing(screen.ui)) {
+            while (is_diagnosing(screen.ui))
+                carry_on_diagnosis(screen.ui, {});
+            hand.rest();
+        }
         if (is_working(screen.ui.results)) {
             finish(screen.ui.session, screen.ui.results);
             hand.rest();
