@@ -171,7 +171,7 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
 
     CLI::App& check =
         add_command(line, "check", "Look for faults in lessons, scenes and presets",
-                    [&] { line.exit_code = check_command(line.check, out, err); });
+                    [&] { line.exit_code = check_command(line.check, out, err, progress); });
     check
         .add_option("PATH", line.check.paths,
                     "Folders, lessons (.md), scenes (.toml) and models (.obj)")
