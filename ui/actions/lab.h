@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "laboratory/bug.h"
+#include "pipeline/work.h"
 
 namespace rasterwalk {
 

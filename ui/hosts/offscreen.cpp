@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/quoted.h"
+#include "ui/actions/lab.h"
 #include "ui/actions/open_tab.h"
 #include "ui/app/app.h"
 #include "ui/canvas/outside_view.h"
