@@ -18,6 +18,7 @@
 #include "cli/commands.h"
 #include "cli/compare_command.h"
 #include "cli/diagnose_command.h"
+#include "cli/progress_line.h"
 #include "cli/visible_output.h"
 #include "opening/opened_view.h"
 #include "opening/view_options.h"
@@ -60,7 +61,8 @@ void add_json(CLI::App& command, bool& json) {
     command.add_flag("--json", json, "Print JSON");
 }
 
-void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ostream& err) {
+void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ostream& err,
+              ProgressLine& progress) {
     line.app.set_version_flag("--version", "rasterwalk " + version_text());
     line.app.require_subcommand(0, 1);
     line.app
@@ -136,7 +138,7 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
 
     CLI::App& diagnose = add_command(
         line, "diagnose", "Tell what may be wrong with a picture or a printed row table",
-        [&] { line.exit_code = diagnose_command(line.diagnose, out, err); });
+        [&] { line.exit_code = diagnose_command(line.diagnose, out, err, progress); });
     diagnose
         .add_option("FILE", line.diagnose.file,
                     "PNG or BMP, or lines like 'Start: (10,5). End: (10,5).'; - reads standard "
@@ -169,8 +171,9 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
                                     [&] { lessons_command(line.lessons, out, err); });
     add_json(lessons, line.lessons.json);
 
-    CLI::App& check = add_command(line, "check", "Look for faults in lessons, scenes and presets",
-                                  [&] { line.exit_code = check_command(line.check, out, err); });
+    CLI::App& check =
+        add_command(line, "check", "Look for faults in lessons, scenes and presets",
+                    [&] { line.exit_code = check_command(line.check, out, err, progress); });
     check
         .add_option("PATH", line.check.paths,
                     "Folders, lessons (.md), scenes (.toml) and models (.obj)")
@@ -260,15 +263,17 @@ int to_int(ExitCode code) {
 } // namespace
 
 int run_cli(int argc, const char* const* argv, std::ostream& data, std::ostream& messages,
-            CliRequest& request, const Clock& clock) {
+            CliRequest& request, const Clock& clock, std::ostream* terminal) {
     VisibleOutput out(data), err(messages);
+    ProgressLine progress(terminal);
     const auto complain = [&](const std::string& sentence, ExitCode code) {
+        progress.clear();
         err << "rasterwalk: " << visible_line(sentence) << '\n';
         return to_int(code);
     };
     try {
         CommandLine line;
-        describe(line, clock, out, err);
+        describe(line, clock, out, err, progress);
         if (parse(line, command_arguments(argc, argv), out, err)) run(line, request);
         out.flush();
         if (!out) return complain("the output could not be written.", ExitCode::no_access);

@@ -25,7 +25,8 @@ struct CliRequest {
 /// said about it to `messages`. Never throws for what a user may do wrong. Returns the exit code
 /// (see ExitCode).
 /// @param clock for the commands that measure times; without one they are wrong usage
+/// @param terminal for long commands to say how far they are; null: they say nothing
 int run_cli(int argc, const char* const* argv, std::ostream& data, std::ostream& messages,
-            CliRequest& request, const Clock& clock = {});
+            CliRequest& request, const Clock& clock = {}, std::ostream* terminal = nullptr);
 
 } // namespace rasterwalk

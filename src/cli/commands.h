@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "cli/progress_line.h"
 #include "inspect/culling_cost.h"
 #include "opening/view_options.h"
 
@@ -74,7 +75,8 @@ struct CheckOptions {
 };
 /// Prints every fault, file:line and a sentence. Returns ExitCode::difference if there is one.
 /// Throws AccessError for a file that is not there.
-ExitCode check_command(const CheckOptions& options, std::ostream& out, std::ostream& err);
+ExitCode check_command(const CheckOptions& options, std::ostream& out, std::ostream& err,
+                       ProgressLine& progress);
 
 struct FactsOptions {
     bool json = false;

@@ -32,8 +32,9 @@ struct Result {
 };
 
 Finding diagnose_picture_file(const Result& result, const Session& session,
-                              const std::vector<Bug>& bugs, std::ostream& err) {
-    const Image picture = parse_image(result.bytes, result.name, largest_diagnosed);
+                              const std::vector<Bug>& bugs, std::ostream& err,
+                              ProgressLine& progress) {
+    Image picture = parse_image(result.bytes, result.name);
     const Settings& view = session.a.settings;
     const Settings reference = fitted_to(view, picture, session.scene->space);
     if (!(reference.viewport == view.viewport)) {
@@ -41,8 +42,14 @@ Finding diagnose_picture_file(const Result& result, const Session& session,
             << " pixels; the reference is drawn in that size, with a focal length of "
             << reference.camera.focal_length << ".\n";
     }
-    return {diagnose_picture(picture, *session.scene, reference, bugs), "picture",
-            "the picture of " + session.scene->name};
+    DiagnosisWork work(std::move(picture), result.name, *session.scene, reference, bugs);
+    while (!work.is_done()) {
+        work.advance(frame_limit);
+        const PicturesDrawn drawn = work.pictures();
+        progress.say(fmt::format("Trying each mistake: {} of {} pictures", drawn.done, drawn.all));
+    }
+    progress.clear();
+    return {work.found(), "picture", "the picture of " + session.scene->name};
 }
 
 Finding diagnose_rows_file(const DiagnoseOptions& options, const Result& result,
@@ -99,13 +106,14 @@ void print_text(const Finding& finding, std::ostream& out) {
 
 } // namespace
 
-ExitCode diagnose_command(const DiagnoseOptions& options, std::ostream& out, std::ostream& err) {
+ExitCode diagnose_command(const DiagnoseOptions& options, std::ostream& out, std::ostream& err,
+                          ProgressLine& progress) {
     const Session session = open_view(options.view);
     const std::vector<Bug> bugs = read_bugs();
     const Result result{options.file == "-" ? standard_input_name : options.file,
                         read_input(options.file, largest_image_file)};
     const Finding finding = is_image(result.bytes)
-                                ? diagnose_picture_file(result, session, bugs, err)
+                                ? diagnose_picture_file(result, session, bugs, err, progress)
                                 : diagnose_rows_file(options, result, session, bugs);
     if (options.json) {
         print_json(to_json(finding), out);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "cli/progress_line.h"
 #include "opening/view_options.h"
 
 namespace rasterwalk {
@@ -18,6 +19,7 @@ struct DiagnoseOptions {
 
 /// Prints what may be wrong with a result. Returns ExitCode::difference if it is not the
 /// reference's. Throws Error.
-ExitCode diagnose_command(const DiagnoseOptions& options, std::ostream& out, std::ostream& err);
+ExitCode diagnose_command(const DiagnoseOptions& options, std::ostream& out, std::ostream& err,
+                          ProgressLine& progress);
 
 } // namespace rasterwalk

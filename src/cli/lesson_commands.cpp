@@ -14,6 +14,7 @@
 #include "laboratory/bug.h"
 #include "lessons/lesson.h"
 #include "lessons/lesson_check.h"
+#include "lessons/lesson_run.h"
 #include "scene/read_obj.h"
 #include "session/content.h"
 #include "session/scene_file.h"
@@ -71,18 +72,28 @@ std::vector<std::string> files_to_check(const std::vector<std::string>& paths) {
     return files;
 }
 
+/// What one file after another is checked with.
+struct FileCheck {
+    Session session = empty_session();
+    LessonTrial trial{};
+    std::ostream& out;
+    ProgressLine& progress;
+};
+
 /// Prints the faults of one file; returns how many there are.
-int check_file(const std::string& path, const Session& session, std::ostream& out) {
+int check_file(const std::string& path, FileCheck& check) {
+    const std::string name = fs::path(path).filename().string();
+    check.progress.say("Checking " + name);
     const auto read = [&](auto reader) {
         try {
             reader();
             return 0;
         } catch (const Error& fault) {
-            out << fault.what() << '\n';
+            check.progress.clear();
+            check.out << fault.what() << '\n';
             return 1;
         }
     };
-    const std::string name = fs::path(path).filename().string();
     if (name == "presets.toml") return read([&] { read_presets(path); });
     if (name == "glossary.toml") return read([&] { read_glossary(path); });
     if (name == "bugs.toml") return read([&] { read_bugs(path); });
@@ -96,16 +107,21 @@ int check_file(const std::string& path, const Session& session, std::ostream& ou
         int faults = 0;
         const int refused = read([&] {
             const ObjReport report = read_obj(path).report;
+            check.progress.clear();
             for (const std::string& line : fault_lines(report))
-                out << line << '\n';
+                check.out << line << '\n';
             faults = static_cast<int>(report.counts.faults);
         });
         return faults + refused;
     }
     const Lesson lesson = read_lesson(path);
-    const std::vector<Fault> faults = check_lesson(lesson, session);
+    const std::vector<Fault> faults =
+        check_lesson(lesson, check.session, check.trial, [&](const std::string& part) {
+            check.progress.say(fmt::format("Checking {}: {}", name, part));
+        });
+    check.progress.clear();
     for (const Fault& fault : faults)
-        out << fault_text(lesson, fault) << '\n';
+        check.out << fault_text(lesson, fault) << '\n';
     return static_cast<int>(faults.size());
 }
 
@@ -125,13 +141,15 @@ const char* type_name(ValueType type) {
 
 } // namespace
 
-ExitCode check_command(const CheckOptions& options, std::ostream& out, std::ostream& err) {
-    const Session session = empty_session();
+ExitCode check_command(const CheckOptions& options, std::ostream& out, std::ostream& err,
+                       ProgressLine& progress) {
+    FileCheck check{.out = out, .progress = progress};
     const std::vector<std::string> files = files_to_check(options.paths);
     if (files.empty()) throw InputError("there is nothing to check: no lessons, no scenes.");
     int faults = 0;
     for (const std::string& file : files)
-        faults += check_file(file, session, out);
+        faults += check_file(file, check);
+    progress.clear();
     const std::string in_files = counted(static_cast<std::int64_t>(files.size()), "file", "files");
     if (faults > 0) {
         err << "rasterwalk: " << counted(faults, "fault", "faults") << " in " << in_files << ".\n";

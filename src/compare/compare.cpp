@@ -59,54 +59,68 @@ struct Colours {
 } // namespace
 
 PixelDifference pixel_difference(const Framebuffer& a, const Framebuffer& b) {
-    PixelDifference result;
-    result.pixels = static_cast<std::int64_t>(a.colour.size());
-    double sum = 0.0;
-    std::size_t worst = 0;
+    PixelCount count;
+    count.count_to(a, b, a.size.height);
+    return count.found();
+}
+
+void PixelCount::count_to(const Framebuffer& a, const Framebuffer& b, int row) {
+    found_.pixels = static_cast<std::int64_t>(a.colour.size());
+    const auto width = static_cast<std::size_t>(a.size.width);
     const Colours colours{a, b};
-    for (std::size_t i = 0; i < a.colour.size(); ++i) {
+    const std::size_t end = static_cast<std::size_t>(row) * width;
+    for (std::size_t i = static_cast<std::size_t>(rows_) * width; i < end; ++i) {
         if (!colours.shown_otherwise && a.colour[i] == b.colour[i]) continue;
         const float difference = std::abs(colour_difference(colours.of_a(i), colours.of_b(i)));
         if (difference == 0.0f) continue;
-        ++result.different;
-        result.shown += colours.are_shown_alike(i) ? 0 : 1;
-        sum += static_cast<double>(difference);
-        if (difference > result.largest) {
-            result.largest = difference;
-            worst = i;
+        ++found_.different;
+        found_.shown += colours.are_shown_alike(i) ? 0 : 1;
+        sum_ += static_cast<double>(difference);
+        if (difference > found_.largest) {
+            found_.largest = difference;
+            found_.worst =
+                a.origin + glm::ivec2(static_cast<int>(i % width), static_cast<int>(i / width));
         }
     }
-    if (result.different == 0) return result;
-    result.mean = sum / static_cast<double>(result.pixels);
-    const auto width = static_cast<std::size_t>(a.size.width);
-    result.worst =
-        a.origin + glm::ivec2(static_cast<int>(worst % width), static_cast<int>(worst / width));
+    rows_ = row;
+}
+
+PixelDifference PixelCount::found() const {
+    PixelDifference result = found_;
+    if (result.different > 0) result.mean = sum_ / static_cast<double>(result.pixels);
     return result;
 }
 
 std::vector<float> signed_difference(const Framebuffer& a, const Framebuffer& b, View view) {
     std::vector<float> values(a.colour.size());
+    update_signed_difference(a, b, view, {0, 0, a.size.width, a.size.height}, values);
+    return values;
+}
+
+void update_signed_difference(const Framebuffer& a, const Framebuffer& b, View view,
+                              const Rectangle& pixels, std::vector<float>& values) {
     const Colours colours{a, b};
-    const auto width = static_cast<std::size_t>(std::max(a.size.width, 1));
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const int column = a.origin.x + static_cast<int>(i % width);
-        const int row = a.origin.y + static_cast<int>(i / width);
+    const auto difference = [&](std::size_t i, int column, int row) {
         switch (view) {
         case View::colour:
-            values[i] = colour_difference(colours.of_a(i), colours.of_b(i));
-            break;
+            return colour_difference(colours.of_a(i), colours.of_b(i));
         case View::depth:
-            values[i] = finite(stored_depth(b, column, row)) - finite(stored_depth(a, column, row));
-            break;
+            return finite(stored_depth(b, column, row)) - finite(stored_depth(a, column, row));
         case View::triangle:
-            values[i] = a.owner[i] == b.owner[i] ? 0.0f : 1.0f;
-            break;
+            return a.owner[i] == b.owner[i] ? 0.0f : 1.0f;
         case View::overdraw:
-            values[i] = static_cast<float>(b.overdraw[i]) - static_cast<float>(a.overdraw[i]);
-            break;
+            return static_cast<float>(b.overdraw[i]) - static_cast<float>(a.overdraw[i]);
+        }
+        return 0.0f;
+    };
+    const auto width = static_cast<std::size_t>(a.size.width);
+    for (int row = pixels.top; row < pixels.bottom; ++row) {
+        const std::size_t first = static_cast<std::size_t>(row) * width;
+        for (int column = pixels.left; column < pixels.right; ++column) {
+            const std::size_t i = first + static_cast<std::size_t>(column);
+            values[i] = difference(i, a.origin.x + column, a.origin.y + row);
         }
     }
-    return values;
 }
 
 float difference_limit(float value) {
@@ -132,14 +146,24 @@ glm::vec<3, std::uint8_t> difference_colour(float value, float limit) {
 Image difference_image(const std::vector<float>& values, Viewport size, float limit) {
     Image image{size.width, size.height, {}};
     image.rgba.resize(4 * values.size());
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const glm::vec<3, std::uint8_t> rgb = difference_colour(values[i], limit);
-        image.rgba[4 * i + 0] = rgb.r;
-        image.rgba[4 * i + 1] = rgb.g;
-        image.rgba[4 * i + 2] = rgb.b;
-        image.rgba[4 * i + 3] = 255;
-    }
+    update_difference_image(values, limit, {0, 0, size.width, size.height}, image);
     return image;
+}
+
+void update_difference_image(const std::vector<float>& values, float limit, const Rectangle& pixels,
+                             Image& image) {
+    const auto width = static_cast<std::size_t>(image.width);
+    for (int row = pixels.top; row < pixels.bottom; ++row) {
+        const std::size_t first = static_cast<std::size_t>(row) * width;
+        for (int column = pixels.left; column < pixels.right; ++column) {
+            const std::size_t i = first + static_cast<std::size_t>(column);
+            const glm::vec<3, std::uint8_t> rgb = difference_colour(values[i], limit);
+            image.rgba[4 * i + 0] = rgb.r;
+            image.rgba[4 * i + 1] = rgb.g;
+            image.rgba[4 * i + 2] = rgb.b;
+            image.rgba[4 * i + 3] = 255;
+        }
+    }
 }
 
 } // namespace rasterwalk

@@ -20,6 +20,7 @@
 #include "pipeline/replay.h"
 #include "pipeline/work.h"
 #include "stages/polygon_rows.h"
+#include "stages/rectangle.h"
 
 namespace rasterwalk {
 
@@ -39,9 +40,31 @@ struct PixelDifference {
 /// Counts what differs; both framebuffers must have the same size.
 PixelDifference pixel_difference(const Framebuffer& a, const Framebuffer& b);
 
+/// The same some rows at a time, from the top.
+class PixelCount {
+  public:
+    /// Goes on to this row of the planes, which is not counted itself. Both framebuffers must be
+    /// those of the calls before, and unchanged.
+    void count_to(const Framebuffer& a, const Framebuffer& b, int row);
+
+    /// How many rows are counted.
+    int rows() const { return rows_; }
+    /// What differs in them; the mean is over the whole picture.
+    PixelDifference found() const;
+
+  private:
+    PixelDifference found_;
+    double sum_ = 0.0;
+    int rows_ = 0;
+};
+
 /// B minus A on every pixel, row by row from the top: of the colour the channel that differs most,
 /// of depth what the buffer holds, of overdraw fragments; of owners 1 where they differ.
 std::vector<float> signed_difference(const Framebuffer& a, const Framebuffer& b, View view);
+
+/// The same for some pixels of the planes only, in values of all of them.
+void update_signed_difference(const Framebuffer& a, const Framebuffer& b, View view,
+                              const Rectangle& pixels, std::vector<float>& values);
 
 /// The smallest of 1, 2 and 5 times a power of ten that is not below `value`: the end of the scale
 /// of a difference picture. 1 for 0 and for what is not finite.
@@ -53,6 +76,13 @@ glm::vec<3, std::uint8_t> difference_colour(float value, float limit);
 
 /// The signed differences as a picture; what lies beyond the scale takes the colour of its end.
 Image difference_image(const std::vector<float>& values, Viewport size, float limit);
+
+/// The same for some pixels only, in a picture of all of them.
+void update_difference_image(const std::vector<float>& values, float limit, const Rectangle& pixels,
+                             Image& image);
+
+/// What it takes to count a pixel, beside a fragment.
+inline constexpr double count_pixel_work = 0.5;
 
 /// Two runs compared over the whole frame, or up to a moment.
 struct Comparison {
@@ -97,6 +127,7 @@ class ComparisonWork {
 
     double missing_work() const;
     void end_triangles();
+    bool count_pixels(const Framebuffer& a, const Framebuffer& b, const WorkLimit& limit);
     void draw_pictures(const WorkLimit& limit);
 
     const Frame* a_ = nullptr;
@@ -108,6 +139,7 @@ class ComparisonWork {
     DivergenceCollector divergences_;
     PolygonRows rows_a_, rows_b_; ///< kept to save allocations
     int done_ = 0, triangles_ = 0;
+    PixelCount pixels_;
     Comparison found_;
 };
 

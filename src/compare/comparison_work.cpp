@@ -47,6 +47,7 @@ void ComparisonWork::begin(const Frame& a, const Frame& b, const Cursor& to) {
     walk_ = nullptr;
     pictures_ = nullptr;
     divergences_ = {};
+    pixels_ = {};
     done_ = 0;
     triangles_ = std::min(a.triangle_count(), std::max(to.triangle, 0));
     found_ = {};
@@ -89,8 +90,17 @@ void ComparisonWork::draw_pictures(const WorkLimit& limit) {
     if (pictures_->a.drawn() < to_) return;
     const Framebuffer& picture_b = pictures_->b.toward(to_, part);
     if (pictures_->b.drawn() < to_) return;
-    found_.pixels = pixel_difference(picture_a, picture_b);
-    pictures_ = nullptr;
+    if (count_pixels(picture_a, picture_b, limit)) pictures_ = nullptr;
+}
+
+/// The pixels are counted when both pictures are drawn. False: some are left.
+bool ComparisonWork::count_pixels(const Framebuffer& a, const Framebuffer& b,
+                                  const WorkLimit& limit) {
+    const int rows = rows_within(limit, count_pixel_work, a.size, pixels_.rows());
+    pixels_.count_to(a, b, pixels_.rows() + rows);
+    if (pixels_.rows() < a.size.height) return false;
+    found_.pixels = pixels_.found();
+    return true;
 }
 
 void ComparisonWork::advance(const WorkLimit& limit) {
@@ -104,8 +114,7 @@ void ComparisonWork::advance(const WorkLimit& limit) {
     }
     if (!walk_->is_done()) return;
     end_triangles();
-    found_.pixels = pixel_difference(walk_->picture_a(), walk_->picture_b());
-    walk_ = nullptr;
+    if (count_pixels(walk_->picture_a(), walk_->picture_b(), limit)) walk_ = nullptr;
 }
 
 Comparison compare_runs(const Frame& a, const Frame& b, const Cursor& to) {

@@ -15,6 +15,8 @@ struct PictureRecipe {
     Settings settings;
     Orientation orientation = Orientation::upright;
     int right = 0, down = 0; ///< pixels
+
+    friend bool operator==(const PictureRecipe&, const PictureRecipe&) = default;
 };
 
 /// A mistake that may have made a result. Mistakes that make the very same result are one

@@ -4,27 +4,78 @@
 // mistakes that may have made it are carried out, one by one, and it is measured how near each
 // comes.
 
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <glm/vec2.hpp>
 
 #include "base/image.h"
+#include "base/limits.h"
 #include "laboratory/bug.h"
 #include "laboratory/candidate.h"
 #include "laboratory/printed_rows.h"
+#include "pipeline/work.h"
 #include "scene/scene.h"
 #include "settings/settings.h"
 
 namespace rasterwalk {
 
+class PictureTrial; // laboratory/picture_trial.h
+
 /// Settings whose picture has the same size as this one and shows the same view: the focal length
 /// follows the height. Throws UsageError if that makes it too long or too short.
 Settings fitted_to(const Settings& settings, const Image& picture, SceneSpace space);
 
-/// What may be wrong with a picture. The reference draws the scene by the settings, whose viewport
-/// must have the picture's size. Tried are the stages, all orientations, shifts by a pixel, the
-/// lamp's power as it fits best, every bug, and every other word of every choice.
+/// How many of the pictures that are known to be needed are drawn. Each answer may need more: then
+/// both begin again from 0.
+struct PicturesDrawn {
+    int done = 0;
+    int all = 0;
+};
+
+/// What may be wrong with a picture, found in parts. The reference draws the scene by the settings,
+/// whose viewport must have the picture's size. Tried are the stages, all orientations, shifts by a
+/// pixel, the lamp's power as it fits best, every bug, and every other word of every choice.
+class DiagnosisWork {
+  public:
+    /// Scene and bugs must live as long.
+    /// @param name of the picture, for messages
+    DiagnosisWork(Image picture, const std::string& name, const Scene& scene,
+                  const Settings& reference, const std::vector<Bug>& bugs);
+    ~DiagnosisWork();
+    DiagnosisWork(const DiagnosisWork&) = delete; // the trial refers to the picture
+    DiagnosisWork& operator=(const DiagnosisWork&) = delete;
+
+    /// Goes on by about a slice. Throws InputError if all of it is more than most_diagnosis_work.
+    void advance(const WorkLimit& limit = {});
+
+    bool is_done() const { return found_.has_value(); }
+    PicturesDrawn pictures() const { return pictures_; }
+
+    const Image& picture() const { return picture_; }
+    /// What was found, once it is done.
+    const Diagnosis& found() const { return *found_; }
+    /// And the picture that the likely mistake makes, or else the reference.
+    const Image& likely_picture() const { return likely_; }
+
+  private:
+    void ask();
+    PictureRecipe likely_recipe(const Diagnosis& diagnosis) const;
+    void refuse_too_much() const;
+
+    Image picture_;
+    std::string name_;
+    Settings reference_;
+    const std::vector<Bug>* bugs_;
+    std::unique_ptr<PictureTrial> trial_;
+    PicturesDrawn pictures_;
+    Image likely_;
+    std::optional<Diagnosis> found_;
+};
+
+/// The same at once.
 Diagnosis diagnose_picture(const Image& picture, const Scene& scene, const Settings& reference,
                            const std::vector<Bug>& bugs);
 
@@ -36,7 +87,12 @@ Diagnosis diagnose_rows(const std::vector<PrintedRow>& rows, const std::vector<g
                         const Scene& scene, Settings reference, const std::vector<Bug>& bugs,
                         std::string& about);
 
-/// The largest side of a picture that is diagnosed, pixels: it is drawn some hundred times.
-inline constexpr int largest_diagnosed = 2048;
+static_assert(largest_image_side <= largest_viewport, "a picture that is read is drawn in its size");
+
+/// About how many pictures are drawn before it is known that no mistake explains a picture.
+inline constexpr double pictures_tried = 600.0;
+
+/// The most work that all these pictures may be, in fragments (see FrameWork): some minutes.
+inline constexpr double most_diagnosis_work = 2e10;
 
 } // namespace rasterwalk

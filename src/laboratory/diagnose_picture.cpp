@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "base/error.h"
 #include "base/numbers.h"
 #include "laboratory/bug_rule.h"
 #include "laboratory/diagnose.h"
@@ -36,15 +37,15 @@ void try_bases(PictureTrial& trial, const std::vector<Base>& bases) {
 
 void try_orientations(PictureTrial& trial, const std::vector<Base>& bases) {
     for (const Base& base : bases) {
-        const Image image = trial.draw_again(base.settings);
         for (const OrientationInfo& info : orientation_list()) {
             if (info.orientation == Orientation::upright) continue;
+            const PictureRecipe recipe{base.settings, info.orientation};
             trial.add({.id = info.id,
                        .name = info.name,
                        .remark = base.remark,
                        .assumptions = base.assumptions + 1,
-                       .recipe = PictureRecipe{base.settings, info.orientation}},
-                      oriented(image, info.orientation));
+                       .recipe = recipe},
+                      trial.drawn(recipe));
         }
     }
 }
@@ -52,19 +53,19 @@ void try_orientations(PictureTrial& trial, const std::vector<Base>& bases) {
 void try_shifts(PictureTrial& trial, const std::vector<Base>& bases) {
     constexpr std::array<const char*, 3> across{"left", "", "right"}, along{"up", "", "down"};
     for (const Base& base : bases) {
-        const Image image = trial.draw_again(base.settings);
         for (int dy = -1; dy <= 1; ++dy) {
             for (int dx = -1; dx <= 1; ++dx) {
                 if (dx == 0 && dy == 0) continue;
                 const std::string where_x = across[static_cast<std::size_t>(dx + 1)];
                 const std::string where_y = along[static_cast<std::size_t>(dy + 1)];
                 const std::string both = where_x.empty() || where_y.empty() ? "" : " and a pixel ";
+                const PictureRecipe recipe{base.settings, Orientation::upright, dx, dy};
                 trial.add({.id = "shifted",
                            .name = fmt::format("Shifted by a pixel {}{}{}", where_x, both, where_y),
                            .remark = base.remark,
                            .assumptions = base.assumptions + 1,
-                           .recipe = PictureRecipe{base.settings, Orientation::upright, dx, dy}},
-                          shifted(image, dx, dy));
+                           .recipe = recipe},
+                          trial.drawn(recipe));
             }
         }
     }
@@ -185,18 +186,40 @@ Settings fitted_to(const Settings& settings, const Image& picture, SceneSpace sp
     return fitted;
 }
 
-Diagnosis diagnose_picture(const Image& picture, const Scene& scene, const Settings& reference,
-                           const std::vector<Bug>& bugs) {
-    PictureTrial trial(picture, scene);
-    Diagnosis diagnosis;
-    const ImageDistance apart = trial.drawn(reference).distance;
-    diagnosis.distance = apart.mean;
-    diagnosis.different = apart.different;
-    if (!diagnosis.is_same()) {
-        const std::vector<Base> bases = find_bases(trial, reference);
+DiagnosisWork::DiagnosisWork(Image picture, const std::string& name, const Scene& scene,
+                             const Settings& reference, const std::vector<Bug>& bugs)
+    : picture_(std::move(picture)), name_(name), reference_(reference), bugs_(&bugs),
+      trial_(std::make_unique<PictureTrial>(picture_, scene)) {}
+
+DiagnosisWork::~DiagnosisWork() = default;
+
+void DiagnosisWork::advance(const WorkLimit& limit) {
+    while (!is_done()) {
+        trial_->advance(limit);
+        pictures_.done = pictures_.all - static_cast<int>(trial_->pictures_missing());
+        if (trial_->is_waiting()) return;
+        ask();
+        pictures_ = {0, static_cast<int>(trial_->pictures_missing())};
+    }
+}
+
+/// Asks all that can be asked with what is drawn, and notes what must be drawn next.
+void DiagnosisWork::ask() {
+    PictureTrial& trial = *trial_;
+    trial.begin_again();
+    const ImageDistance apart = trial.drawn(reference_).distance;
+    if (trial.is_waiting()) return;
+    refuse_too_much();
+    Diagnosis found;
+    found.distance = apart.mean;
+    found.different = apart.different;
+    if (!found.is_same()) {
+        const std::vector<Base> bases = find_bases(trial, reference_);
+        if (trial.is_waiting()) return;
         try_bases(trial, bases);
-        for (const Bug& bug : bugs)
+        for (const Bug& bug : *bugs_)
             try_bug(trial, bases, bug);
+        if (trial.is_waiting()) return;
         const bool is_found =
             std::any_of(trial.hypotheses.begin(), trial.hypotheses.end(),
                         [](const Hypothesis& h) { return h.is_bug && h.distance == 0.0; });
@@ -206,10 +229,34 @@ Diagnosis diagnose_picture(const Image& picture, const Scene& scene, const Setti
             try_orientations(trial, bases);
             try_shifts(trial, bases);
         }
+        if (trial.is_waiting()) return;
     }
     std::erase_if(trial.hypotheses, [](const Hypothesis& h) { return !h.explains_more; });
-    rank_candidates(std::move(trial.hypotheses), "this very picture", diagnosis);
-    return diagnosis;
+    rank_candidates(std::move(trial.hypotheses), "this very picture", found);
+    const Image* const likely = trial.picture_of(likely_recipe(found));
+    if (likely == nullptr) return;
+    likely_ = *likely;
+    found_ = std::move(found);
+}
+
+PictureRecipe DiagnosisWork::likely_recipe(const Diagnosis& diagnosis) const {
+    const Candidate* const likely = likely_candidate(diagnosis);
+    return likely != nullptr && likely->recipe ? *likely->recipe : PictureRecipe{reference_};
+}
+
+void DiagnosisWork::refuse_too_much() const {
+    if (pictures_tried * trial_->picture_work() <= most_diagnosis_work) return;
+    throw InputError(fmt::format("{}: it is too much work to draw {} triangles in {} x {} pixels "
+                                 "for every mistake.",
+                                 name_, trial_->scene().triangle_count(), picture_.width,
+                                 picture_.height));
+}
+
+Diagnosis diagnose_picture(const Image& picture, const Scene& scene, const Settings& reference,
+                           const std::vector<Bug>& bugs) {
+    DiagnosisWork work(picture, "the picture", scene, reference, bugs);
+    work.advance();
+    return work.found();
 }
 
 } // namespace rasterwalk

@@ -35,23 +35,37 @@ Image rearranged(const Image& image, From from) {
     return result;
 }
 
+/// A hash with one pixel more: FNV-1a, by whole pixels.
+std::uint64_t hashed(std::uint64_t hash, const std::uint8_t* pixel) {
+    const std::uint32_t bytes = std::uint32_t{pixel[0]} | std::uint32_t{pixel[1]} << 8u |
+                                std::uint32_t{pixel[2]} << 16u | std::uint32_t{pixel[3]} << 24u;
+    hash = (hash ^ bytes) * 1099511628211u;
+    return hash ^ hash >> 32u;
+}
+
 } // namespace
 
-ImageDistance image_distance(const Image& a, const Image& b) {
-    ImageDistance distance;
-    std::int64_t sum = 0;
-    for (std::size_t i = 0; i + 3 < a.rgba.size(); i += 4) {
+void ImageMeasure::measure_to(const Image& image, const Image& other, int row) {
+    const auto width = 4 * static_cast<std::size_t>(image.width);
+    const std::size_t begin = static_cast<std::size_t>(rows_) * width;
+    const std::size_t end = static_cast<std::size_t>(row) * width;
+    for (std::size_t i = begin; i < end; i += 4) {
         int pixel = 0;
         for (std::size_t channel = 0; channel < 3; ++channel) {
-            pixel += std::abs(static_cast<int>(a.rgba[i + channel]) -
-                              static_cast<int>(b.rgba[i + channel]));
+            pixel += std::abs(static_cast<int>(image.rgba[i + channel]) -
+                              static_cast<int>(other.rgba[i + channel]));
         }
-        sum += pixel;
-        distance.different += pixel > 0 ? 1 : 0;
+        sum_ += pixel;
+        different_ += pixel > 0 ? 1 : 0;
+        print_ = hashed(print_, image.rgba.data() + i);
     }
-    const double channels = 0.75 * static_cast<double>(a.rgba.size());
-    if (channels > 0.0) distance.mean = static_cast<double>(sum) / channels;
-    return distance;
+    channels_ += static_cast<std::int64_t>(3 * (end - begin) / 4);
+    rows_ = row;
+}
+
+ImageDistance ImageMeasure::distance() const {
+    if (channels_ == 0) return {};
+    return {static_cast<double>(sum_) / static_cast<double>(channels_), different_};
 }
 
 Image with_differences_marked(const Image& image, const Image& other, float scale) {
@@ -87,11 +101,10 @@ Image with_differences_marked(const Image& image, const Image& other, float scal
     return result;
 }
 
-/// FNV-1a.
 std::uint64_t fingerprint(const Image& image) {
-    std::uint64_t hash = 14695981039346656037u;
-    for (const std::uint8_t byte : image.rgba)
-        hash = (hash ^ byte) * 1099511628211u;
+    std::uint64_t hash = no_fingerprint;
+    for (std::size_t i = 0; i + 3 < image.rgba.size(); i += 4)
+        hash = hashed(hash, image.rgba.data() + i);
     return hash;
 }
 

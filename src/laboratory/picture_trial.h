@@ -7,49 +7,61 @@
 #include <utility>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
 #include "base/image.h"
 #include "laboratory/candidate.h"
 #include "laboratory/image_variant.h"
+#include "pipeline/frame_drawing.h"
+#include "pipeline/work.h"
 #include "scene/scene.h"
 #include "settings/settings.h"
-#include "stages/shadow.h"
 
 namespace rasterwalk {
 
-/// The picture of this scene, made by the recipe.
-/// @param known a shadow map, drawn for another picture of the scene and used again where it fits;
-/// or null
-Image picture_of(const Scene& scene, const PictureRecipe& recipe, Occluders* known = nullptr);
-
 /// What was drawn and measured once.
 struct Drawn {
-    Settings settings;
+    PictureRecipe recipe;
     ImageDistance distance; ///< from the picture
     std::uint64_t print = 0;
 };
 
-/// Everything that is tried on one picture.
+/// Everything that is tried on one picture. What a question needs is drawn in parts: until all of
+/// it is there, answers are empty and the trial is waiting; then the question is asked again.
 class PictureTrial {
   public:
-    PictureTrial(const Image& picture, const Scene& scene) : picture_(picture), scene_(scene) {}
+    /// Picture and scene must live as long.
+    PictureTrial(const Image& picture, const Scene& scene) : picture_(&picture), scene_(&scene) {}
 
-    /// What these settings draw; valid as long as the trial.
-    const Drawn& drawn(const Settings& settings);
+    /// What the recipe makes; valid as long as the trial. Nothing while it is waiting for it.
+    const Drawn& drawn(const PictureRecipe& recipe);
+    const Drawn& drawn(const Settings& settings) { return drawn(PictureRecipe{settings}); }
 
-    /// The picture itself, which is not kept.
-    Image draw_again(const Settings& settings) const;
+    /// The lamp's power with which the picture comes nearest, all else as it is; none if it does
+    /// not show, or while the trial is waiting for it.
+    std::optional<float> fitted_power(const Settings& settings);
 
-    void add(Hypothesis hypothesis, const ImageDistance& distance, std::uint64_t print) {
-        hypothesis.distance = distance.mean;
-        hypothesis.different = distance.different;
-        hypothesis.result = print;
-        hypotheses.push_back(std::move(hypothesis));
-    }
-    void add(Hypothesis hypothesis, const Image& image) {
-        add(std::move(hypothesis), image_distance(image, picture_), fingerprint(image));
-    }
+    /// The picture itself, which is kept until another is asked for; null while the trial is
+    /// waiting for it.
+    const Image* picture_of(const PictureRecipe& recipe);
+
+    /// Has a question not been answered?
+    bool is_waiting() const { return !wanted_.empty(); }
+    std::size_t pictures_missing() const { return wanted_.size(); }
+
+    /// Goes on drawing and measuring what was asked for.
+    void advance(const WorkLimit& limit);
+
+    /// About how much work a picture is, drawn and measured; known once one is.
+    double picture_work() const { return picture_work_; }
+
+    /// Forgets what was added, not what was drawn.
+    void begin_again();
     void add(Hypothesis hypothesis, const Drawn& one) {
-        add(std::move(hypothesis), one.distance, one.print);
+        hypothesis.distance = one.distance.mean;
+        hypothesis.different = one.distance.different;
+        hypothesis.result = one.print;
+        hypotheses.push_back(std::move(hypothesis));
     }
     /// Of a mistake, with which the lamp's power may be fitted anew.
     void add(Hypothesis hypothesis, const Drawn& one, const Settings& settings) {
@@ -58,8 +70,7 @@ class PictureTrial {
         add(std::move(hypothesis), one);
     }
 
-    const Scene& scene() const { return scene_; }
-    const Image& picture() const { return picture_; }
+    const Scene& scene() const { return *scene_; }
     std::vector<Hypothesis> hypotheses;
     struct Tried {
         std::size_t hypothesis = 0; ///< its number
@@ -68,10 +79,47 @@ class PictureTrial {
     std::vector<Tried> tried;
 
   private:
-    const Image& picture_;
-    const Scene& scene_;
+    /// The light of a frame without the lamp and with it, and what fits them to the picture.
+    struct Fit {
+        std::vector<glm::vec3> without; ///< colours; empty until they are drawn
+        int rows = 0;                   ///< that are summed up
+        double products = 0.0, squares = 0.0;
+    };
+    struct Fitted {
+        Settings settings;
+        std::optional<float> power;
+    };
+    enum class Want : std::uint8_t { distance, power, picture };
+    struct Wanted {
+        Want what;
+        PictureRecipe recipe;
+
+        friend bool operator==(const Wanted&, const Wanted&) = default;
+    };
+
+    void want(const Wanted& wanted);
+    double draw(const Settings& settings, double most);
+    double measure(const Wanted& wanted, double most);
+    double fit(const Wanted& wanted, double most);
+    void sum_rows(int end);
+
+    const Image* picture_;
+    const Scene* scene_;
     std::deque<Drawn> drawn_; // whose members do not move
-    Occluders occluders_;     ///< six faces of a shadow map take longer than a picture
+    std::vector<Fitted> fitted_;
+    std::optional<PictureRecipe> kept_recipe_;
+    Image kept_;
+    std::deque<Wanted> wanted_;
+
+    // The first that is wanted, on its way:
+    FrameDrawing drawing_;
+    std::optional<Settings> on_canvas_; ///< what is being drawn, or was drawn last
+    Image image_;                       ///< of that, as far as `image_rows_`
+    int image_rows_ = 0;
+    std::optional<Image> rearranged_; ///< turned and moved
+    ImageMeasure measure_;
+    Fit fit_;
+    double picture_work_ = 0.0;
 };
 
 /// Settings from which the mistakes are tried, and what they assume beside the reference.

@@ -30,22 +30,28 @@ namespace fs = std::filesystem;
 /// Plays a lesson and writes down what goes wrong.
 class Checker {
   public:
-    Checker(const Lesson& lesson, const Session& like)
-        : lesson_(lesson), like_(like), faults_(lesson.faults) {}
+    Checker(const Lesson& lesson, const Session& like, LessonTrial& trial, const CheckWatch& watch)
+        : lesson_(lesson), like_(like), trial_(trial), watch_(watch), faults_(lesson.faults) {}
 
     std::vector<Fault> check() {
-        for (const LessonStep& step : lesson_.steps)
-            check_step(step);
-        for (const LessonTask& task : lesson_.tasks)
-            check_task(task);
-        for (const LessonPrediction& prediction : lesson_.predictions)
-            check_prediction(prediction);
+        check_each("step", lesson_.steps, &Checker::check_step);
+        check_each("task", lesson_.tasks, &Checker::check_task);
+        check_each("question", lesson_.predictions, &Checker::check_prediction);
         std::stable_sort(faults_.begin(), faults_.end(),
                          [](const Fault& a, const Fault& b) { return a.line < b.line; });
         return std::move(faults_);
     }
 
   private:
+    template <typename Part>
+    void check_each(const char* name, const std::vector<Part>& parts,
+                    void (Checker::*check_part)(const Part&)) {
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            if (watch_) watch_(fmt::format("{} {} of {}", name, i + 1, parts.size()));
+            (this->*check_part)(parts[i]);
+        }
+    }
+
     /// What one step hands on to the next is told once.
     void add(int line, const std::string& sentence) {
         const Fault fault{line, sentence};
@@ -77,7 +83,7 @@ class Checker {
                 add(formula.line, sentence);
         }
         if (session.scene == nullptr) return;
-        check_controls(step, session);
+        check_controls(step);
         // A link may build on those before it.
         Session walked = session;
         for (const LinkPlace& link : step.links) {
@@ -90,16 +96,18 @@ class Checker {
     }
 
     /// They reach what the step opens with, and their read-outs have their numbers there.
-    void check_controls(const LessonStep& step, const Session& opened) {
-        std::optional<Results> results; // of all of them
+    void check_controls(const LessonStep& step) {
+        bool is_open = false; // for all of them
         for (const LessonPart& part : step.parts) {
             if (part.kind != LessonPart::Kind::control) continue;
             const LessonControl& control = lesson_.controls[static_cast<std::size_t>(part.index)];
+            if (!is_open) trial_.open(step.state, lesson_.folder, like_);
+            is_open = true;
+            const Session& opened = trial_.session;
             const std::string misfit = misfit_of(control, opened.a.settings, *opened.scene);
             if (!misfit.empty()) add(control.line, misfit);
             if (control.read_out.empty()) continue;
-            if (!results) finish(opened, results.emplace());
-            const std::string missing = missing_in(control.read_out, Facts(opened, *results));
+            const std::string missing = missing_in(control.read_out, trial_.facts());
             if (!missing.empty()) {
                 add(control.read_out_line,
                     fmt::format("'{}' is not there when the step opens.", missing));
@@ -192,12 +200,10 @@ class Checker {
         if (!task.done) return;
         for (const std::string& sentence : impossible_parts(*task.done))
             add(task.done_line, sentence);
-        Session session = fresh();
-        show_state(session, state_of_step(task.step), lesson_.folder);
+        trial_.open(state_of_step(task.step), lesson_.folder, like_);
+        Session& session = trial_.session;
         if (session.scene == nullptr) return;
-        Results results;
-        finish(session, results);
-        if (is_done(task, Facts(session, results))) {
+        if (is_done(task, trial_.facts())) {
             add(task.done_line, "the task '" + task.id + "' is solved before it is begun.");
             return;
         }
@@ -212,8 +218,8 @@ class Checker {
             add(task.recipe_line, fault.what());
             return;
         }
-        finish(session, results);
-        if (!is_done(task, Facts(session, results))) {
+        finish(session, trial_.results);
+        if (!is_done(task, trial_.facts())) {
             add(task.recipe_line, "the recipe does not solve the task '" + task.id + "'.");
         }
     }
@@ -235,7 +241,7 @@ class Checker {
             const GivenAnswer none{prediction.kind == LessonPrediction::Kind::number
                                        ? GivenAnswer{0.0}
                                        : GivenAnswer{0}};
-            const Judgement judgement = judge(lesson_, prediction, none, like_);
+            const Judgement judgement = judge(lesson_, prediction, none, like_, trial_);
             if (!judgement.fault.empty()) {
                 add(prediction.answer_line,
                     fmt::format("the prediction '{}': {}", prediction.id, judgement.fault));
@@ -259,8 +265,10 @@ class Checker {
     void check_pixel(const LessonPrediction& prediction) {
         for (const std::string& sentence : impossible_parts(*prediction.where))
             add(prediction.answer_line, sentence);
-        const Judgement right = judge(lesson_, prediction, {*prediction.right_pixel}, like_);
-        const Judgement wrong = judge(lesson_, prediction, {*prediction.wrong_pixel}, like_);
+        const Judgement right =
+            judge(lesson_, prediction, {*prediction.right_pixel}, like_, trial_);
+        const Judgement wrong =
+            judge(lesson_, prediction, {*prediction.wrong_pixel}, like_, trial_);
         for (const Judgement* judgement : {&right, &wrong}) {
             if (!judgement->fault.empty()) add(prediction.answer_line, judgement->fault);
         }
@@ -275,14 +283,11 @@ class Checker {
     /// Every number that is told after the answer must be there. False if it cannot be read.
     bool check_because(const LessonPrediction& prediction) {
         if (prediction.because.empty()) return true;
-        Session session = fresh();
         ViewState at = prediction.at;
         if (prediction.right_pixel) at.pixel = prediction.right_pixel;
-        show_state(session, at, lesson_.folder);
-        Results results;
-        finish(session, results);
+        trial_.open(at, lesson_.folder, like_);
         try {
-            const std::string missing = missing_in(prediction.because, Facts(session, results));
+            const std::string missing = missing_in(prediction.because, trial_.facts());
             if (!missing.empty()) {
                 add(prediction.because_line,
                     fmt::format("'{}' is not there in the situation of the prediction '{}'.",
@@ -297,6 +302,8 @@ class Checker {
 
     const Lesson& lesson_;
     const Session& like_;
+    LessonTrial& trial_;
+    const CheckWatch& watch_;
     std::vector<Fault> faults_;
     std::map<std::string, std::string> pictures_; ///< what is wrong with each; empty: nothing
 };
@@ -304,7 +311,13 @@ class Checker {
 } // namespace
 
 std::vector<Fault> check_lesson(const Lesson& lesson, const Session& session) {
-    return Checker(lesson, session).check();
+    LessonTrial trial;
+    return check_lesson(lesson, session, trial);
+}
+
+std::vector<Fault> check_lesson(const Lesson& lesson, const Session& session, LessonTrial& trial,
+                                const CheckWatch& watch) {
+    return Checker(lesson, session, trial, watch).check();
 }
 
 Session empty_session() {

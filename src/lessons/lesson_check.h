@@ -3,17 +3,26 @@
 // Whether a lesson keeps what it promises: what its steps say can be shown, its links lead
 // somewhere, its tasks can be solved and are not solved before, its predictions have an answer.
 
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "lessons/lesson.h"
+#include "lessons/lesson_run.h"
 #include "session/session.h"
 
 namespace rasterwalk {
+
+/// Is called before each part of a lesson that is checked: "question 3 of 100". Empty: nobody asks.
+using CheckWatch = std::function<void(const std::string& part)>;
 
 /// Everything that is wrong with a lesson, in the order of its lines: what the reader found, and
 /// what is found by playing it through.
 /// @param session presets and glossary are taken from it
 std::vector<Fault> check_lesson(const Lesson& lesson, const Session& session);
+/// @param trial to play it in
+std::vector<Fault> check_lesson(const Lesson& lesson, const Session& session, LessonTrial& trial,
+                                const CheckWatch& watch = {});
 
 /// A session with nothing but presets and glossary, to play lessons in.
 Session empty_session();

@@ -17,20 +17,6 @@ namespace {
 
 using PredictionKind = LessonPrediction::Kind;
 
-/// A session of its own in the state in which the answer is found.
-struct Trial {
-    Session session;
-    Results results;
-
-    std::vector<Fault> open(const ViewState& state, const std::string& folder,
-                            const Session& like) {
-        session.presets = like.presets;
-        std::vector<Fault> faults = show_state(session, state, folder);
-        if (session.scene != nullptr) finish(session, results);
-        return faults;
-    }
-};
-
 /// Before the place of a pixel that is an answer.
 constexpr std::string_view pixel_word = "pixel ";
 
@@ -109,10 +95,29 @@ bool is_done(const LessonTask& task, const Facts& facts) {
     return task.done && holds(*task.done, std::cref(facts));
 }
 
+std::vector<Fault> LessonTrial::open(const ViewState& state, const std::string& folder,
+                                     const Session& like) {
+    const std::shared_ptr<const Scene> before = session.scene;
+    session = Session{};
+    session.presets = like.presets;
+    session.glossary = like.glossary;
+    std::vector<Fault> faults = show_state(session, state, folder);
+    if (session.scene == nullptr) return faults;
+    // The same file read again is the same scene.
+    if (before != nullptr && *before == *session.scene) session.scene = before;
+    finish(session, results);
+    return faults;
+}
+
 Judgement judge(const Lesson& lesson, const LessonPrediction& prediction, const GivenAnswer& answer,
                 const Session& session) {
+    LessonTrial trial;
+    return judge(lesson, prediction, answer, session, trial);
+}
+
+Judgement judge(const Lesson& lesson, const LessonPrediction& prediction, const GivenAnswer& answer,
+                const Session& session, LessonTrial& trial) {
     Judgement result;
-    Trial trial;
     ViewState at = prediction.at;
     if (const auto* pixel = std::get_if<glm::ivec2>(&answer.value)) at.pixel = *pixel;
     const std::vector<Fault> faults = trial.open(at, lesson.folder, session);
@@ -120,7 +125,7 @@ Judgement judge(const Lesson& lesson, const LessonPrediction& prediction, const 
         result.fault = faults.front().sentence;
         return result;
     }
-    const Facts facts(trial.session, trial.results);
+    const Facts facts = trial.facts();
     const FactReader reader = std::cref(facts);
     const double* const number = std::get_if<double>(&answer.value);
     const int* const choice = std::get_if<int>(&answer.value);

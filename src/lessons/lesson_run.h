@@ -40,10 +40,29 @@ struct Judgement {
     std::string because; ///< with all numbers filled in
 };
 
+/// A session of its own in which answers are found. Used for several questions, it draws nothing
+/// twice that one question after another asks about.
+struct LessonTrial {
+    Session session;
+    Results results;
+
+    /// Shows this state from the start, with the presets and glossary of a session. Returns what
+    /// could not be done; if there is no scene, the results are not those of the state.
+    std::vector<Fault> open(const ViewState& state, const std::string& folder, const Session& like);
+
+    /// What is known of the state; valid until another one is opened.
+    Facts facts() { return {session, results, &known_}; }
+
+  private:
+    FactCache known_;
+};
+
 /// Finds the program's own answer in the state `at` and judges the student's. The session that
-/// the student sees is not touched: presets are taken from it, nothing else.
+/// the student sees is not touched: presets and glossary are taken from it, nothing else.
 Judgement judge(const Lesson& lesson, const LessonPrediction& prediction, const GivenAnswer& answer,
                 const Session& session);
+Judgement judge(const Lesson& lesson, const LessonPrediction& prediction, const GivenAnswer& answer,
+                const Session& session, LessonTrial& trial);
 
 /// An answer as it is told back to the student and kept in the progress: "12 pixels", "pixel (3,
 /// 4)", or the sentence that was chosen.

@@ -49,11 +49,13 @@ bool FramePreparation::is_done() const {
            frame_->polygons.size() == mesh_->triangles().size();
 }
 
+double FramePreparation::work() const {
+    return vertex_preparation * static_cast<double>(mesh_->vertices().size()) +
+           triangle_preparation * static_cast<double>(mesh_->triangles().size());
+}
+
 void FramePreparation::advance(const WorkLimit& limit) {
-    const double of_vertices = vertex_preparation * static_cast<double>(mesh_->vertices().size());
-    const double of_triangles =
-        triangle_preparation * static_cast<double>(mesh_->triangles().size());
-    const double part = limit.of(of_vertices + of_triangles);
+    const double part = limit.of(work());
     const auto count = [&](double work, double each, std::size_t left) {
         const double share = std::clamp(work / each, 1.0, static_cast<double>(left) + 1.0);
         return std::min(static_cast<std::size_t>(share), left);

@@ -23,6 +23,9 @@ class FramePreparation {
     /// Until then the frame is of no use to anyone.
     bool is_done() const;
 
+    /// How much work the whole preparation is.
+    double work() const;
+
   private:
     void shade_vertices(std::size_t count);
     void make_polygons(std::size_t count);

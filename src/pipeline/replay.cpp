@@ -126,11 +126,11 @@ Cursor Replay::part_end(const Cursor& cursor, const WorkLimit& limit) const {
     const double part = limit.of(work_.total());
     if (part >= missing) return cursor;
     Cursor end = work_.at(begun + part);
-    // Where the estimate does not lead on, a row or a triangle is drawn.
+    // Where the estimate does not lead on, a row is drawn, or the triangle to its end.
     if (end <= cursor_) {
-        end = cursor_.phase == Phase::rows
-                  ? Cursor{cursor_.triangle, Phase::rows, cursor_.index + 1, 0}
-                  : Cursor{cursor_.triangle + 1, Phase::vertices, 0, 0};
+        const Cursor row{cursor_.triangle, Phase::rows, cursor_.index + 1, 0};
+        const bool is_divided = cursor_.phase == Phase::rows && work_.before(row) > begun;
+        end = is_divided ? row : Cursor{cursor_.triangle + 1, Phase::vertices, 0, 0};
     }
     return std::min(cursor, end);
 }

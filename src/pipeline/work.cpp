@@ -93,6 +93,13 @@ bool is_divided(const Frame& frame, double work) {
 
 } // namespace
 
+int rows_within(const WorkLimit& limit, double of_pixel, Viewport size, int done) {
+    const double of_row = of_pixel * std::max(size.width, 1);
+    const double rows = limit.of(of_row * size.height) / of_row;
+    const int left = size.height - done;
+    return rows < left ? std::clamp(static_cast<int>(rows), 1, left) : left;
+}
+
 void FrameWork::begin(const Frame& frame) {
     start(frame);
     advance();

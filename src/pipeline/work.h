@@ -23,6 +23,12 @@ struct WorkLimit {
     double of(double work) const { return work <= at_once ? work : slice; }
 };
 
+/// How many rows of a picture one call may go through.
+/// @param of_pixel the work of a pixel
+/// @param done     rows that are done
+/// @return at least one of those that are left
+int rows_within(const WorkLimit& limit, double of_pixel, Viewport size, int done);
+
 /// The limit of one update of the window: the lessons' scenes are done at once, what is larger a
 /// few hundredths of a second at a time.
 inline constexpr WorkLimit frame_limit{.at_once = 4'000'000.0, .slice = 1'000'000.0};

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "session/difference_parts.h"
+
 namespace rasterwalk {
 
 namespace {
@@ -83,30 +85,6 @@ std::string obstacle(const Settings& a, const Settings& b) {
                        size_text(b.viewport), size_text(a.viewport));
 }
 
-/// The end of the scale: that of the whole frame's difference, so that it does not jump while time
-/// runs, unless more is seen at the cursor.
-float scale_limit(const ComparisonResults& comparison, View view) {
-    float largest = view == View::colour ? comparison.whole().pixels.largest : 0.0f;
-    for (const float value : comparison.difference_values)
-        largest = std::max(largest, std::abs(value));
-    return difference_limit(largest);
-}
-
-/// How the pictures at the cursor differ.
-void compare_pictures(const RunResults& a, const RunResults& b, View view,
-                      ComparisonResults& comparison) {
-    comparison.pixels = pixel_difference(*a.framebuffer, *b.framebuffer);
-    comparison.difference_values = signed_difference(*a.framebuffer, *b.framebuffer, view);
-    comparison.difference_limit = scale_limit(comparison, view);
-    comparison.difference = difference_image(comparison.difference_values, a.framebuffer->size,
-                                             comparison.difference_limit);
-    comparison.here = std::nullopt;
-    if (!a.is_drawn() || !b.is_drawn()) return;
-    const Cursor& next = std::min(a.cursor, b.cursor);
-    comparison.here =
-        divergence_at(a.frame, *a.framebuffer, b.frame, *b.framebuffer, next, comparison.scratch);
-}
-
 /// Goes on preparing the frames that are asked for. Both runs show theirs at once, so that they are
 /// seen from the same place.
 bool prepare_runs(const Session& session, const WorkLimit& limit, Results& results) {
@@ -139,10 +117,7 @@ void update_second_run(const Session& session, const RunChanges& a, bool are_rea
     if (results.a.is_drawn() && results.b->is_drawn()) comparison.work.advance(limit);
     // The scale of the difference follows the whole frames.
     const bool new_scale = !was_done && comparison.work.is_done();
-    if (a.picture || b.picture || new_scale) {
-        compare_pictures(results.a, *results.b, session.view, comparison);
-        comparison.difference_number = ++results.numbers;
-    }
+    update_difference(session.view, new_scale, limit, results);
 }
 
 /// For each of two runs.
@@ -187,13 +162,13 @@ bool finish(const Session& session, Results& results) {
 }
 
 bool is_working(const Results& results) {
-    const auto is_drawing = [](const RunResults& run) { return !run.is_drawn() && !run.is_held; };
-    if (results.a.is_frame_late || is_drawing(results.a)) return true;
+    if (results.a.is_frame_late || results.a.is_drawing()) return true;
     if (results.history_work) return true;
     if (!results.b) return false;
-    if (results.b->is_frame_late) return true;
+    if (results.b->is_frame_late || results.b->is_drawing()) return true;
+    if (!results.comparison.progress.is_done) return true;
     const bool are_drawn = results.a.is_drawn() && results.b->is_drawn();
-    return is_drawing(*results.b) || (are_drawn && !results.comparison.work.is_done());
+    return are_drawn && !results.comparison.work.is_done();
 }
 
 } // namespace rasterwalk

@@ -17,6 +17,16 @@
 
 namespace rasterwalk {
 
+/// How far the difference of the pictures at the cursor is worked out.
+struct DifferenceProgress {
+    std::uint64_t of_a = 0, of_b = 0; ///< numbers of the pictures that are compared; 0: none are
+    std::optional<View> view;         ///< of which the difference is
+    PixelCount pixels;
+    int value_rows = 0; ///< of the values that are worked out
+    int image_rows = 0; ///< of the picture that have their colour
+    bool is_done = false;
+};
+
 /// How run B differs from run A.
 struct ComparisonResults {
     Image difference;                    ///< B minus A in the view shown, at the cursor
@@ -25,6 +35,8 @@ struct ComparisonResults {
                                          ///< colour, 1/z or fragments; see difference_colour()
     std::vector<float> difference_values; ///< B minus A of each pixel: the number under the pointer
     PixelDifference pixels;               ///< at the cursor
+    DifferenceProgress progress;          ///< of these; until it is done, all or some of them are
+                                          ///< those of the pictures before
     ComparisonWork work;                  ///< compares the whole frames, in parts if that is much
     std::optional<Divergence> here; ///< if the runs differ in the piece of work that comes next
     Framebuffer scratch;            ///< room for looking at that piece of work

@@ -84,6 +84,8 @@ struct RunResults {
 
     /// Is everything before the cursor drawn? What is too much work for one update is not.
     bool is_drawn() const { return replay.drawn() == cursor; }
+    /// Is it being drawn, by further updates?
+    bool is_drawing() const { return !is_drawn() && !is_held; }
 };
 
 /// What of a run's results is new.

@@ -1,5 +1,8 @@
 #include "session/undo.h"
 
+#include <algorithm>
+
+#include "scene/scene_bytes.h"
 #include "session/session.h"
 
 namespace rasterwalk {
@@ -23,6 +26,26 @@ bool move_between(Session& session, std::vector<Choices>& from, std::vector<Choi
     return true;
 }
 
+void count_scenes(const Choices& choices, SceneBytes& bytes) {
+    bytes.add(choices.scene.get());
+    if (choices.replaced) bytes.add(choices.replaced->before_scene.get());
+}
+
+/// Forgets the oldest steps, as far as there are too many or their scenes take too much memory.
+void forget_oldest(UndoStack& stack) {
+    SceneBytes bytes;
+    count_scenes(stack.now, bytes);
+    const std::size_t open = bytes.total();
+    const auto newest = stack.past.rbegin();
+    const auto is_too_much = [&](const Choices& step) {
+        count_scenes(step, bytes);
+        return &step != &*newest && bytes.total() - open > stack.most_bytes;
+    };
+    const auto first = std::find_if(newest, stack.past.rend(), is_too_much);
+    const auto kept = std::min<std::ptrdiff_t>(first - newest, most_undo_steps);
+    stack.past.erase(stack.past.begin(), stack.past.end() - kept);
+}
+
 } // namespace
 
 void note_choices(Session& session) {
@@ -31,11 +54,11 @@ void note_choices(Session& session) {
     if (choices == stack.now) return;
     // The very first call only takes note of how the session was opened.
     if (stack.now.scene != nullptr) {
-        if (stack.past.size() == most_undo_steps) stack.past.erase(stack.past.begin());
         stack.past.push_back(std::move(stack.now));
         stack.future.clear();
     }
     stack.now = choices;
+    forget_oldest(stack);
 }
 
 bool undo(Session& session) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -29,11 +30,16 @@ struct Choices {
     friend bool operator==(const Choices&, const Choices&) = default;
 };
 
+/// Memory of the scenes that undo keeps besides the open one, bytes.
+inline constexpr std::size_t most_undo_bytes = std::size_t{256} << 20;
+
 /// The choices made one after the other. Nobody reports a change: note_choices() sees it.
 struct UndoStack {
     Choices now;
     std::vector<Choices> past;
     std::vector<Choices> future; ///< the next one to redo is the last
+    /// When the scenes of the past take more, the oldest steps are forgotten; never the newest one.
+    std::size_t most_bytes = most_undo_bytes;
 };
 
 /// To be called when the input has come to rest (no button or key is held): a change since the last

@@ -17,16 +17,17 @@ struct CliRun {
     CliRequest request;
 };
 
-/// Runs `rasterwalk` with these arguments, and with a clock if there is one.
-inline CliRun run(const std::vector<std::string>& arguments, const Clock& clock = {}) {
+/// Runs `rasterwalk` with these arguments, and with a clock and a terminal if there is one.
+inline CliRun run(const std::vector<std::string>& arguments, const Clock& clock = {},
+                  std::ostream* terminal = nullptr) {
     std::vector<const char*> argv{"rasterwalk"};
     for (const std::string& argument : arguments)
         argv.push_back(argument.c_str());
     std::ostringstream out, err;
     CliRun result;
     result.request.patience = std::chrono::hours(1);
-    result.exit_code =
-        run_cli(static_cast<int>(argv.size()), argv.data(), out, err, result.request, clock);
+    result.exit_code = run_cli(static_cast<int>(argv.size()), argv.data(), out, err, result.request,
+                               clock, terminal);
     result.out = out.str();
     result.err = err.str();
     return result;

@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "session/content.h"
 #include "tests/cli/run.h"
 #include "tests/support/made_images.h"
 #include "tests/support/temporary_folder.h"
@@ -111,4 +112,24 @@ TEST_CASE("diagnose complains about files in a sentence") {
     CHECK(exit_code("BM and then nothing") == 3);
     CHECK(run({"diagnose", folder.file("none.png")}).exit_code == 4);
     CHECK(run({"diagnose"}).exit_code == 2);
+}
+
+TEST_CASE("diagnose and check say on a terminal how far they are, and leave nothing there") {
+    const test::TemporaryFolder folder;
+    const std::string path = folder.file("mine.png");
+    REQUIRE(render(path, {"--set", "interpolation=affine"}).exit_code == 0);
+    std::ostringstream terminal;
+    const CliRun watched = run({"diagnose", path}, {}, &terminal);
+    const CliRun plain = run({"diagnose", path});
+    CHECK(watched.out == plain.out);
+    CHECK(watched.err == plain.err);
+    CHECK_THAT(terminal.str(), Contains("\rTrying each mistake: "));
+    CHECK_THAT(terminal.str(), Contains(" pictures\x1b[K"));
+    CHECK_THAT(terminal.str(), Catch::EndsWith("\r\x1b[K"));
+
+    terminal.str("");
+    const std::string lesson = lessons_folder() + "/14-arrows.md";
+    CHECK(run({"check", lesson}, {}, &terminal).out == run({"check", lesson}).out);
+    CHECK_THAT(terminal.str(), Contains("\rChecking 14-arrows.md: question 2 of "));
+    CHECK_THAT(terminal.str(), Catch::EndsWith("\r\x1b[K"));
 }

@@ -1,6 +1,7 @@
 #include "compare/compare.h"
 #include "compare/run_walk.h"
 #include "picture/view_image.h"
+#include "pipeline/draw.h"
 
 #include <cmath>
 
@@ -37,6 +38,22 @@ TEST_CASE("Pixels that differ are counted, with the largest and the mean differe
     CHECK(values[0] == 0.0f);
     CHECK(values[1] == -0.25f);
     CHECK(values[3] == 0.5f);
+}
+
+TEST_CASE("Pixels counted some rows at a time come to the same bits") {
+    const Scene scene = test::lab_room();
+    Settings settings = default_settings(scene);
+    settings.viewport = {90, 70};
+    settings.camera.focal_length = 70.0f;
+    const Framebuffer a = draw_frame(prepare_frame(scene, settings));
+    settings.camera.yaw = 0.1f;
+    const Framebuffer b = draw_frame(prepare_frame(scene, settings));
+    PixelCount count;
+    for (const int row : {1, 20, 21, 70, 70})
+        count.count_to(a, b, row);
+    CHECK(count.rows() == 70);
+    CHECK(count.found().different > 1000);
+    CHECK(count.found() == pixel_difference(a, b));
 }
 
 TEST_CASE("Colours that are no numbers are compared as they are shown") {

@@ -322,3 +322,54 @@ TEST_CASE("The reference takes the picture's size and keeps the field of view") 
     CHECK(fitted.camera.focal_length == 200.0f);
     CHECK(fitted_to(settings, picture, SceneSpace::pixels).camera.focal_length == 500.0f);
 }
+
+TEST_CASE("A diagnosis in parts comes to the same as at once, and no part is a whole picture") {
+    const Scene scene = lab_room();
+    const std::vector<Bug> bugs = read_bugs();
+    Settings reference = small(scene);
+    reference.viewport = {64, 48};
+    reference.camera.focal_length = 48.0f;
+    Settings wrong = reference;
+    wrong.depth_test = DepthTest::off;
+    wrong.light.power = glm::vec3(9.0f);
+    wrong.camera.yaw = 0.1f;
+    const Image picture = picture_of(scene, wrong);
+    const Diagnosis expected = diagnose_picture(picture, scene, reference, bugs);
+    DiagnosisWork work(picture, "mine.png", scene, reference, bugs);
+    int parts = 0, most_pictures = 0;
+    for (; !work.is_done(); ++parts) {
+        const PicturesDrawn before = work.pictures();
+        work.advance({.at_once = 1000.0, .slice = 1000.0});
+        const PicturesDrawn after = work.pictures();
+        REQUIRE(after.done <= after.all);
+        if (after.all == before.all)
+            most_pictures = std::max(most_pictures, after.done - before.done);
+    }
+    // A picture has some 5000 fragments.
+    CHECK(parts > 5 * 300);
+    CHECK(most_pictures == 1);
+    const Diagnosis& found = work.found();
+    CHECK(found.verdict == expected.verdict);
+    CHECK(found.distance == expected.distance);
+    REQUIRE(found.candidates.size() == expected.candidates.size());
+    for (std::size_t i = 0; i < found.candidates.size(); ++i) {
+        CHECK(found.candidates[i].ids == expected.candidates[i].ids);
+        CHECK(found.candidates[i].distance == expected.candidates[i].distance);
+    }
+    CHECK(work.likely_picture().rgba.size() == picture.rgba.size());
+}
+
+TEST_CASE("A scene of too many triangles for all the pictures is refused after the first") {
+    Scene scene;
+    scene.mesh.add_triangle_of({});
+    for (int i = 1; i < 500'000; ++i)
+        scene.mesh.add_triangle({0, 1, 2});
+    Settings reference = default_settings(scene);
+    reference.viewport = {16, 16};
+    const std::vector<Bug> bugs = read_bugs();
+    Image picture{16, 16, {}};
+    picture.rgba.resize(4 * 16 * 16);
+    DiagnosisWork work(picture, "mine.png", scene, reference, bugs);
+    CHECK_THROWS_WITH(work.advance(), StartsWith("mine.png: ") && Contains("500000 triangles"));
+    CHECK(work.pictures().all == 1);
+}

@@ -244,6 +244,29 @@ TEST_CASE("A frame drawn in parts comes to the same picture, and no part is much
     }
 }
 
+TEST_CASE("A frame is drawn to its end however small the parts, from within any row too") {
+    const Scene scene = pixel_scene({{{{0, 0, 1}, {6, 0, 1}, {0, 6, 1}}},
+                                     {{{0, 0, 1}, {127, 0, 1}, {0, 127, 1}}},
+                                     {{{9, 9, 1}, {12, 9, 1}, {9, 12, 1}}}},
+                                    {128, 128});
+    const Frame frame = prepare_frame(scene, default_settings(scene));
+    const Framebuffer whole = drawn_from_start(frame, cursor_end);
+    for (const double slice : {0.0, 1.0, 30.0}) {
+        for (const Cursor& from : {cursor_begin, Cursor{0, Phase::rows, 2, 1},
+                                   Cursor{1, Phase::rows, 2, 1}, Cursor{2, Phase::rows, 1, 0}}) {
+            CAPTURE(slice, to_text(from));
+            Replay replay;
+            replay.begin(frame);
+            replay.at(from);
+            for (int parts = 0; replay.drawn() != cursor_end; ++parts) {
+                REQUIRE(parts < 200); // some a triangle, and one a row of the large one
+                replay.toward(cursor_end, {0.0, slice});
+            }
+            require_at(replay, cursor_end, whole);
+        }
+    }
+}
+
 TEST_CASE("The tally has every fragment and every row table once, whichever way one goes") {
     const Scene scene = crowded_scene(300);
     for (const StripStep& stage :

@@ -265,6 +265,49 @@ TEST_CASE("What is too much work for one update is done by several, and comes to
     CHECK(results.a.picture_number == picture);
 }
 
+TEST_CASE("The difference of large pictures is worked out some rows an update, a step at once") {
+    Session session = room_session();
+    compare_with(session, with(session.a.settings, "rounding=floor"));
+    session.cursor = {12, Phase::rows, 20, 0};
+    const WorkLimit limit{5'000.0, 3'000.0};   // of two runs each has half of the slice
+    constexpr int most_rows = 2 * 1'500 / 120; // half of a fragment's work is the least for a pixel
+    Results results;
+    const auto settle = [&] {
+        int parts = 0, rows = 0;
+        do {
+            const DifferenceProgress before = results.comparison.progress;
+            update(session, results, limit);
+            const DifferenceProgress& after = results.comparison.progress;
+            const int values = after.value_rows - before.value_rows;
+            const int image = after.image_rows - before.image_rows;
+            const int pixels = after.pixels.rows() - before.pixels.rows();
+            REQUIRE(std::max(values, 0) + std::max(image, 0) + std::max(pixels, 0) <= most_rows);
+            rows += values > 0 ? 1 : 0;
+            REQUIRE(++parts < 2000);
+        } while (is_working(results));
+        return rows;
+    };
+    CHECK(settle() >= 100 / (1'500 / 120));
+    const auto require_right = [&](const Results& found) {
+        Results expected;
+        finish(session, expected);
+        CHECK(found.comparison.difference_values == expected.comparison.difference_values);
+        CHECK(found.comparison.difference == expected.comparison.difference);
+        CHECK(found.comparison.pixels == expected.comparison.pixels);
+    };
+    require_right(results);
+
+    // A step changes a few pixels: those are right in the same update, the numbers in later ones.
+    session.cursor = {12, Phase::rows, 21, 0};
+    const std::uint64_t number = results.comparison.difference_number;
+    update(session, results, limit);
+    CHECK(results.comparison.difference_number > number);
+    CHECK(results.comparison.difference_values ==
+          signed_difference(*results.a.framebuffer, *results.b->framebuffer, View::colour));
+    CHECK(settle() == 0);
+    require_right(results);
+}
+
 TEST_CASE("The room of the lab, and its comparison, take one update") {
     Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
     compare_with(session, with(session.a.settings, "interpolation=affine"));

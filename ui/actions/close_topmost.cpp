@@ -2,6 +2,7 @@
 
 #include <imgui_internal.h>
 
+#include "ui/actions/lab.h"
 #include "ui/actions/lecture.h"
 #include "ui/actions/open_tab.h"
 #include "ui/ui.h"
@@ -29,6 +30,8 @@ void close_topmost(Ui& ui) {
         ImGui::ClosePopupToLevel(level, true);
     } else if (const std::optional<Sheet> sheet = ui.sheets.topmost()) {
         ui.sheets.show(*sheet, false);
+    } else if (is_diagnosing(ui)) {
+        stop_diagnosis(ui);
     } else if (is_settings_open(ui)) {
         close_settings_sheet(ui);
     } else if (is_drawer_open(ui)) {

@@ -6,7 +6,6 @@
 #include "base/files.h"
 #include "base/image.h"
 #include "laboratory/diagnose.h"
-#include "laboratory/picture_trial.h"
 #include "laboratory/quiz.h"
 #include "session/second_run.h"
 #include "ui/actions/actions.h"
@@ -32,22 +31,37 @@ std::string picture_words(const Session& session, const Settings& reference) {
 }
 
 /// Keeps what is shown side by side: the student's picture, and what the likely mistake makes.
-void keep_pictures(LabLook& lab, const Image& picture) {
+void keep_pictures(LabLook& lab, const DiagnosisWork& work) {
     LabPictures& pictures = lab.pictures;
-    pictures.own = picture;
+    pictures.own = work.picture();
+    pictures.beside = work.likely_picture();
     // Opacity is not looked at: a picture that says it is transparent is shown, too.
     for (std::size_t i = 3; i < pictures.own.rgba.size(); i += 4)
         pictures.own.rgba[i] = 255;
-    const Candidate* const likely = likely_candidate(*lab.diagnosis);
-    pictures.is_reference = likely == nullptr || !likely->recipe;
-    pictures.beside =
-        picture_of(*lab.compared_scene,
-                   pictures.is_reference ? PictureRecipe{lab.reference} : *likely->recipe);
+    pictures.is_reference = likely_candidate(work.found()) == nullptr;
     ++pictures.number;
 }
 
-/// The largest side of a picture for which the student is made to wait, pixels.
-constexpr int largest_result = 1024;
+void begin_picture(Ui& ui, const std::string& path) {
+    LabLook& lab = ui.lab;
+    const Session& session = ui.session;
+    Image picture = read_image(path);
+    lab.reference =
+        fitted_to(with_handout_rules(session.a.settings), picture, session.scene->space);
+    lab.compared_scene = session.scene;
+    lab.held_against = picture_words(session, lab.reference);
+    lab.work = std::make_unique<DiagnosisWork>(std::move(picture), path, *lab.compared_scene,
+                                               lab.reference, lab_bugs(ui));
+}
+
+void diagnose_rows_file(Ui& ui, const std::string& path) {
+    const std::vector<PrintedRow> rows = parse_printed_rows(read_file(path), path);
+    std::string about;
+    ui.lab.diagnosis =
+        diagnose_rows(rows, {}, *ui.session.scene, with_handout_rules(ui.session.a.settings),
+                      lab_bugs(ui), about);
+    ui.lab.held_against = "the row table of " + about;
+}
 
 } // namespace
 
@@ -124,6 +138,7 @@ void finish_quiz(Ui& ui) {
 
 void diagnose_file(Ui& ui, const std::string& path) {
     LabLook& lab = ui.lab;
+    stop_diagnosis(ui);
     lab.mode = LabMode::result;
     open_tab(ui, "lab");
     lab.result_path = path;
@@ -133,42 +148,38 @@ void diagnose_file(Ui& ui, const std::string& path) {
     lab.frames_to_result = 2;
 }
 
-void carry_on_diagnosis(Ui& ui) {
+void carry_on_diagnosis(Ui& ui, const WorkLimit& limit) {
     LabLook& lab = ui.lab;
-    if (lab.frames_to_result == 0 || --lab.frames_to_result > 0) return;
-    const Session& session = ui.session;
-    const std::string path = lab.result_path;
-    // The answer takes the place of the question: in sight, and scrolled by keys.
-    give_focus(ui, "lab.mode.result");
-    lab.is_picture = false;
+    const bool begins = lab.frames_to_result > 0 && --lab.frames_to_result == 0;
+    if (!begins && lab.work == nullptr) return;
     try {
-        refuse_endless_file(path);
-        if (is_image_file(path)) {
-            const Image picture = read_image(path);
-            if (picture.width > largest_result || picture.height > largest_result) {
-                throw InputError(path +
-                                 ": the picture is too large to be diagnosed here; 'rasterwalk "
-                                 "diagnose' takes larger ones.");
-            }
-            const Settings reference =
-                fitted_to(with_handout_rules(session.a.settings), picture, session.scene->space);
-            lab.diagnosis = diagnose_picture(picture, *session.scene, reference, lab_bugs(ui));
-            lab.held_against = picture_words(session, reference);
-            lab.compared_scene = session.scene;
-            lab.reference = reference;
-            lab.is_picture = true;
-            keep_pictures(lab, picture);
+        if (begins) {
+            const std::string path = lab.result_path;
+            // The answer takes the place of the question: in sight, and scrolled by keys.
+            give_focus(ui, "lab.mode.result");
+            refuse_endless_file(path);
+            lab.is_picture = is_image_file(path);
+            lab.is_picture ? begin_picture(ui, path) : diagnose_rows_file(ui, path);
         } else {
-            const std::vector<PrintedRow> rows = parse_printed_rows(read_file(path), path);
-            std::string about;
-            lab.diagnosis =
-                diagnose_rows(rows, {}, *session.scene, with_handout_rules(session.a.settings),
-                              lab_bugs(ui), about);
-            lab.held_against = "the row table of " + about;
+            lab.work->advance(limit);
+            if (!lab.work->is_done()) return;
+            lab.diagnosis = lab.work->found();
+            keep_pictures(lab, *lab.work);
+            lab.work = nullptr;
         }
     } catch (const Error& fault) {
         lab.result_fault = fault.what();
+        lab.work = nullptr;
     }
+}
+
+void stop_diagnosis(Ui& ui) {
+    ui.lab.frames_to_result = 0;
+    ui.lab.work = nullptr;
+}
+
+bool is_diagnosing(const Ui& ui) {
+    return ui.lab.frames_to_result > 0 || ui.lab.work != nullptr;
 }
 
 } // namespace rasterwalk

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "laboratory/bug.h"
+#include "pipeline/work.h"
 
 namespace rasterwalk {
 
@@ -31,10 +32,18 @@ void begin_quiz(Ui& ui);
 void finish_quiz(Ui& ui);
 
 /// Holds a picture (PNG or BMP) or a text of printed rows against what is set now, and opens the
-/// laboratory with what may be wrong with it: in the next frame but one, see carry_on_diagnosis().
+/// laboratory with what may be wrong with it: from the next frame but one on, see
+/// carry_on_diagnosis().
 void diagnose_file(Ui& ui, const std::string& path);
 
-/// Diagnoses the file that waits for it. To be called once a frame.
-void carry_on_diagnosis(Ui& ui);
+/// Reads the file that waits for it, or goes on with the picture that is being checked. To be
+/// called once a frame.
+void carry_on_diagnosis(Ui& ui, const WorkLimit& limit = frame_limit);
+
+/// Checks the file no further.
+void stop_diagnosis(Ui& ui);
+
+/// Is a file being checked, or about to be?
+bool is_diagnosing(const Ui& ui);
 
 } // namespace rasterwalk

@@ -310,7 +310,7 @@ void keep_everything(Ui& ui) {
 }
 
 bool is_animating(const Ui& ui) {
-    return ui.session.play.running || is_moving_by_key(ui) || ui.lab.frames_to_result > 0 ||
+    return ui.session.play.running || is_moving_by_key(ui) || is_diagnosing(ui) ||
            is_working(ui.results) || is_outside_working(ui) || is_answer_waiting(ui) ||
            is_reading(ui);
 }

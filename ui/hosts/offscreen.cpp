@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/quoted.h"
+#include "ui/actions/lab.h"
 #include "ui/actions/open_tab.h"
 #include "ui/app/app.h"
 #include "ui/canvas/outside_view.h"
@@ -121,6 +122,11 @@ Image draw_offscreen(Session session, const OffscreenOptions& options) {
     Hand hand(screen.ui, [&] { screen.frame(); });
     // Work that a window would spread over many frames is done at once.
     const auto settle = [&] {
+        if (is_diagnosing(screen.ui)) {
+            while (is_diagnosing(screen.ui))
+                carry_on_diagnosis(screen.ui, {});
+            hand.rest();
+        }
         if (is_working(screen.ui.results)) {
             finish(screen.ui.session, screen.ui.results);
             hand.rest();

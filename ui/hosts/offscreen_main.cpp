@@ -119,25 +119,34 @@ Session understand(Arguments& a) {
     return open_view(a.view);
 }
 
+/// Reads the arguments. Prints help or version if they ask for it, and then returns false.
+bool parse(CLI::App& app, std::vector<std::string> words) {
+    restore_arguments(app);
+    std::reverse(words.begin(), words.end()); // as CLI11 wants them
+    try {
+        app.parse(std::move(words));
+        return true;
+    } catch (const CLI::ParseError& fault) {
+        if (fault.get_exit_code() == 0) {
+            app.exit(fault);
+            return false;
+        }
+        std::string sentence = fault.what();
+        if (!sentence.ends_with('.')) sentence += '.';
+        throw UsageError(sentence + " See rasterwalk-offscreen --help.");
+    }
+}
+
 int run(int argc, const char* const* argv) {
     CLI::App app{"Draws the window of Rasterwalk as a picture, without a display.",
                  "rasterwalk-offscreen"};
     Arguments arguments;
     const ActionOptions actions = describe(app, arguments);
-    restore_arguments(app);
-    std::vector<std::string> words = command_arguments(argc, argv);
-    std::reverse(words.begin(), words.end()); // as CLI11 wants them
-    try {
-        app.parse(std::move(words));
-    } catch (const CLI::ParseError& fault) {
-        if (fault.get_exit_code() == 0) return app.exit(fault);
-        std::string sentence = fault.what();
-        if (!sentence.ends_with('.')) sentence += '.';
-        throw UsageError(sentence + " See rasterwalk-offscreen --help.");
+    if (parse(app, command_arguments(argc, argv))) {
+        Session session = understand(arguments);
+        arguments.options.actions = in_order(app, actions);
+        write_png(draw_offscreen(std::move(session), arguments.options), arguments.output);
     }
-    Session session = understand(arguments);
-    arguments.options.actions = in_order(app, actions);
-    write_png(draw_offscreen(std::move(session), arguments.options), arguments.output);
     std::cout.flush();
     if (!std::cout) throw AccessError("the output could not be written.");
     return static_cast<int>(ExitCode::done);

@@ -4,6 +4,8 @@
 #include <new>
 #include <utility>
 
+#include <unistd.h>
+
 #include "base/error.h"
 #include "base/quoted.h"
 #include "cli/cli.h"
@@ -27,8 +29,10 @@ int main(int argc, char** argv) {
     };
     try {
         rasterwalk::CliRequest request;
+        const bool is_watched = isatty(STDERR_FILENO) == 1;
         const int exit_code =
-            rasterwalk::run_cli(argc, argv, std::cout, std::cerr, request, milliseconds_now);
+            rasterwalk::run_cli(argc, argv, std::cout, std::cerr, request, milliseconds_now,
+                                is_watched ? &std::cerr : nullptr);
         if (request.open_window) {
             rasterwalk::show_window(std::move(request.session), request.is_plain,
                                     std::move(request.reading));

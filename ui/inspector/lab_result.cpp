@@ -206,6 +206,30 @@ void draw_diagnosis(Ui& ui) {
     draw_candidates(ui, diagnosis);
 }
 
+/// How far the check is, and the way to stop it.
+void draw_progress(Ui& ui) {
+    const Palette& p = palette(ui.options.theme);
+    const PicturesDrawn drawn = ui.lab.work ? ui.lab.work->pictures() : PicturesDrawn{};
+    const std::string words =
+        drawn.all == 0
+            ? "Each mistake is tried …"
+            : fmt::format("Each mistake is tried: {} of {} pictures", drawn.done, drawn.all);
+    text_in(p.dim, words);
+    keep_item_whole(ui);
+    ImGui::PushStyleColor(ImGuiCol_PlotHistogram, p.accent);
+    ImGui::ProgressBar(static_cast<float>(drawn.done) / static_cast<float>(std::max(drawn.all, 1)),
+                       {-1.0f, 10.0f * ui.options.text_scale}, "");
+    ImGui::PopStyleColor();
+    name_widget(ui, "lab.progress",
+                "How many of the pictures are drawn that are known to be needed; what they show "
+                "may lead to more.");
+    note_text(ui, "lab.progress", words);
+    keep_item_whole(ui);
+    if (button(ui, "lab.stop", "Stop", Look::plain, "Stops checking the file. Key: Esc"))
+        stop_diagnosis(ui);
+    keep_item_whole(ui);
+}
+
 /// What came of the file that was checked last.
 void draw_result_answer(Ui& ui) {
     const LabLook& lab = ui.lab;
@@ -215,9 +239,7 @@ void draw_result_answer(Ui& ui) {
         ImGui::PopStyleColor();
         name_widget(ui, "lab.result.fault", "Why it could not be diagnosed.");
     }
-    if (lab.frames_to_result > 0) {
-        text_in(palette(ui.options.theme).dim, "It is held against every mistake …");
-    }
+    if (is_diagnosing(ui)) draw_progress(ui);
     if (lab.diagnosis) draw_diagnosis(ui);
 }
 
@@ -225,7 +247,7 @@ void draw_result_answer(Ui& ui) {
 
 void draw_lab_result(Ui& ui) {
     const LabLook& lab = ui.lab;
-    const bool is_asked = lab.frames_to_result > 0 || lab.diagnosis || !lab.result_fault.empty();
+    const bool is_asked = is_diagnosing(ui) || lab.diagnosis || !lab.result_fault.empty();
     // The answer stands above the way to the next one, which stays in sight where there is room.
     if (!is_asked) {
         draw_intro(ui);

@@ -10,6 +10,7 @@
 #include "base/image.h"
 #include "laboratory/bug.h"
 #include "laboratory/candidate.h"
+#include "laboratory/diagnose.h"
 #include "scene/scene.h"
 #include "settings/settings.h"
 #include "ui/widgets/picture_state.h"
@@ -51,8 +52,9 @@ struct LabLook {
     std::string result_path;  ///< of the student's own result
     int frames_to_result = 0; ///< it is diagnosed when this falls to 0 from 1; until then it waits
     std::string result_fault; ///< why it could not be diagnosed
-    std::string held_against; ///< "the picture of lab-room"
-    bool is_picture = false;  ///< what was held against it; else rows
+    std::unique_ptr<DiagnosisWork> work; ///< of a picture, as long as it goes on; null: none does
+    std::string held_against;            ///< "the picture of lab-room"
+    bool is_picture = false;             ///< what was held against it; else rows
     std::optional<Diagnosis> diagnosis;
     /// What a picture was held against, so that a mistake is shown on the very same.
     std::shared_ptr<const Scene> compared_scene;

@@ -1,5 +1,6 @@
 #include "ui/start/ways.h"
 
+#include "ui/actions/lab.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/actions/open_tab.h"
 #include "ui/start/stage_pictures.h"
@@ -55,7 +56,7 @@ void follow_start_page(Ui& ui) {
         ui.focus.before.clear(); // each way leads on
     }
     const bool is_same = start.behind == ui.session && start.lesson == ui.session.lesson;
-    if (!is_same || ui.lab.frames_to_result > 0) start.is_open = false;
+    if (!is_same || is_diagnosing(ui)) start.is_open = false;
     if (!start.is_open) start.behind.reset();
 }
 

@@ -23,6 +23,7 @@
 #include "ui/actions/lab.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/actions/view_files.h"
+#include "ui/app/app.h"
 #include "ui/ui.h"
 
 namespace rasterwalk {
@@ -33,6 +34,13 @@ Image picture_with(const Bug& bug, const Session& session) {
     const Settings settings = wrong_run(bug, with_handout_rules(session.a.settings));
     const Frame frame = prepare_frame(*session.scene, settings);
     return view_image(draw_frame(frame), View::colour, std::nullopt);
+}
+
+/// Ends the check of a file that has been begun.
+void finish_check(Driver& driver) {
+    while (is_diagnosing(driver.ui))
+        carry_on_diagnosis(driver.ui, {});
+    driver.hand.rest();
 }
 
 } // namespace
@@ -160,6 +168,7 @@ TEST_CASE("A picture with a mistake is diagnosed when its path is named, and the
     driver.open("lab");
     driver.hand.click("lab.mode.result");
     driver.hand.enter("lab.path", path);
+    finish_check(driver);
     REQUIRE(driver.ui.lab.diagnosis);
     REQUIRE_FALSE(driver.ui.lab.diagnosis->candidates.empty());
     CHECK(shown_text(driver, "lab.candidate.0") == "B9");
@@ -176,7 +185,7 @@ void check_picture(Driver& driver, const Settings& settings) {
     const Frame frame = prepare_frame(*driver.ui.session.scene, settings);
     write_png(view_image(draw_frame(frame), View::colour), path);
     diagnose_file(driver.ui, path);
-    driver.hand.frames(2 + frames_to_rest);
+    finish_check(driver);
 }
 
 /// The same with any picture.
@@ -185,7 +194,7 @@ void check_image(Driver& driver, const Image& picture) {
     const std::string path = folder.file("mine.png");
     write_png(picture, path);
     diagnose_file(driver.ui, path);
-    driver.hand.frames(2 + frames_to_rest);
+    finish_check(driver);
 }
 
 Image drawn_by(const Driver& driver, const Settings& settings) {
@@ -224,6 +233,38 @@ Settings pixel_light(const Driver& driver, int side = 120) {
 }
 
 } // namespace
+
+TEST_CASE(
+    "A picture is checked a part a frame, says how far it is, and is stopped by Esc or button") {
+    Driver driver;
+    const Settings reference = pixel_light(driver, 400);
+    driver.ui.session.a.settings = reference;
+    Settings wrong = reference;
+    wrong.camera.yaw = 0.2f;
+    test::TemporaryFolder folder;
+    const std::string path = folder.file("mine.png");
+    write_png(drawn_by(driver, wrong), path);
+    for (const bool by_key : {true, false}) {
+        diagnose_file(driver.ui, path);
+        CHECK(is_diagnosing(driver.ui));
+        driver.hand.frames(40);
+        REQUIRE(driver.ui.lab.work);
+        CHECK(is_animating(driver.ui));
+        // A frame's share of the work is about two of these pictures, of some hundred.
+        CHECK(driver.ui.lab.work->pictures().done < 100);
+        CHECK_THAT(shown_text(driver, "lab.progress"), Catch::Contains(" pictures"));
+        if (by_key) {
+            driver.ui.focus.is_shown = false;
+            driver.hand.press(key::escape);
+        } else {
+            driver.hand.click("lab.stop");
+        }
+        CHECK_FALSE(is_diagnosing(driver.ui));
+        CHECK_FALSE(driver.ui.lab.diagnosis);
+        driver.hand.rest();
+        CHECK(driver.hand.is_visible("lab.choose"));
+    }
+}
 
 TEST_CASE("A diagnosis shows the student's picture beside the one that the mistake makes") {
     constexpr int side = 160;

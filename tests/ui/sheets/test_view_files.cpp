@@ -405,6 +405,9 @@ TEST_CASE("A result of one's own is chosen from a list of pictures and texts") {
     driver.hand.double_click("files.entry.mine.png");
     CHECK_FALSE(is_up(driver));
     driver.hand.rest();
+    while (is_diagnosing(driver.ui))
+        carry_on_diagnosis(driver.ui, {});
+    driver.hand.rest();
     CHECK(driver.ui.lab.result_path == folder.file("mine.png"));
     CHECK((driver.ui.lab.diagnosis || !driver.ui.lab.result_fault.empty()));
 
