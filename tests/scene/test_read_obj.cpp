@@ -22,8 +22,8 @@ using Catch::Contains;
 
 namespace {
 
-const std::string three_points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-const std::string one_face = three_points + "f 1 2 3\n";
+const std::string triangle_points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+const std::string one_face = triangle_points + "f 1 2 3\n";
 
 std::vector<std::string> faults_of(const std::string& text) {
     return fault_lines(parse_obj(text, "m.obj").report);
@@ -59,29 +59,31 @@ TEST_CASE("A model in each dialect has the right counts") {
         {"CR LF", "v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\n", 3, 0, 0, 1, 1, 3, 1},
         {"CR alone", "v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r", 3, 0, 0, 1, 1, 3, 1},
         {"byte order mark", "\xef\xbb\xbf" + one_face, 3, 0, 0, 1, 1, 3, 1},
-        {"no line end at the end", three_points + "f 1 2 3", 3, 0, 0, 1, 1, 3, 1},
+        {"no line end at the end", triangle_points + "f 1 2 3", 3, 0, 0, 1, 1, 3, 1},
         {"tabs and blanks", "  v\t0 0  0 \nv 1 0 0\nv 0 1 0\n\tf  1\t2  3  \n", 3, 0, 0, 1, 1, 3,
          1},
-        {"comments", "# f 1 2 3 \\\n" + three_points + "f 1 2 3 # f 3 2 1\n", 3, 0, 0, 1, 1, 3, 1},
+        {"comments", "# f 1 2 3 \\\n" + triangle_points + "f 1 2 3 # f 3 2 1\n", 3, 0, 0, 1, 1, 3,
+         1},
         {"numbers", "v +.5 -.5 1e-3\nv 1. 1E+2 -0\nv 0 1e-400 0000.1\nf 1 2 3\n", 3, 0, 0, 1, 1, 3,
          1},
-        {"counted back", three_points + "f -3 -2 -1\nv 2 2 2\nf -4 -2 -1\n", 4, 0, 0, 2, 2, 6, 1},
+        {"counted back", triangle_points + "f -3 -2 -1\nv 2 2 2\nf -4 -2 -1\n", 4, 0, 0, 2, 2, 6,
+         1},
         {"a/b", quad + "vt 0 0\nvt 1 0\nf 1/1 2/2 3/1 4/2\n", 4, 2, 0, 1, 2, 4, 1},
         {"a//c", quad + "vn 0 0 1\nf 1//1 2//1 3//1 4//1\n", 4, 0, 1, 1, 2, 4, 1},
         {"a/b/c", quad + "vt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1 4/1/1\n", 4, 1, 1, 1, 2, 4, 1},
         {"back in all three", quad + "vt 0 0\nvn 0 0 1\nf -4/-1/-1 -3/-1/-1 -2/-1/-1\n", 4, 1, 1, 1,
          1, 3, 1},
-        {"slashes at the end", three_points + "f 1/ 2// 3\n", 3, 0, 0, 1, 1, 3, 1},
-        {"joined lines", three_points + "f 1 \\\n2 \\\r\n3\n", 3, 0, 0, 1, 1, 3, 1},
-        {"points behind their face", "f 1 2 3\n" + three_points, 3, 0, 0, 1, 1, 3, 1},
-        {"objects and groups", three_points + "o a\nf 1 2 3\ng b c\nf 1 3 2\ng b c\nf 1 2 3\n", 3,
-         0, 0, 3, 3, 6, 2},
+        {"slashes at the end", triangle_points + "f 1/ 2// 3\n", 3, 0, 0, 1, 1, 3, 1},
+        {"joined lines", triangle_points + "f 1 \\\n2 \\\r\n3\n", 3, 0, 0, 1, 1, 3, 1},
+        {"points behind their face", "f 1 2 3\n" + triangle_points, 3, 0, 0, 1, 1, 3, 1},
+        {"objects and groups", triangle_points + "o a\nf 1 2 3\ng b c\nf 1 3 2\ng b c\nf 1 2 3\n",
+         3, 0, 0, 3, 3, 6, 2},
         {"five corners", quad + "v -1 0.5 0\nf 1 2 3 4 5\n", 5, 0, 0, 1, 3, 5, 1},
-        {"one and three texture coordinates", three_points + "vt 0.5\nvt 0 1 0\nf 1/1 2/2 3/2\n", 3,
-         2, 0, 1, 1, 3, 1},
-        {"a name that is not UTF-8", three_points + "o caf\xe9\nf 1 2 3\n", 3, 0, 0, 1, 1, 3, 1},
-        {"NUL bytes in a name", three_points + std::string("g a\0b\n", 6) + "f 1 2 3\n", 3, 0, 0, 1,
-         1, 3, 1},
+        {"one and three texture coordinates", triangle_points + "vt 0.5\nvt 0 1 0\nf 1/1 2/2 3/2\n",
+         3, 2, 0, 1, 1, 3, 1},
+        {"a name that is not UTF-8", triangle_points + "o caf\xe9\nf 1 2 3\n", 3, 0, 0, 1, 1, 3, 1},
+        {"NUL bytes in a name", triangle_points + std::string("g a\0b\n", 6) + "f 1 2 3\n", 3, 0, 0,
+         1, 1, 3, 1},
     };
     for (const Dialect& dialect : dialects) {
         INFO(dialect.what);
@@ -113,7 +115,8 @@ TEST_CASE("A model's numbers reach the mesh as they are written") {
 }
 
 TEST_CASE("Names of parts that no terminal can show are made visible") {
-    CHECK(parse_obj(three_points + "o caf\xe9\nf 1 2 3\n", "m.obj").parts.at(0).name == "caf\\xe9");
+    CHECK(parse_obj(triangle_points + "o caf\xe9\nf 1 2 3\n", "m.obj").parts.at(0).name ==
+          "caf\\xe9");
     CHECK(parse_obj(one_face, "folder/m.obj").parts.at(0).name == "m");
 }
 
@@ -204,7 +207,7 @@ TEST_CASE("Statements that have no effect are counted by kind, with the line of 
 TEST_CASE("A file without a face is refused, and says why") {
     CHECK(refusal_of_obj("") == "m.obj:1: there is no face in it that can be drawn.");
     CHECK(refusal_of_obj("hello\nworld") == "m.obj:1: there is no face in it that can be drawn.");
-    CHECK(refusal_of_obj(three_points + "f 1 2") ==
+    CHECK(refusal_of_obj(triangle_points + "f 1 2") ==
           "m.obj:4: 'f' has 2 corners, and a face has at least three; the face is left out. In the "
           "whole file there is no face in it that can be drawn.");
     CHECK(refusal_of_obj("\xff\xfe"
@@ -300,7 +303,7 @@ TEST_CASE("Materials stand beside the model, and give its faces their colour") {
     write_png({1, 1, {9, 9, 9, 255}}, folder.file("wood grain.png"));
     write_png({1, 1, {128, 128, 255, 255}}, folder.file("bumps.png"));
     const std::string path =
-        folder.write("m.obj", "mtllib two parts.mtl\nmtllib two parts.mtl\n" + three_points +
+        folder.write("m.obj", "mtllib two parts.mtl\nmtllib two parts.mtl\n" + triangle_points +
                                   "vt 0 0\nusemtl red clay\nf 1/1 2/1 3/1\nusemtl blue\nf 1/1 3/1 "
                                   "2/1\nusemtl\nf 1 2 3\n");
     const ObjModel model = read_obj(path);

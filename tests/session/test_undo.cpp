@@ -25,7 +25,7 @@ SharedTexture texture_of_side(int side) {
     return SharedTexture(make_texture("made", image));
 }
 
-std::size_t bytes_of(const std::vector<const Scene*>& scenes) {
+std::size_t bytes_of_scenes(const std::vector<const Scene*>& scenes) {
     SceneBytes bytes;
     for (const Scene* scene : scenes)
         bytes.add(scene);
@@ -43,12 +43,12 @@ TEST_CASE("Scenes take the memory of their triangles and texels, and what they s
     const SharedTexture texture = texture_of_side(64);
     const std::size_t texels = 64 * 64 * sizeof(glm::vec3);
     const Scene small = large_scene("small", 1, texture), large = large_scene("l", 1000, texture);
-    CHECK(bytes_of({&small}) > texels);
-    CHECK(bytes_of({&large}) > texels + triangle_bytes(1000));
-    CHECK(bytes_of({&large, &large, nullptr}) == bytes_of({&large}));
-    const std::size_t both = bytes_of({&small, &large});
-    CHECK(both < bytes_of({&small}) + bytes_of({&large}) - texels);
-    CHECK(both > bytes_of({&large}) + triangle_bytes(1));
+    CHECK(bytes_of_scenes({&small}) > texels);
+    CHECK(bytes_of_scenes({&large}) > texels + triangle_bytes(1000));
+    CHECK(bytes_of_scenes({&large, &large, nullptr}) == bytes_of_scenes({&large}));
+    const std::size_t both = bytes_of_scenes({&small, &large});
+    CHECK(both < bytes_of_scenes({&small}) + bytes_of_scenes({&large}) - texels);
+    CHECK(both > bytes_of_scenes({&large}) + triangle_bytes(1));
 }
 
 TEST_CASE("Undo forgets the oldest scenes when they take too much, but never the newest step") {
