@@ -4,10 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
 #include <imgui_internal.h>
 
+#include "tests/support/catch.h"
 #include "tests/ui/driver.h"
 #include "ui/actions/keys.h"
 #include "ui/actions/lesson_links.h"

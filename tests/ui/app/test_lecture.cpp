@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
-#include <catch2/catch.hpp>
-
 #include "lessons/progress.h"
+#include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/driver.h"
 #include "tests/ui/screen_text.h"

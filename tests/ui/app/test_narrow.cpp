@@ -2,10 +2,9 @@
 
 #include <algorithm>
 
-#include <catch2/catch.hpp>
-
 #include <imgui_internal.h>
 
+#include "tests/support/catch.h"
 #include "tests/support/effort.h"
 #include "tests/ui/driver.h"
 #include "ui/actions/actions.h"

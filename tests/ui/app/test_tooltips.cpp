@@ -1,9 +1,8 @@
-#include <catch2/catch.hpp>
-
 #include <set>
 
 #include <imgui_internal.h>
 
+#include "tests/support/catch.h"
 #include "tests/ui/driver.h"
 #include "ui/actions/keys.h"
 #include "ui/ui.h"

@@ -1,5 +1,4 @@
-#include <catch2/catch.hpp>
-
+#include "tests/support/catch.h"
 #include "tests/ui/driver.h"
 #include "ui/actions/keys.h"
 #include "ui/ui.h"

@@ -1,6 +1,5 @@
-#include <catch2/catch.hpp>
-
 #include "picture/view_image.h"
+#include "tests/support/catch.h"
 #include "tests/ui/driver.h"
 #include "ui/actions/keys.h"
 #include "ui/actions/picture_fit.h"

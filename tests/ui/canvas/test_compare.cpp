@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <catch2/catch.hpp>
-
 #include <imgui_internal.h>
 
 #include "picture/view_image.h"
@@ -10,6 +8,7 @@
 #include "session/second_run.h"
 #include "settings/setting_table.h"
 #include "support/effort.h"
+#include "tests/support/catch.h"
 #include "tests/ui/lit_room.h"
 #include "tests/ui/shown_colours.h"
 #include "tests/ui/shown_number.h"
@@ -33,7 +32,8 @@ TEST_CASE("One click compares the picture as it is with affine, and one ends it 
     CHECK(shown_text(driver, "compare.title_a") == "between the vertices: perspective");
     driver.hand.click("compare.run_b");
     CHECK(shown_text(driver, "compare.title_b") == "between the vertices: affine");
-    CHECK_THAT(shown_text(driver, "compare.counts"), Catch::Contains("pixels differ"));
+    CHECK_THAT(shown_text(driver, "compare.counts"),
+               Catch::Matchers::ContainsSubstring("pixels differ"));
     driver.hand.press('C');
     CHECK_FALSE(driver.ui.session.b);
     CHECK_FALSE(driver.ui.results.b);
@@ -373,8 +373,8 @@ TEST_CASE(
     REQUIRE(driver.ui.results.comparison.whole().divergences.first);
     driver.hand.find("compare.first");
     const std::string text = driver.ui.widgets.at("compare.first").text;
-    CHECK_THAT(text, Catch::StartsWith("other value, too small to see: "));
-    CHECK_THAT(text, Catch::Contains("differs by −"));
+    CHECK_THAT(text, Catch::Matchers::StartsWith("other value, too small to see: "));
+    CHECK_THAT(text, Catch::Matchers::ContainsSubstring("differs by −"));
     CHECK(text.find('-') == std::string::npos);
 }
 
@@ -391,7 +391,8 @@ TEST_CASE("The tab leads to the first divergence, to the next, and back; a click
     CHECK(driver.ui.results.comparison.here->cursor == list.first->cursor);
     driver.hand.click("compare.previous");
     CHECK(driver.ui.session.cursor == list.first->cursor);
-    CHECK_THAT(driver.ui.session.notice, Catch::Contains("do not differ before"));
+    CHECK_THAT(driver.ui.session.notice,
+               Catch::Matchers::ContainsSubstring("do not differ before"));
     driver.hand.click("compare.next");
     const Cursor second = driver.ui.session.cursor;
     CHECK(second > list.first->cursor);

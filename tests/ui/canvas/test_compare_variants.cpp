@@ -5,12 +5,11 @@
 #include <map>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
 #include "session/second_run.h"
 #include "settings/setting_table.h"
 #include "support/effort.h"
 #include "support/project_root.h"
+#include "tests/support/catch.h"
 #include "tests/ui/shown_colours.h"
 #include "tests/ui/shown_number.h"
 #include "ui/actions/compare.h"

@@ -3,10 +3,9 @@
 #include <string>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
 #include "outside/outside_drawing.h"
 #include "session/content.h"
+#include "tests/support/catch.h"
 #include "tests/support/made_scene.h"
 #include "tests/ui/driver.h"
 #include "tests/ui/screen_text.h"

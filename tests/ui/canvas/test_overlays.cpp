@@ -1,8 +1,7 @@
 #include <algorithm>
 
-#include <catch2/catch.hpp>
-
 #include "picture/view_image.h"
+#include "tests/support/catch.h"
 #include "tests/ui/driver.h"
 #include "tests/ui/screen_text.h"
 #include "tests/ui/shown_colours.h"

@@ -9,9 +9,8 @@
 #include <string>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
 #include "session/tabs.h"
+#include "tests/support/catch.h"
 #include "tests/ui/driver.h"
 #include "tests/ui/screen_text.h"
 #include "tests/ui/shown_colours.h"
@@ -422,7 +421,7 @@ TEST_CASE("A table that has no room beside the triangle is left out, and stands 
     for (const ScreenText& text : screen_text()) {
         if (text.window.find("Tooltip") != text.window.npos) tooltip += text.words + " ";
     }
-    CHECK_THAT(tooltip, Catch::Contains("Rows tab"));
+    CHECK_THAT(tooltip, Catch::Matchers::ContainsSubstring("Rows tab"));
     driver.hand.press(key::escape);
     driver.hand.press('F');
     driver.hand.leave();

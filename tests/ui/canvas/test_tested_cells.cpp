@@ -5,9 +5,8 @@
 #include <set>
 #include <string>
 
-#include <catch2/catch.hpp>
-
 #include "support/samples.h"
+#include "tests/support/catch.h"
 #include "tests/ui/driver.h"
 #include "tests/ui/screen_text.h"
 #include "ui/actions/keys.h"

@@ -1,5 +1,4 @@
-#include <catch2/catch.hpp>
-
+#include "tests/support/catch.h"
 #include "tests/ui/screen_text.h"
 #include "tests/ui/shown_number.h"
 #include "ui/actions/keys.h"

@@ -1,6 +1,5 @@
-#include <catch2/catch.hpp>
-
 #include "session/content.h"
+#include "tests/support/catch.h"
 #include "tests/ui/driver.h"
 #include "ui/actions/keys.h"
 #include "ui/actions/lesson_links.h"

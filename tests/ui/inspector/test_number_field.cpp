@@ -1,7 +1,6 @@
 #include <string>
 
-#include <catch2/catch.hpp>
-
+#include "tests/support/catch.h"
 #include "tests/ui/driver.h"
 #include "tests/ui/screen_text.h"
 #include "tests/ui/shown_number.h"

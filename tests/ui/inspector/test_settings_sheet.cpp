@@ -2,10 +2,9 @@
 #include <set>
 #include <utility>
 
-#include <catch2/catch.hpp>
-
 #include "settings/setting_table.h"
 #include "settings/value_words.h"
+#include "tests/support/catch.h"
 #include "tests/ui/driver.h"
 #include "tests/ui/screen_text.h"
 #include "tests/ui/shown_number.h"

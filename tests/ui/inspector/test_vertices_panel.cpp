@@ -5,10 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
 #include "base/element_names.h"
 #include "explain/vertex_report.h"
+#include "tests/support/catch.h"
 #include "tests/ui/screen_text.h"
 #include "tests/ui/shown_number.h"
 #include "ui/actions/keys.h"
@@ -68,7 +67,7 @@ TEST_CASE("How a vertex becomes a pixel is said as it is set") {
         {VertexRounding::truncate_sum, "Moved to the middle of the picture and cut toward 0"}};
     for (const auto& [way, words] : ways) {
         driver.ui.session.a.settings.vertex_rounding = way;
-        CHECK_THAT(help(), Catch::Contains(words));
+        CHECK_THAT(help(), Catch::Matchers::ContainsSubstring(words));
     }
 }
 

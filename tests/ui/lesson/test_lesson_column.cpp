@@ -3,9 +3,8 @@
 #include <map>
 #include <set>
 
-#include <catch2/catch.hpp>
-
 #include "session/content.h"
+#include "tests/support/catch.h"
 #include "tests/support/effort.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/driver.h"

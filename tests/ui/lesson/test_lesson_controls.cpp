@@ -3,9 +3,9 @@
 #include <cmath>
 #include <string>
 
-#include <catch2/catch.hpp>
 #include <fmt/format.h>
 
+#include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/shown_number.h"
 #include "ui/actions/keys.h"

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 
-#include <catch2/catch.hpp>
-
 #include <imgui_internal.h>
 
 #include "session/content.h"
+#include "tests/support/catch.h"
 #include "tests/support/effort.h"
 #include "tests/ui/driver.h"
 #include "ui/actions/keys.h"

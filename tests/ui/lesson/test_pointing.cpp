@@ -1,7 +1,6 @@
 // The outline of what a step of a lesson points at.
 
-#include <catch2/catch.hpp>
-
+#include "tests/support/catch.h"
 #include "tests/support/effort.h"
 #include "tests/ui/driver.h"
 #include "ui/actions/keys.h"

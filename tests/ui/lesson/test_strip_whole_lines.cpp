@@ -7,10 +7,9 @@
 #include <string_view>
 #include <utility>
 
-#include <catch2/catch.hpp>
-
 #include <imgui_internal.h>
 
+#include "tests/support/catch.h"
 #include "tests/support/effort.h"
 #include "tests/ui/driver.h"
 #include "tests/ui/screen_text.h"

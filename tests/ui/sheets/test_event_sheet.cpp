@@ -1,8 +1,7 @@
 #include <algorithm>
 #include <string>
 
-#include <catch2/catch.hpp>
-
+#include "tests/support/catch.h"
 #include "tests/ui/driver.h"
 #include "ui/actions/actions.h"
 #include "ui/actions/keys.h"

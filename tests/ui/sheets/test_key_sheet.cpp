@@ -2,8 +2,7 @@
 #include <string>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
+#include "tests/support/catch.h"
 #include "tests/ui/driver.h"
 #include "tests/ui/screen_text.h"
 #include "ui/actions/actions.h"

@@ -1,13 +1,12 @@
 #include <filesystem>
 
-#include <catch2/catch.hpp>
-
 #include "base/files.h"
 #include "base/image.h"
 #include "laboratory/bug.h"
 #include "laboratory/quiz.h"
 #include "opening/opened_view.h"
 #include "session/content.h"
+#include "tests/support/catch.h"
 #include "tests/support/random_session.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/driver.h"

@@ -5,11 +5,10 @@
 #include <string>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
 #include "base/files.h"
 #include "session/content.h"
 #include "support/effort.h"
+#include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/driver.h"
 #include "tests/ui/screen_text.h"
