@@ -2,10 +2,10 @@
 
 #include "base/error.h"
 #include "tests/support/catch.h"
-#include "ui/actions/keys.h"
 #include "ui/hand/key_names.h"
 #include "ui/hand/report.h"
 #include "ui/ui.h"
+#include "ui/widgets/keys.h"
 
 namespace rasterwalk {
 

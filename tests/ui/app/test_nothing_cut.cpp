@@ -15,8 +15,8 @@
 #include "tests/ui/screen_text.h"
 #include "tests/ui/shown_number.h"
 #include "ui/actions/compare.h"
-#include "ui/actions/keys.h"
 #include "ui/actions/lab.h"
+#include "ui/widgets/keys.h"
 
 namespace rasterwalk {
 

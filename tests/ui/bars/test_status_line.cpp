@@ -8,10 +8,10 @@
 #include "tests/ui/screen_text.h"
 #include "tests/ui/shown_colours.h"
 #include "ui/actions/compare.h"
-#include "ui/actions/keys.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/app/app.h"
 #include "ui/ui.h"
+#include "ui/widgets/keys.h"
 #include "ui/widgets/style.h"
 
 using namespace rasterwalk;

@@ -10,9 +10,9 @@
 #include "tests/support/catch.h"
 #include "tests/support/effort.h"
 #include "tests/ui/driver.h"
-#include "ui/actions/keys.h"
 #include "ui/bars/time_window.h"
 #include "ui/ui.h"
+#include "ui/widgets/keys.h"
 
 namespace rasterwalk {
 

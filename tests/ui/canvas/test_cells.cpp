@@ -13,10 +13,10 @@
 #include "tests/ui/driver.h"
 #include "tests/ui/screen_text.h"
 #include "tests/ui/shown_number.h"
-#include "ui/actions/keys.h"
 #include "ui/canvas/cells.h"
 #include "ui/canvas/marks.h"
 #include "ui/canvas/vertex_labels.h"
+#include "ui/widgets/keys.h"
 
 namespace rasterwalk {
 

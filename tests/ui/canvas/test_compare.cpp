@@ -13,10 +13,11 @@
 #include "tests/ui/shown_colours.h"
 #include "tests/ui/shown_number.h"
 #include "ui/actions/compare.h"
-#include "ui/actions/keys.h"
 #include "ui/actions/open_tab.h"
 #include "ui/app/app.h"
 #include "ui/ui.h"
+#include "ui/widgets/imgui_versions.h"
+#include "ui/widgets/keys.h"
 #include "ui/widgets/style.h"
 
 namespace rasterwalk {
@@ -271,15 +272,15 @@ TEST_CASE("Both pictures stand side by side with the same zoom, and each can be 
     const glm::vec2 pointer{std::floor(b.origin.x + b.scale * 300.5f),
                             std::floor(b.origin.y + b.scale * 200.5f)};
     const glm::ivec2 pixel((pointer.x - b.origin.x) / b.scale, (pointer.y - b.origin.y) / b.scale);
-    ImGui::GetIO().MousePos = {pointer.x, pointer.y};
+    play_pointer({pointer.x, pointer.y});
     driver.hand.frames(3);
     CHECK(driver.ui.canvas.hovered_pixel == pixel);
-    ImGui::GetIO().MouseDown[0] = true;
+    play_mouse_button(0, true);
     driver.hand.frames(1);
-    ImGui::GetIO().MouseDown[0] = false;
+    play_mouse_button(0, false);
     driver.hand.frames(2);
     CHECK(driver.ui.session.selection.pixel == pixel);
-    ImGui::GetIO().MouseWheel = 6.0f;
+    play_wheel(6.0f);
     driver.hand.frames(2);
     CHECK(driver.ui.compare.place_of_b->scale == driver.ui.canvas.place.scale);
     CHECK(driver.ui.canvas.place.scale > 4.0f);

@@ -11,10 +11,10 @@
 #include "tests/ui/driver.h"
 #include "tests/ui/screen_text.h"
 #include "tests/ui/shown_colours.h"
-#include "ui/actions/keys.h"
 #include "ui/actions/open_tab.h"
 #include "ui/page/markdown.h"
 #include "ui/ui.h"
+#include "ui/widgets/keys.h"
 #include "ui/widgets/style.h"
 #include "view/widget_names.h"
 
