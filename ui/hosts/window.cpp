@@ -284,9 +284,16 @@ void run(Window& window) {
 struct Glfw {
     Glfw() {
         glfwSetErrorCallback(note_complaint);
+#ifdef GLFW_PLATFORM
+        // There can be no Wayland then, and its library would complain on standard error.
+        if (std::getenv("XDG_RUNTIME_DIR") == nullptr)
+            glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
         if (glfwInit() != GLFW_TRUE) throw no_display();
     }
-    ~Glfw() { glfwTerminate(); }
+    ~Glfw() {
+        glfwTerminate();
+    }
     Glfw(const Glfw&) = delete;
     Glfw& operator=(const Glfw&) = delete;
 };
